@@ -6,11 +6,11 @@
 #include <string.h>
 
 #define PATH_SIZE 512
-#define HASH_BASIS 0xcbf29ce484222325ull /* FNV-1a constants. */
+#define HASH_BASIS 0xcbf29ce484222325ull /* Constants of the FNV-1a hash function. */
 #define HASH_PRIME 0x100000001b3ull
 
-/* Returns 1 for a display connector such as "card1-HDMI-A-1", and 0 for "card1", "renderD128" and
- * the kernel's writeback connectors, which only write into memory. */
+/* Returns 1 for a display connector such as "card1-HDMI-A-1", otherwise 0. Examples of 0 are
+ * "card1", "renderD128" and the kernel's writeback connectors, which only write into memory. */
 static int is_socket(const char *name)
 {
     return strncmp(name, "card", 4) == 0 && strchr(name, '-') && !strstr(name, "-Writeback-");
@@ -38,7 +38,8 @@ static uint64_t hash_of(const char *name)
     return hash;
 }
 
-/* The hashes are summed because a directory is not listed in the same order each time. */
+/* The hashes of the names are added because the kernel may list the directory in a different order
+ * each time. */
 struct connectors connectors_read(const char *root)
 {
     struct connectors found = { 0 };

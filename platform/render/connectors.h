@@ -9,10 +9,10 @@
 #include <stdint.h>
 
 struct connectors {
-    uint32_t count;     /* Number of connectors; 0 if there is no card or the directory is
-                           unreadable. */
+    uint32_t count;     /* Number of connectors. 0 means that there is no card or that the directory
+                           is unreadable. */
     uint32_t connected; /* Number of connectors with a screen. */
-    uint64_t which;     /* Hash of the set of connectors with a screen; 0 for the empty set. */
+    uint64_t which;     /* Hash of the set of connectors with a screen. 0 means the empty set. */
 };
 
 /* Returns the connectors below `root`, a directory like /sys/class/drm. Returns no connectors if

@@ -1,5 +1,4 @@
-/* display_gl.c -- window, OpenGL context and window events. The picture itself is drawn by
- * renderer.c. */
+/* display_gl.c -- window, OpenGL context and window events. renderer.c draws the picture. */
 #include "platform/render/display_gl.h"
 
 #include <stdio.h>
@@ -16,7 +15,7 @@
 /* The connectors are read once a second, which takes 40 microseconds. */
 #define LOOK_NS 1000000000ull
 #define LOOKS 2u
-/* Number of frames in which a fish of lab or album is painted at full resolution. */
+/* Number of frames in which a fish of the growth lab or the album is painted at full resolution. */
 #define PAINT_DRAWS 20u
 
 static int display_gl_fail(struct display_gl *display, const char *what, const char *why)
@@ -37,7 +36,7 @@ static void on_broken(void *context)
     display->broken = true;
 }
 
-/* Releases everything, so that a second open() after HAL_ERR_GONE starts from nothing. */
+/* Releases everything, so that a second open() after HAL_ERR_GONE starts from zero. */
 static void display_gl_release(struct display_gl *display)
 {
     if (display->context && !display->broken) {
@@ -53,9 +52,9 @@ static void display_gl_release(struct display_gl *display)
     display->has_shown = false;
 }
 
-/* Returns true if SDL chose a driver without a visible picture ("offscreen" or "dummy") without
- * a request, for example because the window system died meanwhile. Such a driver is accepted
- * only if `off_screen` or SDL_VIDEODRIVER requests it. */
+/* Returns true if SDL chose a driver without a visible picture ("offscreen" or "dummy") that was
+ * not requested, for example because the window system stopped. `off_screen` or SDL_VIDEODRIVER can
+ * request such a driver. */
 static int shows_nothing(const struct display_gl *display)
 {
     const char *driver = SDL_GetCurrentVideoDriver();
@@ -74,8 +73,8 @@ static uint64_t display_gl_now_ns(void)
     return clock.ops->now_ns(clock.self);
 }
 
-/* Returns true if SDL runs without a window system and no connector has a screen. SDL need not be
- * opened then, because its own detection takes long. */
+/* Returns true if SDL runs without a window system and no connector has a screen. The caller then
+ * does not open SDL, because SDL's own detection takes long. */
 static int has_nothing_plugged(struct display_gl *display)
 {
     const char *driver = SDL_getenv("SDL_VIDEODRIVER");
@@ -120,8 +119,8 @@ static int create_window(struct display_gl *display)
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
         return error;
     }
-    if (!config->off_screen) { /* Off-screen pictures have exactly the requested size, so they need
-                                  no minimum. */
+    if (!config->off_screen) { /* Off-screen pictures have exactly the requested size, so that no
+                                  minimum applies. */
         SDL_SetWindowMinimumSize(display->window, HAL_WINDOW_WIDTH_MIN, HAL_WINDOW_HEIGHT_MIN);
     }
     display->full_screen = (flags & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
@@ -135,8 +134,8 @@ static int create_context(struct display_gl *display)
         return display_gl_fail(display, "no OpenGL ES 3.0 context", SDL_GetError());
     }
     if (SDL_GL_SetSwapInterval(display->config.off_screen ? 0 : 1) != 0) {
-        SDL_ClearError(); /* Some drivers do not support a swap interval. The frame loop paces
-                             itself then. */
+        SDL_ClearError(); /* Some drivers do not support a swap interval. The frame loop then sets
+                             the frame rate. */
     }
     int width = 0;
     int height = 0;
@@ -157,8 +156,8 @@ static int create_context(struct display_gl *display)
     return HAL_OK;
 }
 
-/* Starts the quality governor, except for off-screen pictures, which must be the same on every
- * machine, and except if the configuration sets scale or samples. */
+/* Starts the quality governor, unless the display is off-screen or the configuration sets the scale
+ * or the samples. Off-screen pictures must be identical on every machine. */
 static void begin_to_govern(struct display_gl *display)
 {
     const struct display_gl_config *const config = &display->config;
@@ -177,8 +176,8 @@ static int govern(struct display_gl *display, const struct scene *scene)
 {
     const uint32_t looks = atomic_load(&display->thermal.looks);
     if (!display->is_governed || display->renderer.transform.light <= 0.0f) {
-        return HAL_OK; /* A night picture draws nothing, so its frame time does not measure the cost
-                          of drawing. */
+        return HAL_OK; /* A night picture is black and draws nothing, so that its frame time does
+                          not measure the cost of drawing. */
     }
     if (looks != display->heat_looks) {
         display->heat_looks = looks;
@@ -223,9 +222,9 @@ static int display_open(void *self)
     return HAL_OK;
 }
 
-/* Closes the display when the set of plugged screens changed, so that no frame blocks on an absent
- * screen. The change must last for LOOKS seconds because a plug makes and breaks contact while it
- * is pushed in. */
+/* Closes the display after the set of connectors with a screen changed, so that no frame blocks on
+ * an absent screen. The change must last for LOOKS seconds because a plug makes and breaks contact
+ * while it is pushed in. */
 static void watch_plugs(struct display_gl *display)
 {
     const uint64_t now = display_gl_now_ns();
@@ -244,8 +243,8 @@ static void watch_plugs(struct display_gl *display)
     }
 }
 
-/* Takes SDL's window and quit events out of the queue. All other events stay there for the drivers
- * of other devices. */
+/* Removes SDL's window and quit events from SDL's queue. All other events stay in the queue for the
+ * drivers of other devices. */
 static int display_poll(void *self, struct display_events *out)
 {
     struct display_gl *const display = self;
@@ -269,7 +268,8 @@ static int display_poll(void *self, struct display_events *out)
     }
     const struct display_transform *const drawn = &display->renderer.transform;
     out->upright = drawn->width < POINTER_UPRIGHT_ASPECT * drawn->height;
-    out->lost = display->broken; /* SDL_PumpEvents() may have detected the broken connection. */
+    out->lost = display->broken; /* SDL_PumpEvents() may have detected that the connection to the X
+                                    server broke. */
     return display->lost ? HAL_ERR_GONE : HAL_OK;
 }
 
@@ -279,7 +279,8 @@ static int follow_size(struct display_gl *display)
     int height = 0;
     SDL_GL_GetDrawableSize(display->window, &width, &height);
     if ((SDL_GetWindowFlags(display->window) & SDL_WINDOW_MINIMIZED) || width <= 0 || height <= 0) {
-        return HAL_ERR_BUSY; /* There is no area to draw on, which is not an error. */
+        return HAL_ERR_BUSY; /* A minimized or empty window has no area to draw on, which is not an
+                                error. */
     }
     const struct renderer_config *const drawn = &display->renderer.config;
     if (drawn->width == (uint32_t)width && drawn->height == (uint32_t)height) {
@@ -344,8 +345,8 @@ static int display_toggle_full_screen(void *self)
     return HAL_OK;
 }
 
-/* Draws the frame. Where no frame was drawn before, the fish of lab and album are first painted at
- * full resolution. */
+/* Draws the frame. If no frame was drawn before, the fish of the growth lab and the album are first
+ * painted at full resolution. */
 static void draw_picture(struct display_gl *display)
 {
     const uint8_t phase = display->shown.phase;

@@ -1,8 +1,9 @@
 /* display_gl.h -- the display of a real kiosk: an SDL2 window with an OpenGL ES 3.0 context.
  *
- * The caller owns `struct display_gl` (about 1.4 MiB: keep it static), fills `config` and leaves
- * the rest zero. open() makes all OpenGL objects, so that a frame allocates nothing in our code.
- * Mouse and key events stay in SDL's queue for the drivers that read them. */
+ * The caller owns `struct display_gl` (about 1.4 MiB, so it must be static), fills `config` and
+ * sets all other fields to zero. open() creates all OpenGL objects, so that drawing a frame
+ * allocates no memory in this program's code. Mouse and key events stay in SDL's queue for the
+ * drivers that read them. */
 #ifndef KINGYO_PLATFORM_RENDER_DISPLAY_GL_H
 #define KINGYO_PLATFORM_RENDER_DISPLAY_GL_H
 
@@ -16,19 +17,23 @@
 #include "platform/render/renderer.h"
 #include "platform/thermal.h"
 
-/* Configuration of the display. Zero is a valid value of every field. */
+/* Configuration of the display. Every field may be zero, which means its default. */
 struct display_gl_config {
-    uint32_t width, height; /* Window size in points; 0: 1280x720, or the whole screen if
-                               full_screen. */
+    uint32_t width, height; /* Window size in points. 0 means 1280x720, or the whole screen if
+                               `full_screen` is true. */
     bool full_screen;
-    bool off_screen;   /* Uses SDL's offscreen driver, without a window system. */
-    bool on_demand;    /* Draws nothing until a picture is captured; for `off_screen`. */
-    const char *title; /* Window title; null: "Kingyo". */
-    float scene_scale; /* Scene pixels per screen pixel and axis, [0.25, 2]; 0: chosen by renderer
-                          (quality.h). */
-    uint32_t samples;  /* Multisampling; 0: chosen by renderer. */
-    const struct library *library; /* Makers' species, as in struct renderer_config. */
-    const char *sockets;           /* Directory of the kernel's connectors; null: /sys/class/drm. */
+    bool off_screen;   /* True to use SDL's offscreen driver, which needs no window system. */
+    bool on_demand;    /* True to draw nothing until a picture is captured. Used together with
+                          `off_screen`. */
+    const char *title; /* Window title. Null means "Kingyo". */
+    float scene_scale; /* Scene pixels per screen pixel along each axis, [0.25, 2]. 0 means that the
+                          renderer chooses the value (quality.h). */
+    uint32_t samples;  /* Number of multisampling samples. 0 means that the renderer chooses the
+                          number. */
+    const struct library *library; /* Library of the makers' species, as in struct
+                                      renderer_config. */
+    const char *sockets;           /* Directory in which the kernel lists the connectors. Null means
+                                      /sys/class/drm. */
 };
 
 struct display_gl {
@@ -36,35 +41,38 @@ struct display_gl {
     SDL_Window *window;
     SDL_GLContext context;
     struct renderer renderer;
-    struct scene shown; /* Last scene shown. capture() draws it again because a swap destroys the
-                           back buffer. */
-    struct display_settings display_settings; /* Display geometry, also for the next screen. */
+    struct scene shown; /* Last scene shown. capture() draws the scene again because a buffer swap
+                           destroys the back buffer. */
+    struct display_settings display_settings; /* Display geometry. The settings also apply to the
+                                                 next screen after a screen is lost. */
     bool has_shown, full_screen, is_placed;
-    bool lost;    /* The display shows nothing any more. open() starts it again. */
-    bool broken;  /* The connection to an X server broke. No further call may use it. */
-    bool is_bare; /* No window system: SDL draws on the card itself. */
-    struct connectors plugged; /* Connectors at the time of opening. */
-    uint64_t looked_ns;        /* Time of the last read of the connectors. */
+    bool lost;    /* True after the screen was lost, so that the display shows nothing. open()
+                     restarts the display. */
+    bool broken;  /* True after the connection to an X server broke. No later call may use the
+                     connection. */
+    bool is_bare; /* True without a window system, when SDL draws directly on the graphics card. */
+    struct connectors plugged; /* Connectors when the display was opened. */
+    uint64_t looked_ns;        /* Time of the last read of the connectors, in ns. */
     uint8_t changed_looks;     /* Consecutive reads in which the connectors differed from
                                   `plugged`. */
     void (*on_lost)(void *context);
     void *on_lost_context;
     struct governor governor;
     struct thermal thermal;
-    uint32_t heat_looks; /* Number of the thermal thread's measurements that the governor has
-                            received. */
-    bool is_governed;    /* The governor chooses the picture's quality. */
+    uint32_t heat_looks; /* Number of temperature measurements that the governor has received from
+                            the thermal thread. */
+    bool is_governed;    /* True while the governor chooses the picture's quality. */
     char text[HAL_TEXT_SIZE];
 };
 
 struct hal_display display_gl_device(struct display_gl *display);
 
 /* Registers `hook`, which is called when an X11 connection breaks, from inside the SDL or OpenGL
- * call that detected it. Without our handler Xlib ends the process there. The next poll() also
- * reports `lost`, and an X server that is gone cannot be opened again.
+ * call that detected the break. Without the handler of x11_guard.h, Xlib would end the process in
+ * that call. The next poll() also reports `lost`. A lost X server cannot be opened again.
  *
- * A screen that is unplugged, or whose driver has reset, causes HAL_ERR_GONE instead. open() finds
- * it again. */
+ * A screen that is unplugged, or whose driver has reset, causes HAL_ERR_GONE instead. open() then
+ * finds the screen when it is back. */
 void display_gl_on_lost(struct display_gl *display, void (*hook)(void *context), void *context);
 
 #endif

@@ -8,15 +8,16 @@
 #include <stdio.h>
 #include <string.h>
 
-/* State of a connector. A card counts as its best connector. */
+/* State of a connector, in ascending order. The state of a card is the highest state of its
+ * connectors. */
 enum socket_state {
     SOCKET_NONE = 0,
     SOCKET_FREE,
     SOCKET_CONNECTED,
 };
 
-/* Returns N of "cardN-CONNECTOR", or -1 for a card itself and for a writeback connector, which
- * writes into memory and has no monitor. */
+/* Returns the number N of "cardN-CONNECTOR". Returns -1 for the name of a card without a connector,
+ * and for a writeback connector, which writes into memory and has no monitor. */
 static int card_of(const char *name)
 {
     int card = -1, length = 0;

@@ -7,9 +7,9 @@
 #include "platform/render/paint_atlas.h"
 
 #define KEY_SIZE sizeof(struct species_point)
-#define SURFACE_SIZE 4u     /* Bytes: u, v, part, flexibility. */
-#define RIDES_SIZE 4u       /* Bytes: anchor, side, and two of padding. */
-#define PAINT_SIZE_BYTES 4u /* Two 16-bit fractions. */
+#define SURFACE_SIZE 4u     /* Bytes of u, v, part and flexibility. */
+#define RIDES_SIZE 4u       /* Bytes of the anchor, the side, and two bytes of padding. */
+#define PAINT_SIZE_BYTES 4u /* Bytes of two 16-bit fractions. */
 #define BYTES_SIZE (SURFACE_SIZE + MORPH_CURVE_MAX + RIDES_SIZE)
 #define REST_SIZE (BYTES_SIZE + PAINT_SIZE_BYTES)
 _Static_assert(MORPH_KEY_MAX *KEY_SIZE + REST_SIZE == FISH_VERTEX_SIZE_MAX, "as fish_mesh.h");
@@ -48,8 +48,8 @@ static bool is_fin(const struct species_mesh *source, uint32_t triangle)
     return part != PART_BODY && part != PART_EYE;
 }
 
-/* Copies the triangles of fins (or of everything else if `fins` is false). Returns the number of
- * indices written. */
+/* Copies the triangles of the fins if `fins` is true, otherwise all other triangles. Returns the
+ * number of indices written. */
 static uint32_t gather(uint16_t *out, const struct species_mesh *source, bool fins)
 {
     uint32_t count = 0;
@@ -75,8 +75,8 @@ static void describe_vertex(uint32_t key_count)
     const size_t rest = key_count * KEY_SIZE;
     const GLsizei stride = (GLsizei)(rest + REST_SIZE);
     for (uint32_t key = key_count; key < MORPH_KEY_MAX; key++) {
-        glDisableVertexAttribArray(key); /* A disabled attribute is read as a constant, with a
-                                            weight of 0. */
+        glDisableVertexAttribArray(key); /* The shader reads a disabled attribute as a constant, and
+                                            its key has a weight of 0. */
     }
     for (uint32_t key = 0; key < key_count; key++) {
         glEnableVertexAttribArray(key);

@@ -1,49 +1,53 @@
-/* fish_mesh.h -- a species' key shapes, packed into the vertex attributes of morph.glsl.
+/* fish_mesh.h -- a species' key shapes (modelled growth stages), packed into the vertex attributes
+ * of morph.glsl.
  *
- * Each key and vertex takes eight bytes, as in species.h: the position as three 16-bit fractions of
- * the mesh's reach, and the normal as an octahedral code in 16 bits. Eight keys fit beside the
- * instance's attributes in the sixteen attributes that OpenGL ES 3.0 guarantees. */
+ * Each key shape stores eight bytes per vertex, as in species.h: the position as three 16-bit
+ * fractions of the mesh's reach, and the normal as an octahedral code in 16 bits. OpenGL ES 3.0
+ * guarantees sixteen attributes. Eight key shapes and the instance's attributes fit in them. */
 #ifndef KINGYO_PLATFORM_RENDER_FISH_MESH_H
 #define KINGYO_PLATFORM_RENDER_FISH_MESH_H
 
 #include "core/morph/species.h"
 #include "platform/render/gl_util.h"
 
-enum fish_attribute { /* Attribute locations as in assets/shaders: keys use 0 .. 7, instances use
-                         the remaining locations. */
-                      FISH_ATTRIBUTE_SURFACE = 8,
-                      FISH_ATTRIBUTE_PAINT = 9, /* Location of the paint coordinates of specimens.
-                                                   The tank's fish use patterns instead. */
-                      FISH_ATTRIBUTE_MASKS = 12,
-                      FISH_ATTRIBUTE_RIDES = 13,
+/* Locations of the vertex attributes, as in assets/shaders. Key shapes use the locations 0 to 7.
+ * Instances use the locations that are not listed here. */
+enum fish_attribute {
+    FISH_ATTRIBUTE_SURFACE = 8,
+    FISH_ATTRIBUTE_PAINT = 9, /* Location of the paint coordinates of specimens. The tank's fish
+                                 use patterns instead of paint. */
+    FISH_ATTRIBUTE_MASKS = 12,
+    FISH_ATTRIBUTE_RIDES = 13,
 };
 
-/* Size of the largest vertex: a point for each of eight keys, then surface, masks, anchor bytes and
- * paint coordinates. */
+/* Maximum size of a vertex in bytes: one point for each of eight key shapes, then surface, masks,
+ * anchor bytes and paint coordinates. */
 #define FISH_VERTEX_SIZE_MAX (MORPH_KEY_MAX * sizeof(struct species_point) + 16u)
 
-/* One level of detail in one index buffer: body and eyes first, then fins. */
+/* One level of detail of a fish. The index buffer holds body and eyes first, then the fins. */
 struct fish_mesh {
     GLuint vertex_array, vertex_buffer, index_buffer;
     GLsizei body_index_count, fin_index_count;
-    float reach; /* Value of the shaders' uniform `reach`. */
+    float reach; /* Value of the shader uniform `reach`: the unit of the packed positions. */
 };
 
-/* Buffer in which a mesh is packed before the upload. The caller owns it and may reuse it after
- * each fish_mesh_fill(). */
+/* Buffer in which a mesh is packed before its upload. The caller owns the buffer and may reuse it
+ * after each fish_mesh_fill(). */
 struct fish_mesh_memory {
     uint8_t vertices[MESH_VERTEX_MAX * FISH_VERTEX_SIZE_MAX];
     uint16_t indices[MESH_INDEX_MAX];
 };
 
-/* fish_mesh_reserve() creates the mesh's OpenGL names. fish_mesh_fill() uploads a shape and may be
- * called again for another shape. */
+/* Creates the OpenGL objects of an empty mesh. */
 void fish_mesh_reserve(struct fish_mesh *mesh);
+/* Packs the shape `source` with `key_count` key shapes in `memory` and uploads it. May be called
+ * again with another shape. */
 void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
                     const struct species_mesh *source, uint32_t key_count);
 void fish_mesh_close(struct fish_mesh *mesh);
 
-/* Draws `instance_count` fish with the bound program and instance attributes. */
+/* Draws `instance_count` fish with the bound program and instance attributes: the fins if `fins` is
+ * true, otherwise the body and eyes. */
 void fish_mesh_draw(const struct fish_mesh *mesh, bool fins, GLsizei instance_count);
 
 #endif

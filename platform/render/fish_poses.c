@@ -26,8 +26,8 @@ uint32_t fish_poses_pack(float out[][4], const struct morph_pose *pose, uint32_t
     return at;
 }
 
-/* Returns the value of morph.glsl's ANCHORS: 0 no anchors, 1 anchors that keep the body's axes, 2
- * anchors that turn. */
+/* Returns the value of morph.glsl's constant ANCHORS: 0 means no anchors, 1 means anchors that keep
+ * the body's axes, 2 means anchors that turn. */
 static uint32_t riding(const struct species_mesh *mesh, bool fins)
 {
     uint32_t most = 0;

@@ -5,10 +5,12 @@
 
 #include "core/base/panic.h"
 
-/* Of 255: texels whose coarse neighbours differ by more are painted from four points each. */
+/* Threshold, of 255. A texel is painted from four points if its coarse neighbours differ by
+ * more. */
 #define EDGE 20
-#define SCALE_ROWS_MIN 6u /* At least this many rows of dots are taken for scales. */
-/* At least this many bands round a body are too fine for a painted sheet. */
+#define SCALE_ROWS_MIN 6u /* Minimum number of rows of dot marks that are drawn as scales. */
+/* Minimum number of bands round a body that are drawn as lines, because they are too fine for a
+ * painted sheet. */
 #define LINES_MIN 40u
 
 static GLuint sheets(struct gl_status *status, GLenum internal_format, GLenum format)
@@ -35,7 +37,7 @@ void fish_texture_close(struct fish_texture *skin)
 
 float fish_texture_scales(const struct fish_texture *skin)
 {
-    /* About 30 scales on a carp, 50 on a bream. */
+    /* Number of scales along the body: a carp has about 30, a bream 50. */
     static const float along[] = { [FORM_FUSIFORM] = 31.0f,
                                    [FORM_COMPRESSED] = 50.0f,
                                    [FORM_DEPRESSED] = 80.0f,
@@ -46,8 +48,8 @@ float fish_texture_scales(const struct fish_texture *skin)
     return bare ? 0.0f : along[card->form];
 }
 
-/* Takes dot marks that stand for scales out of the painting where the shader draws scales with
- * rims. The entries stay in the coat, because marks of two keys correspond by their index. */
+/* Removes dot marks that stand for scales from the painting if the shader draws scales with rims.
+ * The entries stay in the coat, because marks of two key shapes correspond by their index. */
 static void leave_out_dots(struct fish_texture *skin)
 {
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
@@ -56,7 +58,7 @@ static void leave_out_dots(struct fish_texture *skin)
             struct species_mark *const mark = &coat->marks[i];
             if (mark->kind == MARK_ROWS && mark->part == PART_BODY &&
                 mark->seed >= SCALE_ROWS_MIN) {
-                mark->part = PART_COUNT; /* PART_COUNT matches no part, so the mark is not
+                mark->part = PART_COUNT; /* PART_COUNT matches no body part, so that the mark is not
                                             painted. */
             }
         }
@@ -68,7 +70,8 @@ static bool is_lines(const struct species_mark *mark)
     return mark->kind == MARK_BANDS && mark->part == PART_BODY && mark->count >= LINES_MIN;
 }
 
-/* Removes marks that the shader draws as lines from the painting. The marks stay in skin->lined. */
+/* Removes the marks that the shader draws as lines from the painting. The marks stay in
+ * skin->lined. */
 static void leave_out_lines(struct fish_texture *skin)
 {
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
@@ -104,7 +107,7 @@ static uint8_t byte(float x)
     return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
-/* Input of the painting of one sheet. */
+/* Input for the painting of one sheet. */
 struct painting {
     const struct species *species;
     float weights[MORPH_KEY_MAX];
@@ -143,7 +146,7 @@ static void fish_texture_put(const struct painting *painting, uint32_t index,
     painting->brush->shine[index] = byte(paint->shine);
 }
 
-/* Paints the band that begins at row `first`, from one point a texel. */
+/* Paints the band of texels that begins at row `first`, from one point per texel. */
 static void paint_plainly(const struct painting *painting, uint32_t first)
 {
     struct paint paint;
@@ -156,7 +159,8 @@ static void paint_plainly(const struct painting *painting, uint32_t first)
     }
 }
 
-/* ---- Coarse painting: one point for many texels, interpolated between points ---------------- */
+/* ---- Coarse painting: points at a distance of several texels, and interpolation between them
+ * -- */
 
 static void paint_coarse_points(const struct painting *painting)
 {
@@ -174,8 +178,8 @@ static void paint_coarse_points(const struct painting *painting)
     }
 }
 
-/* Writes the two coarse points beside texel `at`, both within its cell of `size` texels. Returns
- * the weight of the second. */
+/* Writes the two coarse points beside texel `at` that are both within its cell of `size` texels.
+ * Returns the weight of the second point. */
 static float beside(uint32_t at, uint32_t size, uint32_t points[2])
 {
     const float first = (float)(at - at % size) / (float)FISH_TEXTURE_COARSE;
@@ -234,8 +238,8 @@ static void paint_finely(const struct painting *painting, uint32_t index, uint32
     fish_texture_put(painting, index, &mean);
 }
 
-/* Smooths the edges of marks. An edge may be narrower than a texel, and a slit painted from one
- * point a texel would be ragged. */
+/* Smooths the edges of marks. An edge may be narrower than a texel, and would be ragged if it were
+ * painted from one point per texel. */
 static void smooth_rims(const struct painting *painting, uint32_t first)
 {
     bool rim[FISH_TEXTURE_BAND * PAINT_SIZE] = { false };
@@ -288,7 +292,8 @@ void fish_texture_request(struct fish_texture *skin, struct fish_texture_brush *
 {
     float mean = 0.0f, sum = 0.0f;
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
-        const float weight = f_max(weights[key], 0.0f); /* Same clamping as in paint_at(). */
+        const float weight = f_max(weights[key], 0.0f); /* paint_at() clamps the weights in the same
+                                                           way. */
         mean += weight * (float)(key * skin->per_key);
         sum += weight;
     }
@@ -309,7 +314,8 @@ void fish_texture_request(struct fish_texture *skin, struct fish_texture_brush *
     out[2] = at - (float)first;
 }
 
-/* Returns the unfinished sheet nearest to the one shown, or sheet_count. */
+/* Returns the unfinished sheet that is nearest to the visible sheet, or sheet_count if all sheets
+ * are finished. */
 static uint32_t next_sheet(const struct fish_texture *skin)
 {
     uint32_t best = skin->sheet_count;
@@ -367,9 +373,9 @@ static struct fish_texture_lines lines_of(const struct species_mark *mark, float
     };
 }
 
-/* Writes the lines of the keys with the largest weights, each faded by its weight, as paint_at()
- * fades marks that keys do not share. Neighbouring keys of a larva differ in the number of muscles,
- * so their lines cannot be blended. */
+/* Writes the lines of the keys with the largest weights. Each set of lines is faded by its key's
+ * weight, as paint_at() fades marks that keys do not share. Neighbouring keys of a larva differ in
+ * the number of muscles, so that their lines cannot be blended. */
 void fish_texture_lines(const struct fish_texture *skin, const float weights[MORPH_KEY_MAX],
                         struct fish_texture_lines lines[FISH_TEXTURE_LINES])
 {

@@ -7,21 +7,24 @@
 
 #define NEAR_M 0.05f
 #define FAR_M 8.0f
-#define CAUSTIC_LAYERS_HZ 11.0f /* A loop of 32 layers takes about three seconds. */
+/* Rate of caustics layers per second. A loop of 32 layers takes about three seconds. */
+#define CAUSTIC_LAYERS_HZ 11.0f
 #define SECONDS_WRAP_TICKS (3600u * CORE_TICK_HZ)
-/* The shadow map is larger than the floor, so that a fish at a wall has its whole shadow in the
- * map. */
+/* Width of the shadow map relative to the floor. The shadow map is larger than the floor, so that
+ * the whole shadow of a fish at a wall lies in the map. */
 #define SHADOW_MARGIN 1.06f
-/* Tangents x, z of the light that reaches the floor. The lamps hang to the right of and behind
- * the player. */
+/* Tangent, along x, of the angle of the light that reaches the floor. The lamps hang to the right
+ * of and behind the player. */
 #define SHADOW_DRIFT_X 0.26f
-#define SHADOW_DRIFT_Z 0.16f /* Tangent z of the light that reaches the floor. */
+/* Tangent, along z, of the angle of the light that reaches the floor. */
+#define SHADOW_DRIFT_Z 0.16f
 
-/* Absorption is divided by the depth, so that a shallow tank is as blue as a deep one. */
+/* Absorption multiplied by the depth. The product is constant, so that a shallow tank is as blue as
+ * a deep one. */
 #define ABSORPTION_OVER_DEPTH 0.55f
 
-/* Displacement of the refracted picture, in depths per unit of slope: 0.25 from refraction plus an
- * artistic addition. */
+/* Displacement of the refracted picture per unit of surface slope, in water depths. Refraction
+ * causes 0.25; the rest is an artistic exaggeration. */
 #define REFRACTION 0.36f
 
 static void multiply(float out[16], const float a[16], const float b[16])
@@ -89,8 +92,8 @@ void frame_close(struct frame *frame)
     glDeleteBuffers(1, &frame->buffer);
 }
 
-/* Transforms from the picture's clip space to the screen's, so that every pass draws at its final
- * place. */
+/* Writes the matrix from the picture's clip space to the screen's clip space, so that every pass
+ * draws at its final place. */
 static void frame_block_screen_transform(float out[16], const struct display_transform *transform)
 {
     float turned[4], move[2];
@@ -123,8 +126,9 @@ static void set_camera(struct frame *frame, const struct view *view,
     frame->view.focal_px = 0.5f * transform->height / tan_y;
 }
 
-/* Sets how far the refracted picture moves on the screen per unit of slope: one metre at the
- * camera's target, projected. The error is a few per cent over the whole tank. */
+/* Sets the distance by which the refracted picture moves on the screen per unit of slope: one
+ * metre at the camera's target, projected to the screen. The error is a few per cent over the
+ * whole tank. */
 static void set_bend(struct frame *frame, const struct scene *scene, float aspect)
 {
     const struct view *const view = &scene->view;
@@ -137,8 +141,8 @@ static void set_bend(struct frame *frame, const struct scene *scene, float aspec
                     0.0f);
 }
 
-/* Adds the shadow ellipses, fans first. Floor and walls take the shadows of the pois, including
- * their holes, from the shadow map. */
+/* Adds the elliptical shadows, those of the fans first. Only the floor and the walls take the
+ * shadows of the pois from the shadow map, which includes the holes in the paper. */
 static void set_shades(struct frame_block *block, const struct scene *scene)
 {
     uint32_t count = 0;

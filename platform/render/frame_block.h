@@ -1,7 +1,7 @@
 /* frame_block.h -- the values of one frame that every shader may read, as the uniform block
  * `Frame`.
  *
- * The layout mirrors assets/shaders/common.glsl (std140). */
+ * The layout is identical to the block in assets/shaders/common.glsl (std140). */
 #ifndef KINGYO_PLATFORM_RENDER_FRAME_BLOCK_H
 #define KINGYO_PLATFORM_RENDER_FRAME_BLOCK_H
 
@@ -12,7 +12,7 @@
 _Static_assert(FRAME_SHADE_MAX == 8, "as many as in common.glsl");
 
 struct frame_block {
-    float view_projection[16]; /* Column-major. */
+    float view_projection[16]; /* Matrix from world to clip space, column-major. */
     float eye[4];
     float tank[4];
     float screen[4];
@@ -23,10 +23,10 @@ struct frame_block {
 };
 _Static_assert(sizeof(struct frame_block) == 288, "the block has the layout of common.glsl");
 
-/* Camera values that C code needs besides the block. */
+/* Camera values that the C code needs in addition to the uniform block. */
 struct frame_view {
     vec3 eye_m;
-    float focal_px; /* Pixels that one metre spans at a distance of one metre. */
+    float focal_px; /* Length in pixels of one metre at a distance of one metre. */
 };
 
 struct frame {
@@ -38,12 +38,13 @@ struct frame {
 void frame_open(struct frame *frame);
 void frame_close(struct frame *frame);
 
-/* Computes the block for `scene` with the display geometry `transform`, and uploads it. */
+/* Computes the uniform block for `scene` with the display geometry `transform`, and uploads the
+ * block. */
 void frame_begin(struct frame *frame, const struct scene *scene,
                  const struct display_transform *transform);
 
-/* Writes a body's pose as a column-major matrix, with `scale` metres per unit along each of its
- * axes. */
+/* Writes a body's pose as a column-major matrix. One unit along each of the body's axes is `scale`
+ * metres long. */
 void frame_pose(float out[16], vec3 position_m, struct angles angles, float scale);
 
 #endif

@@ -89,8 +89,8 @@ static GLuint build(struct gl_status *status, const char *name, const char *defi
         gl_compile(status, name, GL_FRAGMENT_SHADER, fragment_parts, 4),
     };
     const GLuint program = gl_link(status, name, stages[0], stages[1]);
-    glDeleteShader(stages[0]); /* OpenGL keeps the shader until the program is deleted, and ignores
-                                  the name 0. */
+    glDeleteShader(stages[0]); /* OpenGL keeps the shader until the program is deleted. The name 0
+                                  of a failed shader is ignored. */
     glDeleteShader(stages[1]);
     if (program) {
         gl_program_bind(program, samplers);

@@ -15,7 +15,8 @@ void gl_fail(struct gl_status *status, const char *format, ...)
     va_end(arguments);
     for (char *c = status->text; *c; c++) {
         if (*c == '\n') {
-            *c = ' '; /* Drivers report several lines, but the status holds one line. */
+            *c = ' '; /* A driver's message may have several lines, but the status holds one
+                         line. */
         }
     }
 }
@@ -65,7 +66,7 @@ static bool fits(struct gl_status *status, const char *name, const struct gl_tex
     return true;
 }
 
-/* Allocates the storage of the bound texture. */
+/* Allocates the memory of the bound texture. */
 static void allocate(GLenum kind, const struct gl_texture_desc *desc)
 {
     const GLsizei width = (GLsizei)desc->width;
@@ -203,7 +204,8 @@ void gl_target_close(struct gl_target *target)
 {
     const GLuint framebuffers[2] = { target->framebuffer, target->resolve };
     const GLuint buffers[2] = { target->color, target->depth };
-    glDeleteFramebuffers(2, framebuffers); /* OpenGL ignores the name 0, here and below. */
+    glDeleteFramebuffers(2, framebuffers); /* OpenGL ignores the name 0 in this call and the next
+                                              ones. */
     glDeleteRenderbuffers(2, buffers);
     glDeleteTextures(1, &target->texture);
     *target = (struct gl_target){ 0 };

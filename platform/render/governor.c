@@ -5,11 +5,13 @@
 
 #define NS_PER_S 1000000000ull
 #define STALL_NS (NS_PER_S / 4u)
-#define STALLS 3u /* After this many stalls in a row, drawing itself is assumed to be slow. */
+/* Number of consecutive stalls after which drawing itself is assumed to be slow. */
+#define STALLS 3u
 #define HZ 60u
-/* Percent of a refresh period: on average one frame in nine is one period late. */
+/* Limit of the mean frame duration, in per cent of a refresh period. At the limit one frame in nine
+ * is one period late. */
 #define LATE_PERCENT 111u
-#define HELD_S 60u /* A finer step that was on time for this long is no longer a trial. */
+#define HELD_S 60u /* Seconds on time after which a finer step is no longer on trial. */
 
 void governor_begin(struct governor *governor, uint32_t refresh_hz)
 {

@@ -19,7 +19,7 @@ static const struct cell {
 #define CELL_COUNT ((uint32_t)(sizeof cells / sizeof *cells))
 
 struct place {
-    uint32_t x, y, width, height; /* Texels. */
+    uint32_t x, y, width, height; /* Texels from the corner of the atlas, and size in texels. */
 };
 
 static struct place paint_atlas_place_of(uint32_t cell)
@@ -29,8 +29,8 @@ static struct place paint_atlas_place_of(uint32_t cell)
                            PAINT_CELL_WIDTH, PAINT_CELL_HEIGHT };
 }
 
-/* Returns the cell of a vertex. A median fin has one cell, regardless of its side. A vertex of a
- * paired fin without a side uses the right fin's cell. */
+/* Returns the atlas cell of a vertex. A median fin has one cell, regardless of its side. A vertex
+ * of a paired fin without a side uses the right fin's cell. */
 static struct place paint_atlas_find_cell(const struct species_vertex *vertex)
 {
     uint32_t found = CELL_COUNT;
@@ -48,8 +48,8 @@ static struct place paint_atlas_find_cell(const struct species_vertex *vertex)
     return paint_atlas_place_of(found);
 }
 
-/* Returns the centre of the texel row (or column) at fraction `t` of `count`, as a fraction of the
- * atlas. */
+/* Returns the centre of a texel row or column, as a fraction of the atlas. `t` in [0, 1] selects
+ * one of the `count` rows that begin at row `first`. */
 static float middle(uint32_t first, uint32_t count, float t)
 {
     const float at = (float)first + 0.5f + f_clamp(t, 0.0f, 1.0f) * (float)(count - 1u);

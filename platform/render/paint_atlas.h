@@ -1,9 +1,10 @@
-/* paint_atlas.h -- the layout of a fish's paint atlas: where each part lies on a sheet of
- * PAINT_SIZE texels a side.
+/* paint_atlas.h -- the layout of a fish's paint atlas: the place of each body part on a sheet of
+ * PAINT_SIZE x PAINT_SIZE texels.
  *
- * The upper half is the body, u to the right and v down. Below it are cells of PAINT_CELL_WIDTH x
- * PAINT_CELL_HEIGHT, four in a row: one for each fin, and two for a pair. The ends of u and v are
- * at texel centres, so that filtering never reaches another part. */
+ * The upper half of the sheet is the body, with u to the right and v downward. Below the body are
+ * cells of PAINT_CELL_WIDTH x PAINT_CELL_HEIGHT texels, four in a row. Each median fin has one
+ * cell, and each pair of fins has two cells. The ends of u and v are at texel centres, so that
+ * texture filtering never reaches another part. */
 #ifndef KINGYO_PLATFORM_RENDER_PAINT_ATLAS_H
 #define KINGYO_PLATFORM_RENDER_PAINT_ATLAS_H
 
@@ -16,11 +17,11 @@
 #define PAINT_CELL_WIDTH 64u
 #define PAINT_CELL_HEIGHT 32u
 
-/* Writes the atlas coordinates of a vertex, [0, 1] each. */
+/* Writes the atlas coordinates of a vertex to `uv`, each in [0, 1]. */
 void paint_atlas_find(const struct species_vertex *vertex, float uv[2]);
 
-/* Finds the surface point painted at (x, y), in texels [0, PAINT_SIZE), where texel centres are at
- * half texels. Returns false if the atlas has no part there. */
+/* Finds the surface point that is painted at (x, y), in texels [0, PAINT_SIZE). Texel centres are
+ * at half texels. Returns false if no body part has texels at (x, y). */
 bool paint_atlas_at(float x, float y, struct species_vertex *vertex);
 
 #endif

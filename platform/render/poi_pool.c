@@ -1,11 +1,13 @@
 /* poi_pool.c -- implementation of poi_pool.h. */
 #include "platform/render/poi_pool.h"
 
-#define LINES 12u /* Samples along each side of the paper's square, 6.7 mm apart. */
-/* Bisection steps: a span of some centimetres is reduced to a hundredth of a millimetre. */
+/* Number of samples along each side of the square around the paper. Samples are 6.7 mm apart. */
+#define LINES 12u
+/* Number of bisection steps. They reduce a range of some centimetres to a hundredth of a
+ * millimetre. */
 #define HALVINGS 12
 
-/* Heights of the paper above the ring's centre, at samples over the disc. */
+/* Heights of the paper above the ring's centre, at sample points of the disc. */
 struct relief {
     uint32_t count;
     float height_m[LINES * LINES];
@@ -32,7 +34,7 @@ static void survey(struct relief *relief, const struct scene_poi *poi)
     }
 }
 
-/* Returns the mean depth, over the whole paper, of water whose surface is at `level_m`. */
+/* Returns the mean depth, over the whole paper, of water with its surface at `level_m`. */
 static float mean_depth(const struct relief *relief, float level_m)
 {
     float sum = 0.0f;

@@ -1,4 +1,4 @@
-/* renderer.c -- defines the order of the passes in a frame. */
+/* renderer.c -- defines the order of the render passes in a frame. */
 #include "platform/render/renderer.h"
 
 static void step_done(const struct renderer *renderer, enum render_step step)
@@ -8,7 +8,8 @@ static void step_done(const struct renderer *renderer, enum render_step step)
     }
 }
 
-/* Resets the OpenGL state, because the user interface and other users of the context change it. */
+/* Sets the OpenGL state for the scene, because the user interface and other users of the context
+ * change the state. */
 static void reset_state(void)
 {
     glDisable(GL_BLEND);
@@ -39,16 +40,16 @@ static void draw_light(const struct renderer *renderer, const struct scene *scen
 static void draw_ground(const struct renderer *renderer)
 {
     gl_target_bind(&renderer->ground);
-    glClearColor(0.05f, 0.24f, 0.30f, 1.0f); /* The clear colour shows where refraction samples
-                                                beyond the walls. */
+    glClearColor(0.05f, 0.24f, 0.30f, 1.0f); /* The clear colour is visible where refraction samples
+                                                points beyond the walls. */
     glClear(GL_COLOR_BUFFER_BIT);
     basin_pass_ground(&renderer->basin, renderer->light.caustics.texture,
                       renderer->light.shadows.texture);
     step_done(renderer, STEP_GROUND);
 }
 
-/* Draws all objects below the surface except the tank: opaque bodies first, then translucent
- * objects from the bottom up. */
+/* Draws all objects below the surface except the tank. Opaque bodies are drawn first, then
+ * translucent objects from the lowest to the highest. */
 static void draw_life(const struct renderer *renderer, const struct scene *scene)
 {
     const GLuint caustics = renderer->light.caustics.texture;
@@ -91,8 +92,8 @@ static void bind_screen(const struct renderer *renderer)
     }
 }
 
-/* Draws the water with depth, so that objects drawn later are visible only above the surface. Each
- * bowl's mouth is then opened again. */
+/* Draws the water surface with depth, so that objects drawn later are visible only above the
+ * surface. Then removes the surface's depth in the mouth of each bowl. */
 static void draw_surface(const struct renderer *renderer, const struct scene *scene)
 {
     bind_screen(renderer);
@@ -132,7 +133,8 @@ static void draw_pois(const struct renderer *renderer, const struct scene *scene
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_above(&scene->poi[i])) {
             poi_pass_paper(&renderer->poi, scene, i, &renderer->textures);
-            /* The ring's outline fades over the paper. */
+            /* The frame is drawn after the paper because the ring's outline fades over the
+             * paper. */
             poi_pass_frame(&renderer->poi, &scene->poi[i]);
         }
     }
@@ -140,15 +142,15 @@ static void draw_pois(const struct renderer *renderer, const struct scene *scene
 }
 
 /* Draws the fish parts above the surface without the water's tint. The depth of the surface hides
- * the rest. */
+ * the parts below the surface. */
 static void draw_snouts(const struct renderer *renderer)
 {
     fish_pass_rings(&renderer->fish);
     fish_pass_snouts(&renderer->fish, &renderer->textures, renderer->light.caustics.texture);
 }
 
-/* Draws the objects above the water. The rim may hide a bowl, but is always behind a poi, and a fan
- * is over all of them. */
+/* Draws the objects above the water. The rim may hide a bowl, but a poi always hides the rim, and a
+ * fan hides all of them. */
 static void draw_above(const struct renderer *renderer, const struct scene *scene)
 {
     draw_snouts(renderer);
@@ -167,7 +169,8 @@ static void finish_screen(const struct renderer *renderer)
     static const GLenum spent = GL_DEPTH;
     const struct gl_target *const screen = &renderer->screen;
     if (!screen->framebuffer) {
-        glInvalidateFramebuffer(GL_FRAMEBUFFER, 1, &spent); /* Text needs no depth. */
+        glInvalidateFramebuffer(GL_FRAMEBUFFER, 1, &spent); /* The user interface, which is drawn
+                                                               next, needs no depth. */
         return;
     }
     const GLint width = (GLint)renderer->config.width;
@@ -190,7 +193,8 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     draw_above(renderer, scene);
 }
 
-/* Draws the user interface. During a round the painting of lab and album fish is postponed. */
+/* Draws the user interface. Painting of the growth lab's and the album's fish is postponed during a
+ * round. */
 static void draw_ui(struct renderer *renderer, const struct scene *scene)
 {
     if (scene->phase != PHASE_READY && scene->phase != PHASE_ROUND) {
@@ -199,7 +203,8 @@ static void draw_ui(struct renderer *renderer, const struct scene *scene)
     ui_draw(&renderer->ui, &renderer->specimens, scene, &renderer->transform);
 }
 
-/* Draws lab or album, which cover the tank. Their specimens use multisampling if there is any. */
+/* Draws the growth lab or the album, which cover the tank. Their specimens use multisampling if it
+ * is enabled. */
 static void draw_page(struct renderer *renderer, const struct scene *scene)
 {
     bind_screen(renderer);

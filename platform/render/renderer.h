@@ -1,8 +1,8 @@
-/* renderer.h -- draws one scene. renderer.c alone defines the order of a frame; renderer_open.c
- * makes all objects.
+/* renderer.h -- draws one scene. renderer.c alone defines the order of drawing in a frame;
+ * renderer_open.c creates all objects.
  *
- * Needs a current OpenGL ES 3.0 context and nothing of SDL. The picture depends only on the scene
- * and the size: drawing a scene twice gives the same pixels on the same machine. */
+ * Needs a current OpenGL ES 3.0 context and does not use SDL. The picture depends only on the scene
+ * and the size: drawing a scene twice produces the same pixels on the same machine. */
 #ifndef KINGYO_PLATFORM_RENDER_RENDERER_H
 #define KINGYO_PLATFORM_RENDER_RENDERER_H
 
@@ -23,37 +23,41 @@
 #include "platform/render/pass/specimen_pass.h"
 #include "platform/render/ui/ui.h"
 
-#define RENDERER_WIDTH_MAX 8192u /* Maximum width of a picture that can be read back: twice 4K. */
+/* Maximum width in pixels of a picture that can be read back, twice the width of 4K. */
+#define RENDERER_WIDTH_MAX 8192u
 
 struct renderer_config {
-    uint32_t width, height; /* Pixels, > 0. */
-    float scene_scale;      /* Scale as in struct display_gl_config. */
+    uint32_t width, height; /* Picture size in pixels, > 0. */
+    float scene_scale;      /* Scene scale, as in struct display_gl_config. */
+    /* Number of multisampling samples. 0 means that the renderer chooses the number. */
     uint32_t samples;
-    const struct library *library; /* Makers' species; null: none. Must stay valid and at the
-                                      same address while the renderer is open. */
+    const struct library *library; /* Library of the makers' species; null means none. The library
+                                      must stay valid and at the same address while the renderer is
+                                      open. */
 };
 
-/* The steps of a frame, for measurements. */
+/* The steps of drawing a frame, for measurements of their duration. */
 enum render_step {
     STEP_PREPARE = 0, /* Sorting and uploads. */
     STEP_LIGHT,       /* Caustics and shadows. */
     STEP_GROUND,      /* Floor and walls. */
     STEP_LIFE,        /* Fish, and the parts of poi and bowl under water. */
     STEP_SURFACE,     /* Water surface. */
-    STEP_ABOVE,       /* Bowls, rim and counter, pois and fish out of the water. */
+    STEP_ABOVE,       /* Bowls, rim, counter, and the pois and fish that are above the water. */
     STEP_UI,
     STEP_COUNT,
 };
 
 struct renderer {
     struct gl_status status;
-    struct renderer_config config; /* Configuration; its size follows the window. */
+    struct renderer_config config; /* Configuration. Its width and height follow the window. */
     struct display_settings display_settings;
     struct display_transform transform; /* Display geometry of the picture on a screen of the
                                            current size. */
     struct quality quality;
-    uint32_t step;                  /* Current step of quality_lower(). */
-    uint32_t samples_max, side_max; /* Limits of the current context. */
+    uint32_t step;                  /* Current argument of quality_lower(). */
+    uint32_t samples_max, side_max; /* Maximum samples and maximum target side of the OpenGL
+                                       context. */
     char gl_name[HAL_TEXT_SIZE / 2];
     struct frame frame;
     struct textures textures;
@@ -69,40 +73,41 @@ struct renderer {
     struct specimen_pass specimens;
     struct ui ui;
     struct gl_target ground, life;
-    struct gl_target screen; /* Multisampled screen; without multisampling, the default framebuffer
-                                itself. */
+    struct gl_target screen; /* Multisampled target of the screen. Without multisampling, its
+                                framebuffer is 0, the default framebuffer. */
     uint8_t row[RENDERER_WIDTH_MAX * 4u]; /* Row buffer for reading back a captured image. */
-    /* Optional callback after each step. A benchmark calls glFinish() and reads a clock there. */
+    /* Optional callback after each step. A benchmark calls glFinish() in the callback and reads a
+     * clock. */
     void (*on_step)(void *context, enum render_step step);
     void *on_step_context;
 };
 
-/* Makes every program, texture and buffer. Returns HAL_ERR_GONE on failure; renderer_error()
- * returns the reason. */
+/* Creates all programs, textures and buffers. Returns HAL_OK, or HAL_ERR_GONE on failure.
+ * renderer_error() then returns the reason. */
 int renderer_open(struct renderer *renderer, const struct renderer_config *config);
 void renderer_close(struct renderer *renderer);
 
-/* Adapts the targets to the window's size. Costs nothing if the size did not change. Returns
- * HAL_ERR_GONE if the new targets fail. */
+/* Adapts the render targets to the window size. Costs nothing if the size did not change. Returns
+ * HAL_ERR_GONE if the new targets cannot be created. */
 int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height);
 
-/* Sets the display geometry of all later pictures. Initially the picture fills the screen.
- * `display_settings` is copied. */
+/* Sets the display geometry of all later pictures. Before the first call, the picture fills the
+ * screen. `display_settings` is copied. */
 void renderer_place(struct renderer *renderer, const struct display_settings *display_settings);
 
-/* Sets the step of quality_lower() for all later pictures. Costs nothing if the step did not
- * change. Returns HAL_ERR_GONE if the new targets fail. */
+/* Sets the quality step (quality_lower()) for all later pictures. Costs nothing if the step did not
+ * change. Returns HAL_ERR_GONE if the new targets cannot be created. */
 int renderer_lower(struct renderer *renderer, uint32_t step);
 
 /* Draws into the default framebuffer and leaves the swap to the caller. */
 void renderer_draw(struct renderer *renderer, const struct scene *scene);
 
-/* Copies the default framebuffer, top row first. Call before a swap. Returns HAL_ERR_IO if `image`
- * is too small. */
+/* Copies the default framebuffer to `image`, top row first. Call before a buffer swap. Returns
+ * HAL_ERR_IO if `image` is too small. */
 int renderer_read(struct renderer *renderer, struct hal_image *image);
 
-/* Returns false after OpenGL has reported a lost device or lack of memory; renderer_error() returns
- * which. */
+/* Returns false after OpenGL has reported a lost device or a lack of memory. renderer_error() then
+ * returns the reason. */
 bool renderer_is_alive(struct renderer *renderer);
 
 const char *renderer_error(const struct renderer *renderer);

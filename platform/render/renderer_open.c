@@ -1,12 +1,13 @@
-/* renderer_open.c -- opens and closes a renderer: targets, passes, and the description of the
- * context. */
+/* renderer_open.c -- opens and closes a renderer, with its targets and passes, and describes the
+ * OpenGL context. */
 #include "platform/render/renderer.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #ifndef GL_CONTEXT_LOST_KHR
-/* From GL_KHR_robustness. Drivers without the extension never return it. */
+/* Error code of the extension GL_KHR_robustness. Drivers without the extension never return this
+ * code. */
 #define GL_CONTEXT_LOST_KHR 0x0507
 #endif
 
@@ -16,7 +17,8 @@ static const char *gl_string(GLenum name)
     return text ? text : "unknown";
 }
 
-/* Shortens "OpenGL ES 3.2 Mesa 22.3.6" and "llvmpipe (LLVM 15.0.6, 256 bits)" to one name. */
+/* Combines a version such as "OpenGL ES 3.2 Mesa 22.3.6" and a renderer such as "llvmpipe (LLVM
+ * 15.0.6, 256 bits)" into one short name. */
 static void name_context(struct renderer *renderer)
 {
     const char *const version = gl_string(GL_VERSION);
@@ -177,8 +179,8 @@ int renderer_read(struct renderer *renderer, struct hal_image *image)
     if (image->size < row * height || width > RENDERER_WIDTH_MAX) {
         return HAL_ERR_IO;
     }
-    /* OpenGL's first row is the lowest, and RGBA is the only layout that every ES 3 driver can read
-     * back. */
+    /* OpenGL's first row is the lowest row. RGBA is the only layout in which every OpenGL ES 3
+     * driver can read pixels. */
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     for (uint32_t y = 0; y < height; y++) {
         uint8_t *out = image->rgb + row * (height - 1u - y);

@@ -3,10 +3,10 @@
 
 #include <stddef.h>
 
-/* The fish turns this far toward the viewer, which gives it depth. */
+/* Angle by which the portrait of a fish turns toward the viewer, which makes its depth visible. */
 #define THREE_QUARTER_RAD (14.0f * F_DEG)
 
-/* Rotates (x, y) by an angle whose cosine and sine are `c` and `s`. */
+/* Rotates the pair of vectors (x, y) by an angle whose cosine is `c` and whose sine is `s`. */
 static void specimen_rotate(vec3 *x, vec3 *y, float c, float s)
 {
     const vec3 before = *x;

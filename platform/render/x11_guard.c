@@ -10,7 +10,7 @@ struct guard {
     void *context;
 };
 
-/* Xlib keeps a pointer to this for the life of the connection, and there is only one connection. */
+/* Xlib keeps a pointer to `guard` for the life of the connection. Only one connection exists. */
 static struct guard guard;
 
 #if defined(SDL_VIDEO_DRIVER_X11)

@@ -7,8 +7,8 @@
 #include "platform/render/gl_program.h"
 #include "shaders.h"
 
-/* Vertex positions are integer steps, which the vertex shaders tank.vert.glsl and deck.vert.glsl
- * scale to the tank's size. */
+/* A corner of the tank. Coordinates are small integers, which the vertex shaders tank.vert.glsl and
+ * deck.vert.glsl scale to the tank's size. */
 struct corner {
     float position[3], normal[3];
 };
@@ -30,34 +30,35 @@ enum contact_solver {
 
 #define UP { 0.0f, 1.0f, 0.0f }
 #define VERTICES_PER_FACE 6u
-#define SLOPE_UNIT (1.0f / 508.0f) /* Slope of one step in the scene's surface data. */
-/* The wind's time wraps every ten minutes, so that sines stay exact. Each wrap makes a small
- * jump. */
+#define SLOPE_UNIT                                                                                 \
+    (1.0f / 508.0f) /* Slope that stands for a difference of 1 in the scene's surface data. */
+/* Period after which the wind's time restarts at 0, so that sines stay exact. The surface jumps
+ * slightly at each restart. */
 #define WIND_WRAP_TICKS (600u * CORE_TICK_HZ)
 
 static const struct face faces[] = {
-    /* Floor */
+    /* Floor. */
     { { -1, -1, -1 }, { 1, -1, -1 }, { 1, -1, 1 }, { -1, -1, 1 }, UP },
-    /* Walls: far, near, left, right */
+    /* Walls, in the order far, near, left, right. */
     { { -1, -1, -1 }, { 1, -1, -1 }, { 1, 0, -1 }, { -1, 0, -1 }, { 0, 0, 1 } },
     { { -1, -1, 1 }, { 1, -1, 1 }, { 1, 0, 1 }, { -1, 0, 1 }, { 0, 0, -1 } },
     { { -1, -1, -1 }, { -1, -1, 1 }, { -1, 0, 1 }, { -1, 0, -1 }, { 1, 0, 0 } },
     { { 1, -1, -1 }, { 1, -1, 1 }, { 1, 0, 1 }, { 1, 0, -1 }, { -1, 0, 0 } },
-    /* Surface */
+    /* Water surface. */
     { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 0, 1 }, { -1, 0, 1 }, UP },
-    /* Counter: far, near, left, right */
+    /* Counter, in the order far, near, left, right. */
     { { -3, -1, -3 }, { 3, -1, -3 }, { 3, -1, -2 }, { -3, -1, -2 }, UP },
     { { -3, -1, 2 }, { 3, -1, 2 }, { 3, -1, 3 }, { -3, -1, 3 }, UP },
     { { -3, -1, -2 }, { -2, -1, -2 }, { -2, -1, 2 }, { -3, -1, 2 }, UP },
     { { 2, -1, -2 }, { 3, -1, -2 }, { 3, -1, 2 }, { 2, -1, 2 }, UP },
-    /* Inner side of the rim: far, left, right. The near inner side faces away from the player and
-     * is not drawn. */
+    /* Inner side of the rim, in the order far, left, right. The near inner side faces away from the
+     * player and is not drawn. */
     { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 1, -1 }, { -1, 1, -1 }, { 0, 0, 1 } },
     { { -1, 0, -1 }, { -1, 0, 1 }, { -1, 1, 1 }, { -1, 1, -1 }, { 1, 0, 0 } },
     { { 1, 0, -1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 1, 1, -1 }, { -1, 0, 0 } },
-    /* Outer side of the rim: near */
+    /* Outer side of the rim; only the near one is visible. */
     { { -2, -1, 2 }, { 2, -1, 2 }, { 2, 1, 2 }, { -2, 1, 2 }, { 0, 0, 1 } },
-    /* Top of the rim: far, near, left, right */
+    /* Top of the rim, in the order far, near, left, right. */
     { { -2, 1, -2 }, { 2, 1, -2 }, { 2, 1, -1 }, { -2, 1, -1 }, UP },
     { { -2, 1, 1 }, { 2, 1, 1 }, { 2, 1, 2 }, { -2, 1, 2 }, UP },
     { { -2, 1, -1 }, { -1, 1, -1 }, { -1, 1, 1 }, { -2, 1, 1 }, UP },
@@ -120,8 +121,8 @@ void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
     gl_ring_open(
         status, "slopes", &pass->slope_ring,
         &(struct gl_texture_desc){
-            /* The texels are 16-bit floats because 8-bit steps are visible as tiles in the mirrored
-             * lanterns. */
+            /* The texels are 16-bit floats because the reflections of the lanterns would show 8-bit
+             * steps as tiles. */
             .internal_format = GL_RGBA16F,
             .format = GL_RGBA,
             .width = RIPPLE_X,
@@ -141,8 +142,9 @@ void basin_pass_close(struct basin_pass *pass)
     gl_ring_close(&pass->slope_ring);
 }
 
-/* A light wind adds a few long, low waves to the slopes that the core computes, so that the
- * mirrored lanterns always move. Slopes are in the scene's units of 1/508. */
+/* A wave of the light wind. The wind adds a few long, low waves to the slopes that the core
+ * computes, so that the reflections of the lanterns always move. `slope` is in the scene's units of
+ * 1/508. */
 struct wind_wave {
     float x_rad_m, z_rad_m, rad_s, slope;
 };
@@ -153,8 +155,8 @@ static const struct wind_wave wind[] = {
     { 58.0f, -13.0f, 5.3f, 4.5f },
 };
 
-/* Adds one wave to the whole grid from two columns of sines: sin(a + b) = sin a cos b + cos a sin
- * b. */
+/* Adds one wave to the whole grid. Two columns of sines are sufficient because sin(a + b) = sin a
+ * cos b + cos a sin b. */
 static void add_wind(struct basin_pass *pass, const struct wind_wave *wave, vec3 size_m,
                      float time_s)
 {
@@ -181,10 +183,10 @@ static void add_wind(struct basin_pass *pass, const struct wind_wave *wave, vec3
     }
 }
 
-/* Bound of the slope that refracts the picture below the surface. The bound prevents folds and
- * streaks where the slope changes sign within a cell: neighbouring cells shift the picture by at
- * most four fifths of their distance (0.65 in the festival tank, 0.89 in the deep tank of the
- * thesis). */
+/* Maximum slope that refracts the picture below the surface. Without a maximum, folds and streaks
+ * appear where the slope changes sign within a grid cell. With this maximum, two neighbouring cells
+ * shift the picture by at most four fifths of their distance (0.65 in the festival tank, 0.89 in
+ * the deep tank of the thesis). */
 #define SEEN_SLOPE_MAX 0.05f
 
 static void put_slope(float texel[4], float x, float z)
@@ -229,8 +231,8 @@ void basin_pass_deck(const struct basin_pass *pass, const struct textures *textu
 {
     gl_bind_texture(0, GL_TEXTURE_2D, textures->wood);
     glDepthMask(GL_FALSE);
-    glUseProgram(pass->counter_program); /* The faces are painted from the lowest up because the
-                                            counter writes no depth. */
+    glUseProgram(pass->counter_program); /* The faces are drawn from the lowest to the highest
+                                            because the counter writes no depth. */
     draw_part(pass, PART_COUNTER);
     glUseProgram(pass->side_program);
     draw_part(pass, PART_SIDES);

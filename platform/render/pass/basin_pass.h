@@ -1,5 +1,5 @@
-/* basin_pass.h -- draws the tank: floor and walls below, rim and counter above, and the water
- * surface. */
+/* basin_pass.h -- draws the tank: floor and walls below the surface, rim and counter above it, and
+ * the water surface. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_BASIN_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_BASIN_PASS_H
 
@@ -12,8 +12,8 @@ struct basin_pass {
     GLuint vertex_array, vertex_buffer;
     struct gl_ring slope_ring;
     float waves[RIPPLE_Z][RIPPLE_X][2];
-    float slopes[RIPPLE_Z][RIPPLE_X][4]; /* Slopes x, z for the mirror, then x, z bounded for
-                                            refraction. */
+    float slopes[RIPPLE_Z][RIPPLE_X][4]; /* Slopes along x and z for the reflection, then slopes
+                                            along x and z, limited for the refraction. */
 };
 
 void basin_pass_open(struct gl_status *status, struct basin_pass *pass);
@@ -25,10 +25,11 @@ void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene);
 /* Draws floor and walls. The target needs no depth buffer. */
 void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint shadows);
 
-/* Draws rim and counter. The depth buffer hides them behind nearer objects, but they write no
- * depth, because a poi is always held over the rim. basin_pass_water() draws the surface with
- * depth, from the pictures `ground` and `life` of what is below. */
+/* Draws rim and counter. The depth buffer hides them behind nearer objects. They write no depth,
+ * because a poi is always held over the rim. */
 void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures);
+/* Draws the water surface with depth. `ground` and `life` are the pictures of the objects below the
+ * surface. */
 void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,
                       GLuint life);
 

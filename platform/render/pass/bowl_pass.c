@@ -1,5 +1,5 @@
-/* bowl_pass.c -- implementation of bowl_pass.h. The shell is a surface of revolution in units of
- * mouth radius and bowl depth. */
+/* bowl_pass.c -- implementation of bowl_pass.h. The bowl's shell is a surface of revolution. Its
+ * units are the mouth radius and the bowl depth. */
 #include "platform/render/pass/bowl_pass.h"
 
 #include "platform/render/gl_program.h"
@@ -9,17 +9,17 @@
 #define SHELL_COLUMNS 49u
 #define SHELL_ROWS 12u
 #define LIP_ROWS 4u
-#define WALL 0.030f  /* Wall thickness in mouth radii: 2 mm of enamelled steel. */
+#define WALL 0.030f  /* Wall thickness in mouth radii, which stands for 2 mm of enamelled steel. */
 #define BOTTOM 0.94f /* Depth of the inner floor, in bowl depths. */
 #define DISC_ROWS 2u
 
 struct lathe {
-    float from, to; /* Range of the profile: 0 is the bottom, 1 is the lip. */
+    float from, to; /* Range of the profile parameter. 0 is the bottom, 1 is the lip. */
     bool outside;
 };
 
-/* Writes the radius and height of one point of the profile, a superellipse between a cup and a
- * dish. */
+/* Writes the radius and height of one point of the profile. The profile is a superellipse, between
+ * the shapes of a cup and a dish. */
 static void profile(float t, bool outside, float *r, float *y)
 {
     const float angle = t * 0.5f * F_PI;
@@ -62,7 +62,7 @@ static struct shape_vertex disc_point(float u, float v, const void *context)
     return (struct shape_vertex){ .position = v3(v * f_cos(around), 0.0f, v * f_sin(around)) };
 }
 
-/* Returns the profile's inner radius at height `y` (in bowl depths), found by bisection. */
+/* Returns the profile's inner radius at height `y` (in bowl depths), by bisection. */
 static float radius_at(float y)
 {
     float low = 0.0f;

@@ -1,4 +1,5 @@
-/* bowl_pass.h -- draws the floating bowls and the water and fish in them. */
+/* bowl_pass.h -- draws the floating bowls and their water. fish_pass.h draws the fish in the
+ * bowls. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_BOWL_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_BOWL_PASS_H
 
@@ -13,7 +14,7 @@ struct bowl_part {
 struct bowl_pass {
     struct bowl_part shell_part, hole_part, water_part;
     struct shape_buffers shell, disc;
-    uint32_t hull_first, hull_count; /* Index range of the shell's outside and lip. */
+    uint32_t hull_first, hull_count; /* Range of indices of the shell's outside and lip. */
 };
 
 void bowl_pass_open(struct gl_status *status, struct bowl_pass *pass);
@@ -21,10 +22,11 @@ void bowl_pass_close(struct bowl_pass *pass);
 
 /* Removes the tank's water surface from the depth buffer inside the bowl's mouth. */
 void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl);
-/* Draws the bowl's submerged outside. bowl_pass_shell() draws the inside and the part above the
- * water. */
+/* Draws the part of the bowl's outside that is below the water surface. */
 void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);
+/* Draws the bowl's inside and the part of its outside above the water surface. */
 void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);
+/* Draws the surface of the water in the bowl. */
 void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl);
 
 #endif

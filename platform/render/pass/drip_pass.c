@@ -5,11 +5,14 @@
 #include "shaders.h"
 
 #define DROPS_MAX 5
-/* Minimum mean depth of water on the paper from which drops fall. Less water adheres. */
+/* Minimum mean depth of the water on the paper from which drops fall. A thinner layer adheres to
+ * the paper. */
 #define DRIPS_FROM_M 0.0002f
 #define DRIPS_FULL_M 0.0015f
-#define CLEAR_M 0.008f   /* The poi's low side is raised this far above the water. */
-#define RING_REACH 1.17f /* In paper radii: drops fall from the ring's outer edge. */
+/* Height above the water to which the poi's low side must be raised before drops fall. */
+#define CLEAR_M 0.008f
+/* Distance in paper radii of the drops from the centre. Drops fall from the ring's outer edge. */
+#define RING_REACH 1.17f
 
 void drip_pass_open(struct gl_status *status, struct drip_pass *pass)
 {
@@ -24,7 +27,8 @@ void drip_pass_close(struct drip_pass *pass)
     glDeleteVertexArrays(1, &pass->no_attributes);
 }
 
-/* Returns the lowest point of the ring; for a level ring, the centre of the sagging paper. */
+/* Returns the lowest point of the ring. For a level ring, returns the centre of the sagging
+ * paper. */
 static vec3 low_side(const struct scene_poi *poi)
 {
     const vec3 up = vec_basis_from_angles(poi->angles).up;

@@ -1,4 +1,4 @@
-/* drip_pass.h -- draws the drops that fall from a wet poi held over the water. */
+/* drip_pass.h -- draws the drops that fall from a wet poi (the paper scoop) held over the water. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_DRIP_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_DRIP_PASS_H
 
@@ -13,7 +13,7 @@ struct drip_pass {
 void drip_pass_open(struct gl_status *status, struct drip_pass *pass);
 void drip_pass_close(struct drip_pass *pass);
 
-/* Draws the drops into a target with depth, after the bowls and before the pois. Draws nothing
+/* Draws the drops into a target with depth. Call after the bowls and before the pois. Draws nothing
  * while every poi is dry or in the water. */
 void drip_pass_draw(const struct drip_pass *pass, const struct scene *scene);
 

@@ -1,5 +1,5 @@
-/* edge_pass.h -- the last pass of a frame: the area beside the picture becomes black, and the
- * picture is dimmed as requested. Costs nothing where the picture fills the screen at full
+/* edge_pass.h -- the last pass of a frame, which fills the area beside the picture with black
+ * and dims the picture as configured. Costs nothing if the picture fills the screen at full
  * brightness. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_EDGE_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_EDGE_PASS_H
@@ -14,11 +14,11 @@ struct edge_pass {
 void edge_pass_open(struct gl_status *status, struct edge_pass *pass);
 void edge_pass_close(struct edge_pass *pass);
 
-/* Draws over the bound framebuffer, which is the screen of `transform`. Leaves blending on and the
- * scissor test off. */
+/* Draws over the bound framebuffer, which must be the screen of `transform`. Leaves blending on and
+ * the scissor test off. */
 void edge_pass_draw(const struct edge_pass *pass, const struct display_transform *transform);
 
-/* Draws a black screen, in place of edge_pass_draw() while the brightness is 0. */
+/* Draws a black screen. Used instead of edge_pass_draw() while the brightness is 0. */
 void edge_pass_night(void);
 
 #endif

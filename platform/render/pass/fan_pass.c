@@ -5,12 +5,12 @@
 #include "platform/render/pass/poi_pass.h"
 #include "shaders.h"
 
-/* At this height the fan hides half of its shadow on the water from the player, and little of the
- * floor. */
+/* Height of the fan above the water. At this height the fan hides, from the player's eye, half of
+ * its shadow on the water and little of the floor. */
 #define FAN_HEIGHT_M 0.15f
-/* The far edge is lower, so that the player sees the picture on the fan. */
+/* Tilt of the fan. The far edge is lower, so that the player sees the picture on the fan. */
 #define FAN_PITCH_RAD (-7.0f * F_DEG)
-/* Amplitude of the sway, because no human hand is quite still. */
+/* Amplitude of the fan's sway, because no human hand is quite still. */
 #define SWAY_RAD (1.6f * F_DEG)
 #define SWAY_HZ 0.23f
 #define SEEN_THROUGH 0.34f

@@ -1,7 +1,7 @@
 /* fan_pass.h -- draws the fans that the players hold over the water.
  *
- * The fans' shadows are in the frame block (frame_block.h), for every shader that draws objects
- * below. */
+ * The frame block (frame_block.h) contains the fans' shadows, for every shader that draws objects
+ * below the fans. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_FAN_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_FAN_PASS_H
 
@@ -17,7 +17,7 @@ struct fan_pass {
 void fan_pass_open(struct gl_status *status, struct fan_pass *pass);
 void fan_pass_close(struct fan_pass *pass);
 
-/* Draws the fans over all other objects of the stall, with blending. The target needs no depth
+/* Draws the fans over all other objects of the scene, with blending. The target needs no depth
  * buffer. */
 void fan_pass_draw(const struct fan_pass *pass, const struct scene *scene,
                    const struct textures *textures);

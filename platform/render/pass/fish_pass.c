@@ -60,8 +60,8 @@ void fish_pass_close(struct fish_pass *pass)
     }
 }
 
-/* Sorts the fish by height into 256 levels, lowest first. Fish of one level keep the scene's order,
- * so that the same scene always gives the same picture. */
+/* Sorts the fish by height into 256 levels, lowest first. Fish of one level keep the order of the
+ * scene, so that the same scene always gives the same picture. */
 static void sort_by_height(struct fish_pass *pass, const struct scene *scene)
 {
     uint16_t start[SORT_LEVELS + 1u] = { 0 };
@@ -120,8 +120,8 @@ static bool is_far(enum fish_group group)
     return group == FISH_FAR || group == FISH_GULPING_FAR;
 }
 
-/* Updates the poses. Each fish's row is its index in the scene, and only a fish that has grown or
- * changed its level of detail is written again. */
+/* Updates the poses. Each fish's texture row is its index in the scene. A row is written again only
+ * if the fish has grown or its level of detail has changed. */
 static void pose(struct fish_pass *pass, const struct scene *scene)
 {
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
@@ -160,7 +160,8 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
     gl_buffer_refill(GL_ARRAY_BUFFER, pass->instances, scene->fish_count * sizeof *pass->instances);
 }
 
-/* Points the instance attributes at group `first`, because OpenGL ES 3.0 has no base instance. */
+/* Sets the instance attributes to begin at instance `first`, because OpenGL ES 3.0 has no base
+ * instance. */
 static void point_instances(uint32_t first)
 {
     static const struct instance_attribute {
@@ -183,7 +184,7 @@ static void point_instances(uint32_t first)
     }
 }
 
-/* Draws one group with `program`, which must be current. */
+/* Draws one group of fish with `program`, which must be current. */
 static void draw_group(const struct fish_pass *pass, const struct fish_program *program,
                        enum fish_group group, bool fins)
 {

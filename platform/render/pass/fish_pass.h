@@ -1,6 +1,6 @@
-/* fish_pass.h -- draws every fish of the scene as instances of one species' meshes.
+/* fish_pass.h -- draws every goldfish of the scene as instances of one species' meshes.
  *
- * Bodies are opaque. Fins are translucent and are drawn from the lowest fish up. */
+ * Bodies are opaque. Fins are translucent and are drawn from the lowest fish to the highest. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_FISH_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_FISH_PASS_H
 
@@ -11,21 +11,21 @@
 #include "platform/render/quality.h"
 #include "platform/render/textures.h"
 
-enum fish_group {               /* The groups have this order in the instance buffer. */
-                  FISH_FAR = 0, /* In the tank, small on the screen. */
-                  FISH_NEAR,
-                  FISH_GULPING_FAR, /* In the tank with the snout above the surface, small on the
-                                       screen. */
-                  FISH_GULPING,
-                  FISH_ON_POI,
-                  FISH_IN_BOWL,
-                  FISH_GROUP_COUNT,
+/* Group of a fish. The groups have this order in the instance buffer. */
+enum fish_group {
+    FISH_FAR = 0, /* In the tank and small on the screen, drawn with the far mesh. */
+    FISH_NEAR,
+    FISH_GULPING_FAR, /* In the tank with the snout above the surface, and small on the screen. */
+    FISH_GULPING,
+    FISH_ON_POI,
+    FISH_IN_BOWL,
+    FISH_GROUP_COUNT,
 };
 
 struct fish_instance {
     float place[4], right_phase[4], up_amplitude[4];
     float character[4];
-    float gulp[3]; /* Gape, gulp phase, and the fish's row of poses. */
+    float gulp[3]; /* Opening of the mouth, phase of the gulp, and the fish's row of poses. */
 };
 
 struct fish_program {
@@ -41,7 +41,7 @@ struct fish_pass {
     struct fish_poses poses[SPECIES_LOD_COUNT];
     struct morph_rig rig; /* Rig with the species' own curves. */
     uint32_t first[FISH_GROUP_COUNT], count[FISH_GROUP_COUNT];
-    uint16_t order[SCENE_FISH_MAX]; /* Scene indices, lowest fish first. */
+    uint16_t order[SCENE_FISH_MAX]; /* Scene indices of the fish, in ascending order of height. */
     uint8_t group[SCENE_FISH_MAX];
     struct fish_instance instances[SCENE_FISH_MAX];
 };
@@ -55,24 +55,24 @@ void fish_pass_close(struct fish_pass *pass);
 void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
                        const struct frame_view *view, const struct quality *quality);
 
-/* Draws the bodies of one group into a target with depth, without blending. Of gulping fish only
- * the part below the surface is drawn. fish_pass_fins() draws the group's fins with premultiplied
- * blending. */
+/* Draws the bodies of one group of fish into a target with depth, without blending. Only the part
+ * below the surface of a gulping fish is drawn. */
 void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
                       const struct textures *textures, GLuint caustics);
+/* Draws the fins of one group of fish with premultiplied blending. */
 void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint caustics);
 
-/* Draws the snouts: gulping fish are drawn whole into a target whose depth hides the part below the
- * surface. */
+/* Draws the snouts of gulping fish. The fish are drawn whole into a target whose depth hides the
+ * part below the surface. */
 void fish_pass_snouts(const struct fish_pass *pass, const struct textures *textures,
                       GLuint caustics);
 
-/* Draws the rings that gulping fish make on the surface, over the water and below objects that
- * stand out of it. */
+/* Draws the rings that gulping fish make on the surface. Call after the water and before objects
+ * above the water. */
 void fish_pass_rings(const struct fish_pass *pass);
 
-/* Points attributes 0, 1, 2 of the bound vertex array at the instances of the fish in the tank and
- * on the poi, for their shadows. Returns the number of those instances. */
+/* Sets attributes 0, 1 and 2 of the bound vertex array to the instances of the fish that cast
+ * shadows, which are the fish in the tank and on the poi. Returns the number of those instances. */
 GLsizei fish_pass_shadow_casters(const struct fish_pass *pass);
 
 #endif

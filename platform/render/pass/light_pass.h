@@ -1,5 +1,5 @@
-/* light_pass.h -- draws the light on the floor: the current caustics and the shadows of all
- * objects. */
+/* light_pass.h -- draws the light on the floor: the caustics at the current time and the shadows of
+ * all objects. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_LIGHT_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_LIGHT_PASS_H
 
@@ -11,14 +11,17 @@
 struct light_pass {
     GLuint caustics_program, fish_program, disc_program;
     GLint disc_pose, disc_softness, disc_slant;
-    GLuint no_attributes, casters; /* Vertex arrays. */
-    struct gl_target caustics;     /* One tile of caustics, which repeats. */
-    struct gl_target shadows;      /* Map of the floor from above; 0 is lit. */
+    GLuint no_attributes, casters; /* Vertex arrays without attributes, and with the shadow casters'
+                                      attributes. */
+    struct gl_target caustics;     /* One tile of caustics, which is repeated over the floor. */
+    struct gl_target shadows;      /* Shadow map of the floor from above. A value of 0 means fully
+                                      lit. */
 };
 
 void light_pass_open(struct gl_status *status, struct light_pass *pass);
 void light_pass_close(struct light_pass *pass);
 
+/* Draws the tile of caustics at the current time. */
 void light_pass_caustics(const struct light_pass *pass, const struct textures *textures);
 
 /* Draws the shadow map. Call after fish_pass_prepare() and poi_pass_prepare(). */

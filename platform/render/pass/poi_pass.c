@@ -1,4 +1,5 @@
-/* poi_pass.c -- implementation of poi_pass.h. Lengths of the solids are in inner ring radii. */
+/* poi_pass.c -- implementation of poi_pass.h. Lengths of the solids are in inner radii of the
+ * ring. */
 #include "platform/render/pass/poi_pass.h"
 
 #include <string.h>
@@ -8,20 +9,22 @@
 #include "platform/render/poi_pool.h"
 #include "shaders.h"
 
-#define RING_MIDDLE 1.08f /* The inner radius is 40 mm, the outer 46.5 mm. */
+/* Middle radius of the ring. The inner radius is 40 mm, and the outer radius is 46.5 mm. */
+#define RING_MIDDLE 1.08f
 #define RING_HALF_WIDTH 0.085f
 #define RING_HALF_HEIGHT 0.062f
 #define RING_COLUMNS 57u
 #define RING_ROWS 11u
 #define HANDLE_START 1.10f
-#define HANDLE_LENGTH 2.55f /* 10 cm of grip. */
+#define HANDLE_LENGTH 2.55f /* Length of the handle, which stands for 10 cm. */
 #define HANDLE_ROWS 22u
 #define HANDLE_COLUMNS 13u
 #define PAPER_COLUMNS 49u
 #define PAPER_ROWS 11u
-/* Same as in poi_paper.frag.glsl. Further fish would be hidden by the shade of these. */
+/* Maximum number of fish that darken the paper, equal to the constant in poi_paper.frag.glsl. The
+ * shade of these fish hides further fish. */
 #define RESTS_MAX 2
-#define REACH 3.8f /* Ring radii from the centre to the handle's end. */
+#define REACH 3.8f /* Distance from the centre to the handle's end, in ring radii. */
 
 const float *poi_paint(uint8_t owner)
 {
@@ -45,8 +48,8 @@ static struct shape_vertex ring_point(float u, float v, const void *context)
     return (struct shape_vertex){ .position = p, .u = u, .v = v };
 }
 
-/* Returns a point of the handle, a flat bar with a slim neck at the ring, a broader grip and a
- * round end. */
+/* Returns a point of the handle, which is a flat bar with a slim neck at the ring, a broader grip
+ * and a round end. */
 static struct shape_vertex handle_point(float u, float v, const void *context)
 {
     (void)context;
@@ -66,8 +69,9 @@ static struct shape_vertex paper_point(float u, float v, const void *context)
 {
     (void)context;
     const float around = -u * F_TAU;
-    const float r = f_sqrt(v) * 1.01f; /* The rings have equal area, and the outermost lies inside
-                                          the plastic. */
+    const float r = f_sqrt(v) * 1.01f; /* The vertex rings of the paper have equal area. The
+                                          outermost vertex ring lies inside the plastic of the poi's
+                                          ring. */
     return (struct shape_vertex){ .position = v3(r * f_cos(around), r * f_sin(around), 0.0f) };
 }
 
@@ -157,7 +161,8 @@ void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi)
     glDisable(GL_BLEND);
 }
 
-/* Sets where fish lie on the paper, for the first RESTS_MAX fish. A length of 0 casts no shade. */
+/* Sets the positions of the first RESTS_MAX fish on the paper. A fish of length 0 causes no
+ * shade. */
 static void set_rests(const struct poi_pass *pass, const struct scene *scene,
                       const struct scene_poi *poi)
 {

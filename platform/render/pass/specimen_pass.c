@@ -11,12 +11,12 @@
 #define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"
 #define SAMPLERS "paints shines patterns"
 #define NEAR_PX 150.0f /* A fish shorter than this is drawn from the far mesh. */
-/* Maximum distance in lengths by which swimming moves vertices beyond the mesh's reach. */
+/* Maximum distance, in body lengths, by which swimming moves a vertex out of the mesh's reach. */
 #define SWAY_LENGTHS 0.3f
-#define WORK_NS 10000000u /* Painting time in a frame while a visible texture is coarse. */
-/* Painting time in a frame while only an invisible texture is unfinished. */
+#define WORK_NS 10000000u /* Time in ns for painting per frame while a visible texture is coarse. */
+/* Time in ns for painting per frame while all unfinished textures are invisible. */
 #define REST_NS 3000000u
-#define CLEAR_MIN 0.02f /* A body with less transparency counts as opaque. */
+#define CLEAR_MIN 0.02f /* Minimum transparency of a body that is drawn as transparent. */
 
 static struct specimen_screen screen_of(GLuint program)
 {
@@ -88,8 +88,8 @@ void specimen_pass_close(struct specimen_pass *pass)
     }
 }
 
-/* Returns the fish texture of a built-in species with identical coats, or null. The ordinary morph
- * of a species thus shares the texture of the species. */
+/* Returns the fish texture of a built-in species whose coats are identical to those of `species`,
+ * or null. The ordinary morph of a species therefore shares the texture of the species. */
 static struct fish_texture *skin_like(struct specimen_pass *pass, const struct species *species)
 {
     const struct species_card *const card = &species->card;
@@ -122,8 +122,8 @@ static void specimen_pass_fill_slot(struct specimen_pass *pass, struct specimen_
     }
 }
 
-/* Returns the fixed slot of a built-in species, or null for any other species. Built-in tables
- * never change, so all their editions are equal. */
+/* Returns the slot that is reserved for a built-in species, or null for any other species. Built-in
+ * tables never change, so that `edition` need not be compared. */
 static struct specimen_slot *home_of(struct specimen_pass *pass, const struct species *species)
 {
     for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN; i++) {
@@ -134,7 +134,8 @@ static struct specimen_slot *home_of(struct specimen_pass *pass, const struct sp
     return NULL;
 }
 
-/* Returns the slot that holds this other species, or the least recently used of those slots. */
+/* Returns the slot that holds a species that is not built in. If no slot holds the species, returns
+ * the least recently used slot for species that are not built in. */
 static struct specimen_slot *other_of(struct specimen_pass *pass, const struct specimen *specimen)
 {
     struct specimen_slot *rested = &pass->slots[SPECIES_BUILT_IN];
@@ -159,8 +160,9 @@ static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct sp
     return slot;
 }
 
-/* Returns the texture to paint next: the visible coarse texture with the largest fish, otherwise
- * any unfinished texture, or null if all are finished. */
+/* Returns the texture to paint next, or null if all are finished. A visible coarse texture comes
+ * first, in descending size of its fish, then any unfinished texture. `is_seen` receives whether
+ * the texture is visible. */
 static struct fish_texture *unfinished(struct specimen_pass *pass, bool *is_seen)
 {
     struct fish_texture *found = NULL;
@@ -229,7 +231,7 @@ static void colour_of(float out[4], uint32_t rgba)
     }
 }
 
-/* Uniform values that a specimen's two programs share. */
+/* Values of the uniforms that the body program and the fin program share. */
 struct told {
     float sheets[3];
     float look[4];
@@ -285,8 +287,8 @@ static void draw_shadow(const struct specimen_pass *pass, const struct specimen 
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-/* Clears the depth around the specimen. Earlier depth is not needed because every specimen has its
- * own place on the page. */
+/* Clears the depth around the specimen. The depth of earlier specimens is not needed because every
+ * specimen has its own place on the page. */
 static void clear_depth(const struct specimen *specimen, float reach_lengths,
                         const struct display_transform *p)
 {
@@ -308,8 +310,8 @@ static void draw_part(const struct specimen_program *program, const struct fish_
     fish_mesh_draw(mesh, fins, 1);
 }
 
-/* Draws the fin parts behind the body first, so that the body's smooth outline blends with them and
- * a transparent body shows its far fins. */
+/* Draws the fin parts that are behind the body. They are drawn first, so that the body's smooth
+ * outline blends with them and a transparent body shows its far fins. */
 static void draw_behind(const struct specimen_pass *pass, const struct fish_mesh *mesh, bool clear,
                         const float look[4])
 {

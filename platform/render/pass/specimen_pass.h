@@ -1,10 +1,11 @@
-/* specimen_pass.h -- draws specimens (specimen.h): any species with its own paint, one fish at a
- * time.
+/* specimen_pass.h -- draws specimens (specimen.h). A specimen is one fish of any species with the
+ * species' own paint.
  *
  * Each built-in species has its own slot, which is filled at first use or when there is time. Any
  * other species is uploaded at first use, into the least recently used of the remaining slots. A
- * fish texture is painted coarsely at once and finely over the following frames, for a limited time
- * in each. All memory is reserved at the start: about 0.2 MiB here and 37 MiB of textures. */
+ * fish texture is first painted coarsely and then finely over the following frames, for a limited
+ * time in each frame. All memory is reserved at the start: about 0.2 MiB in struct specimen_pass
+ * and 37 MiB of textures. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_SPECIMEN_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_SPECIMEN_PASS_H
 
@@ -14,7 +15,8 @@
 #include "platform/render/specimen.h"
 #include "platform/render/textures.h"
 
-/* Slots for the lab's comparison fish and for a species that is not built in. */
+/* Number of slots for species that are not built in: the lab's comparison fish and one more
+ * species. */
 #define SPECIMEN_OTHERS 2u
 #define SPECIMEN_SLOTS (SPECIES_BUILT_IN + SPECIMEN_OTHERS)
 
@@ -31,12 +33,12 @@ struct specimen_program {
 };
 
 struct specimen_slot {
-    const struct species *species; /* Null: empty slot. */
+    const struct species *species; /* Species in the slot. Null means that the slot is empty. */
     uint32_t edition;
-    uint32_t last_used; /* Value of draw_count at the last use, to find the least recently used
-                           slot. */
-    struct fish_texture *worn; /* The slot's own texture, or a built-in species' texture with the
-                                  same paint. */
+    uint32_t last_used; /* Value of draw_count at the last use of the slot, from which the least
+                           recently used slot is found. */
+    struct fish_texture *worn; /* Texture with which the species is drawn: the slot's own texture,
+                                  or the texture of a built-in species with identical paint. */
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
     struct morph_rig rig; /* Rig with the species' own curves. */
     struct fish_texture skin;
@@ -54,23 +56,26 @@ struct specimen_pass {
     struct fish_texture_brush brush;
 };
 
-/* Builds programs and buffers. `textures` must stay open as long as the pass; only their patterns
+/* Creates programs and buffers. `textures` must stay open as long as the pass. Only its patterns
  * are used. */
 void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass,
                         const struct textures *textures);
 void specimen_pass_close(struct specimen_pass *pass);
 
-/* Paints unfinished textures: for 10 ms a call while a texture drawn last is not fine, otherwise
- * for 3 ms. With `ahead`, built-in species that were not shown yet are also prepared. Call once a
+/* Paints unfinished textures. A call takes 10 ms while a visible texture is coarse, otherwise 3 ms.
+ * If `ahead` is true, built-in species that were not shown yet are also prepared. Call once per
  * frame. */
 void specimen_pass_work(struct specimen_pass *pass, bool ahead);
 
-/* Paints the species' texture completely, for a caller that stores a single picture. */
+/* Paints the texture of the specimen's species completely, for a caller that stores a single
+ * picture. */
 void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *specimen);
 
-/* Draws one specimen into the bound framebuffer, which must have depth and be the screen of
- * `transform`, over the existing picture. Clears the depth around the specimen. Leaves blending on
- * with (ONE, ONE_MINUS_SRC_ALPHA), depth test and culling off, vertex array 0, scissor off. */
+/* Draws one specimen over the picture in the bound framebuffer, which must have depth and be the
+ * screen of `transform`. Clears the depth around the specimen.
+ *
+ * State afterwards: blending is on with (ONE, ONE_MINUS_SRC_ALPHA). Depth test, culling and scissor
+ * test are off. The vertex array is 0. */
 void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *specimen,
                         const struct display_transform *transform);
 
