@@ -15,7 +15,7 @@ void controller_manager_init(struct controller_manager *manager, struct hid_devi
     memcpy(manager->seat, seats, sizeof manager->seat);
 }
 
-/* ---- Learning ------------------------------------------------------------------------------- */
+/* ---- Learning of a mapping ------------------------------------------------------------------ */
 
 static struct poi_hid *learning_seat(const struct controller_manager *manager)
 {
@@ -50,8 +50,8 @@ static int is_kind(const struct hid_identity *one, const struct hid_identity *ot
            strcmp(one->serial, other->serial) == 0;
 }
 
-/* Releases a controller that only learning had chosen and whose mapping was not kept. Repeated
- * at the next poll while the device list is busy. */
+/* Releases a controller that was selected only for learning and whose mapping was not kept. While
+ * the device list is busy, `gives_back` stays 1 and the next poll retries. */
 static void give_back(struct controller_manager *manager)
 {
     const struct hid_row *row = &manager->row[manager->learn_row];
@@ -61,7 +61,7 @@ static void give_back(struct controller_manager *manager)
             HAL_ERR_BUSY;
 }
 
-/* Ends learning. The controller continues to play with `map`, or, if `map` is null, with the
+/* Ends learning. The controller continues to play with `map`. If `map` is null, it plays with the
  * mapping that it has without learning. */
 static void stop_learning(struct controller_manager *manager, const struct hid_mapping *map)
 {
@@ -80,8 +80,8 @@ static void end_learning(struct controller_manager *manager)
     give_back(manager);
 }
 
-/* Ends a running learning procedure and starts one for `row`. Restarting the same row preserves
- * gives_back. */
+/* Ends the current learning procedure, if any, and prepares a new one for `row`. If learning
+ * restarts with the same row, `gives_back` keeps its value. */
 static void begin_anew(struct controller_manager *manager, uint32_t row)
 {
     const int again = manager->learn.step != LEARN_NONE && manager->learn_row == row;
@@ -107,7 +107,7 @@ static int begin_learning(struct controller_manager *manager, uint32_t row)
         fail_learning(manager);
         return result;
     }
-    /* The menu shows "keep still" while the controller is being attached. */
+    /* The menu shows "keep still" until the controller is attached. */
     manager->learn.step = LEARN_REST;
     manager->learn.report_count = 0;
     manager->learn_waits = 1;
@@ -120,7 +120,7 @@ static int controller_manager_is_same(const struct hid_identity *one,
     return is_kind(one, other) && strcmp(one->port, other->port) == 0;
 }
 
-/* Continues learning when the frame loop has opened the controller's slot, which takes up to one
+/* Starts recording once the frame loop has opened the controller's slot, which takes up to one
  * second. */
 static void sit_down(struct controller_manager *manager)
 {
@@ -137,7 +137,7 @@ static void sit_down(struct controller_manager *manager)
     }
     manager->learn_waits = 0;
     manager->learn_seat = row->seat;
-    /* Some devices report their serial number only after they are opened. */
+    /* Copied again, because some devices report their serial number only after they are opened. */
     manager->learn_identity = row->identity;
     hid_learn_begin(&manager->learn, &seat->face);
     if (manager->learn.step == LEARN_FAILED) {
@@ -151,7 +151,7 @@ static void go_on(struct controller_manager *manager)
 {
     struct poi_hid *seat = learning_seat(manager);
     if (!seat) {
-        return; /* Not attached yet, so there is no step to finish. */
+        return; /* The controller is not attached yet, so there is no learning step to finish. */
     }
     hid_learn_next(&manager->learn);
     if (manager->learn.step == LEARN_TRY) {
@@ -165,8 +165,8 @@ static void go_on(struct controller_manager *manager)
     }
 }
 
-/* Ends learning only after the file is on the card, so that the operator may then switch the
- * kiosk off safely. */
+/* Ends learning only after the mapping file is on the card. The operator may then switch off the
+ * kiosk without losing the mapping. */
 static void watch_writing(struct controller_manager *manager)
 {
     const int result = hid_mapping_store_result(manager->book);
@@ -244,10 +244,10 @@ static int hid_desk_command(void *self, const struct controller_command *order)
     }
 }
 
-/* ---- Device list ---------------------------------------------------------------------------- */
+/* ---- Polling of the device list ------------------------------------------------------------- */
 
-/* Advances learning once for each poll. Learning fails if the controller is unplugged, because
- * an incomplete recording cannot be used. */
+/* Advances learning; called once in each poll. Learning fails if the controller is unplugged,
+ * because an incomplete recording cannot be used. */
 static void watch_learning(struct controller_manager *manager)
 {
     const struct poi_hid *seat = learning_seat(manager);

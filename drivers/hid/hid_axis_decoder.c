@@ -1,10 +1,12 @@
-/* hid_axis_decoder.c -- converts the bits of a report to axis values. */
+/* hid_axis_decoder.c -- converts the bits of a report to the values of bindings. */
 #include "drivers/hid/hid_axis_decoder.h"
 
 #include "drivers/hid/hid_bits.h"
 
-#define PRESS_AT 0.5f     /* Share of a trigger's travel that presses it. */
-#define RELEASE_AT 0.4f   /* Share that releases it; the difference is hysteresis. */
+#define PRESS_AT 0.5f /* Share of a key's or trigger's travel at which it counts as pressed. */
+#define RELEASE_AT                                                                                 \
+    0.4f                  /* Share of the travel at which a pressed key or trigger counts as
+                             released; the difference from PRESS_AT is hysteresis. */
 #define AWAKE_WITHIN 0.3f /* Deflection below which a stick counts as released. */
 #define HAT_DIRECTIONS 8.0f
 
@@ -14,14 +16,16 @@ static int64_t raw_of(const struct hid_binding *binding, const uint8_t *payload)
     return binding->is_signed ? hid_signed_bits(bits, binding->bit_size) : (int64_t)bits;
 }
 
-/* Returns 0 at `rest` and 1 at `full`; values beyond the ends are not clamped. */
+/* Returns the position of `raw` between the ends of the binding: 0 at `rest` and 1 at `full`.
+ * Values beyond the ends are not clamped. */
 static float way_of(const struct hid_binding *binding, int64_t raw)
 {
     const int64_t span = binding->full - binding->rest;
     return (float)(raw - binding->rest) / (float)span;
 }
 
-/* Applies a dead zone: 0 within `dead`, then linear up to 1 at the end. */
+/* Applies a dead zone: returns 0 if the size of `share` is at most `dead`, and above rises linearly
+ * to 1 at full deflection. The sign is kept. */
 static float past_dead(float share, float dead)
 {
     const float size = f_abs(share);
@@ -54,7 +58,7 @@ static float hat_of(const struct hid_binding *binding, int64_t raw)
     return direction >= 0 && (float)direction < HAT_DIRECTIONS ? (float)direction : -1.0f;
 }
 
-/* Releases every key binding of the arrays in report `report_id`. */
+/* Sets the value of every key that the arrays of report `report_id` can report to released. */
 static void let_keys_go(struct hid_pose_decoder *hand, uint8_t report_id)
 {
     for (uint32_t i = 0; i < hand->map.count; i++) {
@@ -75,7 +79,7 @@ static void press_key(struct hid_pose_decoder *hand, const struct hid_group *arr
     }
 }
 
-/* Reads each bound array once for each report, independent of the number of bindings. */
+/* Reads each bound array once, however many bindings refer to it. */
 static void read_arrays(struct hid_pose_decoder *hand, uint8_t report_id, struct hid_report report)
 {
     const struct hid_descriptor *descriptor = &hand->descriptor;
@@ -113,8 +117,8 @@ void hid_axis_decoder_find_arrays(struct hid_pose_decoder *hand)
     }
 }
 
-/* Returns 1 for sticks that rest at the center. Their values count only after they were seen
- * there. */
+/* Returns 1 for sticks that rest at the center. The value of such a stick is used only after the
+ * stick was at its center once. */
 static int has_rest(const struct hid_binding *binding)
 {
     return binding->manner == HID_BINDING_RATE ||

@@ -1,11 +1,11 @@
-/* hid_bits.h -- bit fields at any offset of a report. */
+/* hid_bits.h -- reads bit fields at any bit offset of a report. */
 #ifndef KINGYO_DRIVERS_HID_HID_BITS_H
 #define KINGYO_DRIVERS_HID_HID_BITS_H
 
 #include <stdint.h>
 
-/* Returns the `size` bits (1 .. 32) that start at bit `offset` of `bytes`, least significant bit
- * first. Reads at most five bytes, all inside the field. */
+/* Returns the `size` bits (1 to 32) that start at bit `offset` of `bytes`, least significant bit
+ * first. Reads only the bytes that contain the field, at most five. */
 static inline uint32_t hid_bits_at(const uint8_t *bytes, uint32_t offset, uint32_t size)
 {
     const uint32_t first = offset / 8u, last = (offset + size - 1u) / 8u;

@@ -1,7 +1,7 @@
-/* hid_descriptor.c -- parses a descriptor in one pass.
+/* hid_descriptor.c -- parses a HID report descriptor in one pass.
  *
- * Global and Local items set the parser's state, and each Input item adds a group from that
- * state. */
+ * Global and Local items set the state of the parser. Each Input item adds a group of fields from
+ * that state. */
 #include "drivers/hid/hid_descriptor.h"
 
 #include <string.h>
@@ -18,18 +18,22 @@ enum local_tag { LOCAL_USAGE = 0, LOCAL_USAGE_MIN = 1, LOCAL_USAGE_MAX = 2, LOCA
 struct reader {
     struct hid_descriptor *out;
     struct hid_global_stack globals;
-    /* Application collection in force at each nesting depth. */
+    /* Usage of the Application collection at each nesting depth. */
     hid_usage application[HID_DEPTH_MAX + 1u];
     uint32_t depth;
-    uint32_t range_first; /* The usages of the current main item start here in out->range. */
+    uint32_t range_first; /* Index in out->range at which the usages of the current main item
+                             start. */
     hid_usage usage_min;
     uint8_t has_usage_min;
-    uint8_t in_delimiter, alternatives; /* Only the first usage of a delimited set is used. */
+    uint8_t in_delimiter, alternatives; /* 1 between the Delimiter items of a set, and the number of
+                                           usages in the set. Only the first usage of a delimited
+                                           set is used. */
 };
 
-/* ---- Usages --------------------------------------------------------------------------------- */
+/* ---- Usages (Local items) ------------------------------------------------------------------- */
 
-/* Combines a usage of one or two bytes with the usage page in force at that item. */
+/* Returns the complete usage of an item. A usage of one or two bytes belongs to the usage page that
+ * is current at the item. */
 static hid_usage whole_usage(const struct reader *reader, const struct hid_item *item)
 {
     const uint32_t page = reader->globals.now.usage_page;
@@ -70,8 +74,8 @@ static enum hid_error delimit(struct reader *reader, uint32_t opens)
 static enum hid_error end_usage_range(struct reader *reader, const struct hid_item *item)
 {
     const hid_usage last = whole_usage(reader, item);
-    /* A maximum of four bytes contains the page of both ends. A maximum without a minimum counts
-     * from 0. */
+    /* A Usage Maximum of four bytes contains the page of both ends. A Usage Maximum without a Usage
+     * Minimum means a range from 0. */
     const hid_usage first = reader->has_usage_min ? reader->usage_min : last & 0xffff0000u;
     reader->has_usage_min = 0;
     return add_range(reader, first, last);
@@ -95,7 +99,7 @@ static enum hid_error read_local(struct reader *reader, const struct hid_item *i
         return HID_OK;
     case LOCAL_USAGE_MAX:
         return end_usage_range(reader, item);
-    default: /* Designators and strings do not affect the layout. */
+    default: /* Designator and String items do not affect the layout of reports. */
         return HID_OK;
     }
 }
@@ -159,7 +163,7 @@ static enum hid_error add_input(struct reader *reader, uint32_t flags)
     const struct hid_group group = group_of(reader, flags);
     out->report_bits[now->report_id] = used + (uint32_t)bits;
     if (bits == 0 || group.range_count == 0) {
-        return HID_OK; /* The item has no bits, or its bits are padding. */
+        return HID_OK; /* The Input item has no bits, or its bits are padding. */
     }
     if (now->report_size > HID_FIELD_BITS_MAX) {
         return HID_ERR_FIELD_SIZE;
@@ -187,12 +191,12 @@ static enum hid_error do_main(struct reader *reader, const struct hid_item *item
         return open_collection(reader, item->data);
     case MAIN_END_COLLECTION:
         return close_collection(reader);
-    default: /* Output, Feature and reserved tags are skipped. */
+    default: /* Output, Feature and reserved items are skipped. */
         return HID_OK;
     }
 }
 
-/* Clears the Local state after any main item. Usages that no group uses are removed. */
+/* Clears the Local state after a main item, and removes usages that no group uses. */
 static void forget_locals(struct reader *reader)
 {
     struct hid_descriptor *out = reader->out;
@@ -211,7 +215,7 @@ static enum hid_error read_main(struct reader *reader, const struct hid_item *it
     return error;
 }
 
-/* ---- Items ---------------------------------------------------------------------------------- */
+/* ---- Parsing of items ----------------------------------------------------------------------- */
 
 static enum hid_error read_global(struct reader *reader, const struct hid_item *item)
 {
@@ -245,7 +249,8 @@ static enum hid_error hid_descriptor_fail(struct hid_descriptor *out, enum hid_e
 enum hid_error hid_descriptor_read(struct hid_descriptor *out, const uint8_t *bytes, size_t size)
 {
     struct reader reader = { .out = out };
-    /* The lists behind it have 61 KB and need no clearing. */
+    /* The arrays from `group` on have 61 KB. They need no clearing, because entries beyond the
+     * counts are not read. */
     memset(out, 0, offsetof(struct hid_descriptor, group));
     if (size > HID_DESCRIPTOR_SIZE_MAX) {
         return hid_descriptor_fail(out, HID_ERR_TOO_LONG, HID_DESCRIPTOR_SIZE_MAX);

@@ -1,7 +1,9 @@
-/* hid_device_list.h -- the device list interface between a transport and the controller manager.
+/* hid_device_list.h -- the device list: the interface between a transport and the controller
+ * manager.
  *
- * The list contains the connected controllers and those that play. The controller manager
- * (controller_manager.h) calls it from one thread, and no call blocks. */
+ * The list contains all connected controllers, and lost controllers that were selected to play. The
+ * controller manager (controller_manager.h) calls the functions from one thread, and no call
+ * blocks. */
 #ifndef KINGYO_DRIVERS_HID_HID_DEVICE_LIST_H
 #define KINGYO_DRIVERS_HID_HID_DEVICE_LIST_H
 
@@ -10,17 +12,18 @@
 
 struct hid_row {
     struct hid_identity identity;
-    uint8_t state; /* enum controller_state */
-    uint8_t seat;  /* Slot of the controller, or POI_MAX if it has none. */
+    uint8_t state; /* State of the controller (enum controller_state). */
+    uint8_t seat;  /* Slot of the controller, or POI_MAX if the controller has no slot. */
 };
 
 struct hid_device_list_ops {
-    /* Copies the list. A controller keeps its row from plugging in until unplugging, and while
-     * it is LOST. */
+    /* Copies the list. A controller keeps its row while it is connected, and while its state is
+     * LOST after it was unplugged. */
     void (*rows)(void *self, struct hid_row out[CONTROLLER_MAX]);
-    /* Lets the controller play now and after each reconnection. HAL_OK means that the command
-     * was accepted; the row shows the result later. Returns HAL_ERR_BUSY if POI_MAX controllers
-     * play already, or HAL_ERR_ABSENT if there is no such row or the controller is barred. */
+    /* Selects the controller of `row` to play, now and after each reconnection. Returns HAL_OK if
+     * the command was accepted; the result appears later in the row. Returns HAL_ERR_BUSY if
+     * POI_MAX controllers play already. Returns HAL_ERR_ABSENT if the row is empty or the
+     * controller may not be used. */
     int (*choose)(void *self, uint32_t row);
     int (*release)(void *self, uint32_t row);
     /* Returns one line with the number of controllers, or with a problem and its remedy. */

@@ -53,8 +53,8 @@ static enum hid_error take_report_id(struct hid_globals *now, uint32_t id)
     return HID_OK;
 }
 
-/* Decodes the specification's nibble, where 8 .. 15 mean -8 .. -1. Real devices also write the
- * exponent as a whole byte. */
+/* Returns the exponent of a Unit Exponent item. The specification defines a value of four bits,
+ * where 8 to 15 mean -8 to -1. Some devices write the exponent as a signed byte instead. */
 static int32_t unit_exponent(const struct hid_item *item)
 {
     const uint32_t nibble = item->data;
@@ -100,7 +100,8 @@ enum hid_error hid_globals_take(struct hid_global_stack *stack, const struct hid
         return hid_globals_push(stack);
     case GLOBAL_POP:
         return pop(stack);
-    default: /* Reserved tags are skipped because section 6.2.2.7 reserves them for extensions. */
+    default: /* Reserved tags are skipped, because HID 1.11 section 6.2.2.7 reserves them for
+                extensions. */
         break;
     }
     return HID_OK;

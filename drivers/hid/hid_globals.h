@@ -1,15 +1,13 @@
-/* hid_globals.h -- the state of Global items with its Push and Pop stack (HID 1.11, section
- * 6.2.2.7).
- *
- * A private part of hid_descriptor.c. */
+/* hid_globals.h -- the state that Global items set, with the stack of Push and Pop (HID 1.11,
+ * section 6.2.2.7). A private part of hid_descriptor.c. */
 #ifndef KINGYO_DRIVERS_HID_HID_GLOBALS_H
 #define KINGYO_DRIVERS_HID_HID_GLOBALS_H
 
 #include "drivers/hid/hid_descriptor.h"
 #include "drivers/hid/hid_item.h"
 
-/* Raw data of a minimum or maximum. A maximum is signed only if its minimum is negative, which
- * is not known before the Input item. */
+/* Raw data of a minimum or a maximum. A maximum is signed only if its minimum is negative. The
+ * minimum is not certain before the Input item. */
 struct hid_limit {
     uint32_t data;
     uint8_t size;
@@ -20,7 +18,7 @@ struct hid_globals {
     struct hid_limit logical_min, logical_max, physical_min, physical_max;
     int32_t unit_exponent;
     uint32_t unit, report_size, report_count;
-    uint8_t report_id; /* 0: no report id has been declared yet. */
+    uint8_t report_id; /* Id of the current report; 0 means that no report id is declared yet. */
 };
 
 struct hid_global_stack {
@@ -28,7 +26,8 @@ struct hid_global_stack {
     uint32_t pushed_count;
 };
 
-/* Applies one Global item. Returns HID_OK, or the error of Push, Pop or Report ID. */
+/* Applies one Global item. Returns HID_OK, or an error if a Push, Pop or Report ID item is
+ * invalid. */
 enum hid_error hid_globals_take(struct hid_global_stack *stack, const struct hid_item *item);
 
 /* Returns a minimum, which is always signed. */

@@ -1,8 +1,10 @@
-/* hid_item.c -- parses one item: a prefix byte with the size and the type, then little-endian
+/* hid_item.c -- parses one item: a prefix byte with the size and the type, and little-endian
  * data. */
 #include "drivers/hid/hid_item.h"
 
-#define LONG_ITEM 0xfeu /* Followed by a size byte, a tag byte and data: section 6.2.2.3. */
+#define LONG_ITEM                                                                                  \
+    0xfeu /* Prefix of a long item. A size byte, a tag byte and data follow (HID 1.11, section
+             6.2.2.3). */
 #define LONG_HEAD_SIZE 3u
 
 int32_t hid_item_signed(uint32_t data, uint8_t size)

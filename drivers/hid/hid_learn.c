@@ -6,10 +6,12 @@
 #include "core/base/fmath.h"
 #include "drivers/hid/hid_mapping_infer.h"
 
-#define REST_NS 1000000000ull /* Duration of LEARN_REST at which its progress is complete. */
-#define REST_REPORTS 8u       /* Reports that are needed for that as well. */
+#define REST_NS                                                                                    \
+    1000000000ull /* Time with reports after which the progress of LEARN_REST is complete. */
+#define REST_REPORTS                                                                               \
+    8u /* Number of reports that the complete progress of LEARN_REST requires too. */
 
-/* ---- Fields --------------------------------------------------------------------------------- */
+/* ---- Fields of the controller --------------------------------------------------------------- */
 
 static void add_fields(struct hid_learn *learn, uint32_t group_index)
 {
@@ -75,7 +77,8 @@ static void hear_field(struct hid_learn *learn, struct learn_field *field, struc
     const int64_t value = hid_field_value(&learn->descriptor, group, field->index, report);
     const int relative = hid_mapping_infer_is_relative(group);
     field->now = relative ? field->now + value : value;
-    /* A field that is reported only when it changes has its first value as its rest value. */
+    /* If a field was not reported before, its first value is taken as its rest value, because some
+     * controllers report a field only when it changes. */
     if (!field->heard) {
         field->heard = 1;
         field->rest_low = field->rest_high = relative ? 0 : value;
@@ -145,7 +148,7 @@ void hid_learn_report(struct hid_learn *learn, const struct hid_raw *raw)
     hear_arrays(learn, id, report);
 }
 
-/* ---- Next step ------------------------------------------------------------------------------ */
+/* ---- Steps of learning ---------------------------------------------------------------------- */
 
 void hid_learn_next(struct hid_learn *learn)
 {
@@ -162,7 +165,7 @@ void hid_learn_next(struct hid_learn *learn)
     learn->step = hid_mapping_infer_map(learn) ? LEARN_TRY : LEARN_FAILED;
 }
 
-/* ---- Progress ------------------------------------------------------------------------------- */
+/* ---- Progress of the current step ----------------------------------------------------------- */
 
 static float rest_share(const struct hid_learn *learn)
 {

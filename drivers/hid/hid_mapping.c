@@ -7,16 +7,19 @@
 #include "drivers/hid/poi_report.h"
 
 #define KEYBOARD_PAGE 0x0007u
-#define WORTH_KNOWN 100u /* Rating of a known mapping, above every offered one. */
+#define WORTH_KNOWN                                                                                \
+    100u /* Score of our own poi and of known controllers, above every score of
+            hid_mapping_auto_score(). */
 
-/* ---- Our own poi ---------------------------------------------------------------------------- */
+/* ---- The project's own poi ------------------------------------------------------------------ */
 
 struct place {
     hid_usage usage;
     uint32_t bit_offset, bit_size;
 };
 
-/* Axes of our own poi. The sequence number before them has no usage and so cannot be checked. */
+/* Axes of the project's own poi. The sequence number before the axes has no HID usage and is not
+ * checked. */
 static const struct place own_places[] = {
     { USAGE_X, 8, 16 },   { USAGE_Y, 24, 16 },  { USAGE_Z, 40, 16 },
     { USAGE_RX, 56, 16 }, { USAGE_RY, 72, 16 }, { USAGE_RZ, 88, 16 },
@@ -82,7 +85,7 @@ static void map_own(struct hid_mapping *map)
     bind_own_buttons(map);
 }
 
-/* ---- Selection ------------------------------------------------------------------------------ */
+/* ---- Selection of a mapping ----------------------------------------------------------------- */
 
 int hid_mapping_has_keyboard(const struct hid_descriptor *descriptor)
 {

@@ -1,11 +1,14 @@
-/* hid_mapping_auto.c -- looks up fields by usage and sets the ends and dead zones of bindings. */
+/* hid_mapping_auto.c -- finds fields by their usage, and computes the ends and dead zones of
+ * bindings. */
 #include "drivers/hid/hid_mapping_auto.h"
 
-/* Smallest logical range of an axis, which is more than that of a hat. An "X" of one bit is a
- * button. */
+/* Smallest logical range of an axis, which is larger than that of a hat. An "X" field of one bit is
+ * a button. */
 #define AXIS_STEPS_MIN 14
-#define DEAD_SHARE_STICK 12 /* A stick that is released stops within 1/12 of half its range. */
-#define DEAD_SHARE_PUCK 50  /* Divisor for a puck, which has stiffer springs. */
+#define DEAD_SHARE_STICK                                                                           \
+    12 /* Divisor of half a stick's range: a released stick stops within 1/12 of half its range. */
+#define DEAD_SHARE_PUCK                                                                            \
+    50 /* Divisor of half a puck's range; a puck has stiffer springs than a stick. */
 
 int hid_mapping_auto_is_axis(const struct hid_group *group)
 {
@@ -63,7 +66,7 @@ int hid_mapping_auto_bits(struct hid_mapping *map, struct hid_binding binding)
     return 1;
 }
 
-/* Returns 1 for a one-bit button whose descriptor declares no logical range. */
+/* Returns 1 for a one-bit button whose descriptor declares no logical range, otherwise 0. */
 static int is_bare_button(const struct hid_group *group)
 {
     return group->bit_size == 1 && group->logical_min == 0 && group->logical_max == 0;
@@ -72,7 +75,9 @@ static int is_bare_button(const struct hid_group *group)
 static void set_ends(struct hid_binding *binding, const struct hid_group *group, int turned)
 {
     const uint32_t bits = group->bit_size - (group->logical_min < 0);
-    const int64_t most = ((int64_t)1 << bits) - 1; /* Some descriptors declare more than fits. */
+    const int64_t most = ((int64_t)1 << bits) - 1; /* Largest value that fits into the field.
+                                                      Some descriptors declare a larger logical
+                                                      maximum. */
     const int64_t low = group->logical_min;
     const int64_t high =
         group->logical_max < most && !is_bare_button(group) ? group->logical_max : most;

@@ -1,10 +1,12 @@
-/* hid_mapping_auto.h -- finds fields by usage and makes bindings from them. Pure. */
+/* hid_mapping_auto.h -- finds fields of a HID descriptor by their usage, and makes bindings and
+ * mappings from them. Pure: uses no device and no clock. */
 #ifndef KINGYO_DRIVERS_HID_HID_MAPPING_AUTO_H
 #define KINGYO_DRIVERS_HID_HID_MAPPING_AUTO_H
 
 #include "drivers/hid/hid_mapping.h"
 
-/* Values are usage page << 16 | usage id, from the HID Usage Tables 1.5. */
+/* Usages of the HID Usage Tables 1.5: the usage page in the upper 16 bits, the usage id in the
+ * lower. */
 enum {
     USAGE_MOUSE = 0x00010002,
     USAGE_JOYSTICK = 0x00010004,
@@ -21,7 +23,8 @@ enum {
     USAGE_HAT = 0x00010039,
     USAGE_ACCELERATOR = 0x000200c4,
     USAGE_BRAKE = 0x000200c5,
-    USAGE_BUTTON = 0x00090000, /* Plus the button's number from 1. */
+    USAGE_BUTTON = 0x00090000, /* Base of the button usages; the number of the button, from 1, is
+                                  added. */
     USAGE_DIGITIZER = 0x000d0001,
     USAGE_PEN = 0x000d0002,
     USAGE_TOUCH_SCREEN = 0x000d0004,
@@ -35,48 +38,50 @@ enum {
     USAGE_SECOND_BARREL = 0x000d005a,
 };
 
-/* A field of a report. */
+/* Place of a field in a descriptor. */
 struct hid_field_location {
-    const struct hid_group *group; /* Null if no field was found. */
-    uint32_t index;                /* < group->count */
+    const struct hid_group *group; /* Group of the field, or null if no field was found. */
+    uint32_t index;                /* Index of the field in the group, less than group->count. */
     hid_usage usage;
 };
 
-/* Returns 1 if a field has more values than a hat and so can be an axis. An "X" of one bit is a
- * button, for example. */
+/* Returns 1 if the fields of `group` have more values than a hat and so can be an axis, otherwise
+ * 0. For example, an "X" field of one bit is a button. */
 int hid_mapping_auto_is_axis(const struct hid_group *group);
 
-/* Returns the index of a usage in a group, or -1 if the group lacks it. In an array, index 0
- * stands for all elements. */
+/* Returns the index of the field with the usage `usage` in `group`, or -1 if the group does not
+ * have the usage. For an array, 0 is returned and stands for all elements. */
 int32_t hid_mapping_auto_place(const struct hid_descriptor *descriptor,
                                const struct hid_group *group, hid_usage usage);
 
-/* Returns the first field with this usage in reports of `application` (0: any). The report
- * `report_id` (-1: any) is searched first, then, if `report_only` is 0, all others. Constant
- * fields are skipped. In an array, the first element stands for all. */
+/* Returns the first field with the usage `usage`. Only reports of the application collection
+ * `application` are searched; 0 means any application. The report `report_id` is searched first; -1
+ * means any report. All other reports follow unless `report_only` is 1. Constant fields are
+ * skipped. The first element of an array stands for the whole array. */
 struct hid_field_location hid_mapping_auto_find(const struct hid_descriptor *descriptor,
                                                 hid_usage application, int report_id,
                                                 int report_only, hid_usage usage);
 
-/* Adds a binding of the field. Returns 1, or 0 if `spot` is empty or unsuitable or if the
- * mapping is full. An axis ranges from its logical minimum to its maximum, or for a RATE from
- * its middle. `turned` reverses the direction. */
+/* Adds a binding of the field `spot` to `map`. Returns 1, or 0 if `spot` is empty or unsuitable or
+ * if the mapping is full. The binding ranges from the logical minimum of the field to its maximum.
+ * For HID_BINDING_RATE it ranges from the middle. If `turned` is 1 the direction is reversed. */
 int hid_mapping_auto_bind(struct hid_mapping *map, struct hid_field_location spot,
                           enum hid_role role, enum hid_binding_kind manner, int turned);
 
-/* Adds a binding that refers to bits instead of a usage. Returns 1, or 0 if the mapping is full. */
+/* Adds a binding that is given by its bits instead of a usage. Returns 1, or 0 if the mapping is
+ * full. */
 int hid_mapping_auto_bits(struct hid_mapping *map, struct hid_binding binding);
 
 /* Fills `out` with the best mapping that the descriptor allows. The source is HID_MAPPING_NONE if
- * there is none. */
+ * there is no such mapping. */
 void hid_mapping_auto_build(struct hid_mapping *out, const struct hid_descriptor *descriptor);
 
-/* Returns how well the mapping of hid_mapping_auto_build() controls the poi: 0 .. 60, where 0 means
- * no mapping. */
+/* Returns how well the mapping of hid_mapping_auto_build() controls the poi, 0 to 60. 0 means that
+ * there is no mapping. */
 uint32_t hid_mapping_auto_score(const struct hid_descriptor *descriptor);
 
-/* Fills `out` from the table of known controllers. Returns 1, or 0 if the controller is not
- * known; `out` is then unchanged. */
+/* Fills `out` from the table of known controllers. Returns 1, or 0 if the controller is not known;
+ * `out` is then unchanged. */
 int hid_mapping_known(struct hid_mapping *out, const struct hid_identity *identity,
                       const struct hid_descriptor *descriptor);
 

@@ -1,12 +1,12 @@
-/* hid_mapping_auto_build.c -- makes a mapping from the best surface of a descriptor: puck, pen,
- * stick, mouse. */
+/* hid_mapping_auto_build.c -- builds a mapping from the best control surface that a descriptor
+ * declares: a puck, a pen, a stick or a mouse. A puck is a 3D mouse with six axes. */
 #include <string.h>
 
 #include "drivers/hid/hid_mapping_auto.h"
 
-/* ---- Surfaces ------------------------------------------------------------------------------- */
+/* ---- Control surfaces ----------------------------------------------------------------------- */
 
-/* A report of an application that has an X axis or a hat. */
+/* A control surface: a report of one application collection with an X axis or a hat. */
 struct surface {
     const struct hid_descriptor *descriptor;
     hid_usage application;
@@ -26,13 +26,14 @@ static struct hid_field_location here(const struct surface *surface, hid_usage u
                                  usage);
 }
 
-/* Returns the rating of a surface; 0 means that the poi cannot be controlled with it. Multi-axis
- * controllers and pens rate highest, and relative mice and touch pads rate lowest. */
+/* Returns the score of a control surface; 0 means that the surface cannot control the poi.
+ * Multi-axis controllers and pens have the highest scores, and relative mice and touch pads the
+ * lowest. */
 static uint32_t worth_of(const struct surface *surface)
 {
-    /* A touch pad rates below the mouse in the same descriptor. Until a host sets its Input Mode
-     * (usage 0d:52, a feature report), which this project never does, the pad sends only mouse
-     * reports. */
+    /* Score of a touch pad, which is below that of the mouse in the same descriptor. The touch pad
+     * sends only mouse reports until the host sets its Input Mode (usage 0d:52, a feature report),
+     * which the kiosk never does. */
     enum { TOUCH_PAD_WORTH = 5u };
     const int places = !surface->relative;
     switch (surface->application) {
@@ -55,7 +56,7 @@ static uint32_t worth_of(const struct surface *surface)
     }
 }
 
-/* Returns 1 for a four-switch joystick, which has a hat and no X axis. */
+/* Returns 1 for a four-switch joystick, which has a hat and no X axis, otherwise 0. */
 static int is_switch_stick(const struct surface *surface)
 {
     return (surface->application == USAGE_JOYSTICK || surface->application == USAGE_GAMEPAD) &&
@@ -82,7 +83,7 @@ static int is_surface(const struct hid_descriptor *descriptor, const struct hid_
            (has_hat && is_switch_stick(out));
 }
 
-/* ---- Mappings ------------------------------------------------------------------------------- */
+/* ---- Mappings of each kind of surface ------------------------------------------------------- */
 
 static struct hid_field_location button(const struct surface *surface, uint32_t number)
 {
@@ -95,8 +96,9 @@ static void press(struct hid_mapping *map, const struct surface *surface, uint32
     hid_mapping_auto_bind(map, button(surface, number), role, HID_BINDING_PRESS, 0);
 }
 
-/* Maps a puck: X is right, Y is toward the user, Z is down, and RX, RY, RZ rotate about them.
- * Some descriptors declare the axes relative although the values are deflections. */
+/* Maps a puck. Its X axis points right, Y toward the user, Z downward; RX, RY and RZ are rotations
+ * about these axes. Some descriptors declare the axes as relative although the values are
+ * deflections. */
 static void map_puck(struct hid_mapping *map, const struct surface *surface)
 {
     map->style = HID_STYLE_FLY;
@@ -112,8 +114,8 @@ static void map_puck(struct hid_mapping *map, const struct surface *surface)
     press(map, surface, 2, HID_ROLE_RIGHT);
 }
 
-/* Maps the right stick. X and Y are the left stick. The right stick is Z and RZ if both exist,
- * and otherwise RX and RY, because Z then belongs to the triggers. */
+/* Maps the right stick; X and Y are the left stick. If Z and RZ both exist, they are the right
+ * stick. Otherwise RX and RY are the right stick, because Z then belongs to the triggers. */
 static void map_right_stick(struct hid_mapping *map, const struct surface *surface)
 {
     const int by_z = of(surface, USAGE_Z).group && of(surface, USAGE_RZ).group;
@@ -127,10 +129,10 @@ static void map_right_stick(struct hid_mapping *map, const struct surface *surfa
     }
 }
 
-/* Maps the buttons of a game pad, which has one of two numberings. With twelve or more buttons,
- * 1-4 are face buttons, 5-8 shoulder buttons, and 9 and 10 are in the middle. With fewer, 5 and
- * 6 are shoulder buttons and 7 and 8 are in the middle. Button 1 is the trigger of a joystick in
- * both. */
+/* Maps the buttons of a game pad, which has one of two numberings. With twelve or more buttons, 1
+ * to 4 are face buttons, 5 to 8 are shoulder buttons, and 9 and 10 are in the middle. With fewer
+ * buttons, 5 and 6 are shoulder buttons, and 7 and 8 are in the middle. On a joystick, button 1 is
+ * the trigger. */
 static void map_pad_buttons(struct hid_mapping *map, const struct surface *surface)
 {
     const int is_long = button(surface, 12).group != NULL;
@@ -221,7 +223,8 @@ static void map_surface(struct hid_mapping *map, const struct surface *surface)
     }
 }
 
-/* Finds the surface with the highest rating. Returns the rating, or 0 if there is no surface. */
+/* Finds the control surface with the highest score. Returns the score, or 0 if there is no usable
+ * surface. */
 static uint32_t best_surface(const struct hid_descriptor *descriptor, struct surface *out)
 {
     uint32_t best_worth = 0;

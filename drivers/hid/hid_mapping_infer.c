@@ -1,16 +1,24 @@
-/* hid_mapping_infer.c -- finds the fields that moved farthest and binds them. */
+/* hid_mapping_infer.c -- finds the recorded fields that moved farthest, and binds them. */
 #include "drivers/hid/hid_mapping_infer.h"
 
 #include "core/base/fmath.h"
 #include "drivers/hid/hid_mapping_auto.h"
 
-#define NOISE_MAX 0.20f   /* Largest noise at rest as a share of a field's range. */
-#define WAY_MIN 0.12f     /* Smallest travel of an axis as a share of its range. */
-#define PRESS_MIN 0.30f   /* Smallest travel of the dip control as a share of its range. */
-#define CLEAR_WAY 0.4f    /* Travel that counts as fully clear, as a share of the range. */
-#define VENDOR_WORTH 0.5f /* Weight of a vendor-defined field, which must move twice as far. */
-#define STEP_WAY 100.0f   /* Travel of a relative field that counts as its range, in counts. */
-#define MIDDLE_SHARE 0.2f /* A stick returns to within this share of its range around its rest. */
+#define NOISE_MAX                                                                                  \
+    0.20f             /* Largest noise of a usable field at rest, as a share of the field's
+                         range. */
+#define WAY_MIN 0.12f /* Smallest travel of an axis, as a share of the field's range. */
+#define PRESS_MIN                                                                                  \
+    0.30f /* Smallest travel of the control that dips the poi, as a share of the field's range. */
+#define CLEAR_WAY                                                                                  \
+    0.4f /* Travel at which a step counts as fully clear, as a share of the field's range. */
+#define VENDOR_WORTH                                                                               \
+    0.5f                /* Weight of a vendor-defined field, which must therefore move twice as
+                           far as a standard field. */
+#define STEP_WAY 100.0f /* Range that is assumed for a relative field, in counts. */
+#define MIDDLE_SHARE                                                                               \
+    0.2f /* Largest distance from the rest value at which a stick counts as returned, as a share
+            of the range. */
 #define DEAD_SHARE 0.08f
 #define PAGE_OF(usage) ((usage) >> 16)
 #define PAGE_VENDOR 0xff00u
@@ -40,14 +48,14 @@ static float span_of(const struct hid_group *group)
                : (float)(hid_mapping_infer_high(group) - group->logical_min);
 }
 
-/* ---- Evaluating the recording --------------------------------------------------------------- */
+/* ---- Evaluation of the recording ------------------------------------------------------------ */
 
 static int64_t rest_of(const struct learn_field *field)
 {
     return (field->rest_low + field->rest_high) / 2;
 }
 
-/* Returns the larger deflection from rest in a step, with its sign. */
+/* Returns the largest deflection of a field from its rest value in `step`, with its sign. */
 static int64_t way_in(const struct learn_field *field, enum learn_step step)
 {
     const int64_t down = field->low[step] - rest_of(field);
@@ -73,9 +81,9 @@ static float hid_mapping_infer_share_of(const struct hid_learn *learn,
     return f_min(share, 1.0f) * worth_of(learn, field);
 }
 
-/* Deflections in one step and in the opposite direction in the other step; both are 0 if the
- * field did not do this. At the start of a step the controller can still be where the last step
- * ended, which must not count as travel of this step. */
+/* Deflections of a field from its rest value: `there` in one step, `back` in the opposite direction
+ * in a second step. Both are 0 if the field did not move in opposite directions. The rest value is
+ * the reference, because the controller can start a step where the previous step ended. */
 struct ways {
     int64_t there, back;
 };
@@ -164,7 +172,7 @@ float hid_mapping_infer_clarity(const struct hid_learn *learn)
     return best_key(learn) ? 1.0f : f_min(1.0f, best / CLEAR_WAY);
 }
 
-/* ---- Building the mapping ------------------------------------------------------------------- */
+/* ---- Construction of the mapping ------------------------------------------------------------ */
 
 static struct hid_binding binding_of(const struct hid_learn *learn, const struct learn_field *field,
                                      enum hid_role role)
@@ -179,8 +187,9 @@ static struct hid_binding binding_of(const struct hid_learn *learn, const struct
     };
 }
 
-/* Returns 1 if the field belongs to a stick, which returns to its center when released; a pen
- * does not. The declared application takes precedence over the observed motion. */
+/* Returns 1 if the field belongs to a stick, otherwise 0. A stick returns to its center when it
+ * is released, and a pen does not. The declared application takes precedence over the recorded
+ * motion. */
 static int is_stick(const struct hid_learn *learn, const struct learn_field *field,
                     enum learn_step one, enum learn_step other)
 {
@@ -261,8 +270,8 @@ static int is_taken(const struct hid_mapping *map, const struct hid_binding *bin
     return 0;
 }
 
-/* Returns 1 if an in-range bit was not set while axes moved. Some pens never report their range
- * or report it inverted, although a pen that moved an axis was in range. */
+/* Returns 1 if the in-range bit of a pen was not set while the pen moved an axis, otherwise 0. Some
+ * pens never report their range or report it inverted, so such a bit must not be used. */
 static int never_said(const struct hid_learn *learn, const struct hid_binding *binding)
 {
     for (uint32_t i = 0; i < learn->field_count; i++) {
@@ -276,8 +285,8 @@ static int never_said(const struct hid_learn *learn, const struct hid_binding *b
     return 1;
 }
 
-/* Adds offered bindings that were not demonstrated, such as menu buttons and the rotations of a
- * second stick. */
+/* Adds the bindings of the mapping without learning that were not demonstrated, such as menu
+ * buttons and the rotations of a second stick. */
 static void keep_offered(struct hid_learn *learn)
 {
     for (uint32_t i = 0; i < learn->offered.count; i++) {

@@ -1,11 +1,13 @@
 /* hid_mapping_known.c -- mappings of known controllers whose descriptors are incomplete or unusual.
  *
- * The layouts are those of drivers/hid/hid-playstation.c of the Linux kernel: struct
+ * The layouts of the reports are those of drivers/hid/hid-playstation.c in the Linux kernel: struct
  * dualshock4_input_report_common and struct dualsense_input_report. */
 #include "drivers/hid/hid_mapping_auto.h"
 
 #define SONY 0x054cu
-#define STICK_DEAD 12 /* Dead zone out of 127; worn sticks return only this close to center. */
+#define STICK_DEAD                                                                                 \
+    12 /* Dead zone of a stick, out of 127 counts. A worn stick stops up to this far from its
+          center. */
 
 struct known {
     uint16_t vendor, product;
@@ -41,7 +43,8 @@ struct known {
         .bit_size = 4, .rest = 0, .full = 7                                                       \
     }
 
-/* Buttons from bit 36 on: square, cross, circle, triangle, L1, R1, L2, R2, share, options. */
+/* Bindings of a DualShock 4. The button bits start at 36: square, cross, circle, triangle, L1, R1,
+ * L2, R2, share, options. */
 static const struct hid_binding dualshock4[] = {
     STICK(HID_ROLE_X, 0),         STICK(HID_ROLE_Z, 8),       TURN(HID_ROLE_ROLL, 16),
     TURN(HID_ROLE_PITCH, 24),     HAT(32),                    BUTTON(HID_ROLE_DIP, 37),
@@ -49,7 +52,7 @@ static const struct hid_binding dualshock4[] = {
     BUTTON(HID_ROLE_DIP, 41),     TRIGGER(HID_ROLE_DIP, 64),  BUTTON(HID_ROLE_START, 45),
 };
 
-/* The triggers come before the buttons, which begin at bit 60. */
+/* Bindings of a DualSense. The triggers come before the buttons, whose bits start at 60. */
 static const struct hid_binding dualsense[] = {
     STICK(HID_ROLE_X, 0),         STICK(HID_ROLE_Z, 8),       TURN(HID_ROLE_ROLL, 16),
     TURN(HID_ROLE_PITCH, 24),     HAT(56),                    BUTTON(HID_ROLE_DIP, 61),

@@ -33,7 +33,7 @@ static void complain(struct complaints *to, const char *path, int line, const ch
     }
 }
 
-/* ---- Reading the files ---------------------------------------------------------------------- */
+/* ---- Reading of the files ------------------------------------------------------------------- */
 
 static struct hid_mapping_store_entry *entry_of(struct hid_mapping_store *store, uint16_t vendor,
                                                 uint16_t product, const char *serial)
@@ -131,7 +131,7 @@ static void *write_down(void *self)
             pthread_cond_wait(&store->changed, &store->lock);
             continue;
         }
-        /* `job` is not changed before has_job is cleared. */
+        /* No other thread changes `job` until has_job is 0. */
         const struct hid_mapping_store_job job = store->job;
         const struct complaints to = { .complain = store->tell, .self = store->tell_self };
         pthread_mutex_unlock(&store->lock);
@@ -166,8 +166,8 @@ void hid_mapping_store_set_error_sink(struct hid_mapping_store *store,
     pthread_mutex_unlock(&store->lock);
 }
 
-/* Passes a write, or with `forget` a deletion, to the writer thread. Must only be called while
- * no job is pending. */
+/* Passes a write job to the writer thread, or a deletion job if `forget` is 1. Must only be called
+ * while no job is pending. Returns HAL_OK, or HAL_ERR_IO if the job is impossible. */
 static int give_job(struct hid_mapping_store *store, const struct hid_mapping_store_entry *entry,
                     int forget)
 {

@@ -1,4 +1,4 @@
-/* hid_mapping_store_text.c -- the three-line text format of a mapping file. */
+/* hid_mapping_store_text.c -- implements the three-line text format of a mapping file. */
 #include "drivers/hid/hid_mapping_store_text.h"
 
 #include <stdio.h>
@@ -12,8 +12,8 @@ static int is_plain(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/* Copies letters, digits and '_', and writes any other byte as %XX. Stops before `size` is
- * exceeded. */
+/* Copies letters, digits and '_' to `out`, and writes each other byte as %XX. Truncates the result
+ * to fit into `size` bytes. */
 static void escape(const char *text, char *out, size_t size)
 {
     size_t used = 0;
@@ -33,8 +33,8 @@ static int hex_value(char c)
     return c >= '0' && c <= '9' ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-/* Reverses escape(). Returns 0 if the result is too long for `size` or if escape() cannot have
- * written `text`. */
+/* Reverses escape(). Returns 1, or 0 if the result is too long for `size` or if `text` is not a
+ * valid output of escape(). */
 static int unescape(const char *text, char *out, size_t size)
 {
     size_t used = 0;
@@ -81,8 +81,8 @@ int hid_mapping_store_write(const struct hid_mapping_store_entry *entry,
     return (size_t)length < HID_MAPPING_STORE_TEXT_SIZE ? 0 : -1;
 }
 
-/* Copies the next line into `line` and advances `*text`. Returns 0 if no complete line is left
- * or if the line does not fit into `size`. */
+/* Copies the next line into `line` and advances `*text`. Returns 1, or 0 if no complete line is
+ * left or if the line does not fit into `size` bytes. */
 static int hid_mapping_store_text_next_line(const char **text, char *line, size_t size)
 {
     const size_t length = strcspn(*text, "\n");

@@ -28,7 +28,7 @@ _Static_assert(COUNT(style_words) == HID_STYLE_FLY + 1, "every style has a word"
 
 #define WORD_SIZE 96u
 
-/* ---- Writing -------------------------------------------------------------------------------- */
+/* ---- Writing of a mapping ------------------------------------------------------------------- */
 
 static int write_binding(const struct hid_binding *binding, char *text, size_t size)
 {
@@ -67,7 +67,7 @@ int hid_mapping_write(const struct hid_mapping *map, char text[HID_MAPPING_TEXT_
     return 0;
 }
 
-/* ---- Reading -------------------------------------------------------------------------------- */
+/* ---- Parsing of a mapping ------------------------------------------------------------------- */
 
 static int hid_mapping_text_fail(char error[HAL_TEXT_SIZE], const char *what, const char *word)
 {
@@ -85,8 +85,8 @@ static int index_of(const char *const *words, uint32_t count, const char *word)
     return -1;
 }
 
-/* Copies the next word and advances `*text` behind it. Returns 1, 0 at the end, or -1 if the
- * word is longer than `word`. */
+/* Copies the next word and advances `*text` to the end of the word. Returns 1, 0 if no word is
+ * left, or -1 if the word has WORD_SIZE bytes or more. */
 static int next_word(const char **text, char word[WORD_SIZE])
 {
     const char *at = *text + strspn(*text, " \t");
@@ -100,8 +100,8 @@ static int next_word(const char **text, char word[WORD_SIZE])
     return length > 0;
 }
 
-/* Parses a number of `low` .. `high` that is followed by `end`, and advances `*at` behind `end`.
- * Returns 1, or 0 on a syntax or range error. */
+/* Parses a number from `low` to `high` that is followed by the text `end`, and advances `*at` past
+ * `end`. Returns 1, or 0 on a syntax or range error. */
 static int read_number(const char **at, int base, int64_t low, int64_t high, const char *end,
                        int64_t *out)
 {
@@ -121,7 +121,8 @@ static int read_number(const char **at, int base, int64_t low, int64_t high, con
     return 1;
 }
 
-/* Parses the optional parts "~dead" and "/usage", which must end the word. */
+/* Parses the optional suffixes "~dead" and "/usage" at the end of a word. Returns 1, or 0 on an
+ * error. */
 static int read_tail(const char *at, struct hid_binding *out)
 {
     int64_t value;

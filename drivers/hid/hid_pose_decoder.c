@@ -1,4 +1,4 @@
-/* hid_pose_decoder.c -- turns the axis values of a controller into motion of the poi. */
+/* hid_pose_decoder.c -- turns the values of a controller's bindings into motion of the poi. */
 #include "drivers/hid/hid_pose_decoder.h"
 
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "drivers/hid/hid_axis_decoder.h"
 #include "drivers/hid/poi_report.h"
 
-/* Virtual window for a relative mouse, in which each count is one pixel. */
+/* Width of a virtual window for a relative mouse, in which each count moves one pixel. */
 #define WINDOW_WIDTH 1920u
 #define WINDOW_HEIGHT 1080u
 
@@ -44,10 +44,10 @@ void hid_pose_decoder_set_view(struct hid_pose_decoder *hand, const struct view 
     stick_motion_set_view(&hand->fly, view);
 }
 
-/* ---- Axis values to motion ------------------------------------------------------------------ */
+/* ---- From binding values to motion ---------------------------------------------------------- */
 
-/* Returns the sum of all bindings of a role. `manner` HID_BINDING_KIND_COUNT accepts every manner.
- */
+/* Returns the sum of the values of all bindings with the role `role` and the manner `manner`.
+ * HID_BINDING_KIND_COUNT means every manner. */
 static float sum_of(const struct hid_pose_decoder *hand, enum hid_role role,
                     enum hid_binding_kind manner)
 {
@@ -91,8 +91,8 @@ static int is_in_range(const struct hid_pose_decoder *hand)
     return !has(hand, HID_ROLE_IN_RANGE, HID_BINDING_PRESS) || is_pressed(hand, HID_ROLE_IN_RANGE);
 }
 
-/* Updates the pointer. While the pen is out of range the last position is kept, because its axes
- * are then invalid. */
+/* Updates the pointer. While a pen is out of range its axes are invalid, so the last position is
+ * kept. */
 static void point(struct hid_pose_decoder *hand)
 {
     struct pointer_report *report = &hand->report;
@@ -117,7 +117,7 @@ static void point(struct hid_pose_decoder *hand)
     }
 }
 
-/* Returns the deflection [-1, 1] of a hat that is bound to an axis, such as a four-switch
+/* Returns the deflection (-1 to 1) of a hat that is bound to an axis, as for a four-switch
  * joystick. */
 static float hat_push(const struct hid_pose_decoder *hand, enum hid_role role)
 {
@@ -182,7 +182,7 @@ static void press(struct hid_pose_decoder *hand)
     hand->held = held;
 }
 
-/* ---- Reports -------------------------------------------------------------------------------- */
+/* ---- Decoding of reports -------------------------------------------------------------------- */
 
 static int hid_pose_decoder_error(struct hid_pose_decoder *hand)
 {
@@ -190,8 +190,8 @@ static int hid_pose_decoder_error(struct hid_pose_decoder *hand)
     return 0;
 }
 
-/* Decodes a report of our own poi. A repeated sequence number is refused as a duplicate, and
- * missing numbers are counted in gap_count. */
+/* Decodes a report of our own poi. Returns 1. Returns 0 and rejects the report if it is invalid or
+ * repeats a sequence number. Missing sequence numbers are counted in gap_count. */
 static int pose(struct hid_pose_decoder *hand, const struct hid_raw *raw)
 {
     struct poi_report report;
@@ -217,7 +217,7 @@ static int lead(struct hid_pose_decoder *hand, const struct hid_raw *raw, struct
         return 0;
     }
     if (!hid_axis_decoder_read(hand, id, report)) {
-        return 0; /* No bound field, for example a battery report. */
+        return 0; /* The mapping binds no field of the report, for example of a battery report. */
     }
     if (hand->map.style == HID_STYLE_POINTER) {
         point(hand);
@@ -243,7 +243,7 @@ int hid_pose_decoder_report(struct hid_pose_decoder *hand, const struct hid_raw 
     return lead(hand, raw, report);
 }
 
-/* ---- Output --------------------------------------------------------------------------------- */
+/* ---- Output of the pose and the buttons ----------------------------------------------------- */
 
 static struct poi_target pointed(struct hid_pose_decoder *hand, uint64_t time_ns)
 {

@@ -1,9 +1,10 @@
-/* hid_pose_decoder.h -- the pose decoder: turns raw HID reports into a pose by a mapping.
+/* hid_pose_decoder.h -- the pose decoder: turns raw HID reports into a pose of the poi (the paper
+ * scoop) by a mapping.
  *
- * Pure: no device, no clock and no library. Every transport, every simulated twin and the fuzzer
- * use this decoder. Any bytes are accepted as input. A report that is too short, has an
- * undeclared id or is garbage is refused and counted, and the state stays unchanged. The core
- * validates the resulting pose (core/game/control/input_validation.h). */
+ * Every transport, the simulated controllers and the fuzzer use this decoder. Any bytes are
+ * accepted as input. A report is rejected and counted if it is too short, has an undeclared id or
+ * contains invalid values. The state then stays unchanged. The core validates the resulting pose
+ * (core/game/control/input_validation.h). Pure: uses no device, clock or library. */
 #ifndef KINGYO_DRIVERS_HID_HID_POSE_DECODER_H
 #define KINGYO_DRIVERS_HID_HID_POSE_DECODER_H
 
@@ -16,7 +17,7 @@
 #include "drivers/pointer/pointer_poi.h"
 #include "platform/hal.h"
 
-/* A pen out of range for longer than this time lies beside its tablet and counts as absent. */
+/* Time out of range after which a pen counts as absent, because it lies beside its tablet. */
 #define HID_PEN_AWAY_NS 3000000000ull
 
 struct hid_pose_decoder {
@@ -27,46 +28,47 @@ struct hid_pose_decoder {
     struct pointer_report report;
     struct stick_motion fly; /* State of the stick motion, used by HID_STYLE_FLY. */
     struct poi_fan pose;     /* Pose of the newest report, used by HID_STYLE_POSE. */
-    /* Newest value of each binding. An axis has [-1, 1], a STEP has counts, a press has 0 or 1.
-     * A hat has its direction 0 .. 7, or -1 for none. */
+    /* Newest value of each binding. An axis is -1 to 1, a displacement is in counts, and a key is 0
+     * or 1. A hat has its direction 0 to 7, or -1 if it is released. */
     float value[HID_BINDING_MAX];
     uint16_t array[HID_BINDING_MAX]; /* Indexes of the array groups that have bindings. */
     uint32_t array_count;
-    /* Bit set of the stick bindings that were near their rest at least once. The value of any
-     * other stick is ignored, because such a stick is missing or broken. */
+    /* Stick bindings that were near their rest position at least once, one bit for each binding.
+     * The values of all other sticks are ignored, because such a stick may be missing or broken. */
     uint32_t awake;
-    uint64_t time_ns;  /* Arrival of the newest report. */
-    uint64_t range_ns; /* Last time the pen was in range. */
-    uint32_t held;     /* Buttons that are down, enum input_button. */
-    uint32_t pressed;  /* Press edges that were not read yet. */
+    uint64_t time_ns;  /* Time of arrival of the newest report. */
+    uint64_t range_ns; /* Last time at which the pen was in range. */
+    uint32_t held;     /* Buttons that are pressed, as bits of enum input_button. */
+    uint32_t pressed;  /* Buttons that were pressed since the last read, as bits of enum
+                          input_button. */
     uint8_t sequence, has_sequence;
-    uint8_t present; /* 1 after the first position was decoded. */
+    uint8_t present; /* 1 after the first position was decoded, otherwise 0. */
     uint32_t report_count, refused_count;
-    uint32_t gap_count; /* Reports lost according to the sequence number. */
+    uint32_t gap_count; /* Number of reports that are missing according to the sequence numbers. */
 };
 
-/* Initializes the decoder. `face` is only read; `map` and `view` are copied. Returns 0, or -1 if
- * the descriptor cannot be parsed or if the mapping is not valid for it. */
+/* Initializes the decoder. `map` and `view` are copied, and `face` is not kept. Returns 0, or -1 if
+ * the descriptor cannot be parsed or if the mapping is not valid for the descriptor. */
 int hid_pose_decoder_init(struct hid_pose_decoder *hand, const struct hid_device_info *face,
                           const struct hid_mapping *map, const struct view *view);
 
 /* Sets the camera view that pointer motion and stick motion refer to. */
 void hid_pose_decoder_set_view(struct hid_pose_decoder *hand, const struct view *view);
 
-/* Decodes one report. Returns 1 if the pose may have changed. Returns 0 if the report was
- * refused or if the mapping uses no field of it. */
+/* Decodes one report. Returns 1 if the pose may have changed. Returns 0 if the report was rejected
+ * or if the mapping uses no field of the report. */
 int hid_pose_decoder_report(struct hid_pose_decoder *hand, const struct hid_raw *raw);
 
-/* Writes the pose at `time_ns`, which must never decrease. For sticks and dips the pose is
- * extrapolated to `time_ns`; for HID_STYLE_POSE it is the pose of the newest report. Returns 1,
- * or 0 if the controller is absent (no report yet, or a pen put aside). */
+/* Writes the pose at `time_ns`, which must not decrease from call to call. Sticks and dips are
+ * extrapolated to `time_ns`. With HID_STYLE_POSE, the pose is that of the newest report. Returns 1,
+ * or 0 if the controller is absent, because no report arrived yet or the pen was put aside. */
 int hid_pose_decoder_sample(struct hid_pose_decoder *hand, uint64_t time_ns,
                             struct poi_sample *out);
 
-/* Adds the buttons that are down and the press edges since the last call. */
+/* Adds the pressed buttons, and the buttons that were pressed since the last call, to `out`. */
 void hid_pose_decoder_buttons(struct hid_pose_decoder *hand, struct button_sample *out);
 
-/* Returns the fan that a FAN button holds up, or an inactive fan. */
+/* Returns the fan at `time_ns`. The fan is held over the water while a FAN button is pressed. */
 struct shade_input hid_pose_decoder_fan(struct hid_pose_decoder *hand, uint64_t time_ns);
 
 #endif

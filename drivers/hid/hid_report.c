@@ -1,4 +1,5 @@
-/* hid_report.c -- uses a parsed descriptor: usages of groups, values of reports. */
+/* hid_report.c -- finds usages in a parsed descriptor, and reads the values of fields from
+ * reports. */
 #include "drivers/hid/hid_bits.h"
 #include "drivers/hid/hid_descriptor.h"
 
@@ -14,7 +15,8 @@ uint32_t hid_usage_count(const struct hid_descriptor *descriptor, const struct h
 hid_usage hid_usage_at(const struct hid_descriptor *descriptor, const struct hid_group *group,
                        uint32_t index)
 {
-    uint32_t low = 0, high = group->range_count; /* The usage is in a range of [low, high). */
+    uint32_t low = 0, high = group->range_count; /* The usage is in a range whose index is at least
+                                                    `low` and less than `high`. */
     if (high == 0) {
         return 0;
     }

@@ -1,7 +1,8 @@
-/* poi_descriptor.c -- the descriptor bytes, one item a line (HID 1.11 section 6.2.2).
+/* poi_descriptor.c -- the bytes of our own poi's HID report descriptor, with one item in each line
+ * (HID 1.11, section 6.2.2).
  *
- * Units follow the specification. Unit system 1 is centimeter, gram, second, so a newton is 10^5
- * g cm/s^2 and a newton meter is 10^7 g cm^2/s^2. Degrees belong to system 4. The physical
+ * Units follow the specification. In unit system 1 (centimeter, gram, second) a newton is 10^5 g
+ * cm/s^2, and a newton meter is 10^7 g cm^2/s^2. Degrees belong to unit system 4. The physical
  * limits correspond to the logical limits and are integers. */
 #include "drivers/hid/poi_descriptor.h"
 

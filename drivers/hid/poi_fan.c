@@ -1,9 +1,11 @@
-/* poi_fan.c -- one controller that moves a poi or a fan. */
+/* poi_fan.c -- implements a controller that moves either the poi or the fan. */
 #include "drivers/hid/poi_fan.h"
 
 #include "drivers/pointer/pointer_fan.h"
 
-#define LAP_Z_M 0.75f /* In front of the player, beyond the near edge of any tank. */
+#define LAP_Z_M                                                                                    \
+    0.75f /* Z coordinate of the idle fan: in front of the player, beyond the near edge of every
+             tank. */
 
 void poi_fan_init(struct poi_fan *fan)
 {
@@ -22,8 +24,8 @@ static void go_to_time(struct poi_fan *fan, uint64_t time_ns)
     fan->time_ns = time_ns;
 }
 
-/* Interpolates an angle the shorter way round. A value that is not finite is passed on, so that
- * the core rejects it. */
+/* Interpolates an angle along the shorter way round. A value that is not finite is returned
+ * unchanged, so that the core rejects it. */
 static float turned(float from_rad, float to_rad, float share)
 {
     const float way_rad = to_rad - from_rad;
@@ -51,7 +53,8 @@ void poi_fan_move(struct poi_fan *fan, const struct poi_target *hand, int held, 
 {
     go_to_time(fan, time_ns);
     if (held && !fan->held) {
-        fan->waits = poi_fan_pose(fan); /* The pose before this report, which may have moved too. */
+        fan->waits = poi_fan_pose(fan); /* Pose before the current report, because the report may
+                                           also move the controller. */
         fan->back = 0.0f;
     }
     fan->held = held != 0;

@@ -1,7 +1,7 @@
-/* poi_fan.h -- the fan of our own poi. Pure.
+/* poi_fan.h -- the fan of our own poi, a tracked controller (poi_report.h).
  *
- * While the FAN key is down, the tracked controller moves the fan over the water, and the poi
- * waits in place. */
+ * While the FAN key is pressed, the controller moves the fan over the water, and the poi (the paper
+ * scoop) stands still. Pure: uses no device and no clock. */
 #ifndef KINGYO_DRIVERS_HID_POI_FAN_H
 #define KINGYO_DRIVERS_HID_POI_FAN_H
 
@@ -9,24 +9,29 @@
 
 #include "platform/hal.h"
 
-#define POI_FAN_BACK_S 0.5f /* Time of the poi's return to the controller. */
+#define POI_FAN_BACK_S                                                                             \
+    0.5f /* Duration of the poi's return to the controller after FAN is released. */
 
 struct poi_fan {
     struct poi_target hand;  /* Newest pose of the controller. */
-    struct poi_target waits; /* Pose at which the poi waits, or from which it returns. */
+    struct poi_target waits; /* Pose at which the poi stands still, or from which it returns to the
+                                controller. */
     uint8_t held;
-    float swing;      /* [0, 1]: 0 out of sight, 1 at the controller's position. */
-    float back;       /* [0, 1]: 1 when the poi has returned to the controller. */
+    float swing;      /* Progress of the fan's way in: 0 means out of sight, 1 means at the
+                         controller's position. */
+    float back;       /* Progress of the poi's return: 0 means at `waits`, 1 means at the
+                         controller's position. */
     uint64_t time_ns; /* Time to which `swing` and `back` were computed. */
 };
 
-/* Initializes the state with the poi at the controller. */
+/* Initializes the state with the poi at the controller's position. */
 void poi_fan_init(struct poi_fan *fan);
 
-/* Sets the controller's pose, and whether FAN is held, at `time_ns`, which must never decrease. */
+/* Sets the controller's pose `hand` at `time_ns`, which must not decrease. `held` is 1 if the FAN
+ * key is pressed. */
 void poi_fan_move(struct poi_fan *fan, const struct poi_target *hand, int held, uint64_t time_ns);
 
-/* Return the pose of the poi, and the shadow of the fan. */
+/* Returns the pose of the poi. poi_fan_shade() returns the shadow of the fan at `time_ns`. */
 struct poi_target poi_fan_pose(const struct poi_fan *fan);
 struct shade_input poi_fan_shade(struct poi_fan *fan, uint64_t time_ns);
 

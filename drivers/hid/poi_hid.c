@@ -1,4 +1,4 @@
-/* poi_hid.c -- decodes the reports of a port for the frame loop. */
+/* poi_hid.c -- decodes the reports of a HID port for the frame loop. */
 #include "drivers/hid/poi_hid.h"
 
 #include <stdio.h>
@@ -6,7 +6,9 @@
 
 #include "drivers/hid/poi_report.h"
 
-#define HEARD_MAX (HID_REPORTS_MAX + 1u) /* Reports in one frame: a full queue and the newest. */
+#define HEARD_MAX                                                                                  \
+    (HID_REPORTS_MAX + 1u) /* Largest number of reports in one frame: a full queue and the newest
+                              report. */
 
 void poi_hid_init(struct poi_hid *poi, struct hid_port port, struct hal_clock clock,
                   struct hid_mapper mapper, const struct view *view)
@@ -55,7 +57,8 @@ static void say_who(struct poi_hid *poi, uint8_t source)
 static void choose_map(struct poi_hid *poi, struct hid_mapping *out)
 {
     const struct hid_device_info *face = &poi->face;
-    /* Only scratch memory here, because hid_pose_decoder_init() parses it again. */
+    /* The decoder's memory is only scratch memory here, because hid_pose_decoder_init() parses the
+     * descriptor again. */
     struct hid_descriptor *descriptor = &poi->hand.descriptor;
     const uint32_t size =
         face->descriptor_size < HID_DESCRIPTOR_MAX ? face->descriptor_size : HID_DESCRIPTOR_MAX;
@@ -97,7 +100,7 @@ static int poi_hid_open(void *self)
     return HAL_OK;
 }
 
-/* ---- Samples -------------------------------------------------------------------------------- */
+/* ---- Samples of the pose -------------------------------------------------------------------- */
 
 /* The caller's sample buffer for one poll. */
 struct basket {
@@ -105,8 +108,8 @@ struct basket {
     uint32_t count, max;
 };
 
-/* Appends a sample. In a full buffer the newest sample is replaced, because the last pose must
- * arrive. */
+/* Appends a sample. If the buffer is full, the sample replaces the last sample, because the newest
+ * pose must arrive. */
 static void poi_hid_add_sample(struct basket *basket, const struct poi_sample *sample)
 {
     basket->count -= basket->count == basket->max;
@@ -127,16 +130,17 @@ static void poi_hid_decode_raw(struct poi_hid *poi, const struct hid_raw *raw,
     }
 }
 
-/* Returns 1 for pointers and sticks, whose pose changes between reports and is valid without
- * reports. An absolute pose is sampled only by its reports. */
+/* Returns 1 for pointers and sticks, otherwise 0. The pose of a pointer or a stick changes between
+ * reports, so it is also sampled without a report. An absolute pose is sampled only with its
+ * reports. */
 static int goes_on(const struct poi_hid *poi)
 {
     return poi->is_open && poi->plays && poi->hand.map.style != HID_STYLE_POSE;
 }
 
-/* Decodes all queued reports even if there is room for fewer samples, since a remainder would
- * delay the next frames too. Reports from before unplugging are still returned. HAL_ERR_GONE
- * follows in the next poll. */
+/* Decodes all queued reports even if `out` has room for fewer samples, because remaining reports
+ * would delay the next frames. Reports that arrived before the controller was unplugged are still
+ * returned; the next poll then returns HAL_ERR_GONE. */
 static int poi_hid_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct poi_hid *poi = self;

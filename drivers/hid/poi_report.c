@@ -1,4 +1,4 @@
-/* poi_report.c -- encodes and decodes fixed-size reports. */
+/* poi_report.c -- encodes and decodes the reports of our own poi. */
 #include "drivers/hid/poi_report.h"
 
 #include "core/base/fmath.h"
@@ -19,7 +19,8 @@ static int32_t get_i16(const uint8_t *bytes)
     return bits < 32768 ? bits : bits - 65536;
 }
 
-/* Rounds halves away from 0, so that opposite forces have opposite encodings. */
+/* Returns `value` as a 16-bit field with the range +-`most`, or `otherwise` if it is not finite.
+ * Halves are rounded away from 0, so that opposite forces have opposite encodings. */
 static int32_t steps_of(float value, float most, int32_t otherwise)
 {
     if (!f_is_finite(value)) {
@@ -36,7 +37,8 @@ static void put_three(uint8_t *bytes, vec3 v, float most, int32_t otherwise)
     put_i16(bytes + 4, steps_of(v.z, most, otherwise));
 }
 
-/* Returns 0 if a component has no value. */
+/* Decodes three 16-bit fields with the range +-`most`. Returns 0 if a field has the code for "no
+ * value", otherwise 1. */
 static int get_three(const uint8_t *bytes, float most, vec3 *out)
 {
     const int32_t x = get_i16(bytes), y = get_i16(bytes + 2), z = get_i16(bytes + 4);

@@ -20,41 +20,44 @@
 
 #define POI_REPORT_ID 1u
 #define POI_REPORT_SIZE 15u
-#define POI_REPORT_REACH_M 1.0f /* Range of a position, with a step of 31 um. */
+#define POI_REPORT_REACH_M 1.0f /* Range of a position: +-1 m, in steps of 31 um. */
 #define POI_FEEL_ID 2u
 #define POI_FEEL_SIZE 17u
 
-/* Keys on the handle of a poi; HID's Button 1 is bit 0. The other bits are free for vendors. */
+/* Keys on the handle of a poi. Bit 0 is Button 1 of HID. The remaining bits are free for
+ * vendors. */
 enum poi_button {
-    POI_BUTTON_OK = 1u << 0, /* Under the thumb, the main button for other programs. */
+    POI_BUTTON_OK = 1u << 0, /* Key under the thumb, because other programs use Button 1 as the main
+                                button. */
     POI_BUTTON_START = 1u << 1,
     POI_BUTTON_LEFT = 1u << 2,
     POI_BUTTON_RIGHT = 1u << 3,
-    POI_BUTTON_FAN = 1u << 4, /* While held, the controller moves the fan. */
+    POI_BUTTON_FAN = 1u << 4, /* Key that lets the controller move the fan while it is pressed. */
 };
 
 /* Content of an input report. Angles are within +-pi, as in struct angles. */
 struct poi_report {
     struct poi_target target;
-    uint8_t buttons;  /* enum poi_button bits that are down. */
-    uint8_t sequence; /* Incremented by each report; a gap means lost reports. */
+    uint8_t buttons;  /* Pressed keys, as bits of enum poi_button. */
+    uint8_t sequence; /* Number that increases by 1 with each report and wraps at 255. A gap means
+                         that reports were lost. */
 };
 
-/* Parses `size` bytes. Returns 1, or 0 for another id, another length, or a coordinate without a
- * value (the sensor lost its marker); `out` is then unchanged. */
+/* Parses an input report of `size` bytes. Returns 1. Returns 0 if the id or the length is wrong, or
+ * if a coordinate has no value because the sensor lost its marker; `out` is then unchanged. */
 int poi_report_decode(const uint8_t *bytes, uint32_t size, struct poi_report *out);
 
-/* Writes a report. Values out of range are clamped; values that are not finite become "no
- * value". */
+/* Writes an input report. Values out of range are clamped. A value that is not finite is encoded as
+ * "no value". */
 void poi_report_encode(const struct poi_report *report, uint8_t bytes[POI_REPORT_SIZE]);
 
-/* Writes a force feedback report. Values out of range are clamped; values that are not finite
- * become 0, so that no motor is driven by them. Halves are rounded away from 0 in both
- * directions. */
+/* Writes a force feedback report. Values out of range are clamped. A value that is not finite is
+ * encoded as 0, so that it drives no motor. Halves are rounded away from 0. */
 void poi_feel_encode(const struct poi_force *force, uint8_t sequence, uint8_t bytes[POI_FEEL_SIZE]);
 
-/* Parses a force feedback report, for the device and its simulated twin. Returns 0 on the same
- * errors as poi_report_decode(). `sequence` may be null. */
+/* Parses a force feedback report; used by the device and its simulation. Returns 1. Returns 0 if
+ * the id or the length is wrong or if a component has no value; `out` is then unchanged. `sequence`
+ * may be null. */
 int poi_feel_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out, uint8_t *sequence);
 
 #endif
