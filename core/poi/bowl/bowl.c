@@ -1,4 +1,4 @@
-/* bowl.c -- the hull of a bowl, its content, and pouring it back. */
+/* bowl.c -- the hull of a bowl, its content, and pouring the content back into the tank. */
 #include "core/poi/bowl/bowl.h"
 
 #include "core/base/hash.h"
@@ -9,7 +9,8 @@
 #include "core/tank/collision/reentry.h"
 
 #define FREEBOARD_MIN_M 0.002f
-#define ROCK_KG_M2 0.0012f /* Moment of inertia about its centre, with the added mass of water. */
+/* Moment of inertia of the bowl about its centre, with the added mass of water. */
+#define ROCK_KG_M2 0.0012f
 
 void bowl_init(struct bowl *bowl, vec3 position_m)
 {
@@ -27,7 +28,7 @@ float bowl_hull_radius_m(float below_m)
     return BOWL_RADIUS_M * f_sqrt(1.0f - share * share);
 }
 
-/* Integral of pi r^2 from that depth to the bottom. */
+/* The volume is the integral of pi r^2 from the depth `below_m` to the bottom. */
 float bowl_room_m3(float below_m)
 {
     const float share = f_clamp(below_m / BOWL_DEPTH_M, 0.0f, 1.0f);
@@ -35,7 +36,8 @@ float bowl_room_m3(float below_m)
     return F_PI * BOWL_RADIUS_M * BOWL_RADIUS_M * BOWL_DEPTH_M * left;
 }
 
-/* Newton's method: the derivative of the volume is the area of the water surface. */
+/* Solves for the level by Newton's method, because the derivative of the volume is the area of the
+ * water surface. */
 float bowl_level_m(const struct bowl *bowl)
 {
     const float wanted_m3 = (bowl->water_kg + bowl->fish_kg) / WATER_KG_M3;
@@ -53,7 +55,8 @@ int bowl_is_full(const struct bowl *bowl)
     return bowl->fish_count >= BOWL_FISH_MAX || bowl->fish_kg >= BOWL_FISH_KG_MAX;
 }
 
-/* A fish that falls in pushes the bowl and turns it around its centre. */
+/* Adds the momentum of a fish that falls in, which moves the bowl and rotates it about its
+ * centre. */
 static void rock(struct bowl *bowl, vec3 place_m, float kg, vec3 velocity_m_s)
 {
     const float all_kg = BOWL_HULL_KG + bowl->water_kg + bowl->fish_kg + kg;
@@ -81,14 +84,14 @@ void bowl_take(struct bowl *bowl, uint32_t bowl_index, struct tank *tank, struct
     bowl->fish_count++;
 }
 
-/* ---- Pouring back --------------------------------------------------------------------------- */
+/* ---- Pouring back into the tank ------------------------------------------------------------- */
 
 static float draw_pour(uint32_t seed, uint32_t fish, uint32_t which)
 {
     return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_POUR });
 }
 
-/* Returns a place on a ring around the hull, under water, inside the walls. */
+/* Returns a random place for a fish beside the hull: under water and inside the tank walls. */
 static vec3 pouring_place(const struct bowl *bowl, const struct tank *tank, uint32_t index)
 {
     const float length_m = tank->fish[index].length_m;
@@ -117,7 +120,7 @@ void bowl_empty(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
     bowl->fish_kg = 0.0f;
 }
 
-/* ---- Interface ------------------------------------------------------------------------------- */
+/* ---- Obstacle, scene and hash ---------------------------------------------------------------- */
 
 struct obstacle bowl_obstacle(const struct bowl *bowl)
 {

@@ -1,30 +1,43 @@
-/* bowl_buoyancy.c -- buoyancy of the bowls by backward Euler on each axis, which is stable at any
- * stiffness. */
+/* bowl_buoyancy.c -- motion of the bowls by the backward Euler method on each axis.
+ *
+ * The method is stable at any stiffness. */
 #include "core/poi/bowl/bowl_buoyancy.h"
 
 #include "core/base/panic.h"
 #include "core/base/physics.h"
 #include "core/poi/hand_spring.h"
 
-#define MOORING_N_M 2.0f      /* A thread that returns the bowl in about two seconds. */
-#define DRAG_N_S_M 1.6f       /* Linear drag of the hull. */
-#define DRAG_N_S2_M2 1.5f     /* Quadratic drag of the hull: 1/2 rho 0.6 on 50 cm2. */
-#define ALONG_SHARE 0.5f      /* Added mass of water, as a share of the displaced water. */
-#define SPEED_MAX_M_S 0.5f    /* Lower than the speed with which a ring slides aside. */
-#define HEAVE_DAMP_N_S_M 5.0f /* A quarter of the critical damping. */
-/* At this load the mouth is 4 mm above the water; any more water spills. */
+/* Stiffness of the mooring, which returns the bowl in about two seconds. */
+#define MOORING_N_M 2.0f
+#define DRAG_N_S_M 1.6f /* Coefficient of linear drag on the hull. */
+/* Coefficient of quadratic drag on the hull: 1/2 rho 0.6 on 50 cm2. */
+#define DRAG_N_S2_M2 1.5f
+#define ALONG_SHARE 0.5f /* Added mass of water, as a share of the displaced water. */
+/* Highest horizontal speed of the bowl, lower than the speed at which a ring slides aside. */
+#define SPEED_MAX_M_S 0.5f
+/* Damping of the vertical motion: a quarter of the critical damping. */
+#define HEAVE_DAMP_N_S_M 5.0f
+/* Largest mass of the bowl with its water and fish, at which the mouth is 4 mm above the tank's
+ * water. Additional water spills. */
 #define LOAD_KG_MAX 0.710f
 #define MOUTH_MIN_M 0.002f
-#define RIPPLE_MAX_M 0.006f /* Steeper ripples break at the hull. */
-#define HEEL_RAD_S 13.0f    /* The bowl rocks at 2 Hz. */
-#define HEEL_DAMP 0.22f     /* Damping ratio: the bowl is still after a few swings. */
-#define HEEL_MAX 0.14f      /* 8 degrees; at a higher angle the mouth would take in water. */
-#define HEEL_SHARE 0.25f    /* Share of the apparent slope (push over gravity). */
+/* Highest ripple that lifts the bowl, because steeper ripples break at the hull. */
+#define RIPPLE_MAX_M 0.006f
+#define HEEL_RAD_S 13.0f /* Natural frequency of the tilt: the bowl rocks at 2 Hz. */
+/* Damping ratio of the tilt, with which the bowl is still after a few swings. */
+#define HEEL_DAMP 0.22f
+/* Largest tilt of 8 degrees, because water would flow into the mouth at a larger one. */
+#define HEEL_MAX 0.14f
+/* Tilt due to a horizontal push, as a share of push divided by weight. */
+#define HEEL_SHARE 0.25f
 #define WALL_GAP_M 0.001f
-#define PART_ROUNDS 4u /* Enough for a row of four bowls pushed against a wall. */
+/* Number of passes that separate the bowls, enough for a row of four bowls at a wall. */
+#define PART_ROUNDS 4u
 #define TOUCH_M 0.0015f
-#define PUSH_N_MAX 4.0f  /* A higher force would throw the bowl. */
-#define PRESS_N_MAX 0.8f /* Force down on the mouth; sinks the bowl by 5 mm. */
+/* Largest horizontal force of a ring, because a larger force would throw the bowl. */
+#define PUSH_N_MAX 4.0f
+/* Largest downward force of a ring on the mouth, which sinks the bowl by 5 mm. */
+#define PRESS_N_MAX 0.8f
 
 static float load_kg(const struct bowl *bowl)
 {
@@ -36,9 +49,9 @@ static void spill(struct bowl *bowl)
     bowl->water_kg = f_max(0.0f, bowl->water_kg - f_max(0.0f, load_kg(bowl) - LOAD_KG_MAX));
 }
 
-/* ---- Pushed by a ring ----------------------------------------------------------------------- */
+/* ---- Forces of a ring on a bowl ------------------------------------------------------------- */
 
-/* Returns the force of the ring on the hull, from the hand's spring. */
+/* Returns the force of a poi's ring on the hull, which comes from the poi's hand spring. */
 static vec3 ring_push_on_hull(const struct bowl *bowl, const struct poi *poi)
 {
     const vec3 none = { 0.0f, 0.0f, 0.0f };
@@ -61,7 +74,7 @@ static vec3 ring_push_on_hull(const struct bowl *bowl, const struct poi *poi)
         const int rests = poi->position_m.y - low <= mouth + TOUCH_M;
         return v3(0.0f, rests ? f_clamp(hand_n.y, -PRESS_N_MAX, 0.0f) : 0.0f, 0.0f);
     }
-    /* An edge that dips in from above slides along the rim. */
+    /* A ring whose centre is above the mouth slides along the rim and does not push. */
     const float most_n = poi->position_m.y < mouth ? PUSH_N_MAX : 0.0f;
     return v3_scale(out, f_clamp(v3_dot(hand_n, out), -most_n, 0.0f));
 }
@@ -78,9 +91,9 @@ static vec3 pushes_of(const struct bowl *bowl, const struct poi *pois, const uin
     return sum;
 }
 
-/* ---- On the water --------------------------------------------------------------------------- */
+/* ---- Forces of the water on a bowl ---------------------------------------------------------- */
 
-struct swell { /* State of the water under the hull. */
+struct swell { /* Height and slope of the water surface under the hull. */
     float height_m, slope_x, slope_z;
 };
 
@@ -143,7 +156,7 @@ static void heel(float *at, float *rate_rad_s, float goal)
     }
 }
 
-/* ---- Walls and bowls ------------------------------------------------------------------------- */
+/* ---- Contact with walls and other bowls ------------------------------------------------------ */
 
 static void stop_at(float *place, float *speed, float room)
 {
@@ -164,8 +177,8 @@ static void stay_inside(struct bowl *bowl, const struct tank *tank)
     }
 }
 
-/* Separates two bowls that meet; each moves half of the overlap, and both continue at the same
- * speed. */
+/* Separates two bowls that overlap. Each bowl moves by half of the overlap, and the two bowls then
+ * have a common speed along the line between them. */
 static void keep_apart(struct bowl *a, struct bowl *b)
 {
     const vec3 way = v3(b->position_m.x - a->position_m.x, 0.0f, b->position_m.z - a->position_m.z);

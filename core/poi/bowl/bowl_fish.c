@@ -1,20 +1,26 @@
-/* bowl_fish.c -- fish in a bowl as upright oval capsules that circle around the bowl's centre. */
+/* bowl_fish.c -- fish in a bowl, modelled as upright oval capsules that circle the bowl's
+ * centre. */
 #include "core/poi/bowl/bowl_fish.h"
 
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 
-#define ROUND_RAD_S 1.6f  /* A lap in about four seconds. */
-#define SETTLE_PER_S 2.0f /* Rate at which a new fish reaches its depth and radius. */
-#define SETTLE_CROWD 0.9f /* Reduction of that rate in a full bowl, which leaves no choice. */
+/* Mean angular speed of the circling fish: one lap in about four seconds. */
+#define ROUND_RAD_S 1.6f
+#define SETTLE_PER_S 2.0f /* Rate at which a new fish approaches its depth and its radius. */
+/* Share by which SETTLE_PER_S falls in a full bowl, because its fish cannot choose their place. */
+#define SETTLE_CROWD 0.9f
 #define HULL_GAP_M 0.003f
-#define CROWD_KG 0.080f    /* From this weight on all fish circle together. */
-#define SPINE_HALF 0.32f   /* Half the capsule's axis per body length; snout and fin are thin. */
+/* Mass of fish in the bowl from which all fish circle at a common speed. */
+#define CROWD_KG 0.080f
+/* Half the length of the capsule's axis per body length; snout and tail fin are too thin to
+ * count. */
+#define SPINE_HALF 0.32f
 #define GIRTH 0.40f        /* Radius of the capsule per body width. */
-#define PART_SHARE 0.6f    /* Share of an overlap removed per tick. */
-#define PART_MAX_M 0.0012f /* Largest separation per tick: 14 cm/s. */
+#define PART_SHARE 0.6f    /* Share of an overlap that is removed per tick. */
+#define PART_MAX_M 0.0012f /* Largest separation step per tick, equal to 14 cm/s. */
 #define CROSSED 0.3f
-#define ENDS 0.45f /* Distance of snout and tail from the centre, in body lengths. */
+#define ENDS 0.45f /* Distance of the snout and the tail from the fish's centre, in body lengths. */
 #define SPEED_MAX_M_S 0.22f
 
 static float draw_bowl_fish(uint32_t seed, uint32_t fish, uint32_t which)
@@ -22,21 +28,21 @@ static float draw_bowl_fish(uint32_t seed, uint32_t fish, uint32_t which)
     return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_ROUND });
 }
 
-/* ---- Circling -------------------------------------------------------------------------------- */
+/* ---- Circling in the bowl -------------------------------------------------------------------- */
 
-/* Returns [0, 1], the share of common motion. In a full bowl a fish that overtakes would swim into
- * others. */
+/* Returns how crowded the bowl is, in [0, 1]. At 1, all fish circle at a common speed, because a
+ * faster fish would swim into others. */
 static float crowd_of(const struct bowl *bowl)
 {
     return f_smoothstep(0.0f, CROWD_KG, bowl->fish_kg);
 }
 
-struct round { /* The circle that a fish would swim alone. */
+struct round { /* Circle that a fish would swim without other fish. */
     float below_m, radius_m, rad_s;
 };
 
-/* Returns a circle so deep and wide that snout and tail clear the hull; bowls are wider at the
- * top. */
+/* Returns a random circle at which the snout and the tail of the fish stay inside the hull. Shallow
+ * circles can be wider, because the bowl is wider at the top. */
 static struct round round_of(const struct fish *fish, uint32_t index, const struct bowl *bowl,
                              float level_m, uint32_t seed)
 {
@@ -71,7 +77,8 @@ static void beat(struct fish *fish, float bend_rad)
     fish->tail_phase_rad -= fish->tail_phase_rad >= F_TAU ? F_TAU : 0.0f;
 }
 
-/* Moves the fish along its circle, and toward its depth and radius. */
+/* Moves the fish along its circle, and toward the circle's depth and radius. `way` (1 or -1) is the
+ * direction around the bowl. */
 static void swim_in_bowl(struct fish *fish, const struct bowl *bowl, float way,
                          const struct round *round)
 {
@@ -91,16 +98,16 @@ static void swim_in_bowl(struct fish *fish, const struct bowl *bowl, float way,
     beat(fish, -0.25f * way);
 }
 
-/* ---- Separation ------------------------------------------------------------------------------ */
+/* ---- Separation of fish ---------------------------------------------------------------------- */
 
-/* Returns the scale of vertical distances. Fish swim upright, so the scale makes their height count
- * as their width. */
+/* Returns the factor for vertical distances between fish. A fish is higher than wide, and the
+ * factor makes its capsule round. */
 static float flatten(const struct fish *fish)
 {
     return fish->width_m / fish->height_m;
 }
 
-struct spine { /* Heading of a fish: horizontal, unit. */
+struct spine { /* Horizontal unit vector along a fish's body, toward its snout. */
     float x, z;
 };
 
@@ -109,7 +116,8 @@ static struct spine spine_of(const struct fish *fish)
     return (struct spine){ -f_sin(fish->angles.yaw_rad), -f_cos(fish->angles.yaw_rad) };
 }
 
-/* Returns the shortest vector from the spine of a to that of b, with scaled heights. */
+/* Returns the shortest vector from the capsule axis of `a` to the capsule axis of `b`, with scaled
+ * vertical distance. */
 static vec3 way_between(const struct fish *a, struct spine on_a, const struct fish *b,
                         struct spine on_b)
 {
@@ -148,7 +156,8 @@ static void separate_bowl_fish(struct fish *a, struct spine on_a, struct fish *b
     if (square >= girths * girths) {
         return;
     }
-    /* The distance of crossing spines is zero, so their centres give the direction. */
+    /* The distance of crossing axes is 0, so that the vector between the centres gives the
+     * direction. */
     const float deep = 1.0f - f_sqrt(square) / girths;
     const vec3 out = v3_normalize_or(v3_muladd(way, d, CROSSED * deep), v3(0.0f, 1.0f, 0.0f));
     const float step_m = f_min(PART_SHARE * deep * girths, PART_MAX_M);
@@ -168,7 +177,7 @@ static void part_all(struct fish *fish, const fish_index *mine, uint32_t count)
     }
 }
 
-/* Keeps a fish under the bowl's water, with snout and tail within the hull. */
+/* Keeps a fish below the water level of the bowl, and its snout and tail inside the hull. */
 static void stay_in_hull(struct fish *fish, const struct bowl *bowl, float level_m)
 {
     const float half = 0.5f * fish->height_m;
@@ -190,9 +199,10 @@ static void stay_in_hull(struct fish *fish, const struct bowl *bowl, float level
     fish->position_m = v3_add(bowl->position_m, at);
 }
 
-/* ---- A tick --------------------------------------------------------------------------------- */
+/* ---- Tick of the bowl's fish ---------------------------------------------------------------- */
 
-/* Writes the fish of this bowl into `mine`; returns their number, at most BOWL_FISH_MAX. */
+/* Writes the indices of this bowl's fish to `mine` and computes their mass. Returns the number of
+ * fish, at most BOWL_FISH_MAX. */
 static uint32_t gather_bowl_fish(struct bowl *bowl, uint32_t bowl_index, const struct tank *tank,
                                  fish_index mine[BOWL_FISH_MAX])
 {
@@ -208,8 +218,8 @@ static uint32_t gather_bowl_fish(struct bowl *bowl, uint32_t bowl_index, const s
     return count;
 }
 
-/* Ends the tick of a fish that was at `from_m` before. A new fish sinks in gradually instead of
- * jumping. */
+/* Ends the tick of a fish that was at `from_m` at the start of the tick. The speed limit makes a
+ * new fish sink in gradually. `moved_m` is the motion of the bowl. */
 static void end_tick(struct fish *fish, const struct bowl *bowl, float level_m, vec3 from_m,
                      vec3 moved_m)
 {
@@ -228,8 +238,8 @@ void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
         return;
     }
     const uint32_t count = gather_bowl_fish(bowl, bowl_index, tank, mine);
-    const float way = bowl_index % 2u == 0 ? 1.0f : -1.0f; /* All fish of a bowl circle in the same
-                                                              direction. */
+    const float way = bowl_index % 2u == 0 ? 1.0f : -1.0f; /* Direction around the bowl, common to
+                                                              all fish of a bowl. */
     const float level_m = bowl_level_m(bowl);
     for (uint32_t i = 0; i < count; i++) {
         struct fish *fish = &tank->fish[mine[i]];

@@ -1,28 +1,32 @@
-/* capture.c -- capture: which fish can stand, which are pressed against a wall, and the first state
- * of a carried fish. */
+/* capture.c -- capture: tests whether a fish becomes a carried fish, and writes its first state. */
 #include "core/poi/catch/capture.h"
 
 #include "core/base/rng.h"
 #include "core/poi/catch/fall.h"
 #include "core/poi/catch/paper_contact.h"
 
-#define LEVEL_MIN 0.35f /* A poi steeper than this (70 degrees) captures no fish. */
-/* Water over the paper, in body heights, in which a fish still stands. */
+/* Lowest vertical component of the paper's normal at which a poi captures fish (a tilt of 70
+ * degrees). */
+#define LEVEL_MIN 0.35f
+/* Depth of water over the paper, in body heights, from which a fish can stand upright. */
 #define STAND_SHARE 1.05f
-/* Additional water for a fish that lies across the ring, 3 mm higher. */
+/* Additional depth of water for a fish that lies across the ring, which is 3 mm higher. */
 #define STAND_SPARE_M 0.0045f
 #define HELD_SHARE (CAPTURE_FLOAT_SHARE - 0.05f)
-#define SPILL_M_S 0.4f /* Speed at which fish beyond POI_CARRIED_MAX leave over the ring. */
+/* Horizontal speed at which a fish without room on the paper leaves over the ring. */
+#define SPILL_M_S 0.4f
 #define WALL_GAP_M 0.015f
-#define WALL_M_S 0.02f      /* Speed toward a wall: more than a trembling hand. */
-#define WALL_PRESS_M 0.004f /* Offset of the hand from a ring stopped by a wall: 0.9 N. */
-/* Slap strength of a fish that rests or gulps, relative to one in flight, because it is
- * surprised. */
+/* Lowest speed of the ring that counts as motion toward a wall; a trembling hand is slower. */
+#define WALL_M_S 0.02f
+/* Distance from the ring to the hand's target beyond a wall that counts as a push (0.9 N). */
+#define WALL_PRESS_M 0.004f
+/* Slap strength of a fish that was calm before the capture, relative to a fleeing fish. A calm fish
+ * is surprised and slaps less. */
 #define CALM_VIGOUR 0.55f
 
-/* Returns 1 if the fish has water enough to stand. On a blocked ring that the hand pulls up no fish
- * stands: a fish held between paper and surface lies on the paper, unless water would float it off
- * again. */
+/* Returns 1 if the water over the paper is deep enough for the fish to stand upright, otherwise 0.
+ * While the hand pulls up a ring that fish block, a fish between paper and surface counts as lying
+ * on the paper, unless the water would float the fish off again. */
 static int can_stand(const struct poi *poi, const struct basis *axes, vec3 place,
                      const struct fish *fish)
 {
@@ -39,7 +43,8 @@ void capture_slip_off(const struct poi *poi, struct tank *tank, struct fish *fis
     fall_set_free(tank, fish, v3_scale(out, SPILL_M_S));
 }
 
-/* Tests the wall at `half_m` from the centre of the tank, in the direction `out`. */
+/* Returns 1 if the ring presses the fish against one wall of the tank, otherwise 0. The wall is
+ * `half_m` from the tank's centre in the direction `out`. */
 static int is_pressed(const struct poi *poi, const struct basis *axes, const struct fish *fish,
                       vec3 out, float half_m)
 {
@@ -63,7 +68,7 @@ int capture_is_walled(const struct poi *poi, const struct basis *axes, const str
            is_pressed(poi, axes, fish, v3(0.0f, 0.0f, -1.0f), half_z);
 }
 
-/* Returns [0, 1], the strength of its slaps, from its stamina and its alarm. */
+/* Returns the initial slap strength [0, 1] of a captured fish, from its stamina and its alarm. */
 static float vigour_of(const struct fish *fish)
 {
     const int flees = fish->gait == GAIT_BURST || fish->gait == GAIT_ESCAPE;

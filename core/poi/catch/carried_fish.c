@@ -1,4 +1,4 @@
-/* carried_fish.c -- a carried fish: a wet fish on wet paper. */
+/* carried_fish.c -- one tick of a carried fish: a wet fish on wet paper. */
 #include "core/poi/catch/carried_fish.h"
 
 #include "core/base/hash.h"
@@ -6,33 +6,45 @@
 #include "core/poi/disc.h"
 #include "core/poi/pose.h"
 
-#define LIE_RAD (80.0f * F_DEG) /* Flat on its side, except for the fins under it. */
+/* Roll angle of a lying fish, which is not 90 degrees because its fins are under it. */
+#define LIE_RAD (80.0f * F_DEG)
 #define LIE_PER_S 8.0f
-/* Static friction of skin on wet paper: a fish slides from 20 degrees on. */
+/* Coefficient of static friction between skin and wet paper: a fish starts to slide at a tilt of 20
+ * degrees. */
 #define STICK 0.36f
-#define SLIP 0.30f           /* Sliding friction. */
-#define WALL_STICK 0.84f     /* The ring is 3 mm high: a fish rolls over it from 40 degrees on. */
-#define WALL_JUMP_M_S 0.40f  /* Speed at which a fish goes over the ring at any angle. */
-#define WALL_MARGIN_M 0.004f /* Distance from centre to ring when the belly touches the ring. */
+#define SLIP 0.30f /* Coefficient of sliding friction. */
+/* Ratio of downhill to normal acceleration at which a fish rolls over the 3 mm high ring (a tilt of
+ * 40 degrees). */
+#define WALL_STICK 0.84f
+#define WALL_JUMP_M_S 0.40f /* Outward speed at which a fish passes over the ring at any tilt. */
+/* Distance from the fish's centre to the ring when its belly touches the ring. */
+#define WALL_MARGIN_M 0.004f
 #define SLAP_S 0.020f
-#define SLAP_M_S2_MIN 10.0f /* Force of a slap per body mass, lower limit. */
+#define SLAP_M_S2_MIN 10.0f /* Lower limit of a slap's force, divided by the mass of the fish. */
 #define SLAP_M_S2_MAX 30.0f
 #define SLAP_N_MAX 0.15f
-#define CALM_TAU_S 3.0f   /* Time constant with which a fish tires out of water. */
-#define CALM_HEAD_UP 2.5f /* Factor for a fish with its head up, which tires sooner. */
-#define CALM_CRADLE 1.5f  /* Factor for a fish in a sag of paper that surrounds it. */
-#define CRADLE_M 0.003f   /* Depth of such a sag. */
-#define FLOP_M_S 0.35f    /* Highest speed at which a slap throws the fish; few slaps reach it. */
-/* A slap of 20 m/s^2 for 20 ms throws a whole body up for 80 ms; a tail alone lifts it for less. */
+#define CALM_TAU_S 3.0f   /* Time constant with which the slaps of a fish out of water weaken. */
+#define CALM_HEAD_UP 2.5f /* Factor on the rate of calming for a fish with its head up. */
+/* Factor on the rate of calming for a fish in a sag of paper that surrounds it. */
+#define CALM_CRADLE 1.5f
+#define CRADLE_M 0.003f /* Depth of the sag at which CALM_CRADLE applies fully. */
+/* Highest speed at which a slap throws the fish; few slaps reach this speed. */
+#define FLOP_M_S 0.35f
+/* Longest hop after a slap. A slap of 20 m/s^2 for 20 ms would throw the whole body up for 80 ms,
+ * but only the tail slaps. */
 #define HOP_S 0.060f
-#define HOP_SLIP 0.05f /* Friction during a hop. */
-/* Share of unsupported weight above which the fish can slap and the ring blocks it. */
+#define HOP_SLIP 0.05f /* Coefficient of friction during a hop. */
+/* Share of the weight that water does not support, above which a fish can slap and the ring can
+ * block it. */
 #define AGROUND 0.3f
-#define FOOT_M 0.010f     /* Half of a body's footprint. */
-#define LEAN_MAX 0.25f    /* Limit near the ring, which supports a part of the load beside it. */
-#define SWIM_LENGTHS 4.0f /* Body lengths per second of a fish that swims off while afloat. */
-#define SWIM_PER_S 10.0f  /* Rate at which it reaches that speed. */
-#define VIGOUR_MIN 0.08f  /* A fish never stops slapping completely. */
+#define FOOT_M 0.010f /* Radius of the patch of paper on which a body lies. */
+/* Limit of the slope due to a single body, because the ring supports a part of a load beside it. */
+#define LEAN_MAX 0.25f
+/* Speed of a fish that swims off the paper, in body lengths per second. */
+#define SWIM_LENGTHS 4.0f
+#define SWIM_PER_S 10.0f /* Rate at which the fish reaches SWIM_LENGTHS. */
+/* Strength of slaps toward which a fish calms, because a fish never stops slapping completely. */
+#define VIGOUR_MIN 0.08f
 
 enum { DRAW_GAP = 0, DRAW_PAUSE, DRAW_FORCE, DRAW_FOOT, DRAW_TURN, DRAW_FLOP, DRAW_COUNT };
 
@@ -57,7 +69,7 @@ void carried_fish_tail(const struct carried_fish *carried, float length_m, float
     *z_m = carried->z_m + 0.42f * length_m * f_cos(carried->heading_rad);
 }
 
-/* ---- Slaps ---------------------------------------------------------------------------------- */
+/* ---- Slaps of the tail ---------------------------------------------------------------------- */
 
 static void throw_about(struct carried_fish *carried, float strength, uint32_t seed, uint32_t tick)
 {
@@ -69,7 +81,8 @@ static void throw_about(struct carried_fish *carried, float strength, uint32_t s
     carried->slide_z_m_s -= flop * f_cos(carried->heading_rad + turn);
 }
 
-/* Starts slaps in series at 5 to 10 Hz, with pauses that grow as the fish calms down. */
+/* Starts one slap and draws the pause until the next slap. Slaps come in series at 5 to 10 Hz, and
+ * pauses are more frequent for a calmer fish. Returns the force of the slap. */
 static float begin_slap(struct carried_fish *carried, const struct fish *fish, uint32_t seed,
                         uint32_t tick)
 {
@@ -103,12 +116,12 @@ static float slap(struct carried_fish *carried, const struct fish *fish,
     return begin_slap(carried, fish, seed, tick);
 }
 
-/* ---- Sliding -------------------------------------------------------------------------------- */
+/* ---- Sliding on the paper ------------------------------------------------------------------- */
 
-/* Returns the slope of the paper under a carried fish toward the centre, per metre of distance.
- * Under a load on all of the paper the sag is a paraboloid. A single body of force F on a round
- * membrane of tension T is deepest in the centre as well: F / (2 pi T) ln((a^2 - r^2) / (a
- * foot)). */
+/* Returns the slope of the paper under a carried fish, divided by the distance from the centre. A
+ * load on the whole paper makes a sag in the form of a paraboloid. A single body of force F on a
+ * round membrane of tension T and radius a sinks deepest at the centre as well: F / (2 pi T)
+ * ln((a^2 - r^2) / (a FOOT_M)). */
 static float lean_per_m(const struct carried_fish *carried, const struct paper_surface *ride,
                         float press_n)
 {
@@ -118,7 +131,8 @@ static float lean_per_m(const struct carried_fish *carried, const struct paper_s
     return 2.0f * ride->belly_m / wide + f_min(own, LEAN_MAX / ride->radius_m);
 }
 
-/* A fish afloat over the paper swims as in shallow water. */
+/* Accelerates a fish that floats over the paper toward its nose. `afloat` is the share [0, 1] of
+ * its weight that water supports. */
 static void make_off(struct carried_fish *carried, const struct fish *fish, float afloat)
 {
     const float goal_m_s = SWIM_LENGTHS * fish->length_m * carried->vigour;
@@ -128,7 +142,8 @@ static void make_off(struct carried_fish *carried, const struct fish *fish, floa
     carried->slide_z_m_s = carried->slide_z_m_s * keep - gain_m_s * f_cos(carried->heading_rad);
 }
 
-/* Friction is an implicit factor, so friction stops a fish but never reverses it. */
+/* Moves the fish by gravity, the slope of the paper and friction. Friction is an implicit factor,
+ * so that friction stops a fish but never reverses its motion. */
 static void slide(struct carried_fish *carried, const struct fish *fish,
                   const struct paper_surface *ride, float dry)
 {
@@ -153,7 +168,7 @@ static void slide(struct carried_fish *carried, const struct fish *fish,
     carried->z_m += carried->slide_z_m_s * CORE_TICK_S;
 }
 
-/* The wall of the ring stops a body unless the poi is steep or the body is fast. */
+/* Stops a body at the ring unless the poi is steep or the body is fast. */
 static void meet_wall(struct carried_fish *carried, const struct paper_surface *ride)
 {
     const float r = f_sqrt(carried->x_m * carried->x_m + carried->z_m * carried->z_m);
@@ -173,7 +188,8 @@ static void meet_wall(struct carried_fish *carried, const struct paper_surface *
     carried->z_m = wall * out_z;
 }
 
-/* On its side a fish is half its width high; upright, half its height. */
+/* Moves roll and height of the fish toward their rest values. A fish on its side is half its width
+ * high, and an upright fish is half its height high. */
 static void settle_height(struct carried_fish *carried, const struct fish *fish, float dry)
 {
     const float step = f_min(1.0f, LIE_PER_S * CORE_TICK_S);
@@ -197,7 +213,7 @@ float carried_fish_tick(struct carried_fish *carried, const struct fish *fish,
     return force_n;
 }
 
-/* Returns the depth of the paper under a carried fish. */
+/* Returns how far the paper sags at the position of a carried fish. */
 static float sunk_m(const struct carried_fish *carried, const struct paper_surface *ride)
 {
     const float square = carried->x_m * carried->x_m + carried->z_m * carried->z_m;

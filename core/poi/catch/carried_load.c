@@ -1,10 +1,9 @@
-/* carried_load.c -- carried load: the body and the slap of each fish; SHEET_LOAD_MAX has room for
- * all. */
+/* carried_load.c -- the loads of carried fish: one for each body and one for each slap. */
 #include "core/poi/catch/carried_load.h"
 
 #include "core/base/panic.h"
 
-#define BODY_FOOT_M 0.020f /* Footprint of a body; a tail has 2 to 5 mm. */
+#define BODY_FOOT_M 0.020f /* Diameter of the patch of paper on which a body lies. */
 
 float carried_load_dryness(const struct poi *poi, const struct basis *axes,
                            const struct carried_fish *carried, const struct fish *fish)
@@ -22,7 +21,8 @@ static void add_load(struct poi *poi, struct sheet_load load)
     }
 }
 
-/* The last tick of a slap has the rest of its 20 ms. */
+/* Adds the load of a slap. A slap ends within a tick, so that its last tick has a part of the
+ * force. */
 static void add_slap(struct poi *poi, const struct carried_fish *carried, const struct fish *fish)
 {
     const float share = f_min(1.0f, carried->slap_s * (float)CORE_TICK_HZ);

@@ -1,4 +1,4 @@
-/* carried_load.h -- the load of the carried fish on the paper. */
+/* carried_load.h -- the loads that carried fish exert on the paper of a poi (paper scoop). */
 #ifndef KINGYO_CORE_POI_CATCH_CARRIED_LOAD_H
 #define KINGYO_CORE_POI_CATCH_CARRIED_LOAD_H
 
@@ -8,10 +8,11 @@
 float carried_load_dryness(const struct poi *poi, const struct basis *axes,
                            const struct carried_fish *carried, const struct fish *fish);
 
-/* Fills the poi's loads and its fish weight for the paper of the next tick. A body lies on a patch
- * of 20 mm. A slap acts at the tail, on 2 to 5 mm, if there is paper. A tail beyond the paper slaps
- * the air, and the body takes the reaction on 16 to 100 times the area. `pull_m_s2` is gravity
- * minus the poi's own acceleration along its up; `fish` is the tank's. */
+/* Writes `loads`, `load_count`, `slap_count` and `carried_kg` of the poi for the next tick of the
+ * paper. A body acts on a patch of 20 mm. A slap acts at the tail on a patch of 2 to 5 mm if there
+ * is paper under the tail. A tail beyond the paper slaps the air, and the force acts at the body
+ * instead, on 16 to 100 times the area. `pull_m_s2` is the component along the poi's up axis of
+ * gravity minus the poi's own acceleration. `fish` is the tank's array of fish. */
 void carried_load_gather(struct poi *poi, const struct basis *axes, float pull_m_s2,
                          const struct fish *fish);
 

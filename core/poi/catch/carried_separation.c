@@ -1,20 +1,25 @@
-/* carried_separation.c -- separation of carried fish, as capsules in the plane of the paper. */
+/* carried_separation.c -- separation of carried fish, modelled as capsules in the plane of the
+ * paper. */
 #include "core/poi/catch/carried_separation.h"
 
-#define SPINE_HALF 0.30f /* Half the capsule's axis per body length; snout and fin are thin. */
-/* Radius of the capsule per extent of the body in the plane; bodies taper. */
+/* Half the length of the capsule's axis per body length; snout and tail fin are too thin to
+ * count. */
+#define SPINE_HALF 0.30f
+/* Radius of the capsule, relative to the body's extent in the plane; less than half, because bodies
+ * taper. */
 #define GIRTH 0.36f
-#define PUSH_MAX_M 0.0015f /* Per tick: 0.18 m/s. */
-#define WALL_M 0.004f      /* Distance from centre to ring when the belly touches the ring. */
-/* Overlap, as a share of the clear distance, above which a fish climbs over the ring. */
+#define PUSH_MAX_M 0.0015f /* Largest separation step per tick, equal to 0.18 m/s. */
+/* Distance from the fish's centre to the ring when its belly touches the ring. */
+#define WALL_M 0.004f
+/* Overlap at which a fish is squeezed over the ring, as a share of the sum of the capsule radii. */
 #define SQUEEZE 0.5f
 
-struct flat { /* A point or vector in the plane. */
+struct flat { /* Point or vector in the plane of the paper. */
     float x, z;
 };
 
 struct capsule {
-    struct flat centre, axis; /* `axis` is a unit vector. */
+    struct flat centre, axis; /* Centre of the capsule, and the unit vector of its axis. */
     float half_m, radius_m;
 };
 
@@ -54,15 +59,15 @@ static int axes_cross(const struct capsule *a, const struct capsule *b)
     const float cross = a->axis.x * b->axis.z - a->axis.z * b->axis.x;
     const float x = b->centre.x - a->centre.x, z = b->centre.z - a->centre.z;
     if (f_abs(cross) < 1e-4f) {
-        return 0; /* Parallel axes: their ends are tested instead. */
+        return 0; /* Parallel axes are nearest at their ends, which the caller tests. */
     }
     const float on_a = (x * b->axis.z - z * b->axis.x) / cross;
     const float on_b = (x * a->axis.z - z * a->axis.x) / cross;
     return f_abs(on_a) < a->half_m && f_abs(on_b) < b->half_m;
 }
 
-/* Returns the shortest vector from the axis of a to that of b. For crossing axes it is a minimal
- * vector from centre to centre, which separates them. */
+/* Returns the shortest vector from the axis of `a` to the axis of `b`. If the axes cross, the
+ * shortest vector is 0, so that a very short vector from centre to centre is returned. */
 static struct flat way_between(const struct capsule *a, const struct capsule *b)
 {
     struct flat best = { b->centre.x - a->centre.x, b->centre.z - a->centre.z };
@@ -101,7 +106,7 @@ float carried_separation_overlap_m(const struct carried_fish *a, const struct fi
     return overlap_m(&one, &other, &unused);
 }
 
-/* Pushes a fish aside, but not over the ring unless it is squeezed. */
+/* Pushes a fish by (x_m, z_m). The fish stays within the ring unless `is_squeezed` is set. */
 static void push_within_ring(struct carried_fish *carried, float x_m, float z_m, int is_squeezed)
 {
     const float wall_m = POI_RADIUS_M - WALL_M;
@@ -116,7 +121,8 @@ static void push_within_ring(struct carried_fish *carried, float x_m, float z_m,
     }
 }
 
-/* Gives two fish that meet a common speed. */
+/* Removes the approach speed of two fish along `out`. `share_a` is the share of the change for fish
+ * `a`. */
 static void share_velocity(struct carried_fish *a, struct carried_fish *b, struct flat out,
                            float share_a)
 {

@@ -1,10 +1,15 @@
-/* carried_support.c -- support test at five points along the body by three across. */
+/* carried_support.c -- tests of the support at five points along a fish's body and three across
+ * it. */
 #include "core/poi/catch/carried_support.h"
 
 #include "core/poi/poi.h"
 
-#define ALONG_STEP 0.18f /* In body lengths: from 0.36 in front of the centre to 0.36 behind it. */
-#define ACROSS 0.30f     /* Share of the girth to either side; a body tapers. */
+/* Distance between the test points along the body, in body lengths. The points reach from 0.36 in
+ * front of the centre to 0.36 behind it. */
+#define ALONG_STEP 0.18f
+/* Distance of the outer test points from the body's midline, as a share of its girth; less than
+ * half, because a body tapers. */
+#define ACROSS 0.30f
 
 static int is_borne(const struct sheet *sheet, float x_m, float z_m)
 {
@@ -15,8 +20,8 @@ static int is_borne(const struct sheet *sheet, float x_m, float z_m)
     return sheet_holds(sheet, x_m, z_m);
 }
 
-/* Returns 1 if anything supports one of three points across the body, `along` lengths behind the
- * centre. */
+/* Returns 1 if paper or ring supports at least one of three points across the body, otherwise 0.
+ * `along` is the distance of the points behind the fish's centre, in body lengths. */
 static int slice_holds(const struct sheet *sheet, const struct carried_fish *carried,
                        const struct fish *fish, float along)
 {
@@ -43,7 +48,7 @@ int carried_support_holds(const struct sheet *sheet, const struct carried_fish *
         return 0;
     }
     if (sheet->paper_cells == sheet->paper_cells_new) {
-        return 1; /* Intact paper, as in most ticks of a round. */
+        return 1; /* The paper is intact, which is the case in most ticks of a round. */
     }
     return slice_holds(sheet, carried, fish, 0.0f) &&
            (half_holds(sheet, carried, fish, -1.0f) || half_holds(sheet, carried, fish, 1.0f));

@@ -1,23 +1,30 @@
-/* carried_water.c -- carried water: a film and a pool in a tilted bowl, their capacity and their
+/* carried_water.c -- the film and the pool of water on a tilted poi: their capacity and their
  * drainage. */
 #include "core/poi/catch/carried_water.h"
 
 #include "core/base/physics.h"
 
-#define FILM_KG 0.003f       /* Both faces of wet paper: 0.3 mm each. */
-#define FILM_KEEP_KG 0.0008f /* The fibres retain this mass. */
-#define FILM_SLOW 4.0f       /* A thin film drains slower than a pool by this factor. */
-#define DRAIN_TAU_S 0.15f    /* Divided by the sine of the tilt. */
-#define RIM_PER_S 3.3f       /* On a level ring, water above the rim drains all around. */
-#define RIM_SINE 0.1f        /* Sine of the tilt from which it drains at a single place. */
-#define SEEP_TAU_S 15.0f     /* On a level ring, water seeps through wet paper and drips. */
-#define HOLES_PER_S 8.0f     /* A hole of the whole area would drain it in an eighth of a second. */
-#define DROP_KG 0.00005f     /* A drop of 4.6 mm. */
-#define DROPS_MAX 4u         /* Per tick; more drops are a trickle, which is not louder. */
-#define RING_KG 0.0151f      /* Upside down the 3 mm ring is a bowl: pi a^2 times 3 mm. */
+#define FILM_KG 0.003f       /* Mass of the full film on both faces of wet paper, 0.3 mm each. */
+#define FILM_KEEP_KG 0.0008f /* Mass of the film that the paper fibres retain. */
+#define FILM_SLOW 4.0f       /* Factor by which a thin film drains more slowly than a pool. */
+/* Drainage time constant of a pool on a vertical ring; at a smaller tilt, the time constant is
+ * divided by the sine of the tilt. */
+#define DRAIN_TAU_S 0.15f
+/* Drainage rate of water above the rim of a level ring, over the whole rim. */
+#define RIM_PER_S 3.3f
+/* Sine of the tilt from which water drains over the lowest point of the rim only. */
+#define RIM_SINE 0.1f
+#define SEEP_TAU_S 15.0f /* Time constant of the water that seeps through wet paper. */
+#define HOLES_PER_S 8.0f /* Drainage rate through holes, per share of torn paper. */
+#define DROP_KG 0.00005f /* Mass of a drop with a diameter of 4.6 mm. */
+/* Largest number of drops per tick; more drops are a trickle, which sounds no louder. */
+#define DROPS_MAX 4u
+/* Capacity of an upside-down ring, which holds water 3 mm deep: pi a^2 times 3 mm. */
+#define RING_KG 0.0151f
 
-/* Returns the capacity of a paraboloid of depth w0. When it is tilted, the lowest point of its rim
- * cuts off a smaller pool of (1 - a tan / 2 w0)^4 times its volume. */
+/* Returns the capacity of the sag, a paraboloid of depth w0 = sag_m. `tangent` is the tangent of
+ * the tilt. In a tilted sag, the lowest point of the rim limits the pool to (1 - a tangent / (2
+ * w0))^4 times the level volume, where a is the radius. */
 static float belly_room_kg(float sag_m, float tangent)
 {
     const float whole_kg = 0.5f * F_PI * POI_RADIUS_M * POI_RADIUS_M * sag_m * WATER_KG_M3;
@@ -26,9 +33,9 @@ static float belly_room_kg(float sag_m, float tangent)
     return whole_kg * left * left;
 }
 
-/* Returns the capacity of a tilted drum, whose water surface reaches the lowest point of the wall.
- * If the surface meets the bottom, the water is a wedge, whose volume is proportional to its length
- * to the power 3/2. The film is part of the capacity. */
+/* Returns the capacity of an upside-down ring, which is a tilted drum whose water reaches the
+ * lowest point of the wall. If the water surface meets the bottom, the water is a wedge with a
+ * volume proportional to its length to the power 3/2. The film uses a part of the capacity. */
 static float ring_room_kg(float tangent)
 {
     const float fall = POI_RADIUS_M * tangent / POI_THICKNESS_M;
@@ -46,14 +53,15 @@ float carried_water_room_kg(const struct poi *poi, float up_y)
     return sheet_left(&poi->sheet) * room_kg;
 }
 
-/* Returns the rest of `mass_kg` one tick later; all above `keep_kg` drains at `per_s`. */
+/* Returns the mass that remains of `mass_kg` after one tick. The mass above `keep_kg` drains at the
+ * rate `per_s`. */
 static float run_off(float mass_kg, float keep_kg, float per_s)
 {
     const float more_kg = f_max(0.0f, mass_kg - keep_kg);
     return f_min(mass_kg, keep_kg) + more_kg / (1.0f + per_s * CORE_TICK_S);
 }
 
-/* Lets drops fall; nothing drops while the poi is in the water. */
+/* Updates the drops of this tick. Nothing drops while the poi touches the water. */
 static void let_drop(struct poi *poi, float lost_kg)
 {
     poi->drops = 0;
@@ -68,7 +76,7 @@ static void let_drop(struct poi *poi, float lost_kg)
     }
 }
 
-/* The part of the paper under water has its film and its pool at once; the rest drains. */
+/* The immersed part of the paper fills immediately, and the rest of the water drains. */
 void carried_water_tick(struct poi *poi, float up_y)
 {
     const float left = sheet_left(&poi->sheet);

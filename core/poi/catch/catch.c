@@ -1,4 +1,4 @@
-/* catch.c -- the life of carried fish: capture, ride, fall and landing. */
+/* catch.c -- one tick of the fish on a poi: capture, lying on the paper, fall and landing. */
 #include "core/poi/catch/catch.h"
 
 #include "core/base/panic.h"
@@ -10,13 +10,15 @@
 #include "core/poi/catch/fall.h"
 #include "core/poi/catch/paper_contact.h"
 
-#define SLACK_N_M 1.5f      /* Stiffness of wet paper under a single fish. */
-#define LIFT_OFF_M_S2 0.5f  /* A fish pulled from the paper by a higher acceleration flies. */
-#define LAND_M_S 0.2f       /* Wet paper absorbs most of the velocity of an oblique landing. */
-#define SLAP_EVERY_TICKS 8u /* Least interval between two sounds of one kind. */
+/* Lowest tension for the compliance of the paper: the tension of wet paper under a single fish. */
+#define SLACK_N_M 1.5f
+#define LIFT_OFF_M_S2 0.5f /* Acceleration away from the paper above which a fish lifts off. */
+/* Highest sliding speed after a landing, because wet paper absorbs most of the velocity. */
+#define LAND_M_S 0.2f
+#define SLAP_EVERY_TICKS 8u /* Least number of ticks between two slap sounds of a poi. */
 #define TEAR_EVERY_TICKS 14u
 
-struct scoop { /* Context of one tick. */
+struct scoop { /* Context of one poi in one tick. */
     struct poi *poi;
     uint32_t poi_index;
     const struct stall *stall;
@@ -26,11 +28,11 @@ struct scoop { /* Context of one tick. */
     struct basis axes;
     struct paper_surface ride;
     float pan;
-    int clear; /* 1 if the whole ring is above the water. */
+    int clear; /* 1 if the whole ring is above the water, otherwise 0. */
     struct catch_result *results;
 };
 
-/* ---- Sounds --------------------------------------------------------------------------------- */
+/* ---- Sounds of the poi ----------------------------------------------------------------------- */
 
 static int time_for(uint32_t *last, uint32_t now, uint32_t every)
 {
@@ -78,9 +80,10 @@ static void let_fall(const struct scoop *scoop, struct carried_fish *carried)
     fall_begin(carried, v3_add(scoop->poi->velocity_m_s, vec_basis_to_world(&scoop->axes, slide)));
 }
 
-/* Returns 1 if a fish in flight meets the paper from above and lies on it again, because the fish
- * was thrown up or the poi comes up under it. `before_m` is its position of the previous tick. The
- * axes of the poi are used without rotation, because both fly. */
+/* Returns 1 if a falling fish meets the paper from above and the paper supports it again; `lying`
+ * is then its new state. Otherwise returns 0. A slap may have thrown the fish up, or the poi may
+ * rise under the fish. `before_m` is the fish's position in the previous tick. Each position is
+ * taken in the poi's axes of its tick, so that the poi's rotation is included. */
 static int lands(const struct scoop *scoop, const struct carried_fish *carried, vec3 before_m,
                  struct carried_fish *lying)
 {
@@ -105,7 +108,8 @@ static int lands(const struct scoop *scoop, const struct carried_fish *carried, 
     return carried_support_holds(&poi->sheet, lying, fish);
 }
 
-/* Advances a fall. Returns 1 if it has ended. */
+/* Advances the fall of a carried fish. Returns 1 if the fall has ended in a bowl or in the water,
+ * otherwise 0. */
 static int fall(const struct scoop *scoop, struct carried_fish *carried)
 {
     const vec3 before_m = scoop->tank->fish[carried->fish].position_m;
@@ -129,9 +133,9 @@ static int fall(const struct scoop *scoop, struct carried_fish *carried)
     }
 }
 
-/* ---- Lying on the paper ---------------------------------------------------------------------- */
+/* ---- Fish on the paper ----------------------------------------------------------------------- */
 
-/* Returns the height of the paper's plane at a point of it. */
+/* Returns the height above the water of a point in the plane of the paper. */
 static float paper_y(const struct scoop *scoop, float x_m, float z_m)
 {
     return scoop->poi->position_m.y + x_m * scoop->axes.right.y + z_m * scoop->axes.back.y;
@@ -144,8 +148,8 @@ static int floats_off(const struct scoop *scoop, const struct carried_fish *carr
     return depth > CAPTURE_FLOAT_SHARE * fish->height_m;
 }
 
-/* Counts the ticks in which the ring is clear of the water with the fish on it, as an umpire judges
- * a catch. */
+/* Counts the consecutive ticks in which the whole ring is clear of the water with the fish on it,
+ * because an umpire counts only these catches. */
 static void see_ring(const struct scoop *scoop, struct carried_fish *carried)
 {
     if (!scoop->clear) {
@@ -155,7 +159,8 @@ static void see_ring(const struct scoop *scoop, struct carried_fish *carried)
     }
 }
 
-/* Advances a lying fish. Returns 1 if it has left the poi. */
+/* Advances a lying fish by one tick. Returns 1 if the fish has left the poi into the water,
+ * otherwise 0. */
 static int ride(struct scoop *scoop, struct carried_fish *carried)
 {
     struct fish *fish = &scoop->tank->fish[carried->fish];
@@ -169,7 +174,8 @@ static int ride(struct scoop *scoop, struct carried_fish *carried)
     const int flies = scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2;
     const int leaves = flies || !carried_support_holds(&scoop->poi->sheet, carried, fish);
     if (floats_off(scoop, carried, fish) || (leaves && dry <= 0.0f)) {
-        fall_set_free(scoop->tank, fish, fish->velocity_m_s); /* The fish swims. */
+        fall_set_free(scoop->tank, fish, fish->velocity_m_s); /* The fish is in the water and
+                                                                 swims. */
         return 1;
     }
     if (leaves) {
@@ -197,7 +203,8 @@ static void ride_all(struct scoop *scoop)
 
 /* ---- Contact with other fish ----------------------------------------------------------------- */
 
-/* Removes carried fish that other code has moved, for example at a new round. */
+/* Removes carried fish whose state other code has changed, for example at the start of a new
+ * round. */
 static void forget_strangers(struct scoop *scoop)
 {
     uint32_t i = 0;
@@ -221,8 +228,8 @@ static void try_to_capture(struct scoop *scoop, uint32_t index)
     }
 }
 
-/* Frees a ring that fish hold fast: the outermost of them wriggle out over its edge until the ring
- * moves. The inner fish may still be lifted. */
+/* Frees a ring that fish block while the hand pulls it up. The outermost fish slip off over the
+ * ring's edge first, until the ring moves. The inner fish may remain and be lifted. */
 static void free_jam(struct scoop *scoop)
 {
     struct poi *poi = scoop->poi;
@@ -251,7 +258,7 @@ static void meet_all(struct scoop *scoop)
     }
 }
 
-/* ---- The tick ------------------------------------------------------------------------------- */
+/* ---- Tick of a poi --------------------------------------------------------------------------- */
 
 int catch_has_carried(const struct poi *poi, uint32_t fish)
 {
@@ -278,7 +285,7 @@ void catch_count(const struct carried_fish *carried, uint32_t poi, uint32_t bowl
     }
 }
 
-/* Returns the compliance of the paper at the tension due to water and carried fish. */
+/* Returns the compliance of the paper at the tension that water and carried fish cause. */
 static float give_per_n(const struct poi *poi)
 {
     const struct paper_grade *grade = sheet_grade(poi->sheet.grade);

@@ -1,21 +1,23 @@
-/* fall.c -- a free fall of a few centimetres, and its two possible ends. */
+/* fall.c -- a fall over a few centimetres, which ends in a bowl or in the water. */
 #include "core/poi/catch/fall.h"
 
 #include "core/base/physics.h"
 #include "core/input.h"
 #include "core/tank/collision/reentry.h"
 
-#define FALL_HOME_M_S 1.5f /* Largest sideways speed of a fish that fell beyond a wall. */
-#define PLOP_M 0.004f      /* Depth of the dent in the surface. */
+/* Highest horizontal speed at which a fish that fell beyond a wall is moved back. */
+#define FALL_HOME_M_S 1.5f
+#define PLOP_M 0.004f /* Depth of the dent in the water surface where a fish falls in. */
 
-/* The fish bursts away once it is clear of others. */
+/* The full alarm makes the fish flee as soon as it is clear of other fish. */
 void fall_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
 {
     fish->alarm = 1.0f;
     reentry_begin(tank, fish, velocity_m_s);
 }
 
-/* Returns 1 if the path passes through the mouth; positions are relative to the moving bowl. */
+/* Returns 1 if the path from `before_m` to `now_m` passes down through the bowl's mouth, otherwise
+ * 0. Both positions are taken relative to the moving bowl. */
 static int through_mouth(const struct bowl *bowl, vec3 before_m, vec3 now_m)
 {
     const vec3 from = v3_sub(before_m, bowl->before_m), to = v3_sub(now_m, bowl->position_m);
@@ -23,7 +25,7 @@ static int through_mouth(const struct bowl *bowl, vec3 before_m, vec3 now_m)
            to.x * to.x + to.z * to.z < BOWL_RADIUS_M * BOWL_RADIUS_M;
 }
 
-/* A fish that misses the mouth hits the hull or its rim and slides down outside. */
+/* Moves a fish that misses the mouth off the hull, so that the fish slides down outside. */
 static void off_hull(const struct bowl *bowl, struct fish *fish, struct carried_fish *carried)
 {
     const vec3 away =
@@ -40,8 +42,8 @@ static void off_hull(const struct bowl *bowl, struct fish *fish, struct carried_
     carried->fall_m_s = v3_muladd(carried->fall_m_s, out, -inward);
 }
 
-/* Returns the speed back toward the tank for a fish beyond a wall; a stall also puts back fish that
- * jump out. */
+/* Returns the speed on one axis that moves a fish beyond a wall back over the tank; 0 inside the
+ * walls. At a real stall, people also put fish back that jumped out. */
 static float homeward(float at_m, float room_m)
 {
     const float out = at_m - f_clamp(at_m, -room_m, room_m);

@@ -1,4 +1,5 @@
-/* fall.h -- the fall of a fish that slipped off the ring or through the paper. */
+/* fall.h -- the fall of a fish that slipped off the ring of a poi (paper scoop) or fell through its
+ * paper. */
 #ifndef KINGYO_CORE_POI_CATCH_FALL_H
 #define KINGYO_CORE_POI_CATCH_FALL_H
 
@@ -8,19 +9,21 @@
 
 enum fall_end {
     FALL_GOES_ON = 0,
-    FALL_INTO_BOWL,  /* The fish belongs to the bowl and is counted there. */
-    FALL_INTO_WATER, /* The fish swims as soon as it is clear. */
+    FALL_INTO_BOWL,  /* The bowl holds and counts the fish. */
+    FALL_INTO_WATER, /* The fish is back in the water and swims as soon as it is clear of other
+                        fish. */
 };
 
 /* Starts the fall of a carried fish at a world velocity. */
 void fall_begin(struct carried_fish *carried, vec3 velocity_m_s);
 
-/* Advances a fall by one tick. A fish enters a bowl, of any player, only from above through its
- * mouth; `*bowl_index` is then that bowl. */
+/* Advances a fall by one tick (1/120 s). A fish enters a bowl only from above through its mouth;
+ * the bowl may belong to any player. If the result is FALL_INTO_BOWL, the index of the bowl is
+ * written to `bowl_index`. */
 enum fall_end fall_tick(struct carried_fish *carried, const struct stall *stall,
                         uint32_t *bowl_index);
 
-/* Releases a carried fish into the water, under the surface and inside the walls, in alarm. */
+/* Puts a fish back into the water: below the surface, inside the walls, and at full alarm. */
 void fall_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s);
 
 #endif

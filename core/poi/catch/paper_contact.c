@@ -1,16 +1,21 @@
-/* paper_contact.c -- contact of the paper with fish in the water above it. */
+/* paper_contact.c -- contact of the paper with the fish in the water above it. */
 #include "core/poi/catch/paper_contact.h"
 
-#define ZONE_M 0.06f /* No fish farther from the plane can touch. */
+#define ZONE_M 0.06f /* Distance from the paper's plane beyond which no fish can touch the paper. */
 #define SQUEEZE_GAP_M 0.0005f
-/* Offset of the hand from a blocked ring that counts as a pull at a jam: 6.5 N. */
+/* Distance from a ring blocked by fish up to the hand's target, from which the pull counts as a jam
+ * (6.5 N). */
 #define JAM_PULL_M 0.03f
-#define JAM_TICKS 12.0f /* Within 0.1 s all fish over the ring leave, from the edge inward. */
+/* Ticks (0.1 s) within which all fish over a jammed ring leave, from the edge inward. */
+#define JAM_TICKS 12.0f
 #define JAM_M (0.02f * CORE_TICK_S)
-#define TOUCH_M 0.005f /* The ring holds a fish that lies across it 3 mm above the paper. */
+/* Largest gap between fish and paper for a capture, because a fish that lies across the ring is 3
+ * mm above the paper. */
+#define TOUCH_M 0.005f
 
-/* Returns 1 if a point relative to the ring's centre is in the cylinder of ZONE_M over the paper;
- * `place` is then the point in the poi's axes. Most fish are far and cost a dot product. */
+/* Returns 1 if a point is less than ZONE_M above the paper's plane and near the poi, otherwise 0.
+ * `away` is the point relative to the ring's centre, in world axes. Writes the point in the poi's
+ * axes to `place`. For most fish, the distance test is sufficient and cheap. */
 static int over_paper(const struct basis *axes, vec3 away, vec3 *place)
 {
     if (v3_dot(away, away) >= ZONE_M * ZONE_M + POI_RADIUS_M * POI_RADIUS_M) {
@@ -38,7 +43,8 @@ static int at_surface(const struct fish *fish)
     return fish->position_m.y + box_extent_m(&box).y > -SQUEEZE_GAP_M;
 }
 
-/* Returns 1 if the ring touches the fish, optionally only from below. */
+/* Returns 1 if the ring touches the fish, otherwise 0. If `from_below` is set, a contact from above
+ * does not count. */
 static int ring_touches(const struct poi *poi, const struct fish *fish, int from_below)
 {
     const struct box box = fish_box(fish);
@@ -67,8 +73,8 @@ int paper_contact_squeezed(const struct poi *poi, const struct fish *fish)
            ring_touches(poi, fish, 1);
 }
 
-/* Returns 1 if the fish lies between disc and surface, farther than `from_m` from the centre, at
- * any depth. */
+/* Returns 1 if the fish is above the disc and at least `from_m` from its vertical axis, otherwise
+ * 0. The depth of the fish has no effect. */
 static int lies_over(const struct basis *axes, vec3 away, float from_m)
 {
     const float side_m2 = away.x * away.x + away.z * away.z;

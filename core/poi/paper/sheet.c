@@ -1,4 +1,4 @@
-/* sheet.c -- one tick of the paper: loads, stress concentration, tears. */
+/* sheet.c -- one tick of the paper: loads, stress concentration and tears. */
 #include "core/poi/paper/sheet.h"
 
 #include "core/base/hash.h"
@@ -7,13 +7,16 @@
 #include "core/poi/paper/strain.h"
 #include "core/poi/paper/wetting.h"
 
-#define LOAD_RATIO_MIN 0.25f /* Share of its ultimate tension that paper sustains for half a day. */
-/* Stress concentration between wet and dry paper, which swell differently. */
+/* Share of its ultimate tension at which paper lasts for half a day, so that lower tensions are
+ * ignored. */
+#define LOAD_RATIO_MIN 0.25f
+/* Stress concentration at the line between wet and dry paper, which swell differently. */
 #define WET_LINE_FACTOR 2.5f
 #define STANDING_FACTOR_WORST (STRAIN_EDGE * WET_LINE_FACTOR)
-/* Tension down to which a footprint is computed; less causes no wear. */
+/* Tension at which the effect of a footprint ends, because a lower tension causes no wear. */
 #define FOOT_TENSION_MIN_N_M 0.3f
-#define SAG_TAU_S 0.03f /* The sag moves water along and cannot jump. */
+/* Time constant of the sag, which moves water along and therefore cannot jump. */
+#define SAG_TAU_S 0.03f
 
 /* ---- Stress concentration -------------------------------------------------------------------- */
 
@@ -27,8 +30,8 @@ static float line_factor(const struct sheet *sheet, uint32_t row, uint32_t colum
     return 1.0f + (WET_LINE_FACTOR - 1.0f) * wetting_line(sheet, row, column);
 }
 
-/* Raises the ratio of a cell to that beside a tear, if that is higher than the one from membrane,
- * ring and wet line. */
+/* Raises the ratio of a cell to its ratio beside a tear. A higher ratio due to the membrane, the
+ * ring or the wet line remains. */
 static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uint32_t row,
                            uint32_t column)
 {
@@ -37,7 +40,8 @@ static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uin
     strain->ratio[cell] = f_max(strain->ratio[cell], tip);
 }
 
-/* Raises the ratio along the wet line, multiplied where it meets the ring, then at tears. */
+/* Multiplies the ratios of a row by the factor of the wet line, and then raises the ratios beside
+ * tears. */
 static void gather_row(struct strain *strain, const struct sheet *sheet, uint32_t row)
 {
     const uint32_t front = tear_front(&strain->map, row);
@@ -51,7 +55,7 @@ static void gather_row(struct strain *strain, const struct sheet *sheet, uint32_
     }
 }
 
-/* Removes the load of new holes after a tear grew in the row. */
+/* Sets the load of all holes in the row to 0. */
 static void relieve_row(struct strain *strain, uint32_t row)
 {
     for (uint32_t column = 0; column < SHEET_SIDE; column++) {
@@ -62,8 +66,9 @@ static void relieve_row(struct strain *strain, uint32_t row)
     }
 }
 
-/* Recomputes the cells beside a changed hole or within a tear's length, which bear more. Stress
- * beside a growing tear never falls, so the maximum so far is correct. */
+/* Recomputes the ratios near holes that changed in this tick. Bit i of `changed` is set if a hole
+ * grew in row i. The ratio beside a growing tear never falls, so that the stored maximum stays
+ * correct. */
 static void regather(struct strain *strain, const struct sheet *sheet, uint32_t changed)
 {
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
@@ -87,9 +92,9 @@ static void regather(struct strain *strain, const struct sheet *sheet, uint32_t 
     }
 }
 
-/* ---- Tears ---------------------------------------------------------------------------------- */
+/* ---- Growth of tears ------------------------------------------------------------------------ */
 
-/* Opens all cells that are worn through at once. Returns their number. */
+/* Turns the cells of the bits `torn` into holes. Returns their number. */
 static uint32_t open_row(struct strain *strain, struct sheet *sheet, uint32_t row, uint32_t torn)
 {
     uint32_t count = 0;
@@ -104,7 +109,7 @@ static uint32_t open_row(struct strain *strain, struct sheet *sheet, uint32_t ro
     return count;
 }
 
-/* Returns one bit for each row in which a hole grew since `before`. */
+/* Returns one bit for each row whose holes differ from `before`. */
 static uint32_t changed_rows(const struct strain *strain, const uint32_t before[SHEET_SIDE])
 {
     uint32_t changed = 0;
@@ -129,7 +134,8 @@ static uint32_t tear_step(struct strain *strain, struct sheet *sheet)
     return gone;
 }
 
-/* Drops loose paper repeatedly until none is left. */
+/* Removes loose paper repeatedly until no loose paper is left. Returns the number of removed
+ * cells. */
 static uint32_t drop_all(struct strain *strain, struct sheet *sheet)
 {
     uint32_t gone = 0, dropped = 1;
@@ -143,8 +149,8 @@ static uint32_t drop_all(struct strain *strain, struct sheet *sheet)
     return gone;
 }
 
-/* Advances the damage. Damage grows evenly under an even load, so only a tick in which paper tears
- * needs substeps. */
+/* Advances the damage by one tick and returns the number of torn cells. Damage grows at a constant
+ * rate under a constant load, so that only a tick in which paper tears needs substeps. */
 static uint32_t wear_tick(struct strain *strain, struct sheet *sheet)
 {
     uint32_t torn = 0;
@@ -164,7 +170,7 @@ static uint32_t wear_tick(struct strain *strain, struct sheet *sheet)
     return torn;
 }
 
-/* ---- The tick ------------------------------------------------------------------------------- */
+/* ---- Tick of the sheet ---------------------------------------------------------------------- */
 
 static struct footprint footprint(const struct sheet_load *load, float cell_size_m)
 {
@@ -179,12 +185,13 @@ static struct footprint footprint(const struct sheet_load *load, float cell_size
 static void settle_sag(struct sheet *sheet, float pressure_pa)
 {
     const float belly = sheet_belly(sheet_grade(sheet->grade), pressure_pa, sheet->radius_m);
-    const float goal = pressure_pa > 0.0f ? -belly : belly; /* Pressed upward, the paper bulges
-                                                               up. */
+    const float goal = pressure_pa > 0.0f ? -belly : belly; /* A pressure toward the poi's up axis
+                                                               bulges the paper up. */
     sheet->sag_m += (goal - sheet->sag_m) * (CORE_TICK_S / (SAG_TAU_S + CORE_TICK_S));
 }
 
-/* Returns 1 if only a pressure acts that would not even extend a tear. */
+/* Returns 1 if the tension at the centre is too low to damage any cell, even beside a tear;
+ * otherwise 0. */
 static int is_calm(const struct sheet *sheet, const struct paper_grade *grade, float centre_n_m)
 {
     const float wettest = grade->wet_n_m * (1.0f - SHEET_SOFTENING);
@@ -219,7 +226,7 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
     CORE_ASSERT(f_is_finite(pressure_pa));
     const struct paper_grade *grade = sheet_grade(sheet->grade);
     const float borne_pa = pressure_pa * sheet_left(sheet);
-    struct strain strain; /* 9 KiB, fully written before it is read. */
+    struct strain strain; /* Work area of 9 KiB; every value is written before it is read. */
     strain.grade = grade;
     strain.centre_n_m = sheet_tension_centre(grade, borne_pa, sheet->radius_m);
     strain.edge_n_m = sheet_tension_edge(grade, borne_pa, sheet->radius_m);
@@ -239,8 +246,8 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
 
 /* ---- Queries --------------------------------------------------------------------------------- */
 
-/* Returns the cell of a point within the ring. If the centre of a cell is beyond the ring, its
- * sliver belongs to the neighbour toward the centre. */
+/* Returns the index of the cell at a point within the ring. At the ring's edge, the point may lie
+ * in a cell that counts as outside. The nearest cell toward the centre is then returned. */
 static uint32_t cell_at(const struct sheet *sheet, float x_m, float z_m)
 {
     const float last = (float)(SHEET_SIDE - 1u);

@@ -1,9 +1,10 @@
-/* sheet.h -- the paper of a poi: cells with wetness, strength and damage.
+/* sheet.h -- the paper of a poi (paper scoop): cells with wetness, strength and damage.
  *
- * A square of SHEET_SIDE x SHEET_SIDE cells covers the ring; cells outside the ring do not exist.
- * Column 0 is the left edge (-x of the poi), row 0 the far edge (-z). A tear starts where tension,
- * raised at a wet edge, the ring or a hole, meets weak paper. The tear grows from cell to cell, up
- * to SHEET_STEPS_MAX cells in a tick. */
+ * A square of SHEET_SIDE x SHEET_SIDE cells covers the ring; cells outside the ring are
+ * CELL_OUTSIDE. Column 0 is the left edge (-x of the poi), and row 0 is the far edge (-z). The line
+ * between wet and dry paper, the ring and holes concentrate the stress. A tear starts where the
+ * stress exceeds the strength of the paper for long enough. The tear grows from cell to cell, by up
+ * to SHEET_STEPS_MAX cells in a tick (1/120 s). */
 #ifndef KINGYO_CORE_POI_PAPER_SHEET_H
 #define KINGYO_CORE_POI_PAPER_SHEET_H
 
@@ -12,116 +13,128 @@
 #include "core/scene.h"
 
 #define SHEET_CELL_COUNT (SHEET_SIDE * SHEET_SIDE)
-#define SHEET_LOAD_MAX 32u /* Footprints per tick: a body and a tail of each of 16 fish. */
-/* Substeps of a tick in which paper tears: a tear grows at 2.4 m/s at most. */
+/* Largest number of footprints per tick: a body and a slapping tail of each of 16 fish. */
+#define SHEET_LOAD_MAX 32u
+/* Number of substeps in a tick in which paper tears, so that a tear grows at 2.4 m/s at most. */
 #define SHEET_STEPS_MAX 8u
-#define SHEET_DAMAGE_TAU_S 0.05f /* Life of paper at its ultimate tension. */
-/* The life at a lower tension is longer by the tension share to this power: 51 s at half. */
+#define SHEET_DAMAGE_TAU_S 0.05f /* Time until paper at its ultimate tension tears. */
+/* Exponent of the paper's life: at the share s of the ultimate tension, paper lasts
+ * SHEET_DAMAGE_TAU_S / s^10, which is 51 s at s = 0.5. */
 #define SHEET_DAMAGE_EXPONENT 10
-/* Share of its wet strength that paper loses after SHEET_SOAK_TICKS. */
+/* Share of the wet strength that paper loses within SHEET_SOAK_TICKS. */
 #define SHEET_SOFTENING 0.25f
-/* The softening ends a minute after the paper became wet. */
+/* Ticks (one minute) for which wet paper continues to soften. */
 #define SHEET_SOAK_TICKS (60u * CORE_TICK_HZ)
-#define SHEET_GRADE_MIN 4u /* The strongest grade. */
-#define SHEET_GRADE_MAX 7u /* The weakest grade. */
+#define SHEET_GRADE_MIN 4u /* Strongest paper grade. */
+#define SHEET_GRADE_MAX 7u /* Weakest paper grade. */
 
 enum sheet_cell_state {
-    CELL_OUTSIDE = 0, /* Outside the ring. */
+    CELL_OUTSIDE = 0, /* The cell is outside the ring. */
     CELL_PAPER = 1,
     CELL_HOLE = 2,
 };
 
-/* Properties of a paper grade. Line tensions are forces per width of paper. */
+/* Properties of a paper grade. A line tension is a force per width of paper. */
 struct paper_grade {
     float areal_kg_m2;
-    float dry_n_m, wet_n_m; /* Ultimate line tension. */
-    float stiffness_n_m;    /* Wet: Young's modulus times thickness. */
+    float dry_n_m, wet_n_m; /* Ultimate line tension of dry paper and of wet paper. */
+    float stiffness_n_m;    /* Stiffness of wet paper: Young's modulus times thickness. */
 };
 
-/* A round patch that presses on the paper: a body, a tail or a snout. */
+/* Load on a round patch of the paper: the footprint of a body or a slapping tail. */
 struct sheet_load {
-    float x_m, z_m;   /* Centre, in the plane of the poi. */
-    float diameter_m; /* > 0 */
-    float force_n;    /* Along the normal, either sign. */
+    float x_m, z_m;   /* Centre of the patch, in the plane of the poi. */
+    float diameter_m; /* Diameter of the patch, greater than 0. */
+    float force_n;    /* Force along the poi's normal, with either sign. */
 };
 
-/* The half-plane of the poi's plane that is under water: cells with x * cx + z * cz < limit_m get
- * wet. */
+/* Part of the poi's plane that is under water: a point (px, pz) of the plane is under water if x *
+ * px + z * pz < limit_m. */
 struct sheet_wetting {
     float x, z, limit_m;
 };
 
 struct sheet {
-    uint8_t grade;   /* SHEET_GRADE_MIN .. SHEET_GRADE_MAX */
-    uint8_t touched; /* 1 if any cell has been under water. */
-    uint8_t soaked;  /* 1 if all cells are completely wet. */
-    uint8_t ideal;   /* 1 for an ideal test sheet: uniform and without stress concentration
-                        (sheet_idealise). */
+    uint8_t grade;   /* Paper grade, SHEET_GRADE_MIN .. SHEET_GRADE_MAX. */
+    uint8_t touched; /* 1 if any cell has ever been under water, otherwise 0. */
+    uint8_t soaked;  /* 1 if all cells are completely wet, otherwise 0. */
+    uint8_t ideal;   /* 1 for an ideal test sheet, which is uniform and has no stress concentration
+                        (sheet_idealise()); otherwise 0. */
     float radius_m;
-    float fibre_x, fibre_z;          /* Unit vector of the main fibre direction, which tears tend
-                                        to follow. */
-    float wetness[SHEET_CELL_COUNT]; /* [0, 1] */
-    uint16_t soak_ticks[SHEET_CELL_COUNT]; /* Ticks since the cell became wet, <=
-                                              SHEET_SOAK_TICKS. */
-    float damage[SHEET_CELL_COUNT];        /* [0, 1); the cell is a hole at 1. */
-    float strength[SHEET_CELL_COUNT]; /* Factor of this specimen on the grade's strength, near 1. */
-    float strength_min;               /* Least strength of all cells. */
-    uint8_t state[SHEET_CELL_COUNT];  /* enum sheet_cell_state */
-    uint8_t stress[SHEET_CELL_COUNT]; /* Load over strength in the last tick, with stress
-                                         concentration: 255 is 1 or more. For display only. */
-    uint32_t paper_cells;             /* Cells that are still CELL_PAPER. */
-    uint32_t paper_cells_new;         /* Cells that were CELL_PAPER at the start. */
-    float sag_m; /* Sag due to the last pressure, for display and for the pool of water. */
+    float fibre_x, fibre_z;                /* Unit vector of the main fibre direction; tears tend
+                                              to follow the fibres. */
+    float wetness[SHEET_CELL_COUNT];       /* Wetness of each cell in [0, 1]. */
+    uint16_t soak_ticks[SHEET_CELL_COUNT]; /* Ticks for which each cell has been wet and softening,
+                                              at most SHEET_SOAK_TICKS. */
+    float damage[SHEET_CELL_COUNT];        /* Damage of each cell in [0, 1]; the cell becomes a hole
+                                              at 1. */
+    float strength[SHEET_CELL_COUNT]; /* Strength of each cell relative to the grade's strength,
+                                         near 1. */
+    float strength_min;               /* Lowest value in `strength`. */
+    uint8_t state[SHEET_CELL_COUNT];  /* State of each cell (enum sheet_cell_state). */
+    uint8_t stress[SHEET_CELL_COUNT]; /* Load divided by strength in the last tick, with stress
+                                         concentration. 255 means 1 or more. For display only. */
+    uint32_t paper_cells;             /* Number of cells that are still CELL_PAPER. */
+    uint32_t paper_cells_new;         /* Number of cells that were CELL_PAPER in the new sheet. */
+    float sag_m; /* Depth of the sag at the centre, which follows the pressure; negative if the
+                    paper bulges up. Used for display and for the carried water. */
 };
 
 /* Effect of one tick on the paper. */
 struct sheet_events {
-    uint32_t cells_torn;   /* Torn cells, including paper that hung loose afterwards. */
-    float tension_max_n_m; /* Tension of membrane and footprints, without stress concentration. */
+    uint32_t cells_torn;   /* Number of cells that became holes, including the loose paper that
+                              dropped. */
+    float tension_max_n_m; /* Highest tension by membrane and footprints, without stress
+                              concentration. */
 };
 
-/* Returns the side of a cell. */
+/* Returns the length of a cell's side. */
 static inline float sheet_cell_m(const struct sheet *sheet)
 {
     return 2.0f * sheet->radius_m / (float)SHEET_SIDE;
 }
 
-/* Returns the centre of a row (z) or column (x), < SHEET_SIDE, in the plane of the poi. */
+/* Returns the centre of a row (z) or a column (x) in the plane of the poi. `line` is the index of
+ * the row or column and must be less than SHEET_SIDE. */
 static inline float sheet_line_m(const struct sheet *sheet, uint32_t line)
 {
     return ((float)line + 0.5f) * sheet_cell_m(sheet) - sheet->radius_m;
 }
 
-/* Returns the properties of a grade. Asserts SHEET_GRADE_MIN <= `grade` <= SHEET_GRADE_MAX. */
+/* Returns the properties of a grade. Asserts that SHEET_GRADE_MIN <= `grade` <= SHEET_GRADE_MAX. */
 const struct paper_grade *sheet_grade(uint8_t grade);
 
-/* Values of a clamped circular membrane (Hencky, nu = 0.3) under |pressure|: line tension at its
- * centre and at its edge (N/m), and the depth of its sag (m). */
+/* Values of a clamped circular membrane under the magnitude of a pressure (Hencky, Poisson's ratio
+ * 0.3): the line tension at the centre (N/m), the line tension at the edge (N/m), and the depth of
+ * the sag (m). */
 float sheet_tension_centre(const struct paper_grade *grade, float pressure_pa, float radius_m);
 float sheet_tension_edge(const struct paper_grade *grade, float pressure_pa, float radius_m);
 float sheet_belly(const struct paper_grade *grade, float pressure_pa, float radius_m);
 
-/* Initialises a dry, whole sheet; `seed` selects its weak spots, fibre direction and strength. */
+/* Initialises a dry, whole sheet. `seed` selects the weak spots, the fibre direction and the
+ * strength of this sheet. */
 void sheet_init(struct sheet *sheet, uint8_t grade, float radius_m, uint32_t seed);
 
-/* Makes the sheet the ideal of the membrane formula: strength 1 everywhere, and no stress
- * concentration at ring, wet line or tear. For measurements only, not for play. */
+/* Turns `sheet` into the ideal sheet of the membrane formula. Its strength is 1 everywhere, and
+ * ring, wet line and tears concentrate no stress. For measurements only, not for play. */
 void sheet_idealise(struct sheet *sheet);
 
-/* Advances one tick. `pressure_pa` acts along the normal on all paper, positive toward +up; a hole
- * removes only the load of its own area. `load_count` <= SHEET_LOAD_MAX. */
+/* Advances the sheet by one tick: sag, wetness, damage and tears. `pressure_pa` acts along the
+ * normal on all paper, positive toward the poi's up axis. A hole removes only the load of its own
+ * area. Asserts that `load_count` <= SHEET_LOAD_MAX and that the pressure is finite. */
 struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sheet_wetting wet,
                                const struct sheet_load *loads, uint32_t load_count);
 
-/* Returns 1 if a point of the poi's plane has paper under it, 0 outside the ring. Slivers between
- * the ring and the outermost cells hold as long as the cell beside them holds. */
+/* Returns 1 if a point of the poi's plane has paper under it, otherwise 0. Points outside the ring
+ * have no paper. The narrow paper between the ring and the outermost cells remains as long as the
+ * cell beside it remains. */
 int sheet_holds(const struct sheet *sheet, float x_m, float z_m);
 
-float sheet_left(const struct sheet *sheet); /* Returns the share [0, 1] of the area that is
-                                                left. */
+float sheet_left(const struct sheet *sheet); /* Returns the share [0, 1] of the paper's area that
+                                                has no holes. */
 
-/* Returns the area of the holes, from 0 to the area of the disc. The ring cuts its outermost cells,
- * so the sum of all square cells exceeds the paper. */
+/* Returns the area of the holes, from 0 to the area of the disc. The area of the disc is used as a
+ * reference, because the square cells at the ring extend beyond the paper. */
 float sheet_hole_m2(const struct sheet *sheet);
 uint64_t sheet_hash(uint64_t hash, const struct sheet *sheet);
 

@@ -1,28 +1,33 @@
-/* sheet_grade.c -- paper grades, and the random variation of one sheet. */
+/* sheet_grade.c -- the paper grades, and the random variation of one sheet. */
 #include "core/poi/paper/sheet.h"
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 
-#define STRENGTH_SD 0.12f /* Between specimens of one grade. */
-#define PATCH_SD 0.05f    /* Within a specimen, between clouds of the pulp. */
-#define FLOC 0.05f        /* Amplitude from cell to cell, which makes tears wander. */
-#define SPOT_COUNT 3u     /* Thin spots of a specimen. */
+#define STRENGTH_SD 0.12f /* Standard deviation of the mean strength between sheets of one grade. */
+/* Standard deviation of the strength within one sheet, between clouds of the pulp. */
+#define PATCH_SD 0.05f
+/* Amplitude of the random strength from cell to cell, which makes tears wander. */
+#define FLOC 0.05f
+#define SPOT_COUNT 3u /* Number of thin spots in a sheet. */
 
-/* Properties of the paper grades: the least certain constants of the game. Source of each value:
+/* Properties of the paper grades, strongest first. No other constants of the game are less certain.
+ * Sources:
  *
- *   areal mass   a guess. Poi paper is similar to tissue, which has 14 to 25 g/m^2; no maker
- *                publishes a value. All sellers but one give thinner paper a higher number.
- *   dry          a guess: areal mass times 20 N m/g, the tensile index of a soft tissue (15 to 30;
- *                kozo 40 to 70).
- *   wet          the ratio has a source: plain paper keeps less than a tenth of its strength when
- *                wet, wet-strength paper 15 % and more. The table has 7 to 12.5 %, so that the
- *                grades differ noticeably; tuned by play.
- *   stiffness    a guess: wet paper strains by 1 to 2 % before it breaks.
- *   STRENGTH_SD  a guess; contestants choose among pois by eye, so specimens do differ.
- *   FLOC, spots  a guess. Finalists choose pois by thin places and by fibre direction, so both
- *                exist.
+ *   areal mass   The value is a guess. Poi paper is similar to tissue, which has 14 to 25 g/m^2,
+ *                and no maker publishes a value. All sellers but one give thinner paper a higher
+ *                grade number.
+ *   dry          The value is a guess: areal mass times 20 N m/g, which is the tensile index of a
+ *                soft tissue (15 to 30 N m/g; kozo paper has 40 to 70).
+ *   wet          The ratio to dry has a source: wet plain paper keeps less than a tenth of its
+ *                strength, and wet-strength paper keeps 15 % or more. The table has 7 to 12.5 %,
+ *                chosen in play tests, so that the grades differ noticeably.
+ *   stiffness    The value is a guess: wet paper strains by 1 to 2 % before it breaks.
+ *   STRENGTH_SD  The value is a guess. Contestants choose among pois by eye, so that pois of one
+ *                grade do differ.
+ *   FLOC, spots  The values are a guess. Contestants in finals choose pois by thin places and by
+ *                fibre direction, so that both exist.
  *
  * The section Calibrate of README.md describes how to measure the wet strength with weights, and
  * `kingyoctl paper --calibrate` converts the weights into a line of this table. */
@@ -45,7 +50,8 @@ const struct paper_grade *sheet_grade(uint8_t grade)
     return &grades[grade - SHEET_GRADE_MIN];
 }
 
-/* Returns (Y p^2 a^2)^(1/3), a common factor of both tensions. */
+/* Returns (Y p^2 a^2)^(1/3), a common factor of both tensions. Y is the stiffness, p the pressure
+ * and a the radius. */
 static float hencky(const struct paper_grade *grade, float pressure_pa, float radius_m)
 {
     const float pa = pressure_pa * radius_m;
@@ -88,8 +94,8 @@ static struct spot weak_spot(float radius_m, uint32_t seed, uint32_t which)
     };
 }
 
-/* Returns noise in clouds of pulp about four cells wide: values on a coarse lattice,
- * interpolated. */
+/* Returns random noise that imitates clouds of pulp about four cells wide. The noise interpolates
+ * random values on a coarse lattice. */
 static float cloud(uint32_t seed, uint32_t column, uint32_t row)
 {
     const uint32_t cx = column / 4u, cz = row / 4u;

@@ -1,4 +1,5 @@
-/* strain_simd.c -- a row of cells: tension by membrane and footprints, strength, wear. */
+/* strain_simd.c -- SIMD kernels on a row of cells: tension by membrane and footprints, strength and
+ * wear. */
 #include "core/poi/paper/strain.h"
 
 #include "core/poi/paper/wetting.h"
@@ -6,7 +7,8 @@
 _Static_assert(SHEET_SIDE % SIMD_LANES_MAX == 0, "a row is whole blocks");
 _Static_assert(SHEET_DAMAGE_EXPONENT == 10, "as it is multiplied here");
 
-#define WEAR_MAX 1e6f /* Limit of ratio^10, so that a greatly overloaded cell stays finite. */
+/* Limit of ratio^10, so that the damage of a greatly overloaded cell stays finite. */
+#define WEAR_MAX 1e6f
 
 typedef uint8_t byte_lanes __attribute__((vector_size(SIMD_LANES)));
 typedef uint16_t short_lanes __attribute__((vector_size(2 * SIMD_LANES)));
@@ -18,7 +20,7 @@ static inline ilanes is_paper(const struct sheet *sheet, uint32_t cell)
     return __builtin_convertvector(state, ilanes) == (int32_t)CELL_PAPER;
 }
 
-/* SIMD form of wetting_strength(). */
+/* Returns wetting_strength() of SIMD_LANES cells. */
 static inline flanes keeps(const struct sheet *sheet, uint32_t cell)
 {
     short_lanes ticks;
@@ -37,7 +39,8 @@ static inline flanes middle_m(const struct strain *strain, const struct sheet *s
     return x_m * strain->cell_m - sheet->radius_m;
 }
 
-/* N = F / (pi d) at the edge of a footprint, falling as 1/r beyond it. */
+/* Returns `tension` plus the tensions by all footprints. The tension is F / (pi d) at the edge of a
+ * footprint of diameter d and falls as 1/r beyond the edge. */
 static inline flanes feet(const struct strain *strain, flanes x_m, float z_m, flanes tension)
 {
     for (uint32_t i = 0; i < strain->load_count; i++) {

@@ -1,12 +1,14 @@
 /* tear.c -- holes of a sheet as bit masks. */
 #include "core/poi/paper/tear.h"
 
-#define WAYS 8u /* Directions around a cell, clockwise from the right as seen from above. */
-#define CORNER_SHARE 0.966f /* 2^(-1/20), whose tenth power is 1 / sqrt 2. */
+/* Number of directions around a cell, counted clockwise from the right as seen from above. */
+#define WAYS 8u
+/* Factor of a step over a corner: 2^(-1/20), whose tenth power is 1 / sqrt 2. */
+#define CORNER_SHARE 0.966f
 
 struct way {
     int32_t row, column;
-    float x, z; /* Components of the unit vector. */
+    float x, z; /* Components of the direction's unit vector. */
 };
 
 #define SLANT 0.70710678f
@@ -41,7 +43,9 @@ void tear_measure(struct tear_map *map)
         const uint32_t left = here << 1, left2 = here << 2, right = here >> 1, right2 = here >> 2;
         const uint32_t across = (left & left2) | (left & right) | (right & right2);
         const uint32_t along = (up & up2) | (up & down) | (down & down2);
-        const uint32_t slant = up << 1 | up >> 1 | down << 1 | down >> 1; /* 2.8 cells. */
+        const uint32_t slant = up << 1 | up >> 1 | down << 1 | down >> 1; /* Holes that reach over
+                                                                             two corners are 2.8
+                                                                             cells long. */
         map->pair[row] = here & (left | right | up | down);
         map->wide[row] = here & (across | along | slant);
     }
@@ -59,7 +63,7 @@ uint32_t tear_front(const struct tear_map *map, uint32_t row)
     return map->paper[row] & (wider(above) | wider(map->hole[row]) | wider(below));
 }
 
-/* ---- Tear tips ------------------------------------------------------------------------------- */
+/* ---- Stress at the tips of tears ------------------------------------------------------------- */
 
 static float factor_of(const struct tear_map *map, uint32_t row, uint32_t column)
 {
@@ -74,8 +78,9 @@ float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_
 {
     float worst = 0.0f;
     for (uint32_t way = 0; way < WAYS; way++) {
-        const uint32_t r = row + (uint32_t)ways[way].row; /* Below 0 the value wraps to a huge
-                                                             number. */
+        const uint32_t r = row + (uint32_t)ways[way].row; /* An index below 0 wraps to a huge
+                                                             number, which the test below
+                                                             rejects. */
         const uint32_t c = column + (uint32_t)ways[way].column;
         if (r < SHEET_SIDE && c < SHEET_SIDE && map->hole[r] >> c & 1u) {
             const float along = ways[way].x * sheet->fibre_x + ways[way].z * sheet->fibre_z;
@@ -87,15 +92,17 @@ float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_
     return worst;
 }
 
-/* ---- Loose paper ---------------------------------------------------------------------------- */
+/* ---- Removal of loose paper ----------------------------------------------------------------- */
 
-/* Returns the bits of the next row shifted by one column. */
+/* Returns the bits of an adjacent row, shifted so that each bit lies over its neighbour in
+ * direction `column` (-1, 0 or 1). */
 static uint32_t aside(uint32_t bits, int32_t column)
 {
     return column > 0 ? bits >> 1 : column < 0 ? bits << 1 : bits;
 }
 
-/* Spreads `open` along a row through paper to its end; each step doubles the distance. */
+/* Spreads the bits `open` along a row through contiguous paper, against direction `column`. Each
+ * step doubles the distance. */
 static uint32_t spread(uint32_t open, uint32_t paper, int32_t column)
 {
     for (uint32_t step = 1; step < SHEET_SIDE; step *= 2u) {
@@ -105,8 +112,8 @@ static uint32_t spread(uint32_t open, uint32_t paper, int32_t column)
     return open;
 }
 
-/* Finds the paper from which the ring is reached in a straight line over paper, in one
- * direction. */
+/* Sets `open` to the paper cells from which a straight line in the direction `way` reaches the ring
+ * over paper only. */
 static void find_open_cells(const struct tear_map *map, const struct way *way,
                             uint32_t open[SHEET_SIDE])
 {

@@ -1,27 +1,30 @@
 /* wetting.c -- wetting of the paper, cell by cell. */
 #include "core/poi/paper/wetting.h"
 
-#define WET_TAU_S 1.0f /* Time constant with which a cell under water loses its dry strength. */
-#define SOAKED 0.9999f /* Wetness of the driest cell above which a sheet counts as soaked. */
-/* In-plane wicking: a front of about 1.4 mm after one second, proportional to sqrt(t). */
+#define WET_TAU_S 1.0f /* Time constant with which a cell under water becomes wet. */
+#define SOAKED 0.9999f /* Wetness of the driest cell from which the sheet counts as soaked. */
+/* Diffusivity of water within the paper: the wet front moves about 1.4 mm in the first second,
+ * proportional to sqrt(t). */
 #define WICK_M2_S 1.0e-6f
-#define SOFTENS_FROM 0.5f /* Drier paper does not soften further. */
-#define LINE_STEP 0.5f    /* Difference of wetness over two cells that counts as a full wet line. */
+#define SOFTENS_FROM 0.5f /* Wetness from which paper softens; drier paper does not soften. */
+/* Difference of wetness across two cells at which the wet line counts as fully developed. */
+#define LINE_STEP 0.5f
 
-/* Returns the difference that lets dry paper absorb water from wet paper. */
+/* Returns how much wetter `other` is than `cell`, which drives the wicking; 0 if `other` is no
+ * paper. */
 static float creep(const struct sheet *sheet, uint32_t cell, uint32_t other)
 {
     return sheet->state[other] == CELL_PAPER ? sheet->wetness[other] - sheet->wetness[cell] : 0.0f;
 }
 
-/* Only the corners of row 0, column 0 and their opposites would lie in the ring, so borders are
- * skipped; the wicking there is one cell wide. */
+/* Returns 1 for cells in the outermost rows and columns, which wick no water. Few of these cells
+ * contain paper. */
 static int is_border(uint32_t row, uint32_t column)
 {
     return row == 0 || column == 0 || row == SHEET_SIDE - 1u || column == SHEET_SIDE - 1u;
 }
 
-/* Wets the cells under water; wicks water elsewhere. */
+/* Wets the cells under water, and moves water from wet paper into drier paper elsewhere. */
 static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
 {
     const float soak = 1.0f - f_exp(-CORE_TICK_S / WET_TAU_S);
@@ -45,14 +48,14 @@ static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
     sheet->soaked = driest >= SOAKED;
 }
 
-/* Returns 1 if any part of the ring may be under the line: cheap, and exact except at the
- * corners. */
+/* Returns 1 if any part of the ring may be under water. The test is cheap and treats the sheet as a
+ * disc. */
 static int reaches_water(const struct sheet *sheet, struct sheet_wetting wet)
 {
     return -sheet->radius_m * f_sqrt(wet.x * wet.x + wet.z * wet.z) < wet.limit_m;
 }
 
-/* Softens wet cells in air as under water, because fibres keep swelling. */
+/* Softens the wet cells in air and under water alike, because their fibres continue to swell. */
 static void soften(struct sheet *sheet)
 {
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
@@ -73,8 +76,8 @@ void wetting_tick(struct sheet *sheet, struct sheet_wetting wet)
     }
 }
 
-/* Returns the difference of wetness between the cells on both sides of a cell; 0 unless both are
- * paper. */
+/* Returns the difference of wetness between the cells `before` and `after`, or 0 unless both cells
+ * are paper. */
 static float step_between(const struct sheet *sheet, uint32_t before, uint32_t after)
 {
     const int is_paper = sheet->state[before] == CELL_PAPER && sheet->state[after] == CELL_PAPER;
