@@ -1,4 +1,4 @@
-/* buttons_keyboard.c -- maps keys to buttons. */
+/* buttons_keyboard.c -- maps the keys of a keyboard to cabinet buttons. */
 #include "drivers/pointer/buttons_keyboard.h"
 
 #include <SDL.h>
@@ -7,8 +7,9 @@
 
 struct key {
     SDL_Keycode code;
-    uint32_t button; /* enum input_button; 0 for keys that are no cabinet button. */
-    uint8_t coin;    /* Coin line + 1, or 0 for a key that is no coin. */
+    uint32_t button; /* Cabinet button of the key (enum input_button); 0 means that the key is no
+                        cabinet button. */
+    uint8_t coin;    /* Coin line of the key plus 1; 0 means that the key inserts no coin. */
     uint8_t quit, full_screen;
 };
 
@@ -24,7 +25,8 @@ static const struct key keys[] = {
     { .code = SDLK_F2, .button = INPUT_TEST },
     { .code = SDLK_F3, .button = INPUT_SERVICE },
     { .code = SDLK_F4, .button = INPUT_TILT },
-    { .code = SDLK_5, .coin = 1 }, /* The same key as in arcade emulators. */
+    { .code = SDLK_5, .coin = 1 }, /* Keys 5, 6 and 7 insert coins, because arcade emulators use key
+                                      5 for coins. */
     { .code = SDLK_6, .coin = 2 },
     { .code = SDLK_7, .coin = 3 },
     { .code = SDLK_F11, .full_screen = 1 },
@@ -69,7 +71,7 @@ static int buttons_keyboard_poll(void *self, struct button_sample *out)
     SDL_Event events[EVENT_BATCH];
     *out = (struct button_sample){ 0 };
     int taken;
-    do { /* The range also removes text input events, which no other code reads. */
+    do { /* The event range also contains text input events, which no other code reads. */
         taken = SDL_PeepEvents(events, EVENT_BATCH, SDL_GETEVENT, SDL_KEYDOWN, SDL_MOUSEMOTION - 1);
         for (int i = 0; i < taken; i++) {
             buttons_keyboard_take_event(keyboard, &events[i], out);

@@ -1,15 +1,16 @@
 /* buttons_keyboard.h -- the keyboard as cabinet buttons, through SDL's event queue.
  *
- * Space, Enter: START. Left, Right: LEFT, RIGHT. Down, Up: OK. L: LANGUAGE. F2: TEST. F3:
- * SERVICE. F4: TILT. 5, 6, 7: coins. F11: full screen. Esc, Q: quit. The owner of the window
- * pumps the queue first. This driver removes key and text events and no others. */
+ * Space and Enter press START. Left and Right press LEFT and RIGHT, Up and Down press OK. L is
+ * LANGUAGE, F2 is TEST, F3 is SERVICE and F4 is TILT. 5, 6 and 7 insert coins, F11 toggles full
+ * screen, Esc and Q quit. The owner of the window pumps SDL's queue before each poll. This driver
+ * removes key and text events from the queue and leaves all other events. */
 #ifndef KINGYO_DRIVERS_POINTER_BUTTONS_KEYBOARD_H
 #define KINGYO_DRIVERS_POINTER_BUTTONS_KEYBOARD_H
 
 #include "platform/hal.h"
 
 struct buttons_keyboard {
-    uint32_t held; /* Buttons that are down, enum input_button. */
+    uint32_t held; /* Pressed buttons, as bits of enum input_button. */
 };
 
 struct hal_buttons buttons_keyboard_device(struct buttons_keyboard *keyboard);

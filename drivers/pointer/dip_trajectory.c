@@ -1,9 +1,9 @@
-/* dip_trajectory.c -- a quintic polynomial between two heights. */
+/* dip_trajectory.c -- implements a dip as a quintic polynomial between two heights. */
 #include "drivers/pointer/dip_trajectory.h"
 
-/* Initial acceleration of a dip, so that the first frames after the click already show motion.
- * The value is twice that of the smoothest stroke and acts in the air. A lift starts under water
- * without it. */
+/* Initial acceleration of a downward stroke, so that the first frames after the click show motion.
+ * The value is twice that of the smoothest stroke and acts above the water. An upward stroke starts
+ * under water and has no added acceleration. */
 #define START_M_S2 (-16.0f)
 
 void dip_init(struct dip *dip)
@@ -11,8 +11,8 @@ void dip_init(struct dip *dip)
     *dip = (struct dip){ .from_m = DIP_HOVER_M, .to_m = DIP_HOVER_M };
 }
 
-/* Evaluates the quintic with the given initial height, velocity and acceleration that ends at
- * rest. */
+/* Evaluates the quintic polynomial. The polynomial starts with the height, velocity and
+ * acceleration in `dip`, and ends at rest at dip->to_m. */
 struct dip_state dip_at(const struct dip *dip, uint64_t time_ns)
 {
     const float total = dip->duration_s;

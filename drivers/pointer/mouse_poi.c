@@ -1,11 +1,13 @@
-/* mouse_poi.c -- converts SDL's mouse and finger events to pointer reports for the decoder. */
+/* mouse_poi.c -- converts SDL's mouse and finger events to pointer reports for the pointer
+ * decoder. */
 #include "drivers/pointer/mouse_poi.h"
 
 #include <SDL.h>
 #include <stdio.h>
 
 #define EVENT_BATCH 64
-#define CREEP_PX 24.0f /* More than a bump against the table moves a mouse. */
+#define CREEP_PX                                                                                   \
+    24.0f /* Motion that counts as use by a person; a bump against the table moves a mouse less. */
 
 void mouse_poi_init(struct mouse_poi *mouse, struct hal_clock clock, const struct view *view,
                     uint32_t width, uint32_t height, uint32_t heeds)
@@ -30,8 +32,9 @@ static uint64_t mouse_now_ns(const struct mouse_poi *mouse)
     return mouse->clock.ops->now_ns(mouse->clock.self);
 }
 
-/* Observes F, while the button driver removes key events from the queue. The key code is used
- * rather than the scan code, so it is the key labelled F. */
+/* Records the state of key F without removing its events, because the keyboard driver removes key
+ * events from the queue. The key code is used instead of the scan code, so that the key is the one
+ * labelled F. */
 static int watch_key(void *self, SDL_Event *event)
 {
     struct mouse_poi *mouse = self;
@@ -50,19 +53,20 @@ static int poi_mouse_open(void *self)
                  "no mouse: there is no window for it to move over");
         return HAL_ERR_ABSENT;
     }
-    SDL_ShowCursor(SDL_DISABLE); /* The poi serves as the cursor. */
+    SDL_ShowCursor(SDL_DISABLE); /* The drawn poi serves as the cursor. */
     static const char *const names[] = { "", "mouse", "touch screen", "mouse or touch screen" };
     const char *video = SDL_GetCurrentVideoDriver();
     snprintf(mouse->text, sizeof mouse->text, "%s (SDL %s)", names[mouse->heeds & 3u],
              video ? video : "?");
     SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, mouse->heeds & POINTER_FILTER_TOUCH ? "0" : "1");
     mouse->last_poll_ns = mouse_now_ns(mouse);
-    SDL_DelEventWatch(watch_key, mouse); /* Removed first, so that reopening adds it only once. */
+    SDL_DelEventWatch(watch_key, mouse); /* The watch is removed first, so that it is registered
+                                            only once after reopening. */
     SDL_AddEventWatch(watch_key, mouse);
     return HAL_OK;
 }
 
-/* Reads the window's size. Without a window system a touch event has no window; the current GL
+/* Reads the size of the window. Without a window system a touch event has no window; the current GL
  * window is then used. */
 static void learn_window(struct pointer_report *report, uint32_t window_id)
 {
@@ -117,7 +121,7 @@ static void take_finger(struct mouse_poi *mouse, const SDL_TouchFingerEvent *fin
         .kind = (uint8_t)(finger->type == SDL_FINGERDOWN ? TOUCH_DOWN
                           : finger->type == SDL_FINGERUP ? TOUCH_UP
                                                          : TOUCH_MOVE),
-        .id = finger->fingerId, /* The time is in the pointer report. */
+        .id = finger->fingerId, /* `time_ns` is not set, because the pointer report has the time. */
         .x = finger->x,
         .y = finger->y,
     };
@@ -128,8 +132,8 @@ static void take_finger(struct mouse_poi *mouse, const SDL_TouchFingerEvent *fin
     }
 }
 
-/* Records use after CREEP_PX of motion, because a window that opens under a resting pointer
- * causes a motion event. */
+/* Records use by a person after CREEP_PX of motion. A window that opens under a resting pointer
+ * causes a motion event, which must not count as use. */
 static void notice_use(struct mouse_poi *mouse, const SDL_Event *event)
 {
     const int is_motion = event->type == SDL_MOUSEMOTION;
@@ -164,7 +168,8 @@ static void mouse_poi_take_event(struct mouse_poi *mouse, const SDL_Event *event
                             (mouse->fingers.dips ? (uint32_t)POINTER_DIP : 0u);
 }
 
-/* Passes the pointer report to the fan and the poi. */
+/* Passes the pointer report to the fan and to the poi. Returns 1 if the poi accepted the report,
+ * otherwise 0. */
 static int tell_hands(struct mouse_poi *mouse)
 {
     const struct pointer_report seen = pointer_report_on(&mouse->report, &mouse->display_settings);
@@ -172,8 +177,8 @@ static int tell_hands(struct mouse_poi *mouse)
     return pointer_poi_report(&mouse->pointer, &seen);
 }
 
-/* Applies the state of F. The key has no position among the mouse events, so it counts from the
- * next poll. */
+/* Applies the state of key F from `now_ns` on. The key has no position in the sequence of the mouse
+ * events. */
 static void take_fan_key(struct mouse_poi *mouse, uint64_t now_ns)
 {
     const uint32_t fan = mouse->fan_key ? (uint32_t)POINTER_FAN : 0u;
@@ -193,9 +198,9 @@ static struct poi_sample sample_at(struct mouse_poi *mouse, uint64_t time_ns)
     };
 }
 
-/* Processes events and writes a sample for each. SDL stamps a batch with the time of pumping, so
- * the reports are spread evenly over the time since the last poll. The last element of out[]
- * stays free for the caller. */
+/* Processes events and writes a sample for each event. SDL stamps a batch of events with the time
+ * of pumping. Therefore the reports are spread evenly over the time from the previous poll to the
+ * current poll. The last element of `out` stays free for the caller. */
 static uint32_t take_events(struct mouse_poi *mouse, uint32_t first, uint32_t last, uint64_t now_ns,
                             struct poi_sample *out, uint32_t max)
 {

@@ -1,4 +1,4 @@
-/* mouse_poi_fan.c -- the fan and the START button of the pointer in mouse_poi.c. */
+/* mouse_poi_fan.c -- the fan device and the START button of struct mouse_poi. */
 #include <SDL.h>
 
 #include "drivers/pointer/mouse_poi.h"
@@ -6,7 +6,7 @@
 static int mouse_poi_fan_open(void *self)
 {
     (void)self;
-    /* open() of the poi has initialized the rest. */
+    /* Everything else was initialized by open() of the poi device. */
     return SDL_WasInit(SDL_INIT_VIDEO) ? HAL_OK : HAL_ERR_ABSENT;
 }
 

@@ -1,7 +1,8 @@
-/* pointer_fan.c -- moves the fan in and out. */
+/* pointer_fan.c -- moves the fan over the water and back. */
 #include "drivers/pointer/pointer_fan.h"
 
-/* Below the window's lower edge, in front of the player. */
+/* Vertical position of the idle fan in normalized device coordinates: below the window's lower
+ * edge, in front of the player. */
 #define REST_NDC_Y (-2.2f)
 
 void pointer_fan_init(struct pointer_fan *fan, const struct view *view)

@@ -1,22 +1,27 @@
-/* pointer_poi.c -- turns two axes and buttons into a pose. */
+/* pointer_poi.c -- turns the two axes and the buttons of a pointer into a pose of the poi. */
 #include "drivers/pointer/pointer_poi.h"
 
-/* Smooths the notches of the wheel: the tilt reaches its goal in about three time constants. */
+/* Time constant that smooths the notches of the wheel. The tilt reaches its goal after about three
+ * time constants. */
 #define TILT_TAU_S 0.06f
 
-/* Lean of the ring with speed, because a fast arm cannot keep a ring in its plane. The lean is
- * below 3 degrees at 0.1 m/s; at 1 m/s the paper takes the full pressure of the water. */
+/* Lean of the ring for each m/s of its speed, because a fast arm cannot keep a ring in its plane.
+ * The lean is below 3 degrees at 0.1 m/s. At 1 m/s the water presses fully against the paper. */
 #define LEAN_RAD_PER_M_S (28.0f * F_DEG)
 #define LEAN_MAX_RAD (20.0f * F_DEG)
-/* Smooths the velocity, because whole pixels at 60 Hz make steps of 0.04 m/s. */
+/* Time constant that smooths the velocity. Without smoothing, whole pixels at 60 Hz cause steps of
+ * 0.04 m/s. */
 #define LEAN_TAU_S 0.06f
 
-/* Time of the return under the pointer, slow enough not to damage the paper. */
+/* Shortest duration of the poi's return to the pointer, slow enough not to damage the paper. */
 #define BACK_S 0.30f
-#define BACK_S_PER_WIDTH 0.9f /* Additional time for one width of the window. */
-/* Height from which the ring is clear of the water and returns at full pace. */
+#define BACK_S_PER_WIDTH                                                                           \
+    0.9f /* Additional duration of the return for a distance of one window width. */
+/* Height of the ring above which the return has its full speed. */
 #define BACK_FREE_M 0.025f
-#define BACK_UNDER_WATER 0.12f /* Share of that pace under water, because the paper would tear. */
+#define BACK_UNDER_WATER                                                                           \
+    0.12f /* Speed of the return under water as a share of the full speed; faster motion would
+             tear the paper. */
 
 static float seconds_between(uint64_t from_ns, uint64_t to_ns)
 {
@@ -35,8 +40,8 @@ static void move_to_time(struct pointer_poi *pointer, uint64_t time_ns)
     }
 }
 
-/* Estimates the pointer's velocity over the still water, without the dip. The velocity is reset
- * after a pause of more than one second. */
+/* Estimates the velocity of the pointer's position on the still water. The dip has no influence.
+ * After more than one second without a call the velocity is 0. */
 static void pointer_poi_update_speed(struct pointer_poi *pointer, vec3 hand_m)
 {
     const float dt = seconds_between(pointer->hand_ns, pointer->time_ns);
@@ -82,15 +87,16 @@ struct pointer_report pointer_report_on(const struct pointer_report *report,
     return on;
 }
 
-/* Returns the remaining share of the return, smooth at both ends. */
+/* Returns the remaining share of the poi's return to the pointer: 1 at the start, 0 at the end,
+ * with a smooth course. */
 static float lag_left(const struct pointer_poi *pointer)
 {
     return pointer->back_s > 0.0f ? 1.0f - f_smoothstep(0.0f, pointer->back_s, pointer->back_done_s)
                                   : 0.0f;
 }
 
-/* Stops the poi at its current position if `waits` is set, and otherwise starts its return to
- * (x, y). */
+/* Stops the poi at its current position if `waits` is 1. Otherwise starts the poi's return to (x,
+ * y). */
 static void wait_or_come_back(struct pointer_poi *pointer, float x, float y, int waits)
 {
     const float left = lag_left(pointer);

@@ -1,4 +1,4 @@
-/* touch_fingers.c -- tracks the leader and the number of fingers. */
+/* touch_fingers.c -- tracks the leader (the first finger) and the number of fingers. */
 #include "drivers/pointer/touch_fingers.h"
 
 #include "core/base/fmath.h"
@@ -31,7 +31,8 @@ static int move(struct touch_fingers *fingers, const struct touch_event *event)
 static int put_down(struct touch_fingers *fingers, const struct touch_event *event)
 {
     if (touch_fingers_find(fingers, event->id) < fingers->count) {
-        return move(fingers, event); /* The event of its lifting was lost. */
+        return move(fingers, event); /* The finger is already down, so the event that it was lifted
+                                        was lost. */
     }
     if (fingers->count == TOUCH_FINGER_MAX) {
         return 0;

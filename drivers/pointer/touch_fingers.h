@@ -1,8 +1,9 @@
-/* touch_fingers.h -- combines the fingers on a touch screen into one pointer. Pure.
+/* touch_fingers.h -- combines the fingers on a touch screen into one pointer.
  *
- * A finger cannot hover, so a second finger replaces the mouse button. The first finger moves
- * the ring over the water, a second one lowers the ring, and a third one presses START. The
- * first finger remains the leader until it is lifted; other fingers never move the ring. */
+ * A finger cannot hover, so a second finger replaces the mouse button. The first finger is the
+ * leader: it moves the ring over the water until it is lifted. A second finger lowers the ring, and
+ * a third finger presses START. Fingers other than the leader never move the ring. Pure: uses no
+ * device and no clock. */
 #ifndef KINGYO_DRIVERS_POINTER_TOUCH_FINGERS_H
 #define KINGYO_DRIVERS_POINTER_TOUCH_FINGERS_H
 
@@ -10,7 +11,7 @@
 
 #include "drivers/pointer/pointer_poi.h"
 
-#define TOUCH_FINGER_MAX 10u /* Further fingers are ignored. */
+#define TOUCH_FINGER_MAX 10u /* Largest number of tracked fingers; further fingers are ignored. */
 #define TOUCH_DIP_FINGERS 2u
 #define TOUCH_START_FINGERS 3u
 
@@ -22,30 +23,33 @@ enum touch_kind {
 
 struct touch_event {
     uint64_t time_ns; /* Time at which the event arrived. */
-    uint8_t kind;     /* enum touch_kind */
-    int64_t id;       /* Id of the finger while it is down. */
-    float x, y;       /* Position in the window, 0 .. 1 from the top left corner; any bits. */
+    uint8_t kind;     /* Kind of the event (enum touch_kind). */
+    int64_t id;       /* Id of the finger, unique while the finger touches the screen. */
+    float x, y;       /* Position in the window, 0 to 1 from the top left corner. Any value is
+                         accepted, including NaN. */
 };
 
 struct touch_fingers {
-    int64_t id[TOUCH_FINGER_MAX]; /* Ids of the fingers that are down. */
+    int64_t id[TOUCH_FINGER_MAX]; /* Ids of the fingers that touch the screen. */
     uint32_t count;
     int64_t leader;
-    uint8_t has_leader;    /* 1 while the leader is down. */
-    float x, y;            /* Last position of the leader, [0, 1]. */
-    uint8_t has_place;     /* 1 after the first touch. */
-    uint8_t dips;          /* 1 while two or more fingers are down. */
-    uint8_t start_pressed; /* 1 from the third finger's touch until it is read. */
+    uint8_t has_leader;    /* 1 while the leader touches the screen, otherwise 0. */
+    float x, y;            /* Last position of the leader, 0 to 1. */
+    uint8_t has_place;     /* 1 after the first touch, otherwise 0. */
+    uint8_t dips;          /* 1 while two or more fingers touch the screen, otherwise 0. */
+    uint8_t start_pressed; /* 1 from the touch of a third finger until touch_fingers_start() is
+                              called, otherwise 0. */
 };
 
-/* Processes one event. Returns 1 if the state changed. Returns 0 for a position that is not
- * finite, an unknown finger, too many fingers, or no change. */
+/* Processes one event. Returns 1 if the state changed. Returns 0 if nothing changed, if the
+ * position is not finite, if the finger is unknown, or if too many fingers touch the screen. */
 int touch_fingers_take(struct touch_fingers *fingers, const struct touch_event *event);
 
-/* Writes the position and the dip button to `report`. All other fields stay unchanged. */
+/* Writes the position and the POINTER_DIP bit to `report`, and leaves all other fields
+ * unchanged. */
 void touch_fingers_point(const struct touch_fingers *fingers, struct pointer_report *report);
 
-/* Returns 1 if a third finger came down since the last call. */
+/* Returns 1 if a third finger touched the screen since the last call, otherwise 0. */
 int touch_fingers_start(struct touch_fingers *fingers);
 
 #endif

@@ -1,4 +1,4 @@
-/* audio_sim.c -- counts sounds without output. */
+/* audio_sim.c -- counts sounds and plays nothing. */
 #include "drivers/sim/audio_sim.h"
 
 static int audio_sim_open(void *self)

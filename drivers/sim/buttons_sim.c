@@ -1,4 +1,4 @@
-/* buttons_sim.c -- plays a script of presses as a debounced panel would report them. */
+/* buttons_sim.c -- plays a script of button events as debounced buttons would report them. */
 #include "drivers/sim/buttons_sim.h"
 
 static int buttons_sim_poll(void *self, struct button_sample *out)

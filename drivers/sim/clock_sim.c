@@ -1,4 +1,4 @@
-/* clock_sim.c -- a clock that returns a variable. */
+/* clock_sim.c -- implements a clock that returns the value of a variable. */
 #include "drivers/sim/clock_sim.h"
 
 static uint64_t clock_sim_now_ns(void *self)

@@ -1,4 +1,4 @@
-/* display_sim.c -- replaces the screen in tests. */
+/* display_sim.c -- implements the simulated display that replaces the screen in tests. */
 #include "drivers/sim/display_sim.h"
 
 static int display_sim_open(void *self)
@@ -54,7 +54,7 @@ static int display_sim_toggle(void *self)
     return HAL_OK;
 }
 
-/* Returns an image of one pixel: black before the first present, white after it. */
+/* Returns an image of one pixel: black before the first present(), white afterwards. */
 static int display_sim_capture(void *self, struct hal_image *image)
 {
     const struct display_sim *sim = self;

@@ -1,4 +1,4 @@
-/* gamepad_sim.c -- the simulated twin of SDL's pads. */
+/* gamepad_sim.c -- implements the simulated game pad, which replaces SDL's game pads in tests. */
 #include "drivers/sim/gamepad_sim.h"
 
 #include <string.h>
@@ -26,7 +26,7 @@ static int pad_sim_open(void *self)
     sim->open_count++;
     if (sim->gone && gamepad_sim_now_ns(sim) >= sim->replug_ns) {
         const struct view view = sim->track.hand.fly.view;
-        /* A replugged pad starts with a new state, as with SDL. */
+        /* A game pad that is plugged in again starts with a new state, as with SDL. */
         gamepad_queue_init(&sim->track, &view, gamepad_sim_now_ns(sim));
         sim->gone = 0;
         sim->unplug_at = GAMEPAD_SIM_NEVER;
@@ -47,7 +47,7 @@ static vec3 any_vec3(uint32_t index, uint32_t what)
     return v3(any_float(index, what), any_float(index, what + 1), any_float(index, what + 2));
 }
 
-/* Fills a report with random bits, because SDL does not validate values either. */
+/* Fills a report with random bits, because SDL does not validate the values of real game pads. */
 static void spoil(struct gamepad_report *report, uint32_t index)
 {
     for (uint32_t i = 0; i < GAMEPAD_AXIS_COUNT; i++) {
@@ -73,7 +73,8 @@ static struct gamepad_report next_report(struct gamepad_sim *sim)
     return report;
 }
 
-/* Queues the reports that arrived by now. Returns HAL_ERR_GONE after the pad was unplugged. */
+/* Queues the reports that are due at the current time. Returns HAL_OK, or HAL_ERR_GONE after the
+ * game pad was unplugged. */
 static int arrive(struct gamepad_sim *sim)
 {
     const uint64_t now_ns = gamepad_sim_now_ns(sim);
@@ -113,7 +114,8 @@ static void pad_sim_set_view(void *self, const struct view *view,
                              const struct display_settings *display_settings)
 {
     struct gamepad_sim *sim = self;
-    (void)display_settings; /* A stick refers to the water, not to the screen. */
+    (void)display_settings; /* Unused, because a stick moves relative to the water and not to the
+                               screen. */
     gamepad_decoder_set_view(&sim->track.hand, view);
 }
 

@@ -1,8 +1,8 @@
-/* gamepad_sim.h -- a simulated game pad: plays raw pad reports through the real decoder.
+/* gamepad_sim.h -- a simulated game pad that passes raw reports through the real decoder.
  *
- * Faults are injected below the decoder: unplugging at any report, doubled reports, sticks that
- * jump to a corner, random bits, and silence followed by a burst. The caller owns the state and
- * the reports. */
+ * The faults change the input of the decoder: unplugging before a selected report, doubled reports,
+ * sticks that jump to a corner, random bits, and silence followed by a burst. The caller owns the
+ * state and the reports. */
 #ifndef KINGYO_DRIVERS_SIM_GAMEPAD_SIM_H
 #define KINGYO_DRIVERS_SIM_GAMEPAD_SIM_H
 
@@ -16,20 +16,24 @@ struct gamepad_sim {
     const struct gamepad_report *reports; /* Reports sorted by time; must outlive the device. */
     uint32_t report_count;
     uint32_t next; /* Index of the next report to play. */
-    /* Index of the report before which the pad is unplugged, or GAMEPAD_SIM_NEVER. */
+    /* Index of the report before which the game pad is unplugged; GAMEPAD_SIM_NEVER means never. */
     uint32_t unplug_at;
-    uint64_t replug_ns;    /* Time from which open() finds the pad again. */
-    uint32_t double_every; /* Every n-th report arrives twice; 0: none. */
-    uint32_t jump_at;      /* Report in which both sticks jump to a corner, or GAMEPAD_SIM_NEVER. */
-    uint32_t spoil_from, spoil_to;         /* Range of reports with random bits. */
-    uint64_t silent_from_ns, silent_to_ns; /* Reports of this time arrive together at its end. */
+    uint64_t replug_ns;    /* Time from which open() finds the game pad again. */
+    uint32_t double_every; /* Interval of doubled reports: every n-th report arrives twice. 0 means
+                              none. */
+    uint32_t jump_at;      /* Index of the report in which the sticks jump to a corner;
+                              GAMEPAD_SIM_NEVER means none. */
+    uint32_t spoil_from, spoil_to;         /* Index of the first report with random bits, and index
+                                              after the last such report. */
+    uint64_t silent_from_ns, silent_to_ns; /* Start and end of the silence. Reports of that time
+                                              arrive together at its end. */
     uint8_t gone;
     uint32_t open_count;
     struct gamepad_rumble felt; /* Motor levels that were set last. */
     struct gamepad_queue track;
 };
 
-/* Initializes a pad without reports and faults. */
+/* Initializes a game pad without reports and faults. */
 void gamepad_sim_init(struct gamepad_sim *sim, struct hal_clock clock, const struct view *view);
 
 struct hal_poi gamepad_sim_device(struct gamepad_sim *sim);

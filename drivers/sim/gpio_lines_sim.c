@@ -1,4 +1,4 @@
-/* gpio_lines_sim.c -- the simulated line device and its time. */
+/* gpio_lines_sim.c -- implements the simulated GPIO lines and their clock. */
 #include "drivers/sim/gpio_lines_sim.h"
 
 #include <stdio.h>
@@ -8,7 +8,7 @@
 
 #define NS_PER_MS 1000000u
 
-/* ---- Time ----------------------------------------------------------------------------------- */
+/* ---- Simulated time ------------------------------------------------------------------------- */
 
 void gpio_lines_sim_pass(struct gpio_lines_sim *sim, uint64_t ns)
 {
@@ -28,7 +28,7 @@ static bool has_edges(const struct gpio_lines_sim *sim)
     return false;
 }
 
-/* ---- The device ----------------------------------------------------------------------------- */
+/* ---- Operations of the GPIO backend --------------------------------------------------------- */
 
 static void gpio_lines_sim_open_line(struct gpio_lines_sim *sim, const struct gpio_wire *wire,
                                      enum gpio_role role, char why[HAL_TEXT_SIZE])
@@ -81,7 +81,8 @@ static struct gpio_edge gpio_lines_sim_take_edge(struct gpio_lines_sim *sim, enu
     return edge;
 }
 
-/* Reads a line's queue. A queue that was full may have lost edges, like in gpio_lines1.c. */
+/* Reads the queue of a line. If the queue was full, the next edge may follow lost edges, as in
+ * gpio_lines1.c. */
 static uint32_t take_all(struct gpio_lines_sim *sim, enum gpio_role role, struct gpio_edge *out,
                          uint32_t max)
 {
@@ -173,7 +174,7 @@ static int sim_list(void *self, void (*tell)(void *context, const struct gpio_li
 static void sim_close(void *self)
 {
     struct gpio_lines_sim *sim = self;
-    /* Released outputs become inputs, as on most chips. */
+    /* Released outputs become inputs, as on most GPIO chips. */
     memcpy(sim->outputs, sim->rests, sizeof sim->outputs);
     sim->held = 0;
 }
@@ -211,7 +212,7 @@ struct hal_clock gpio_lines_sim_clock(struct gpio_lines_sim *sim)
     return (struct hal_clock){ .ops = &ops, .self = sim };
 }
 
-/* ---- Scripts -------------------------------------------------------------------------------- */
+/* ---- Scripts of events ---------------------------------------------------------------------- */
 
 static bool next_of_events(void *self, struct gpio_sim_event *out)
 {
@@ -233,8 +234,9 @@ void gpio_lines_sim_init(struct gpio_lines_sim *sim, struct gpio_sim_script scri
     memset(sim, 0, sizeof *sim);
     sim->queue_size = GPIO_SIM_QUEUE_MAX;
     sim->is_numbered = 1;
-    sim->seed = seed ? seed : 1u; /* A xorshift generator would stay at 0. */
+    sim->seed = seed ? seed : 1u; /* A xorshift generator with the state 0 would always return 0. */
     sim->script = script;
-    sim->now_ns = 1u; /* Time 0 is reserved, because busy_until_ns 0 means idle. */
+    sim->now_ns = 1u; /* The time starts at 1, because a busy_until_ns of 0 means that the kernel is
+                         idle. */
     sim->has_next = script.next && script.next(script.self, &sim->next_event);
 }

@@ -1,11 +1,12 @@
-/* gpio_lines_sim.h -- simulated GPIO lines: wires, contacts and the kernel, on a simulated
- * clock.
+/* gpio_lines_sim.h -- simulated GPIO lines: wires, contacts and the kernel, on a simulated clock.
  *
- * A script changes the wires. A model of the kernel stands between the wires and wait(). The
- * kernel reads a level late, and edges that arrive meanwhile become one edge. The queue of a
- * line has a fixed size and drops edges, with numbers (libgpiod 2.x) or without (1.6). Chips can
- * be removed and return, and lines can be held by other programs. Time advances only in wait()
- * and gpio_lines_sim_pass(). The caller owns the state. All calls come from one thread. */
+ * A script of events changes the levels of the wires. A model of the kernel connects the wires with
+ * wait(). The kernel reads a level late, and edges that arrive meanwhile become one edge. The queue
+ * of a line has a fixed size and drops edges when it is full. Edges are numbered as with libgpiod
+ * 2.x, or not numbered as with libgpiod 1.6.
+ *
+ * Chips can be removed and return, and lines can be held by other programs. Time advances only in
+ * wait() and gpio_lines_sim_pass(). The caller owns the state. All calls come from one thread. */
 #ifndef KINGYO_DRIVERS_SIM_GPIO_LINES_SIM_H
 #define KINGYO_DRIVERS_SIM_GPIO_LINES_SIM_H
 
@@ -14,27 +15,30 @@
 #define GPIO_SIM_QUEUE_MAX 64u
 
 enum gpio_sim_what {
-    GPIO_SIM_LEVEL = 0, /* Sets the wire of `role` to level `active` (after active_low). */
-    /* A glitch that the kernel sees as one edge, on chips with one event bit for each line. */
+    GPIO_SIM_LEVEL = 0, /* Sets the wire of `role` to the level `active` (1 means active, see
+                           active_low). */
+    /* A glitch that the kernel reports as one edge, as on chips with one event bit for each
+     * line. */
     GPIO_SIM_SPARK,
     GPIO_SIM_GONE, /* Removes the chip of all lines. */
-    GPIO_SIM_BACK, /* Returns the chip. Wires can change unseen meanwhile. */
+    GPIO_SIM_BACK, /* Returns the removed chip. The wires can change while the chip is removed. */
 };
 
 struct gpio_sim_event {
     uint64_t time_ns;
-    uint8_t what; /* enum gpio_sim_what */
-    uint8_t role; /* Role of an input line. */
+    uint8_t what; /* Kind of the event (enum gpio_sim_what). */
+    uint8_t role; /* Role of an input line (enum gpio_role). */
     uint8_t active;
 };
 
-/* A source of events in order of time. next() returns false if there are no more events. */
+/* Source of events in order of time. next() returns true and fills `out`, or returns false if there
+ * are no more events. */
 struct gpio_sim_script {
     bool (*next)(void *self, struct gpio_sim_event *out);
     void *self;
 };
 
-/* A recorded change of an output. */
+/* Capacity of the record of output changes (struct gpio_sim_set). */
 #define GPIO_SIM_SETS_MAX 64u
 struct gpio_sim_set {
     uint64_t time_ns;
@@ -42,57 +46,66 @@ struct gpio_sim_set {
 };
 
 struct gpio_lines_sim {
-    /* Settings that the caller may change after gpio_lines_sim_init(). */
-    /* Capacity of each queue. 16 simulates libgpiod 1.6; the limit is GPIO_SIM_QUEUE_MAX. */
+    /* The caller may change the fields from `queue_size` to `held_by_others` after
+     * gpio_lines_sim_init(). */
+    /* Capacity of each queue, at most GPIO_SIM_QUEUE_MAX. 16 simulates libgpiod 1.6. */
     uint32_t queue_size;
-    /* 1 simulates 2.x, which drops the oldest edge and shows it; 0 drops the newest. */
+    /* 1 if edges are numbered and a full queue drops its oldest edge, as with libgpiod 2.x. 0 if
+     * edges are not numbered and a full queue drops the newest edge. */
     uint8_t is_numbered;
-    uint8_t kernel_debounces;          /* Reported only; the script must then contain no bounce. */
-    uint64_t late_min_ns, late_max_ns; /* Delay after which the kernel reads the level. */
-    uint32_t held_by_others;           /* Lines that cannot be requested, one bit for each role. */
+    uint8_t kernel_debounces;          /* Result of debounces(). If it is 1 the script must contain
+                                          no bounce, because the simulation does not debounce. */
+    uint64_t late_min_ns, late_max_ns; /* Shortest and longest delay after which the kernel reads
+                                          the level of a line. */
+    uint32_t held_by_others;           /* Lines that other programs hold, one bit for each role. */
 
     uint64_t now_ns;
     struct gpio_sim_script script;
     struct gpio_sim_event next_event;
     bool has_next;
     uint32_t seed;
-    uint32_t held; /* Lines that are held, one bit for each role. */
+    uint32_t held; /* Lines that are held by the tested driver, one bit for each role. */
     uint32_t open_count;
     bool chip_is_away, went;
     struct gpio_sim_line {
-        uint8_t level;          /* Level of the wire. */
-        uint8_t pending;        /* 1 if an edge arrived while the kernel served the previous one. */
-        uint64_t busy_until_ns; /* Time at which the kernel reads the level; 0: idle. */
+        uint8_t level;          /* Level of the wire; 1 means active. */
+        uint8_t pending;        /* 1 if another edge arrived while the kernel served an edge,
+                                   otherwise 0. */
+        uint64_t busy_until_ns; /* Time at which the kernel reads the level; 0 means that the kernel
+                                   is idle. */
         uint64_t stamp_ns;      /* Time stamp of the edge that the kernel serves. */
-        uint32_t number;        /* Number of edges so far. */
+        uint32_t number;        /* Number of edges so far, including dropped edges. */
         uint32_t seen;          /* Number of the last edge that was read. */
-        uint8_t was_full, last; /* State that infers losses as in gpio_lines1.c. */
-        uint32_t first, count;  /* Positions in the ring buffer `queue`. */
+        uint8_t was_full, last; /* 1 if the last read found a full queue (`was_full`), and level
+                                   after the last edge that was read (`last`). Losses are inferred
+                                   from these fields as in gpio_lines1.c. */
+        uint32_t first, count;  /* Position of the oldest edge in `queue`, and number of edges in
+                                   `queue`. */
         struct {
             uint64_t time_ns;
             uint32_t number;
             uint8_t active;
         } queue[GPIO_SIM_QUEUE_MAX];
     } lines[GPIO_INPUT_COUNT];
-    uint32_t dropped;                 /* Number of edges dropped, of all lines. */
-    uint8_t outputs[GPIO_ROLE_COUNT]; /* Output levels, after active_low. */
-    uint8_t rests[GPIO_ROLE_COUNT];   /* Levels of undriven outputs: their bias, or low. */
+    uint32_t dropped;                 /* Number of dropped edges of all lines. */
+    uint8_t outputs[GPIO_ROLE_COUNT]; /* Level of each output; 1 means active. */
+    uint8_t rests[GPIO_ROLE_COUNT];   /* Level of each output while it is not driven. The bias sets
+                                         this level; without a bias it is low. */
     struct gpio_sim_set sets[GPIO_SIM_SETS_MAX]; /* Ring buffer of the newest output changes. */
     uint32_t set_count;                          /* Number of output changes so far. */
 };
 
-/* Initializes lines at rest, a chip, a kernel without delay, and queues of libgpiod 2.x. */
+/* Initializes released lines, a chip, a kernel without delay, and queues as with libgpiod 2.x. */
 void gpio_lines_sim_init(struct gpio_lines_sim *sim, struct gpio_sim_script script, uint32_t seed);
 
-/* A script of `count` events in memory, which must stay valid. `events->next` must be 0 at
- * first. */
+/* Script of `count` events in memory, which must stay valid. `next` must be 0 at first. */
 struct gpio_sim_events {
     const struct gpio_sim_event *events;
     uint32_t count, next;
 };
 struct gpio_sim_script gpio_lines_sim_events_script(struct gpio_sim_events *events);
 
-/* Advances time without reading edges, as if the reader thread did not run. */
+/* Advances the time by `ns` without reading edges, as if the GPIO thread did not run. */
 void gpio_lines_sim_pass(struct gpio_lines_sim *sim, uint64_t ns);
 
 struct gpio_lines gpio_lines_sim_device(struct gpio_lines_sim *sim);

@@ -1,4 +1,5 @@
-/* gpio_sim_kernel.c -- models wires, the delayed interrupt thread of the kernel, and its queues. */
+/* gpio_sim_kernel.c -- models the wires, the kernel's delayed interrupt thread, and the queues of
+ * edges. */
 #include "drivers/sim/gpio_sim_kernel.h"
 
 #include <assert.h>
@@ -6,7 +7,7 @@
 
 #define NEVER UINT64_MAX
 
-/* Returns a random delay by xorshift32, which is good enough for delays. */
+/* Returns a random delay from late_min_ns to late_max_ns by the xorshift32 generator. */
 static uint64_t lateness_ns(struct gpio_lines_sim *sim)
 {
     sim->seed ^= sim->seed << 13;
@@ -24,7 +25,7 @@ static void gpio_sim_kernel_push(struct gpio_lines_sim *sim, struct gpio_sim_lin
         if (!sim->is_numbered) {
             return;
         }
-        line->first++; /* The second interface drops the oldest edge. */
+        line->first++; /* The second version of the kernel's interface drops the oldest edge. */
         line->count--;
     }
     const uint32_t at = (line->first + line->count++) % GPIO_SIM_QUEUE_MAX;
@@ -33,13 +34,15 @@ static void gpio_sim_kernel_push(struct gpio_lines_sim *sim, struct gpio_sim_lin
     line->queue[at].active = line->level;
 }
 
-/* Runs the kernel's interrupt thread for a line, which reads the current level. */
+/* Runs the kernel's interrupt thread for a line: the thread reads the current level and queues an
+ * edge. */
 static void serve(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
 {
     const uint64_t time_ns = line->busy_until_ns;
     gpio_sim_kernel_push(sim, line);
     line->busy_until_ns = 0;
-    if (line->pending) { /* The masked edge gets the current time stamp. */
+    if (line->pending) { /* The masked edge is served next, with the current time as its time
+                            stamp. */
         line->pending = 0;
         line->stamp_ns = time_ns;
         line->busy_until_ns = time_ns + lateness_ns(sim);
@@ -90,7 +93,7 @@ static void happen(struct gpio_lines_sim *sim, const struct gpio_sim_event *even
     }
 }
 
-/* Returns the line that the kernel serves next, or null. */
+/* Returns the line that the kernel serves next, or null if the kernel is idle. */
 static struct gpio_sim_line *next_served(struct gpio_lines_sim *sim)
 {
     struct gpio_sim_line *first = NULL;

@@ -1,4 +1,4 @@
-/* hid_device_list_sim.c -- a simulated device list in memory. */
+/* hid_device_list_sim.c -- implements a simulated device list in memory. */
 #include "drivers/sim/hid_device_list_sim.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-/* hid_port_sim.c -- a simulated HID connection in memory. */
+/* hid_port_sim.c -- implements a simulated HID connection in memory. */
 #include "drivers/sim/hid_port_sim.h"
 
 #include <string.h>
@@ -19,7 +19,7 @@ static uint64_t hid_port_sim_now_ns(const struct hid_port_sim *sim)
     return sim->clock.ops->now_ns(sim->clock.self);
 }
 
-/* ---- Faults --------------------------------------------------------------------------------- */
+/* ---- Injected faults ------------------------------------------------------------------------ */
 
 static uint32_t any(uint32_t number, uint32_t what)
 {
@@ -78,10 +78,10 @@ static int has_fault(const struct hid_port_sim *sim, uint8_t kind, uint32_t numb
     return 0;
 }
 
-/* ---- Connection ----------------------------------------------------------------------------- */
+/* ---- Connection and queue ------------------------------------------------------------------- */
 
-/* Queues a report. When the queue is full, the newest report replaces the previous one, as in
- * the queue of the real transport. */
+/* Queues a report. If the queue is full, the report replaces the newest queued report, as in the
+ * queue of the USB transport. */
 static void arrive(struct hid_port_sim *sim, const struct hid_raw *raw)
 {
     if (!sim->is_open) {
@@ -136,7 +136,7 @@ static void say_script(struct hid_port_sim *sim)
     }
 }
 
-/* ---- The port ------------------------------------------------------------------------------- */
+/* ---- Operations of the port ----------------------------------------------------------------- */
 
 static int hid_port_sim_open(void *self, struct hid_device_info *out)
 {
@@ -149,7 +149,8 @@ static int hid_port_sim_open(void *self, struct hid_device_info *out)
     if (sim->absent || (sim->gone && hid_port_sim_now_ns(sim) < sim->replug_ns)) {
         return HAL_ERR_GONE;
     }
-    if (sim->gone) { /* Plugged in again; reports in between are lost. */
+    if (sim->gone) { /* The device was plugged in again; reports from the time without it are
+                        lost. */
         sim->gone = 0;
         sim->unplug_at = HID_SIM_NEVER;
     }

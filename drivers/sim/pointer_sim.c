@@ -1,4 +1,4 @@
-/* pointer_sim.c -- the simulated twin of the mouse poi. */
+/* pointer_sim.c -- implements the simulated mouse. */
 #include "drivers/sim/pointer_sim.h"
 
 #include <string.h>
@@ -48,7 +48,7 @@ static float any_bits(uint32_t index, uint32_t what)
     return value;
 }
 
-/* Fills a report with random numbers; every fourth has a NaN. */
+/* Fills a report with random numbers; every fourth report contains a NaN. */
 static void spoil(struct pointer_report *report, uint32_t index)
 {
     report->x_px = index % 4u ? any_bits(index, 0) : 0.0f / 0.0f;
@@ -72,8 +72,8 @@ static struct pointer_report take_report(struct pointer_sim *sim)
     return report;
 }
 
-/* Plays all reports that are due. The last sample is at the current time, because a dip
- * continues between reports and a resting pointer is still valid. */
+/* Plays all reports that are due. The last sample is at the current time, because a dip continues
+ * between reports and a resting pointer is still valid. */
 static int poi_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct pointer_sim *sim = self;
@@ -110,7 +110,7 @@ static void poi_sim_set_view(void *self, const struct view *view,
                              const struct display_settings *display_settings)
 {
     struct pointer_sim *sim = self;
-    (void)display_settings; /* The simulated image fills the window. */
+    (void)display_settings; /* Unused, because the simulated image fills the window. */
     sim->pointer.view = sim->fan.view = *view;
 }
 

@@ -1,8 +1,8 @@
-/* pointer_sim.h -- a simulated mouse: plays raw pointer reports through the real decoder.
+/* pointer_sim.h -- a simulated mouse that passes raw pointer reports through the real decoder.
  *
- * Faults are injected below the decoder: unplugging at any report, doubled reports, jumps across
- * the screen, random numbers, and silence followed by a burst. The caller owns the state and the
- * reports. */
+ * The faults change the input of the decoder: unplugging before a selected report, doubled reports,
+ * jumps across the screen, random numbers, and silence followed by a burst. The caller owns the
+ * state and the reports. */
 #ifndef KINGYO_DRIVERS_SIM_POINTER_SIM_H
 #define KINGYO_DRIVERS_SIM_POINTER_SIM_H
 
@@ -17,14 +17,18 @@ struct pointer_sim {
     const struct pointer_report *reports; /* Reports sorted by time; must outlive the device. */
     uint32_t report_count;
     uint32_t next; /* Index of the next report to play. */
-    /* Index of the report before which the mouse is unplugged, or POINTER_SIM_NEVER. */
+    /* Index of the report before which the mouse is unplugged; POINTER_SIM_NEVER means never. */
     uint32_t unplug_at;
     uint64_t replug_ns;    /* Time from which open() finds the mouse again. */
-    uint32_t double_every; /* Every n-th report arrives twice; 0: none. */
-    uint32_t jump_at;      /* Index of the report at the far corner, or POINTER_SIM_NEVER. */
-    uint32_t spoil_from, spoil_to; /* Range of reports with random numbers, including NaN. */
+    uint32_t double_every; /* Interval of doubled reports: every n-th report arrives twice. 0 means
+                              none. */
+    uint32_t jump_at;      /* Index of the report that jumps to the top right corner;
+                              POINTER_SIM_NEVER means none. */
+    uint32_t spoil_from, spoil_to; /* Index of the first report with random numbers (including NaN),
+                                      and index after the last such report. */
     uint32_t spoil_count;          /* Number of reports with random numbers so far. */
-    uint64_t silent_from_ns, silent_to_ns; /* Reports of this time arrive together at its end. */
+    uint64_t silent_from_ns, silent_to_ns; /* Start and end of the silence. Reports of that time
+                                              arrive together at its end. */
     uint8_t gone;
     uint32_t open_count;
     struct poi_force felt; /* Force feedback that was set last. */
@@ -37,7 +41,8 @@ void pointer_sim_init(struct pointer_sim *sim, struct hal_clock clock, const str
 
 struct hal_poi pointer_sim_device(struct pointer_sim *sim);
 
-/* Returns the fan of the same mouse, which is unplugged with the mouse. */
+/* Returns the fan that the simulated mouse controls. The fan is unplugged together with the
+ * mouse. */
 struct hal_fan pointer_sim_fan(struct pointer_sim *sim);
 
 #endif

@@ -1,4 +1,4 @@
-/* sensor_sim.c -- generates a report each period and applies the fault. */
+/* sensor_sim.c -- generates a report in each period and applies the selected fault. */
 #include "drivers/sim/sensor_sim.h"
 
 #include <string.h>
@@ -132,7 +132,7 @@ static int sensor_sim_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)count;
 }
 
-/* Starts reports at the current time. Reports of the time away are lost. */
+/* Restarts the reports at the current time. Reports from the time without the sensor are lost. */
 static int sensor_sim_open(void *self)
 {
     struct sensor_sim *sim = self;
@@ -157,7 +157,7 @@ static void sensor_sim_set_view(void *self, const struct view *view,
                                 const struct display_settings *display_settings)
 {
     struct sensor_sim *sim = self;
-    (void)display_settings; /* A pose refers to the water, not to the screen. */
+    (void)display_settings; /* The pose refers to the water, not to the screen. */
     sim->view = *view;
 }
 

@@ -1,4 +1,4 @@
-/* storage_sim.c -- a store in memory with selectable faults. */
+/* storage_sim.c -- implements a store in memory with selectable faults. */
 #include "drivers/sim/storage_sim.h"
 
 #include <string.h>
@@ -95,7 +95,7 @@ static uint32_t storage_sim_saved_id(void *self)
     return sim->polls_since++ >= sim->delay_polls ? sim->entry.id : 0;
 }
 
-/* Uses the same fault counters as for entries. */
+/* Returns HAL_ERR_BUSY or HAL_ERR_IO by the same fault counters that append() uses. */
 static int storage_sim_store_edit(void *self, const struct graph_edit_record *edit)
 {
     struct storage_sim *sim = self;

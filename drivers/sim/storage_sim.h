@@ -1,4 +1,5 @@
-/* storage_sim.h -- a simulated store in memory that can be busy, fail, and delay durability. */
+/* storage_sim.h -- a simulated store in memory. Its writes can be busy, can fail, or can reach the
+ * disk late. */
 #ifndef KINGYO_DRIVERS_SIM_STORAGE_SIM_H
 #define KINGYO_DRIVERS_SIM_STORAGE_SIM_H
 
@@ -6,32 +7,37 @@
 #include "platform/hal.h"
 
 struct storage_sim {
-    struct ledger_entry entry;     /* Entry that was accepted last. */
+    struct ledger_entry entry;     /* Last accepted ledger entry. */
     struct round_record record;    /* Record of the last round. */
-    struct ledger_entry round;     /* Entry of the last round. */
-    struct graph_edit_record edit; /* Edit that was accepted last. */
+    struct ledger_entry round;     /* Ledger entry of the last round. */
+    struct graph_edit_record edit; /* Last accepted edit. */
     uint32_t accepted_count;
     uint32_t refused_count;
-    /* Result of refused_count(): entries that the writer could not write. */
+    /* Result of refused_count(): the number of entries that could not be written to disk. */
     uint32_t write_refused_count;
-    uint32_t busy_left;   /* Number of saves that return HAL_ERR_BUSY first. */
-    int edit_failed;      /* 1 if the last edit failed. */
-    uint32_t fail_left;   /* Number of saves after those that return HAL_ERR_IO. */
-    uint32_t delay_polls; /* Calls of saved_id() until an accepted entry is on disk. */
+    uint32_t busy_left;   /* Number of further writes that return HAL_ERR_BUSY. */
+    int edit_failed;      /* 1 if the last edit failed, otherwise 0. */
+    uint32_t fail_left;   /* Number of writes that return HAL_ERR_IO, after the busy writes. */
+    uint32_t delay_polls; /* Number of saved_id() calls before an accepted entry counts as on
+                             disk. */
     uint32_t polls_since;
-    uint8_t *replay; /* Buffer of the caller for one replay; null: replays are not stored. */
+    uint8_t *replay; /* Buffer of the caller for one replay; null means that replays are not
+                        stored. */
     size_t replay_room;
-    uint32_t replay_id; /* Id of the round whose replay is stored; 0: none. */
+    uint32_t replay_id; /* Id of the round whose replay is stored; 0 means none. */
     size_t replay_size;
-    /* Calls of replay_kept_id() or replay_fetched() until the replay is done. */
+    /* Remaining calls of stored_replay_id() or replay_fetched() until the replay is done. */
     uint32_t replay_polls_left;
-    uint32_t replay_asked_id;       /* Id in the last call of fetch_replay(). */
-    struct persistent_state memory; /* State at the start, from earlier runs. */
-    int wants_restart;              /* 1: the store appeared late and is not empty. */
-    struct audits late;             /* Sums of the entries passed to hand_over(). */
-    struct balance late_purse;      /* Balance change passed to hand_over(). */
-    uint32_t late_polls;            /* Calls of handed_over() until the data are on disk. */
-    uint32_t late_polls_left;       /* Remaining calls of handed_over() until then. */
+    uint32_t replay_asked_id;       /* Round id in the last call of fetch_replay(). */
+    struct persistent_state memory; /* Result of load(): the state at the program start. */
+    int wants_restart;              /* Result of wants_restart(): 1 if a store became available
+                                       after the program start, otherwise 0. */
+    struct audits late;             /* Sums of the ledger entries that merge_offline() received. */
+    struct balance late_purse;      /* Sum of the balance changes that merge_offline() received. */
+    uint32_t late_polls;            /* Number of offline_merged() calls until the merged entries are
+                                       on disk. */
+    uint32_t late_polls_left;       /* Remaining calls of offline_merged() until the merged entries
+                                       are on disk. */
 };
 
 struct hal_storage storage_sim_device(struct storage_sim *sim);

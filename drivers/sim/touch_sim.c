@@ -1,4 +1,4 @@
-/* touch_sim.c -- the simulated twin of a touch screen. */
+/* touch_sim.c -- implements the simulated touch screen. */
 #include "drivers/sim/touch_sim.h"
 
 #include <string.h>
@@ -24,7 +24,7 @@ static uint64_t touch_sim_now_ns(const struct touch_sim *sim)
     return sim->clock.ops->now_ns(sim->clock.self);
 }
 
-/* Reopens the screen without fingers, because earlier ones are unknown after unplugging. */
+/* Opens the screen without fingers, because the fingers from before unplugging are unknown. */
 static int touch_sim_open(void *self)
 {
     struct touch_sim *sim = self;
@@ -124,7 +124,7 @@ static void touch_sim_set_view(void *self, const struct view *view,
                                const struct display_settings *display_settings)
 {
     struct touch_sim *sim = self;
-    (void)display_settings; /* The simulated image fills the window. */
+    (void)display_settings; /* Unused, because the simulated image fills the window. */
     sim->pointer.view = *view;
 }
 
