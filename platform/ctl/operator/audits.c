@@ -1,6 +1,7 @@
 /* audits.c -- the command `kingyoctl audits`.
  *
- * Prints the operator's audit counters as a table or as JSON. */
+ * The command prints the operator's audit counters, for example coins and rounds, as a table or as
+ * JSON. */
 #include <stdio.h>
 
 #include "core/game/rules.h"
@@ -21,7 +22,7 @@ static void print_named(const struct audits *audits, uint32_t begin, uint32_t en
     }
 }
 
-/* Prints the mean `sum` / `count`, or "-" if `count` is 0. */
+/* Prints a row with the mean `sum` / `count` and its unit, or with "-" if `count` is 0. */
 static void print_mean(const char *what, uint32_t sum, uint32_t count, const char *unit)
 {
     if (count == 0) {

@@ -1,6 +1,7 @@
 /* backup.c -- the command `kingyoctl backup`.
  *
- * Copies the kiosk's database while the kiosk runs. restore.c implements `--restore`. */
+ * The command copies the kiosk's ledger database while the kiosk runs. restore.c implements the
+ * option --restore. */
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -16,10 +17,10 @@
 
 static const char name[] = "backup";
 
-/* Returns whether `path` names the kiosk's database or one of its companion files. Such a target is
- * refused because a copy onto the database would empty the database, and a copy onto its
- * write-ahead log would destroy that log. Every file in the data folder whose name begins with
- * STORAGE_FILE counts as a file of the kiosk. */
+/* Returns 1 if `path` names the kiosk's ledger database or one of its companion files, otherwise 0.
+ * A copy onto the database would empty the database. A copy onto the write-ahead log would destroy
+ * the log. Every file in the data folder whose name begins with STORAGE_FILE counts as a companion
+ * file. */
 static int is_stalls_own(const struct books_words *words, const char *path)
 {
     char own[BOOKS_PATH_SIZE], folder[BOOKS_PATH_SIZE];
@@ -33,8 +34,8 @@ static int is_stalls_own(const struct books_words *words, const char *path)
     return strncmp(last, STORAGE_FILE, strlen(STORAGE_FILE)) == 0 && books_is_same(own, folder);
 }
 
-/* Returns the reason why `path` must not be overwritten, or null if the copy may be written. Only
- * an older copy, an empty file or a missing file may be replaced. */
+/* Returns the reason why a copy must not be written to `path`, or null if the copy may be written.
+ * A copy may replace only an older copy or an empty file, or create a new file. */
 static const char *why_not(const char *path)
 {
     struct ledger_start older;

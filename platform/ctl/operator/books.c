@@ -27,8 +27,8 @@ int books_take(struct books_words *words, int argc, const char *const *argv, int
     return 0;
 }
 
-/* Returns 0 if `path` exists, or errno. EACCES is common because most users may not enter the
- * folder of the system service. */
+/* Returns 0 if `path` exists, otherwise an errno. EACCES is common, because most users have no
+ * access to the data folder of the system service. */
 static int look_for(const char *path)
 {
     struct stat about;
@@ -53,12 +53,12 @@ int books_is_same(const char *one, const char *other)
            a.st_ino == b.st_ino;
 }
 
-/* Distinguishes a database of Kingyo's first version from the database of another program. A low
- * version number is not enough because any program may write one. The first version is recognized
- * by two columns of its table `rounds`.
+/* Distinguishes a database of Kingyo's first version from a database of another program. A low
+ * version number is not sufficient, because any program may write such a number. The first version
+ * is recognized by two columns of its table `rounds`.
  *
- * Returns SQLITE_OK for such a database, SQLITE_NOTFOUND for any other database, or an SQLite error
- * code. */
+ * Returns SQLITE_OK for a database of the first version, SQLITE_NOTFOUND for any other database, or
+ * an SQLite error code. */
 static int look_at_old(const char *path)
 {
     static const char ours[] =

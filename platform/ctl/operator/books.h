@@ -1,6 +1,8 @@
-/* books.h -- helpers for the commands that read the ledger database.
+/* books.h -- helpers for the commands that read the ledger database, which stores the kiosk's money
+ * and its leaderboards.
  *
- * The functions find the database file, open it and report errors. */
+ * The functions find the database file, open it and report errors. The ledger is the append-only
+ * list of money events. */
 #ifndef KINGYO_PLATFORM_CTL_OPERATOR_BOOKS_H
 #define KINGYO_PLATFORM_CTL_OPERATOR_BOOKS_H
 
@@ -8,13 +10,14 @@
 #include "platform/os/directory.h"
 #include "platform/store/sqlite/ledger_file.h"
 
-/* Size in bytes of a buffer for the path of the database. */
+/* Size in bytes of a buffer for the path of the ledger database. */
 #define BOOKS_PATH_SIZE (DIRECTORY_PATH_MAX + 32u)
 
-/* Options that the reading commands share. */
+/* Options that all commands for the ledger database share. */
 struct books_words {
-    const char *data; /* Data folder given with --data. Null selects the folder of the system
-                         service, or the user's own data folder if the service has no database. */
+    const char *data; /* Data folder given with --data, or null if the option is absent. Null
+                         selects the folder of the system service, or the user's own data folder if
+                         the service has no database. */
     uint8_t as_json;
 };
 
@@ -22,33 +25,35 @@ struct books_words {
     "  --data DIR   where the stall keeps it: else /var/lib/kingyo, else your own data folder\n"   \
     "  --json       for programs\n"
 
-/* Parses argv[*at], and its value if it has one, if it is an option of BOOKS_USAGE.
+/* Parses argv[*at] if it is an option of BOOKS_USAGE, with the value that follows the option.
  *
- * Returns 1 and advances *at past the value, or returns 0 if argv[*at] is not such an option. */
+ * Returns 1 and advances `*at` past the value. Returns 0 if argv[*at] is not an option of
+ * BOOKS_USAGE. */
 int books_take(struct books_words *words, int argc, const char *const *argv, int *at);
 
-/* Writes the path of the kiosk's database to `out`. The file may not exist. */
+/* Writes the path of the kiosk's ledger database to `out`. The file may not exist. */
 void books_path(const struct books_words *words, char out[BOOKS_PATH_SIZE]);
 
-/* Returns whether both paths name the same file (same device and inode). */
+/* Returns 1 if both paths lead to the same file (same device and inode), otherwise 0. */
 int books_is_same(const char *one, const char *other);
 
-/* Checks whether the file at `path` was written by Kingyo.
+/* Checks whether the file at `path` is a ledger database that Kingyo wrote.
  *
- * Returns SQLITE_OK and fills `out` with the ledger state of the file. The ledger state is all zero
- * if an earlier version wrote the file. Returns SQLITE_NOTFOUND if the file is a database of
- * another program, or another SQLite error code. */
+ * Returns SQLITE_OK and fills `out` with the start record of the ledger. The record is all zero if
+ * an earlier version of Kingyo wrote the file. Returns SQLITE_NOTFOUND if the file is a database of
+ * another program, otherwise an SQLite error code. */
 int books_check_copy(const char *path, struct ledger_start *out);
 
-/* Prints one line that names the foreign object because of which ledger_check() reports the
- * database as damaged. `advice` ends the line. Returns whether the database has such an object. */
+/* Finds a foreign object in the database, for example a table of another program, because of which
+ * ledger_check() reports the database as damaged. Prints one line with the name of the object and
+ * then `advice`. Returns 1 if a foreign object was found, otherwise 0. */
 int books_tell_foreign(const char *command, const char *path, const char *advice);
 
-/* Opens the database for reading. A running kiosk may have the database open at the same time.
+/* Opens the ledger database for reading, also while a kiosk is running with it.
  *
- * Returns EXIT_OK, EXIT_IO if there is no database or an I/O error occurs, or EXIT_BAD_DATA if the
- * database cannot be interpreted. Prints each error on standard error with the prefix `command`.
- * The caller closes `out` with ledger_file_close(). */
+ * Returns EXIT_OK. Returns EXIT_IO if there is no database or an I/O error occurs, and
+ * EXIT_BAD_DATA if the content of the database is invalid. Prints each error on standard error with
+ * the prefix `command`. The caller closes `out` with ledger_file_close(). */
 enum exit_code books_open(const char *command, const struct books_words *words,
                           struct ledger_file *out);
 

@@ -1,6 +1,7 @@
 /* config.c -- the command `kingyoctl config`.
  *
- * Validates kingyo.conf with the kiosk's parser, or prints a template of the file. */
+ * The command validates a configuration file kingyo.conf with the kiosk's parser, or prints a
+ * template of the file. */
 #include "platform/config/config_file.h"
 
 #include <errno.h>
@@ -16,15 +17,15 @@ static uint32_t warning_count;
 
 static void config_warn(const char *line)
 {
-    print_error("%s", line); /* The line has the form FILE:LINE: MESSAGE, which editors and
-                                compilers use. */
+    print_error("%s", line); /* The line has the form FILE:LINE: MESSAGE, which editors
+                                recognize. */
     warning_count++;
 }
 
 static enum exit_code config_check_file(const char *path)
 {
-    static struct options options; /* Static because its paths and GPIO wiring are too large for the
-                                      stack. */
+    static struct options options; /* Static because the paths and the GPIO lines in the structure
+                                      are too large for the stack. */
     options = (struct options){ 0 };
     warning_count = 0;
     const int failed = config_file_read(&options, path, config_warn);

@@ -1,9 +1,12 @@
-/* restore.c -- `kingyoctl backup --restore`, which replaces the kiosk's database with a copy.
+/* restore.c -- `kingyoctl backup --restore`, which replaces the kiosk's ledger database with a
+ * copy.
  *
- * The copy is written under the name from which the kiosk resumes automatically if its database is
- * missing (storage_open.c). A power cut therefore leaves either the old state or a kiosk that
- * starts from the copy. The kiosk's backup is renamed too. It contains more entries than an older
- * copy, so the kiosk would treat the copy as a database that lost entries. */
+ * The copy is written under the name from which the kiosk recovers automatically if its database is
+ * missing (storage_open.c). After a power failure, either the old database is still in use, or the
+ * kiosk starts from the copy.
+ *
+ * The kiosk's automatic backup is renamed too. The backup contains more entries than an older copy,
+ * so the kiosk would otherwise treat the copy as a database that has lost entries. */
 #include "platform/ctl/operator/restore.h"
 
 #include <errno.h>
@@ -25,18 +28,18 @@
 #include "platform/store/sqlite/sql.h"
 #include "platform/store/storage.h"
 
-/* Maximum length in bytes of the database's path, the same as at the program start of the kiosk. */
+/* Maximum length of the database's path in bytes. The kiosk has the same limit. */
 #define PATH_MAX_BYTES 520u
-#define BEFORE_MAX 1000u /* Maximum number of earlier databases beside the present one. */
+#define BEFORE_MAX 1000u /* Maximum number of replaced databases that stay in the folder. */
 
 static const char command[] = "backup --restore";
 
-/* State of a restore. */
+/* Paths and state of a restore. */
 struct swap {
-    char own[BOOKS_PATH_SIZE];     /* Path of the kiosk's database. */
-    char fresh[LEDGER_PATH_SIZE];  /* Path of the copy that replaces the database. */
+    char own[BOOKS_PATH_SIZE];     /* Path of the kiosk's ledger database. */
+    char fresh[LEDGER_PATH_SIZE];  /* Path of the copy that will replace the database. */
     char before[LEDGER_PATH_SIZE]; /* Path to which the replaced database is renamed. */
-    /* Start record of the copy, or zeros if an older version of Kingyo wrote the copy. */
+    /* Start record of the copy. All fields are 0 if an earlier version of Kingyo wrote the copy. */
     struct ledger_start copied;
 };
 
@@ -51,8 +54,8 @@ static void join(char out[LEDGER_PATH_SIZE], const char *path, const char *suffi
     snprintf(out, LEDGER_PATH_SIZE, "%.560s%.39s", path, suffix);
 }
 
-/* Returns whether a process has the database open. SQLite locks parts of the file or of its shared
- * memory for as long as the database is open. */
+/* Returns 1 if a process has the database at `path` open, otherwise 0. SQLite locks parts of the
+ * database file or of its shared-memory file while the database is open. */
 static int is_locked(const char *path)
 {
     struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
@@ -64,8 +67,8 @@ static int is_locked(const char *path)
     return is_held;
 }
 
-/* Returns whether a kiosk runs with this folder. A kiosk always locks its folder, even while its
- * database is closed. */
+/* Returns 1 if a kiosk is running with the data folder of the database, otherwise 0. A kiosk locks
+ * its data folder for its whole run, even while its database is closed. */
 static int has_stall(const struct swap *swap)
 {
     char folder[BOOKS_PATH_SIZE];
@@ -85,10 +88,11 @@ static int is_held(const struct swap *swap)
     return has_stall(swap) || is_locked(swap->own) || is_locked(shared);
 }
 
-/* ---- The copy -------------------------------------------------------------------------------- */
+/* ---- Writing the copy ------------------------------------------------------------------------ */
 
-/* Gives the copy to the kiosk's user, who must be able to write it. The new owner is the owner of
- * the present database, or of the folder if there is no database. */
+/* Gives the copy the owner and the mode of the present database, because the kiosk's user must be
+ * able to write the copy. If there is no database, the owner is the owner of the data folder.
+ * Returns 0, or -1 with errno set. */
 static int give_to_its_user(const struct swap *swap)
 {
     struct stat about;
@@ -139,7 +143,7 @@ static enum exit_code make_copy(struct swap *swap, const char *from)
     return EXIT_OK;
 }
 
-/* ---- Replacing the database ----------------------------------------------------------------- */
+/* ---- Replacing the database ------------------------------------------------------------------ */
 
 static int name_before(struct swap *swap)
 {
@@ -155,7 +159,8 @@ static int name_before(struct swap *swap)
     return 0;
 }
 
-/* Renames one file. Returns 0 if the file was renamed or does not exist. */
+/* Renames the file with `suffix` that belongs to the database. Returns 0 if the file was renamed or
+ * does not exist. */
 static int move_one(const struct swap *swap, const char *suffix)
 {
     char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE];
@@ -164,8 +169,9 @@ static int move_one(const struct swap *swap, const char *suffix)
     return rename(from, to) == 0 || errno == ENOENT ? 0 : -1;
 }
 
-/* Replaces the database. The backup and the ledger mirror are renamed first, because the kiosk uses
- * the present database until the next rename. */
+/* Replaces the database with the copy. The backup and the ledger mirror, a second copy of the
+ * newest entries, are renamed first. The kiosk uses the old database until that database itself is
+ * renamed. */
 static int put_in_place(const struct swap *swap)
 {
     if (move_one(swap, STORAGE_BACKUP_SUFFIX) != 0 || move_one(swap, STORAGE_MIRROR_SUFFIX) != 0 ||
@@ -200,7 +206,7 @@ static void restore_print_result(const struct swap *swap, const struct books_wor
 enum exit_code restore_backup(const struct books_words *words, const char *named)
 {
     struct swap swap = { 0 };
-    char resolved[PATH_MAX]; /* Follows a link that the user named. */
+    char resolved[PATH_MAX]; /* Target of the symbolic link if the user named a symbolic link. */
     const char *from = regular_file_is_other(named) && realpath(named, resolved) ? resolved : named;
     books_path(words, swap.own);
     if (strlen(swap.own) > PATH_MAX_BYTES) {

@@ -1,4 +1,4 @@
-/* scores.c -- `kingyoctl scores`, which prints the leaderboard of each mode as the kiosk shows
+/* scores.c -- `kingyoctl scores`, which prints the leaderboard of each game mode as the kiosk shows
  * it. */
 #include <stdio.h>
 #include <string.h>
@@ -15,12 +15,12 @@ static const char *const periods[RANK_PERIOD_COUNT] = { "day", "week", "ever" };
 
 struct request {
     struct books_words books;
-    /* Selected mode and ranking period. MODE_COUNT selects all modes, and RANK_PERIOD_COUNT selects
-     * all periods. */
+    /* `mode` is the selected game mode, or MODE_COUNT for all modes. `period` is the selected
+     * ranking period, or RANK_PERIOD_COUNT for all periods. */
     uint32_t mode, period;
 };
 
-/* ---- Options -------------------------------------------------------------------------------- */
+/* ---- Command line ---------------------------------------------------------------------------- */
 
 static uint32_t mode_of(const char *word)
 {
@@ -64,7 +64,7 @@ static enum exit_code scores_read_words(struct request *request, int argc, const
     return EXIT_OK;
 }
 
-/* ---- Rows ----------------------------------------------------------------------------------- */
+/* ---- Output of the leaderboards -------------------------------------------------------------- */
 
 struct place {
     uint32_t mode, period, place;

@@ -21,15 +21,17 @@ static const char name[] = "scores";
 
 struct request {
     struct books_words books;
-    uint32_t round_id; /* Number of the round. A value of 0 selects all rounds. */
-    const char *out;   /* Path of the file for the replay. Null selects verification. */
-    int with_pin;      /* 1 if the written replay may contain the PIN of the menu. */
+    uint32_t round_id; /* Number of the selected round. 0 selects all ranked rounds. */
+    const char *out;   /* Path of the output file for the replay, or null for the subcommand
+                          `verify`. */
+    int with_pin;      /* 1 if the output file may contain the PIN of the operator's menu, otherwise
+                          0. */
 };
 
 static struct replay_verifier judge;
 static uint8_t bytes[SESSION_RECORDER_SIZE];
 
-/* ---- Options -------------------------------------------------------------------------------- */
+/* ---- Command line ---------------------------------------------------------------------------- */
 
 static enum exit_code scores_verify_read_words(struct request *request, int argc,
                                                const char *const *argv)
@@ -62,9 +64,9 @@ static enum exit_code scores_verify_read_words(struct request *request, int argc
     return EXIT_OK;
 }
 
-/* ---- Verify --------------------------------------------------------------------------------- */
+/* ---- Subcommand verify ----------------------------------------------------------------------- */
 
-/* Result of the verification of one score. */
+/* Result of the verification of one ranked round. */
 struct finding {
     uint32_t round_id;
     int has_replay;
@@ -135,7 +137,8 @@ static void tell_json(const struct finding *found, int is_first)
            found->took_s);
 }
 
-/* Lists each ranked round once. Returns the number of rounds. */
+/* Writes the number of each ranked round to `out` once, because a round may be in several rankings.
+ * Returns the number of rounds. */
 static uint32_t list_rounds(const struct ranking *ranking, uint32_t out[ROUNDS_MAX])
 {
     uint32_t count = 0;
@@ -154,8 +157,8 @@ static uint32_t list_rounds(const struct ranking *ranking, uint32_t out[ROUNDS_M
     return count;
 }
 
-/* Verifies one round or all rounds. If all rounds are verified, a score without a replay is not an
- * error. If the user named one round, a missing replay is an error. */
+/* Verifies one round or all ranked rounds. A missing replay is an error only if the user named the
+ * round. */
 static enum exit_code verify(const struct request *request, struct ledger_file *file)
 {
     uint32_t rounds[ROUNDS_MAX] = { request->round_id };
@@ -179,11 +182,11 @@ static enum exit_code verify(const struct request *request, struct ledger_file *
     return bad > 0 ? EXIT_NOT_SO : EXIT_OK;
 }
 
-/* ---- Replay --------------------------------------------------------------------------------- */
+/* ---- Subcommand replay ----------------------------------------------------------------------- */
 
-/* Returns whether a replay contains the menu's PIN. A recording begins with settings and books. A
- * replay that an older version of Kingyo stored contains the PIN, because its hashes include the
- * PIN. */
+/* Returns 1 if a replay contains the PIN of the operator's menu, otherwise 0. A replay begins with
+ * a copy of the settings. Earlier versions of Kingyo included the PIN in the copy and in the hashes
+ * of the replay, so the PIN cannot be removed. */
 static int holds_pin(const uint8_t *replay, size_t size)
 {
     static struct replay_reader reader;
@@ -212,7 +215,8 @@ static enum exit_code take_out(const struct request *request, struct ledger_file
     int error = atomic_file_open(&out, request->out);
     if (error == 0) {
         if (!out.is_stream) {
-            /* Only the owner may read the file, because it contains settings and books. */
+            /* Only the owner may read the output file, because the replay contains settings and the
+             * audit counters. */
             fchmod(fileno(out.file), S_IRUSR | S_IWUSR);
         }
         fwrite(bytes, 1, size, out.file);

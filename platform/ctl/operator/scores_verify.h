@@ -1,11 +1,13 @@
-/* scores_verify.h -- `kingyoctl scores verify` and `kingyoctl scores replay`, which check or write
- * the replay of a score. */
+/* scores_verify.h -- the subcommands `kingyoctl scores verify` and `kingyoctl scores replay`.
+ *
+ * `verify` recomputes the stored replay of a score and compares the result. `replay` writes the
+ * stored replay to a file. */
 #ifndef KINGYO_PLATFORM_CTL_OPERATOR_SCORES_VERIFY_H
 #define KINGYO_PLATFORM_CTL_OPERATOR_SCORES_VERIFY_H
 
 #include "platform/ctl/lib/ctl.h"
 
-/* Runs the command. argv[0] is 'verify' or 'replay'. */
+/* Runs the subcommand. argv[0] is "verify" or "replay". Returns the exit code of the program. */
 enum exit_code scores_verify(int argc, const char *const *argv);
 
 #endif

@@ -1,4 +1,4 @@
-/* status.c -- `kingyoctl status`, which prints the status that a running kiosk reports. */
+/* status.c -- `kingyoctl status`, which prints the status file that a running kiosk writes. */
 #include <errno.h>
 #include <sqlite3.h>
 #include <stdio.h>
@@ -13,8 +13,8 @@
 #include "platform/os/standard_streams.h"
 
 #define DEFAULT_FILE "/run/kingyo/" STATUS_FILE
-/* Age of the status above which it is stale. The value equals the watchdog timeout of the kiosk's
- * service. */
+/* Age of the status file in ms above which the status counts as outdated. The watchdog timeout of
+ * the kiosk's service has the same value. */
 #define STALE_MS 10000
 
 static const char name[] = "status";
@@ -55,7 +55,7 @@ static enum exit_code status_read_file(const char *path, char text[STATUS_TEXT_M
     return error == EFBIG ? EXIT_BAD_DATA : error ? EXIT_IO : EXIT_OK;
 }
 
-/* ---- Reading the JSON status with SQLite ---------------------------------------------------- */
+/* ---- Reading the JSON status with SQLite ----------------------------------------------------- */
 
 static sqlite3_stmt *status_prepare_query(sqlite3 *database, const char *sql, const char *text)
 {
@@ -136,7 +136,7 @@ static void status_print_text(sqlite3 *database, sqlite3_stmt *figures, const ch
     print_devices(database, text);
 }
 
-/* ---- Health --------------------------------------------------------------------------------- */
+/* ---- Exit code from the status --------------------------------------------------------------- */
 
 static enum exit_code status_exit_code(sqlite3_stmt *figures)
 {
@@ -172,7 +172,7 @@ static enum exit_code status_print_report(const struct request *request, sqlite3
         } else {
             status_print_text(database, figures, text);
         }
-        /* main() detects and reports lost output. */
+        /* If the output is incomplete, main() reports the write error. */
         code = standard_output_flush(stdout) == 0 ? status_exit_code(figures) : EXIT_NOT_SO;
     }
     sqlite3_finalize(figures);

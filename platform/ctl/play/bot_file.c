@@ -15,16 +15,16 @@
 #include "platform/os/print.h"
 
 #define LINE_MAX_CHARS 200u
-#define SHOWN 40 /* Characters of an invalid word that an error message quotes. */
+#define SHOWN 40 /* Maximum number of characters of an invalid word that an error message quotes. */
 
-/* ---- Lines ----------------------------------------------------------------------------------- */
+/* ---- Lines of a bot file --------------------------------------------------------------------- */
 
 struct parser {
     struct technique technique;
     uint32_t line;
     uint32_t base_line;
-    uint32_t line_of[BOT_KEY_COUNT]; /* Line number at which each key was set, from 1. 0 means not
-                                        set yet. */
+    uint32_t line_of[BOT_KEY_COUNT]; /* Line in which each key was set, counted from 1. 0 means that
+                                        the key has not been set. */
     struct bot_file_problem *problem;
 };
 
@@ -80,7 +80,8 @@ static int is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* Returns `text` without leading and trailing white space. Changes the text in place. */
+/* Removes leading and trailing white space from `text` in place. Returns the first remaining
+ * character. */
 static char *bot_file_trim(char *text)
 {
     size_t length = 0;
@@ -129,10 +130,10 @@ static int parse_line(struct parser *parser, char *text)
     return set_key(parser, key, value);
 }
 
-/* Copies the next line, without its newline, into `out`.
+/* Copies the next line without its newline to `out`, and sets `*length` to the length of the line.
+ * A line that is too long for `out` is not copied.
  *
- * Returns the rest of the text after that line. `*length` is the length of the line. A line that
- * does not fit is not copied. */
+ * Returns the text after the line. */
 static const char *cut_line(const char *text, const char *end, char out[LINE_MAX_CHARS],
                             size_t *length)
 {
@@ -167,8 +168,8 @@ static int parse_lines(struct parser *parser, const char *text, size_t size)
     return 0;
 }
 
-/* Checks the rules that concern more than one line. A message names the later of the two lines, or
- * the whole file. Returns 0, or -1 with the problem set. */
+/* Checks the rules that concern several lines. The error names the later of two contradicting
+ * lines, or the whole file. Returns 0, or fills the problem and returns -1. */
 static int check_whole(struct parser *parser)
 {
     const struct technique *technique = &parser->technique;
@@ -194,8 +195,9 @@ static int check_whole(struct parser *parser)
 int bot_file_parse(const char *text, size_t size, struct technique *out,
                    struct bot_file_problem *problem)
 {
-    static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Byte-order mark that some editors write
-                                                             at the start of a file. */
+    static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Byte-order mark U+FEFF in UTF-8. Some
+                                                             editors write it at the start of a
+                                                             file. */
     struct parser parser = { .technique = technique_expert, .problem = problem };
     if (size >= 3 && memcmp(text, byte_order_mark, 3) == 0) {
         text += 3;
@@ -213,8 +215,9 @@ enum exit_code bot_file_read(const char *speaker, const char *path, struct techn
     char text[BOT_FILE_SIZE_MAX];
     struct bot_file_problem problem = { 0 };
     FILE *file;
-    if (access(path, F_OK) != 0 && errno == ENOENT) { /* A missing file is most likely a misspelt
-                                                         bot name. */
+    if (access(path, F_OK) != 0 && errno == ENOENT) { /* A file that does not exist is most likely a
+                                                         misspelt bot name, so the message lists the
+                                                         bot names. */
         print_error("%s: %s: %s; novice, expert or a FILE is a bot", speaker, path,
                     strerror(errno));
         return EXIT_IO;

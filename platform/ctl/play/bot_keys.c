@@ -1,4 +1,4 @@
-/* bot_keys.c -- the table of bot-file keys and the conversion of their values. */
+/* bot_keys.c -- the table of the keys of a bot file, and the conversion of their values. */
 #include "platform/ctl/play/bot_keys.h"
 
 #include <stddef.h>
@@ -12,13 +12,13 @@ enum kind { KIND_REAL, KIND_COUNT, KIND_WORD };
 
 struct key {
     const char *name;
-    uint8_t kind;  /* Type of the value (enum kind). */
-    uint8_t above; /* 1 if the value must be greater than `min`, and 0 if `min` itself is
-                      allowed. */
+    uint8_t kind;  /* Type of the key's value (enum kind). */
+    uint8_t above; /* 1 if the value must be greater than `min`, 0 if the value may also equal
+                      `min`. */
     size_t offset; /* Offset of the field in struct technique, in bytes. */
     double min, max;
-    const char *const *words; /* Allowed words, terminated by null. The value is the index of the
-                                 word. Null for numbers. */
+    const char *const *words; /* Allowed words, terminated by a null pointer. The value is the index
+                                 of the word. A null `words` means that the value is a number. */
     const char *meaning;
 };
 
@@ -111,8 +111,8 @@ static const struct key *key_at(uint32_t key)
     return &keys[key];
 }
 
-/* Parses `text` as a value of `key`. Returns whether the text is valid, and then stores the value
- * in `*out`. */
+/* Parses `text` as a value of `key`. Returns 1 and stores the value in `*out` if the text is valid,
+ * otherwise 0. */
 static int read_value(const struct key *key, const char *text, double *out)
 {
     uint32_t count = 0;

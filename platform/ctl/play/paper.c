@@ -1,5 +1,5 @@
-/* paper.c -- `kingyoctl paper`, which moves one poi through water, and computes paper strength from
- * measured weights. */
+/* paper.c -- `kingyoctl paper`. The command moves one poi (a paper scoop) through water or air, or
+ * computes the strength of paper from weights that tore it. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +11,7 @@
 
 static const char name[] = "paper";
 
-/* ---- One poi -------------------------------------------------------------------------------- */
+/* ---- Simulation of a moving poi -------------------------------------------------------------- */
 
 static void report_json(const struct paper_lab *lab)
 {
@@ -82,10 +82,10 @@ static void paper_measure_all(const struct paper_options *plan)
     (plan->as_json ? report_json : report_text)(&lab);
 }
 
-/* ---- Strength from weights ------------------------------------------------------------------ */
+/* ---- Strength from weights ------------------------------------------------------------------- */
 
-/* Returns the tension that the core's own sheet model computes under the weight, in N/m. The load
- * is applied as for a fish: a pressure from the whole weight on its footprint. */
+/* Returns the tension in N/m that the core's sheet model computes for a paper under the weight. As
+ * for a fish, the load is a pressure of the whole weight on its footprint. */
 static double tension_n_m(const struct paper_options *plan, double weight_kg)
 {
     static struct sheet sheet;
@@ -98,8 +98,9 @@ static double tension_n_m(const struct paper_options *plan, double weight_kg)
     return (double)sheet_tick(&sheet, -force_n / area_m2, in_air, &foot, 1).tension_max_n_m;
 }
 
-/* Returns the strength for a short load, in N/m. Paper that tears after a long time bears a higher
- * load for a short time: the factor is (time / tau)^(1/m). */
+/* Returns the strength of the paper for a short load, in N/m. Paper tears after a long time under a
+ * load that it resists for a short time. The strength is therefore the measured tension multiplied
+ * by (time / tau)^(1/m). */
 static double strength_n_m(const struct paper_options *plan, double weight_kg)
 {
     const double longer = plan->hang_s / (double)SHEET_DAMAGE_TAU_S;
@@ -135,7 +136,7 @@ static void calibrate(const struct paper_options *plan)
            (double)grade->areal_kg_m2, (double)grade->dry_n_m, mean, (double)grade->stiffness_n_m);
 }
 
-/* ---- The command ---------------------------------------------------------------------------- */
+/* ---- Command line and main program ----------------------------------------------------------- */
 
 static enum exit_code paper_run(int argc, const char *const *argv)
 {

@@ -1,5 +1,5 @@
-/* paper_lab.c -- simulates a poi on a carriage. A tick of the carriage has the order of the core's
- * tick: poi, paper, catch. */
+/* paper_lab.c -- simulates a poi (a paper scoop) on a carriage. Each tick updates the poi, the
+ * paper and the fish on the paper in the order of core_tick(). */
 #include "platform/ctl/play/paper_lab.h"
 
 #include <math.h>
@@ -10,14 +10,16 @@
 #include "core/poi/hand_spring.h"
 #include "core/poi/load.h"
 
-#define DEPTH_M 0.20f /* Depth at which the water surface has no effect. */
+#define DEPTH_M 0.20f /* Depth at which the water surface has no effect on the poi. */
 #define HEIGHT_M 0.10f
-#define INSTANT_TICKS 6u /* Time within which a tear counts as immediate: 6 ticks are 0.05 s. */
+#define INSTANT_TICKS                                                                              \
+    6u /* Number of ticks within which a tear counts as immediate. 6 ticks are 0.05 s. */
 #define NEVER_S 1e6f
 
-/* ---- Opening -------------------------------------------------------------------------------- */
+/* ---- Initial state --------------------------------------------------------------------------- */
 
-/* Wets columns of cells from the left until the requested share of the paper is wet. */
+/* Sets columns of cells from the left to the wetness of the options, until the requested share of
+ * the paper is wet. */
 static void wet_paper(struct paper_lab *lab)
 {
     const struct paper_options *plan = lab->plan;
@@ -38,8 +40,8 @@ static void wet_paper(struct paper_lab *lab)
     sheet->soaked = plan->wetness >= 1.0f && wetted == sheet->paper_cells;
 }
 
-/* Fills the poi with water. Dry paper carries no water. Wet paper carries its film, and the water
- * that the paper can hold in its present pose. */
+/* Fills the poi with water. Dry paper carries no water. Wet paper carries a film of water, and also
+ * the water that lies on the paper in its present pose. */
 static void paper_lab_load_water(struct paper_lab *lab, float up_y)
 {
     struct poi *poi = &lab->poi;
@@ -51,7 +53,8 @@ static void paper_lab_load_water(struct paper_lab *lab, float up_y)
     poi->water_kg = poi->film_kg + poi->pool_kg;
 }
 
-/* Places the fish in a sunflower seed pattern, so that no fish covers another if there is room. */
+/* Places the fish on the paper in the spiral pattern of sunflower seeds. No fish lies on another if
+ * the paper has room for all of them. */
 static void lay_fish(struct paper_lab *lab)
 {
     const struct paper_options *plan = lab->plan;
@@ -97,10 +100,11 @@ void paper_lab_open(struct paper_lab *lab, const struct paper_options *plan)
     }
 }
 
-/* ---- A tick --------------------------------------------------------------------------------- */
+/* ---- One tick -------------------------------------------------------------------------------- */
 
-/* Returns the force on the paper in N. Along the normal, the force is the load on the sheet. In the
- * plane, the force is the friction of the water. */
+/* Returns the force on the paper in N. `whole` is the share of the paper without holes. The force
+ * perpendicular to the paper is the load on the sheet, and the force in the plane is the friction
+ * of the water. */
 static float force_n(const struct poi *poi, const struct basis *axes, float whole)
 {
     const float area_m2 = whole * F_PI * POI_RADIUS_M * POI_RADIUS_M;
@@ -146,14 +150,14 @@ void paper_lab_tick(struct paper_lab *lab)
     poi->before_m_s = carriage_m_s;
     poi->before_angles = poi->angles;
     if (lab->tick == 0) {
-        catch_fish(lab); /* The fish lie on the paper from the start. */
+        catch_fish(lab); /* The fish lie on the paper before the first tick. */
     }
     lab->tick++;
-    /* Computes the water forces on the ring. */
+    /* Computes the forces of the water on the poi's ring. */
     hand_spring_tick(poi, poi->position_m, &axes, poi->immersed);
-    /* The carriage keeps its speed regardless of the forces. */
+    /* Restores the constant speed, because the carriage does not yield to forces. */
     poi->velocity_m_s = carriage_m_s;
-    /* Whole share of the paper at the moment when the force was computed. */
+    /* Share of the paper without holes when the force was computed. */
     const float whole = poi_whole(poi);
     const struct obstacle ring = poi_obstacle(poi);
     poi_apply_reaction(poi, &ring);
@@ -162,7 +166,7 @@ void paper_lab_tick(struct paper_lab *lab)
     catch_fish(lab);
 }
 
-/* ---- Figures -------------------------------------------------------------------------------- */
+/* ---- Results --------------------------------------------------------------------------------- */
 
 double paper_lab_tore_s(const struct paper_lab *lab)
 {

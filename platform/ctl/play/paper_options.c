@@ -1,4 +1,4 @@
-/* paper_options.c -- parses the options of `kingyoctl paper` with a table of options and their
+/* paper_options.c -- parses the options of `kingyoctl paper` with a table of all options and their
  * ranges. */
 #include "platform/ctl/play/paper_options.h"
 
@@ -12,7 +12,7 @@
 
 static const char name[] = "paper";
 
-/* ---- Options -------------------------------------------------------------------------------- */
+/* ---- Parsing the options --------------------------------------------------------------------- */
 
 enum figure {
     GRADE,
@@ -33,7 +33,7 @@ struct range {
     const char *option;
     double min, max;
     uint8_t is_whole;
-    double standard; /* Value that applies if the option is absent. */
+    double standard; /* Default value of the option. */
 };
 
 static const struct range ranges[FIGURE_COUNT] = {
@@ -173,7 +173,7 @@ enum exit_code paper_options_read(struct paper_options *plan, int argc, const ch
     return EXIT_OK;
 }
 
-/* ---- Help ----------------------------------------------------------------------------------- */
+/* ---- Text of --help -------------------------------------------------------------------------- */
 
 const char paper_options_usage[] =
     "The paper\n"

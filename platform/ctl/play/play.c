@@ -1,4 +1,5 @@
-/* play.c -- `kingyoctl play`, which lets bots play rounds without a screen at full speed. */
+/* play.c -- `kingyoctl play`, which plays rounds with bots (simulated players) at full speed and
+ * without a screen. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,21 +28,21 @@ struct play_options {
     int as_json;
 };
 
-/* State of one run of the command. */
+/* State of one execution of the command. */
 struct evening {
     const struct play_options *options;
     struct round_plan *plans;
     struct round_result *results;
-    char (*paths)[PATH_MAX_CHARS]; /* Paths of the recordings. */
-    /* Fish caught in each round. The array is sorted for the summary. */
+    char (*paths)[PATH_MAX_CHARS]; /* Path of the recording of each round. */
+    /* Number of fish caught in each round. The array is sorted for the summary. */
     uint32_t *caught;
-    /* `played` is the number of finished rounds in any order. `told` is the number of rounds that
-     * were printed in order without a gap. */
+    /* `played` is the number of finished rounds. `told` is the number of printed rounds, which are
+     * printed in the order of their numbers. */
     uint32_t played, told;
     int shows_progress;
 };
 
-/* ---- Output --------------------------------------------------------------------------------- */
+/* ---- Output ---------------------------------------------------------------------------------- */
 
 static void play_print_progress(const struct evening *evening)
 {
@@ -51,8 +52,8 @@ static void play_print_progress(const struct evening *evening)
     }
 }
 
-/* Prints a round as soon as all earlier rounds have finished. JSON is printed only when all rounds
- * have finished, so that a program gets all rounds or none. */
+/* Prints each round as soon as all rounds with lower numbers have finished. JSON is printed only
+ * after all rounds have finished, so that a program receives complete JSON or no output. */
 static void tell_round(void *self, uint32_t index)
 {
     struct evening *evening = self;
@@ -100,7 +101,7 @@ static enum exit_code tell_failure(const struct evening *evening)
     return EXIT_NOT_SO;
 }
 
-/* ---- The rounds ----------------------------------------------------------------------------- */
+/* ---- Playing the rounds ---------------------------------------------------------------------- */
 
 static void plan_rounds(struct evening *evening, const struct technique *technique)
 {
@@ -165,7 +166,7 @@ static enum exit_code hold_evening(const struct play_options *options,
     return code;
 }
 
-/* ---- The command ---------------------------------------------------------------------------- */
+/* ---- Command line ---------------------------------------------------------------------------- */
 
 static int parse_mode(const char *value, uint8_t *out)
 {
@@ -184,8 +185,8 @@ static int parse_text(const char *value, const char **out)
     return value && value[0];
 }
 
-/* Parses `value` for `option`. Returns whether the value is valid, or -1 if the option does not
- * exist. */
+/* Parses `value` for `option`. Returns 1 if the value is valid, 0 if the value is invalid, and -1
+ * if the option does not exist. */
 static int take_value(struct play_options *options, const char *option, const char *value)
 {
     if (strcmp(option, "--bot") == 0) {
@@ -215,8 +216,8 @@ static int take_value(struct play_options *options, const char *option, const ch
     return strcmp(option, "--record") == 0 ? parse_text(value, &options->record) : -1;
 }
 
-/* Parses the option at argv[*index] and its value. Returns EXIT_OK, or prints one line to standard
- * error and returns another code. */
+/* Parses the option at argv[*index] and its value, and advances `*index`. Returns EXIT_OK, or
+ * prints one line to standard error and returns another exit code. */
 static enum exit_code play_take_option(struct play_options *options, int argc,
                                        const char *const *argv, int *index)
 {
@@ -237,7 +238,8 @@ static enum exit_code play_take_option(struct play_options *options, int argc,
     return EXIT_OK;
 }
 
-/* Checks combinations of options. */
+/* Checks rules that concern several options. Returns EXIT_OK, or prints one line to standard error
+ * and returns another exit code. */
 static enum exit_code check_options(const struct play_options *options)
 {
     const struct rules *rules = rules_of(options->mode);

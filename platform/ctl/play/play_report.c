@@ -1,4 +1,4 @@
-/* play_report.c -- prints the results of rounds as text and as JSON. */
+/* play_report.c -- prints the results of played rounds as text and as JSON. */
 #include "platform/ctl/play/play_report.h"
 
 #include <stdio.h>

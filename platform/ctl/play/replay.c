@@ -1,4 +1,5 @@
-/* replay.c -- `kingyoctl replay`, which prints the content of a recording and verifies it. */
+/* replay.c -- `kingyoctl replay`, which prints the content of a recording and verifies the
+ * recording. */
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
@@ -15,8 +16,9 @@
 static const char name[] = "replay";
 static const char speaker[] = "kingyoctl replay";
 
-/* Scans a recording like replay_scan(), except that the recording of a panic may end with an input
- * that violates the core's contract. */
+/* Scans a recording like replay_scan(), but without validating the inputs. The recording of a panic
+ * (a failed assertion) may end with an input that violates the core's contract. Returns 0, or -1
+ * after an error. */
 static int scan(struct replay_reader *reader, const char *path, struct replay_totals *totals)
 {
     if (replay_open(reader, path)) {
@@ -26,7 +28,7 @@ static int scan(struct replay_reader *reader, const char *path, struct replay_to
     return replay_scan_on(reader, totals);
 }
 
-/* ---- info ----------------------------------------------------------------------------------- */
+/* ---- Subcommand info ------------------------------------------------------------------------- */
 
 static uint32_t count_bits(uint32_t bits)
 {
@@ -37,7 +39,7 @@ static uint32_t count_bits(uint32_t bits)
     return count;
 }
 
-/* Prints each mode that was played, with the grade of its paper. */
+/* Prints each game mode that was played in the recording, and the paper grade of each mode. */
 static void print_modes(const struct core_config *config, uint32_t modes, int as_json)
 {
     uint32_t count = 0;
@@ -87,10 +89,9 @@ static enum exit_code info(const char *path, int as_json)
     return EXIT_OK;
 }
 
-/* ---- verify --------------------------------------------------------------------------------- */
+/* ---- Subcommand verify ----------------------------------------------------------------------- */
 
-/* Prints the progress after every ten minutes of simulated time, if standard error is a
- * terminal. */
+/* Prints the progress after every ten minutes of simulated time if standard error is a terminal. */
 static void replay_print_progress(uint32_t ticks, uint32_t total)
 {
     if (ticks % (600u * CORE_TICK_HZ) == 0 && isatty(STDERR_FILENO)) {
@@ -98,7 +99,8 @@ static void replay_print_progress(uint32_t ticks, uint32_t total)
     }
 }
 
-/* Returns CORE_OK, or CORE_ERR_FLOAT if the core rejected a tick. */
+/* Recomputes the recording tick by tick. Returns CORE_OK, or CORE_ERR_FLOAT if the core rejected a
+ * tick. */
 static enum core_error recompute(struct replayer *replayer, struct core *core, uint32_t total)
 {
     static struct input input;
@@ -116,14 +118,15 @@ static enum core_error recompute(struct replayer *replayer, struct core *core, u
     return CORE_OK;
 }
 
-/* State of the verification in progress, for the panic handler. */
+/* State of the running verification, which the panic handler reads. */
 static struct {
     const char *path;
     const struct core *core;
     uint32_t first_tick, total;
 } verified;
 
-/* Handles the panic that the recording of a panic reproduces. Async-signal-safe. */
+/* Panic handler for the verification. The recording of a panic reproduces the panic, and the
+ * handler prints the reason. Async-signal-safe. */
 static void tell_panic(void *self, const char *reason)
 {
     struct panic_text text = { 0 };

@@ -1,5 +1,5 @@
-/* rounds.c -- plays rounds in worker threads. Each worker takes the next plan as soon as it has
- * finished a round. */
+/* rounds.c -- plays rounds in worker threads. Each worker plays the next plan as soon as it has
+ * finished its last round. */
 #include "platform/ctl/play/rounds.h"
 
 #include <pthread.h>
@@ -10,10 +10,11 @@
 #include "platform/cpu.h"
 #include "platform/kiosk/recorder.h"
 
-/* Maximum length of a round: the longest round, its countdown and a margin. */
+/* Maximum number of ticks of a round. The longest round, its countdown and a margin are
+ * included. */
 #define ROUND_TICKS_MAX (700u * CORE_TICK_HZ)
 
-/* State of one worker, which is too large for a stack. */
+/* State of one worker thread. The structure is too large for a stack. */
 struct seat {
     struct core core;
     struct input input;
@@ -23,10 +24,10 @@ struct seat {
     struct kiosk_tap tap;
 };
 
-/* ---- One round ------------------------------------------------------------------------------ */
+/* ---- One round ------------------------------------------------------------------------------- */
 
-/* Writes the mode's defaults into the configuration, so that another kiosk with this configuration
- * plays the same round. */
+/* Returns the configuration of the core for a plan. All defaults of the game mode are written into
+ * the configuration, so that another kiosk with this configuration plays the same round. */
 static struct core_config config_of(const struct round_plan *plan)
 {
     struct core_config config = {
@@ -46,9 +47,10 @@ static struct core_config config_of(const struct round_plan *plan)
     return config;
 }
 
-/* Writes the controller input of a tick. START is pressed while no round is played. The controller
- * is always connected, has a wrist sensor, and reports tremor if the bot's technique has tremor.
- * Without tremor, a motionless hand must not count as a stuck sensor. */
+/* Writes the controller input of one tick. START is pressed once per second while no round is
+ * played. The controller is always connected and has a wrist sensor. `trembles` is 1 only if the
+ * bot's hand trembles, because otherwise the core would treat a motionless hand as a stuck
+ * sensor. */
 static void act(struct seat *seat)
 {
     const uint8_t phase = seat->core.game.phase;
@@ -61,7 +63,7 @@ static void act(struct seat *seat)
     poi->target = bot_tick(&seat->bot, &(struct vision){ .core = &seat->core, .player = 0 });
 }
 
-/* Returns core_tick()'s result. */
+/* Advances the core by one tick and records the tick. Returns the result of core_tick(). */
 static enum core_error tick(struct seat *seat)
 {
     seat->output.sound_count = 0;
@@ -78,8 +80,8 @@ static double seconds(uint32_t ticks)
     return (double)ticks / CORE_TICK_HZ;
 }
 
-/* Reads the result in the tick in which the round ended. The values come from the game state and
- * not from the output, because a practice round leaves no record in the output. */
+/* Reads the result of the round in the tick in which the round ended. The values come from the game
+ * state, because the core outputs no record of a practice round. */
 static void read_result(const struct seat *seat, struct round_result *result)
 {
     const struct round_record record = game_record(&seat->core);
@@ -147,17 +149,18 @@ static struct round_result play_one(struct seat *seat, const struct round_plan *
     return result;
 }
 
-/* ---- All rounds ----------------------------------------------------------------------------- */
+/* ---- Worker threads -------------------------------------------------------------------------- */
 
 struct hall {
     const struct rounds *rounds;
     pthread_mutex_t lock;
-    uint32_t next; /* Next plan that no worker has taken. */
-    /* Exit code of the first failure. After a failure, no worker takes another plan. */
+    uint32_t next; /* Index of the next plan that no worker has started. */
+    /* Exit code of the first round that failed. After a failure, no worker starts another plan. */
     enum exit_code code;
 };
 
-/* Returns the next plan, or `count` if there is none. */
+/* Returns the index of the next plan and marks the plan as started. Returns `count` if no plan is
+ * left or a round has failed. */
 static uint32_t rounds_next_plan(struct hall *hall)
 {
     pthread_mutex_lock(&hall->lock);
@@ -179,7 +182,7 @@ static void hand_in(struct hall *hall, uint32_t index, struct round_result resul
     pthread_mutex_unlock(&hall->lock);
 }
 
-/* Records that memory allocation for a worker failed. */
+/* Stops all workers because memory allocation for a worker failed. */
 static void give_up(struct hall *hall)
 {
     pthread_mutex_lock(&hall->lock);
@@ -213,7 +216,7 @@ uint32_t rounds_workers(void)
     return cores < 1 ? 1 : cores > ROUNDS_WORKERS_MAX ? ROUNDS_WORKERS_MAX : cores;
 }
 
-/* The caller's thread is the first worker. If no other thread can be created, the caller's thread
+/* Plays rounds in the caller's thread too. If no other thread can be created, the caller's thread
  * plays all rounds. */
 enum exit_code rounds_play(const struct rounds *rounds)
 {

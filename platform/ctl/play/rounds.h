@@ -1,11 +1,11 @@
-/* rounds.h -- rounds that bots play without a screen, each in its own simulated kiosk, on all CPU
- * cores.
+/* rounds.h -- plays rounds with bots (simulated players), without a screen and on all CPU cores.
+ * Each round has its own simulated kiosk.
  *
- * A round is played from outside, as a person would play it: the bot moves the controller of the
- * first poi from the START in attract mode to the result. A round shares nothing with other rounds.
- * Its kiosk, its fish, its paper and the bot's random numbers all come from the round's own seed.
- * The result is therefore the same alone and among thousands of rounds. Two techniques with the
- * same seed get the same fish and the same paper. */
+ * The bot moves the controller of the first poi (paper scoop), from the press of START until the
+ * result of the round, as a person would. Rounds share no state. All random numbers of a round, for
+ * its fish, its paper and its bot, come from the seed of the round. The result of a round is
+ * therefore independent of the other rounds. Two techniques with the same seed get the same fish
+ * and the same paper. */
 #ifndef KINGYO_PLATFORM_CTL_PLAY_ROUNDS_H
 #define KINGYO_PLATFORM_CTL_PLAY_ROUNDS_H
 
@@ -20,51 +20,55 @@
 struct round_plan {
     struct technique technique;
     uint32_t seed;
-    uint8_t mode;        /* Game mode, enum game_mode. */
-    uint8_t grade;       /* Paper grade 4 .. 7. A value of 0 selects the grade of the mode. */
-    uint32_t fish_count; /* Number of fish. A value of 0 selects the number of the tank preset. */
-    /* Length of the round in seconds, 10 .. 600. A value of 0 selects the length of the mode. */
+    uint8_t mode;        /* Game mode (enum game_mode). */
+    uint8_t grade;       /* Paper grade, 4 .. 7. 0 selects the default grade of the game mode. */
+    uint32_t fish_count; /* Number of fish. 0 selects the number of the tank preset. */
+    /* Length of the round in seconds, 10 .. 600. 0 selects the default length of the game mode. */
     uint32_t round_s;
-    /* Path of the recording to create, or null for no recording. The file must not exist. The
-     * caller owns the string. */
+    /* Path of the recording to create, or null for no recording. A file with this path must not
+     * exist yet. The caller owns the string. */
     const char *record;
 };
 
 struct round_result {
-    /* Exit code of the round, or EXIT_NOT_SO until the round has ended. If the code is not EXIT_OK,
-     * only `error` and `is_refused` are valid. */
+    /* Exit code of the round, or EXIT_NOT_SO while the round has not ended. If the code is not
+     * EXIT_OK, only `error` and `is_refused` are valid. */
     enum exit_code code;
-    int error; /* errno of the recording if `code` is EXIT_IO. */
-    /* 1 if `code` is EXIT_NOT_SO because the core returned CORE_ERR_FLOAT. */
+    int error; /* Errno of the write error of the recording. Valid if `code` is EXIT_IO. */
+    /* 1 if `code` is EXIT_NOT_SO because the core returned CORE_ERR_FLOAT, otherwise 0. */
     uint8_t is_refused;
-    uint32_t caught; /* Number of caught fish that count. */
-    uint32_t scoops; /* Number of times the ring entered the water. */
+    uint32_t caught; /* Number of caught fish that are counted in the result. */
+    uint32_t scoops; /* Number of times that the poi's ring entered the water. */
     uint32_t fouls;
-    uint8_t torn;     /* 1 if the first paper tore so far that it could not hold a fish. */
-    double torn_at_s; /* Second of the round in which the first paper tore. */
-    /* Number of papers that the player used. A torn paper is replaced in a practice round. */
+    uint8_t torn;     /* 1 if the first paper tore so far that it could no longer hold a fish,
+                         otherwise 0. */
+    double torn_at_s; /* Time in the round at which the first paper tore, in seconds. 0 if `torn` is
+                         0. */
+    /* Number of papers that the player used. A torn paper is replaced only in a practice round. */
     uint32_t sheets;
-    uint32_t hole_area_mm2; /* Hole area of the last paper at the end of the round. */
+    uint32_t hole_area_mm2; /* Hole area of the last paper at the end of the round, in mm^2. */
     double length_s;        /* Length of the round in seconds. */
     uint64_t state_hash;    /* Hash of the core (core_hash()) at the end of the round. */
 };
 
 struct rounds {
     const struct round_plan *plans;
-    struct round_result *results; /* Results, one for each plan. */
-    uint32_t count;               /* Number of rounds, at most ROUNDS_MAX. */
+    struct round_result *results; /* Array with one result for each plan. */
+    uint32_t count;               /* Number of plans and of results, at most ROUNDS_MAX. */
     uint32_t workers;             /* Number of worker threads, 1 .. ROUNDS_WORKERS_MAX. */
-    /* Callback after each round, or null. Rounds may end in any order, but the calls never
-     * overlap. */
+    /* Callback after each round, or null. Rounds may end in any order. Only one thread at a time
+     * calls the callback. */
     void (*done)(void *self, uint32_t index);
     void *self;
 };
 
-/* Returns the number of rounds that this machine plays in parallel, one for each CPU core. */
+/* Returns the number of rounds that this machine plays in parallel, which is the number of CPU
+ * cores. */
 uint32_t rounds_workers(void);
 
-/* Plays all rounds. Returns EXIT_OK, or the code of the first round that failed. Later rounds may
- * then not have been played and have the code EXIT_NOT_SO. The function prints nothing. */
+/* Plays all rounds and prints nothing. Returns EXIT_OK, or the exit code of the first round that
+ * failed. After a failure, no further round is started, and rounds that were not played have the
+ * code EXIT_NOT_SO. */
 enum exit_code rounds_play(const struct rounds *rounds);
 
 #endif

@@ -1,12 +1,13 @@
-/* overlap.c -- finds overlapping bodies with a grid. A cell is as wide as the diameter of the
- * largest bounding ball, so that all candidates of a body are in the 3 x 3 cells around the
- * body. */
+/* overlap.c -- finds overlapping bodies of fish with a grid. A cell is as wide as the largest
+ * bounding sphere, so that only the 3 x 3 cells around a body can contain bodies that overlap
+ * it. */
 #include "platform/ctl/tank/overlap.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Sine of the angle below which two edges count as parallel and give no separating axis. */
+/* Sine of the angle below which two edges count as parallel. Parallel edges have no separating
+ * axis. */
 #define PARALLEL 1e-6
 
 static double dot(const double a[3], const double b[3])
@@ -14,7 +15,8 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Computes the box of a fish. The rotation order is yaw about +y, then pitch, then roll. */
+/* Computes the oriented bounding box of a fish. The rotations are applied in the order yaw about
+ * +y, pitch and roll. */
 struct overlap_box overlap_box_of(const struct fish *fish)
 {
     const double cy = cos((double)fish->angles.yaw_rad), sy = sin((double)fish->angles.yaw_rad);
@@ -43,8 +45,8 @@ static double shadow_m(const struct overlap_box *box, const double axis[3])
            box->half_m[2] * fabs(dot(box->axis[2], axis));
 }
 
-/* Keeps the least overlap of the projections onto the unit axes so far. Returns whether this axis
- * separates the boxes. */
+/* Projects both boxes onto the unit vector `axis`, and reduces `*least_m` to the overlap of the
+ * projections if that is less. Returns 1 if the axis separates the boxes, otherwise 0. */
 static int parted_along(const struct overlap_box *a, const struct overlap_box *b, const double d[3],
                         const double axis[3], double *least_m)
 {
@@ -91,9 +93,9 @@ double overlap_depth_m(const struct overlap_box *a, const struct overlap_box *b)
     return parted_by_edges(a, b, d, &least_m) ? 0.0 : least_m;
 }
 
-/* ---- All fish ------------------------------------------------------------------------------- */
+/* ---- All pairs of fish ----------------------------------------------------------------------- */
 
-/* A grid of square cells over the floor. */
+/* A grid of square cells over the floor of the tank. */
 struct floor_grid {
     double side_m, half_x_m, half_z_m;
     uint32_t columns, rows;
@@ -121,8 +123,8 @@ static struct floor_grid grid_over(const struct overlap *overlap, const struct t
                                 cells_along(z_m, side_m) + 1u };
 }
 
-/* Sorts the boxes with a counting sort: the boxes in cell c are order[first[c]] .. order[first[c +
- * 1] - 1]. */
+/* Sorts the boxes by grid cell with a counting sort. Afterwards the boxes in cell c are
+ * order[first[c]] .. order[first[c + 1] - 1]. */
 static void sort_by_cell(struct overlap *overlap, const struct floor_grid *grid)
 {
     const uint32_t cells = grid->columns * grid->rows;
@@ -156,8 +158,8 @@ static void overlap_classify_pair(const struct overlap *overlap, uint32_t i, uin
     total->pairs += depth_mm > OVERLAP_DEEP_MM ? 1u : 0u;
 }
 
-/* Tests box i against the boxes of its own cell and of the neighbouring cells. Each pair is tested
- * once. */
+/* Tests box `i` against the boxes of its own cell and of the neighbouring cells. Over all calls,
+ * each pair of boxes is tested once. */
 static void judge_around(const struct overlap *overlap, const struct floor_grid *grid, uint32_t i,
                          struct overlap_count *total)
 {

@@ -1,4 +1,4 @@
-/* tank.c -- `kingyoctl tank`, which simulates and measures a tank without a screen. */
+/* tank.c -- `kingyoctl tank`, which simulates and measures a tank of fish without a screen. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,8 +25,9 @@ static void tank_print_progress(const struct tank_lab *lab)
     }
 }
 
-/* Simulates the tank. Checks the floating-point environment once a second. Returns EXIT_OK, or
- * prints one line to standard error and returns EXIT_NOT_SO if the environment has changed. */
+/* Runs the whole simulation. Once per second, checks that the floating-point settings are still
+ * suitable for the core. Returns EXIT_OK, or prints one line to standard error and returns
+ * EXIT_NOT_SO if the settings have changed. */
 static enum exit_code swim(struct tank_lab *lab, struct tank_trace *trace)
 {
     const struct tank_options *plan = lab->plan;

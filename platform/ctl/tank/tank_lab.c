@@ -1,4 +1,4 @@
-/* tank_lab.c -- the tick of the tank laboratory, and the measurements after it. */
+/* tank_lab.c -- advances the simulated tank, and measures the tank after each tick. */
 #include "platform/ctl/tank/tank_lab.h"
 
 #include <math.h>
@@ -16,9 +16,10 @@
 #include "platform/ctl/tank/tank_place.h"
 #include "platform/os/print.h"
 
-#define POI_GRADE 5u /* Paper grade of the championship. */
-/* Default observation interval for tanks with more fish than the kiosk has: 5 observations a
- * second. An observation of 100,000 fish takes longer than their tick. */
+#define POI_GRADE 5u /* Paper grade of the poi, the grade of the championship mode. */
+/* Default number of ticks between two observations for a tank with more fish than a kiosk has. 24
+ * ticks give 5 observations per second. An observation of 100,000 fish takes longer than their
+ * tick. */
 #define OBSERVE_MANY_TICKS 24u
 
 static const char path_speaker[] = "kingyoctl tank: --poi-path";
@@ -29,7 +30,7 @@ uint32_t tank_lab_seconds(const struct tank_options *plan)
     return plan->tick_count / CORE_TICK_HZ + 1u;
 }
 
-/* ---- Counting ------------------------------------------------------------------------------- */
+/* ---- Counting fish --------------------------------------------------------------------------- */
 
 static struct shade_cast cast_of(const struct plan_shade *shade)
 {
@@ -42,8 +43,8 @@ static struct shade_cast cast_of(const struct plan_shade *shade)
     };
 }
 
-/* Returns whether the fish is within any shade of the plan, even if the shade is not cast at the
- * moment. */
+/* Returns 1 if the fish is within any shade of the plan, otherwise 0. A shade that is not cast at
+ * the moment counts too. */
 static int is_shaded(const struct tank_lab *lab, const struct fish *fish)
 {
     for (uint32_t i = 0; i < lab->plan->shade_count; i++) {
@@ -95,10 +96,10 @@ static void observe(struct tank_lab *lab)
     lab->observed_tick = lab->tick;
 }
 
-/* ---- The tick ------------------------------------------------------------------------------- */
+/* ---- One tick -------------------------------------------------------------------------------- */
 
-/* Returns the CPU time of the calling thread. Other processes on the machine do not count as cost
- * of the tank. */
+/* Returns the CPU time of the calling thread since `from`, in ns. Unlike the wall-clock time, the
+ * CPU time excludes other processes. */
 static float elapsed_ns(const struct timespec *from)
 {
     struct timespec now;
@@ -107,8 +108,9 @@ static float elapsed_ns(const struct timespec *from)
                    (double)(now.tv_nsec - from->tv_nsec));
 }
 
-/* Returns whether the time of this tick counts. An observation replaces the tank's data in the
- * caches, so the ticks of the next broad-phase period are slower and are left out. */
+/* Returns 1 if the CPU time of the present tick is recorded, otherwise 0. An observation evicts the
+ * tank's data from the CPU caches. The ticks in the next broad-phase period are therefore slower
+ * and are not recorded. */
 static int is_timed(const struct tank_lab *lab)
 {
     return lab->observe_every <= BROAD_PHASE_UPDATE_TICKS || lab->observed_tick == 0 ||
@@ -142,7 +144,8 @@ static void cast_shades(struct tank_lab *lab)
     tank_cast(&lab->tank, casts);
 }
 
-/* Advances in the order of core_tick(): poi, water, fish, catch. */
+/* Advances the tank with a poi by one tick, in the order of core_tick(): poi, water, fish,
+ * captures. */
 static void tick_with_poi(struct tank_lab *lab)
 {
     const double now_s = (double)(lab->tick + 1u) / CORE_TICK_HZ;
@@ -196,7 +199,7 @@ uint64_t tank_lab_hash(const struct tank_lab *lab)
     return tank_hash(hash, &lab->tank);
 }
 
-/* ---- Opening -------------------------------------------------------------------------------- */
+/* ---- Opening the tank ------------------------------------------------------------------------ */
 
 static enum exit_code open_or_say(struct tank_lab *lab, const struct tank_config *config)
 {

@@ -1,7 +1,8 @@
-/* tank_lab.h -- a tank without a game, and the measurements of the tank.
+/* tank_lab.h -- simulates a tank without a game, and measures the tank.
  *
- * A poi that follows a path is the game's own poi (core/poi: hand spring, water, paper, carried
- * fish), in the game's order of a tick. Only the rules, the bot and the bowl are missing. */
+ * A poi (a paper scoop) that follows a path is simulated by core/poi: the spring to the hand, the
+ * water, the paper and the carried fish. The steps of a tick (1/120 s) have the same order as in
+ * core_tick(). The rules of the game, the bot and the bowl are not simulated. */
 #ifndef KINGYO_PLATFORM_CTL_TANK_TANK_LAB_H
 #define KINGYO_PLATFORM_CTL_TANK_TANK_LAB_H
 
@@ -16,12 +17,14 @@
 #include "platform/ctl/tank/tank_options.h"
 #include "platform/ctl/tank/tank_path.h"
 
-/* Sums over all observed ticks. */
+/* Sums over all ticks that were observed, and over all fish. A fish-tick is one fish in one
+ * observed tick. */
 struct lab_sums {
     uint64_t fish_ticks;
     uint64_t gait_ticks[GAIT_COUNT];
     double stamina;
-    /* Fish-ticks of swimming fish. The other fish are moved by a poi or fall through the air. */
+    /* Fish-ticks of fish that swim. Fish that are moved by a poi or that fall through the air are
+     * not counted. */
     uint64_t swim_ticks;
     double speed_m_s, speed_max_m_s;
 };
@@ -29,8 +32,9 @@ struct lab_sums {
 struct tank_lab {
     const struct tank_options *plan;
     struct tank tank;
-    struct poi poi;   /* Poi that follows the path. Used only if path.count > 0. */
-    struct bowl bowl; /* Absent bowl, because a poi without a game has none. */
+    struct poi poi;   /* Poi that follows the path. Used only if `path.count` is above 0. */
+    struct bowl bowl; /* Bowl that the core's functions require. The laboratory has no bowl, so all
+                         fields are zero. */
     struct output output;
     struct tank_path path;
     uint32_t tick; /* Number of completed ticks. */
@@ -40,39 +44,40 @@ struct tank_lab {
     struct lab_sums sums;
     struct tank_meetings meetings;
     float oxygen_start_mg_l;
-    uint32_t observe_every; /* Ticks from one observation to the next. */
-    uint32_t observed_tick; /* Tick count at the last observation. */
-    uint32_t timed_count;   /* Number of used entries of tick_ns. */
-    /* CPU time of the tank's tick alone in nanoseconds, for each timed tick. The array has
-     * plan->tick_count elements. Every tick is timed if `observe_every` is at most
-     * BROAD_PHASE_UPDATE_TICKS. */
+    uint32_t observe_every; /* Number of ticks between two observations. */
+    uint32_t observed_tick; /* Number of completed ticks at the last observation. */
+    uint32_t timed_count;   /* Number of valid entries of `tick_ns`. */
+    /* CPU time of tank_tick() in nanoseconds, for each timed tick. The array has plan->tick_count
+     * elements. Every tick is timed if `observe_every` is at most BROAD_PHASE_UPDATE_TICKS. */
     float *tick_ns;
-    /* Fish within the shades at the start and after each second. The array has tank_lab_seconds()
-     * elements. */
+    /* Number of fish within the shades, at the start and after each second. The array has
+     * tank_lab_seconds() elements. */
     uint32_t *shade_count;
-    /* Fish at the surface at the start and after each second. The array has tank_lab_seconds()
-     * elements. */
+    /* Number of fish that breathe at the water surface, at the start and after each second. The
+     * array has tank_lab_seconds() elements. */
     uint32_t *surfacing_count;
 };
 
-/* Returns the number of elements of `shade_count`: the start and each whole second of the run. */
+/* Returns the number of elements of `shade_count` and of `surfacing_count`: one for the start and
+ * one for each whole second of the simulation. */
 uint32_t tank_lab_seconds(const struct tank_options *plan);
 
-/* Opens the tank of the plan and reads the plan's files. `lab` must be zero. The plan must outlive
- * the lab. Returns EXIT_OK, or prints one line to standard error and returns another code. */
+/* Opens the tank that `plan` describes and reads the files that the plan names. All fields of `lab`
+ * must be 0 before the call. `plan` must outlive `lab`. Returns EXIT_OK, or prints one line to
+ * standard error and returns another exit code. */
 enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_options *plan);
 
-/* Advances the tank by one tick and measures its time. After every `observe_every`th tick and after
- * the last tick of the plan, the function also measures overlaps, encounters, gaits and speeds. */
+/* Advances the tank by one tick and measures the CPU time. Every `observe_every` ticks and after
+ * the last tick of the plan, also measures overlaps, encounters, gaits and speeds. */
 void tank_lab_tick(struct tank_lab *lab);
 
-/* Returns the dissolved oxygen of the water now, in mg/l. */
+/* Returns the present concentration of dissolved oxygen in the water, in mg/l. */
 float tank_lab_oxygen_mg_l(const struct tank_lab *lab);
 
-/* Returns the hash of the tank and of the poi, if there is one. */
+/* Returns the hash of the tank's state. If a poi follows a path, the hash includes the poi. */
 uint64_t tank_lab_hash(const struct tank_lab *lab);
 
-/* Frees the arrays of the lab. */
+/* Frees the arrays of the laboratory. */
 void tank_lab_close(struct tank_lab *lab);
 
 #endif

@@ -1,4 +1,4 @@
-/* tank_meetings.c -- detects when two fish begin to avoid each other, and when the pair has
+/* tank_meetings.c -- detects when two fish begin to avoid each other, and when the two fish have
  * separated. */
 #include "platform/ctl/tank/tank_meetings.h"
 
@@ -16,7 +16,8 @@ static int overlap(const struct tank *tank, const struct tank_meeting *pair)
     return box_depth_m(&spaces[0], &spaces[1]) > 0.0f;
 }
 
-/* Appends a pair to the open pairs and links it to the older pairs of the same lower fish. */
+/* Appends a pair to the list of open pairs, and links the pair to the older pairs with the same
+ * `low`. */
 static void open_pair(struct tank_meetings *meetings, const struct tank_meeting *pair)
 {
     struct tank_meeting *added = &meetings->open[meetings->open_count++];
@@ -35,7 +36,8 @@ static void forget_the_parted(struct tank_meetings *meetings, const struct tank 
         struct tank_meeting pair = meetings->open[i];
         pair.apart_ticks = overlap(tank, &pair) ? 0 : pair.apart_ticks + ticks;
         if (pair.apart_ticks < TANK_MEETINGS_PART_TICKS) {
-            /* The new pair is stored at or before index i, which has already been read. */
+            /* open_pair() writes at or before index `i`, and the entry at `i` has already been
+             * read. */
             open_pair(meetings, &pair);
         }
     }

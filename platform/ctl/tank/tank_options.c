@@ -1,5 +1,5 @@
-/* tank_options.c -- parses the options as written, each with its own range, and then checks the
- * options against each other and against the preset. */
+/* tank_options.c -- parses the options of `kingyoctl tank`, first each option in its own range, and
+ * then checks the options against each other and against the tank preset. */
 #include "platform/ctl/tank/tank_options.h"
 
 #include <math.h>
@@ -10,12 +10,12 @@
 #include "platform/os/number.h"
 
 #define FIELD_MAX 48
-/* Rounds to whole centimetres, because 0.30f is not exactly 30 cm. */
+/* Converts metres to whole centimetres by rounding, because the float 0.30f is not exactly 0.3. */
 #define CM(metres) ((double)(int)(100.0f * (metres) + 0.5f))
 
 static const char name[] = "tank";
 
-/* Options with a number as their value, in the order of `ranges`. */
+/* Options whose value is a number, in the order of `ranges`. */
 enum figure {
     FIGURE_AREA_SCALE,
     FIGURE_WALL_FOLLOW,
@@ -32,7 +32,7 @@ enum figure {
 };
 
 struct range {
-    const char *option; /* Name of the option or of its part. */
+    const char *option; /* Name of the option, or of one number in the option's list. */
     double min, max;
     uint8_t is_whole;
 };
@@ -59,18 +59,19 @@ enum pump {
     PUMP_ON,
 };
 
-/* The options as written. */
+/* Options as the user wrote them, before the tank preset is applied. */
 struct words {
     uint8_t given[FIGURE_COUNT];
     double figure[FIGURE_COUNT];
     uint8_t preset;
-    uint8_t pump;   /* Setting of the pump, enum pump. */
-    uint8_t search; /* Method of the pair search, enum pair_search. */
-    uint8_t balls;  /* 1 for --spaces ball. */
-    /* Width, depth and breadth of the tank. A value of 0 selects the size of the preset. */
+    uint8_t pump;   /* Setting of the water pump (enum pump). */
+    uint8_t search; /* Method of the pair search (enum pair_search). */
+    uint8_t balls;  /* 1 if --spaces ball was given, otherwise 0. */
+    /* Size of the tank in cm along x, y and z. The size along y is the depth of the water. 0
+     * selects the size of the tank preset. */
     double size_cm[3];
-    /* Value of --fish, or null if the option is absent. The range depends on the preset and on the
-     * floor area. */
+    /* Value of --fish, or null if the option is absent. The allowed range depends on the tank
+     * preset and on the floor area, so the value is parsed later. */
     const char *fish;
 };
 
@@ -81,7 +82,7 @@ static enum exit_code tank_options_error(const char *option, const char *value,
                      expected);
 }
 
-/* ---- One option ----------------------------------------------------------------------------- */
+/* ---- Parsing one option ---------------------------------------------------------------------- */
 
 static enum exit_code take_figure(struct words *words, enum figure figure, const char *value)
 {
@@ -118,7 +119,8 @@ static enum exit_code take_fish(struct tank_options *plan, struct words *words, 
     return EXIT_OK;
 }
 
-/* Parses one of two words. Sets `*is_second` to whether the value is the second word. */
+/* Parses an option whose value is the word `first` or the word `second`. Sets `*is_second` to 1 for
+ * the second word and to 0 for the first word. */
 static enum exit_code take_choice(const char *option, const char *value, const char *first,
                                   const char *second, uint8_t *is_second)
 {
@@ -188,8 +190,8 @@ static enum exit_code take_json(struct tank_options *plan, struct words *words, 
     return EXIT_OK;
 }
 
-/* Parses `count` comma-separated numbers, each in its range. Returns 1, or 0 if the list is not
- * valid. */
+/* Parses `count` comma-separated numbers, each in its own range. Returns 1, or 0 if the list is
+ * invalid. */
 static int read_list(const char *text, const struct range *parts, int count, double *out)
 {
     for (int i = 0; text && i < count; i++) {
@@ -254,7 +256,8 @@ static enum exit_code take_shade(struct tank_options *plan, struct words *words,
 struct option {
     const char *name;
     enum exit_code (*take)(struct tank_options *plan, struct words *words, const char *value);
-    uint8_t word_count; /* Number of words of the option, including its value. */
+    uint8_t word_count; /* Number of words on the command line: 2 for an option with a value, 1 for
+                           an option without a value. */
 };
 
 static const struct option table[] = {
@@ -266,7 +269,8 @@ static const struct option table[] = {
     { "--json", take_json, 1 },
 };
 
-/* Parses the option and its value. Sets `*used` to the number of words that were read. */
+/* Parses one option and its value. Sets `*used` to the number of command-line words that were
+ * read. */
 static enum exit_code tank_options_take_option(struct tank_options *plan, struct words *words,
                                                const char *option, const char *value, int *used)
 {
@@ -285,9 +289,9 @@ static enum exit_code tank_options_take_option(struct tank_options *plan, struct
     return ctl_usage(name, "unknown option '%.100s'; --help lists them", option);
 }
 
-/* ---- All of them ---------------------------------------------------------------------------- */
+/* ---- Checking all options together ----------------------------------------------------------- */
 
-/* Returns the ratio of the requested water volume to the volume of the preset. */
+/* Returns the ratio of the requested water volume to the water volume of the tank preset. */
 static double waters(const struct tank_config *config)
 {
     const vec3 own_m = tank_preset(config->preset)->size_m, size_m = config->size_m;
@@ -297,7 +301,8 @@ static double waters(const struct tank_config *config)
     return x * y * z * (double)config->area_scale;
 }
 
-/* Sets the number of fish. Without --fish, the tank is as dense as the preset. */
+/* Sets the number of fish. Without --fish, the tank gets the same number of fish per volume as the
+ * tank preset. */
 static enum exit_code settle_fish(struct tank_options *plan, const struct words *words)
 {
     struct tank_config *config = &plan->config;

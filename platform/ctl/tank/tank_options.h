@@ -1,4 +1,4 @@
-/* tank_options.h -- the options of `kingyoctl tank`, and the plan of a run. */
+/* tank_options.h -- the options of `kingyoctl tank`, which describe a simulation of a tank. */
 #ifndef KINGYO_PLATFORM_CTL_TANK_TANK_OPTIONS_H
 #define KINGYO_PLATFORM_CTL_TANK_TANK_OPTIONS_H
 
@@ -7,9 +7,10 @@
 #include "core/tank/tank.h"
 #include "platform/config/options.h"
 
-#define PLAN_SECONDS_MAX 36000u /* Maximum length of a run: ten hours. */
+#define PLAN_SECONDS_MAX 36000u /* Maximum length of a simulation in seconds, which is ten hours. */
 
-/* A round shade over the water from second `from_s` to second `to_s` of the run. */
+/* A round shade over the water. The shade is cast from second `from_s` to second `to_s` of the
+ * simulation. */
 struct plan_shade {
     double x_m, z_m, radius_m, from_s, to_s;
 };
@@ -20,21 +21,24 @@ struct tank_options {
     uint32_t tick_count;
     uint32_t shade_count;
     struct plan_shade shade[SHADE_MAX];
-    /* Paths of the poi path, the start positions and the trace. Null if the option is absent. */
+    /* Paths of three files: the motion of a poi (a paper scoop), the start positions of the fish,
+     * and the trace to write. A null pointer means that the option is absent. */
     const char *poi_path, *place, *trace;
-    uint32_t trace_every; /* Interval of the trace in ticks. */
-    /* Observation interval in ticks. A value of 0 selects the default, which depends on the number
+    uint32_t trace_every; /* Number of ticks between two samples of the trace. */
+    /* Number of ticks between two observations. 0 selects the default, which depends on the number
      * of fish. */
     uint32_t observe_every;
-    uint8_t has_fish; /* 1 if --fish was given. The files must then have the same number of fish. */
+    uint8_t has_fish; /* 1 if --fish was given, otherwise 0. If --fish was given, the file of start
+                         positions must have the same number of fish. */
     uint8_t as_json;
 };
 
-/* Parses the options into `plan`, starting from the values of the preset. `plan` keeps pointers
- * into argv. Returns EXIT_OK, or prints one line to standard error and returns another code. */
+/* Parses the options into `plan`. Options that are absent have the values of the tank preset.
+ * `plan` keeps pointers into `argv`. Returns EXIT_OK, or prints one line to standard error and
+ * returns another exit code. */
 enum exit_code tank_options_read(struct tank_options *plan, int argc, const char *const *argv);
 
-/* Text that --help prints. */
+/* Text that `kingyoctl tank --help` prints. */
 extern const char tank_options_usage[];
 
 #endif

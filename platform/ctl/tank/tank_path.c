@@ -1,4 +1,4 @@
-/* tank_path.c -- reads the rows of a hand's path and interpolates the pose between two rows. */
+/* tank_path.c -- reads the path of a hand, and interpolates the pose between two rows. */
 #include "platform/ctl/tank/tank_path.h"
 
 #include "platform/ctl/lib/csv.h"
@@ -6,8 +6,8 @@
 
 enum { T_S, X_CM, Y_CM, Z_CM, YAW_DEG, PITCH_DEG, ROLL_DEG, COLUMN_COUNT };
 
-/* Columns of the path. The ranges allow for an arm's reach beyond any tank and for ten turns of a
- * wrist. */
+/* Columns of the path file. The position ranges exceed every tank by the length of an arm. The
+ * angle ranges allow ten full turns of the wrist. */
 static const struct csv_column columns[COLUMN_COUNT] = {
     [T_S] = { .name = "t_s", .min = 0, .max = 36000 },
     [X_CM] = { .name = "x_cm", .min = -1000, .max = 1000 },

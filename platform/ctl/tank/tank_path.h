@@ -1,4 +1,5 @@
-/* tank_path.h -- the path of a hand that moves a poi, as a table of poses from a CSV file. */
+/* tank_path.h -- the path of a hand that moves a poi (a paper scoop), read from a CSV file as a
+ * table of poses. */
 #ifndef KINGYO_PLATFORM_CTL_TANK_TANK_PATH_H
 #define KINGYO_PLATFORM_CTL_TANK_TANK_PATH_H
 
@@ -15,18 +16,20 @@ struct tank_path_row {
 };
 
 struct tank_path {
-    /* `newest` is the row before the last requested time, because times never decrease. */
+    /* `count` is the number of rows. `newest` is the index of the last row before the time of the
+     * last call of tank_path_at(), where the next search starts. */
     uint32_t count, newest;
     struct tank_path_row row[TANK_PATH_MAX];
 };
 
-/* Reads the columns t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg. Times must increase from row to
- * row. Returns EXIT_OK, or prints one line that begins with `speaker` to standard error and returns
- * another code. */
+/* Reads the columns t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg. The times must increase from row
+ * to row. Returns EXIT_OK, or prints one line that begins with `speaker` to standard error and
+ * returns another exit code. */
 enum exit_code tank_path_read(struct tank_path *path, const char *speaker, const char *file);
 
-/* Returns the pose at `t_s`, which must not decrease from call to call. The pose is linear between
- * rows. The first row applies earlier, and the last row applies later. Requires count > 0. */
+/* Returns the pose at the time `t_s`, which must not decrease from call to call. The pose is
+ * interpolated linearly between two rows. The first row applies before its time, and the last row
+ * applies after its time. The path must have at least one row. */
 struct poi_target tank_path_at(struct tank_path *path, double t_s);
 
 #endif

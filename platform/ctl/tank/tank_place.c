@@ -1,5 +1,5 @@
-/* tank_place.c -- converts rows of a file to fish, and checks that the fish fit into the water
- * without overlaps. */
+/* tank_place.c -- converts the rows of a file to fish, and checks that every fish is in the water
+ * and overlaps no other fish. */
 #include "platform/ctl/tank/tank_place.h"
 
 #include <math.h>
@@ -9,7 +9,8 @@
 #include "platform/ctl/tank/overlap.h"
 #include "platform/os/print.h"
 
-#define TOUCH_M 0.0001 /* Tolerance for walls, because a trace's decimals are rounded. */
+#define TOUCH_M                                                                                    \
+    0.0001 /* Tolerance at the walls in metres, because the numbers in a trace are rounded. */
 
 enum {
     TICK,
@@ -31,9 +32,9 @@ enum {
     COLUMN_COUNT,
 };
 
-/* The gaits of the trace, and the gait with which a fish of each starts. An escaping fish starts
- * with a burst, because the cause of its escape is not in the file. GAIT_HELD is rejected, because
- * no poi or bowl can hold a fish here. */
+/* Gaits of the trace. `gaits` contains the gait with which a fish starts for each word. An escaping
+ * fish starts with a burst, because the file does not contain the cause of the escape. GAIT_HELD is
+ * rejected, because the tank has no poi or bowl that could hold a fish. */
 static const char *const gait_words[] = {
     "rest", "swim", "burst", "escape", "surface", "held", NULL
 };
@@ -41,8 +42,9 @@ static const uint8_t gaits[] = { GAIT_REST,  GAIT_SWIM,    GAIT_BURST,
                                  GAIT_BURST, GAIT_SURFACE, GAIT_HELD };
 #define GAIT_BY_SPEED (-1.0)
 
-/* All columns of the trace (tank_trace.c). The box follows from the length. The phase of the tail
- * beat and the avoidance start from their initial states. */
+/* Columns of the trace (tank_trace.c). The size of a fish is computed from its length. The file
+ * contains neither the phase of the tail beat nor the avoidance, so each fish starts with the
+ * initial values. */
 static const struct csv_column columns[COLUMN_COUNT] = {
     [TICK] = { .name = "tick", .min = 0, .max = UINT32_MAX, .may_miss = 1 },
     [FISH] = { .name = "fish", .may_miss = 1, .unread = 1 },
@@ -62,7 +64,8 @@ static const struct csv_column columns[COLUMN_COUNT] = {
     [AVOIDING] = { .name = "avoiding", .may_miss = 1, .unread = 1 },
 };
 
-/* Converts from centimetres to metres, or from the thesis' stamina scale of 100 to 1. */
+/* Multiplies by 0.01. Used to convert centimetres to metres, and to convert stamina from the
+ * thesis' scale 0 .. 100 to 0 .. 1. */
 static float hundredth(double value)
 {
     return (float)(0.01 * value);
@@ -128,15 +131,16 @@ enum exit_code tank_place_read(struct tank_place *place, const char *speaker, co
     return code;
 }
 
-/* Returns half of the size of the axis-aligned box around a body, along x, y or z. */
+/* Returns half of the size of the axis-aligned box around an oriented box, in metres. `along` is
+ * the axis: 0 for x, 1 for y, 2 for z. */
 static double extent_m(const struct overlap_box *box, int along)
 {
     return box->half_m[0] * fabs(box->axis[0][along]) + box->half_m[1] * fabs(box->axis[1][along]) +
            box->half_m[2] * fabs(box->axis[2][along]);
 }
 
-/* Returns whether the body is in the water. `emerges_m` is the height of the body that may be above
- * the surface. */
+/* Returns 1 if the box is in the water, otherwise 0. The box may extend above the water surface by
+ * up to `emerges_m` metres. */
 static int is_in_water(const struct overlap_box *box, vec3 size_m, double emerges_m)
 {
     const double side[3] = { 0.5 * (double)size_m.x, (double)size_m.y, 0.5 * (double)size_m.z };

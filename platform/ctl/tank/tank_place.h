@@ -1,4 +1,5 @@
-/* tank_place.h -- places fish at positions from a file, so that an encounter can be reproduced. */
+/* tank_place.h -- places fish at start positions from a file, so that an encounter can be
+ * reproduced. */
 #ifndef KINGYO_PLATFORM_CTL_TANK_TANK_PLACE_H
 #define KINGYO_PLATFORM_CTL_TANK_TANK_PLACE_H
 
@@ -8,21 +9,25 @@
 struct tank_place {
     uint32_t count;
     struct tank_stage stage[TANK_FISH_MAX];
-    uint32_t line[TANK_FISH_MAX]; /* Line of the file that contains each fish. */
-    double tick;                  /* Tick of the fish, if the file has ticks. */
-    uint32_t rows_left_out;       /* Number of rows that belong to other ticks. */
+    uint32_t line[TANK_FISH_MAX]; /* Line number in the file for each fish. */
+    double tick;                  /* Number of the tick whose rows are used, if the file has a tick
+                                     column. */
+    uint32_t rows_left_out;       /* Number of rows that were skipped because they belong to another
+                                     tick. */
 };
 
-/* Reads rows in the format of the trace. The columns x_cm, y_cm, z_cm and yaw_deg are required. The
- * columns pitch_deg, roll_deg, length_cm, speed_cm_s, gait and stamina are optional, and other
- * columns of the trace are ignored. If the file has ticks, only the rows of the first tick are
- * used. Returns EXIT_OK, or prints one line that begins with `speaker` to standard error and
- * returns another code. */
+/* Reads start positions in the CSV format of the trace. The columns x_cm, y_cm, z_cm and yaw_deg
+ * are required. The columns pitch_deg, roll_deg, length_cm, speed_cm_s, gait and stamina are
+ * optional. The other columns of the trace are ignored. If the file has a tick column, only the
+ * rows of its first tick are used.
+ *
+ * Returns EXIT_OK, or prints one line that begins with `speaker` to standard error and returns
+ * another exit code. */
 enum exit_code tank_place_read(struct tank_place *place, const char *speaker, const char *file);
 
 /* Places the fish in a tank that was opened for the same number of fish, and prints how many rows
- * were left out. Returns EXIT_OK. Prints one line and returns EXIT_BAD_DATA if a body is not
- * completely in the water or overlaps another body. The snout of a fish that gulps air may be above
+ * were skipped. Returns EXIT_OK. If a body overlaps another body or is not completely in the water,
+ * prints one line and returns EXIT_BAD_DATA. Only a fish that gulps air may have its snout above
  * the water. */
 enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tank,
                                 const char *speaker, const char *file);

@@ -1,4 +1,4 @@
-/* tank_report.c -- prints the results of a run as text and as JSON. */
+/* tank_report.c -- prints the results of a tank simulation as text and as JSON. */
 #include "platform/ctl/tank/tank_report.h"
 
 #include <stdio.h>
@@ -7,11 +7,11 @@
 #include "platform/os/number.h"
 
 #define BAR_WIDTH 40
-/* Maximum number of characters in a chart. A longer run combines several seconds in each
- * character. */
+/* Maximum number of characters in a chart. A chart of a longer simulation shows one second out of
+ * every two or more. */
 #define SPARKS_MAX 60u
 
-/* ---- Statistics ----------------------------------------------------------------------------- */
+/* ---- Statistics ------------------------------------------------------------------------------ */
 
 static int by_size(const void *left, const void *right)
 {
@@ -51,7 +51,7 @@ struct tank_figures tank_figures_of(struct tank_lab *lab)
     return figures;
 }
 
-/* ---- JSON ----------------------------------------------------------------------------------- */
+/* ---- Output as JSON -------------------------------------------------------------------------- */
 
 static void tank_report_put(const char *before, double value, uint32_t decimals)
 {
@@ -107,7 +107,7 @@ void tank_report_json(const struct tank_lab *lab, const struct tank_figures *fig
     puts("}");
 }
 
-/* ---- Text ----------------------------------------------------------------------------------- */
+/* ---- Output as text -------------------------------------------------------------------------- */
 
 static void tank_report_print_bar(const char *label, double share)
 {
@@ -119,8 +119,8 @@ static void tank_report_print_bar(const char *label, double share)
     putchar('\n');
 }
 
-/* Prints a chart with one character for each second. A long run has one character for several
- * seconds. */
+/* Prints a chart of `counts`, in which the height of each character shows the count of one second.
+ * If there are more than SPARKS_MAX seconds, some seconds are omitted at regular intervals. */
 static void sparks(const char *label, const uint32_t *counts, uint32_t count)
 {
     static const char *const heights[] = { "▁", "▂", "▃", "▄", "▅", "▆", "▇", "█" };

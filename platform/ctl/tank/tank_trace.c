@@ -1,6 +1,7 @@
-/* tank_trace.c -- writes the rows of the trace digit by digit, independently of the locale.
- * Positions have four decimals of a centimetre, so that an overlap of half a millimetre can be
- * measured to a thousandth. */
+/* tank_trace.c -- writes the rows of the trace independently of the locale.
+ *
+ * Positions have four decimals of a centimetre. An overlap of 0.5 mm can then be measured with an
+ * error of about a thousandth. */
 #include "platform/ctl/tank/tank_trace.h"
 
 #include <errno.h>

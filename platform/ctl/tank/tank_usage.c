@@ -1,5 +1,5 @@
-/* tank_usage.c -- the text of `kingyoctl tank --help`. tank_options.c parses the options in the
- * text. */
+/* tank_usage.c -- the text of `kingyoctl tank --help`. tank_options.c parses the options that the
+ * text describes. */
 #include "platform/ctl/tank/tank_options.h"
 
 const char tank_options_usage[] =
