@@ -1,4 +1,4 @@
-/* compile.c -- converts a drawing and its lofts to the core's data: card, coats, tables. */
+/* compile.c -- converts a species text and its lofts to the core's data: card, coats and tables. */
 #include "platform/species/shape.h"
 
 #include <assert.h>
@@ -38,8 +38,8 @@ void species_pack(const struct loft *loft, uint32_t key_count, struct mesh_table
     }
 }
 
-/* Converts a coat from positions along x, as makers write it, to body coordinates, as the paint
- * functions read it. */
+/* Converts the marks of a coat from positions along x, which makers write, to body coordinates,
+ * which the paint functions read. */
 static struct species_coat coat_on_body(const struct key_text *key)
 {
     struct species_coat coat = key->coat;

@@ -1,4 +1,4 @@
-/* library.c -- lists and reads the species library, and stores the reason for each rejected
+/* library.c -- reads the files of the species library, and stores the reason for each rejected
  * file. */
 #include "platform/species/library.h"
 
@@ -23,8 +23,8 @@ static bool is_packed(const char *name)
     return length > suffix && name[0] != '.' && strcmp(name + length - suffix, PACK_SUFFIX) == 0;
 }
 
-/* Inserts a name in order and keeps the first LIBRARY_LINE_MAX names, because a directory has no
- * fixed order. */
+/* Inserts a name in alphabetical order and keeps the first LIBRARY_LINE_MAX names. Sorting is
+ * necessary because a directory has no fixed order. */
 static void insert(struct listing *l, const char *name)
 {
     uint32_t at = l->count;
@@ -42,7 +42,8 @@ static void insert(struct listing *l, const char *name)
     memcpy(l->names[at], name, strlen(name) + 1);
 }
 
-/* Returns 0, or the errno of a directory that exists but cannot be read. */
+/* Lists the names of the files in `folder`. Returns 0, or the errno of a folder that exists but
+ * cannot be read. */
 static int list(const char *folder, struct listing *l)
 {
     DIR *directory = opendir(folder);
@@ -68,7 +69,8 @@ static bool is_taken(const struct library *library, const char *id)
     return false;
 }
 
-/* Reads one file into the next free slot. The slot stays free if the species is rejected. */
+/* Reads one file into the next free slot. The slot stays free if the species is rejected. Returns
+ * false and the reason in `why` then. */
 static bool library_read_file(struct library *library, const char *path,
                               char why[VALIDATE_WHY_SIZE])
 {

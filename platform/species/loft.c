@@ -1,7 +1,7 @@
-/* loft.c -- converts a key's smooth shape to a mesh: rings along the body, fin sheets, eyes.
+/* loft.c -- converts a key's smooth shape to a mesh: rings along the body, fin sheets and eyes.
  *
- * All keys of a species use the same rings, spokes and rays, so vertices correspond by
- * construction, as the 2005 thesis requires of its input shapes (section 3.1). */
+ * All keys of a species use the same rings, spokes and rays, so that the vertices of two keys
+ * correspond to each other, as the 2005 thesis requires of its input shapes (section 3.1). */
 #include "platform/species/loft_parts.h"
 
 #include <assert.h>
@@ -9,10 +9,11 @@
 #include <string.h>
 
 #define RINGS_MAX 64
-/* Position of the round end's ring, as a fraction of the way from the last ring to the closing
+/* Position of the ring that rounds off the tail root. 0 is the last ring, 1 is the closing
  * point. */
 #define CAP_AT 0.6
-#define CAP_FACES 0.8 /* How much the end ring's normals face backward for each part outward. */
+/* Backward component of the end ring's normals, relative to their outward component. */
+#define CAP_FACES 0.8
 
 /* clang-format off */
 const struct detail species_detail[SPECIES_LOD_COUNT] = {
@@ -74,9 +75,9 @@ struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part par
     return anchor;
 }
 
-/* Adds the closing point of the snout or of the tail root, on its section's axis. The point is
- * added once for each flank, so that a pattern's v does not run through the belly's. `normal` is
- * the right flank's; returns the index of the right flank's point. */
+/* Adds the closing point of the snout or of the tail root, on the axis of its cross section. Each
+ * flank gets its own point, so that a pattern's coordinate v does not jump at the belly. `normal`
+ * belongs to the right flank. Returns the index of the right flank's point. */
 static uint32_t add_poles(struct lofting *l, double u, v3d normal)
 {
     for (int side = 1; side >= -1; side -= 2) {
@@ -107,7 +108,7 @@ static void add_ring(struct lofting *l, double u)
 }
 
 /* Adds a ring between the last ring and the closing points, which rounds off the tail root. The
- * ring is not part of the grid, because no anchor is on it. */
+ * ring is not part of the grid, because no anchor lies on the ring. */
 static void add_cap_ring(struct lofting *l)
 {
     for (uint32_t spoke = 0; spoke <= l->detail->spokes; spoke++) {
@@ -155,7 +156,7 @@ static void add_body(struct lofting *l)
     l->loft->grid_spokes = spokes;
 }
 
-/* Returns the least of 1, 2 and 4 that contains every point. */
+/* Returns 1, 2 or 4: the smallest reach that contains every vertex. */
 static float reach_of(const struct loft *loft, uint32_t key_count)
 {
     float farthest = 0.0f;

@@ -1,11 +1,13 @@
-/* loft_eye.c -- lofts the eyes: closed balls, half sunk, that move and turn with the skin. */
+/* loft_eye.c -- lofts the eyes: closed balls, half sunk into the head, that move and turn with the
+ * skin. */
 #include "platform/species/loft_parts.h"
 
 #include <math.h>
 
 #define PI 3.14159265358979323846
 
-/* Adds a ball's vertex at `polar` (0 the pupil's centre, PI inside the head) to every key. */
+/* Adds one vertex of the eye's ball to every key. `polar` is the angle from the pupil: 0 is the
+ * pupil's centre, and PI is inside the head. */
 static void add_ball_vertex(struct lofting *l, uint32_t side, double polar, double angle)
 {
     loft_next_vertex(l, (struct species_vertex){ .u = (float)(polar / EYE_RIM_RAD),
@@ -24,8 +26,8 @@ static void add_ball_vertex(struct lofting *l, uint32_t side, double polar, doub
     }
 }
 
-/* Returns the polar angle of one of `count` rings from the pupil backward. More than half of the
- * rings lie up to the rim, with one on the rim. */
+/* Returns the polar angle of one of `count` rings, counted from the pupil backward. More than half
+ * of the rings lie between the pupil and the rim, and one ring lies on the rim. */
 static double ring_polar(uint32_t ring, uint32_t count)
 {
     const uint32_t shown = (count + 2) / 2;

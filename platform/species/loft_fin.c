@@ -1,28 +1,33 @@
-/* loft_fin.c -- lofts the fins as sheets of one layer of vertices, visible from both sides.
+/* loft_fin.c -- lofts the fins as sheets of one layer of vertices, which are visible from both
+ * sides.
  *
- * Each ray column of a fin on the body has an anchor where it leaves the skin. Vertices are
- * relative to the anchor, so that the fin moves with the facets of the meshed skin and no gap
- * appears at any level of detail. */
+ * Each ray of a fin on the body has an anchor at the point where the ray leaves the skin. Vertices
+ * are relative to the anchor. The fin therefore moves with the facets of the meshed skin, and no
+ * gap appears at any level of detail. */
 #include "platform/species/loft_parts.h"
 
 #include <math.h>
 
 #define PI 3.14159265358979323846
-#define TAIL_LEAVES 0.05 /* As a fraction of the tail's length beyond the stalk. */
-#define TAIL_ROWS 4      /* A tail with fewer rows needs all of them to bend. */
+/* Distance behind the stalk at which the tail's visible part begins, as a fraction of the tail's
+ * length. */
+#define TAIL_LEAVES 0.05
+/* Minimum number of rows for the short second row of row_at(). A tail with fewer rows needs all
+ * rows for its bend. */
+#define TAIL_ROWS 4
 
 static const struct species_vertex on_nothing = { .anchor = ANCHOR_NONE };
 
-/* Returns the position of column `i` of a fin. The tail's columns are denser toward its lobes,
- * whose tips are round. */
+/* Returns the position of column `i` of a fin, [0, 1]. The tail's columns are denser toward its
+ * lobes, whose tips are round. */
 static double column_at(enum species_part part, uint32_t i, uint32_t across)
 {
     const double t = (double)i / (across - 1);
     return part == PART_TAIL ? 0.5 - 0.5 * cos(PI * t) : t;
 }
 
-/* Returns the position of row `j` of a fin. The second row of a near tail is just behind the stalk,
- * because a longer chord from the root would cut through the stalk's flanks. */
+/* Returns the position of row `j` of a fin, [0, 1]. In the near mesh, the tail's second row is just
+ * behind the stalk, because a longer edge from the root would cut through the stalk's flanks. */
 static double row_at(enum species_part part, uint32_t j, uint32_t along)
 {
     if (part == PART_TAIL && along >= TAIL_ROWS) {
@@ -31,7 +36,7 @@ static double row_at(enum species_part part, uint32_t j, uint32_t along)
     return (double)j / (along - 1);
 }
 
-/* Writes the body coordinates of a fin's root. The tail has none. */
+/* Writes the body coordinates of a fin's root. The root of the tail has no body coordinates. */
 static void root_at(const struct key_text *key, enum species_part part, int side, double at,
                     double *u, double *v)
 {
@@ -55,7 +60,8 @@ static uint8_t add_root(struct lofting *l, enum species_part part, int side, dou
     return (uint8_t)(l->loft->anchor_count - 1);
 }
 
-/* Sets the newest vertex to the drawing's point `p`, relative to its anchor if it has one. */
+/* Sets the position of the newest vertex to the drawing's point `p`, relative to the vertex' anchor
+ * if the vertex has an anchor. */
 static void ride(struct lofting *l, uint32_t key, v3d p, v3d normal)
 {
     const uint8_t index = l->loft->vertices[l->loft->vertex_count - 1].anchor;

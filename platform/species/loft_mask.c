@@ -1,15 +1,17 @@
-/* loft_mask.c -- computes how much each curve moves each vertex, with smooth transitions on shared
- * skin.
+/* loft_mask.c -- computes how much each deformation curve moves each vertex, with smooth
+ * transitions on shared skin.
  *
- * Fins and eyes are attached to anchors, so a single curve can own them completely without a tear.
- * Head, trunk, painted areas and the tail share their skin with neighbouring parts. */
+ * Fins and eyes are attached to anchors, so that a single curve can move them completely without a
+ * tear. The head, the trunk, the painted areas and the tail share their skin with neighbouring
+ * parts. */
 #include "platform/species/loft_parts.h"
 
 #include <math.h>
 
 /* Half width, in body coordinates, of the transition from head to trunk. */
 #define GILL_SOFT 0.07
-/* Fraction of the tail fin's length from which the tail's own curve moves it completely. */
+/* Position along the tail fin, as a fraction of its length, from which only the tail's own curve
+ * moves the fin. */
 #define TAIL_SOFT 0.6
 #define TAIL_ROOT_U 0.965 /* Body coordinate of the tail fin's root. */
 
@@ -29,8 +31,8 @@ uint8_t loft_curve_of(const struct species_text *species, uint32_t part)
     return 0;
 }
 
-/* Returns 1 inside the area and 0 beyond `soft` outside its border. Areas are drawn on the first
- * key. */
+/* Returns the weight of a point in a painted area: 1 inside the area, 0 at a distance of `soft` or
+ * more outside its border. Areas are drawn on the first key. */
 static double in_area(const struct species_text *species, const struct area *a, double u, double v)
 {
     const struct key_text *key = &species->keys[0];
@@ -42,7 +44,8 @@ static double in_area(const struct species_text *species, const struct area *a, 
            (1.0 - ramp((double)a->high, (double)a->high + soft, high));
 }
 
-/* Computes how much each curve moves the body's skin. The whole fish's curve has the remainder. */
+/* Computes how much each curve moves a point of the body's skin. The curve of the whole fish
+ * receives the remainder. */
 static void skin_share(const struct species_text *species, double u, double v,
                        double share[MORPH_CURVE_MAX])
 {
@@ -70,7 +73,8 @@ static void vertex_share(const struct species_text *species, const struct specie
                          double share[MORPH_CURVE_MAX])
 {
     const uint8_t own = loft_curve_of(species, vertex->part);
-    double rooted = 0.0; /* How far the vertex belongs to its own part and not to the skin. */
+    double rooted = 0.0; /* Weight of the vertex' own part. The remainder is the weight of the
+                            skin. */
     if (vertex->part == PART_TAIL) {
         skin_share(species, TAIL_ROOT_U, 0.25, share);
         rooted = ramp(0.0, TAIL_SOFT, (double)vertex->v);

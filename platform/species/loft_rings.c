@@ -1,20 +1,21 @@
 /* loft_rings.c -- computes the positions of the rings along the body.
  *
- * The body coordinates are the same in every key, denser where some key's outline bends. A straight
- * piece between two rings deviates from a curve by its bend times the square of the gap. A ring
- * density proportional to the square root of the bend therefore gives the same deviation
- * everywhere. */
+ * The rings have the same body coordinates in every key and are denser where the outline of any key
+ * bends. A straight piece between two rings deviates from a curve by the bend times the square of
+ * the distance of the rings. A ring density proportional to the square root of the bend therefore
+ * gives the same deviation everywhere. */
 #include "platform/species/loft_parts.h"
 
 #include <math.h>
 
 #define SAMPLES 256
-/* Fraction of the rings with even spacing, because the swimming wave bends the whole body. */
+/* Fraction of the rings that are evenly spaced, because the swimming wave bends the whole body. */
 #define EVEN_SHARE 0.30
-/* Mouth, eyes and gill cover attract the viewer's attention and get more rings. */
+/* Factor of the ring density on the head, because mouth, eyes and gill cover attract the viewer's
+ * attention. */
 #define HEAD_FAVOUR 1.9
 
-/* Writes back, belly and flank of a key at `u`, as fractions of its length. */
+/* Writes the back, belly and flank of a key at `u`, as fractions of the key's length. */
 static void outline(const struct key_text *key, double u, double out[3])
 {
     const struct station s = shape_section(key, shape_body_x(key, u));
@@ -23,7 +24,7 @@ static void outline(const struct key_text *key, double u, double out[3])
     out[2] = 0.5 * (double)s.width;
 }
 
-/* Returns the largest bend of any outline of any key at `u`. */
+/* Returns the largest bend at `u` of all outlines of all keys. */
 static double bend(const struct species_text *species, double u)
 {
     const double d = 1.0 / SAMPLES;

@@ -1,4 +1,5 @@
-/* pack.c -- serializer of a species: one function visits the fields for reading and for writing. */
+/* pack.c -- serializer of a species. One function visits the fields, both for reading and for
+ * writing. */
 #include "platform/species/pack.h"
 
 #include <assert.h>
@@ -10,18 +11,20 @@
 
 static const uint8_t magic[8] = { 'K', 'F', 'I', 'S', 'H', '\r', '\n', 0x1a };
 
-/* A new field in these structures must be visited below, and the version must increase. */
+/* A new field in these structures must be added to the functions below, and PACK_VERSION must
+ * increase. */
 _Static_assert(sizeof(struct species_card) == 2348 && sizeof(struct species_coat) == 280 &&
                    sizeof(struct species_mark) == 32 && sizeof(struct species_vertex) == 16 &&
                    sizeof(struct species_anchor) == 68,
                "all that a pack holds is walked");
 
-/* Position in the bytes, and the direction of the copy. */
+/* Byte buffer, current position, and direction of the copy. */
 struct tape {
     uint8_t *bytes;
-    size_t size, at; /* `at` beyond `size`: the input was too short, and zeros were read. */
+    size_t size, at; /* Current position. A position beyond `size` means that the input was too
+                        short and that zeros were read. */
     bool writing;
-    const char *too_many; /* Name of the first count that exceeded its maximum. */
+    const char *too_many; /* Name of the first count that exceeded its maximum. Null means none. */
 };
 
 static void word8(struct tape *t, uint8_t *x)
@@ -79,7 +82,8 @@ static void name(struct tape *t, char x[SPECIES_NAME_SIZE])
     }
 }
 
-/* Limits a count from the file to its table's maximum. */
+/* Limits a count from the file to the size of its table. Records the first count that was too
+ * large. */
 static uint32_t hold(struct tape *t, uint32_t count, uint32_t count_max, const char *what)
 {
     if (count > count_max && !t->too_many) {
@@ -249,7 +253,8 @@ static void walk_species(struct tape *t, struct species_slot *slot)
     }
 }
 
-/* IEEE 802.3, four bits at a time. A file of 256 KiB takes a millisecond, once. */
+/* Returns the CRC-32 of IEEE 802.3, computed four bits at a time. A file of 256 KiB takes one
+ * millisecond. */
 static uint32_t crc32(const uint8_t *bytes, size_t size)
 {
     static const uint32_t table[16] = {
@@ -322,7 +327,7 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
     if (check_head(bytes, size, why) != PACK_OK) {
         return PACK_BAD;
     }
-    /* Reading does not modify `bytes`, so the const can be cast away. */
+    /* Reading does not modify `bytes`, so that the cast away from const is safe. */
     struct tape tape = { .bytes = (uint8_t *)(uintptr_t)bytes, .size = size, .at = HEAD_SIZE };
     memset(slot, 0, sizeof *slot);
     walk_species(&tape, slot);

@@ -18,11 +18,12 @@
 #include "platform/species/validate.h"
 
 #define PACK_VERSION 1u
-#define PACK_SIZE_MAX (256u * 1024u) /* Two meshes with every table full are 222 KiB. */
+/* Maximum file size. Two meshes with every table full have 222 KiB. */
+#define PACK_SIZE_MAX (256u * 1024u)
 #define PACK_SUFFIX ".kfish"
 
-/* Storage for any species with its tables, about 260 KiB. `species` points into `tables`, so a slot
- * must be copied with pack_copy(), not by assignment. */
+/* Storage for any species with its tables, about 260 KiB. `species` points to `tables`, so that a
+ * slot must be copied with pack_copy() and not by assignment. */
 struct species_slot {
     struct species species;
     struct mesh_tables tables[SPECIES_LOD_COUNT];
@@ -34,31 +35,35 @@ enum pack_result {
     PACK_IO = -2,  /* The file cannot be read or written, or does not exist. */
 };
 
-/* Reads a species from `size` bytes and validates it. On PACK_BAD `slot` is incomplete and must not
- * be used, and `why` is "field: reason". Accepts any bytes; time and memory are bounded by
+/* Reads a species from `size` bytes and validates it. Returns PACK_OK, or PACK_BAD if the bytes are
+ * not a valid species. `slot` is then incomplete and must not be used, and `why` is "field:
+ * reason". The bytes may come from an untrusted source. Time and memory are limited by
  * PACK_SIZE_MAX. */
 enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_slot *slot,
                              char why[VALIDATE_WHY_SIZE]);
 
-/* Serializes the species of the slot, which is unchanged. Returns the number of bytes written. */
+/* Serializes the species of the slot, which stays unchanged. Returns the number of bytes
+ * written. */
 size_t pack_encode(struct species_slot *slot, uint8_t bytes[PACK_SIZE_MAX]);
 
-/* Read and write a file in the same way; `why` does not contain the file's name. pack_write()
- * writes a temporary file and renames it, so that a kiosk never reads an incomplete species. */
+/* Reads a species file as pack_decode() reads its bytes. Returns PACK_IO if the file cannot be
+ * read. `why` does not contain the file's name. */
 enum pack_result pack_read(const char *path, struct species_slot *slot,
                            char why[VALIDATE_WHY_SIZE]);
-/* Same as pack_read(), for a file in the data folder: rejects a symbolic link. */
+/* Same as pack_read(), for a file in the data folder. Rejects a symbolic link. */
 enum pack_result pack_read_data(const char *path, struct species_slot *slot,
                                 char why[VALIDATE_WHY_SIZE]);
+/* Writes a species file. Returns PACK_IO and the reason in `why` if the file cannot be written.
+ * Writes a temporary file and renames it, so that a kiosk never reads an incomplete species. */
 enum pack_result pack_write(const char *path, struct species_slot *slot,
                             char why[VALIDATE_WHY_SIZE]);
 
-/* Lofts a species text that was read without error. Numbers that are each in range may still not
- * form a valid fish, so a caller that shows the species must call species_validate(). */
+/* Lofts a species text that species_read() accepted. Numbers that are each in their range may still
+ * not form a valid fish. A caller that shows the species must therefore call species_validate(). */
 void pack_text(const struct species_text *text, struct species_slot *slot);
 
-/* Copies `species` to `slot` with tables of its own. `species` must be within the tables' maximum
- * sizes. */
+/* Copies `species` to `slot` and the tables to `slot->tables`. The sizes of `species` must not
+ * exceed the tables' maximum sizes. */
 void pack_copy(const struct species *species, struct species_slot *slot);
 
 #endif

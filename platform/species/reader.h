@@ -1,7 +1,8 @@
-/* reader.h -- functions that the parsers of a species' lines share; a line is split into words.
+/* reader.h -- functions that the parsers of a species text share. Each line of the text is split
+ * into words.
  *
- * Private to text*.c. Every function that returns bool has written its one line of error message
- * when it returns false. */
+ * Only the files text*.c may include this header. A function that returns bool returns false on an
+ * error and has then written one line with the error message. */
 #ifndef KINGYO_PLATFORM_SPECIES_READER_H
 #define KINGYO_PLATFORM_SPECIES_READER_H
 
@@ -9,7 +10,9 @@
 
 #define LINE_SIZE 256
 #define WORD_MAX 24
-#define THIN_MIN 0.002f /* A leptocephalus of 64 mm is 0.6 mm thin; less has no side. */
+/* Minimum width of a cross section. A leptocephalus larva of 64 mm is 0.6 mm wide. A thinner body
+ * has no usable flank. */
+#define THIN_MIN 0.002f
 
 struct species_reader {
     const char *path;
@@ -19,14 +22,14 @@ struct species_reader {
     const char *words[WORD_MAX];
     uint32_t word_count;
     struct species_text *species;
-    struct key_text *key; /* Key to which a key's line adds; null before the first. */
-    struct fin *fin;      /* Fin to which a ray adds; null outside a fin. */
-    uint32_t key_line[MORPH_KEY_MAX], curve_line[MORPH_CURVE_MAX]; /* Line number at which each
-                                                                      started. */
+    struct key_text *key; /* Key to which the current line belongs. Null before the first key. */
+    struct fin *fin;      /* Fin to which a ray line belongs. Null outside a fin. */
+    uint32_t key_line[MORPH_KEY_MAX], curve_line[MORPH_CURVE_MAX]; /* Line number at which each key
+                                                                      and each curve starts. */
     bool has_growth, has_hatch, has_thesis;
 };
 
-/* Writes 'PATH:LINE: what' and returns false. */
+/* Writes the error message 'PATH:LINE: what' and returns false. */
 __attribute__((format(printf, 2, 3))) bool species_reader_error(const struct species_reader *r,
                                                                 const char *format, ...);
 
@@ -42,22 +45,22 @@ bool species_reader_whole(const struct species_reader *r, uint32_t index, uint32
 bool species_reader_name(const struct species_reader *r, uint32_t index,
                          char out[SPECIES_NAME_SIZE]);
 
-/* Parses word `index` as a colour, rrggbb. */
+/* Parses word `index` as a colour in the form rrggbb. */
 bool species_reader_colour(const struct species_reader *r, uint32_t index, uint32_t *out);
 
-/* Parses word `index` as one of `choices`; null entries are skipped. The error message lists all
- * choices. */
+/* Parses word `index` as one of `choices`, and writes its index to `out`. Null entries of `choices`
+ * are skipped. The error message lists all choices. */
 bool species_reader_choice(const struct species_reader *r, uint32_t index, const char *what,
                            const char *const *choices, uint32_t count, uint32_t *out);
 
 /* Returns true if `count` numbers follow the line's first word. Otherwise the error message shows
- * the syntax. */
+ * the syntax with the parameter names `names`. */
 bool species_reader_expect(const struct species_reader *r, uint32_t count, const char *names);
 
-/* Makers' names of the parts, then of head and trunk. */
+/* Part names in a species text, for each enum species_part, then head and trunk. */
 extern const char *const part_names[OWNED_COUNT];
 
-/* Implemented in text_life.c. */
+/* Parsers of the lines that describe the whole species, implemented in text_life.c. */
 bool text_read_species(struct species_reader *r);
 bool text_read_measure(struct species_reader *r);
 bool text_read_form(struct species_reader *r);
@@ -70,7 +73,7 @@ bool text_read_point(struct species_reader *r);
 bool text_read_scale(struct species_reader *r);
 bool text_read_thesis(struct species_reader *r);
 
-/* Implemented in text_key.c. */
+/* Parsers of the lines of a key, implemented in text_key.c. */
 bool text_read_key(struct species_reader *r);
 bool text_read_gill(struct species_reader *r);
 bool text_read_station(struct species_reader *r);
@@ -79,18 +82,18 @@ bool text_read_fin(struct species_reader *r);
 bool text_read_ray(struct species_reader *r);
 bool text_read_finlets(struct species_reader *r);
 
-/* Implemented in text_coat.c. */
+/* Parsers of the lines of a coat, implemented in text_coat.c. */
 bool text_read_coat(struct species_reader *r);
 bool text_read_mark(struct species_reader *r);
 
-/* Implemented in text_graph.c. */
+/* Parsers of the lines of a deformation graph, implemented in text_graph.c. */
 bool text_read_curve(struct species_reader *r);
 bool text_read_area(struct species_reader *r);
 bool text_read_knot(struct species_reader *r);
 bool text_read_line_kind(struct species_reader *r);
 bool text_read_template(struct species_reader *r);
 
-/* Checks in text_check.c that a species is complete and can be lofted. */
+/* Checks that a species is complete and can be lofted. Implemented in text_check.c. */
 bool text_check_species(struct species_reader *r);
 
 #endif

@@ -5,9 +5,10 @@
 
 #define PI 3.14159265358979323846
 
-/* Curves through drawn points */
+/* ---- Curves through drawn points ------------------------------------------------------------ */
 
-/* Returns Fritsch and Carlson's slope at `i`, which prevents overshoot between the drawn points. */
+/* Returns the slope at point `i` by the method of Fritsch and Carlson, which prevents overshoot
+ * between the drawn points. */
 static double slope(const double *x, const double *y, uint32_t count, uint32_t i)
 {
     if (i == 0 || i == count - 1) {
@@ -37,8 +38,8 @@ double shape_curve_through(const double *x, const double *y, uint32_t count, dou
            (t3 - t2) * m1;
 }
 
-/* Returns the cross section at `x`. Curves run over the square root of x, so that a section which
- * starts at size 0 opens like a ball and not like a cone. */
+/* Returns the cross section at position `along`. The curves are functions of the square root of x,
+ * so that the outline at a section of size 0 is round like a ball and not pointed like a cone. */
 struct station shape_section(const struct key_text *key, double along)
 {
     double x[STATION_MAX], y[4][STATION_MAX];
@@ -59,8 +60,8 @@ struct station shape_section(const struct key_text *key, double along)
                              .exponent = (float)shape_curve_through(x, y[3], n, at) };
 }
 
-/* Body coordinate u is linear in x on both sides of the gill cover, which every key has at
- * GILL_U. */
+/* Body coordinate u is a linear function of x on each side of the gill cover's edge. The edge is at
+ * u = GILL_U in every key. */
 
 double shape_body_x(const struct key_text *key, double u)
 {
@@ -79,7 +80,7 @@ double shape_body_u(const struct key_text *key, double x)
     return 0.5 * (low + high);
 }
 
-/* Vectors */
+/* ---- Vectors -------------------------------------------------------------------------------- */
 
 v3d v3d_sub(v3d a, v3d b)
 {
@@ -113,7 +114,7 @@ v3d v3d_unit(v3d a)
                           : (v3d){ 0.0, 1.0, 0.0 };
 }
 
-/* Surfaces: the body by (u along, v round) */
+/* ---- Surface of the body at (u along the body, v round the girth) --------------------------- */
 
 static double superellipse(double sine, double exponent)
 {

@@ -1,18 +1,21 @@
-/* shape_eye.c -- computes an eye's position on the skin, and how far its ball protrudes. */
+/* shape_eye.c -- computes the position of an eye on the skin, and how far the eye's ball
+ * protrudes. */
 #include "platform/species/shape.h"
 
 #include <math.h>
 
 #define PI 3.14159265358979323846
-/* Maximum height of an eye's centre, as a fraction of the section's half height. */
+/* Maximum height of an eye's centre, as a fraction of half the cross section's height. */
 #define HIGHEST 0.97
-/* Maximum skin drop, as a fraction of the ball's radius. A sharper ridge is treated as this. */
+/* Maximum of skin_drop(), as a fraction of the ball's radius. A sharper ridge is treated as if it
+ * had this value. */
 #define DROP_MAX 0.35
-/* Maximum depth of the centre, as a fraction of the head's half thickness there. */
+/* Maximum depth of the ball's centre, as a fraction of the head's half thickness at the eye. */
 #define SUNK_MAX 0.6
-/* Maximum depth of the ball's back, so that it never emerges on the other side. */
+/* Maximum depth of the ball's back, as a fraction of the head's half thickness, so that the ball
+ * never emerges on the opposite side. */
 #define DEPTH_MAX 0.9
-#define THINNEST 1e-3 /* A ball flatter than this has no usable normals. */
+#define THINNEST 1e-3 /* Minimum thickness of a ball. A flatter ball has no usable normals. */
 
 /* Returns the girth coordinate from the back, in [0, 0.5], at which the right flank has height
  * `y`. */
@@ -23,7 +26,7 @@ static double girth_at(const struct station *s, double y)
     return acos(copysign(share, up)) / (2.0 * PI);
 }
 
-/* Returns the mean distance of the skin below the tangent plane at the ball's rim. */
+/* Returns the mean depth of the skin at the ball's rim below the tangent plane at the eye. */
 static double skin_drop(const struct key_text *key, const struct ball *ball, v3d skin, v3d n)
 {
     const double d = 1e-3;

@@ -1,4 +1,5 @@
-/* shape_fin.c -- fins: rays that start inside the skin and bend toward their tips. */
+/* shape_fin.c -- the shapes of the fins. Their rays start inside the skin and bend toward their
+ * tips. */
 #include "platform/species/shape.h"
 
 #include <math.h>
@@ -8,23 +9,28 @@
 /* Minimum visible length of a ray, because a shorter ray has no usable normal. */
 #define SHOWN_MIN 0.004
 #define SINK_SHARE 0.3  /* Maximum depth of fin roots, as a fraction of a thin body's thickness. */
-#define TAIL_SINK 0.035 /* Distance of the start of the tail's rays before the last ring. */
-/* Maximum of that distance for a thin stalk, in end depths of the stalk. */
+#define TAIL_SINK 0.035 /* Distance from the last ring forward to the start of the tail's rays. */
+/* Maximum of TAIL_SINK for a thin stalk, as a factor of the stalk's depth at its end. */
 #define STALK_SINK 1.2
-#define END_MAX 0.03   /* Distance of the body's closing point behind the last ring. */
-#define END_SHARE 0.25 /* Maximum of that distance, in end depths of the stalk. */
-/* Fraction of a median ray's sideways turn at its root. The remainder grows along the ray. */
+#define END_MAX 0.03   /* Distance from the last ring backward to the body's closing point. */
+#define END_SHARE 0.25 /* Maximum of END_MAX, as a factor of the stalk's depth at its end. */
+/* Fraction of a median ray's sideways turn that the ray has at its root. The remainder grows along
+ * the ray. */
 #define SIDE_AT_ROOT 0.4
-/* Minimum reach of a tail's base up and down, as a fraction of half the stalk. */
+/* Minimum extent of a tail's base upward and downward, as a fraction of half the stalk's depth. */
 #define THINNEST 0.2
 #define RAY_STEPS 12
-#define EXIT_STEPS 24 /* Resolution with which the exit of a ray from the body is found. */
-#define EXIT_MAX 0.85 /* At least the remaining fraction of a ray is visible. */
+/* Number of steps in the search for the point at which a ray leaves the body. */
+#define EXIT_STEPS 24
+/* Maximum fraction of a ray that is treated as inside the body. The remainder of the ray is always
+ * visible. */
+#define EXIT_MAX 0.85
 /* Distance behind the stalk at which a tail has the full width of its rays. */
 #define CUP_OPENS 0.05
-/* Position along an eel's dorsal and anal base from which the fin merges with the tail. */
+/* Position along the base of an eel's dorsal and anal fin, [0, 1], from which the fin merges with
+ * the tail. */
 #define JOIN_FROM 0.8
-/* A fin folded against the flank is this factor farther out than the skin. */
+/* Distance from the axis, relative to the skin, of a fin that is folded against the flank. */
 #define CLEAR_OF 1.02
 
 static struct ray ray_at(const struct fin *fin, double at)
@@ -53,8 +59,8 @@ double shape_body_end(const struct key_text *key)
     return 1.0 + fmin(END_MAX, END_SHARE * stalk_depth(key));
 }
 
-/* Returns the fraction of the tail root's girth at `t` of the way to the closing point: a round
- * end. */
+/* Returns the girth of the round end, as a fraction of the tail root's girth. `t` is 0 at the tail
+ * root and 1 at the closing point. */
 static double closing(double t)
 {
     return sqrt(fmax(1.0 - t * t, 0.0));
@@ -68,7 +74,8 @@ v3d shape_end_point(const struct key_text *key, double t, double v)
                   1.0 + t * (shape_body_end(key) - 1.0) };
 }
 
-/* Returns a point of the tail's base from top (0) to bottom, limited to the stalk's height. */
+/* Returns a point of the tail's base, limited to the stalk's height. `at` is 0 at the top and 1 at
+ * the bottom. */
 static v3d tail_root(const struct key_text *key, double at)
 {
     const struct fin *fin = &key->fins[PART_TAIL];
@@ -80,7 +87,7 @@ static v3d tail_root(const struct key_text *key, double at)
     return (v3d){ 0.0, top + (bottom - top) * at, x };
 }
 
-/* Returns the depth of a fin's root below the skin at `x`. */
+/* Returns the depth of a fin's root below the skin at position `x`. */
 static double sink_at(const struct key_text *key, double x)
 {
     const struct station s = shape_section(key, fmin(fmax(x, 0.0), 1.0));
@@ -92,8 +99,9 @@ static double base_x(const struct fin *fin, double at)
     return (double)fin->start + ((double)fin->end - (double)fin->start) * at;
 }
 
-/* Returns the point at which a fin's ray leaves the skin, or its root `inside` below the skin. The
- * tail's base is vertical in the stalk, top first; other bases run along x. */
+/* Returns the point of a fin's base at position `at`, at a depth of `inside` below the skin. The
+ * bases of fins on the body run along x. The tail's base is vertical in the stalk, with its top
+ * first, regardless of `inside`. */
 static v3d fin_base(const struct key_text *key, enum species_part part, double at, double inside)
 {
     const struct fin *fin = &key->fins[part];
@@ -115,10 +123,14 @@ static v3d fin_base(const struct key_text *key, enum species_part part, double a
     }
 }
 
-/* Returns the direction of a ray at `r` of its length. Dorsal and anal: sweep leans the ray
- * backward from upright. Tail: sweep raises it from straight back. Both: side turns it to the
- * right, increasing toward the tip. Paired (right): sweep leans it back from straight out, side
- * raises it. */
+/* Returns the direction of a ray at fraction `r` of its length.
+ *
+ * Dorsal and anal fin: sweep_deg leans the ray backward from upright. Tail: sweep_deg raises the
+ * ray from straight back. In these fins, side_deg turns the ray to the right, increasing toward the
+ * tip.
+ *
+ * Right paired fin: sweep_deg leans the ray backward from straight out, and side_deg raises the
+ * ray. */
 static v3d fin_direction(const struct fin *fin, enum species_part part, struct ray ray, double r)
 {
     const double degrees = PI / 180.0;
@@ -142,8 +154,8 @@ static v3d fin_direction(const struct fin *fin, enum species_part part, struct r
     }
 }
 
-/* Returns a point along a ray from where it leaves the skin. A drawn length begins at the sunken
- * root. */
+/* Returns a point along a ray, counted from the point where the ray leaves the skin. The drawn
+ * length of a ray begins at its root below the skin. */
 static v3d ray_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     const struct fin *fin = &key->fins[part];
@@ -156,16 +168,16 @@ static v3d ray_point(const struct key_text *key, enum species_part part, double 
         const double r = along * (i + 0.5) / RAY_STEPS;
         p = v3d_muladd(p, fin_direction(fin, part, ray, r), shown * along / RAY_STEPS);
     }
-    if (part == PART_TAIL) { /* A cupped tail widens only behind the stalk, so that it does not cut
-                                through the stalk's flanks. */
+    if (part == PART_TAIL) { /* A cupped tail widens only behind the stalk. Otherwise the tail would
+                                cut through the stalk's flanks. */
         const double start = shape_body_end(key);
         p.x *= fmin(fmax((p.z - start) / CUP_OPENS, 0.0), 1.0);
     }
     return p;
 }
 
-/* Returns the radial position of `p` relative to the skin: 1 at the skin, larger outside. Before
- * and behind the body every point is outside. */
+/* Returns the distance of `p` from the body's axis relative to the skin. 1 is on the skin, and
+ * larger values are outside. Every point before or behind the body counts as outside. */
 static double outness(const struct key_text *key, v3d p)
 {
     const double end = shape_body_end(key);
@@ -180,7 +192,7 @@ static double outness(const struct key_text *key, v3d p)
     return pow(pow(x, e) + pow(y, e), 1.0 / e);
 }
 
-/* Returns the fraction of a ray that is inside the body, from where it leaves the skin. */
+/* Returns the fraction of a ray, counted as in ray_point(), that is inside the body. */
 static double fin_exit(const struct key_text *key, enum species_part part, double at)
 {
     double along = 0.0;
@@ -215,7 +227,8 @@ static v3d own_point(const struct key_text *key, enum species_part part, double 
     return ray_point(key, part, at, exit + (1.0 - exit) * along);
 }
 
-/* Returns how far an eel's dorsal or anal fin has merged with its tail fin. */
+/* Returns the fraction by which an eel's dorsal or anal fin has merged with its tail fin, [0,
+ * 1]. */
 static double joined(const struct key_text *key, enum species_part part, double at)
 {
     if (!key->confluent || (part != PART_DORSAL && part != PART_ANAL)) {

@@ -1,14 +1,16 @@
-/* shape_size.c -- computes a drawing's size, before it is scaled to its measure. */
+/* shape_size.c -- computes the size of a drawing before the drawing is scaled to its measure. */
 #include "platform/species/shape.h"
 
 #include <math.h>
 
-#define TIPS 64 /* Samples of a tail's outer edge in the search for its hindmost point. */
+/* Number of sample points on the outer edge of a tail, in the search for the rearmost point. */
+#define TIPS 64
 
 static double widest(const struct key_text *key)
 {
     double width = 0.0;
-    for (uint32_t i = 0; i < key->substep_count; i++) { /* No curve bulges beyond a station. */
+    for (uint32_t i = 0; i < key->substep_count; i++) { /* The widest station is sufficient, because
+                                                           no curve bulges beyond a station. */
         width = fmax(width, (double)key->stations[i].width);
     }
     return width;

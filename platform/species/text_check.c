@@ -4,10 +4,11 @@
 #include "core/morph/morph.h"
 #include "platform/species/shape.h"
 
-/* Maximum reach in the species' measure; the quantized mesh can represent 4. */
+/* Maximum coordinate in the species' measure. The quantized mesh can represent coordinates up to
+ * 4. */
 #define REACH_MAX 3.9
-/* Minimum length of the measure as a fraction of the drawing. A shorter measure indicates a
- * wrong drawing. */
+/* Minimum length of the measure as a fraction of the drawing's length. A smaller value indicates an
+ * error in the drawing. */
 #define UNIT_MIN 0.2
 #define EEL_SEAM (1u << PART_TAIL | 1u << PART_DORSAL | 1u << PART_ANAL)
 /* Maximum relative difference between a key's length and the growth curve's length at the key's
@@ -29,7 +30,7 @@ static bool check_eyes(const struct species_reader *r, const struct key_text *ke
     return true;
 }
 
-/* Checks that all keys have the same parts, so that every point has a counterpart in the next
+/* Checks that all keys have the same parts, so that every vertex has a counterpart in the next
  * key. */
 static bool check_fins(const struct species_reader *r, const struct key_text *key)
 {
@@ -90,7 +91,8 @@ static bool check_key(const struct species_reader *r, const struct key_text *key
     return check_eyes(r, key) && check_fins(r, key) && check_size(r, key);
 }
 
-/* Computes the age of a key without one: the age at which the growth curve has the key's length. */
+/* Computes the age of a key that has none. The age is the one at which the growth curve has the
+ * key's length. */
 static bool find_age(const struct species_reader *r, struct key_text *key)
 {
     const struct growth *growth = &r->species->growth;
@@ -107,7 +109,7 @@ static bool find_age(const struct species_reader *r, struct key_text *key)
     return true;
 }
 
-/* Checks that age, progress and length agree at the key, because each is computed from the
+/* Checks that the key's age, progress and length agree, because each is computed from the
  * others. */
 static bool check_growth(const struct species_reader *r, const struct key_text *key)
 {
@@ -120,8 +122,8 @@ static bool check_growth(const struct species_reader *r, const struct key_text *
     return true;
 }
 
-/* Fills in missing ages from the lengths, and checks that ages rise and that the growth curve gives
- * the lengths. */
+/* Computes missing ages from the lengths. Checks that the ages rise, and that the growth curve
+ * gives the keys' lengths. */
 static bool check_ages(struct species_reader *r)
 {
     struct species_text *s = r->species;
@@ -143,7 +145,8 @@ static bool check_ages(struct species_reader *r)
     return true;
 }
 
-/* Checks that the weights of a solved graph can be solved, if the graph requests it. */
+/* Checks that the weights of a graph of the kind "solved" can be solved. Other kinds of graphs need
+ * no check. */
 static bool check_solved(const struct species_reader *r, const struct curve_text *curve)
 {
     float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
@@ -208,7 +211,7 @@ bool text_check_species(struct species_reader *r)
             return false;
         }
     }
-    if (!r->has_thesis) { /* A species that is not in the thesis. */
+    if (!r->has_thesis) { /* These defaults apply to a species that is not in the thesis. */
         s->thesis_key[1] = (uint8_t)(s->key_count / 2u);
         s->thesis_key[2] = (uint8_t)(s->key_count - 1u);
         s->thesis_template = TEMPLATE_PAIRWISE;

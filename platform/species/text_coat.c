@@ -1,4 +1,4 @@
-/* text_coat.c -- parses the lines of a key's paint: its coat and the marks on it. */
+/* text_coat.c -- parses the lines of a key's paint: the coat and its marks. */
 #include "platform/species/reader.h"
 
 #include <string.h>
@@ -27,7 +27,7 @@ static const char *const kinds[MARK_COUNT] = {
     [MARK_ROWS] = "rows",   [MARK_MOUTH] = "mouth", [MARK_GILL] = "gill",
 };
 
-/* Returns the defaults of a kind of mark. */
+/* Returns a mark with the default settings of its kind. */
 static struct species_mark usual(uint32_t kind, const struct key_text *key)
 {
     struct species_mark m = { .kind = (uint8_t)kind, .count = 1, .seed = 1, .to = 1, .high = 1 };
@@ -75,7 +75,7 @@ static struct species_mark usual(uint32_t kind, const struct key_text *key)
     return m;
 }
 
-/* Parses the pair of words at `index`: a setting's name and its value. */
+/* Parses the two words at `index`: a setting's name and its value. */
 static bool read_setting(const struct species_reader *r, uint32_t index, struct species_mark *m)
 {
     static const char *const names[] = { "from",  "to",    "low",   "high",
@@ -98,7 +98,8 @@ static bool read_setting(const struct species_reader *r, uint32_t index, struct 
     return true;
 }
 
-/* Parses the part of a mark, or the side of a `side` mark (stored in `count`). */
+/* Parses the part on which a mark lies. For a `side` mark, parses the side and stores it in
+ * `count`. */
 static bool read_bearer(const struct species_reader *r, struct species_mark *m)
 {
     static const char *const sides[] = { [SIDE_RIGHT] = "right", [SIDE_LEFT] = "left" };

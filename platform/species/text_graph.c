@@ -1,5 +1,5 @@
-/* text_graph.c -- parses the lines of the deformation graphs: the whole fish's first, then those of
- * parts. */
+/* text_graph.c -- parses the lines of the deformation graphs: first the graph of the whole fish,
+ * then the graphs of parts. */
 #include "platform/species/reader.h"
 
 #include <math.h>
@@ -11,7 +11,8 @@ static struct curve_text *newest(const struct species_reader *r)
     return &r->species->curves[r->species->curve_count - 1];
 }
 
-/* Parses `curve NAME PART ..`: a graph for these parts only. Its knots or template follow. */
+/* Parses `curve NAME PART ..`, which starts a graph for only the named parts. The graph's knots or
+ * template follow in later lines. */
 bool text_read_curve(struct species_reader *r)
 {
     struct species_text *s = r->species;
@@ -50,7 +51,7 @@ bool text_read_curve(struct species_reader *r)
     return true;
 }
 
-/* Parses `area FROM TO LOW HIGH SOFT`: a painted area of the body that the curve above moves. */
+/* Parses `area FROM TO LOW HIGH SOFT`: a painted area of the body that the newest curve moves. */
 bool text_read_area(struct species_reader *r)
 {
     struct curve_text *curve = newest(r);
@@ -71,8 +72,8 @@ bool text_read_area(struct species_reader *r)
             species_reader_error(r, "the area ends before it starts"));
 }
 
-/* Checks that a graph may receive weights. Graphs follow all keys, so that the number of keys is
- * known. */
+/* Checks that the newest graph may receive weights. Graphs must follow all keys, because their
+ * number of weights is the number of keys. */
 static bool graph_open(const struct species_reader *r, bool from_knot)
 {
     const struct graph *graph = &newest(r)->graph;
@@ -121,7 +122,7 @@ bool text_read_knot(struct species_reader *r)
     return true;
 }
 
-/* Parses `line straight|smooth|solved`: the interpolation between knots. */
+/* Parses `line straight|smooth|solved`, the kind of interpolation between knots. */
 bool text_read_line_kind(struct species_reader *r)
 {
     static const char *const kinds[] = { "straight", "smooth", "solved" };
@@ -136,7 +137,7 @@ bool text_read_line_kind(struct species_reader *r)
     return true;
 }
 
-/* Parses `template NAME [PEAK]`: a whole graph in one line. */
+/* Parses `template NAME [PEAK]`, which defines a whole graph in one line. */
 bool text_read_template(struct species_reader *r)
 {
     static const char *const names[] = { [TEMPLATE_ORDINARY] = "ordinary",

@@ -1,4 +1,4 @@
-/* text_key.c -- parses the lines of one key shape: stations, eyes, fins. */
+/* text_key.c -- parses the lines of one key (modelled growth stage): stations, eyes and fins. */
 #include "platform/species/reader.h"
 
 #include <string.h>
@@ -38,7 +38,7 @@ bool text_read_key(struct species_reader *r)
     return true;
 }
 
-/* Parses `gill X`: the end of the gill cover and of the head. */
+/* Parses `gill X`, the position of the end of the gill cover and of the head. */
 bool text_read_gill(struct species_reader *r)
 {
     return species_reader_expect(r, 1, "X") &&
@@ -118,7 +118,8 @@ bool text_read_fin(struct species_reader *r)
     if (r->species->without >> part & 1u) {
         return species_reader_error(r, "a %s in a species without", part_names[part]);
     }
-    /* A tail's base is a range of heights, other bases are positions along x. */
+    /* The base of a tail is a range of heights. The bases of other fins are ranges of positions
+     * along x. */
     const float low = part == PART_TAIL ? -0.5f : 0.0f;
     return species_reader_number(r, 2, low, 1.0f, &r->fin->start) &&
            species_reader_number(r, 3, low, 1.0f, &r->fin->end) &&
@@ -151,8 +152,8 @@ bool text_read_ray(struct species_reader *r)
     return true;
 }
 
-/* Parses `finlets upper|lower COUNT START END LENGTH SWEEP`: a tuna's finlets behind dorsal2 and
- * anal. */
+/* Parses `finlets upper|lower COUNT START END LENGTH SWEEP`: the finlets of a tuna behind its
+ * second dorsal fin and its anal fin. */
 bool text_read_finlets(struct species_reader *r)
 {
     static const char *const rows[] = { "upper", "lower" };

@@ -1,4 +1,5 @@
-/* text_life.c -- parses the lines of the whole species: its name, its kind and its growth. */
+/* text_life.c -- parses the lines that describe the whole species: its name, its kind and its
+ * growth. */
 #include "platform/species/reader.h"
 
 #include <string.h>
@@ -51,7 +52,7 @@ bool text_read_motion(struct species_reader *r)
     return read_choice(r, "motion", choices, 5, &r->species->motion);
 }
 
-/* Parses `without FIN ..`: fins that this species lacks in every key. */
+/* Parses `without FIN ..`, the fins that this species lacks in every key. */
 bool text_read_without(struct species_reader *r)
 {
     for (uint32_t i = 1; i < r->word_count; i++) {
@@ -94,7 +95,7 @@ bool text_read_hatch(struct species_reader *r)
            species_reader_number(r, 2, 0.001f, 5.0f, &g->fade_year);
 }
 
-/* Parses `point AGE_DAYS MM`: a measured length at an age after hatching. */
+/* Parses `point AGE_DAYS MM`, a measured length at an age after hatching. */
 bool text_read_point(struct species_reader *r)
 {
     struct growth *g = &r->species->growth;
@@ -119,7 +120,7 @@ bool text_read_point(struct species_reader *r)
     return true;
 }
 
-/* Parses `scale PROGRESS MM`: an explicit size, in place of the growth curve. */
+/* Parses `scale PROGRESS MM`, an explicit length that replaces the growth curve. */
 bool text_read_scale(struct species_reader *r)
 {
     struct species_text *s = r->species;
@@ -151,8 +152,8 @@ static bool key_named(const struct species_reader *r, uint32_t index, uint8_t *o
     return species_reader_error(r, "no key above is called '%.40s'", r->words[index]);
 }
 
-/* Parses `thesis KEY KEY KEY TEMPLATE`: the keys and template blended in chapter 4 of the 2005
- * thesis. */
+/* Parses `thesis KEY KEY KEY TEMPLATE`, the keys and the template that chapter 4 of the 2005 thesis
+ * blends. */
 bool text_read_thesis(struct species_reader *r)
 {
     static const char *const templates[] = {

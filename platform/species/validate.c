@@ -8,10 +8,11 @@
 #include "core/morph/morph.h"
 #include "platform/species/validate_parts.h"
 
-#define AGE_MAX_DAYS 14610.0f /* 40 years, the range of growth.c. */
-/* The smallest fish larvae are 1.5 mm; a third of that is certainly an error. */
+#define AGE_MAX_DAYS 14610.0f /* Maximum age: 40 years, the range of growth.c. */
+/* Minimum length. The smallest fish larvae are 1.5 mm long; a third of that length is certainly an
+ * error. */
 #define LENGTH_MIN_M 0.0005f
-#define LENGTH_MAX_M 20.0f /* Length of a whale shark. */
+#define LENGTH_MAX_M 20.0f /* Maximum length, that of a whale shark. */
 /* Maximum relative difference between a key's length and the growth curve's length at the key's
  * age. */
 #define LENGTH_APART 0.02f
@@ -27,7 +28,7 @@ bool validate_refuse(struct vetting *v, const char *format, ...)
 
 bool validate_number(struct vetting *v, const char *what, float x, float low, float high)
 {
-    if (!(x >= low && x <= high)) { /* NaN fails this comparison. */
+    if (!(x >= low && x <= high)) { /* This comparison is false for NaN. */
         return validate_refuse(v, "%s: %g is outside %g .. %g", what, (double)x, (double)low,
                                (double)high);
     }
@@ -138,7 +139,7 @@ static bool vet_growth(struct vetting *v)
     return true;
 }
 
-/* Checks that age, progress and length of each key agree, because each is computed from the
+/* Checks that the age, progress and length of each key agree, because each is computed from the
  * others. */
 static bool vet_life(struct vetting *v)
 {

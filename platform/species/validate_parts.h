@@ -1,5 +1,5 @@
-/* validate_parts.h -- functions shared by validate.c (the card) and validate_mesh.c (the meshes).
- * Private to them. */
+/* validate_parts.h -- functions that validate.c (the card) and validate_mesh.c (the meshes) share.
+ * Only these files may include the header. */
 #ifndef KINGYO_PLATFORM_SPECIES_VALIDATE_PARTS_H
 #define KINGYO_PLATFORM_SPECIES_VALIDATE_PARTS_H
 
@@ -12,17 +12,19 @@ struct vetting {
     char *why; /* Buffer of VALIDATE_WHY_SIZE bytes. */
 };
 
-/* Writes the reason and returns false. */
+/* Writes the reason to `why` and returns false. */
 __attribute__((format(printf, 2, 3))) bool validate_refuse(struct vetting *v, const char *format,
                                                            ...);
 
-/* Checks that `low` <= x <= `high`, which NaN fails. */
+/* Returns true if `low` <= x <= `high`. Otherwise, and for NaN, writes the reason and returns
+ * false. */
 bool validate_number(struct vetting *v, const char *what, float x, float low, float high);
 
-/* Checks that x < `count`. */
+/* Returns true if x < `count`. Otherwise writes the reason and returns false. */
 bool validate_choice(struct vetting *v, const char *what, uint32_t x, uint32_t count);
 
-/* Validates both levels of detail. The card must have passed its validation. */
+/* Validates the meshes of both levels of detail. The caller guarantees that the card has passed its
+ * validation. */
 bool validate_meshes(struct vetting *v);
 
 #endif
