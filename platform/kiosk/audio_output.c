@@ -2,7 +2,7 @@
 #include "platform/kiosk/audio_output.h"
 
 #define NS_PER_S 1000000000ull
-#define RETRY_NS NS_PER_S /* Interval between two searches for a card. */
+#define RETRY_NS NS_PER_S /* Interval between two searches for a sound card. */
 
 static void look_for_card(struct audio_output *voice, const struct hal_audio *audio,
                           uint64_t now_ns)
@@ -57,8 +57,8 @@ uint32_t audio_output_play(struct audio_output *voice, const struct hal_audio *a
         event.gain *= gain;
         const int result = audio->ops->play(audio->self, &event);
         faults += (uint32_t)hal_is_fault(result);
-        if (result == HAL_ERR_GONE) { /* One loss counts as one fault; the remaining sounds of this
-                                         frame are dropped. */
+        if (result == HAL_ERR_GONE) { /* The loss of the sound card counts as one fault. The
+                                         remaining sounds of the frame are dropped. */
             voice->retry_ns = now_ns + RETRY_NS;
         }
     }

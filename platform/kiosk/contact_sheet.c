@@ -1,4 +1,5 @@
-/* contact_sheet.c -- scales pictures down and places them on the sheet. */
+/* contact_sheet.c -- scales pictures down and places them on a contact sheet; see
+ * contact_sheet.h. */
 #include "platform/kiosk/contact_sheet.h"
 
 size_t contact_sheet_plan(struct contact_sheet *sheet, uint32_t width, uint32_t height)
@@ -22,7 +23,8 @@ void contact_sheet_clear(struct contact_sheet *sheet)
 }
 
 struct span {
-    uint32_t begin, end; /* Source pixels under one target pixel: at least one. */
+    uint32_t begin, end; /* Range of source pixels that one target pixel covers, at least one
+                            pixel. */
 };
 
 static struct span span_under(uint32_t index, uint32_t count, uint32_t source)

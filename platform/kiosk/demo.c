@@ -1,5 +1,5 @@
-/* demo.c -- runs the demonstration: `kingyo` without a screen. The README's pictures are made by
- * it. */
+/* demo.c -- runs the demonstration, which is `kingyo` without a screen. The README's pictures come
+ * from the demonstration. */
 #include "platform/kiosk/demo.h"
 
 #include <stdio.h>
@@ -15,16 +15,21 @@
 #include "platform/os/png.h"
 #include "platform/os/print.h"
 
-/* Six ticks a picture, about the time that a software renderer needs. */
+/* Simulated time of one frame: six ticks, which is about the time that a software renderer needs
+ * for one picture. */
 #define FRAME_NS 50000000ull
 #define NS_PER_S 1000000000ull
-#define START_NS FRAME_NS       /* START is pressed at once. */
-#define PRELUDE_NS 100000000ull /* Step of the time before the round, which is not shown. */
+#define START_NS FRAME_NS /* Simulated time at which START is pressed. */
+#define PRELUDE_NS                                                                                 \
+    100000000ull /* Simulated time of one frame before the round. These frames are not shown. */
 #define PRELUDE_TICKS_MAX (60u * CORE_TICK_HZ)
-#define IN_ROUND_TICKS (3u * CORE_TICK_HZ / 4u) /* Ticks after which each poi is over its water. */
-/* Time to move the last fish to the bowl and to show the result. */
+#define IN_ROUND_TICKS                                                                             \
+    (3u * CORE_TICK_HZ / 4u) /* Ticks after the start of the round until each poi is over its
+                                part of the water. */
+/* Seconds after the round: time to move the last fish to the bowl and to show the result. */
 #define AFTER_ROUND_S 5u
-#define ROUND_S_MIN 25u /* A shorter demonstration ends during the round. */
+#define ROUND_S_MIN                                                                                \
+    25u /* Minimum length of the round in seconds. A shorter demonstration ends during the round. */
 #define FOLDER_DEFAULT "out/demo"
 #define PATH_SIZE (OPTIONS_PATH_MAX + 32u)
 
@@ -34,9 +39,10 @@ struct demo {
     struct contact_sheet sheet;
     uint64_t now_ns, end_ns;
     uint32_t shots;
-    uint32_t width, height; /* Size of the pictures. */
-    int whole_replay;       /* 1: ends with the last tick of the recording; 0: ends at end_ns. */
-    int failed;             /* 1: a picture could not be made or written. */
+    uint32_t width, height; /* Size of the pictures in pixels. */
+    int whole_replay;       /* 1 if the demonstration ends with the last tick of the recording; 0 if
+                               it ends at end_ns. */
+    int failed;             /* 1 if a picture could not be captured or written. */
 };
 
 static void wire(struct demo *demo)
@@ -45,8 +51,8 @@ static void wire(struct demo *demo)
     const struct board_options board = {
         .width = options->width ? options->width : 1280,
         .height = options->height ? options->height : 720,
-        .on_demand = options->replay[0] != '\0', /* The demonstration measures its frame times, and
-                                                    therefore draws every frame. */
+        .on_demand = options->replay[0] != '\0', /* Without a replay, every frame is drawn because
+                                                    the demonstration measures its frame times. */
         .view = tank_preset(options->tank)->view,
         .library = &demo->session->library,
     };
@@ -67,7 +73,7 @@ static enum exit_code demo_begin(struct demo *demo)
     options_first(options, settings);
     options_last(options, settings);
     settings_hide_pin(settings, config.core.seed);
-    settings->value[SET_PLAY] = PLAY_FREE; /* The bot has no coins. */
+    settings->value[SET_PLAY] = PLAY_FREE; /* Free play, because the bot has no coins. */
     if (!options_query(options, SET_MODES)) {
         settings->value[SET_MODES] = 1 << MODE_FESTIVAL;
     }
@@ -83,7 +89,7 @@ static enum exit_code demo_begin(struct demo *demo)
     return run_common_begin(demo->session, &config);
 }
 
-/* ---- Pictures ------------------------------------------------------------------------------- */
+/* ---- Pictures ------------------------------------------------------------------------------ */
 
 static int plan_sheet(struct demo *demo, const struct hal_image *image)
 {
@@ -110,7 +116,8 @@ static void take_shot(struct demo *demo)
     demo->shots++;
 }
 
-/* Returns 1 if a picture is due. The pictures are taken in the middle of equal intervals. */
+/* Returns 1 if a picture is due, otherwise 0. The duration is divided into equal intervals, and
+ * each picture is taken in the middle of an interval. */
 static int shot_is_due(const struct demo *demo)
 {
     const uint64_t due_ns = demo->end_ns * (2 * demo->shots + 1) / (2 * SHEET_PICTURES);
@@ -131,14 +138,15 @@ static void write_sheet(struct demo *demo)
     free(demo->sheet.rgb);
 }
 
-/* ---- The run -------------------------------------------------------------------------------- */
+/* ---- Main loop ----------------------------------------------------------------------------- */
 
 static int round_is_under_way(const struct core *core)
 {
     return core->game.phase == PHASE_ROUND && core->tick - core->game.round_tick >= IN_ROUND_TICKS;
 }
 
-/* Skips the wait for the start, during which the bot's poi is beside the tank. */
+/* Runs frames without pictures until the round is in progress. Before the round, the bot's poi is
+ * beside the tank. */
 static enum kiosk_end skip_to_round(struct demo *demo)
 {
     struct run_common *session = demo->session;
@@ -152,7 +160,7 @@ static enum kiosk_end skip_to_round(struct demo *demo)
     return end;
 }
 
-/* Reports the progress: one line that is updated on a terminal, otherwise a line each five
+/* Prints the progress. On a terminal one line is updated; otherwise one line is printed every five
  * seconds. */
 static void demo_print_progress(const struct demo *demo)
 {

@@ -1,15 +1,18 @@
-/* demo.h -- plays a round by the bot off screen, on a simulated clock, and writes pictures of it.
+/* demo.h -- plays one round with the bot off screen, on a simulated clock, and writes pictures of
+ * the round.
  *
- * The pictures begin when the pois are over the water; the time from START to there is played
- * without pictures. Equal options give equal games, to the last bit. */
+ * The first picture is taken when the pois are over the water. The time from START to this moment
+ * is simulated without pictures. Equal options give identical games. */
 #ifndef KINGYO_PLATFORM_KIOSK_DEMO_H
 #define KINGYO_PLATFORM_KIOSK_DEMO_H
 
 #include "platform/kiosk/run_common.h"
 
-#define DEMO_SEED 2013u /* Default seed, so that two users see the same demonstration. */
+#define DEMO_SEED                                                                                  \
+    2013u /* Default seed of the random number generator, so that two users see the same
+             demonstration. */
 
-/* Runs the demonstration. Returns an exit code; errors were reported. */
+/* Runs the demonstration. Returns an exit code. Reports all errors before it returns. */
 enum exit_code demo_run(struct run_common *session);
 
 #endif

@@ -1,14 +1,19 @@
-/* dimmer.c -- computes brightness and position of the picture; see dimmer.h. */
+/* dimmer.c -- computes the brightness and the position of the picture; see dimmer.h. */
 #include "platform/kiosk/dimmer.h"
 
 #define NS_PER_S 1000000000ull
 #define NS_PER_MS 1000000ull
-#define FADE_DOWN_S 4.0f /* Slow enough to be unnoticed. */
-#define FADE_UP_S 0.3f   /* Fast, because a player who arrives needs light. */
-#define STEP_MS_MAX 100u /* Limits the step after a delay of the kiosk. */
+#define FADE_DOWN_S 4.0f /* Duration of dimming in seconds, slow enough to be unnoticed. */
+#define FADE_UP_S                                                                                  \
+    0.3f /* Duration of brightening in seconds. Brightening is fast because an arriving player
+            needs light. */
+#define STEP_MS_MAX                                                                                \
+    100u /* Maximum time step in milliseconds. Limits the change of brightness after a delayed
+            frame. */
 
-/* Two periods without a common divisor: within a day the picture reaches every position in its
- * range, and it moves by one pixel every few minutes. */
+/* Periods of the horizontal and vertical movement in milliseconds. The periods have no common
+ * divisor, so that within a day the picture reaches every position in its range. The picture moves
+ * by one pixel every few minutes. */
 #define WANDER_X_MS (37u * 60000u)
 #define WANDER_Y_MS (23u * 60000u)
 #define WANDER_MS (37u * WANDER_Y_MS)
@@ -21,7 +26,7 @@ static uint32_t elapsed_ms(struct dimmer *dimmer, uint64_t now_ns)
     return ms < STEP_MS_MAX ? (uint32_t)ms : STEP_MS_MAX;
 }
 
-/* ---- Presence -------------------------------------------------------------------------------- */
+/* ---- Detection of players ------------------------------------------------------------------ */
 
 void dimmer_notice(struct dimmer *dimmer, const struct input *input, int is_attract)
 {
@@ -30,8 +35,8 @@ void dimmer_notice(struct dimmer *dimmer, const struct input *input, int is_attr
     }
 }
 
-/* Detects moved pois. Positions are not validated yet; a number that is not finite counts as no
- * movement. */
+/* Detects pois that have moved. Positions are not validated here. A non-finite position does not
+ * count as a movement. */
 static void watch_hands(struct dimmer *dimmer, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -45,7 +50,7 @@ static void watch_hands(struct dimmer *dimmer, const struct input *input)
     }
 }
 
-/* ---- Brightness ------------------------------------------------------------------------------ */
+/* ---- Brightness ---------------------------------------------------------------------------- */
 
 static int is_night(const int32_t *value, const struct input *input)
 {
@@ -57,7 +62,8 @@ static int is_night(const int32_t *value, const struct input *input)
     return from < to ? minute >= from && minute < to : minute >= from || minute < to;
 }
 
-/* Returns the target brightness as a share of the operator's, after `idle_s` without input. */
+/* Returns the target brightness after `idle_s` seconds without input, as a share of the operator's
+ * brightness. */
 static float light_wanted(const int32_t *value, const struct input *input, uint64_t idle_s)
 {
     const uint64_t dim_s = 60u * (uint64_t)value[SET_DIM_AFTER_MIN];
@@ -72,7 +78,7 @@ static float toward(float from, float to, float step_down, float step_up)
     return from > to ? f_max(from - step_down, to) : f_min(from + step_up, to);
 }
 
-/* ---- Position -------------------------------------------------------------------------------- */
+/* ---- Position ------------------------------------------------------------------------------ */
 
 static float swing(uint32_t ms, uint32_t period_ms)
 {
@@ -94,7 +100,7 @@ struct display_settings dimmer_step(struct dimmer *dimmer, const struct settings
     const float share = 1e-3f * (float)ms, wanted = light_wanted(value, input, idle_s);
     dimmer->light =
         is_first ? wanted : toward(dimmer->light, wanted, share / FADE_DOWN_S, share / FADE_UP_S);
-    if (is_attract) { /* The picture does not move during a game because players aim. */
+    if (is_attract) { /* The picture does not move during a game because players aim at it. */
         dimmer->wander_ms = (dimmer->wander_ms + ms) % WANDER_MS;
     }
     return (struct display_settings){

@@ -1,4 +1,5 @@
-/* fan_sampler.c -- converts one report a frame to one position a tick. */
+/* fan_sampler.c -- converts one fan report per frame to one fan position per tick; see
+ * fan_sampler.h. */
 #include "platform/kiosk/fan_sampler.h"
 
 #include "core/base/panic.h"
@@ -16,7 +17,8 @@ uint32_t fan_sampler_open(struct fan_sampler *hand, const struct hal_fan *device
     return hand->link == POI_SOURCE_LOST;
 }
 
-/* Returns 1 if the position is in range. NaN compares false and is therefore out of range. */
+/* Returns 1 if all values are in range, otherwise 0. A comparison with NaN is false, so that NaN is
+ * out of range. */
 static int is_sane(const struct shade_input *shade)
 {
     return f_abs(shade->x_m) <= RANGE_MAX_M && f_abs(shade->z_m) <= RANGE_MAX_M &&

@@ -1,4 +1,4 @@
-/* file_notes.c -- keeps the notes in two groups: files that were not used, then files that were
+/* file_notes.c -- stores notes in two groups: files that were not used, then files that were
  * used. */
 #include "platform/kiosk/file_notes.h"
 
@@ -8,7 +8,7 @@
 
 _Static_assert(FILE_NOTES_MAX + 2u <= UINT8_MAX, "struct desk_input counts rows in a byte");
 
-/* Copies a name. A path that is too long is cut at its beginning because its end is more
+/* Copies `name` to `note`. A path that is too long is cut at its beginning, because its end is more
  * specific. */
 static void set_name(struct scene_file *note, const char *name)
 {

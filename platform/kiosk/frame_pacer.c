@@ -1,4 +1,4 @@
-/* frame_pacer.c -- converts elapsed time to ticks. */
+/* frame_pacer.c -- converts elapsed time to a number of ticks; see frame_pacer.h. */
 #include "platform/kiosk/frame_pacer.h"
 
 #include "core/input.h"
@@ -6,23 +6,30 @@
 #define NS_PER_S 1000000000ull
 #define FRAME_TICKS 2u
 #define FRAME_NS (NS_PER_S * FRAME_TICKS / CORE_TICK_HZ)
-#define LIKE_60_HZ_NS 3500000ull /* 50 .. 76 Hz: possibly a frame of a 60 Hz display with jitter. */
-#define SURE_60_HZ_NS 1500000ull /* 55 .. 66 Hz: certainly a frame of a 60 Hz display. */
-/* Jitter of 3 ms moves the starts of two frames apart by this much. */
+#define LIKE_60_HZ_NS                                                                              \
+    3500000ull /* Maximum difference from FRAME_NS of a frame that may belong to a 60 Hz display
+                  with jitter: 50 .. 76 Hz. */
+#define SURE_60_HZ_NS                                                                              \
+    1500000ull /* Maximum difference from FRAME_NS of a frame that certainly belongs to a 60 Hz
+                  display: 55 .. 66 Hz. */
+/* Maximum error of the due time: jitter of 3 ms at the starts of two frames. */
 #define SNAP_NS 6000000ll
-#define DRIFT_SHARE 8 /* Correction per frame, because no display has exactly 60 Hz. */
+#define DRIFT_SHARE                                                                                \
+    8 /* Share of the due time that each frame corrects, because no display has exactly 60 Hz. */
 
-/* A screen of 62 Hz or less paces the loop with its vertical sync. */
+/* Minimum frame time of a screen that paces the loop with its vertical synchronization (62 Hz or
+ * less). */
 #define WAITS_NS 16000000ull
-#define REST_SHARE 16 /* Frames in the mean: a quarter of a second. */
+#define REST_SHARE                                                                                 \
+    16 /* Number of frames over which the mean frame time is computed: a quarter of a second. */
 
 static uint64_t distance(uint64_t a, uint64_t b)
 {
     return a > b ? a - b : b - a;
 }
 
-/* Sets two ticks for a frame similar to a 60 Hz one, as long as the due time also stays near two
- * ticks. Returns 1 if so. */
+/* Returns 1 if the frame runs exactly two ticks, otherwise 0. This applies to a frame of about 1/60
+ * s while the due time stays near two ticks. */
 static int snap(struct frame_pacer *pace, uint64_t elapsed_ns)
 {
     const int64_t left = pace->owed - (int64_t)(FRAME_TICKS * NS_PER_S);
@@ -43,8 +50,8 @@ uint32_t frame_pacer_ticks_due(struct frame_pacer *pace, uint64_t now_ns)
     }
     const uint64_t elapsed_ns = now_ns > pace->last_ns ? now_ns - pace->last_ns : 0;
     pace->last_ns = now_ns;
-    /* Limits the elapsed time, so that a wrong clock cannot overflow the 63 bits; decades would
-     * still fit. */
+    /* Limits the elapsed time to one hour, so that an invalid clock value cannot overflow
+     * `owed`. */
     const uint64_t hour_ns = 3600u * NS_PER_S;
     pace->owed += (int64_t)((elapsed_ns < hour_ns ? elapsed_ns : hour_ns) * CORE_TICK_HZ);
     if (snap(pace, elapsed_ns)) {
@@ -65,8 +72,8 @@ uint32_t frame_pacer_ticks_due(struct frame_pacer *pace, uint64_t now_ns)
 uint64_t frame_pacer_sleep_ns(struct frame_pacer_sleep *rest, uint64_t took_ns)
 {
     if (rest->mean_ns == 0) {
-        rest->mean_ns = FRAME_NS; /* A screen is assumed to have vertical sync until the mean shows
-                                     otherwise. */
+        rest->mean_ns = FRAME_NS; /* The screen is assumed to have vertical synchronization until
+                                     the mean frame time shows otherwise. */
     }
     rest->mean_ns = (rest->mean_ns * (REST_SHARE - 1) + took_ns) / REST_SHARE;
     return rest->mean_ns < WAITS_NS && took_ns < FRAME_NS ? FRAME_NS - took_ns : 0;

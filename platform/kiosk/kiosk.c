@@ -1,5 +1,5 @@
-/* kiosk.c -- one frame: sample (sample.h), run the ticks, present (present.h). The core never calls
- * out. */
+/* kiosk.c -- runs one frame: samples the devices (sample.h), runs the ticks, and presents the
+ * result (present.h). */
 #include "platform/kiosk/kiosk.h"
 
 #include <string.h>
@@ -18,7 +18,7 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     memset(kiosk, 0, sizeof *kiosk);
     cpu_set_float();
     kiosk->config = *config;
-    kiosk->switches.active = 1u << HAL_COIN_LOCKOUT; /* State of the outputs at start. */
+    kiosk->switches.active = 1u << HAL_COIN_LOCKOUT; /* Initial state of the outputs. */
     kiosk->saving.accepted_id = kiosk->output.entry_id = config->core.persistent.ledger.last_id;
     const enum core_error error = core_init(&kiosk->core, &config->core);
     if (error != CORE_OK) {
@@ -45,8 +45,7 @@ uint32_t kiosk_fault_count(const struct kiosk_faults *faults)
            faults->buttons + faults->switches;
 }
 
-/* Sets the part of the input that differs between ticks: each tick gets its own pose, and no pose
- * is used twice. */
+/* Sets the poses of the pois and fans for one tick. Each tick gets its own interpolated poses. */
 static void pose_hands(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -64,8 +63,8 @@ static int is_encore_on(const struct kiosk *kiosk)
     return kiosk->config.playback && kiosk->config.playback->state != ENCORE_OFF;
 }
 
-/* Redirects input during a score playback: poses and buttons control the playback, and the kiosk
- * gets only the coins. The input that ends the playback is not passed to the kiosk. */
+/* Redirects input during a score playback: poses and buttons control the playback, and the game
+ * gets only coins. The input that ends the playback is not passed to the game. */
 static void lend_hands(struct kiosk *kiosk)
 {
     if (is_encore_on(kiosk)) {
@@ -77,7 +76,8 @@ static void lend_hands(struct kiosk *kiosk)
     }
 }
 
-/* Returns 0 if there is no input for the tick. */
+/* Prepares the input of one tick. Returns 0 and ends the frame loop if the input source has no more
+ * ticks, otherwise 1. */
 static int prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
 {
     if (!kiosk->config.source.next) {
@@ -92,7 +92,8 @@ static int prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_count
     return 1;
 }
 
-/* Measures the wait of the reports, on the clock of their time stamps. */
+/* Adds the waiting time of each poi report to the statistics. The time uses the clock of the
+ * reports' time stamps. */
 static void time_reports(struct kiosk *kiosk, const struct hal *hal)
 {
     const uint64_t now_ns = hal_now_ns(hal->clock);
@@ -101,9 +102,9 @@ static void time_reports(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-/* Runs a tick. Returns 0 if the core rejected the tick; then the kiosk has ended.
- * session_recorder_before() is called before the tap because a panic of another thread stops this
- * thread there. */
+/* Runs one tick. Returns 1. If the core rejects the tick, sets kiosk->end and returns 0.
+ * session_recorder_before() must be the first call, because it stops this thread if another thread
+ * panics. */
 static int run_tick(struct kiosk *kiosk)
 {
     const struct kiosk_tap *tap = &kiosk->config.tap;
@@ -126,7 +127,7 @@ static int run_tick(struct kiosk *kiosk)
     if (kiosk->config.chapters) {
         session_recorder_tick(kiosk->config.chapters, &kiosk->input, &kiosk->core, &kiosk->output);
     }
-    kiosk->input.pressed = 0; /* A press is valid for one tick. */
+    kiosk->input.pressed = 0; /* A press is valid for one tick only. */
     memset(kiosk->input.coin_count, 0, sizeof kiosk->input.coin_count);
     return 1;
 }
@@ -142,16 +143,18 @@ static void end_ticks(struct kiosk *kiosk)
     core_scene(&kiosk->core, &kiosk->scene);
 }
 
-/* Runs the ticks. Returns the number of ticks for which there was input. */
+/* Runs the ticks of the frame. Returns the number of completed ticks. */
 static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
 {
     uint32_t done = 0;
     kiosk->output.sound_count = 0;
-    if (tick_count > 0) { /* Without a tick the previous force stays. */
+    if (tick_count > 0) { /* In a frame without ticks the forces of the previous frame remain
+                             set. */
         memset(kiosk->felt, 0, sizeof kiosk->felt);
     }
-    kiosk->float_resets += (uint32_t)cpu_set_float(); /* Restore the control word after calls into
-                                                         driver libraries. */
+    kiosk->float_resets += (uint32_t)cpu_set_float(); /* Restores the floating-point control
+                                                         register, which driver libraries may have
+                                                         changed. */
     while (done < tick_count && prepare_tick(kiosk, done, tick_count) && run_tick(kiosk)) {
         done++;
     }
@@ -161,7 +164,7 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
     return done;
 }
 
-/* Shows a score playback in place of the kiosk. */
+/* Shows a score playback in place of the game. */
 static void show_encore(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count)
 {
     struct score_playback *playback = kiosk->config.playback;
@@ -192,7 +195,7 @@ static void begin_frame(struct kiosk *kiosk)
     kiosk->frames++;
 }
 
-/* Reads the system health and passes on acknowledgements. Neither call blocks. */
+/* Reads the system health and passes on the operator's acknowledgement. Never blocks. */
 static void meet_machine(struct kiosk *kiosk, const struct hal *hal)
 {
     struct system_health *machine = kiosk->config.machine;
@@ -239,14 +242,16 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     present_view(kiosk, hal);
     present_frame(kiosk, hal, tick_count);
     if (tick_count > 0) {
-        hal->watchdog.ops->kick(hal->watchdog.self); /* The watchdog restarts a kiosk whose core
-                                                        hangs. */
+        hal->watchdog.ops->kick(hal->watchdog.self); /* The watchdog is notified only after ticks,
+                                                        so that it restarts a kiosk that runs no
+                                                        ticks. */
     }
     timing_add(&kiosk->work_time, stopwatch_ns(kiosk) - kiosk->frame_begin_ns);
     return kiosk->end;
 }
 
-/* Writes the uptime at a regular end, if no other entry is waiting. */
+/* Adds the final health entry, which has the uptime, to the ledger at a regular end. Adds no entry
+ * while other entries wait for the store. */
 static void tell_last_word(struct kiosk *kiosk, const struct hal *hal)
 {
     struct ledger_entry entry;

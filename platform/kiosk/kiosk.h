@@ -1,7 +1,12 @@
-/* kiosk.h -- the frame loop: sample the devices, run the due ticks, present the result.
+/* kiosk.h -- the frame loop: samples the devices, runs the due ticks and presents the result.
  *
- * The caller owns `struct kiosk` (about 1.5 MB: static storage). After kiosk_init() nothing here
- * allocates memory. No call blocks, except the display's, which waits for the screen. */
+ * The caller owns `struct kiosk` (about 1.5 MB: static storage). No function allocates memory after
+ * kiosk_init(). No function blocks, except that the display waits for the screen and
+ * kiosk_close_store() waits for the store.
+ *
+ * poi = the paper scoop and the controller that moves it; slot = the place of one of up to four
+ * controllers; tick = 1/120 s; scene = the data that the renderer draws; ledger = the append-only
+ * list of money events and rounds. */
 #ifndef KINGYO_PLATFORM_KIOSK_KIOSK_H
 #define KINGYO_PLATFORM_KIOSK_KIOSK_H
 
@@ -25,112 +30,128 @@ struct session_recorder;
 struct score_playback;
 struct system_health;
 
-/* Callbacks with each tick's input before the tick, and with the state after the tick; used by the
- * recorder. They must not change either. */
+/* Callbacks for a recorder. `before` gets the input before each tick; `tick` gets the input and the
+ * core's state after each tick. The callbacks must not change their arguments. */
 struct kiosk_tap {
-    void (*before)(void *self, const struct input *input); /* May be null. */
+    void (*before)(void *self, const struct input *input); /* Callback before each tick. May be
+                                                              null. */
     void (*tick)(void *self, const struct input *input, const struct core *core);
     void *self;
 };
 
-/* Source of each tick's input in place of the devices; used by the replayer. */
+/* Source of each tick's input that replaces the devices. The replayer uses a source. */
 struct kiosk_source {
-    int (*next)(void *self, struct input *out); /* Returns 1, or 0 at the end. */
+    int (*next)(void *self, struct input *out); /* Writes the input of the next tick. Returns 1, or
+                                                   0 at the end of the recording. */
     void *self;
 };
 
 struct kiosk_config {
     struct core_config core;
-    uint8_t bot[POI_MAX];           /* 1: the core's bot plays this poi, whatever devices exist. */
-    struct hal_clock stopwatch;     /* Real time for statistics only; never reaches the core. */
-    const struct file_notes *notes; /* Notes for the operator's menu; must outlive the kiosk. Null:
-                                       none. */
-    struct system_health *machine;  /* System health monitor; must outlive the kiosk. Null: none. */
-    struct session_recorder *chapters; /* Session recorder; must outlive the kiosk. Null: none. */
-    struct score_playback *playback;   /* Score playback; must outlive the kiosk. Null: none. */
-    struct kiosk_tap tap;              /* Null functions: no callbacks. */
-    struct kiosk_source source;        /* Null function: the devices are the source. */
+    uint8_t bot[POI_MAX];           /* 1 if the core's bot controls this poi, regardless of the
+                                       connected devices. */
+    struct hal_clock stopwatch;     /* Clock for time measurements only. Its time has no effect on
+                                       the core. */
+    const struct file_notes *notes; /* Messages for the operator's menu. Must outlive the kiosk.
+                                       Null means no messages. */
+    struct system_health *machine;  /* System health monitor. Must outlive the kiosk. Null means no
+                                       monitor. */
+    struct session_recorder *chapters; /* Session recorder. Must outlive the kiosk. Null means no
+                                          recording. */
+    struct score_playback *playback;   /* Score playback. Must outlive the kiosk. Null means no
+                                          playback. */
+    struct kiosk_tap tap;              /* Callbacks of a recorder. Null functions mean no
+                                          callbacks. */
+    struct kiosk_source source;        /* Input source. A null function means that the devices are
+                                          the source. */
 };
 
 enum kiosk_end {
     KIOSK_RUNS = 0,
-    KIOSK_QUIT,         /* The quit key pressed twice, a closed window, or the end of the desktop
-                           session. */
-    KIOSK_DISPLAY_LOST, /* The display is lost for good. */
-    KIOSK_SOURCE_END,   /* The replay is over. */
-    KIOSK_FLOAT,        /* The core rejected a tick with CORE_ERR_FLOAT. */
-    KIOSK_RESTART,      /* The kiosk must restart: by the operator, or because a store appeared
-                           after the start. */
+    KIOSK_QUIT,         /* Pressing the quit key twice, closing the window, or the end of the
+                           desktop session. */
+    KIOSK_DISPLAY_LOST, /* Permanent loss of the display. */
+    KIOSK_SOURCE_END,   /* End of the replay. */
+    KIOSK_FLOAT,        /* CORE_ERR_FLOAT from the core, which rejected a tick. */
+    KIOSK_RESTART,      /* Restart, requested by the operator or needed because a store appeared
+                           after program start. */
 };
 
-/* Faults since the start that the kiosk has survived. */
+/* Faults per device type since program start. The kiosk continued after each fault. */
 struct kiosk_faults {
     uint32_t poi, shade, display, audio, storage, buttons, switches;
 };
 
-/* Returns the sum over all devices. */
+/* Returns the sum of the faults of all device types. */
 uint32_t kiosk_fault_count(const struct kiosk_faults *faults);
 
 struct kiosk {
     struct kiosk_config config;
     struct core core;
-    struct input input; /* Input of the next tick; edges stay in it until one tick has used them. */
+    struct input input; /* Input of the next tick. Presses and coins remain until one tick has used
+                           them. */
     struct output output;
-    struct poi_force
-        felt[POI_MAX]; /* Forces of all ticks of the frame; see output_merge_force(). */
+    struct poi_force felt[POI_MAX]; /* Strongest force of all ticks in the frame for each poi;
+                                       see output_merge_force(). */
     struct scene scene;
     struct frame_pacer pace;
     struct poi_sampler hands[POI_MAX];
     struct fan_sampler shades[SHADE_MAX];
     uint64_t sampled_ns;       /* Time of the last device poll. */
-    uint64_t display_retry_ns; /* Time of the next attempt to reopen a lost display; 0: not lost. */
+    uint64_t display_retry_ns; /* Time of the next attempt to reopen a lost display. 0 means that
+                                  the display is open. */
     struct dimmer dimmer;
-    struct view view; /* Camera view that display and pois were given last. */
+    struct view view; /* Camera view that was last sent to the display and the pois. */
     struct display_settings
-        display_settings; /* Display transform that display and pois were given last. */
+        display_settings; /* Display transform that was last sent to the display and the pois. */
     struct saving saving;
     struct offline_flush late;
     struct audio_output voice;
     struct output_lines switches;
-    uint64_t restart_ns;    /* Time at which a restart no longer waits for the store; 0: no
-                               restart is requested. */
-    uint64_t quit_until_ns; /* Time until which a second press of the quit key ends the kiosk; 0:
-                               no first press. */
-    uint32_t told_orders;   /* Value of output.command_count up to which commands were executed. */
-    uint32_t wanted_replay_id;    /* Round that the operator wants to see; 0: none. */
-    uint8_t has_acknowledged;     /* 1: the operator has acknowledged quarantined files, and the
-                                     monitor must mark them. */
-    struct scene_machine machine; /* Newest system health. */
-    uint8_t end;                  /* enum kiosk_end */
+    uint64_t restart_ns;    /* Time at which a requested restart no longer waits for the store. 0
+                               means no request. */
+    uint64_t quit_until_ns; /* Time until which a second press of the quit key ends the kiosk. 0
+                               means no first press. */
+    uint32_t told_orders;   /* Value of output.command_count after the newest executed command. */
+    uint32_t wanted_replay_id;    /* Id of the round whose replay the operator wants to see. 0 means
+                                     no request. */
+    uint8_t has_acknowledged;     /* 1 if the operator has acknowledged the quarantined files and
+                                     the health monitor must mark them. */
+    struct scene_machine machine; /* Newest result of the health monitor. */
+    uint8_t end;                  /* Reason why the frame loop ends (enum kiosk_end). */
 
     uint64_t frames;
     struct kiosk_faults faults;
-    uint32_t float_resets; /* Frames before which the floating-point control had to be restored,
+    uint32_t float_resets; /* Frames before which the floating-point control register was restored
                               because a library had changed it. */
-    struct operator_view_lines lines; /* Statistics of button and coin lines. */
+    struct operator_view_lines lines; /* Statistics of the button and coin lines. */
     struct timing frame_time;         /* Time between the starts of two frames, on the stopwatch. */
-    struct timing work_time;          /* Time from the start to the end of kiosk_frame(). */
-    struct timing report_wait;        /* Time from a poi's report to the tick that uses it. */
-    uint64_t core_ns;                 /* Time spent in ticks and scene. */
+    struct timing work_time;          /* Time from the start to the end of kiosk_frame() on the
+                                         stopwatch. */
+    struct timing report_wait;        /* Time from the arrival of a poi's report to the tick that
+                                         uses the report. */
+    uint64_t core_ns;                 /* Total time of ticks and of filling the scene. */
     uint64_t frame_begin_ns;
 };
 
-/* Initializes the kiosk and opens the pois; the board has opened the other devices. Sets the
- * calling thread's floating-point control. Returns CORE_OK or core_init()'s error; after an error
- * `kiosk` must not be used. */
+/* Initializes the kiosk and opens the pois. The board must have opened all other devices. Sets the
+ * calling thread's floating-point control register. Returns CORE_OK or the error of core_init().
+ * After an error the caller must not use `kiosk`. */
 enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
                            const struct kiosk_config *config);
 
-/* Returns 1 if the quit key was pressed, so that a second press ends the kiosk. */
+/* Returns 1 if the quit key was pressed once, so that a second press ends the kiosk. Otherwise
+ * returns 0. */
 int kiosk_asks_to_quit(const struct kiosk *kiosk);
 
-/* Runs one displayed frame. Sets the calling thread's floating-point control before the ticks.
- * Returns enum kiosk_end; after any value except KIOSK_RUNS it must not be called again. */
+/* Runs one displayed frame. Sets the calling thread's floating-point control register before the
+ * ticks. Returns KIOSK_RUNS, or the reason for the end. After any other value than KIOSK_RUNS the
+ * caller must not call the function again. */
 enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal);
 
 /* Closes the store and counts its last faults. Call after the last frame. May block on the store.
- * Returns the number of finished rounds that are lost: not written, or never accepted by an
- * existing store. */
+ * Returns the number of lost ledger entries: entries that were not written, or that an existing
+ * store never accepted. */
 uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal);
 
 #endif

@@ -1,4 +1,4 @@
-/* main.c -- `kingyo`: parses the options, detects a screen and runs the kiosk or the
+/* main.c -- the program `kingyo`: parses the options, detects a screen and runs the kiosk or the
  * demonstration. */
 #include <signal.h>
 #include <stdio.h>
@@ -19,7 +19,8 @@
 #include "platform/panic.h"
 
 static volatile sig_atomic_t stop;
-static struct run_common evening; /* Static because of its size of several MB. */
+static struct run_common evening; /* State of the program. Static because the structure has several
+                                     MB. */
 
 static void on_signal(int number)
 {
@@ -41,15 +42,15 @@ static void kiosk_main_warn(const char *line)
     log_print(LOG_LEVEL_WARNING, "%s", line);
 }
 
-/* Reports a rejected line of the configuration, also in the operator's menu. */
+/* Reports a rejected line of the configuration file in the log and in the operator's menu. */
 static void warn_of_config(const char *line)
 {
     kiosk_main_warn(line);
     run_common_note_refused(&evening, line);
 }
 
-/* Returns the language of the machine's locale: Japanese or, in all other cases, English. The
- * demonstration ignores the locale because it must be the same everywhere. */
+/* Returns the language of the machine's locale: Japanese, or English in all other cases. The
+ * demonstration ignores the locale because its result must be identical on every machine. */
 static uint8_t machine_language(void)
 {
     static const char *const names[] = { "LC_ALL", "LC_MESSAGES", "LANG" };
@@ -62,8 +63,9 @@ static uint8_t machine_language(void)
     return LANGUAGE_EN;
 }
 
-/* Returns the configuration file to read: the file that was named, or the machine's file if there
- * is one. A demonstration reads only a named file because it must be the same everywhere. */
+/* Returns the path of the configuration file to read, or null. A path on the command line is
+ * preferred. Otherwise the path is CONFIG_FILE_DEFAULT if the file exists. A demonstration reads
+ * only a file named on the command line, because its result must be identical on every machine. */
 static const char *config_of(const struct options *options)
 {
     static char named[OPTIONS_PATH_MAX];
@@ -74,8 +76,8 @@ static const char *config_of(const struct options *options)
     return !options->demo && access(CONFIG_FILE_DEFAULT, F_OK) == 0 ? CONFIG_FILE_DEFAULT : NULL;
 }
 
-/* Reads the configuration. Only a named file must be readable; the kiosk starts without the
- * machine's file. */
+/* Reads the configuration file `path`. Returns EXIT_IO if a file named on the command line cannot
+ * be read. If CONFIG_FILE_DEFAULT cannot be read, the kiosk starts without it. */
 static enum exit_code read_config(struct options *options, const char *path)
 {
     char line[OPTIONS_PATH_MAX + 64];
@@ -89,8 +91,8 @@ static enum exit_code read_config(struct options *options, const char *path)
     return failed && is_named ? EXIT_IO : EXIT_OK;
 }
 
-/* Parses the command line, which names the configuration file. The file is read first, and the
- * command line overrides it. */
+/* Parses the command line, reads the configuration file that it names, and parses the command line
+ * again. The second pass overrides the configuration file. */
 static enum exit_code read_options(struct options *options, int argc, char **argv)
 {
     char error[OPTIONS_ERROR_MAX];
@@ -150,8 +152,8 @@ static enum exit_code kiosk_main_run(struct run_common *session)
     return run_interactive_run(session);
 }
 
-/* Executes the program again with the same options. After an update of the package this is the new
- * version. */
+/* Executes the program file again with the same options. After an update of the package the new
+ * version runs. */
 static void begin_anew(const struct run_common *session, char **argv)
 {
     if (session->options.record[0]) {
@@ -179,7 +181,7 @@ static enum exit_code run_words(int argc, char **argv)
     }
     catch_signals();
     panic_prepare(last_wish, &evening);
-    /* The kiosk starts without its data folder, too; the store reports the reason. */
+    /* The kiosk also starts without its data folder. The store reports the reason. */
     code = evening.options.shots[0] ? run_common_make_folder(evening.options.shots) : EXIT_OK;
     if (code == EXIT_OK) {
         code = run_common_check(&evening);
@@ -196,7 +198,8 @@ static enum exit_code run_words(int argc, char **argv)
     return code;
 }
 
-/* Lost output on standard output does not end a game. The exit code reports it at the end. */
+/* Runs the program. Failed writes to standard output do not end a game; the exit code reports them
+ * at the end. */
 int main(int argc, char **argv)
 {
     char line[128];

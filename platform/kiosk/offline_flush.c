@@ -1,7 +1,10 @@
-/* offline_flush.c -- collects and transfers offline credits; see offline_flush.h. */
+/* offline_flush.c -- collects offline credits and transfers them to the store; see
+ * offline_flush.h. */
 #include "platform/kiosk/offline_flush.h"
 
-#define BATCH_MAX 16u /* Limit of hand_over(); further entries follow in the next transaction. */
+#define BATCH_MAX                                                                                  \
+    16u /* Maximum number of entries in one call of merge_offline(). Additional entries follow in
+           the next transaction. */
 
 struct batch {
     const struct core *core;
@@ -36,8 +39,8 @@ static void offline_flush_add_entry(struct batch *batch, uint8_t kind, uint32_t 
     }
 }
 
-/* Adds the coins. The audits contain only the total value of all lines, which is assigned to the
- * first line with coins. */
+/* Adds the coins of each coin line. The audits have only the total value of all lines, which is
+ * assigned to the first line with coins. */
 static void add_coins(struct batch *batch, const struct offline_flush *flush)
 {
     uint32_t units = untold(flush, batch->core, AUDIT_UNITS);
@@ -74,8 +77,8 @@ static void add_credits(struct batch *batch, const struct offline_flush *flush)
     }
 }
 
-/* Adds the tickets as a round without players: the balance contains the tickets, and the audits
- * must count them. */
+/* Adds the tickets as a round without players. The balance already contains these tickets, and the
+ * entry makes the audits count them. */
 static void add_tickets(struct batch *batch, const struct offline_flush *flush)
 {
     const uint32_t count = untold(flush, batch->core, AUDIT_TICKETS);
@@ -91,7 +94,8 @@ static int offline_flush_is_same(const struct balance *a, const struct balance *
            a->service == b->service && a->unlogged == b->unlogged && a->tickets == b->tickets;
 }
 
-/* Returns 1 if the store has written what was transferred, or if nothing was transferred. */
+/* Returns 1 if no transfer is in progress, because the store has written the last one or none was
+ * started. Otherwise returns 0. */
 static int is_written(struct offline_flush *flush, const struct hal_storage *storage)
 {
     if (flush->is_asked && storage->ops->offline_merged(storage->self) == HAL_OK) {
@@ -118,7 +122,8 @@ int offline_flush_step(struct offline_flush *flush, const struct hal_storage *st
     }
     if (batch.count == 0) {
         offline_flush_add_entry(&batch, LEDGER_HEALTH, 0, 0,
-                                0); /* An entry that only carries the balance. */
+                                0); /* A health entry without counts, which only carries the changed
+                                       balance. */
     }
     if (storage->ops->merge_offline(storage->self, &step, batch.entries, batch.count) == HAL_OK) {
         flush->asked = flush->told;

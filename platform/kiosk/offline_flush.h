@@ -1,27 +1,31 @@
-/* offline_flush.h -- offline credits: gives a store that appears after the start the coins and
- * credits of the time without a store.
+/* offline_flush.h -- transfers offline credits to the store: coins and credits from the time in
+ * which no store was available.
  *
- * A kiosk that started without its store must restart to use it. The restart would lose data that
- * is only in memory: coins, the credits they bought and service credits. Therefore the store first
- * gets all of them, and amounts already transferred are subtracted. Coins inserted during a write
- * are queued for the next transaction, so that each coin is stored exactly once. */
+ * A kiosk that started without a store must restart to use a store that appears later. The restart
+ * would lose data that is only in memory: coins, the credits that the coins bought, and service
+ * credits. Therefore the kiosk first transfers these data to the store. Amounts that were already
+ * transferred are subtracted. Coins inserted during a write are queued for the next transaction, so
+ * that each coin is stored exactly once. */
 #ifndef KINGYO_PLATFORM_KIOSK_OFFLINE_FLUSH_H
 #define KINGYO_PLATFORM_KIOSK_OFFLINE_FLUSH_H
 
 #include "core/core.h"
 #include "platform/hal.h"
 
-/* State of the transfer. Zero: nothing was transferred yet. */
+/* State of the transfer. A structure of zeros means that nothing was transferred yet. */
 struct offline_flush {
-    struct audits told;        /* Audits of this kiosk that are on disk in the store. */
-    struct balance told_purse; /* Balance of this kiosk that is on disk in the store. */
-    struct audits asked;       /* Audits that will be on disk when the current write succeeds. */
+    struct audits told;        /* Part of this kiosk's audits that the store has written to disk. */
+    struct balance told_purse; /* Part of this kiosk's balance that the store has written to
+                                  disk. */
+    struct audits asked;       /* Part of this kiosk's audits that will be on disk when the current
+                                  write succeeds. */
     struct balance asked_purse;
     uint8_t is_asked;
 };
 
-/* Transfers the remaining amounts. Call once a frame, while such a store exists and no game runs.
- * Returns 1 if everything is on disk, so that the kiosk may restart in this frame. */
+/* Transfers the remaining amounts. Call once per frame while a new store exists and no game runs.
+ * Returns 1 if all amounts are on disk, so that the kiosk may restart in this frame. Otherwise
+ * returns 0. */
 int offline_flush_step(struct offline_flush *flush, const struct hal_storage *storage,
                        const struct core *core);
 

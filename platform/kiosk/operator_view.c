@@ -1,10 +1,10 @@
-/* operator_view.c -- copies device texts to the operator's view. */
+/* operator_view.c -- copies device texts to the operator's menu; see operator_view.h. */
 #include "platform/kiosk/operator_view.h"
 
 #include <string.h>
 
-/* Returns where to cut a text that is too long: after a complete remark, which can be translated,
- * or after a complete word. */
+/* Returns the position at which a line that is too long is cut: after a remark that ends with ';',
+ * because a complete remark can be translated. Without such a remark, returns the end of a word. */
 static size_t end_before(const char *line, size_t limit)
 {
     for (size_t at = limit; at > 1u; at--) {
@@ -45,7 +45,8 @@ static void name_devices(struct scene_devices *devices, const struct hal *hal)
               hal->switches.ops->describe(hal->switches.self));
 }
 
-/* Reads the store's state now because a card may become full while the kiosk runs. */
+/* Returns the row of the store. The state is read in each frame because a card may become full
+ * while the kiosk runs. */
 static struct scene_file store_row(const struct hal_storage *store)
 {
     struct scene_file row = {
@@ -77,7 +78,7 @@ uint8_t operator_view_file_count(const struct file_notes *notes)
     return (uint8_t)(1u + (notes ? file_notes_rows(notes) : 0u));
 }
 
-/* Copies the description of each device. */
+/* Copies the describe() text of each device. */
 static void tell_about(struct scene_devices *devices, const struct hal *hal)
 {
     const char *const lines[ABOUT_COUNT] = {

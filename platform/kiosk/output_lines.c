@@ -1,10 +1,12 @@
 /* output_lines.c -- sends changed outputs to the driver. A busy driver is retried in the next
- * frame, a failed one after a second. An output that this cabinet lacks counts as set. */
+ * frame, and a failed driver after one second. An output that the cabinet does not have counts as
+ * set. */
 #include "platform/kiosk/output_lines.h"
 
 #define RETRY_NS 1000000000ull
 
-/* Returns 1 if the driver accepted the request or will never accept it. */
+/* Returns 1 if the driver accepted the request or has no such output, otherwise 0. After a fault,
+ * delays the next attempt. */
 static int is_settled(struct output_lines *switches, enum hal_switch which, int result,
                       uint64_t now_ns)
 {
@@ -28,7 +30,8 @@ static uint32_t output_lines_set(struct output_lines *switches, const struct hal
     return (uint32_t)hal_is_fault(result);
 }
 
-/* Issues as many pulses as `wanted` has increased. */
+/* Sends as many pulses as `wanted` has increased since the last accepted request. Returns 1 on a
+ * fault, otherwise 0. */
 static uint32_t pulse(struct output_lines *switches, const struct hal_switches *device,
                       enum hal_switch which, uint32_t wanted, uint64_t now_ns)
 {

@@ -1,4 +1,5 @@
-/* panic_recovery.c -- writes and handles the evidence of a panic; see panic_recovery.h. */
+/* panic_recovery.c -- writes the evidence of a panic and evaluates it at the next start; see
+ * panic_recovery.h. */
 #include "platform/kiosk/panic_recovery.h"
 
 #include <errno.h>
@@ -20,7 +21,7 @@
 #define NAME_SIZE 16u
 #define EVIDENCE_WAIT_MS 200
 
-/* ---- The start ------------------------------------------------------------------------------ */
+/* ---- Program start ------------------------------------------------------------------------- */
 
 static int write_count(const struct evidence *evidence)
 {
@@ -32,8 +33,8 @@ static int write_count(const struct evidence *evidence)
     return error;
 }
 
-/* Clears the recent panics after a run of ten minutes without a panic, because no data is suspected
- * any more. A panic that occurs at the same time takes precedence. */
+/* Clears the recent panics after ten minutes without a panic, because the stored data are no longer
+ * suspected. A panic at the same time takes precedence. */
 static void forget_refused(struct evidence *evidence)
 {
     atomic_store(&evidence->is_clearing, 1);
@@ -54,8 +55,8 @@ static void *outlive_refused(void *self)
     return NULL;
 }
 
-/* Starts the thread that clears the count. If no thread can be created, the next start leaves out
- * the same part again. */
+/* Starts the thread that clears the recent panics after ten minutes. If no thread can be created,
+ * the next start leaves out the same part again. */
 static void wait_for_good_run(struct evidence *evidence)
 {
     sigset_t all, before;
@@ -69,7 +70,8 @@ static void wait_for_good_run(struct evidence *evidence)
     pthread_sigmask(SIG_SETMASK, &before, NULL);
 }
 
-/* Leaves a part of the data out. The attempt is written first because this may panic again. */
+/* Leaves a part of the data out. The attempt is written to disk first, because leaving data out may
+ * panic again. */
 static void leave_out(struct evidence *evidence)
 {
     struct panics *panics = &evidence->panics;
@@ -92,7 +94,7 @@ static void leave_out(struct evidence *evidence)
               result == 0 ? "leaves out" : "cannot leave out", panics_left_name(left), words);
 }
 
-/* Skips the next attempt, because the last attempt ended its process. */
+/* Leaves no data out, because the process of the last attempt ended during the attempt. */
 static void skip_leave_out(struct evidence *evidence)
 {
     log_print(LOG_LEVEL_ERROR,
@@ -107,8 +109,9 @@ static int has_work(const struct panics *panics)
     return panics->attempt != LEFT_NOTHING || panics_is_due(panics);
 }
 
-/* Locks the folder and then leaves data out. A file system without locks counts as locked. The
- * count is read again because another process may have changed it before the lock. */
+/* Locks the data folder and leaves data out if necessary. A file system without locks counts as
+ * locked by this process. The count is read again because another process may have changed it
+ * before the lock. */
 static void hold_and_leave_out(struct evidence *evidence)
 {
     struct panics *panics = &evidence->panics;
@@ -159,7 +162,7 @@ void evidence_note_frame(struct evidence *evidence)
     atomic_store(&evidence->has_frame, 1);
 }
 
-/* ---- The panic: async-signal-safe calls alone ------------------------------------------------ */
+/* ---- Panic handler: async-signal-safe calls only ------------------------------------------- */
 
 static void name_file(char out[NAME_SIZE], uint32_t number)
 {
@@ -169,7 +172,7 @@ static void name_file(char out[NAME_SIZE], uint32_t number)
     out[6] = (char)('0' + number);
 }
 
-/* Creates a new file. Returns its descriptor or a negative errno. */
+/* Deletes the old file `name` and creates a new one. Returns its descriptor or a negative errno. */
 static int make_file(int folder, const char *name)
 {
     if (unlinkat(folder, name, 0) != 0 && errno != ENOENT) {
@@ -180,7 +183,8 @@ static int make_file(int folder, const char *name)
     return file < 0 ? -errno : file;
 }
 
-/* Returns 0 or a negative errno. */
+/* Writes the recorded session to the file `name`. Returns 0 or a negative errno; -ENODATA means
+ * that no session was recorded. */
 static int write_replay(const struct evidence *evidence, const char *name, int is_sound)
 {
     if (!evidence->chapters || !session_recorder_has_begun(evidence->chapters)) {
@@ -220,14 +224,15 @@ static void evidence_log_error(const struct evidence *evidence, const char *reas
     log_print_raw(LOG_LEVEL_CRITICAL, text.out);
 }
 
-/* Stops the thread that runs the ticks. Without evidence_open() that is the main thread. */
+/* Stops the thread that runs the ticks. Before evidence_open() that thread is the main thread.
+ * Returns 1 if the core and the recording are complete, otherwise 0. */
 static int freeze(const struct evidence *evidence)
 {
     const int is_own = gettid() == (evidence->thread != 0 ? evidence->thread : getpid());
     return evidence->chapters ? session_recorder_freeze(evidence->chapters, is_own) : is_own;
 }
 
-/* Waits until outlive_refused() has written the count, EVIDENCE_WAIT_MS at most. */
+/* Waits until forget_refused() has written the count, at most EVIDENCE_WAIT_MS milliseconds. */
 static void stop_clearing(struct evidence *evidence)
 {
     atomic_store(&evidence->has_panicked, 1);

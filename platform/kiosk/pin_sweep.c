@@ -1,4 +1,4 @@
-/* pin_sweep.c -- replays, verifies and replaces recordings with a PIN; see pin_sweep.h. */
+/* pin_sweep.c -- replays, verifies and replaces recordings that contain a PIN; see pin_sweep.h. */
 #include "platform/kiosk/pin_sweep.h"
 
 #include <sqlite3.h>
@@ -23,8 +23,8 @@ static void end_sweep(struct pin_sweep *sweep)
     }
 }
 
-/* Reads the next replay and starts with it if it contains a PIN. A replay that cannot be read is
- * skipped. */
+/* Reads the next stored replay and selects it if its initial state contains a PIN. A replay that
+ * cannot be read is skipped. */
 static void seek(struct pin_sweep *sweep, struct ledger_file *file)
 {
     if (ledger_file_next_replay(file, sweep->round_id, &sweep->round_id) != SQLITE_OK) {
@@ -41,8 +41,8 @@ static void seek(struct pin_sweep *sweep, struct ledger_file *file)
     }
 }
 
-/* Returns the hash, or the quick hash, of the verifier's core as if its PIN had been withheld from
- * the start. The PIN has no other effect on the state until digits are typed. */
+/* Returns the result of `hash` for a core as if its PIN had been withheld from the start. Restores
+ * the PIN before the return. The PIN has no other effect on the state until digits are typed. */
 static uint64_t hash_without_pin(struct core *core, uint64_t (*hash)(const struct core *core))
 {
     int32_t *kept = &core->config.persistent.settings.value[SET_PIN];
@@ -91,7 +91,8 @@ static void record_tick(struct pin_sweep *sweep)
     replay_add(writer, &sweep->judge.input, digest, &totals);
 }
 
-/* Replaces the old recording by the new one when both have been verified. */
+/* Processes the end of a replay. The first end starts the check of the new recording. After the
+ * check, the new recording replaces the old one in the store. Returns an SQLite result code. */
 static int end_play(struct pin_sweep *sweep, struct ledger_file *file)
 {
     struct replay_verifier *judge = &sweep->judge;

@@ -1,4 +1,4 @@
-/* poi_sampler.c -- converts a device's reports to one pose a tick. */
+/* poi_sampler.c -- converts the reports of a device to one pose per tick; see poi_sampler.h. */
 #include "platform/kiosk/poi_sampler.h"
 
 #include "core/game/control/input_validation.h"
@@ -6,7 +6,7 @@
 #define RETRY_NS 1000000000ull
 #define NS_PER_S 1000000000ull
 #define TICK_NS (NS_PER_S / CORE_TICK_HZ)
-/* A longer interval without ticks is a gap in the observed motion. */
+/* Time without ticks after which the motion of a poi is not interpolated. */
 #define UNSEEN_NS 100000000ull
 
 uint32_t poi_sampler_open(struct poi_sampler *hand, const struct hal_poi *device, uint64_t now_ns)
@@ -19,7 +19,8 @@ uint32_t poi_sampler_open(struct poi_sampler *hand, const struct hal_poi *device
     return (uint32_t)hal_is_fault(result);
 }
 
-/* Tries to open a lost device. It stays lost until open() returns HAL_OK. */
+/* Tries to open a lost device once per second. The device stays lost until open() returns HAL_OK.
+ * Returns 1 if open() failed, otherwise 0. */
 static uint32_t look_for(struct poi_sampler *hand, const struct hal_poi *device, uint64_t now_ns)
 {
     if (now_ns < hand->retry_ns) {
@@ -33,7 +34,7 @@ static uint32_t look_for(struct poi_sampler *hand, const struct hal_poi *device,
     return 0;
 }
 
-/* Marks the device as lost and forgets its path, because the motion until the next report is
+/* Marks the device as lost and clears its path, because the motion until the next report is
  * unknown. */
 static void lose(struct poi_sampler *hand, uint64_t now_ns)
 {
@@ -42,7 +43,7 @@ static void lose(struct poi_sampler *hand, uint64_t now_ns)
     resample_reset(&hand->path);
 }
 
-/* Counts a report. Synthesized samples of a resting pointer are not counted. */
+/* Counts one report and updates the longest gap between reports. */
 static void count_report(struct report_pace *pace, uint64_t time_ns)
 {
     const uint64_t gap_ns =
@@ -52,7 +53,8 @@ static void count_report(struct report_pace *pace, uint64_t time_ns)
     pace->count++;
 }
 
-/* Ends the second. A gap that has not ended yet also counts. */
+/* Publishes the statistics once per second and starts the next second. The time since the last
+ * report also counts as a gap. */
 static void turn_second(struct report_pace *pace, uint64_t now_ns)
 {
     if (now_ns - pace->begin_ns < NS_PER_S) {
@@ -110,8 +112,8 @@ static uint8_t link_of(const struct poi_sampler *hand)
     return hand->was_seen ? POI_SOURCE_LOST : POI_SOURCE_ABSENT;
 }
 
-/* Returns the age of the newest report. A report from the future, after the clock was set back, has
- * age 0. */
+/* Returns the age of the newest report in ticks. A report with a time stamp in the future has age
+ * 0. */
 static uint16_t age_ticks(const struct poi_sampler *hand, uint64_t now_ns)
 {
     const uint64_t age_ns = now_ns > hand->newest_ns ? now_ns - hand->newest_ns : 0;
@@ -119,8 +121,8 @@ static uint16_t age_ticks(const struct poi_sampler *hand, uint64_t now_ns)
     return ticks < UINT16_MAX ? (uint16_t)ticks : UINT16_MAX;
 }
 
-/* Returns 1 if the kiosk itself was delayed and dropped ticks. The motion during the delay,
- * compressed into the remaining ticks, would be faster than the player's motion. */
+/* Returns 1 if the kiosk was delayed and dropped ticks, otherwise 0. If the motion of the delay
+ * were compressed into the remaining ticks, it would be faster than the player's motion. */
 static int was_unseen(const struct poi_sampler *hand, uint32_t tick_count)
 {
     const struct resampler *path = &hand->path;
@@ -128,8 +130,8 @@ static int was_unseen(const struct poi_sampler *hand, uint32_t tick_count)
     return span_ns > tick_count * TICK_NS + UNSEEN_NS;
 }
 
-/* Presents the motion to the core as late reports. The pose stays unchanged for one tick, with an
- * age below the limit of input loss. In the next tick the pose is at its new place. */
+/* Passes the motion of a delay to the core as late reports. The first tick repeats the old pose
+ * with an age below the limit of input loss. The following ticks have the newest pose. */
 static void pass_over(const struct poi_sampler *hand, uint32_t index, struct poi_input *out)
 {
     const struct resampler *path = &hand->path;

@@ -1,8 +1,8 @@
-/* poi_sampler.h -- samples the pois' controllers for the frame loop.
+/* poi_sampler.h -- samples the controllers of the pois for the frame loop.
  *
- * Devices are polled once a frame. Each tick of the frame gets its own pose on the path between the
- * reports (resample.h). Device values are passed on without validation because the core validates
- * them. */
+ * Devices are polled once per frame. Each tick of the frame gets its own pose on the path between
+ * the reports (resample.h). Device values are passed on without validation because the core
+ * validates them. */
 #ifndef KINGYO_PLATFORM_KIOSK_POI_SAMPLER_H
 #define KINGYO_PLATFORM_KIOSK_POI_SAMPLER_H
 
@@ -13,51 +13,54 @@
 #include "platform/kiosk/resample.h"
 #include "platform/kiosk/timing.h"
 
-/* Report rate of a controller, counted over one second and displayed during the next. */
+/* Report statistics of a controller, measured over one second and shown during the next second. */
 struct report_pace {
-    uint64_t begin_ns; /* Start of the second that is counted. */
-    uint64_t last_ns;  /* Arrival time of the last report; 0: none yet. */
-    uint64_t gap_ns;   /* Longest gap between two reports in this second. */
+    uint64_t begin_ns; /* Start of the current second. */
+    uint64_t last_ns;  /* Arrival time of the last report. 0 means no report yet. */
+    uint64_t gap_ns;   /* Longest gap between two reports in the current second. */
     uint32_t count;
-    uint32_t shown_count; /* Reports in the last complete second. */
+    uint32_t shown_count; /* Number of reports in the last complete second. */
     uint64_t shown_gap_ns;
 };
 
-/* Controller of one player. */
+/* Sampler for the controller of one player. */
 struct poi_sampler {
     struct report_pace pace;
     struct resampler path;
     uint64_t retry_ns;           /* Time of the next attempt to open a lost controller. */
     uint64_t newest_ns;          /* Arrival time of the newest report. */
-    uint8_t link;                /* enum poi_source, but never BOT. */
-    uint8_t has_wrist, trembles; /* Flags of the newest report. */
-    uint8_t was_seen; /* 1: the controller has sent at least one report since the start. */
+    uint8_t link;                /* Connection state of the controller (enum poi_source), never
+                                    POI_SOURCE_BOT. */
+    uint8_t has_wrist, trembles; /* Flags of the newest report; see struct poi_sample. */
+    uint8_t was_seen; /* 1 if the controller has sent a report since program start, otherwise 0. */
     uint64_t waiting_ns[HAL_POI_SAMPLES_MAX]; /* Arrival times of reports that no tick has used
                                                  yet. */
-    uint32_t waiting_count;                   /* Entries in waiting_ns; further reports are not
-                                                 timed. */
+    uint32_t waiting_count;                   /* Number of entries in waiting_ns. The waiting times
+                                                 of additional reports are not measured. */
 };
 
-/* Opens the device. Returns 1 if that failed with a fault, else 0. */
+/* Opens the device. Returns 1 if opening failed with a fault, otherwise 0. */
 uint32_t poi_sampler_open(struct poi_sampler *hand, const struct hal_poi *device, uint64_t now_ns);
 
-/* Reads the reports since the last frame. Retries a lost device once a second. Returns the number
- * of faults: failed calls, and reports with invalid numbers. */
+/* Reads the reports since the last frame. Retries to open a lost device once per second. Returns
+ * the number of faults: failed calls, and reports with invalid numbers. */
 uint32_t poi_sampler_sample(struct poi_sampler *hand, const struct hal_poi *device,
                             uint64_t now_ns);
 
-/* Writes the pose for tick `index` of the `tick_count` >= 1 ticks of the frame that began at
- * `now_ns`. A controller without any report counts as absent. A controller that stopped reporting
- * counts as lost, and its target stays unchanged. A path that took much longer than the frame's
- * ticks is not interpolated. The core gets it as late reports
- * (core/game/control/input_validation.h) and blends it in slowly. */
+/* Writes the pose for tick `index` of the `tick_count` >= 1 ticks of the frame that started at
+ * `now_ns`. A controller that never sent a report counts as absent. A controller that stopped
+ * reporting counts as lost, and its pose stays unchanged. If the reports cover much more time than
+ * the ticks, the pose is not interpolated. The core then gets late reports
+ * (core/game/control/input_validation.h) and moves the poi slowly to the new pose. */
 void poi_sampler_at(const struct poi_sampler *hand, uint32_t index, uint32_t tick_count,
                     uint64_t now_ns, struct poi_input *out);
 
-/* Adds to `wait` how long each report has waited. Call at the frame's first tick. */
+/* Adds the waiting time of each unused report to the histogram `wait`. Call before the first tick
+ * of the frame. */
 void poi_sampler_time(struct poi_sampler *hand, uint64_t now_ns, struct timing *wait);
 
-/* Starts the next path. Call after the frame's last tick. */
+/* Makes the newest report the start of the next frame's path. Call after the last tick of the
+ * frame. */
 void poi_sampler_end(struct poi_sampler *hand);
 
 #endif

@@ -6,9 +6,9 @@
 #include "core/game/menu/menu_pages.h"
 #include "platform/kiosk/session_recorder.h"
 
-/* Longest wait for the store before a restart; a slower card is assumed to be full. */
+/* Maximum time that a restart waits for the store. A slower card is assumed to be full. */
 #define RESTART_WAIT_NS 5000000000ull
-#define RETRY_NS 1000000000ull /* Interval between attempts to reopen a lost display. */
+#define RETRY_NS 1000000000ull /* Interval between two attempts to reopen a lost display. */
 
 void present_view(struct kiosk *kiosk, const struct hal *hal)
 {
@@ -34,8 +34,9 @@ static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
         kiosk->core.game.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
 }
 
-/* Sets the outputs. During a replay nothing is set: its coins were metered when they were inserted,
- * and new coins would be lost, therefore the coin lockout stays locked. */
+/* Sets the lamps, the coin lockout, the coin counter and the tickets. A replay sets no outputs,
+ * because its coins were counted when they were inserted. During a replay the coin lockout rejects
+ * coins, because coins would be lost. */
 static void present_switches(struct kiosk *kiosk, const struct hal *hal)
 {
     if (!kiosk->config.source.next) {
@@ -47,7 +48,7 @@ static void present_switches(struct kiosk *kiosk, const struct hal *hal)
 _Static_assert(FRAME_PACER_TICKS_MAX / MENU_TAKE_TICKS + 2u <= CONTROLLER_COMMAND_MAX,
                "a take in the first tick, one after each pause, and the menu that closes itself");
 
-/* Executes the commands of the frame in their order. */
+/* Executes the operator commands of the frame in their order. */
 static void present_orders(struct kiosk *kiosk, const struct hal *hal)
 {
     const struct output *output = &kiosk->output;
@@ -66,10 +67,10 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-/* Returns 1 if the kiosk must restart to use a store that appeared later, with its settings and
- * coins. Conditions: no game and no replay run, no recording would be overwritten, and the store
- * has all money that was only in memory. A remaining credit does not delay the restart, because a
- * credit that is not stored cannot be played. */
+/* Returns 1 if the kiosk must restart to use a store that appeared after program start. Otherwise
+ * returns 0. The kiosk restarts only if no game, replay or recording runs and the store has all
+ * money that was only in memory. A remaining credit does not delay the restart, because a credit
+ * that is not stored cannot be played. */
 static int is_called_back(struct kiosk *kiosk, const struct hal *hal)
 {
     return kiosk->core.game.phase == PHASE_ATTRACT && !kiosk->config.source.next &&
@@ -78,8 +79,8 @@ static int is_called_back(struct kiosk *kiosk, const struct hal *hal)
            offline_flush_step(&kiosk->late, &hal->storage, &kiosk->core);
 }
 
-/* Ends the kiosk for a restart that the operator requested, once the store has every entry or will
- * not accept them. */
+/* Ends the frame loop for a restart. A restart requested by the operator waits until the store has
+ * every entry, at most RESTART_WAIT_NS. */
 static void end_for_restart(struct kiosk *kiosk, const struct hal *hal)
 {
     if (is_called_back(kiosk, hal)) {
@@ -102,8 +103,8 @@ static void present_forces(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-/* Stores data that must survive a power cut. Data of a replay was stored when the game was played.
- * A score's replay is stored after its score is on disk. */
+/* Stores data that must survive a power cut. A replay stores no entries, because they were stored
+ * when the game was played. The recording of a score is stored after the score is on disk. */
 static void present_savings(struct kiosk *kiosk, const struct hal *hal)
 {
     const struct hal_storage *storage = &hal->storage;
@@ -119,8 +120,8 @@ static void present_savings(struct kiosk *kiosk, const struct hal *hal)
     kiosk->faults.storage += faults;
 }
 
-/* Draws the picture. Game and store continue without a display; a display that is lost or absent is
- * retried once a second. */
+/* Draws the picture. Game and store continue without a display. A lost display is retried once per
+ * second. */
 static void present_picture(struct kiosk *kiosk, const struct hal *hal)
 {
     const struct hal_display *display = &hal->display;
@@ -149,6 +150,6 @@ void present_frame(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_cou
         present_savings(kiosk, hal);
         end_for_restart(kiosk, hal);
     }
-    present_picture(kiosk, hal); /* Last, because it may block on the screen, and sounds must not be
-                                    delayed. */
+    present_picture(kiosk, hal); /* The picture is last because it may wait for the screen, and
+                                    sounds must not be delayed. */
 }

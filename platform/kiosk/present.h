@@ -1,14 +1,15 @@
-/* present.h -- the last part of a frame: all writes to devices. */
+/* present.h -- the last part of a frame, which writes to all devices. */
 #ifndef KINGYO_PLATFORM_KIOSK_PRESENT_H
 #define KINGYO_PLATFORM_KIOSK_PRESENT_H
 
 #include "platform/kiosk/kiosk.h"
 
-/* Sends a changed view or transform to the display and to the pointer devices. */
+/* Sends the camera view and the display transform to the display and to the pointer devices if one
+ * of them has changed. */
 void present_view(struct kiosk *kiosk, const struct hal *hal);
 
-/* Writes sounds, outputs, commands, forces and data to store if the frame had ticks, and always the
- * picture. Counts faults, and sets kiosk->end if the kiosk must restart. */
+/* Presents the picture. If the frame had ticks, also sends sounds, outputs, commands, forces and
+ * data to store. Counts faults. Sets kiosk->end if the kiosk must restart. */
 void present_frame(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count);
 
 #endif

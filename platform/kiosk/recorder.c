@@ -1,10 +1,11 @@
-/* recorder.c -- records the ticks of the frame loop to a file. */
+/* recorder.c -- records the ticks of the frame loop to a file; see recorder.h. */
 #include "platform/kiosk/recorder.h"
 
 #include <errno.h>
 #include <string.h>
 
-/* Returns the increase since `*before`, and updates `*before`. */
+/* Returns the increase of `now` over `*before`, and sets `*before` to `now`. Returns 0 after a
+ * decrease. */
 static uint32_t risen(uint32_t *before, uint32_t now)
 {
     const uint32_t rise = now > *before ? now - *before : 0;
@@ -67,7 +68,9 @@ struct kiosk_tap recorder_tap(struct recorder *recorder)
 
 int recorder_end(struct recorder *recorder)
 {
-    const int is_open = replay_is_open(&recorder->writer); /* Otherwise the core may not exist. */
+    const int is_open = replay_is_open(&recorder->writer); /* The core must not be hashed if no
+                                                              recording is open, because the core
+                                                              may not exist. */
     return replay_finish(&recorder->writer, is_open ? core_hash(recorder->core) : 0);
 }
 

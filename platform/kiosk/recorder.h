@@ -1,8 +1,8 @@
-/* recorder.h -- writes the inputs of the core and checksums of its states to a file while the game
- * runs.
+/* recorder.h -- writes the core's inputs and checksums of the core's states to a file while the
+ * game runs.
  *
- * The recorder gets each input before the tick. If the tick panics, the recording ends with that
- * input, and replaying it panics at the same tick. */
+ * The recorder gets each input before the tick. If the tick panics, the recording ends with the
+ * input of that tick. Replaying the recording panics at the same tick. */
 #ifndef KINGYO_PLATFORM_KIOSK_RECORDER_H
 #define KINGYO_PLATFORM_KIOSK_RECORDER_H
 
@@ -11,7 +11,7 @@
 #include "platform/kiosk/kiosk.h"
 #include "platform/replay/replay.h"
 
-/* Rounds, catches and fouls after the last tick, to detect increases. */
+/* Number of rounds, catches and fouls after the last tick, used to detect increases. */
 struct recorder_tally {
     uint32_t rounds, caught[POI_MAX], fouls[POI_MAX];
 };
@@ -20,32 +20,32 @@ struct recorder {
     struct replay_writer writer;
     struct replay_totals totals;
     struct recorder_tally tally;
-    const struct core *core; /* Core to hash for the last, incomplete second. */
-    struct input begun;      /* Input of the running tick; valid while is_in_tick is 1. */
+    const struct core *core; /* Core whose hash is written with the last, incomplete second. */
+    struct input begun;      /* Input of the current tick. Valid while is_in_tick is 1. */
     atomic_uchar is_in_tick; /* 1 while core_tick() runs. */
-    atomic_uchar is_adding;  /* 1 while the tap changes `totals` and `writer`. */
+    atomic_uchar is_adding;  /* 1 while recorder_tick() changes `totals` and `writer`. */
 };
 
-/* Counts rounds, caught fish, fouls, modes and players up to and including this tick. A count that
+/* Updates `totals` after a tick: ticks, rounds, caught fish, fouls, modes and players. A count that
  * decreased has restarted at 0. */
 void recorder_count(struct replay_totals *totals, struct recorder_tally *tally,
                     const struct core *core);
 
-/* Starts a recording of `core`, which must be new and outlive the recording. Returns 0 or a
- * negative errno. */
+/* Starts a recording of `core`. The core must not have run a tick and must outlive the recording.
+ * Returns 0 or a negative errno. */
 int recorder_begin(struct recorder *recorder, const char *path, const struct core *core);
 
-/* Returns the callbacks for the frame loop. */
+/* Returns the recorder's callbacks for the frame loop. */
 struct kiosk_tap recorder_tap(struct recorder *recorder);
 
-/* Writes the incomplete second. Returns 0, or the negative errno that ended the recording now or
- * earlier. */
+/* Writes the last, incomplete second and closes the file. Returns 0, or the negative errno of the
+ * first failure of the recording. */
 int recorder_end(struct recorder *recorder);
 
-/* Ends the recording in a panic, on the thread that runs the ticks or while that thread is stopped.
- * A tick that was interrupted is written with its input and REPLAY_HASH_NONE, because its state is
- * incomplete. Returns as recorder_end() does, or -EINTR if the panic interrupted a write; the file
- * then ends with its last complete second. */
+/* Ends the recording in a panic. Call on the thread that runs the ticks, or while that thread is
+ * stopped. An interrupted tick is written with its input and REPLAY_HASH_NONE, because its state is
+ * incomplete. Returns as recorder_end() does. Returns -EINTR if the panic interrupted a write; the
+ * file then ends with its last complete second. */
 int recorder_end_in_panic(struct recorder *recorder);
 
 #endif

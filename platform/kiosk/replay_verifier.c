@@ -1,4 +1,5 @@
-/* replay_verifier.c -- runs the core with the recorded inputs and compares the results. */
+/* replay_verifier.c -- runs the core with the recorded inputs and compares the results; see
+ * replay_verifier.h. */
 #include "platform/kiosk/replay_verifier.h"
 
 #include <stdio.h>
@@ -30,7 +31,8 @@ int replay_verifier_open(struct replay_verifier *verifier, const uint8_t *bytes,
     return verifier->is_damaged ? -1 : 0;
 }
 
-/* Creates the initial state of the replay. */
+/* Initializes the core with the initial state of the replay. Returns 0, or -1 if the core rejects
+ * it. */
 static int make_stall(struct replay_verifier *verifier)
 {
     struct core_config config;
@@ -115,8 +117,8 @@ int replay_verifier_is_at_round(const struct replay_verifier *verifier)
     return verifier->replayer.totals.ticks >= verifier->round_tick;
 }
 
-/* Compares a row of the ranking. Returns 1 if it equals the game, -1 if it differs, 0 if it is of
- * another round. */
+/* Compares a row of the ranking with the simulated round. Returns 1 if the row equals the round, -1
+ * if the row differs, 0 if the row belongs to another round. */
 static int look_at_row(const struct replay_verifier *verifier, const struct rank_row *row,
                        uint8_t mode, uint32_t round_id)
 {
@@ -159,15 +161,15 @@ static int same_players(const struct round_record *a, const struct round_record 
     return same;
 }
 
-/* Compares the tank of two rounds. Older versions did not store the tank; such a round is
- * accepted. */
+/* Returns 1 if the tank data of two rounds are equal, otherwise 0. Older versions did not store
+ * tank data; a round without tank data is accepted. */
 static int same_stall(const struct round_record *a, const struct round_record *kept)
 {
     return kept->fish_count == 0 || (a->fish_count == kept->fish_count &&
                                      a->round_s == kept->round_s && a->preset == kept->preset);
 }
 
-/* Compares the game's entry with the ledger's: boot, tank, ticks and papers. */
+/* Returns 1 if the simulated round's entry equals the ledger's entry `kept`, otherwise 0. */
 static int is_entry(const struct ledger_entry *played, const struct ledger_entry *kept)
 {
     const struct round_record *a = &played->round, *b = &kept->round;

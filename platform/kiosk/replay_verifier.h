@@ -1,16 +1,16 @@
-/* replay_verifier.h -- replays a score and verifies that it is genuine.
+/* replay_verifier.h -- replays a score and verifies that the score is genuine.
  *
- * A score is genuine if every digest and every second's state equal the recorded ones. In addition,
- * the game's final entry must equal the ranking's rows and the ledger's entry of the round. The
- * entry contains boot, ticks, the tank's seed, mode, grade, players, and each player's catch,
- * papers and fouls. This proves that these inputs make exactly this score in this program, in a
- * tank of that seed, for that many ticks.
+ * A score is genuine if every digest and the state hash of every second equal the recorded ones. In
+ * addition, the round's ledger entry of the simulation must equal the ranking's rows and the stored
+ * ledger entry. The entry contains the boot, the ticks, the tank's seed, the mode, the paper grade,
+ * the players, and each player's catch, papers and fouls. The verification proves that the inputs
+ * give exactly this score in this program, in a tank with this seed, for this number of ticks.
  *
- * The result does not prove who played, nor how many fish the tank had. No entry contains the
- * number of fish; `kingyoctl scores verify` prints the replay's number. An attacker who can write
- * the disk can change entry, ranking and replay together, because no secret is involved. An entry
- * that the ledger has dropped is not compared. An entry with a wrong checksum disproves the score.
- * The caller owns the verifier (1.3 MB: static storage). */
+ * The verification does not prove who played. An older ledger entry does not contain the number of
+ * fish in the tank; `kingyoctl scores verify` prints the number in the replay. An attacker who can
+ * write to the disk can change ledger, ranking and replay together, because no secret key is used.
+ * A round that the ledger no longer contains is compared with the ranking only. An entry with a
+ * wrong checksum disproves the score. The caller owns the verifier (1.3 MB: static storage). */
 #ifndef KINGYO_PLATFORM_KIOSK_REPLAY_VERIFIER_H
 #define KINGYO_PLATFORM_KIOSK_REPLAY_VERIFIER_H
 
@@ -21,10 +21,12 @@
 
 enum replay_verdict {
     REPLAY_VERDICT_GENUINE = 0,
-    REPLAY_VERDICT_OTHER,     /* The game differs from the recording (replayer.difference), or
-                                 gives a score other than the ranking's. */
-    REPLAY_VERDICT_DAMAGED,   /* The bytes are no valid recording: replayer.reader.problem. */
-    REPLAY_VERDICT_UNCHECKED, /* Not verified, because the core returned CORE_ERR_FLOAT. */
+    REPLAY_VERDICT_OTHER,     /* The simulation differs from the recording (replayer.difference), or
+                                 gives another score than the ranking. */
+    REPLAY_VERDICT_DAMAGED,   /* The bytes are not a valid recording; see
+                                 replayer.reader.problem. */
+    REPLAY_VERDICT_UNCHECKED, /* The score was not verified because the core returned
+                                 CORE_ERR_FLOAT. */
     REPLAY_VERDICT_COUNT,
 };
 
@@ -33,41 +35,44 @@ struct replay_verifier {
     struct core core;
     struct input input;
     struct output output;
-    struct replay_totals said; /* Totals that the replay itself states. */
-    uint32_t round_tick;       /* First tick of the recorded second in which the last round
-                                  begins. */
-    struct ledger_entry round; /* Newest round entry of this game; id 0: none yet. */
+    struct replay_totals said; /* Totals that the replay states. */
+    uint32_t round_tick;       /* Number of recorded ticks when the last round was first counted.
+                                  The round starts in the same second. */
+    struct ledger_entry round; /* Newest round entry of the simulated game. The id is 0 before the
+                                  first round. */
     uint32_t seen_id;
     uint8_t is_damaged;
-    uint8_t is_refused; /* 1: the core returned CORE_ERR_FLOAT. */
-    uint8_t is_read;    /* 1: the whole replay was parsed and is valid. */
+    uint8_t is_refused; /* 1 if the core returned CORE_ERR_FLOAT, otherwise 0. */
+    uint8_t is_read;    /* 1 if the whole replay was parsed and is valid, otherwise 0. */
     const uint8_t *bytes;
     size_t size;
 };
 
-/* Sets the calling thread's floating-point control and opens a replay. The bytes must outlive the
- * verification. Returns 0, or -1 if nothing can be played; the result is then
+/* Opens a replay and sets the calling thread's floating-point control register. `bytes` must
+ * outlive the verification. Returns 0. Returns -1 if the header is invalid; the result is then
  * REPLAY_VERDICT_DAMAGED. */
 int replay_verifier_open(struct replay_verifier *verifier, const uint8_t *bytes, size_t size);
 
 /* Parses at most one second of the open replay, so that the work fits into a frame. Returns 1 if
- * more is left, 0 if the replay is parsed and its initial state was created, or -1 as
- * replay_verifier_open(). */
+ * seconds remain. Returns 0 if the replay is completely parsed and the core is initialized. Returns
+ * -1 if the replay is invalid. */
 int replay_verifier_read(struct replay_verifier *verifier);
 
-/* Opens and parses a replay completely. Returns 0 or -1. */
+/* Opens and parses a replay completely. Returns 0, or -1 if the replay is invalid. */
 int replay_verifier_begin(struct replay_verifier *verifier, const uint8_t *bytes, size_t size);
 
-/* Runs one tick. Returns 1, or 0 at the end: of the replay, at the first difference, or because the
- * core rejected the tick. */
+/* Simulates one tick. Returns 1. Returns 0 at the end of the replay, at the first difference, or if
+ * the core rejected the tick. */
 int replay_verifier_tick(struct replay_verifier *verifier);
 
-/* Returns 1 if the last round, which is the score's, has begun. */
+/* Returns 1 if the simulation has reached the second in which the last round starts. The score
+ * belongs to the last round. Otherwise returns 0. */
 int replay_verifier_is_at_round(const struct replay_verifier *verifier);
 
-/* Returns the result. Call after the end. Every row of `ranking` with the round `round_id` must
- * equal this game, and there must be at least one. If the ledger still has the round, its entry
- * `kept` must equal the game's entry; otherwise the id of `kept` is 0. */
+/* Returns the result of the verification. Call after replay_verifier_tick() has returned 0. At
+ * least one row of `ranking` must have the id `round_id`, and each such row must equal the
+ * simulated round. `kept` is the round's ledger entry and must equal the entry of the simulation.
+ * An id of 0 in `kept` means that the ledger no longer has the entry. */
 enum replay_verdict replay_verifier_result(const struct replay_verifier *verifier,
                                            const struct ranking *ranking, uint32_t round_id,
                                            const struct ledger_entry *kept);

@@ -1,4 +1,5 @@
-/* replayer.c -- provides the recorded inputs and compares the results. */
+/* replayer.c -- provides the recorded inputs to the frame loop and compares the results; see
+ * replayer.h. */
 #include "platform/kiosk/replayer.h"
 
 #include <stdio.h>

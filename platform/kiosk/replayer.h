@@ -8,42 +8,46 @@
 #include "platform/kiosk/recorder.h"
 #include "platform/replay/replay.h"
 
-/* First tick whose digest, or whose second's hash, differs from the recording. */
+/* First difference between the simulation and the recording. */
 struct replay_difference {
     uint8_t found;
-    uint8_t is_full; /* 1: the digest was equal, but the full hash or a count was not. */
-    uint32_t tick;   /* Counted from 0. */
+    uint8_t is_full; /* 1 if the full hash or a count of a second differs; 0 if the digest of one
+                        tick differs. */
+    uint32_t tick;   /* Tick of the difference, counted from 0. */
     uint64_t recorded, computed;
 };
 
 struct replayer {
     struct replay_reader reader;
-    struct replay_totals totals; /* Totals computed so far. */
+    struct replay_totals totals; /* Totals of the simulation so far. */
     struct recorder_tally tally;
     struct replay_difference difference;
-    uint8_t damaged; /* 1: the file is invalid; see reader.problem. */
+    uint8_t damaged; /* 1 if the file is invalid; see reader.problem. */
 };
 
-/* Opens a recording and sets `config` to its initial state. Returns 0, or -1 with
+/* Opens the recording `path` and writes its initial state to `config`. Returns 0, or -1 and sets
  * reader.problem. */
 int replayer_begin(struct replayer *replayer, const char *path, struct core_config *config);
 
-/* Opens a recording in the caller's memory, which must outlive the replay. */
+/* Opens a recording in the caller's memory, otherwise as replayer_begin(). `bytes` must outlive the
+ * replay. */
 int replayer_begin_in(struct replayer *replayer, const uint8_t *bytes, size_t size,
                       struct core_config *config);
 
-/* Return the input source for the frame loop, and the callbacks that compare each tick. */
+/* replayer_source() returns the input source for the frame loop. replayer_tap() returns the
+ * callbacks that compare each tick. */
 struct kiosk_source replayer_source(struct replayer *replayer);
 struct kiosk_tap replayer_tap(struct replayer *replayer);
 
-/* Returns 1 if a panic interrupted the newest tick, so that no state was recorded after it. */
+/* Returns 1 if a panic interrupted the newest tick, so that the recording has no state after it.
+ * Otherwise returns 0. */
 int replayer_is_interrupted(const struct replayer *replayer);
 
 /* Closes the recording. */
 void replayer_end(struct replayer *replayer);
 
-/* Writes one line to standard error, "SPEAKER: PATH: byte N: ...". Returns the matching exit
- * code. */
+/* Writes one line to standard error: "SPEAKER: PATH: byte N: ...". Returns the exit code for the
+ * problem. */
 enum exit_code replayer_print_problem(const char *speaker, const char *path,
                                       const struct replay_problem *problem);
 

@@ -1,4 +1,5 @@
-/* resample.c -- samples a polyline in time at equal steps. */
+/* resample.c -- computes the poses of ticks at equal time steps on the path of reports; see
+ * resample.h. */
 #include "platform/kiosk/resample.h"
 
 #include "core/base/panic.h"
@@ -24,7 +25,7 @@ int resample_push(struct resampler *resampler, const struct poi_sample *sample)
     if (resampler->count > 0) {
         const uint64_t newest_ns = resampler->path[resampler->count - 1].time_ns;
         if (next.time_ns <= newest_ns) {
-            next.time_ns = newest_ns; /* Time along the path never decreases. */
+            next.time_ns = newest_ns; /* The time along the path never decreases. */
             resampler->count -= resampler->count > 1;
         }
     }
@@ -35,8 +36,8 @@ int resample_push(struct resampler *resampler, const struct poi_sample *sample)
     return input_pose_is_finite(&next.target);
 }
 
-/* Returns a point on the path between two reports. An invalid report is skipped. Before a jump or
- * an invalid report the earlier pose is returned until t = 1. */
+/* Returns the pose at the share `t` of the way between two reports. Before a jump or an invalid
+ * report, returns the earlier pose until t = 1. */
 static struct poi_target target_on_way(const struct poi_sample *from, const struct poi_sample *to,
                                        float t)
 {
@@ -69,7 +70,8 @@ struct poi_target resample_at(const struct resampler *resampler, uint32_t index,
         next++;
     }
     const uint64_t from_ns = path[next - 1].time_ns;
-    const uint64_t gap_ns = path[next].time_ns - from_ns; /* 0 only if the path is a few ns long. */
+    const uint64_t gap_ns = path[next].time_ns - from_ns; /* gap_ns is 0 only if the whole path is a
+                                                             few nanoseconds long. */
     const float t = gap_ns > 0 ? (float)(time_ns - from_ns) / (float)gap_ns : 1.0f;
     return target_on_way(&path[next - 1], &path[next], t);
 }

@@ -1,11 +1,11 @@
-/* resample.h -- computes exactly one pose a tick from time-stamped reports. Pure.
+/* resample.h -- computes exactly one pose per tick from time-stamped reports. Pure functions.
  *
- * A tick that reused a pose would see a poi that stops and starts, with the speeds 2v, 0, 2v. The
- * drag, which grows with the square of the speed, would be four times too large. Therefore the
- * reports of a frame are spread over the frame's ticks. The newest tick gets the newest report, so
- * that no latency is added. The earlier ticks get points on the path from the last frame's end,
- * linear between reports. Invalid numbers and jumps are not interpolated: they appear in the tick
- * that they belong to. */
+ * If a tick repeated a pose, the poi would seem to stop and start, with the speeds 2v, 0, 2v. The
+ * drag force grows with the square of the speed and would be four times too large. Therefore the
+ * reports of a frame are distributed over the frame's ticks. The last tick gets the newest report,
+ * so that no latency is added. The earlier ticks get points on the path from the end of the
+ * previous frame, linear between reports. Invalid numbers and jumps are not interpolated. They
+ * appear in the tick to which they belong. */
 #ifndef KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 #define KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 
@@ -13,28 +13,33 @@
 
 #include "platform/hal.h"
 
-/* Reports of one frame and of a few frames without ticks, and the last report that was used. */
+/* Capacity: the reports of one frame and of a few frames without ticks, and the last used
+ * report. */
 #define RESAMPLE_MAX (2u * HAL_POI_SAMPLES_MAX)
 
 struct resampler {
-    struct poi_sample path[RESAMPLE_MAX]; /* Reports in order; [0] is the pose of the last tick. */
-    uint32_t count;                       /* 0: no report yet. */
+    struct poi_sample path[RESAMPLE_MAX]; /* Reports in time order. path[0] is the pose of the last
+                                             tick. */
+    uint32_t count;                       /* Number of reports in `path`. 0 means no report yet. */
 };
 
-/* Forgets the path. Used after a controller was lost, because the motion in between is unknown. */
+/* Clears the path. Called after the loss of a controller, because the motion during the loss is
+ * unknown. */
 void resample_reset(struct resampler *resampler);
 
-/* Adds a report. A report with the same or an earlier time replaces the newest one. When full, the
- * second oldest is dropped. Any bit pattern is accepted because the core validates it. Returns 0 if
- * a number is invalid or beyond the range of core/game/control/input_validation.h. */
+/* Adds a report. A report with the same time as the newest report, or an earlier time, replaces the
+ * newest report. If the path is full, the second oldest report is dropped. Accepts any bit pattern
+ * because the core validates the values. Returns 1, or 0 if a number is invalid or out of the range
+ * of core/game/control/input_validation.h. */
 int resample_push(struct resampler *resampler, const struct poi_sample *sample);
 
-/* Returns the pose for tick `index` of the `tick_count` >= 1 ticks of this frame. `count` must be >
- * 0. */
+/* Returns the pose for tick `index` of the `tick_count` >= 1 ticks of the frame. Asserts that
+ * `count` is greater than 0. */
 struct poi_target resample_at(const struct resampler *resampler, uint32_t index,
                               uint32_t tick_count);
 
-/* Makes the newest report the start of the next path. Call after the frame's last tick. */
+/* Makes the newest report the start of the next frame's path. Call after the last tick of the
+ * frame. */
 void resample_end(struct resampler *resampler);
 
 #endif

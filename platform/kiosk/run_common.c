@@ -1,4 +1,4 @@
-/* run_common.c -- recording, replay and pictures around the frame loop. */
+/* run_common.c -- recording, replay and pictures for the frame loop; see run_common.h. */
 #include "platform/kiosk/run_common.h"
 
 #include <dirent.h>
@@ -32,7 +32,8 @@ void run_common_note_refused(void *self, const char *line)
     file_notes_refused(&session->notes, session->options.data, line);
 }
 
-/* Reports a line in the log and adds it to the library for the lab's screen. */
+/* Reports a rejected line of a graph file in the log, in the operator's menu and in the growth
+ * lab. */
 static void run_common_warn(void *context, const char *line)
 {
     struct run_common *session = context;
@@ -42,7 +43,7 @@ static void run_common_warn(void *context, const char *line)
     library_note_graph(&session->library, line + (folder < strlen(line) ? folder : 0u));
 }
 
-/* Fills the growth lab's catalog with the species of makers. */
+/* Fills the growth lab's catalog with the installed species. */
 static void fill_book(const struct library *library, struct lab_book *book)
 {
     book->card_count = (uint8_t)library->species_count;
@@ -56,7 +57,7 @@ static void fill_book(const struct library *library, struct lab_book *book)
     book->refused = (uint8_t)(refused < UINT8_MAX ? refused : UINT8_MAX);
 }
 
-/* Adds the result of each species file to the operator's notes. */
+/* Adds the result of each species file to the operator's messages. */
 static void note_species(struct run_common *session)
 {
     const struct library *library = &session->library;
@@ -74,7 +75,7 @@ static void note_species(struct run_common *session)
     }
 }
 
-/* Returns the text for a quarantined file in the log and on the operator's page. */
+/* Returns the text for a quarantined file in the log and in the operator's menu. */
 static const char *words_of_aside(const char *data, const char *name)
 {
     static const char *const words[] = {
@@ -95,8 +96,9 @@ static const char *words_of_aside(const char *data, const char *name)
                : words[aside];
 }
 
-/* Adds the quarantined files to the notes permanently. The warning on the page "ready for opening"
- * disappears after an operator has acknowledged it. */
+/* Adds the quarantined files to the operator's messages and logs those that are not acknowledged.
+ * The messages stay after an acknowledgement; only the warning on the page "ready for opening"
+ * disappears. */
 static void note_damaged(struct run_common *session)
 {
     DIR *folder = session->options.data[0] ? opendir(session->options.data) : NULL;
@@ -248,7 +250,7 @@ enum exit_code run_common_end(struct run_common *session)
                                         : EXIT_OK;
 }
 
-/* ---- Folders and pictures ------------------------------------------------------------------- */
+/* ---- Folders and pictures ------------------------------------------------------------------ */
 
 enum exit_code run_common_make_folder(const char *path)
 {
@@ -280,7 +282,8 @@ static int capture(struct run_common *session, struct hal_image *image)
     return display->ops->capture(display->self, image);
 }
 
-/* Captures the picture. A window that has grown since the last picture needs a larger buffer. */
+/* Captures the picture. If the window has grown since the last picture, first enlarges the
+ * buffer. */
 static int capture_with_room(struct run_common *session, struct hal_image *image)
 {
     const int result = capture(session, image);

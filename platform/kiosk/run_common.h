@@ -1,5 +1,5 @@
-/* run_common.h -- one run of the program, with or without a screen: the state and functions around
- * the frame loop. */
+/* run_common.h -- state and functions that the program uses around the frame loop, with or without
+ * a screen. */
 #ifndef KINGYO_PLATFORM_KIOSK_RUN_COMMON_H
 #define KINGYO_PLATFORM_KIOSK_RUN_COMMON_H
 
@@ -24,49 +24,51 @@ struct run_common {
     struct recorder recorder;
     struct replayer replayer;
     struct score_playback playback;   /* Score playback. */
-    struct session_recorder chapters; /* Session recorder, for the replays of scores and panics. */
-    struct evidence evidence;         /* Writes the replay and the count in a panic. */
-    struct library library;           /* Species files of makers, read at start. */
-    struct file_notes notes;          /* Results of reading species and all other files. */
-    struct replay_totals replayed;    /* Totals that run_common_check() found in the file to
-                                         replay. */
-    struct system_health machine;     /* System health. */
-    struct status status;             /* Status file for monitoring tools. */
-    uint8_t *rgb;                     /* Buffer for pictures; grows with the window. */
+    struct session_recorder chapters; /* Session recorder for the replays of scores and panics. */
+    struct evidence evidence;         /* Panic handler, which writes the replay and the count of a
+                                         panic. */
+    struct library library;           /* Installed species files, read at program start. */
+    struct file_notes notes;          /* Results of reading species files and all other files. */
+    struct replay_totals replayed;    /* Totals of the recording to replay, set by
+                                         run_common_check(). */
+    struct system_health machine;     /* System health monitor. */
+    struct status status;             /* Writer of the status file for monitoring tools. */
+    uint8_t *rgb;                     /* Buffer for pictures. The buffer grows with the window. */
     size_t rgb_size;
-    const volatile sig_atomic_t *stop; /* Set by SIGINT and SIGTERM. */
+    const volatile sig_atomic_t *stop; /* Nonzero after SIGINT or SIGTERM. */
 };
 
-/* Validates the whole replay before anything is opened. Returns an exit code. */
+/* Validates the whole recording of --replay before any device is opened. Returns an exit code. */
 enum exit_code run_common_check(struct run_common *session);
 
-/* Starts the kiosk on session->hal, with the requested recording or replay, and reads species files
- * from the data folder. `config` is the caller's; a replay replaces its core_config. Returns an
- * exit code; errors were reported. */
+/* Starts the kiosk on session->hal, with the recording or replay of the options. Reads species
+ * files from the data folder. The caller owns `config`; a replay replaces config->core. Returns an
+ * exit code. Reports all errors before it returns. */
 enum exit_code run_common_begin(struct run_common *session, struct kiosk_config *config);
 
-/* Records a rejected file, "FILE: reason", for the operator's menu. `self` is a session. */
+/* Adds a rejected file, "FILE: reason", to the operator's messages. `self` is a struct
+ * run_common. */
 void run_common_note_refused(void *self, const char *line);
 
-/* Reports each species file: loaded files on standard output, rejected files with the reason on
- * standard error. */
+/* Reports each species file: loaded files on standard output, rejected files with the reason in the
+ * log. */
 void run_common_print_library(const struct run_common *session);
 
-/* Reports CORE_ERR_FLOAT in one line and returns EXIT_NOT_SO. */
+/* Reports CORE_ERR_FLOAT in one line. Returns EXIT_NOT_SO. */
 enum exit_code run_common_print_float(void);
 
 /* Ends the recording or the replay and reports the result. Returns an exit code. */
 enum exit_code run_common_end(struct run_common *session);
 
-/* Calls directory_make() and reports an error. Returns an exit code. */
+/* Creates a folder with directory_make() and reports an error. Returns an exit code. */
 enum exit_code run_common_make_folder(const char *path);
 
-/* Reallocates the buffer for pictures up to `width` x `height`. Returns an exit code; errors were
- * reported. */
+/* Allocates the buffer for pictures of `width` x `height` pixels. Returns an exit code. Reports an
+ * error before it returns. */
 enum exit_code run_common_make_room(struct run_common *session, uint32_t width, uint32_t height);
 
-/* Copies the picture presented last to session->rgb and, if `path` is not null, writes it to that
- * file. Returns 0 with `image` filled, or -1 after the error was reported. */
+/* Copies the frame that was presented last to session->rgb. If `path` is not null, also writes a
+ * PNG file. Returns 0 and fills `image`. On an error returns -1 after reporting the error. */
 int run_common_shot(struct run_common *session, const char *path, struct hal_image *image);
 
 #endif

@@ -1,4 +1,5 @@
-/* run_interactive.c -- opens the board, runs the frame loop and closes the board. */
+/* run_interactive.c -- opens the board, runs the frame loop and closes the board; see
+ * run_interactive.h. */
 #include "platform/kiosk/run_interactive.h"
 
 #include <stdio.h>
@@ -41,8 +42,7 @@ static void tell_devices(const struct hal *hal)
     tell_device("watchdog", hal->watchdog.ops->describe(hal->watchdog.self));
 }
 
-/* Reports which slots have no controller if more bowls were requested than there are
- * controllers. */
+/* Prints the player slots that have no controller. */
 static void tell_seats(const struct kiosk *kiosk)
 {
     char text[HAL_TEXT_SIZE] = "";
@@ -57,8 +57,8 @@ static void tell_seats(const struct kiosk *kiosk)
     }
 }
 
-/* Reports the cost of a frame, from its first device poll to the end of its swap, and the core's
- * share. */
+/* Prints the duration of a frame, from the first device poll to the end of the buffer swap, and the
+ * core's share of it. */
 static void tell_work(const struct kiosk *kiosk)
 {
     const struct timing *work = &kiosk->work_time;
@@ -68,7 +68,7 @@ static void tell_work(const struct kiosk *kiosk)
            (double)timing_quantile_ns(work, 0.99) * 1e-6, 100.0 * share);
 }
 
-/* Reports the latency of reports, only if a poi time-stamps its reports. */
+/* Prints the latency of controller reports, if a poi has time-stamped reports. */
 static void tell_reports(const struct kiosk *kiosk)
 {
     const struct timing *wait = &kiosk->report_wait;
@@ -80,8 +80,8 @@ static void tell_reports(const struct kiosk *kiosk)
     }
 }
 
-/* Closes the store and then reports the statistics, which include unsaved data. Returns EXIT_IO if
- * coins, rounds or edits are lost. */
+/* Closes the store, then prints the statistics, which include entries that could not be written.
+ * Returns EXIT_IO if entries or edits are lost, otherwise EXIT_OK. */
 static enum exit_code tell_end(struct run_common *session, enum kiosk_end end)
 {
     struct kiosk *kiosk = &session->kiosk;
@@ -113,7 +113,8 @@ static enum exit_code code_of_end(enum kiosk_end end)
                                        : EXIT_OK;
 }
 
-/* Returns the worse result of the store and the recording, otherwise that of the display. */
+/* Returns the exit code of the store, else of the recording, else of the display. The first code
+ * that is not EXIT_OK is returned. */
 static enum exit_code end_play(struct run_common *session, enum kiosk_end end)
 {
     const enum exit_code told = tell_end(session, end);
@@ -122,8 +123,8 @@ static enum exit_code end_play(struct run_common *session, enum kiosk_end end)
     return told != EXIT_OK ? told : code != EXIT_OK ? code : ended;
 }
 
-/* Ends the program inside the display call. Xlib and the software renderer's threads do not survive
- * the loss of their connection, so that no call may return into them. */
+/* Ends the program inside the display call. Xlib and the software renderer's threads are not usable
+ * after the loss of their connection, so that no call may return into them. */
 static void on_display_lost(void *self)
 {
     struct run_common *session = self;
@@ -139,8 +140,8 @@ int run_interactive_waits_for_screen(void)
     return socket && socket[0];
 }
 
-/* Returns whether keys act as buttons and coins: on a desktop, and if the operator enables them. A
- * service disables them because anybody may find a socket of a cabinet. */
+/* Returns whether keys act as buttons and coins. The default is ON on a desktop and OFF in a
+ * service, because a stranger may plug a keyboard into a cabinet. */
 static uint8_t keyboard_of(const struct options *options)
 {
     const uint8_t automatic = getenv("NOTIFY_SOCKET") ? BOARD_KEYBOARD_OFF : BOARD_KEYBOARD_ON;
@@ -154,7 +155,8 @@ int run_interactive_open(struct run_common *session)
     if (!options->data[0]) {
         directory_default_data(options->data);
     }
-    directory_make(options->data); /* Before evidence_open(); the store reports a failure. */
+    directory_make(options->data); /* The folder must exist before evidence_open(). The store
+                                      reports a failure. */
     evidence_open(&session->evidence, options->data, &session->chapters, &session->kiosk.core);
     const struct board_options board = {
         .poi = options->poi,
@@ -222,7 +224,7 @@ static void shoot_if_due(struct run_common *session, uint32_t *shots)
     }
 }
 
-/* Reports that the picture was lost, and that it is back, once each. */
+/* Reports once when the display is lost and once when the display is back. */
 static void tell_picture(const struct run_common *session, int *was_away)
 {
     const struct hal_display *display = &session->hal.display;
@@ -234,8 +236,8 @@ static void tell_picture(const struct run_common *session, int *was_away)
     }
 }
 
-/* Reports a changed floating-point control once, because a library that changes it does so in each
- * frame. */
+/* Reports a changed floating-point control register once, because a library that changes it does so
+ * in each frame. */
 static void tell_float(const struct run_common *session, int *is_told)
 {
     if (session->kiosk.float_resets > 0 && !*is_told) {

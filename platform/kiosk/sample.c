@@ -3,7 +3,8 @@
 
 #include "core/game/menu/menu_pages.h"
 
-/* Time for the second press; the same as for TEST in a round: MENU_ASK_TICKS. */
+/* Time for the second press of the quit key, equal to MENU_ASK_TICKS, the time for the second press
+ * of TEST in a round. */
 #define QUIT_ASK_NS 5000000000ull
 
 static void read_wall(struct kiosk *kiosk, const struct hal *hal)
@@ -21,8 +22,8 @@ static void open_seat(struct kiosk *kiosk, const struct hal *hal, uint32_t seat,
     }
 }
 
-/* Assigns slots to better controllers. Slots change only between two games and while the operator's
- * page of controllers is shown, so that no player loses a controller during a game. */
+/* Assigns controllers to slots. Slots change only between two games and while the operator's menu
+ * is shown, so that no player loses a controller during a game. */
 static void arrange_seats(struct kiosk *kiosk, const struct hal *hal)
 {
     const uint8_t phase = kiosk->core.game.phase;
@@ -37,7 +38,7 @@ static void arrange_seats(struct kiosk *kiosk, const struct hal *hal)
 
 void sample_open(struct kiosk *kiosk, const struct hal *hal)
 {
-    read_wall(kiosk, hal); /* The C library reads the time zone here once, which allocates
+    read_wall(kiosk, hal); /* The first call reads the time zone in the C library, which allocates
                               memory. */
     hal->seats.ops->arrange(hal->seats.self, 1);
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -45,9 +46,9 @@ void sample_open(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-/* Handles the quit key, with a confirmation on a desktop because Esc is easily pressed by accident.
- * The second press within QUIT_ASK_NS ends the kiosk; any other button cancels. A replay on screen
- * ends at once. In the operator's menu the key leads back. */
+/* Handles the quit key. A desktop requires a second press within QUIT_ASK_NS, because Esc is easily
+ * pressed by accident. Any other button cancels. A replay ends immediately. In the operator's menu
+ * the key goes back one page. */
 static void heed_quit(struct kiosk *kiosk, const struct button_sample *buttons)
 {
     const int is_menu = kiosk->core.game.phase == PHASE_MENU;
@@ -108,8 +109,8 @@ static void sample_store(struct kiosk *kiosk, const struct hal_storage *storage)
 
 void sample_devices(struct kiosk *kiosk, const struct hal *hal)
 {
-    sample_display(kiosk, hal); /* First, because it fills the event queue from which a desktop's
-                                   mouse and keyboard are read. */
+    sample_display(kiosk, hal); /* The display is first because its poll fills the event queue from
+                                   which mouse and keyboard are read. */
     hal->controllers.ops->poll(hal->controllers.self, &kiosk->input.controllers);
     kiosk->input.controllers.file_count = operator_view_file_count(kiosk->config.notes);
     const uint64_t now_ns = kiosk->sampled_ns = hal_now_ns(hal->clock);
@@ -120,8 +121,8 @@ void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         kiosk->faults.shade += fan_sampler_sample(&kiosk->shades[i], &hal->fan[i], now_ns);
     }
-    sample_buttons(kiosk, hal); /* After the pois, because polling a poi also reads its controller's
-                                   buttons. */
+    sample_buttons(kiosk, hal); /* The buttons follow the pois, because polling a poi also reads the
+                                   buttons of its controller. */
     sample_store(kiosk, &hal->storage);
     kiosk->input.tickets_done = output_lines_are_done(&kiosk->switches, &hal->switches, HAL_TICKET);
     read_wall(kiosk, hal);

@@ -1,10 +1,10 @@
 /* saving.c -- offers data to the store and handles its errors; see saving.h. */
 #include "platform/kiosk/saving.h"
 
-#define RETRY_NS 1000000000ull /* Interval between attempts after a failure. */
+#define RETRY_NS 1000000000ull /* Interval between two attempts after a failure. */
 
-/* Returns 1 if the store accepted or will never accept the offer. After a failure the next attempt
- * is delayed. */
+/* Returns 1 if the store accepted the data or no store exists, otherwise 0. After a failure, delays
+ * the next attempt. */
 static int is_settled(struct saving *saving, int result, uint64_t now_ns)
 {
     if (hal_is_fault(result)) {

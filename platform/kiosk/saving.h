@@ -1,6 +1,6 @@
 /* saving.h -- passes ledger entries and edits to a store that may be busy, fail or be absent.
  *
- * Nothing counts as stored before the store accepts it. */
+ * Data count as accepted only after the store has accepted them. */
 #ifndef KINGYO_PLATFORM_KIOSK_SAVING_H
 #define KINGYO_PLATFORM_KIOSK_SAVING_H
 
@@ -10,27 +10,31 @@
 #include "platform/hal.h"
 
 struct saving {
-    uint32_t accepted_id;      /* Newest ledger entry that the store accepted or never will
-                                  accept. */
-    uint32_t accepted_edit_id; /* Newest edit that the store accepted or never will accept. */
-    uint32_t refused_seen;     /* Failed writes of the store that were already counted as faults. */
-    uint64_t retry_ns;         /* Time before which nothing is offered. */
+    uint32_t accepted_id;      /* Id of the newest ledger entry that is settled: the store accepted
+                                  the entry, or no store exists. */
+    uint32_t accepted_edit_id; /* Id of the newest edit that is settled: the store accepted the
+                                  edit, or no store exists. */
+    uint32_t refused_seen;     /* Number of failed writes that were already counted as faults. */
+    uint64_t retry_ns;         /* Time before which no data are offered to the store. */
 };
 
-/* Offers the ledger's entries to the store, oldest first. Call once a frame. A busy store is
- * retried in the next frame, a failed one after a second, and an absent one never. Returns the
- * number of faults. */
+/* Offers the ledger's entries to the store, oldest first. Call once per frame. A busy store is
+ * retried in the next frame, a failed store after one second, and an absent store never. Returns
+ * the number of faults. */
 uint32_t saving_put_entries(struct saving *saving, const struct hal_storage *storage,
                             const struct output *output, uint64_t now_ns);
 
-/* Offers the newest edit of the growth lab to the store, in the same way. */
+/* Offers the newest edit of the growth lab to the store. Retries and returns as
+ * saving_put_entries() does. */
 uint32_t saving_put_edit(struct saving *saving, const struct hal_storage *storage,
                          const struct output *output, uint64_t now_ns);
 
-/* Returns the number of writes that failed in the store's thread since the last call. */
+/* Returns the number of writes that failed in the store's thread since the last call of
+ * saving_refused(). */
 uint32_t saving_refused(struct saving *saving, const struct hal_storage *storage);
 
-/* Returns 1 if the store accepted every entry, or never will accept them. */
+/* Returns 1 if every ledger entry is settled: the store accepted the entry, or no store exists.
+ * Otherwise returns 0. */
 static inline int saving_is_done(const struct saving *saving, const struct output *output)
 {
     return saving->accepted_id == output->entry_id;

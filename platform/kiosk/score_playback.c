@@ -1,4 +1,5 @@
-/* score_playback.c -- loads, seeks, plays and verifies the replay of a score. */
+/* score_playback.c -- loads, seeks, plays and verifies the replay of a score; see
+ * score_playback.h. */
 #include "platform/kiosk/score_playback.h"
 
 #include <string.h>
@@ -8,15 +9,15 @@
 void score_playback_request(struct score_playback *playback, uint32_t round_id)
 {
     if (playback->is_asked) {
-        return; /* The store still fills `bytes`. */
+        return; /* The store is still writing to `bytes`. */
     }
     playback->state = ENCORE_SEEKS;
     playback->is_open = playback->has_play = 0;
     playback->round_id = round_id;
     playback->end_ticks = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        playback->hand_y_m[i] = GAME_DIP_Y_M; /* A poi that is already down does not count as a
-                                                 dip. */
+        playback->hand_y_m[i] = GAME_DIP_Y_M; /* A poi that is already below the water does not
+                                                 count as a dip. */
     }
 }
 
@@ -53,7 +54,7 @@ static void conclude(struct score_playback *playback, const struct ranking *rank
                                                             : ENCORE_OTHER;
 }
 
-/* Requests the replay from the store, and starts the playback when the replay is loaded. */
+/* Requests the replay from the store. When the store has loaded the replay, opens it. */
 static void fetch(struct score_playback *playback, const struct hal_storage *storage,
                   const struct ranking *ranking)
 {
@@ -71,7 +72,7 @@ static void fetch(struct score_playback *playback, const struct hal_storage *sto
     }
     playback->is_asked = 0;
     if (playback->state == ENCORE_OFF) {
-        return; /* The playback was ended meanwhile. */
+        return; /* The playback was ended while the store loaded the replay. */
     }
     if (size <= 0) {
         playback->state = ENCORE_NONE;
@@ -154,7 +155,7 @@ void score_playback_show(const struct score_playback *playback, struct scene *sc
     if (playback->state == ENCORE_OFF) {
         return;
     }
-    output->sound_count = 0; /* The kiosk's own sounds are dropped because no game runs. */
+    output->sound_count = 0; /* The game's own sounds are dropped during a playback. */
     if (playback->state == ENCORE_SEEKS && playback->has_play) {
         scene->encore_progress =
             (float)judge->replayer.totals.ticks / (float)(judge->round_tick + 1u);
@@ -162,8 +163,8 @@ void score_playback_show(const struct score_playback *playback, struct scene *sc
     if (playback->state != ENCORE_SEEKS && playback->has_play) {
         const uint8_t language = scene->language;
         core_scene(&judge->core, scene);
-        scene->language = language; /* The operator's language, because the operator watches the
-                                       playback. */
+        scene->language = language; /* The playback is shown in the operator's language because the
+                                       operator watches it. */
     }
     if (playback->state == ENCORE_PLAYS) {
         output->sound_count = judge->output.sound_count;

@@ -1,4 +1,5 @@
-/* session_recorder.c -- records in memory and restarts the recording with each session. */
+/* session_recorder.c -- records sessions in memory and starts a new recording for each session; see
+ * session_recorder.h. */
 #include "platform/kiosk/session_recorder.h"
 
 #include <poll.h>
@@ -104,7 +105,7 @@ static void keep_round(struct session_recorder *chapters, uint32_t round_id,
     chapters->missed += chapters->replay_size == 0;
 }
 
-/* Blocks the thread that runs the ticks forever if another thread panics. */
+/* Blocks the thread that runs the ticks forever if another thread has panicked. */
 static void stop_if_frozen(struct session_recorder *chapters)
 {
     while (atomic_load(&chapters->is_frozen)) {
@@ -124,8 +125,8 @@ void session_recorder_before(struct session_recorder *chapters, const struct inp
 static void note_tick(struct session_recorder *chapters, const struct input *input,
                       const struct core *core, const struct output *output)
 {
-    if (core_is_fresh(core)) { /* The configuration of the new session includes the effect of this
-                                  tick. */
+    if (core_is_fresh(core)) { /* The configuration of the new session already includes the effect
+                                  of the current tick. */
         session_recorder_begin(chapters, core);
         return;
     }
@@ -178,8 +179,8 @@ int session_recorder_dump(struct session_recorder *chapters, const struct core *
     return replay_dump(&chapters->writer, chapters->memory, hash, !is_sound, fd);
 }
 
-/* Offers the replay only after its round is on disk, because the store drops replays of unknown
- * rounds. */
+/* The store drops replays of unknown rounds, therefore the replay is offered after its round is on
+ * disk. */
 int session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage)
 {
     const struct hal_storage_ops *ops = storage->ops;

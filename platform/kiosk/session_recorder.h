@@ -1,14 +1,14 @@
 /* session_recorder.h -- records the running session (core/game/session.h) in memory.
  *
- * Gives the store the replay of each ranked round, and writes the session to a file in a panic. A
- * session's recording begins with the configuration of its first state, so that memory always holds
- * a snapshot and every later input. The caller owns `struct session_recorder` (20 MiB: static
- * storage) and clears it.
+ * The recorder gives the store the replay of each ranked round. In a panic, it writes the session
+ * to a file. The recording of a session starts with the configuration of the session's first state.
+ * The memory therefore always holds a snapshot and all later inputs. The caller owns `struct
+ * session_recorder` (20 MiB: static storage) and initializes it to zero.
  *
- * A ranked round has no replay in three cases, which are counted. The session has grown beyond
- * SESSION_RECORDER_SIZE. The store is still writing an earlier replay. Or digits of the PIN were
- * typed during the session. A session that grows beyond SESSION_RECORDER_MEMORY ends its recording;
- * a panic then writes the session up to that point. */
+ * A ranked round has no replay in three cases, which are counted: the session is larger than
+ * SESSION_RECORDER_SIZE, the store is still writing an earlier replay, or digits of the PIN were
+ * typed during the session. The recording of a session ends when it exceeds
+ * SESSION_RECORDER_MEMORY. A panic then writes the session up to this point. */
 #ifndef KINGYO_PLATFORM_KIOSK_SESSION_RECORDER_H
 #define KINGYO_PLATFORM_KIOSK_SESSION_RECORDER_H
 
@@ -18,15 +18,15 @@
 #include "platform/kiosk/recorder.h"
 #include "platform/replay/replay.h"
 
-/* Largest replay in bytes. Ten minutes of attract take 0.1 MB. After that, a six-axis controller
- * that changes at each tick writes 3.4 KB a second: a quarter of an hour for one player, four
- * minutes for four. */
+/* Maximum size of a replay in bytes. Ten minutes of attract mode take 0.1 MB. A six-axis controller
+ * that changes in each tick adds 3.4 KB per second. The rest is enough for a quarter of an hour
+ * with one player, or four minutes with four players. */
 #define SESSION_RECORDER_SIZE (3u * 1024u * 1024u)
 
-/* Memory for a recording in bytes. Ten minutes in which every field of every input changes at each
- * tick take 16 MiB. Four six-axis controllers write 13 KB a second, which gives twenty minutes:
- * attract and the longest round with its pauses. Pages that no session has reached take no physical
- * memory. */
+/* Memory for a recording in bytes. Ten minutes in which every field of every input changes in each
+ * tick take 16 MiB. Four six-axis controllers write 13 KB per second, so that the memory is enough
+ * for twenty minutes: attract mode and the longest round with its pauses. Pages that no session has
+ * reached use no physical memory. */
 #define SESSION_RECORDER_MEMORY (17u * 1024u * 1024u)
 #define SESSION_RECORDER_SECOND_MAX (REPLAY_CHUNK_HEAD_SIZE + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE)
 _Static_assert(REPLAY_HEADER_MAX + 600u * SESSION_RECORDER_SECOND_MAX + REPLAY_END_SIZE <=
@@ -34,77 +34,78 @@ _Static_assert(REPLAY_HEADER_MAX + 600u * SESSION_RECORDER_SECOND_MAX + REPLAY_E
                "ten minutes of any input fit");
 
 struct session_recorder {
-    struct core_config start; /* Start of the session with its PIN withheld (core/pin.h), which
-                                 replaces the true start in each replay that the store keeps. */
+    struct core_config start; /* Configuration at the start of the session, with the PIN withheld
+                                 (core/pin.h). It replaces the true configuration in each replay
+                                 that the store gets. */
     struct replay_writer writer;
     struct replay_totals totals;
     struct recorder_tally tally;
-    uint32_t seen_id;  /* Newest ledger entry that was examined. */
-    uint32_t round_id; /* Round of the replay in `replay`; 0: none. */
-    uint8_t is_lent;   /* 1: the store uses `replay`. */
-    uint8_t is_sealed; /* 1: the checksums of `replay` are updated. */
+    uint32_t seen_id;  /* Id of the newest ledger entry that was examined. */
+    uint32_t round_id; /* Id of the round whose replay is in `replay`. 0 means no replay. */
+    uint8_t is_lent;   /* 1 while the store uses `replay`. */
+    uint8_t is_sealed; /* 1 if the checksums of `replay` are complete. */
     struct replay_seal seal;
-    uint8_t has_pin; /* 1: digits of a PIN were typed in this session, so that no replay of it is
-                        kept. */
+    uint8_t has_pin; /* 1 if digits of a PIN were typed in the session. No replay of such a session
+                        is stored. */
     size_t replay_size;
-    uint32_t missed;         /* Ranked rounds whose replay could not be kept. */
-    struct input begun;      /* Input of the running tick; valid while is_in_tick is 1. */
+    uint32_t missed;         /* Number of ranked rounds whose replay could not be stored. */
+    struct input begun;      /* Input of the current tick. Valid while is_in_tick is 1. */
     atomic_uchar is_in_tick; /* 1 while core_tick() runs. */
     atomic_uchar
-        is_busy; /* From session_recorder_before() to the end of session_recorder_tick(). */
-    atomic_uchar is_frozen; /* 1: a panic reads the recording. The thread that runs the ticks blocks
-                               before any further change. */
+        is_busy; /* 1 from session_recorder_before() to the end of session_recorder_tick(). */
+    atomic_uchar is_frozen; /* 1 if a panic reads the recording. The thread that runs the ticks then
+                               blocks before it changes the recording. */
     uint8_t memory[SESSION_RECORDER_MEMORY];
     uint8_t replay[SESSION_RECORDER_SIZE];
 };
 
-/* Starts the recording. Call before the first tick of a new core. */
+/* Starts the recording of a session. Call before the first tick of a new core. */
 void session_recorder_begin(struct session_recorder *chapters, const struct core *core);
 
-/* Call before each tick, with its input. */
+/* Stores the input of the next tick. Call before each tick. */
 void session_recorder_before(struct session_recorder *chapters, const struct input *input);
 
-/* Call after each tick. */
+/* Records a tick. Call after each tick. */
 void session_recorder_tick(struct session_recorder *chapters, const struct input *input,
                            const struct core *core, const struct output *output);
 
-/* Bytes of a replay whose checksums one frame updates, which takes 0.2 ms. SESSION_RECORDER_SIZE
- * bytes take 4 ms and are spread over 24 frames. */
+/* Number of bytes whose checksums are computed per frame, which takes 0.2 ms. A replay of
+ * SESSION_RECORDER_SIZE bytes takes 4 ms in total and is spread over 24 frames. */
 #define SESSION_RECORDER_SEAL_SIZE (128u * 1024u)
 
-/* Updates checksums of the waiting replay, SESSION_RECORDER_SEAL_SIZE at a time, and then passes
- * the replay to the store once its round is on disk. Call once a frame. Returns 1 if the store
- * failed. */
+/* Computes checksums of the waiting replay, SESSION_RECORDER_SEAL_SIZE bytes per call. Passes the
+ * replay to the store after its round is on disk. Call once per frame. Returns 1 if the store
+ * failed, otherwise 0. */
 int session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage);
 
-/* ---- The PIN in a recording ------------------------------------------------------------------ */
+/* ---- PIN in a recording -------------------------------------------------------------------- */
 
-/* Withholds the PIN (core/pin.h) in the start of a recording without a change of the game. Each
- * pair of setting and logged value stays equal or different, because the core writes an entry if
- * they differ. `told` is the logged value of a running core, or null. */
+/* Withholds the PIN (core/pin.h) in the initial configuration of a recording. The game remains the
+ * same: a setting and its last logged value stay equal or different, because the core writes a
+ * ledger entry if they differ. `told` is the logged value of a running core, or null. */
 void session_recorder_withhold_pin(struct core_config *config, int32_t *told);
 
-/* Returns 1 if the start of a recording contains a PIN. */
+/* Returns 1 if the initial configuration of a recording contains a PIN, otherwise 0. */
 int session_recorder_start_has_pin(const struct core_config *config);
 
-/* Returns 1 if digits of a PIN are being typed, so that the inputs of the recording contain
- * them. */
+/* Returns 1 while digits of a PIN are typed, so that the recorded inputs contain them. Otherwise
+ * returns 0. */
 int session_recorder_types_pin(const struct core *core);
 
-/* ---- In a panic: async-signal-safe ---------------------------------------------------------- */
+/* ---- Functions for a panic, async-signal-safe ---------------------------------------------- */
 
-/* Stops further changes. `is_own`: the caller is the thread that runs the ticks. Another thread
- * waits for the end of a running tick, SESSION_RECORDER_FREEZE_MS at most. Returns 1, or 0 if a
- * change was interrupted. */
+/* Stops all changes of the recording. `is_own` is 1 if the calling thread runs the ticks. Another
+ * thread waits for the end of the current tick, at most SESSION_RECORDER_FREEZE_MS milliseconds.
+ * Returns 1, or 0 if a change was interrupted or is still in progress. */
 #define SESSION_RECORDER_FREEZE_MS 200
 int session_recorder_freeze(struct session_recorder *chapters, int is_own);
 
-/* Returns 1 if there is a session to write. */
+/* Returns 1 if there is a session to write, otherwise 0. */
 int session_recorder_has_begun(const struct session_recorder *chapters);
 
-/* Writes the session. `is_sound` is the return value of session_recorder_freeze(), which must be
- * called before. A tick that was interrupted is written with its input and REPLAY_HASH_NONE.
- * Returns 0 or a negative errno. */
+/* Writes the session to the descriptor `fd`. session_recorder_freeze() must be called first;
+ * `is_sound` is its return value. An interrupted tick is written with its input and
+ * REPLAY_HASH_NONE. Returns 0 or a negative errno. */
 int session_recorder_dump(struct session_recorder *chapters, const struct core *core, int is_sound,
                           int fd);
 

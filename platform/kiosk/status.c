@@ -1,4 +1,4 @@
-/* status.c -- collects the status report and writes it on a thread. */
+/* status.c -- collects the status report and writes it on a separate thread; see status.h. */
 #include "platform/kiosk/status.h"
 
 #include <assert.h>
@@ -14,7 +14,7 @@
 
 #define NS_PER_MS 1000000ull
 
-/* ---- The report ------------------------------------------------------------------------------ */
+/* ---- Report -------------------------------------------------------------------------------- */
 
 static void take_device(struct status_report *report, const char *part, const char *text)
 {
@@ -70,7 +70,7 @@ void status_take(struct status_report *report, const struct kiosk *kiosk, const 
     take_devices(report, hal);
 }
 
-/* ---- The file ------------------------------------------------------------------------------- */
+/* ---- File ---------------------------------------------------------------------------------- */
 
 static int write_all(int fd, const char *text, size_t size)
 {
@@ -85,8 +85,8 @@ static int write_all(int fd, const char *text, size_t size)
     return 0;
 }
 
-/* Writes the file. Returns 0 or a negative errno. The file is readable for all, independent of the
- * umask. It is in a memory file system and needs no sync. */
+/* Writes the file. Returns 0 or a negative errno. All users can read the file, independent of the
+ * umask. The file is in a memory file system and needs no sync. */
 static int write_file(const struct status *status, size_t size)
 {
     const int fd = open(status->part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
@@ -118,8 +118,8 @@ static void write_report(struct status *status, struct status_report *report)
 static void *status_thread(void *self)
 {
     struct status *status = self;
-    struct status_report report; /* Copy of the thread, because the frame loop overwrites the
-                                    original. */
+    struct status_report report; /* Copy for this thread, because the frame loop overwrites
+                                    status->report. */
     pthread_setname_np(pthread_self(), "status");
     pthread_mutex_lock(&status->mutex);
     while (!status->stop) {
@@ -137,8 +137,7 @@ static void *status_thread(void *self)
     return NULL;
 }
 
-/* ---- Called by the frame loop
- * ----------------------------------------------------------------- */
+/* ---- Functions for the frame loop ---------------------------------------------------------- */
 
 void status_begin(struct status *status, const char *folder)
 {

@@ -1,4 +1,4 @@
-/* status_text.c -- formats a status report as JSON. */
+/* status_text.c -- formats a status report as JSON; see status.h. */
 #include "platform/kiosk/status.h"
 
 #include <assert.h>
@@ -112,7 +112,7 @@ static const char *watch_name(uint8_t watch)
     return watch < sizeof names / sizeof names[0] ? names[watch] : "none";
 }
 
-/* Writes a number, or null if the value is unknown. */
+/* Writes `name` and a number, or null if the value is unknown. */
 static void put_known(struct text_out *text, const char *name, int is_known, int64_t value)
 {
     if (is_known) {
@@ -122,7 +122,7 @@ static void put_known(struct text_out *text, const char *name, int is_known, int
     }
 }
 
-/* Writes the values of the page "ready for opening". */
+/* Writes the values that the page "ready for opening" of the operator's menu shows. */
 static void put_machine(struct text_out *text, const struct status_report *report)
 {
     const struct scene_machine *machine = &report->machine;

@@ -1,4 +1,4 @@
-/* timing.c -- counts durations in fine bins, coarse bins and one last bin. */
+/* timing.c -- counts durations in fine bins, coarse bins and one last bin; see timing.h. */
 #include "platform/kiosk/timing.h"
 
 #define FINE_END_NS ((uint64_t)TIMING_BIN_NS * TIMING_BIN_COUNT)
@@ -42,5 +42,5 @@ uint64_t timing_quantile_ns(const struct timing *timing, double share)
             return middle < timing->max_ns ? middle : timing->max_ns;
         }
     }
-    return timing->max_ns; /* The last bin has no other upper limit. */
+    return timing->max_ns; /* The last bin has no upper limit except max_ns. */
 }
