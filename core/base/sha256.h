@@ -5,8 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define SHA256_MESSAGE_MAX                                                                         \
-    55u /* Largest message in bytes; a block has 64 bytes, of which the padding takes 9. */
+/* Largest message in bytes; a block has 64 bytes, of which the padding takes 9. */
+#define SHA256_MESSAGE_MAX 55u
 #define SHA256_WORDS 8u
 
 /* Writes the SHA-256 digest of `size` bytes at `message` as big-endian words: the first word holds

@@ -7,12 +7,12 @@
 /* Smallest distance from the sharp edge in disc radii at which the flow is computed, because a fish
  * is larger than a point. */
 #define BODY_SHARE 0.3f
-#define ENTRY_HALF_M                                                                               \
-    0.005f /* A level disc passes from dry to submerged over twice this distance. */
+/* A level disc passes from dry to submerged over twice this distance. */
+#define ENTRY_HALF_M 0.005f
 #define STILL_M_S 1e-4f
-#define FAR                                                                                        \
-    6.0f /* Largest distance of the flow in disc radii. A five-hundredth of the disc's speed
-            remains at this distance. */
+/* Largest distance of the flow in disc radii. A five-hundredth of the disc's speed remains at this
+ * distance. */
+#define FAR 6.0f
 
 /* Returns the share [0, 1] of the disc that is under water, computed from the heights of its lowest
  * and highest points. */

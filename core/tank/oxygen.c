@@ -8,12 +8,12 @@
 #define REFERENCE_C 25.0f
 #define KELVIN 273.15f
 #define HPA_PER_ATM 1013.25f
-#define STILL_M_H                                                                                  \
-    0.03f /* Exchange coefficient k_L of a still surface, for which 2 to 5 cm/h are published. */
-#define PUMP_PER_H                                                                                 \
-    5.0f /* Exchange rate kLa of an air stone, for which 2 to 10 per hour are published. */
-#define COST_MG_KG_M                                                                               \
-    0.6f              /* Oxygen for swimming, mg per kg of fish and metre (goldfish of 5 cm; Li). */
+/* Exchange coefficient k_L of a still surface, for which 2 to 5 cm/h are published. */
+#define STILL_M_H 0.03f
+/* Exchange rate kLa of an air stone, for which 2 to 10 per hour are published. */
+#define PUMP_PER_H 5.0f
+/* Oxygen for swimming, mg per kg of fish and metre (goldfish of 5 cm; Li). */
+#define COST_MG_KG_M 0.6f
 #define STEP_H 0.005f /* Longest step of the balance. Rates are constant within a step. */
 #define LITRES_PER_M3 1000.0f
 

@@ -6,22 +6,22 @@
 #include "core/tank/behavior/gait.h"
 
 #define EDGE_TAU_S 0.10f
-#define PULL_PER_S                                                                                 \
-    0.60f /* Eq. 3.5 of the 2013 thesis: S = 0.01 per frame at 60 frames per second. */
-#define HARDLY_M_S                                                                                 \
-    0.005f /* If the sum of course and attraction is slower than this, the sum has no usable
-              direction and the fish keeps its yaw. */
-#define FULL_LENGTHS_PER_S                                                                         \
-    0.1f /* A push of this speed by near fish, against the attraction, cancels the attraction
-            completely. In body lengths per second. */
-#define FRIGHT_RIM_M                                                                               \
-    0.02f /* Distance outside a shade's edge at which a fish already sees the shade approach. */
+/* Eq. 3.5 of the 2013 thesis: S = 0.01 per frame at 60 frames per second. */
+#define PULL_PER_S 0.60f
+/* If the sum of course and attraction is slower than this, the sum has no usable direction and the
+ * fish keeps its yaw. */
+#define HARDLY_M_S 0.005f
+/* A push of this speed by near fish, against the attraction, cancels the attraction completely. In
+ * body lengths per second. */
+#define FULL_LENGTHS_PER_S 0.1f
+/* Distance outside a shade's edge at which a fish already sees the shade approach. */
+#define FRIGHT_RIM_M 0.02f
 /* Time in which the shade of a fan raises the alarm of a fish from 0 to 1. The nerve latency
  * follows (startle.h). */
 #define FRIGHT_TIME_S 0.04f
-#define FRIGHT_PLAIN_DARK                                                                          \
-    0.60f /* Share of light taken from which the alarm has its full value. Darker shades cause no
-             more alarm. */
+/* Share of light taken from which the alarm has its full value. Darker shades cause no more
+ * alarm. */
+#define FRIGHT_PLAIN_DARK 0.60f
 
 static int is_finite(const struct shade_cast *cast)
 {

@@ -14,8 +14,8 @@
 #include "core/tank/behavior_params.h"
 #include "core/tank/fish.h"
 
-#define SHADE_FAN_DARK                                                                             \
-    0.62f /* Share of the light that a fan of paper on bamboo, or a human hand, takes. */
+/* Share of the light that a fan of paper on bamboo, or a human hand, takes. */
+#define SHADE_FAN_DARK 0.62f
 
 /* Radii of the attraction in units of the shade's radius, for the thesis' shade of 10 cm (section
  * 3.5). The attraction reaches to 20 cm and is zero near the centre. The thesis switches from 9

@@ -10,9 +10,8 @@
 #include "core/tank/behavior/swim.h"
 #include "core/tank/collision/reentry.h"
 
-#define STIRS_M                                                                                    \
-    0.0001f              /* Motion per tick above which an obstacle counts as a poi in use; equal to
-                            12 mm/s. */
+/* Motion per tick above which an obstacle counts as a poi in use; equal to 12 mm/s. */
+#define STIRS_M 0.0001f
 #define BUBBLE_TICKS 6u  /* Ticks between two bubbles of the pump: 20 bubbles per second. */
 #define BUBBLES_M 0.014f /* Radius around the air stone within which bubbles rise. */
 #define STONE_INSET_M 0.045f
@@ -20,9 +19,9 @@
 #define BUBBLE_M 0.0011f /* Height by which a bubble lifts the surface. */
 #define GULP_RADIUS_M 0.010f
 #define GULP_DEPTH_M 0.0004f
-#define PUSH_SHARE                                                                                 \
-    0.344f /* Share of the difference by which a fish's push approaches the new push at each
-              query. Pushes rise and decay with a time constant of a twelfth of a second. */
+/* Share of the difference by which a fish's push approaches the new push at each query. Pushes rise
+ * and decay with a time constant of a twelfth of a second. */
+#define PUSH_SHARE 0.344f
 #define BORNE_M_S 0.05f
 /* Recovery of `room`: after other fish blocked its turn, a fish regains its full turning rate in
  * half a second. */

@@ -11,15 +11,14 @@
 #include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/behavior/swim.h"
 
-#define PLACE_TRIES                                                                                \
-    12u /* Number of random places tried for a fish until one is clear of the bowls. If none is
-           clear, the last place is used. */
-#define START_ROUNDS_MAX                                                                           \
-    100u /* Largest number of rounds that separate the fish at the start. Full tanks take 3 to 48
-            rounds. */
-#define START_DRAWS_MAX                                                                            \
-    8u                       /* Largest number of random placements of all fish. In 1 % of the
-                                smallest tanks the first placement gets stuck. */
+/* Number of random places tried for a fish until one is clear of the bowls. If none is clear, the
+ * last place is used. */
+#define PLACE_TRIES 12u
+/* Largest number of rounds that separate the fish at the start. Full tanks take 3 to 48 rounds. */
+#define START_ROUNDS_MAX 100u
+/* Largest number of random placements of all fish. In 1 % of the smallest tanks the first placement
+ * gets stuck. */
+#define START_DRAWS_MAX 8u
 #define START_SHOVE_M 0.004f /* Largest push of a fish in one round. */
 
 /* ---- Validation of the configuration --------------------------------------------------------- */

@@ -10,20 +10,18 @@
 
 #define WAVE_SPEED_M_S 0.23f
 #define STEP_S (1.0f / 60.0f)
-#define WAVE_KEEP                                                                                  \
-    0.986f /* Share of the vertical velocity that remains after a step; waves decay in about a
-              second. */
-#define LEVEL_KEEP                                                                                 \
-    0.9985f /* Share of the height that remains after a step; the surface returns to height 0. */
-#define COURANT_MAX                                                                                \
-    0.45f /* Limit of (c dt / dx)^2 along each axis. The scheme diverges if the sum of both axes
-             reaches 1. */
+/* Share of the vertical velocity that remains after a step; waves decay in about a second. */
+#define WAVE_KEEP 0.986f
+/* Share of the height that remains after a step; the surface returns to height 0. */
+#define LEVEL_KEEP 0.9985f
+/* Limit of (c dt / dx)^2 along each axis. The scheme diverges if the sum of both axes reaches 1. */
+#define COURANT_MAX 0.45f
 /* Largest height of a wave. Higher waves would leave a tank whose walls stand 6 cm above the
  * water. */
 #define HEIGHT_MAX_M 0.02f
-#define SLOPE_SCALE                                                                                \
-    508.0f /* Factor from a slope to the integer of the scene (scene.h), in which +-127 means a
-              slope of +-0.25. */
+/* Factor from a slope to the integer of the scene (scene.h), in which +-127 means a slope of
+ * +-0.25. */
+#define SLOPE_SCALE 508.0f
 
 void water_init(struct water *water)
 {

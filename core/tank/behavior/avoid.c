@@ -1,4 +1,5 @@
-/* avoid.c -- the three classes of encounter between fish and how the fish avoid each other. */
+/* avoid.c -- classifies the encounters of two fish and computes how each fish avoids the other
+ * fish. */
 #include "core/tank/behavior/avoid.h"
 
 #include "core/base/rng.h"
@@ -6,22 +7,30 @@
 
 #define COS_20_DEG 0.93969262f
 #define COS_45_DEG 0.70710678f
-/* Chance that the fish that hits passes behind the other (section 3.4). */
+/* Probability that the fish that hits passes behind the struck fish (section 3.4 of the 2013
+ * thesis). */
 #define STRAIGHT_CHANCE 0.9f
-#define YAW_TIME_S 0.5f /* Longest avoidance by yaw before pitch is used (section 3.4). */
+/* Longest avoidance by yaw; afterwards the fish avoids by pitch (section 3.4). */
+#define YAW_TIME_S 0.5f
 #define PITCH_TIME_S 0.5f
-/* Time a fish keeps its depth after pitch, because its own depth would lead it back. */
+/* Time in which a fish keeps its depth after avoiding by pitch. Its preferred depth would lead it
+ * back to the other fish. */
 #define HOLD_DEPTH_S 0.5f
-/* Two resting fish drift together at this speed; repulsion parts them. */
+/* Closing speed below which fish do not avoid each other. Two resting fish drift together at this
+ * speed, and repulsion separates them. */
 #define CLOSING_MIN_M_S 0.010f
-/* Below 0.4 a burst in a crowd would lose more than half its speed. */
+/* Smallest share of the speed that a braking fish keeps. With a smaller share, a burst in a dense
+ * tank would lose more than half its speed. */
 #define BRAKE_MIN 0.4f
-#define LEAD_RAD (75.0f * F_DEG) /* Lead of the heading over the nose while a fish avoids by yaw. */
-/* Share of LEAD_RAD for the struck fish: 67 deg/s, so its tail hardly swings out. */
+/* Angle from the fish's yaw to its heading while the fish avoids by yaw. */
+#define LEAD_RAD (75.0f * F_DEG)
+/* Share of LEAD_RAD for the struck fish, which then turns at 67 deg/s and hardly swings its
+ * tail. */
 #define STRUCK_SHARE 0.15f
-#define TURN_LAG_S 0.12f              /* Time constant with which a turn decays. */
-#define REPULSION_LENGTHS_PER_S 0.45f /* Section 3.3: (7.5 - 5.25) cm/s for 5 cm fish. */
-#define REPULSION_RANGE 0.2f          /* Range in body lengths: 1 cm for a 5 cm fish. */
+#define TURN_LAG_S 0.12f /* Time constant with which a turn decays. */
+/* Repulsion speed at contact. Section 3.3: (7.5 - 5.25) cm/s for fish of 5 cm. */
+#define REPULSION_LENGTHS_PER_S 0.45f
+#define REPULSION_RANGE 0.2f /* Range of the repulsion in body lengths: 1 cm for a fish of 5 cm. */
 
 static float flat_cos(vec3 a, vec3 b)
 {
@@ -40,16 +49,17 @@ static int gives_way_to(const struct avoid_party *a, const struct avoid_party *b
     return a->avoiding != AVOID_NONE && a->avoid_with == b->index;
 }
 
-/* An encounter of two fish. Fish `a` is active if it runs into fish b. If both run into each other,
- * the fish with the lower index is active. */
+/* An encounter of two fish a and b. The fish that runs into the other fish is active. If each runs
+ * into the other, the fish that faces the other fish more is active; in a tie, the fish with the
+ * lower index. */
 struct encounter {
-    uint8_t kind; /* enum meeting_kind of the active fish. */
+    uint8_t kind; /* Class of the encounter: enum meeting_kind of the active fish. */
     uint8_t a_is_active;
     uint32_t since;
 };
 
-/* Returns the encounter as `first` recorded it when it began to avoid. A turn during the avoidance
- * changes the angle between the fish, but not the class of the encounter. */
+/* Returns the encounter that the fish `first` recorded when it began to avoid. A turn during the
+ * avoidance changes the angle between the fish, but not the class of the encounter. */
 static struct encounter encounter_of(const struct avoid_party *first, int first_is_a)
 {
     const int is_active = first->avoid_kind != MEET_STRUCK;
@@ -91,21 +101,21 @@ static uint32_t pair_draw(const struct avoid_party *a, const struct avoid_party 
 static void meet_head_on(struct avoid_pair *pair, uint32_t draw)
 {
     const float side =
-        draw & 1u ? 1.0f : -1.0f; /* Both fish turn to their own left, or both to their own
+        draw & 1u ? 1.0f : -1.0f; /* Both fish turn to their own left, or both turn to their own
                                      right. */
     pair->a.turn = side;
     pair->b.turn = side;
 }
 
-/* In a rear-end encounter only the fish behind avoids. */
+/* Advises a rear-end encounter, in which only the follower avoids. */
 static void meet_rear_end(struct avoid_advice *follower, struct avoid_advice *leader, uint32_t draw)
 {
     follower->turn = draw & 1u ? 1.0f : -1.0f;
     leader->kind = MEET_NONE;
 }
 
-/* The hitter passes behind the struck fish, which turns away a little. In one of ten encounters the
- * hitter passes in front. */
+/* Advises an encounter from the side. The hitter passes behind the struck fish, which turns away a
+ * little. In one of ten encounters the hitter passes in front of the struck fish. */
 static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct avoid_advice *struck,
                       vec3 struck_forward, vec3 to_struck, uint32_t draw)
 {
@@ -117,9 +127,9 @@ static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct a
     struck->turn = STRUCK_SHARE * (hit_on_left > 0.0f ? -sense : sense);
 }
 
-/* Extensions for a living wakin that the thesis lacks (enabled in struct behavior_params). Fish
- * whose courses do not cross need not avoid each other. Fish far apart do not avoid each other
- * either. A fish that approaches a body slows down. */
+/* Returns 1 if the courses of the fish cross, so that the fish must avoid each other. The test is
+ * an extension for living fish, which the 2013 thesis lacks. Always returns 1 if params->meet_miss
+ * is 0. */
 static int courses_cross(const struct avoid_party *a, const struct avoid_party *b, vec3 apart,
                          const struct behavior_params *params)
 {
@@ -141,7 +151,7 @@ static int is_far_off(float gap_m, float closing_m_s, const struct behavior_para
 }
 
 /* Returns the share of its speed that a fish keeps. The share is below 1 if the gap would close
- * within `brake_s` and the fish swims into that gap. */
+ * within `brake_s` and the fish swims toward the gap. */
 static float brake_for(float faces, float gap_m, float closing_m_s, float brake_s)
 {
     const float stop_m = brake_s * closing_m_s;
@@ -189,15 +199,15 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
         return pair;
     }
     if (flat_cos(a->forward, b->forward) > COS_20_DEG && f_max(a_faces, b_faces) < COS_45_DEG) {
-        return pair; /* The fish swim side by side. */
+        return pair; /* The fish swim side by side and need no avoidance. */
     }
     const struct encounter now = encounter(a, b, a_faces, b_faces, tick);
     advise(&pair, a, b, &now, f_max(gap_m, 0.0f) / closing_m_s, seed);
     return pair;
 }
 
-/* Returns the vertical direction that is possible: a rise is reversed near the surface and a dive
- * is reversed near the floor. */
+/* Returns the possible vertical direction: -1 (down) or +1 (up). A rise near the surface becomes a
+ * dive, and a dive near the floor becomes a rise. */
 static float possible_rise(const struct fish *fish, float rise, float water_depth_m)
 {
     const float room_m = 1.0f * fish->height_m;
@@ -208,14 +218,14 @@ static float possible_rise(const struct fish *fish, float rise, float water_dept
     return above_floor_m < room_m ? 1.0f : -1.0f;
 }
 
-/* Turns the fish as fast as its gait allows (180 deg/s while it swims). */
+/* Turns the fish as fast as its gait allows (180 deg/s in GAIT_SWIM). */
 static void yaw_away(struct fish *fish)
 {
     fish->heading_rad = f_wrap_angle(fish->angles.yaw_rad + fish->avoid_turn * LEAD_RAD);
 }
 
-/* Ends the turn: the fish continues along its nose, plus the angle that the turn still carries
- * it. */
+/* Ends an avoiding turn. The new heading is the fish's yaw plus the angle by which the fish
+ * continues to turn because of its lag. */
 static void straighten(struct fish *fish)
 {
     const float carries_rad = TURN_LAG_S * fish->yaw_rate_rad_s;
@@ -257,9 +267,9 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
                 const struct perception *around)
 {
     const int meets = advice->kind != MEET_NONE;
-    /* The brake is released within a third of a second. */
+    /* A fish releases its brake within a third of a second. */
     fish->brake = f_min(brake, fish->brake + 3.0f * around->dt_s);
-    /* Avoidance ends sooner once the way is clear. */
+    /* The avoidance ends three times as fast if the way is clear. */
     const float pace = fish->avoiding != AVOID_NONE && !meets ? 3.0f : 1.0f;
     fish->avoid_left_s = f_max(0.0f, fish->avoid_left_s - pace * around->dt_s);
     if (fish->avoiding == AVOID_NONE) {

@@ -7,22 +7,25 @@
 #include "core/tank/behavior/fish_behavior.h"
 #include "core/tank/behavior/gait.h"
 
-/* Both parts of a cycle last a whole number of decision periods, so that a fish that checks its
- * rhythm once per decision keeps it exactly. */
-#define CYCLE_TICKS_MIN 84u /* 0.7 s, plus up to 0.5 s by individual. */
+/* Beat and glide last a whole number of decision periods (FISH_BEHAVIOR_TICKS). A fish that checks
+ * its rhythm once per decision therefore keeps the rhythm exactly. */
+#define CYCLE_TICKS_MIN 84u /* Shortest cycle, 0.7 s. Individual fish add up to 0.5 s. */
 #define BEAT_SHARE 0.45f
-#define KICK_TICKS (5u * FISH_BEHAVIOR_TICKS) /* 0.17 s. */
+#define KICK_TICKS (5u * FISH_BEHAVIOR_TICKS) /* Duration of a kick, 0.17 s. */
 #define KICK_MAX_RAD (80.0f * F_DEG)
 
-#define COAST_DRAG 0.060f    /* Koi, by wetted surface; 0.242 while the tail beats. */
+/* Drag coefficient of a gliding koi per wetted surface. The coefficient is 0.242 while the tail
+ * beats. */
+#define COAST_DRAG 0.060f
 #define MASS_KG_PER_M3 23.1f /* Mass per cubed length: 2.9 g at 5 cm, as in fish_mass_kg(). */
-/* Share of the fish's mass: water that moves along with a slender body. */
+/* Mass of the water that moves along with a slender body, as a share of the fish's mass. */
 #define ADDED_MASS 0.10f
-#define SURFACE_PER_LENGTH2 0.65f /* Wetted surface, including both sides of the fins. */
+/* Wetted surface per squared length, including both sides of the fins. */
+#define SURFACE_PER_LENGTH2 0.65f
 #define GLIDE_LENGTHS                                                                              \
     (2.0f * (1.0f + ADDED_MASS) * MASS_KG_PER_M3 / (WATER_KG_M3 * SURFACE_PER_LENGTH2 * COAST_DRAG))
 
-/* Returns the cycle of a fish. Each fish has its own rhythm and its own phase. */
+/* Returns the duration of the fish's cycle of beat and glide. Each fish has its own duration. */
 static uint32_t cycle_ticks(const struct fish *fish)
 {
     return CYCLE_TICKS_MIN + FISH_BEHAVIOR_TICKS * (fish->look >> 10 & 15u);
@@ -48,7 +51,8 @@ int burst_coast_kicks(const struct fish *fish, uint32_t tick)
     return ticks_into(fish, tick) < KICK_TICKS;
 }
 
-/* The first decision in a beat turns the fish, whichever tick that is. */
+/* The first decision during a beat turns the fish. The random key is the first tick of the beat, so
+ * the turn does not depend on the tick of the decision. */
 void burst_coast_turn(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const uint32_t into = ticks_into(fish, around->tick);
@@ -67,8 +71,8 @@ float burst_coast_glide_m(float length_m)
     return GLIDE_LENGTHS * length_m;
 }
 
-/* Returns ln(1 + x) / x within 1e-3 for x up to 1: the share of a glide's distance that drag
- * leaves. */
+/* Returns ln(1 + x) / x with an error below 1e-3 for x up to 1. The result is the distance of a
+ * glide with drag as a share of the distance without drag. */
 static float glided(float x)
 {
     return (6.0f + x) / (6.0f + 4.0f * x);
@@ -82,10 +86,11 @@ float burst_coast_share(const struct fish *fish, float mean_m_s)
     const float beat_s = (float)beat * CORE_TICK_S;
     const float glide_s = (float)(cycle - beat) * CORE_TICK_S;
     float share = 1.25f;
-    for (int round = 0; round < 3; round++) { /* The share depends only weakly on itself, so three
-                                                 rounds suffice. */
+    for (int round = 0; round < 3; round++) { /* The share depends only weakly on its previous
+                                                 estimate, so three rounds suffice. */
         const float x = share * mean_m_s * glide_s / glide_m;
-        const float lost = x / (1.0f + x); /* Share of the top speed lost in the glide. */
+        const float lost = x / (1.0f + x); /* Share of the top speed that the fish loses in the
+                                              glide. */
         share = (beat_s + glide_s) / (beat_s - lost * run_up_s + glide_s * glided(x));
     }
     return share;

@@ -1,35 +1,38 @@
-/* burst_coast.h -- burst and coast: a cruising fish kicks, turns during the kick, and glides.
+/* burst_coast.h -- burst and coast: a cruising fish kicks with its tail, turns during the kick, and
+ * glides.
  *
- * Koi and goldfish beat their tail for about one beat and then coast. A straight body has a quarter
- * of the drag of a waving body: 0.060 against 0.242 (Wu et al. 2007, koi), which saves nearly half
- * of the energy. They turn during the kick, not during the glide. The first stage of a kick lasts
- * about equally long for every angle, so the turning rate sets the angle (Wu et al. 2007, turns of
- * koi). */
+ * Koi and goldfish beat their tail for about one beat and then coast. The drag coefficient of a
+ * straight body is a quarter of that of a waving body: 0.060 against 0.242 (Wu et al. 2007, koi).
+ * Coasting saves nearly half of the energy. The fish turn during the kick, not during the glide.
+ * The first stage of a kick lasts about equally long for every angle, so the turning rate
+ * determines the angle (Wu et al. 2007, turns of koi). */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_BURST_COAST_H
 #define KINGYO_CORE_TANK_BEHAVIOR_BURST_COAST_H
 
 #include "core/tank/behavior/perception.h"
 #include "core/tank/fish.h"
 
-#define BURST_COAST_KICK_HASTE 6.0f /* A turn is 90 % complete after 0.16 s at any angle. */
+/* Value of fish->haste during a kick: a turn by any angle is 90 % complete after 0.16 s. */
+#define BURST_COAST_KICK_HASTE 6.0f
 
-/* Returns 1 if the tail drives the fish in this tick of its own rhythm, which is 0.7 to 1.2 s
- * long. */
+/* Returns 1 if the tail drives the fish in this tick, 0 if the fish glides. The cycle of beat and
+ * glide lasts 0.7 to 1.2 s, depending on the fish. */
 int burst_coast_beats(const struct fish *fish, uint32_t tick);
 
-/* Returns 1 at the beginning of a beat, during the turn of the kick. */
+/* Returns 1 at the beginning of a beat, during the kick that turns the fish, otherwise 0. */
 int burst_coast_kicks(const struct fish *fish, uint32_t tick);
 
-/* Turns the course of a swimming fish once per kick by a random angle with the standard deviation
- * `kick_rad` of the behavior parameters. */
+/* Turns the heading of a swimming fish once per kick by a random angle. The standard deviation of
+ * the angle is `kick_rad` of the behavior parameters. */
 void burst_coast_turn(struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Returns the speed goal during a beat as a multiple of the mean speed over beat and glide;
- * `mean_m_s` > 0. */
+/* Returns the speed goal during a beat as a multiple of the mean speed over beat and glide.
+ * `mean_m_s` must be > 0. */
 float burst_coast_share(const struct fish *fish, float mean_m_s);
 
-/* Returns the distance of a glide while the speed falls to 1 / e, m: 2 m / (rho S C), with the
- * added mass of the water, the wetted surface S and C = 0.060. The distance is 1.3 lengths. */
+/* Returns the distance of a glide during which the speed falls to 1 / e, m. The distance is 2 m /
+ * (rho S C) = 1.3 body lengths. m includes the added mass of the water, S is the wetted surface and
+ * C = 0.060 the drag coefficient. */
 float burst_coast_glide_m(float length_m);
 
 #endif

@@ -1,42 +1,49 @@
-/* escape.c -- the C-start as a profile over time: turn, bend and thrust. */
+/* escape.c -- the C-start as a profile over time of turn, bend and thrust. */
 #include "core/tank/behavior/escape.h"
 
 #include "core/base/rng.h"
 #include "core/input.h"
 
-/* Duration of stage 1 and of stage 2: 20 ms for a 5 cm fish, in proportion to the square root of
- * the length. Stages last whole ticks, so that every C-bend is drawn at its deepest. */
+/* Duration of stage 1 and of stage 2 for a fish of STAGE_LENGTH_M. The duration is proportional to
+ * the square root of the length. Stages last whole ticks, so that the renderer shows every C-bend
+ * at its deepest. */
 #define STAGE_S 0.020f
 #define STAGE_LENGTH_M 0.05f
 
 #define TURN_MIN_RAD (60.0f * F_DEG)
 #define TURN_MAX_RAD (120.0f * F_DEG)
 #define STRAY_RAD (45.0f * F_DEG)
-#define PAST_RAD (100.0f * F_DEG)        /* A fish that errs swims past the danger, not into it. */
-#define FLIP_BACK_RAD (45.0f * F_DEG)    /* The return flip takes back this angle of the turn. */
-#define FLIP_BARRED_RAD (110.0f * F_DEG) /* Return flip if a wall blocks the way ahead. */
-#define FLIP_ON_RAD (90.0f * F_DEG)      /* Or the return flip adds this angle to the turn. */
+/* Course of a fish that errs, measured from the direction away from the danger. The fish swims past
+ * the danger, not into it. */
+#define PAST_RAD (100.0f * F_DEG)
+#define FLIP_BACK_RAD (45.0f * F_DEG) /* Largest angle by which the return flip reduces the turn. */
+/* Largest angle by which the return flip reduces the turn if a wall blocks the way ahead. */
+#define FLIP_BARRED_RAD (110.0f * F_DEG)
+#define FLIP_ON_RAD (90.0f * F_DEG) /* Largest angle by which the return flip increases the turn. */
 
-#define AWAY_CHANCE 0.77f /* Mirjany et al. 2011: 77 % of open-field starts turn away. */
-/* Design: with a wall behind the fish, most starts turn toward the danger. */
+/* Probability of a start away from the danger in open water (Mirjany et al. 2011). */
+#define AWAY_CHANCE 0.77f
+/* Probability of a start away from the danger if a wall blocks that way (design value). */
 #define AWAY_CHANCE_WALL 0.45f
-#define WALL_FELT_LENGTHS 2.0f /* A wall within this distance blocks the way. */
+#define WALL_FELT_LENGTHS 2.0f /* Distance in body lengths within which a wall blocks the way. */
 
-/* Curvature of the C-bend per angle of the head's turn. HEAD_SHARE is the part of a curve that lies
- * in front of the pivot of assets/shaders/fish.vert.glsl. */
+/* BEND_PER_TURN is the curvature of the C-bend per angle of the head's turn. HEAD_SHARE is the
+ * share of the curve in front of the pivot of assets/shaders/fish.vert.glsl. */
 #define BEND_PER_TURN 1.3f
 #define HEAD_SHARE 0.38f
-#define RECOIL 0.4f        /* Opposite bend after the flip, as a share of the C-bend. */
-#define RECOIL_STAGES 2.0f /* Stages after the flip until the recoil has decayed. */
+/* Bend in the opposite direction after the flip, as a share of the C-bend. */
+#define RECOIL 0.4f
+#define RECOIL_STAGES 2.0f /* Duration of the recoil after the flip, in multiples of a stage. */
 
-#define PEAK_LENGTHS_MIN 8.0f /* Peak speed in body lengths per second. */
+/* Range of the peak speed of individual fish, in body lengths per second. */
+#define PEAK_LENGTHS_MIN 8.0f
 #define PEAK_LENGTHS_MAX 10.0f
-#define PEAK_TIME_S 0.12f /* From the start to the glide. */
-#define DASH_LENGTHS 2.0f /* Body lengths per second at which the glide ends. */
+#define PEAK_TIME_S 0.12f /* Time from the beginning of the start to the glide. */
+#define DASH_LENGTHS 2.0f /* Speed at the end of the glide, in body lengths per second. */
 #define DASH_BEAT_MIN_S 0.70f
 #define DASH_SPREAD_S 0.08f
-#define COST 0.010f       /* Stamina for the start itself, as for one second of burst. */
-#define REFRACTORY_S 0.5f /* Time after a start in which the fish cannot start again. */
+#define COST 0.010f       /* Stamina cost of the start, equal to the cost of one second of burst. */
+#define REFRACTORY_S 0.5f /* Time after a dash in which the fish cannot start again. */
 
 static struct rng_key key(uint32_t index, const struct perception *around, enum rng_purpose purpose)
 {
@@ -59,7 +66,8 @@ float escape_stage_s(float length_m)
     return CORE_TICK_S * f_max(1.0f, f_floor(stage_s * (float)CORE_TICK_HZ + 0.5f));
 }
 
-/* Returns 1 before `end_s`. Times are sums of ticks, so half a tick of tolerance suffices. */
+/* Returns 1 if the C-start is younger than `end_s`, otherwise 0. Times are sums of ticks, so a
+ * tolerance of half a tick suffices. */
 static int before(const struct fish *fish, float end_s)
 {
     return fish->escape_s < end_s - 0.5f * CORE_TICK_S;
@@ -80,7 +88,8 @@ int escape_on_path(const struct fish *fish)
     return fish->gait == GAIT_ESCAPE && before(fish, end_s);
 }
 
-/* Returns the distance to a wall along a course on one axis, m. */
+/* Returns the distance to the wall ahead on one axis along a course, m. `course` is the component
+ * of the course on that axis. */
 static float room_m(float at_m, float course, float half_m)
 {
     const float gap_m = course > 0.0f ? half_m - at_m : half_m + at_m;
@@ -93,8 +102,8 @@ static float open_m(const struct fish *fish, vec3 course, vec3 size_m)
                  room_m(fish->position_m.z, course.z, 0.5f * size_m.z));
 }
 
-/* Returns the course, bent along a wall (and a little off the wall) if the wall blocks the
- * course. */
+/* Returns the yaw of a course. If a wall blocks the course, the course is bent along the wall and a
+ * little away from it. */
 static float unbarred_rad(const struct fish *fish, float yaw_rad, vec3 size_m)
 {
     const float felt_m = WALL_FELT_LENGTHS * fish->length_m;
@@ -114,7 +123,7 @@ static float nearer(float to_rad, float a_rad, float b_rad)
                                                                                      : b_rad;
 }
 
-/* Draws the side, the angle and the final course of the whole start. */
+/* Draws the side and the angle of the first turn, and the final course of the C-start. */
 static void aim(struct fish *fish, vec3 from_m, uint32_t index, const struct perception *around)
 {
     const float yaw_rad = fish->angles.yaw_rad;
@@ -149,7 +158,7 @@ static void enter(struct fish *fish, uint32_t index, const struct perception *ar
     fish->avoid_left_s = 0.0f;
     fish->startle = 0;
     fish->startle_s = 0.0f;
-    fish->drawn_rad = 0.0f; /* Shade attraction ends. */
+    fish->drawn_rad = 0.0f; /* The attraction of shades ends. */
     fish->bend_goal_rad = 0.0f;
 }
 
@@ -157,7 +166,7 @@ void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct p
 {
     enter(fish, index, around);
     aim(fish, from_m, index, around);
-    fish->escape_s = -around->dt_s; /* The first tick of the start is the next one. */
+    fish->escape_s = -around->dt_s; /* escape_tick() then begins with time 0 in the next tick. */
     fish->stamina = f_max(0.0f, fish->stamina - COST);
 }
 
@@ -184,8 +193,8 @@ void escape_tick(struct fish *fish, const struct perception *around)
     const float bent = f_clamp(stages, 0.0f, 1.0f);
     const float flipped = f_clamp(stages - 1.0f, 0.0f, 1.0f);
     const float recoiled = f_clamp((stages - 2.0f) / RECOIL_STAGES, 0.0f, 1.0f);
-    if (!escape_on_path(fish)) { /* The path of the start has ended: walls may turn the course
-                                    again. */
+    if (!escape_on_path(fish)) { /* The path of the C-start has ended. From now on walls may change
+                                    the course again. */
         fish->bend_goal_rad = 0.0f;
         return;
     }

@@ -1,4 +1,5 @@
-/* fish_behavior.c -- fish behavior: senses, avoids and decides, in order of urgency. */
+/* fish_behavior.c -- the decision of a fish: it senses, avoids and chooses goals in order of
+ * urgency. */
 #include "core/tank/behavior/fish_behavior.h"
 
 #include "core/input.h"
@@ -11,10 +12,12 @@
 #include "core/tank/behavior/wall_following.h"
 #include "core/tank/flow.h"
 
-/* Time constant of the attraction by a shade, so that noses do not follow every small change. */
+/* Time constant with which `drawn_rad` follows the attraction of a shade. A fish then does not turn
+ * at every small change. */
 #define DRAWN_TAU_S 0.5f
-#define PUSH_PER_S 12.0f /* Decay rate of pushes; a lasting push is followed in full. */
-/* A fish that passes deeper below a bowl than this need not turn. */
+/* Decay rate of pushes. A lasting push of the water moves the fish at the push's full speed. */
+#define PUSH_PER_S 12.0f
+/* A fish whose back is deeper than this below a bowl need not turn away from the bowl. */
 #define HULL_SHUN_DEPTH_M 0.01f
 
 int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct perception *around)
@@ -28,8 +31,8 @@ int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct p
 
 float fish_behavior_dt_s(const struct fish *fish, uint32_t tick)
 {
-    /* The low bits give the time since the last decision, except for a fish that was carried
-     * meanwhile. */
+    /* Low 8 bits of the ticks since the last decision. The clamp limits the value for a fish that
+     * was carried meanwhile. */
     const uint32_t ticks = (uint8_t)(tick - fish->thought_tick);
     return CORE_TICK_S * f_clamp((float)ticks, 1.0f, (float)FISH_BEHAVIOR_TICKS);
 }
@@ -61,7 +64,7 @@ static void avoidance(struct fish *fish, const struct perception *around)
     swim_avoid_turn(fish, &all, around->dt_s);
 }
 
-/* Applies the effects of pois: the flow carries the fish, the fish steps aside, or it is
+/* Applies the effects of pois: the flow carries the fish, the fish steps aside, or the fish is
  * startled. */
 static void sense_disturbances(struct fish *fish, uint32_t index, const struct perception *around)
 {
@@ -76,16 +79,17 @@ static void sense_disturbances(struct fish *fish, uint32_t index, const struct p
     startle_tick(fish, index, around);
 }
 
-/* Returns 1 if the fish responds to shades: not while it escapes or breathes at the surface, and in
- * a burst only with some behavior parameters. */
+/* Returns 1 if shades attract the fish in its present gait. Fish that escape or breathe at the
+ * surface ignore shades. A fish in a burst ignores shades unless params->shade_draws_bursts is
+ * set. */
 static int responds_to_shade(const struct fish *fish, const struct behavior_params *params)
 {
     return fish->air == AIR_ENOUGH && (fish->gait == GAIT_SWIM || fish->gait == GAIT_REST ||
                                        (fish->gait == GAIT_BURST && params->shade_draws_bursts));
 }
 
-/* Applies the attraction of shades to the goals of the gait. A fish that avoids another keeps its
- * avoiding course at the speed of an attracted fish. */
+/* Changes the goals of the fish by the attraction of shades. A fish that avoids another fish by yaw
+ * keeps its heading and takes only the speed. */
 static void follow_shade(struct fish *fish, const struct perception *around)
 {
     const int glides = fish->gait == GAIT_SWIM && fish->beats <= 0.0f;

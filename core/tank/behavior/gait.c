@@ -7,15 +7,17 @@
 #include "core/tank/behavior/escape.h"
 #include "core/tank/behavior/surface_breathing.h"
 
-/* Section 3.2: stamina per second; -1, -0.2 and +0.1 of 100 in the thesis. */
+/* Stamina per second of each gait. Section 3.2 of the 2013 thesis gives -1 (burst), -0.2 (swim) and
+ * +0.1 (rest) of 100. */
 #define BURST_COST_PER_S 0.010f
 #define SWIM_COST_PER_S 0.002f
 #define REST_GAIN_PER_S 0.001f
 #define BURST_MIN_S 1.0f
 #define BURST_MAX_S 3.0f
-#define STEADY_MIN_S 5.0f /* Duration of a swim and of a rest. */
+#define STEADY_MIN_S 5.0f /* Shortest and longest duration of a swim and of a rest. */
 #define STEADY_MAX_S 20.0f
-#define ESCAPE_COST_PER_S 0.020f /* Design: twice a burst. */
+/* Stamina per second of an escape: twice the cost of a burst (design value). */
+#define ESCAPE_COST_PER_S 0.020f
 
 struct gait_chance gait_chance(float stamina)
 {
@@ -24,9 +26,9 @@ struct gait_chance gait_chance(float stamina)
     }
     const float tired = 1.0f - stamina;
     return (struct gait_chance){
-        .burst = 0.1f - tired / 10.0f,                      /* eq. 3.1 */
-        .swim = 0.5f - 2.0f * tired / 5.0f,                 /* eq. 3.2 */
-        .rest = 0.4f + tired / 10.0f + 2.0f * tired / 5.0f, /* eq. 3.3 */
+        .burst = 0.1f - tired / 10.0f,                      /* Eq. 3.1 of the 2013 thesis. */
+        .swim = 0.5f - 2.0f * tired / 5.0f,                 /* Eq. 3.2 of the 2013 thesis. */
+        .rest = 0.4f + tired / 10.0f + 2.0f * tired / 5.0f, /* Eq. 3.3 of the 2013 thesis. */
     };
 }
 
@@ -40,7 +42,7 @@ struct gait_chance gait_shares(float stamina)
     return (struct gait_chance){ burst_s / all_s, swim_s / all_s, rest_s / all_s };
 }
 
-/* Key of a fish's random draws: the seed, the tick and the fish. */
+/* Key of a fish's random numbers: seed, tick and index of the fish. */
 struct luck {
     uint32_t seed, tick, fish;
 };
@@ -57,7 +59,7 @@ static struct rng_key key(struct luck luck, enum rng_purpose purpose)
 
 float gait_depth_m(float stamina, float water_depth_m)
 {
-    /* 18, 13, 8 and 3 cm of the thesis' 20 cm. */
+    /* The 2013 thesis gives depths of 18, 13, 8 and 3 cm in 20 cm of water. */
     const float share = stamina >= 0.75f   ? 0.90f
                         : stamina >= 0.50f ? 0.65f
                         : stamina >= 0.25f ? 0.40f
@@ -65,9 +67,9 @@ float gait_depth_m(float stamina, float water_depth_m)
     return -share * water_depth_m;
 }
 
-/* Returns the change of heading. The thesis changes the heading with the gait but gives no amount.
- * A jump to any of 360 degrees is unlike a fish, so the change has a normal distribution of 45
- * degrees, and a burst begins with a sharp turn. */
+/* Returns the random change of heading at a change of gait. The 2013 thesis gives no amount. Real
+ * fish do not turn by any of 360 degrees, so the change has a normal distribution (45 degrees for a
+ * swim). A burst begins with a sharp turn of 60 to 120 degrees. */
 static float turn_rad(enum fish_gait gait, struct luck luck, const struct behavior_params *params)
 {
     const float bell = rng_normal(key(luck, RNG_FISH_TURN));
@@ -78,7 +80,7 @@ static float turn_rad(enum fish_gait gait, struct luck luck, const struct behavi
     return bell * (gait == GAIT_SWIM ? params->turn_swim_rad : params->turn_rest_rad);
 }
 
-/* Section 3.6: a fish that is off the depth of its band returns there. */
+/* Returns the preferred depth of the fish for its present stamina (section 3.6). */
 static float depth_goal_m(const struct fish *fish, float water_depth_m)
 {
     const float margin_m = 0.6f * fish->height_m;
@@ -128,7 +130,7 @@ static float stamina_per_s(uint8_t gait)
     }
 }
 
-/* After an escape the fish swims on for a while instead of stopping at once. */
+/* Ends an escape: the fish swims for 1 to 3 s instead of stopping immediately. */
 static void calm_down(struct fish *fish, uint32_t index, const struct perception *around)
 {
     gait_enter(fish, GAIT_SWIM, index, around);
@@ -162,15 +164,16 @@ int gait_beats(const struct fish *fish, const struct perception *around)
     return fish->gait == GAIT_BURST || (fish->gait == GAIT_ESCAPE && escape_beats(fish));
 }
 
-/* Section 3.3: s = d (0.8 + H / 5), with H / 100 for H, because otherwise a rested fish would swim
- * at 20.8 d. The result is one body length per second at d = 1. */
+/* Returns the speed to which the gait factors apply. Section 3.3 gives s = d (0.8 + H / 5). The
+ * code uses H / 100 instead of H, because otherwise a rested fish would swim at 20.8 d. The result
+ * is one body length per second at full stamina. */
 static float able_m_s(const struct fish *fish)
 {
     return fish->length_m * (0.8f + 0.2f * fish->stamina);
 }
 
-/* Returns the cruise speed. A fish that beats and glides in turn must beat up to more than the mean
- * speed. A glide has no speed goal. */
+/* Returns the speed goal of a swimming fish. A fish that alternates between beats and glides must
+ * exceed the mean speed during a beat. The goal during a glide is 0. */
 static float cruise_m_s(const struct fish *fish, const struct perception *around)
 {
     const float mean_m_s = able_m_s(fish) * around->params->swim_speed;
@@ -205,6 +208,7 @@ float gait_speed_max_m_s(const struct fish *fish, const struct behavior_params *
 float gait_run_up_s(float length_m)
 {
     const float log10_length_cm = f_log(100.0f * length_m) * 0.434294482f;
-    /* 1 - exp(-3) is 0.95. The clamp covers fry below 1 cm, whose logarithm is negative. */
+    /* The factor 3 turns the time to 95 % into a time constant, because 1 - exp(-3) is 0.95. The
+     * lower limit is for fry below 1 cm, whose logarithm is negative. */
     return f_max(0.02f, (0.1772f * log10_length_cm + 0.040f) / 3.0f);
 }

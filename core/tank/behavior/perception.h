@@ -1,4 +1,4 @@
-/* perception.h -- the perception of a fish: everything that its decision may use. */
+/* perception.h -- everything that the decision of a fish may use. */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_PERCEPTION_H
 #define KINGYO_CORE_TANK_BEHAVIOR_PERCEPTION_H
 
@@ -11,15 +11,16 @@
 
 struct perception {
     const struct behavior_params *params;
-    vec3 size_m;         /* Inner width, water depth, breadth. */
-    float wall_follow;   /* [0, 1] attraction of walls. */
-    uint8_t ball_spaces; /* As in struct tank_config. */
+    vec3 size_m;         /* Inner width, water depth and length of the tank. */
+    float wall_follow;   /* Strength [0, 1] of the attraction of walls. */
+    uint8_t ball_spaces; /* Same value as in struct tank_config. */
     uint32_t seed, tick;
-    float dt_s;        /* Time since the last decision of the same fish. */
+    float dt_s;        /* Time since the last decision of the deciding fish. */
     float oxygen_mg_l; /* Oxygen dissolved in the water. */
     const struct obstacle *obstacles;
     uint32_t obstacle_count;
-    const struct shade *shades; /* Shades; some entries may be absent. */
+    const struct shade *shades; /* Shades on the water. Some of the `shade_count` entries may be
+                                   absent (cast.present is 0). */
     uint32_t shade_count;
 };
 

@@ -1,4 +1,4 @@
-/* startle.c -- senses, alarm, habituation and latency of the startle response. */
+/* startle.c -- the startle response: stimuli, alarm, habituation and latency. */
 #include "core/tank/behavior/startle.h"
 
 #include "core/base/rng.h"
@@ -7,37 +7,45 @@
 #include "core/tank/flow.h"
 
 #define ALARM_FADE_PER_S 0.6f
-#define ALARM_AFTER 0.2f /* Alarm that remains after a start. */
+#define ALARM_AFTER 0.2f /* Alarm that remains after a C-start. */
 #define FRIGHT_S 0.12f   /* Time in which a stimulus of strength 1 raises the alarm by 1. */
 #define STRENGTH_MAX 12.0f
 
-/* Vision: an image of 20 (timid) to 30 degrees (bold) that grows by 260 degrees per second. */
+/* An approaching object must have a visual angle of 20 degrees (most timid fish) to 30 degrees
+ * (boldest fish). Its visual angle must grow by more than 260 degrees per second. */
 #define SEEN_RAD (20.0f * F_DEG)
 #define SEEN_SPREAD_RAD (10.0f * F_DEG)
 #define GROWTH_RAD_S 4.5f
 #define GROWTH_SPAN_RAD_S 6.5f
-#define IN_AIR_SHARE 0.25f /* Share of a stimulus seen through a rippled surface. */
+/* Factor on a stimulus that the fish sees through the rippled surface. */
+#define IN_AIR_SHARE 0.25f
 
-/* Ear and lateral line. Asa et al.: fish of 1.6 g hear sounds 15 dB fainter than fish of 23.6 g do.
- * The pressure is 5.6 times lower at a length 2.5 times smaller. */
-#define PUSH_M2_S2 0.005f /* Threshold: a paper that rises under a fish at 0.1 m/s is not felt. */
-#define PUSH_SPAN_M2_S2 0.016f /* Range above the threshold: a rise at 0.15 m/s is felt at once. */
+/* Threshold of the pressure. A paper that rises at 0.1 m/s under a fish stays below it. */
+#define PUSH_M2_S2 0.005f
+/* Pressure above the threshold that makes a stimulus of strength 1. A paper that rises at 0.15 m/s
+ * reaches it. */
+#define PUSH_SPAN_M2_S2 0.016f
 #define WAKE_SHARE 0.5f
+/* Length of a fish whose sensitivity to pressure is 1. Smaller fish are more sensitive: fish of 1.6 g
+ * hear sounds that are 15 dB fainter than fish of 23.6 g do (Asa et al.). Their threshold pressure
+ * is 5.6 times lower at a length that is 2.5 times smaller. */
 #define LENGTH_M 0.05f
-#define LINE_THICKNESS 0.07f /* Image height of an edge-on disc per diameter: its ring. */
+/* Height of the image of an edge-on disc per diameter. The ring of the disc causes this height. */
+#define LINE_THICKNESS 0.07f
 
-#define GULPING_LATE 1.5f /* A gulping fish responds half again as late. */
+#define GULPING_LATE 1.5f /* Factor on the latency of a gulping fish. */
 
-#define THRESHOLD 0.45f /* Threshold of the timidest fish; the boldest has twice this value. */
+/* Alarm threshold of the most timid fish. The boldest fish has twice this threshold. */
+#define THRESHOLD 0.45f
 #define THRESHOLD_MAX 0.95f
-/* Share of the distance to full habituation per start. Full habituation doubles the threshold. */
+/* Share of the missing habituation that a C-start adds. Full habituation doubles the threshold. */
 #define HABIT_STEP 0.25f
 #define HABIT_FADE_S 60.0f
 #define HABIT_NONE 1e-3f
 
-/* A disc that moves within this distance of its rim makes a fish decide in every tick. At this
- * distance it is seen at 21 degrees. The pressure of its water is felt farther away only above 1
- * m/s, and no farther than in proportion to that speed. */
+/* A moving disc whose rim is within ALERT_M makes a fish decide in every tick. At this distance the
+ * disc has a visual angle of 21 degrees. Above 1 m/s the pressure of its water reaches farther, at
+ * most in proportion to its speed. */
 #define ALERT_M 0.20f
 #define ALERT_M_S 0.05f
 
@@ -58,8 +66,8 @@ struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m)
     const float distance_m = f_max(v3_length(to), 0.2f * disc->radius_m);
     const vec3 toward = v3_scale(to, 1.0f / distance_m);
     const float face = f_max(f_abs(v3_dot(toward, disc->normal)), LINE_THICKNESS);
-    const float half_m = disc->radius_m * f_sqrt(face); /* Radius of the circle with the same
-                                                           area. */
+    const float half_m = disc->radius_m * f_sqrt(face); /* Radius of the circle whose area equals
+                                                           the area of the disc's image. */
     const float closing_m_s = v3_dot(obstacle_goes_m_s(disc), toward);
     return (struct startle_view){
         .size_rad = 2.0f * f_atan2(half_m, distance_m),
@@ -67,8 +75,8 @@ struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m)
     };
 }
 
-/* Returns the pressure at a point, m^2/s^2. The water behind a disc follows as a wake, more slowly
- * than the water pushed ahead. */
+/* Returns the pressure of the water at a point, m^2/s^2. The water behind a disc follows more
+ * slowly than the water that the disc pushes ahead, so its pressure is lower. */
 static float push_m2_s2(const struct obstacle *disc, vec3 point_m)
 {
     const float ahead = v3_dot(disc->velocity_m_s, v3_sub(point_m, disc->centre_m));
@@ -93,9 +101,9 @@ struct startle_stimulus startle_of_disc(const struct obstacle *disc, const struc
     };
 }
 
-/* Returns the nerve latency of each cause, s. The alarm of a shadow takes up to 4 ticks to grow
- * (shade.c), and a start begins at the nearest tick. The time from the shadow to the start is
- * therefore 67 to 150 ms. */
+/* Returns the random nerve latency of a stimulus, s. The alarm of a shadow takes up to 4 ticks to
+ * grow (shade.c), and a C-start begins at the nearest tick. A start therefore follows a shadow
+ * after 67 to 150 ms. */
 static float nerves_s(enum startle_cause cause, struct rng_key key)
 {
     switch (cause) {
@@ -116,8 +124,8 @@ static float latency_s(const struct fish *fish, enum startle_cause cause, uint32
     return late * nerves_s(cause, key);
 }
 
-/* Begins a latency, or shortens it: a pressure stimulus overtakes a visual stimulus whose latency
- * still runs. */
+/* Begins the latency of a startle. If the latency of an earlier stimulus has not ended, the earlier
+ * end applies: a pressure stimulus overtakes a visual stimulus. */
 static void startle(struct fish *fish, enum startle_cause cause, vec3 from_m, uint32_t index,
                     const struct perception *around)
 {
@@ -146,7 +154,8 @@ static void wait(struct fish *fish, uint32_t index, const struct perception *aro
     const vec3 from_m = fish->startle_from_m;
     fish->startle_s -= around->dt_s;
     if (fish->startle_s > 0.5f * around->dt_s || surface_ducks(fish)) {
-        return; /* Waits for the tick nearest to the moment, or until the snout is under water. */
+        return; /* The fish waits until the tick nearest to the end of the latency, or until its
+                   snout is under water. */
     }
     fish->alarm = ALARM_AFTER;
     fish->habit += HABIT_STEP * (1.0f - fish->habit);
@@ -163,7 +172,8 @@ static void sense_shades(struct fish *fish, uint32_t index, const struct percept
     }
 }
 
-/* Cheap test: returns 0 only where startle_of_disc() is zero. */
+/* Cheap test whether a disc can disturb the fish. Returns 0 only if startle_of_disc() would return
+ * no alarm. */
 static int disturbs(const struct obstacle *disc, const struct fish *fish)
 {
     const vec3 off = v3_sub(disc->centre_m, fish->position_m);

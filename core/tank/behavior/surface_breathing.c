@@ -1,41 +1,47 @@
-/* surface_breathing.c -- surface breathing: rise, gulp, dive. Each stage ends at a body position,
- * not after a time. */
+/* surface_breathing.c -- surface breathing: rise, gulp and dive. Each stage ends when the body
+ * reaches a position, not after a time. */
 #include "core/tank/behavior/surface_breathing.h"
 
 #include "core/base/rng.h"
 #include "core/input.h"
 #include "core/tank/behavior/gait.h"
 
-/* Aquatic surface respiration begins between 0.8 and 5 kPa of oxygen and soon takes most of the
- * time. For goldfish the range is 3 to 5 kPa, 1.2 to 2 mg/L. */
+/* CHANCE_HALF_MG_L is the oxygen concentration at which half of the choices are a rise. Fish begin
+ * aquatic surface respiration between 0.8 and 5 kPa of oxygen and soon spend most of the time at
+ * the surface. For goldfish the range is 3 to 5 kPa, 1.2 to 2 mg/L. */
 #define CHANCE_HALF_MG_L 1.8f
 #define CHANCE_WIDTH_MG_L 0.25f
-#define TIRED_MG_L 0.4f /* Difference between a fresh and an exhausted fish. */
-/* Below this concentration the water costs stamina; see law.stifle_per_s. */
+/* Difference of that concentration between a rested and an exhausted fish. */
+#define TIRED_MG_L 0.4f
+/* Concentration below which the water costs stamina; see behavior_params.stifle_per_s. */
 #define STIFLE_MG_L 4.0f
-#define TIRED_BELOW 0.25f /* Section 3.6: the stamina band in which the thesis' fish gulp. */
+/* Stamina below which the thesis' fish gulp (section 3.6 of the 2013 thesis). */
+#define TIRED_BELOW 0.25f
 
 #define NOSE_OUT_M 0.002f
-#define FILM_M 0.003f /* Depth of the mouth down to which it is in the film. */
-/* The fish pitches up if its nose is within this distance of the surface. */
+#define FILM_M 0.003f /* The mouth is in the surface film if it is not deeper than this depth. */
+/* The fish pitches up if its snout is within this depth, in body lengths. */
 #define NEAR_LENGTHS 0.45f
-/* The fish is at the surface once its back would break the surface in a moment. */
+/* The fish counts as at the surface if the top of its body is within this depth. */
 #define SNOUT_M 0.003f
 #define PITCH_MIN (35.0f * F_DEG)
 #define PITCH_SPREAD (15.0f * F_DEG)
 #define NOD_RAD (5.0f * F_DEG)
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 3.0f
-/* Amplitude of half a millimetre, because a climb takes effect slowly. */
+/* Vertical speed of the bobbing. The amplitude is half a millimetre, because the vertical speed
+ * follows its goal slowly. */
 #define BOB_M_S 0.012f
 #define DUCK_M_S 0.06f
 #define DUCK_HASTE 8.0f
 #define DIVE_PITCH (-14.0f * F_DEG)
-/* Share of the speed of a swimming fish; at the surface the fish hardly drifts. */
+/* RISE_SHARE and DRIFT_SHARE are the shares of the swimming speed during the rise and at the
+ * surface, where the fish hardly drifts. */
 #define RISE_SHARE 0.6f
 #define DRIFT_SHARE 0.16f
 #define NERVE 1.6f
-/* 0.63 s, plus up to 0.26 s by individual: 67 to 95 gulps per minute. */
+/* Shortest gulp, 0.63 s. Individual fish add up to 0.26 s, which gives 67 to 95 gulps per
+ * minute. */
 #define GULP_TICKS_MIN 76u
 #define GAPE_SHARE 0.55f /* Share of a gulp during which the mouth is open. */
 
@@ -105,8 +111,8 @@ int surface_gulps(const struct fish *fish, uint32_t tick, float dt_s)
            (float)gulp_phase(fish, tick) < dt_s * (float)CORE_TICK_HZ - 0.5f;
 }
 
-/* Begins a bout. While the fish gulps, `gait_left_s` is the rest of the bout, and only time with
- * the mouth in the film counts. */
+/* Begins a bout of gulps. While the fish gulps, `gait_left_s` is the time left of the bout. Only
+ * time with the mouth in the film counts. */
 static void begin_bout(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const struct behavior_params *params = around->params;
@@ -147,7 +153,7 @@ float surface_nerve(const struct fish *fish)
     return fish->air == AIR_GULPS ? NERVE : 1.0f;
 }
 
-/* Changes the stamina: gain at the film, loss in bad water. */
+/* Changes the stamina: gain while the mouth is in the film, loss in water with little oxygen. */
 static void breathe(struct fish *fish, const struct perception *around)
 {
     const struct behavior_params *params = around->params;
@@ -157,8 +163,8 @@ static void breathe(struct fish *fish, const struct perception *around)
     fish->stamina = f_clamp(fish->stamina + per_s * around->dt_s, 0.0f, 1.0f);
 }
 
-/* In a living tank the bout repeats as long as the oxygen is low. The thesis' fish is full after
- * its 3 s and dives. */
+/* Continues or ends the bout of gulps. A living fish repeats the bout while the oxygen is low. A
+ * fish of the 2013 thesis has full stamina after its bout of 3 s and dives. */
 static void gulp(struct fish *fish, uint32_t index, const struct perception *around)
 {
     if (surface_breathes(fish)) {
@@ -174,7 +180,7 @@ static void gulp(struct fish *fish, uint32_t index, const struct perception *aro
     }
 }
 
-/* Ends surface breathing: the fish is under water and swims off with a gait of normal duration. */
+/* Ends surface breathing: the fish is under water and swims with a normal duration of the gait. */
 static void leave_surface(struct fish *fish, uint32_t index, const struct perception *around)
 {
     fish->air = AIR_ENOUGH;
@@ -184,8 +190,8 @@ static void leave_surface(struct fish *fish, uint32_t index, const struct percep
 int surface_tick(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const int was_up = fish->air != AIR_ENOUGH && fish->air != AIR_RISES;
-    if (was_up && fish->gait != GAIT_SURFACE) { /* A poi lifted the fish meanwhile and it is back in
-                                                   the water. */
+    if (was_up && fish->gait != GAIT_SURFACE) { /* A poi lifted the fish out of the water meanwhile,
+                                                   and the fish is back in the water. */
         fish->air = AIR_ENOUGH;
     }
     breathe(fish, around);

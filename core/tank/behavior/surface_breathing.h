@@ -1,59 +1,65 @@
 /* surface_breathing.h -- surface breathing (hanaage): a fish short of oxygen breathes the film of
- * the surface.
+ * water at the surface.
  *
- * The fish swims up, puts its mouth through the surface at 35 to 50 degrees, opens and closes it
- * about 80 times per minute and drifts. The surface film is near saturation whatever the oxygen
- * below. The behavior parameters select the trigger: the oxygen of the water in living tanks,
- * stamina alone in the 2013 thesis (section 3.6). */
+ * The fish swims up and puts its mouth through the surface at an angle of 35 to 50 degrees. The
+ * fish then drifts and opens and closes its mouth about 80 times per minute (a gulp). The surface
+ * film is near saturation, whatever the oxygen below. A bout is a series of gulps. The behavior
+ * parameters select the cause of a rise: low oxygen for living fish, low stamina for the fish of
+ * the 2013 thesis (section 3.6). */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_SURFACE_BREATHING_H
 #define KINGYO_CORE_TANK_BEHAVIOR_SURFACE_BREATHING_H
 
 #include "core/tank/behavior/perception.h"
 #include "core/tank/fish.h"
 
-/* Returns the chance that a fish rises or stays up at one decision: 1 / (1 + exp((C - 1.8) /
- * 0.25)), C in mg/L. For a tired fish (stamina 0) C counts 0.2 mg/L less, for a fresh fish 0.2 mg/L
- * more. */
+/* Returns the probability that a fish rises, or stays at the surface, at one choice: 1 / (1 +
+ * exp((C - H) / 0.25)), with the oxygen concentration C in mg/L. H is 1.8 mg/L at a stamina of 0.5,
+ * 2.0 mg/L at stamina 0 and 1.6 mg/L at stamina 1. */
 float surface_chance(float oxygen_mg_l, float stamina);
 
-/* Returns 1 if the fish rises now; called at a choice of gait. The draw depends on (seed, tick,
- * fish). Returns 0 if stamina alone is the trigger. */
+/* Returns 1 if the fish chooses to rise, otherwise 0; called when the fish chooses its gait. The
+ * random number depends on (seed, tick, fish). Always returns 0 if low stamina is the cause of a
+ * rise. */
 int surface_calls(const struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Starts the rise. The fish swims, whatever its gait was (the thesis' tired fish rests, and a
- * resting fish would never come up). */
+/* Begins the rise. The fish swims whatever its gait was. A tired fish of the 2013 thesis rests, and
+ * a resting fish would never reach the surface. */
 void surface_rise(struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Stages a gulping fish. Its longest bout begins at once if its back is at the surface; otherwise
- * it rises first. */
+/* Places a gulping fish in a staged scene. The longest bout begins immediately if the top of the
+ * body is at the surface; otherwise the fish rises first. */
 void surface_stage(struct fish *fish, const struct behavior_params *params);
 
-/* Advances surface breathing by `around->dt_s`: the stamina loss in bad water, the rise, the gulps
- * and the dive. Returns 1 during any of these stages, in which the fish chooses no other gait. */
+/* Advances surface breathing by `around->dt_s`: the loss of stamina in water with little oxygen,
+ * the rise, the gulps and the dive. Returns 1 during rise, gulps and dive, when the fish chooses no
+ * other gait, otherwise 0. */
 int surface_tick(struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Sets the goals of a fish at the surface; called after swim_resolve(). The nose ends 2 mm above
- * the surface and bobs. The fish climbs and sinks at most at 3 cm/s, unless it is startled. */
+/* Sets the goals of a fish that breathes at the surface; called at the end of swim_resolve(). The
+ * goal of the snout is 2 mm above the surface, with a small bobbing. The fish climbs and sinks at 3
+ * cm/s at most, unless it is startled. */
 void surface_resolve(struct fish *fish, const struct perception *around);
 
-/* Returns 1 while the mouth is in the film. */
+/* Returns 1 while the mouth is in the surface film, otherwise 0. */
 int surface_breathes(const struct fish *fish);
 
-/* Returns the phase of a gulp from one opening of the mouth to the next, (0, 1]; 0 while the mouth
- * is not in the film. */
+/* Returns the phase (0, 1] of a gulp, from one opening of the mouth to the next. Returns 0 while
+ * the mouth is not in the film. */
 float surface_gulp(const struct fish *fish, uint32_t tick);
 
-/* Returns the opening of the mouth, [0, 1]. */
+/* Returns the opening of the mouth: 0 is closed, 1 is fully open. */
 float surface_gape(const struct fish *fish, uint32_t tick);
 
-/* Returns 1 if a gulp began in the `dt_s` before `tick`, which makes a ring on the water. */
+/* Returns 1 if a gulp began within the `dt_s` before `tick`, otherwise 0. A new gulp makes a
+ * ring-shaped wave. */
 int surface_gulps(const struct fish *fish, uint32_t tick, float dt_s);
 
-/* Sends a startled fish with its snout in the air quickly under water first. Returns 1 while it
- * must wait for that, otherwise 0. */
+/* Starts the dive of a startled fish whose body stands out of the water. Returns 1 if the fish must
+ * wait with its C-start until it is under water, otherwise 0. */
 int surface_ducks(struct fish *fish);
 
-/* Returns the factor on the startle threshold: gulping fish notice a stimulus late. */
+/* Returns the factor on the startle threshold. The factor is above 1 for a gulping fish, which
+ * notices a stimulus late. */
 float surface_nerve(const struct fish *fish);
 
 #endif

@@ -9,13 +9,14 @@
 #include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/behavior/swim_rates.h"
 
-/* Limits of the yaw rate by gait (design; the thesis gives none). */
+/* Largest yaw rate in each gait (design values; the 2013 thesis gives none). */
 #define TURN_RATE_REST (45.0f * F_DEG)
 #define TURN_RATE_SWIM (180.0f * F_DEG)
 #define TURN_RATE_KICK (500.0f * F_DEG)
 #define TURN_RATE_BURST (720.0f * F_DEG)
 #define TURN_RATE_ESCAPE (1500.0f * F_DEG)
-#define TURN_RATE_START (4500.0f * F_DEG) /* 60 to 120 degrees of the head in 20 ms. */
+/* Yaw rate of a C-start: the head turns by 60 to 120 degrees in 20 ms. */
+#define TURN_RATE_START (4500.0f * F_DEG)
 
 #define NOTHING_M_S 1e-9f
 #define SHUN_TAU_S 0.05f
@@ -23,12 +24,16 @@
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 0.6f
 #define PITCH_MAX (24.0f * F_DEG)
-#define DASH_HASTE 8.0f   /* A dash reaches its full turning rate after 15 ms. */
-#define START_TAU_S 0.03f /* A start reaches full speed when a swimmer has hardly begun. */
+/* Value of `haste` in a dash, which reaches its full turning rate after 15 ms. */
+#define DASH_HASTE 8.0f
+/* Time constant of the acceleration in an escape. The fish reaches full speed much earlier than a
+ * swimming fish. */
+#define START_TAU_S 0.03f
 #define DASH_OUT_TAU_S 0.25f
-#define RUN_OUT_TAU_S 0.20f /* Time constant from burst speed down to swimming speed. */
+#define RUN_OUT_TAU_S 0.20f /* Time constant from burst speed to swimming speed. */
 
-/* Returns exp(-dt / tau) within 1e-4 for dt up to tau: the share of a difference that remains. */
+/* Returns exp(-dt / tau) with an error below 1e-4 for dt up to tau: the share of a difference that
+ * remains. */
 static float kept(float dt_s, float tau_s)
 {
     const float x = f_min(1.0f, dt_s / tau_s), even = 1.0f + x * x * (1.0f / 12.0f);
@@ -58,7 +63,8 @@ void swim_avoid_walls(struct swim_avoidance *avoidance, const struct fish *fish,
     swim_avoid_add(avoidance, fish, params, v3(0.0f, 0.0f, p.z < 0.0f ? -1.0f : 1.0f), near_z);
 }
 
-/* Turns the heading: the component into the surface fades, then points slightly away from it. */
+/* Turns the heading away from near surfaces. The component into the surfaces decreases until the
+ * heading points slightly away from them. */
 void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, float dt_s)
 {
     if (avoidance->weight <= 0.0f) {
@@ -71,7 +77,7 @@ void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, 
     if (into < -0.15f) {
         return;
     }
-    /* For a head-on course the fish chooses a side and keeps it. */
+    /* If the course is straight into the surface, each fish turns to its own fixed side. */
     const float own_side = fish->look & 1u ? 1.0f : -1.0f;
     const float side = f_abs(along) > 0.05f ? (along > 0.0f ? 1.0f : -1.0f) : own_side;
     const float new_into = into - (into + 0.15f) * avoidance->weight;
@@ -82,14 +88,15 @@ void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, 
     fish->heading_rad = f_wrap_angle(fish->heading_rad + (1.0f - kept(dt_s, SHUN_TAU_S)) * off_rad);
 }
 
-/* Returns 1 if a C-start turns at its full rate. Beside other fish even a C-start turns slower. */
+/* Returns 1 if a C-start turns at its full rate. With other fish beside it, a fish turns more
+ * slowly. */
 static int starts_freely(const struct fish *fish)
 {
     return fish->room >= 1.0f && escape_on_path(fish);
 }
 
-/* Returns 1 if the fish turns at the rate of a kick. Beside other fish it turns at a rate that lets
- * them move away. */
+/* Returns 1 if the fish turns at the rate of a kick. With other fish beside it, a fish turns more
+ * slowly, so that they can move away. */
 static int kicks(const struct fish *fish, const struct perception *around)
 {
     return around->params->kick_rad > 0.0f && fish->gait == GAIT_SWIM &&
@@ -121,8 +128,8 @@ static float climb_goal_m_s(const struct fish *fish)
     return avoid_holds_depth(fish) ? 0.0f : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
 }
 
-/* Returns the share kept during acceleration. The run-up depends on the length alone, so its value
- * is cached for all gaits except the escape. */
+/* Returns the share of a speed deficit that remains after one tick of acceleration. Except in an
+ * escape, the share depends only on the length, so its value is cached. */
 static float speed_up_keep(const struct fish *fish)
 {
     const float start_keep = kept(DT, START_TAU_S);
@@ -133,8 +140,7 @@ static float speed_up_keep(const struct fish *fish)
     return known ? fish->speed_up_keep : kept(DT, gait_run_up_s(fish->length_m));
 }
 
-/* Returns the share kept during deceleration. A slowing fish loses 63 % of the difference in each
- * of these times. */
+/* Returns the share of a speed excess that remains after one tick of deceleration. */
 static float slow_keep(const struct fish *fish, const struct behavior_params *params)
 {
     if (fish->gait == GAIT_ESCAPE) {
@@ -143,15 +149,15 @@ static float slow_keep(const struct fish *fish, const struct behavior_params *pa
     const int runs_out =
         fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, params);
     if (params->glides && fish->gait == GAIT_SWIM &&
-        !runs_out) { /* Drag: dv/dt = -v^2 / distance. */
+        !runs_out) { /* Drag: dv/dt = -v^2 / distance of the glide. */
         return kept(DT, burst_coast_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
     }
     return runs_out ? kept(DT, RUN_OUT_TAU_S) : kept(DT, SWIM_GLIDE_TAU_S);
 }
 
-/* Sets tiny pushes to zero. A value that decays forever ends in denormal numbers, over which
- * processors take ten times as long and which some flush to zero. Here a nanometre per second is
- * zero everywhere. */
+/* Sets tiny speeds and pushes to zero. A value that decays forever becomes a denormal number.
+ * Processors take ten times as long for denormal numbers, and some processors flush them to zero.
+ * With the limit of one nanometre per second all platforms compute zero. */
 static void come_to_rest(struct fish *fish)
 {
     if (v3_dot(fish->push_m_s, fish->push_m_s) < NOTHING_M_S * NOTHING_M_S) {
@@ -180,12 +186,12 @@ void swim_resolve(struct fish *fish, const struct perception *around)
                   : kicks(fish, around)         ? BURST_COAST_KICK_HASTE
                                                 : 1.0f;
     fish->climb_goal_m_s = climb_goal_m_s(fish);
-    /* The nose follows the course; a fish that hangs still hardly tilts. */
+    /* The pitch follows the path. The constant keeps a fish that hardly moves nearly level. */
     const float pitch_rad = f_atan2(fish->climb_m_s, fish->speed_m_s + 0.035f);
     fish->pitch_goal_rad = f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX);
-    if (starts) { /* Nothing ahead brakes a start. */
+    if (starts) { /* A C-start ignores the brake. */
         fish->brake = 1.0f;
-    } else { /* Also resets the bend of a fish that was scooped during its start. */
+    } else { /* The reset is also needed for a fish that was scooped during its C-start. */
         fish->bend_goal_rad = 0.0f;
     }
     surface_resolve(fish, around);

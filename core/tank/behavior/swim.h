@@ -1,4 +1,5 @@
-/* swim.h -- the motion of a fish: turns at a bounded rate, beats and glides, keeps its depth. */
+/* swim.h -- the motion of a fish: it turns at a bounded rate, beats its tail, glides and keeps its
+ * depth. */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_SWIM_H
 #define KINGYO_CORE_TANK_BEHAVIOR_SWIM_H
 
@@ -6,70 +7,75 @@
 #include "core/tank/collision/body.h"
 #include "core/tank/fish.h"
 
-#define SWIM_GLIDE_TAU_S 0.55f /* Koi: the drag of a glide is a quarter of that of a burst. */
+/* Time constant of the speed without tail beats. The drag of a gliding koi is a quarter of the drag
+ * while its tail beats. */
+#define SWIM_GLIDE_TAU_S 0.55f
 
-/* The surfaces in front of a fish. Every near surface adds to the sum, so that a fish leaves a
- * corner as one obstacle instead of turning back and forth between two walls. Zero is open
+/* Walls and bowls in front of a fish. Every near surface adds to one sum. A fish therefore leaves a
+ * corner as one obstacle and does not turn back and forth between two walls. All zeros mean open
  * water. */
 struct swim_avoidance {
-    vec3 into;    /* Weighted sum of the horizontal unit normals into the surfaces. */
-    float weight; /* [0, 1] weight of the nearest surface. */
+    vec3 into;    /* Weighted sum of the horizontal unit normals that point into the surfaces. */
+    float weight; /* Weight [0, 1] of the nearest surface. */
 };
 
-/* Adds a surface. `normal` (unit, horizontal) points into it; `gap_m` is its distance from the
- * fish's centre. */
+/* Adds a surface to `avoidance`. `normal` (unit, horizontal) points into the surface. `gap_m` is
+ * the distance of the surface from the fish's centre. */
 void swim_avoid_add(struct swim_avoidance *avoidance, const struct fish *fish,
                     const struct behavior_params *params, vec3 normal, float gap_m);
 
-/* Adds the walls of a tank of `size_m`. */
+/* Adds the walls of a tank of `size_m` to `avoidance`. */
 void swim_avoid_walls(struct swim_avoidance *avoidance, const struct fish *fish,
                       const struct behavior_params *params, vec3 size_m);
 
-/* Bends the heading along the surfaces and a little away from them; `dt_s` is the time since the
- * last call. */
+/* Turns the fish's heading along the near surfaces and a little away from them. `dt_s` is the time
+ * since the last call. */
 void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, float dt_s);
 
-/* Converts the decisions of the fish (gait, depth, avoidance) into its goals; see struct fish. */
+/* Converts the decisions of the fish (gait, depth, avoidance) into the goals in struct fish. */
 void swim_resolve(struct fish *fish, const struct perception *around);
 
-/* Applies an attraction after swim_resolve(). The fish moves at `speed_goal_m_s`, even out of a
- * rest, and turns like a swimming fish. */
+/* Applies the attraction of shades to the goals; called after swim_resolve(). The fish moves at
+ * `speed_goal_m_s`, even in GAIT_REST, and turns at least as fast as a swimming fish. */
 void swim_resolve_drawn(struct fish *fish, float speed_goal_m_s);
 
-/* Advances one tick by the fish's goals: turns, climbs, accelerates or glides, and moves. The
- * horizontal speed, pushes included, is at most gait_speed_max_m_s(), or the fish's own speed if
- * that is higher. The excess of a burst or an escape decays within half a second. Returns the
- * largest distance that any point of the body moved. */
+/* Advances a fish by one tick according to its goals: the fish turns, climbs, accelerates or
+ * glides, and moves. The speed including pushes is at most gait_speed_max_m_s(), or the fish's own
+ * speed if that is higher. The excess speed of a burst or an escape decays within half a second.
+ * Returns the largest distance that any point of the body moved, m. */
 float swim_move(struct fish *fish, const struct behavior_params *params);
 
-/* Advances a fish out of the water (dropped from a poi): it falls, and swims away once it is in the
- * water. Returns 1 if it was in the air. */
+/* Advances a fish in the air by one tick, for example a fish that a poi dropped. Returns 1 if the
+ * fish is not yet completely in the water. Otherwise returns 0 and changes nothing. */
 int swim_fall(struct fish *fish);
 
-/* Computes the true velocity from the true motion after pushes; tail and body follow it. `forward`
- * is along the nose. */
+/* Computes the velocity of a fish from its real motion in the tick, `moved_m`. Adapts the tail beat
+ * and the bend to the velocity. `forward` is the unit vector along the fish's forward axis. */
 void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward);
 
-#define SWIM_FAR_M 1000.0f /* Longer than any tank. */
+#define SWIM_FAR_M 1000.0f /* A distance longer than any tank. */
 
-/* All fish of a tank, in columns that are indexed by fish. */
+/* All fish of a tank as arrays that are indexed by fish. */
 struct shoal {
     struct fish *fish;
-    struct body *body;    /* Bodies of the fish that swim; other bodies are unchanged. */
-    float *way_m;         /* Largest distance that any point of a body moved; accumulates. */
-    const vec3 *before_m; /* Positions at the start of the tick; SIMD code reads one element beyond
+    struct body *body;    /* Bodies of the swimming fish. The functions leave the bodies of all
+                             other fish unchanged. */
+    float *way_m;         /* Sum of the largest distances that any point of a body moved since the
+                             last query. */
+    const vec3 *before_m; /* Positions at the start of the tick. SIMD code reads one element beyond
                              the last. */
     uint32_t count;
     const struct behavior_params *params;
     float space; /* Personal space beyond the body, in body lengths. */
 };
 
-/* Runs swim_move() for all swimming fish and updates their bodies. Blocks of `lanes` fish (0, 4 or
- * 8) use SIMD if all fish of the block swim. A falling fish gets only its body and a distance of
- * SWIM_FAR_M. */
+/* Calls swim_move() for all swimming fish and updates their bodies. `lanes` is 0, 4 or 8. SIMD code
+ * processes `lanes` fish at a time if all of them swim. A falling fish does not move here: only its
+ * body is updated, and SWIM_FAR_M is added to its `way_m`. */
 void swim_move_all(const struct shoal *shoal, uint32_t lanes);
 
-/* Moves all swimming fish to their bodies, adds that motion to `way_m`, and settles them. */
+/* Moves every swimming fish to the position of its body, adds the distance to `way_m`, and calls
+ * swim_settle(). */
 void swim_settle_all(const struct shoal *shoal, uint32_t lanes);
 
 #endif

@@ -1,7 +1,6 @@
-/* swim_move.c -- executes the goals of a fish: one tick of one fish, and of all fish by SIMD
- * blocks.
+/* swim_move.c -- moves a fish by its goals for one tick, and all fish of a tank in SIMD blocks.
  *
- * swim_simd.c gives the same bits for a block of fish. */
+ * swim_simd.c computes the same bits for a block of fish. */
 #include "core/tank/behavior/swim.h"
 
 #include "core/base/physics.h"
@@ -14,7 +13,8 @@ static float ease(float from, float to, float tau_s)
     return from + (to - from) * f_min(1.0f, DT / tau_s);
 }
 
-/* Returns the share of a difference that a fish covers in a tick, higher with haste. */
+/* Returns the share of a difference that the fish covers in one tick. The share grows with
+ * `haste`. */
 static float hasten(const struct fish *fish, float tau_s)
 {
     return f_min(1.0f, fish->haste * (DT / tau_s));
@@ -24,8 +24,8 @@ static void turn_fish(struct fish *fish, const struct behavior_params *params)
 {
     const float error_rad =
         f_wrap_angle(fish->heading_rad + fish->drawn_rad - fish->angles.yaw_rad);
-    /* The limit also holds for a C-start beside other fish, because the long tail would otherwise
-     * swing through them. */
+    /* The limit by `room` also applies to a C-start, because the long tail would otherwise swing
+     * through fish beside it. */
     const float rate_max = fish->turn_rate_max_rad_s * fish->room;
     const float wanted = f_clamp(TURN_GAIN_PER_S * fish->haste * error_rad, -rate_max, rate_max);
     fish->yaw_rate_rad_s = f_lerp(fish->yaw_rate_rad_s, wanted, hasten(fish, TURN_TAU_S));
@@ -44,14 +44,16 @@ static void speed_up_or_glide(struct fish *fish)
     fish->speed_m_s = f_lerp(goal_m_s, fish->speed_m_s, keep);
 }
 
-/* Returns half the diagonal of the box: the largest motion of a corner per radian of rotation. */
+/* Returns half the diagonal of the box, which is the largest motion of a corner per radian of
+ * rotation. */
 static float radius_m(const struct fish *fish)
 {
     return 0.5f * v3_length(v3(fish->width_m, fish->height_m, fish->length_m));
 }
 
-/* Returns the speed limit of all motion (section 3.3): climb and push cannot add to it or to the
- * rest of a burst. Only a startled fish that dives from the surface may be faster. */
+/* Returns the speed limit of the fish including climb and pushes (section 3.3 of the 2013 thesis).
+ * Only the rest of a burst, or a startled fish that dives from the surface, may be faster than the
+ * top swimming speed. */
 static float speed_max_m_s(const struct fish *fish, const struct behavior_params *params)
 {
     return f_max(gait_speed_max_m_s(fish, params), f_max(fish->speed_m_s, f_abs(fish->climb_m_s)));
@@ -78,22 +80,24 @@ float swim_move(struct fish *fish, const struct behavior_params *params)
 int swim_fall(struct fish *fish)
 {
     const float half_m = 0.5f * fish->height_m;
-    if (fish->position_m.y < -0.55f * fish->length_m) { /* No pose of the fish reaches the
-                                                           surface. */
+    if (fish->position_m.y < -0.55f * fish->length_m) { /* The fish is so deep that it cannot reach
+                                                           the surface in any pose. */
         return 0;
     }
     const struct box box = fish_box(fish);
     const float emerged_m = fish->position_m.y + box_extent_m(&box).y;
-    if (emerged_m <= (fish->falls ? 0.0f : fish_emerges_m(fish))) { /* A falling fish must be
-                                                                       completely under water. */
+    if (emerged_m <= (fish->falls ? 0.0f : fish_emerges_m(fish))) { /* A fish that falls must be
+                                                                       completely under water before
+                                                                       the fall ends. */
         return 0;
     }
     const float wet = f_clamp((half_m - fish->position_m.y) / (2.0f * half_m), 0.0f, 1.0f);
     vec3 v = fish->velocity_m_s;
     v.y -= GRAVITY_M_S2 * (1.0f - wet) * DT;
-    v = v3_scale(v, 1.0f - f_min(0.9f, 12.0f * wet * DT)); /* Water stops the fish within one
+    v = v3_scale(v, 1.0f - f_min(0.9f, 12.0f * wet * DT)); /* Water stops the fish within one body
                                                               length. */
-    v.y = wet > 0.5f ? f_min(v.y, -0.12f) : v.y;           /* The fish swims down. */
+    v.y = wet > 0.5f ? f_min(v.y, -0.12f) : v.y;           /* The fish swims down at 12 cm/s or
+                                                              more. */
     fish->position_m = v3_muladd(fish->position_m, v, DT);
     fish->velocity_m_s = v;
     fish->angles.roll_rad = ease(fish->angles.roll_rad, 0.0f, 0.15f);
@@ -110,7 +114,7 @@ static float beat_hz(float lengths_per_s)
                : 4.0f / 3.0f * (lengths_per_s + 1.0f);
 }
 
-/* Returns the stroke width. The tail trails in a glide. */
+/* Returns the width of the tail's stroke. In a glide the tail only trails. */
 static float stroke(float hz, float beats)
 {
     const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
@@ -118,13 +122,13 @@ static float stroke(float hz, float beats)
     return beats > 0.0f ? STROKE_SLOW + wider : STROKE_GLIDE + STROKE_TRAIL * wider;
 }
 
-/* Reduces the speed of a fish that is blocked, so that it does not keep swimming against the
- * obstacle. */
+/* Reduces the speed of a fish that an obstacle blocks, so that the fish does not continue to swim
+ * against the obstacle. */
 static void lose_blocked_speed(struct fish *fish, vec3 forward)
 {
     const vec3 flat = v3(forward.x, 0.0f, forward.z);
-    const vec3 ahead = v3_scale(flat, 1.0f / v3_length(flat)); /* The vector is never zero, because
-                                                                  no fish stands on its nose. */
+    const vec3 ahead = v3_scale(flat, 1.0f / v3_length(flat)); /* The length is never zero, because
+                                                                  no fish swims vertically. */
     const float true_m_s = f_max(0.0f, v3_dot(v3_sub(fish->velocity_m_s, fish->push_m_s), ahead));
     if (true_m_s < fish->speed_m_s) {
         fish->speed_m_s = f_lerp(fish->speed_m_s, true_m_s, BLOCKED_SHARE);
@@ -147,7 +151,7 @@ void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward)
     fish->bend_rad = f_lerp(fish->bend_rad, bend_rad, hasten(fish, BEND_TAU_S));
 }
 
-/* ---- All fish of a tank --------------------------------------------------------------------- */
+/* ---- All fish of a tank ---------------------------------------------------------------------- */
 
 static struct body make_body(const struct fish *fish, float space)
 {
@@ -160,8 +164,8 @@ static uint32_t width_of(uint32_t lanes)
     return lanes == 8u ? 8u : 4u;
 }
 
-/* Returns 1 if `width` fish from `first` on all swim, so that the SIMD code may process the
- * block. */
+/* Returns 1 if fish `first` and the next `width` - 1 fish all swim, so that SIMD code may process
+ * the block. Otherwise returns 0. */
 static int is_block(const struct shoal *shoal, uint32_t first, uint32_t width)
 {
     if (shoal->count - first < width) {

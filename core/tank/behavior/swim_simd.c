@@ -1,22 +1,23 @@
 /* swim_simd.c -- motion of a block of fish; the SIMD form of swim_move.c, line by line.
  *
- * Both forms agree to the last bit, which test_swim_simd.c checks over random fish. */
+ * Both files compute the same bits, which test_swim_simd.c checks with random fish. */
 #include "core/tank/behavior/swim_simd.h"
 
 #include "core/base/simd_vec.h"
 #include "core/tank/behavior/swim_rates.h"
 
-/* The quads at the start of struct fish; QUAD_HOLDS() verifies the members of each. */
+/* Index of a quad (four floats) at the start of struct fish. QUAD_HOLDS() verifies which members
+ * each quad holds. */
 enum quad {
-    QUAD_PLACE,  /* position_m, speed_m_s */
-    QUAD_ANGLES, /* angles, yaw_rate_rad_s */
-    QUAD_PUSH,   /* push_m_s, climb_m_s */
-    QUAD_COURSE, /* heading_rad, drawn_rad, brake, room */
-    QUAD_PACE,   /* speed_goal_m_s, speed_up_keep, slow_keep, turn_rate_max_rad_s */
-    QUAD_ORDERS, /* haste, climb_goal_m_s, pitch_goal_rad, beats */
-    QUAD_SIZE,   /* length_m, height_m, width_m, stamina */
-    QUAD_TRUE,   /* velocity_m_s, bend_rad */
-    QUAD_TAIL,   /* tail_phase_rad, tail_beat_hz, tail_amplitude, bend_goal_rad */
+    QUAD_PLACE,  /* position_m, speed_m_s. */
+    QUAD_ANGLES, /* angles, yaw_rate_rad_s. */
+    QUAD_PUSH,   /* push_m_s, climb_m_s. */
+    QUAD_COURSE, /* heading_rad, drawn_rad, brake, room. */
+    QUAD_PACE,   /* speed_goal_m_s, speed_up_keep, slow_keep, turn_rate_max_rad_s. */
+    QUAD_ORDERS, /* haste, climb_goal_m_s, pitch_goal_rad, beats. */
+    QUAD_SIZE,   /* length_m, height_m, width_m, stamina. */
+    QUAD_TRUE,   /* velocity_m_s, bend_rad. */
+    QUAD_TAIL,   /* tail_phase_rad, tail_beat_hz, tail_amplitude, bend_goal_rad. */
 };
 
 #define QUAD_HOLDS(quad, first, last)                                                              \
@@ -102,7 +103,8 @@ static inline void make_body(struct body *body, struct simd_v3 centre, struct si
     store_body(body, 3, axes.back, space * size[0]);
 }
 
-/* Returns the largest distance that a corner moved: with the centre and by rotation around it. */
+/* Returns the largest distance that a corner of the box moved: the motion of the centre plus the
+ * motion by rotation. */
 static inline flanes way_m(struct simd_v3 velocity, const struct turned *t, const flanes angles[4],
                            const flanes size[4])
 {
@@ -164,7 +166,8 @@ static inline flanes stroke(flanes hz, flanes beats)
     return simd_select(beats > 0.0f, STROKE_SLOW + wider, STROKE_GLIDE + STROKE_TRAIL * wider);
 }
 
-/* Returns the horizontal unit vector ahead, from a body's `back`. */
+/* Returns the horizontal unit vector in the fish's forward direction, computed from the `back` axis
+ * of its body. */
 static inline struct simd_v3 flat_ahead(const flanes back[4])
 {
     const struct simd_v3 flat = { -back[0], simd_splat(0.0f), -back[2] };
@@ -179,8 +182,8 @@ static inline flanes lose_blocked_speed(flanes speed_m_s, struct simd_v3 own_m_s
                        simd_lerp(speed_m_s, true_m_s, simd_splat(BLOCKED_SHARE)), speed_m_s);
 }
 
-/* Returns the bend: toward its goal, and along the arc of the turn unless the fish is in a
- * C-start. */
+/* Returns the new bend. The bend approaches its goal plus the arc of the turn. In a C-start the arc
+ * is left out. */
 static inline flanes bend(flanes bend_rad, flanes goal_rad, flanes yaw_rate_rad_s, flanes haste)
 {
     const flanes arc_rad = clamp_magnitude(BEND_PER_RAD_S * yaw_rate_rad_s, 1.0f);

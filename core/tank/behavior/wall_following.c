@@ -1,14 +1,15 @@
-/* wall_following.c -- attraction by walls: it turns headings, so that a wandering fish drifts to
- * the walls and along them.
+/* wall_following.c -- attraction by walls. The attraction turns headings, so that a wandering fish
+ * drifts to the walls and then swims along them.
  *
- * With the constants below the density of a single fish falls to 1 / e over 7 cm
- * (test_wall_following.c). */
+ * With the constants in this file, the density of a single fish falls to 1 / e within 7 cm of a
+ * wall (test_wall_following.c). */
 #include "core/tank/behavior/wall_following.h"
 
-#define FALL_OFF_M 0.09f /* Distance from a wall over which the attraction falls to 1 / e. */
-/* A fish nearer than this is beside the wall and is not attracted further. */
+#define FALL_OFF_M 0.09f /* Distance over which the attraction of a wall falls to 1 / e. */
+/* Distance from a wall, in body lengths, within which the wall no longer attracts the fish. */
 #define BESIDE_LENGTHS 0.8f
-/* Turning rate of a heading across the attraction, at the wall and at full strength. */
+/* Turning rate in rad/s of a heading perpendicular to the attraction, at the wall and at full
+ * strength. */
 #define TURN_PER_S 6.0f
 
 float wall_pull(float gap_m, float length_m)
@@ -17,7 +18,7 @@ float wall_pull(float gap_m, float length_m)
     return off_m <= 0.0f || gap_m > WALL_RANGE_M ? 0.0f : f_exp(-off_m / FALL_OFF_M);
 }
 
-/* Returns the signed attraction along one axis, from both walls on that axis. */
+/* Returns the signed attraction by both walls of one axis; > 0 is in the positive direction. */
 static float pull_along(float at_m, float half_m, float length_m)
 {
     return wall_pull(half_m - at_m, length_m) - wall_pull(half_m + at_m, length_m);
@@ -31,8 +32,7 @@ void wall_follow(struct fish *fish, const struct perception *around)
     const float length_m = fish->length_m;
     const float x = pull_along(fish->position_m.x, 0.5f * around->size_m.x, length_m);
     const float z = pull_along(fish->position_m.z, 0.5f * around->size_m.z, length_m);
-    /* The component across the heading turns the fish; the component along the heading has no
-     * effect. */
+    /* Only the component of the attraction perpendicular to the heading turns the fish. */
     const float s = f_sin(fish->heading_rad), c = f_cos(fish->heading_rad);
     const float left = -x * c + z * s;
     fish->heading_rad += around->wall_follow * TURN_PER_S * left * around->dt_s;
