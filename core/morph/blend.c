@@ -1,7 +1,9 @@
-/* blend.c -- P = sum of V_i K_i: eq. 3.2 of the 2005 thesis, for any number of key shapes.
+/* blend.c -- blends the key shapes of a fish on the CPU, one vertex at a time.
  *
- * The renderer blends in the vertex shader. This file computes the same sum from the same tables on
- * the CPU, one vertex at a time; blend_simd.c does it for blocks. */
+ * A key shape (key) is one modelled growth stage. The blend is P = sum of V_i K_i, where V_i is the
+ * weight of key i and K_i is its point (eq. 3.2 of the 2005 thesis), for any number of keys. The
+ * renderer computes the sum in the vertex shader from the same tables, and blend_simd.c computes it
+ * for blocks of vertices. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -16,9 +18,9 @@ vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vert
     return v3((float)p->x * step, (float)p->y * step, (float)p->z * step);
 }
 
-/* Returns the vector of a folded normal on the octahedron |x| + |y| + |z| = 127. The normals of the
- * keys are blended there and normalised once afterwards, which costs a root and a division per
- * vertex instead of per key. */
+/* Returns the vector of a folded normal on the octahedron |x| + |y| + |z| = 127, not normalised.
+ * The caller blends the normals of the keys on the octahedron and normalises the sum once. One
+ * normalisation per vertex is cheaper than one per key. */
 static vec3 unfold(int16_t folded)
 {
     const int32_t code = (int32_t)folded + 32767;
@@ -40,8 +42,9 @@ int16_t morph_count(float x, float reach)
     return (int16_t)(counts + (counts < 0.0f ? -0.5f : 0.5f));
 }
 
-/* Folds a unit vector to two steps of 1/127 on the octahedron |x| + |y| + |z| = 1. The result is a
- * single number that a 16-bit fraction represents exactly: -32767 .. 32257. */
+/* Projects a unit vector onto the octahedron |x| + |y| + |z| = 1, unfolds the octahedron to a
+ * square, and quantises both coordinates in steps of 1/127. The result is one number from -32767 to
+ * 32257, which a 16-bit fraction represents exactly. */
 int16_t morph_fold_normal(vec3 n)
 {
     const float sum = f_max(f_abs(n.x) + f_abs(n.y) + f_abs(n.z), 1e-6f);
@@ -57,9 +60,9 @@ int16_t morph_fold_normal(vec3 n)
     return (int16_t)(high * 256 + low - 32767);
 }
 
-/* Returns the weight of a key for one vertex: the weights of the curves by the vertex masks. Whole
- * numbers are summed before they are scaled, so that a key that all curves show alone has a weight
- * of exactly 1. */
+/* Returns the weight of a key for one vertex: the mean of the curves' weights, weighted with the
+ * masks of the vertex. The masks are whole numbers and are scaled after the sum. A key that has
+ * weight 1 in all curves therefore has a weight of exactly 1. */
 static float vertex_weight(const struct species_vertex *vertex, const struct morph_pose *pose,
                            uint32_t key)
 {
@@ -70,7 +73,7 @@ static float vertex_weight(const struct species_vertex *vertex, const struct mor
     for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
         sum += pose->weight[curve][key] * (float)vertex->mask[curve];
     }
-    return sum * (1.0f / 255.0f); /* 255 times this factor is exactly 1. */
+    return sum * (1.0f / 255.0f); /* In float arithmetic, 255 * (1.0f / 255.0f) is exactly 1. */
 }
 
 vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,

@@ -1,5 +1,6 @@
-/* blend_pick.c -- selection of the number of SIMD lanes by the caller, which detects the
- * processor. */
+/* blend_pick.c -- calls the blend with the number of SIMD lanes that the caller requests.
+ *
+ * The caller detects the processor, because the core does not. */
 #include "core/base/panic.h"
 #include "core/morph/blend_simd.h"
 

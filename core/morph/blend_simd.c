@@ -1,8 +1,8 @@
-/* blend_simd.c -- blending of a block of vertices; the SIMD form of blend.c, line by line.
+/* blend_simd.c -- blends the key shapes for a block of vertices; the SIMD form of blend.c.
  *
- * Both forms agree to the last bit, which test_blend_simd.c checks. A block reads 8 bytes per
- * vertex and key and 16 bytes per vertex, and writes 24 bytes per vertex. The loop is meant to be
- * limited by memory rather than by arithmetic (`make bench-morph`). */
+ * Both forms agree to the last bit, which test_blend_simd.c checks. For each vertex, a block reads
+ * 16 bytes of the vertex and 8 bytes for each key, and writes 24 bytes. The code is designed so
+ * that memory limits its speed rather than arithmetic (measured by `make bench-morph`). */
 #include "core/morph/blend_simd.h"
 
 #include "core/base/panic.h"
@@ -17,19 +17,19 @@ _Static_assert(sizeof(struct species_vertex) == 16 && offsetof(struct species_ve
                "part to masks are two words");
 _Static_assert(sizeof(vec3) == 12 && sizeof(struct anchor_pose) == 28, "floats, side by side");
 
-/* Vertices to prefetch ahead. The tables are many short streams, which hardware prefetchers detect
- * late. */
+/* Number of vertices to prefetch ahead. The tables are many short streams, which hardware
+ * prefetchers detect late. */
 #define AHEAD 96u
-#define LINE 64u /* Bytes of a cache line. */
+#define LINE 64u /* Size of a cache line in bytes. */
 
-/* Data shared by all blocks of a shape. */
+/* Data that all blocks of a shape share. */
 struct blending {
     const struct species_mesh *mesh;
     const struct morph_pose *pose;
     uint32_t key_count;
-    uint8_t key[MORPH_KEY_MAX];  /* Keys with a weight in any curve. */
-    flanes whole[MORPH_KEY_MAX]; /* Weights of these keys for vertices that only the curve of the
-                                    whole fish moves. */
+    uint8_t key[MORPH_KEY_MAX];  /* Indices of the keys that have a weight in any curve. */
+    flanes whole[MORPH_KEY_MAX]; /* Weights of the keys in `key` for vertices that only curve 0
+                                    moves, the curve of the whole fish. */
 };
 
 struct point_lanes {
@@ -43,9 +43,9 @@ static inline ilanes load_words(const void *from)
     return words;
 }
 
-/* Separate the first and the second words of a block's points. With eight lanes the quads stay
- * separate, which is cheap and leaves the lanes in the order of lane_vertex. Only masks, anchors
- * and results depend on that order. */
+/* FIRST and SECOND separate the first and the second words of the points of a block. With eight
+ * lanes, each group of four lanes is shuffled separately, which is cheap. The lanes are then in the
+ * order of lane_vertex. Only masks, anchors and results depend on the order. */
 #ifdef SIMD_WIDE
 #define FIRST(a, b) __builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14)
 #define SECOND(a, b) __builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15)
@@ -66,16 +66,17 @@ static inline flanes high_half(ilanes words)
     return __builtin_convertvector((ilanes)(words >> 16), flanes);
 }
 
-/* Returns `t` >= 0 with the sign of x. */
+/* Returns `t` with the sign of `x`. The caller guarantees t >= 0. */
 static inline flanes signed_as(flanes t, flanes x)
 {
     return (flanes)((ilanes)t ^ ((ilanes)x & INT32_MIN));
 }
 
-/* Computes unfold() of blend.c with negative z. */
+/* Returns the result of unfold() in blend.c, except that z has the opposite sign. */
 static inline struct simd_v3 unfold_down(ilanes words)
 {
-    const ilanes code = (words >> 16) + 255; /* The code of blend.c minus 127 * 256. */
+    const ilanes code = (words >> 16) + 255; /* The value is `code` of unfold() in blend.c minus 127
+                                                * 256. */
     const flanes x = __builtin_convertvector((ilanes)(code >> 8), flanes);
     const flanes y = __builtin_convertvector((ilanes)((code & 255) - 127), flanes);
     const flanes down = simd_abs(x) + simd_abs(y) - 127.0f;
@@ -83,16 +84,17 @@ static inline struct simd_v3 unfold_down(ilanes words)
     return simd_v3(x - signed_as(t, x), y - signed_as(t, y), down);
 }
 
-/* Tests whether a block needs only the curve of the whole fish, and whether none of its vertices
- * has an anchor. */
+/* Properties of a block. `plain_masks` is 1 if only curve 0 moves the vertices of the block.
+ * `plain_anchors` is 1 if no vertex has an anchor. */
 struct block {
     uint32_t plain_masks, plain_anchors;
-    flanes mask[MORPH_CURVE_MAX]; /* Unset if the masks are plain. */
+    flanes mask[MORPH_CURVE_MAX]; /* Masks of each curve, unset if `plain_masks` is 1. */
 };
 
 static inline struct block load_block(const struct species_vertex *vertices)
 {
-    uint64_t all = ~(uint64_t)0; /* For each vertex: part, side, flex, anchor, four masks. */
+    uint64_t all = ~(uint64_t)0; /* Bitwise AND over the vertices of part, side, flex, anchor and
+                                    the four masks. */
     struct block block = { 0 };
     ilanes masks = { 0 };
     __builtin_prefetch(vertices + AHEAD);
@@ -120,7 +122,7 @@ static inline struct block load_block(const struct species_vertex *vertices)
     return block;
 }
 
-/* Returns the weight of a key in each lane, as vertex_weight(). */
+/* Returns the weight of key `at` in each lane, computed like vertex_weight() in blend.c. */
 static inline flanes weigh(const struct blending *b, const struct block *block, uint32_t at)
 {
     flanes sum = simd_splat(0.0f);
@@ -162,7 +164,7 @@ static inline struct point_lanes blend_points(const struct blending *b, const st
     return p;
 }
 
-/* SIMD form of pose_rotate(). */
+/* Returns the vectors `a` rotated by the quaternions (axis, w), computed like pose_rotate(). */
 static inline struct simd_v3 rotate_axis(struct simd_v3 axis, flanes w, struct simd_v3 a)
 {
     const struct simd_v3 across = simd_v3_scale(simd_v3_cross(axis, a), simd_splat(2.0f));
@@ -182,8 +184,8 @@ static inline const struct anchor_pose *anchor_of(const struct blending *b, uint
     return &b->pose->anchor[anchor];
 }
 
-/* Rotates and moves points by their anchors. Points without an anchor keep their bits: no blended
- * value is -0, the only value that changes when 0 is added. */
+/* Rotates and moves points by their anchors. Points without an anchor keep their bits. Adding 0
+ * changes only the value -0, and no blended coordinate is -0. */
 static inline struct point_lanes carry(const struct blending *b, uint32_t first,
                                        struct point_lanes p)
 {
@@ -219,15 +221,16 @@ static inline void store_quad(vec3 *to, const flanes *row, int high)
     MEM_COPY(to, &quad, sizeof quad);
 }
 
-/* Stores LANES consecutive vectors. Rows of four floats are stored three apart, each over the
- * fourth float of the previous row. One float behind the block is overwritten; a later block or
- * vertex restores it. */
+/* Stores SIMD_LANES consecutive vectors. Rows of four floats are stored three floats apart, and
+ * each row overwrites the fourth float of the previous row. The last row overwrites one float
+ * behind the block, which a later block or vertex writes again. */
 static inline void store(vec3 *to, struct simd_v3 a)
 {
     flanes row[4];
     simd_turn(row, a.x, a.y, a.z, a.z);
 #pragma GCC unroll 2
-    for (int pair = 0; pair < 2; pair++) { /* Vertices in memory order: see lane_vertex. */
+    for (int pair = 0; pair < 2; pair++) { /* The order of the stores is the order of the vertices
+                                              in memory; see lane_vertex. */
 #pragma GCC unroll 2
         for (int high = 0; high < SIMD_LANES / 4; high++) {
             vec3 *at = &to[SIMD_LANES / 2 * pair + 2 * high];
@@ -254,7 +257,7 @@ static struct blending begin_blending(const struct species_mesh *mesh, uint32_t 
     return b;
 }
 
-/* Prefetches the first AHEAD vertices of every stream, which no earlier block has prefetched. */
+/* Prefetches the first AHEAD vertices of every stream, because no earlier block prefetched them. */
 static void foresee(const struct blending *b)
 {
     const uint32_t count = b->mesh->vertex_count < AHEAD ? b->mesh->vertex_count : AHEAD;

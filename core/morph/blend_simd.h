@@ -1,4 +1,5 @@
-/* blend_simd.h -- morph_shape() for LANES vertices at once; see core/base/simd.h. */
+/* blend_simd.h -- the blend of morph_shape() for SIMD_LANES vertices at a time (core/base/simd.h).
+ * Internal to core/morph. */
 #ifndef KINGYO_CORE_MORPH_BLEND_SIMD_H
 #define KINGYO_CORE_MORPH_BLEND_SIMD_H
 
@@ -6,14 +7,14 @@
 #include "core/morph/morph.h"
 
 SIMD_BEGIN
-/* Blends whole blocks from vertex 0 on, but never the last vertices. Returns the index of the first
- * vertex that is left. */
+/* Blends whole blocks of vertices from vertex 0 on, and leaves at least one vertex. Returns the
+ * index of the first vertex that is not blended. */
 uint32_t blend_blocks_4(const struct species_mesh *mesh, uint32_t key_count,
                         const struct morph_pose *pose, vec3 *positions, vec3 *normals);
 uint32_t blend_blocks_8(const struct species_mesh *mesh, uint32_t key_count,
                         const struct morph_pose *pose, vec3 *positions, vec3 *normals);
 
-/* Blends the vertices from `first` on, one by one. */
+/* Blends the vertices from index `first` to the end, one at a time. */
 void blend_each(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
                 uint32_t first, vec3 *positions, vec3 *normals);
 SIMD_END

@@ -1,22 +1,25 @@
 /* growth.c -- the length of a fish at an age, and its age at a length.
  *
- * Measured lengths come first, then von Bertalanffy's curve (2005 thesis, eq. 3.3). The curve is
- * fitted to adults and gives 12 to 32 cm at hatching for most species. The thesis shifts t0 to
- * correct this, which makes the adults too small (a bigeye of one year shrinks from 64 to 38 cm).
- * In this code the last measured length L0 fades into the curve instead: L = L0 + (VB - L0) (1 -
- * e^(-since / fade)). */
+ * The growth table has measured lengths up to an age, and von Bertalanffy's curve (2005 thesis, eq.
+ * 3.3) continues the table. The curve alone is fitted to adults and gives 12 to 32 cm at hatching
+ * for most species. The thesis shifts the constant t0 to correct the length at hatching, but then
+ * the adults are too small (a bigeye of one year is 38 cm long instead of 64 cm). In this code, the
+ * last measured length L0 instead fades into the curve VB over the time `since` that point: L = L0
+ * + (VB - L0) (1 - e^(-since / fade)). */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
 #include "core/morph/cubic.h"
 
 #define DAYS_PER_YEAR 365.25f
-#define AGE_MAX_DAYS (40.0f * DAYS_PER_YEAR) /* The oldest goldfish on record lived for 43 years. */
-#define FADE_NONE_YEAR 1e-6f                 /* Half a minute: no fade. */
-#define BISECTIONS 24                        /* 14,610 days halved 24 times are 0.001 days. */
+/* Greatest age of the growth functions; the oldest goldfish on record lived for 43 years. */
+#define AGE_MAX_DAYS (40.0f * DAYS_PER_YEAR)
+#define FADE_NONE_YEAR 1e-6f /* Fade time of half a minute, which means no fade. */
+/* Number of bisections: 14,610 days halved 24 times are 0.001 days. */
+#define BISECTIONS 24
 
-/* Returns how far the curve exceeds the last measured length, or 0 if it does not. In that case the
- * length stays constant instead of shrinking. */
+/* Returns by how many metres von Bertalanffy's curve exceeds the last measured length, or 0 if the
+ * curve is below that length. The length of the fish then stays constant instead of falling. */
 static float curve_lead_m(const struct growth *growth, float age_days)
 {
     const struct growth_point *last = &growth->points[growth->point_count - 1];
@@ -33,8 +36,8 @@ static float beyond_points_m(const struct growth *growth, float age_days)
     return last->length_m + curve_lead_m(growth, age_days) * (1.0f - young);
 }
 
-/* Returns the growth rate at a measured point, in metres per day. At the last point it equals that
- * of the following curve, as far as the table stays monotone. */
+/* Returns the growth rate at a measured point, in metres per day. At the last point, the rate is
+ * the rate of the following curve, limited so that the table stays monotone. */
 static float point_slope(const struct growth *growth, const struct cubic_point *points,
                          uint32_t index)
 {
@@ -88,7 +91,8 @@ struct growth growth_shifted(const struct growth *growth)
     };
 }
 
-/* Finds the age between two ages without a measured point inside, where the length is monotone. */
+/* Returns the age with length `length_m` by bisection. The caller guarantees that no measured point
+ * lies between the two ages, so that the length is monotone there. */
 static float age_in_span(const struct growth *growth, float from_days, float to_days,
                          float length_m)
 {

@@ -1,11 +1,12 @@
-/* life.c -- the stage of life of a fish: age, length, and progress between the drawn keys.
+/* life.c -- conversion between age, length and progress of a fish through its key shapes.
  *
- * The thesis writes t for all three. In this code key i of n is at progress i / (n - 1), at its own
- * age and at its own length. Between two keys progress follows the logarithm of length, because
- * fish grow by factors. Progress follows age where length is not monotone between the keys (a
- * conger is longest before it becomes an eel). A key may be slightly longer or shorter than the
- * growth curve at its age. Ages follow the lengths of the curve at both keys, so that they increase
- * from key to key in any case. */
+ * A key shape (key) is one modelled growth stage. Key i of n is at progress i / (n - 1) and has its
+ * own age and length. The 2005 thesis writes t for age, length and progress alike. Between two
+ * keys, progress follows the logarithm of length, because fish grow by factors. If length is not
+ * monotone between two keys, progress follows age (a conger is longest before it becomes an eel).
+ * The length of a key may differ slightly from the growth curve at its age. Ages between two keys
+ * therefore follow the lengths of the curve at the ages of both keys, so that age always increases
+ * with progress. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -16,8 +17,8 @@ static uint32_t last_key(const struct species_card *card)
     return card->key_count - 1u;
 }
 
-/* Returns true if both the keys and the growth curve between them are monotone in the same
- * direction. */
+/* Returns true if progress from `key` to the next key follows length: the growth curve is monotone
+ * between both keys and changes in the same direction as the lengths of the keys. */
 static bool goes_by_length(const struct species_card *card, uint32_t key)
 {
     const float *length = &card->key_length_m[key], *age = &card->key_age_days[key];
@@ -27,7 +28,7 @@ static bool goes_by_length(const struct species_card *card, uint32_t key)
            growth_is_one_way(&card->growth, age[0], age[1]);
 }
 
-/* Returns [0, 1], the position between two lengths on a logarithmic scale. */
+/* Returns the position [0, 1] of a length between two lengths on a logarithmic scale. */
 static float part_between(float from_m, float to_m, float length_m)
 {
     return f_clamp(f_log(length_m / from_m) / f_log(to_m / from_m), 0.0f, 1.0f);
@@ -46,7 +47,8 @@ static float part_of_age(const struct species_card *card, uint32_t key, float ag
     return f_clamp((age_days - age[0]) / (age[1] - age[0]), 0.0f, 1.0f);
 }
 
-/* Returns [0, 1], the position between `key` and the next on the growth curve. */
+/* Returns the position [0, 1] of an age between `key` and the next key, by the length of the growth
+ * curve. */
 static float part_of_growth(const struct species_card *card, uint32_t key, float age_days)
 {
     const float *age = &card->key_age_days[key];
@@ -55,7 +57,8 @@ static float part_of_growth(const struct species_card *card, uint32_t key, float
                         growth_length_m(&card->growth, age_days));
 }
 
-/* Returns the age at such a position; the inverse of part_of_growth(). */
+/* Returns the age at the position `part` between `key` and the next key; the inverse of
+ * part_of_growth(). */
 static float age_of_growth(const struct species_card *card, uint32_t key, float part)
 {
     const float *age = &card->key_age_days[key];
@@ -80,7 +83,8 @@ float life_progress(const struct species_card *card, float age_days)
     }
     for (uint32_t key = 0; key < last; key++) {
         if (age_days == card->key_age_days[key]) {
-            return progress_of(card, key, 0.0f); /* Independent of rounding of its length. */
+            return progress_of(card, key, 0.0f); /* The exact result does not depend on the rounding
+                                                    of the key's length. */
         }
         if (age_days < card->key_age_days[key + 1]) {
             if (!goes_by_length(card, key)) {
@@ -92,8 +96,8 @@ float life_progress(const struct species_card *card, float age_days)
     return 1.0f;
 }
 
-/* Returns the key at or before `progress`, never the last, and the share of the way to the next
- * key. */
+/* Returns the index of the last key at or before `progress`, but never the last key of all. Writes
+ * to `part` the share [0, 1] of the way to the next key. */
 static uint32_t key_before(const struct species_card *card, float progress, float *part)
 {
     const float last = (float)last_key(card);
@@ -102,8 +106,8 @@ static uint32_t key_before(const struct species_card *card, float progress, floa
     while (key + 1u < last_key(card) && progress >= (float)(key + 1u) / last) {
         key++;
     }
-    *part = f_clamp(progress * last - (float)key, 0.0f, 1.0f); /* Key / last * last is exactly the
-                                                                  key. */
+    *part = f_clamp(progress * last - (float)key, 0.0f, 1.0f); /* At a key, progress * last is
+                                                                  exactly the index of the key. */
     return key;
 }
 
@@ -130,8 +134,9 @@ float life_age_days(const struct species_card *card, float progress)
     return f_lerp(age[0], age[1], part);
 }
 
-/* Returns the size curve drawn by hand (purple in the thesis). Between two knots it is logarithmic,
- * as between two keys, so that knots placed on the keys change nothing. */
+/* Returns the length by the hand-drawn size curve (the purple curve of the thesis). Between two
+ * knots, the curve is logarithmic like the length between two keys, so that knots at the keys
+ * change nothing. */
 static float scale_by_hand_m(const struct species_card *card, float progress)
 {
     const struct scale_knot *to = &card->scale_knots[1];
@@ -160,7 +165,8 @@ float life_length_m(const struct species_card *card, float progress)
     return length_at(card, key, part);
 }
 
-/* Returns the earliest progress at which the hand-drawn curve has this length; below 0 if never. */
+/* Returns the earliest progress at which the hand-drawn size curve has the length `length_m`, or -1
+ * if there is none. */
 static float progress_by_hand(const struct species_card *card, float length_m)
 {
     for (uint32_t i = 0; i < card->scale_knot_count; i++) {
@@ -177,8 +183,8 @@ static float progress_by_hand(const struct species_card *card, float length_m)
     return -1.0f;
 }
 
-/* Returns the earliest progress from `key` to the next at which the fish has this length; below 0
- * if never. */
+/* Returns the earliest progress between `key` and the next key at which the fish has the length
+ * `length_m`, or -1 if there is none. */
 static float progress_from_key(const struct species_card *card, uint32_t key, float length_m)
 {
     const float *length = &card->key_length_m[key], *age = &card->key_age_days[key];

@@ -1,26 +1,33 @@
-/* mark.c -- spots, rows, bars, lines, margins, patches and the slits of mouth and gill.
+/* mark.c -- the painted marks of a fish: spots, rows, bars, lines, margins, patches, and the slits
+ * of mouth and gill.
  *
- * Each mark is a function of body coordinates alone, with soft edges. Marks therefore stay with the
- * skin as the fish grows and need no texture. Lengths are body lengths: `flank` converts girth
- * into them. */
+ * Each mark is a function of the body coordinates of a point, with soft edges. Marks therefore move
+ * with the skin as the fish grows and need no texture. Lengths are in body lengths, and `flank` of
+ * a point converts distances around the girth into body lengths. */
 #include "core/morph/mark.h"
 
 #include "core/base/fmath.h"
 #include "core/morph/morph.h"
 
 #define PI 3.14159265f
-#define SOFT_U 0.006f     /* Half the width of a soft edge along the body. */
-#define SOFT_HEIGHT 0.03f /* Half the width of a soft edge across the flank. */
-#define UNEVEN 0.35f      /* Random variation of the size of a spot. */
-/* Share of a spot's cell near its border that never holds the centre of a spot. */
+#define SOFT_U 0.006f /* Half the width of a soft edge along the body, in body lengths. */
+/* Half the width of a soft edge across the flank, as a share of the height. */
+#define SOFT_HEIGHT 0.03f
+#define UNEVEN 0.35f /* Random variation of the radius of a spot, as a share. */
+/* Width of the rim of a spot's cell that never holds the centre of the spot, as a share of the
+ * cell. */
 #define CELL_RIM 0.2f
-#define BOW_HEIGHT 0.35f /* Height of a flank in body lengths, for the bow of the gill cover. */
-#define SIDE_RIM 0.25f   /* Sine around the girth: width of the soft edge of a flank. */
-/* Head of 0.14 lengths: factor from the width of a slit to a share of the height. */
+/* Height of a flank in body lengths, which gives the bow of the gill cover. */
+#define BOW_HEIGHT 0.35f
+/* Sine of the angle around the girth at which the soft edge of a flank begins. */
+#define SIDE_RIM 0.25f
+/* Factor from the width of a slit in body lengths to a share of the head's height, for a head 0.14
+ * body lengths high. */
 #define SLIT_HEIGHT 7.0f
 
-/* Distance from back to belly over one flank in body lengths, and its reduction at the tail root.
- * Marks do not use the mesh; the body form makes spots round enough. */
+/* Size of a flank for each body form: the distance from back to belly in body lengths, and the
+ * share by which the distance is smaller at the tail root. Marks do not read the mesh, because
+ * these values make spots round enough. */
 static const struct {
     float lengths, taper;
 } flanks[] = {
@@ -48,7 +55,8 @@ struct mark_point mark_point_of(const struct species_vertex *at, enum body_form 
     return point;
 }
 
-/* Returns 1 in [from, to] and 0 outside, with soft edges; an end at 0 or 1 is unbounded. */
+/* Returns 1 within [from, to] and 0 outside, with edges of half width `soft`. An end at 0 or 1 has
+ * no edge. */
 static float soft_interval(float x, float from, float to, float soft)
 {
     const float above = from <= 0.0f ? 1.0f : f_smoothstep(from - soft, from + soft, x);
@@ -56,14 +64,15 @@ static float soft_interval(float x, float from, float to, float soft)
     return above * below;
 }
 
-/* Returns 1 within `radius` and 0 outside; the width of the soft edge scales with the radius. */
+/* Returns 1 within `radius` and 0 outside. The width of the soft edge is proportional to the
+ * radius. */
 static float disc(float distance, float radius)
 {
     const float soft = 0.2f * radius + 0.001f;
     return 1.0f - f_smoothstep(radius - soft, radius + soft, distance);
 }
 
-/* Returns the distance down the flank of a height on the body. */
+/* Returns the distance `down` that belongs to a height on the body. */
 static float down_of(const struct mark_point *at, float height)
 {
     if (at->part >= PART_TAIL || height <= 0.0f || height >= 1.0f) {
@@ -72,7 +81,8 @@ static float down_of(const struct mark_point *at, float height)
     return f_acos(2.0f * height - 1.0f) / PI;
 }
 
-/* Returns a random number in [0, 1) for each cell, mark and `purpose` (a 32-bit mixer). */
+/* Returns a pseudo-random number in [0, 1) for a cell of a mark (a 32-bit mixer). `purpose` selects
+ * one of several numbers of the cell. */
 static float chance(uint32_t cell, uint32_t seed, uint32_t purpose)
 {
     uint32_t h = cell * 0x9e3779b1u ^ seed * 0x85ebca77u ^ purpose * 0xc2b2ae3du;
@@ -81,16 +91,16 @@ static float chance(uint32_t cell, uint32_t seed, uint32_t purpose)
     return (float)((h ^ h >> 15) >> 8) / 16777216.0f;
 }
 
-/* Returns the distance from `x`, relative to a cell's border, to the nearest possible centre of a
- * spot. */
+/* Returns the distance from `x` to the nearest possible centre of a spot, where `x` is the position
+ * within a cell, in cells. */
 static float to_middle(float x)
 {
     return f_max(f_max(CELL_RIM - x, x - (1.0f - CELL_RIM)), 0.0f);
 }
 
-/* Returns the cover of `count` cells over one flank with a spot at a random place in each; a point
- * tests its nine cells. Toward the tail the number of cells stays the same, but cells are lower and
- * spots smaller, so that none is cut off. */
+/* Returns the cover of a mark of `count` cells over one flank. Each cell has a spot at a random
+ * place, and a point tests the nine cells around it. Toward the tail, the number of cells stays
+ * constant, but cells are lower and spots are smaller, so that no spot is cut off. */
 static float spots(const struct species_mark *m, const struct mark_point *at)
 {
     const float top = down_of(at, m->high), bottom = down_of(at, m->low);
@@ -103,7 +113,8 @@ static float spots(const struct species_mark *m, const struct mark_point *at)
     const float shrunk = m->width * f_sqrt(girth / broad);
     const float x = (at->u - m->from) / length * columns;
     const float y = (at->down - top) / f_max(bottom - top, 1e-3f) * rows;
-    const float reach = shrunk * (1.0f + UNEVEN) * 1.2f + 0.001f; /* Includes the soft edge. */
+    const float reach = shrunk * (1.0f + UNEVEN) * 1.2f + 0.001f; /* Largest reach of a spot,
+                                                                     including its soft edge. */
     float cover = 0.0f;
     if (x < -1.0f || y < -1.0f || x > columns + 1.0f || y > rows + 1.0f) {
         return 0.0f;
@@ -125,8 +136,9 @@ static float spots(const struct species_mark *m, const struct mark_point *at)
     return cover;
 }
 
-/* Returns the cover of `seed` rows of `count` dots, every other row offset by half a step. Toward
- * the tail rows are closer and dots are smaller and flatter, so that none is cut off. */
+/* Returns the cover of `seed` rows with `count` dots each; every other row is offset by half a
+ * step. Toward the tail, rows are closer, and dots are smaller and flatter, so that no dot is cut
+ * off. */
 static float rows(const struct species_mark *m, const struct mark_point *at)
 {
     const float row_count = f_max((float)m->seed, 1.0f), count = f_max((float)m->count, 1.0f);
@@ -178,8 +190,8 @@ static float side(const struct species_mark *m, const struct mark_point *at)
            soft_interval(at->u, m->from, m->to, SOFT_HEIGHT);
 }
 
-/* Returns the cover of the mouth from the snout (at height `high`) to the corner (`to`, `low`),
- * thinner toward the corner. */
+/* Returns the cover of the slit of the mouth. The slit runs from the snout at height `high` to the
+ * corner at (`to`, `low`) and is thinner toward the corner. */
 static float mouth(const struct species_mark *m, const struct mark_point *at)
 {
     const float along = at->u / f_max(m->to, 1e-3f);
@@ -188,7 +200,7 @@ static float mouth(const struct species_mark *m, const struct mark_point *at)
     return disc(f_abs(at->height - line), width) * (1.0f - f_smoothstep(0.92f, 1.06f, along));
 }
 
-/* Returns the cover of an arc that bows backward at its middle. */
+/* Returns the cover of the slit of the gill: an arc whose middle bows backward. */
 static float gill(const struct species_mark *m, const struct mark_point *at)
 {
     const float half = f_max(0.5f * (m->high - m->low), 1e-3f);
@@ -200,7 +212,7 @@ static float gill(const struct species_mark *m, const struct mark_point *at)
 
 float mark_cover(const struct species_mark *m, const struct mark_point *at)
 {
-    if (m->kind == MARK_SIDE) { /* Also covers the paired fins of that side. */
+    if (m->kind == MARK_SIDE) { /* A mark on one side also covers the paired fins of that side. */
         const bool paired = at->part == PART_PECTORAL || at->part == PART_PELVIC;
         return at->part == PART_BODY || paired ? side(m, at) : 0.0f;
     }

@@ -1,10 +1,11 @@
-/* morph.h -- the shape of a fish of any age from three or more drawings (2005 thesis).
+/* morph.h -- the shape of a fish of any age, blended from three or more drawings (2005 thesis).
  *
- * Chain: age -> progress between the keys -> weights (one deformation graph per curve) -> pose ->
- * shape; and age -> length (scale curve).
+ * A key shape (key) is one modelled growth stage. The shape is computed in this order: age ->
+ * progress through the keys -> weights of the keys (one deformation graph per curve) -> pose ->
+ * shape. The length is computed from the age alone.
  *
- * Progress is in [0, 1]: key i of n is at i / (n - 1). All functions are pure; the caller owns all
- * memory. core/morph/README.md describes the method. */
+ * Progress is in [0, 1], and key i of n is at progress i / (n - 1). All functions are pure, and the
+ * caller owns all memory. core/morph/README.md describes the method. */
 #ifndef KINGYO_CORE_MORPH_MORPH_H
 #define KINGYO_CORE_MORPH_MORPH_H
 
@@ -12,141 +13,160 @@
 
 #include "core/morph/species.h"
 
-/* growth.c: length and age */
+/* ---- growth.c: length and age -------------------------------------------------------------- */
 
-/* Returns the length in metres at `age_days` >= 0 after hatching. */
+/* Returns the length in metres at `age_days` days after hatching. Asserts that `age_days` >= 0. */
 float growth_length_m(const struct growth *growth, float age_days);
 
-/* Returns the youngest age with length `length_m`, within 0.1 day, clamped to [0, 40 years]. */
+/* Returns the youngest age in days with the length `length_m`, with an error of at most 0.1 day.
+ * Lengths that are too short or too long return 0 or 40 years. */
 float growth_age_days(const struct growth *growth, float length_m);
 
-/* Returns the youngest age with length `length_m` within [from_days, to_days]; below 0 if there is
- * none. */
+/* Returns the youngest age within [from_days, to_days] with the length `length_m`, or -1 if there
+ * is none. */
 float growth_age_between(const struct growth *growth, float from_days, float to_days,
                          float length_m);
 
-/* Returns true if length only increases, or only decreases, between two ages. A conger shrinks in
- * between. */
+/* Returns true if the length only rises or only falls between the two ages. The result is false for
+ * a conger, for example, which shrinks during its metamorphosis. */
 bool growth_is_one_way(const struct growth *growth, float from_days, float to_days);
 
-/* Returns the method of the thesis (section 3.2): eq. 3.3 alone, with t0 shifted until the fish
- * hatches at its true length. Later measurements are ignored, and adults become too small. */
+/* Returns the growth curve of the thesis (section 3.2): eq. 3.3 alone, with t0 shifted so that
+ * the fish hatches at its measured length. Later measurements are ignored, and adults become too
+ * small. */
 struct growth growth_shifted(const struct growth *growth);
 
-/* life.c: age <-> progress <-> length. Between two keys progress follows the logarithm of length if
- * length is monotone there (fish grow by factors); otherwise age. */
+/* Returns the progress [0, 1] at an age >= 0 (life.c). Between two keys, progress follows the
+ * logarithm of length if the length is monotone there, because fish grow by factors. Otherwise
+ * progress follows age. */
 
 float life_progress(const struct species_card *card, float age_days);
+
+/* Returns the age in days at `progress` in [0, 1]; the inverse of life_progress(). */
 float life_age_days(const struct species_card *card, float progress);
-/* Returns the length by the scale curve: the growth curve at that age, or the scale knots of the
- * card with logarithmic interpolation. */
+/* Returns the length in metres at `progress`. The length follows the growth curve, or the
+ * hand-drawn scale knots of the card with logarithmic interpolation if the card has any. */
 float life_length_m(const struct species_card *card, float progress);
-/* Returns the earliest progress with length `length_m`. A length that never occurs returns 0 if the
- * youngest key is longer, otherwise 1. */
+/* Returns the earliest progress with the length `length_m`. If there is none, returns 1 for a fish
+ * longer than the youngest key, otherwise 0. */
 float morph_progress(const struct species_card *card, float length_m);
 
-/* graph.c: weights */
+/* Faults of a deformation graph (graph.c), which gives the weight of each key as a fish grows. */
 
 enum graph_fault {
     GRAPH_GOOD = 0,
-    GRAPH_KNOT_COUNT, /* Fewer than 2 knots, or more than GRAPH_KNOT_MAX. */
-    GRAPH_ENDS,       /* The first knot is not at 0, or the last not at 1. */
-    GRAPH_ORDER,      /* `knot` does not lie behind the previous knot. */
+    GRAPH_KNOT_COUNT, /* The graph has fewer than 2 knots or more than GRAPH_KNOT_MAX. */
+    GRAPH_ENDS,       /* The first knot is not at progress 0, or the last knot is not at progress
+                         1. */
+    GRAPH_ORDER,      /* The progress of `knot` is not greater than the progress of the previous
+                         knot. */
     GRAPH_NEGATIVE,   /* The weight of `key` at `knot` is negative or NaN. */
-    GRAPH_SUM,        /* The weights of `knot` sum to `value` instead of 1 within 1e-6. */
-    GRAPH_UNSOLVABLE, /* The graph is to be solved, but hardly shows `key` even at that key's
-                         progress. */
+    GRAPH_SUM,        /* The weights of `knot` sum to `value` instead of 1, with an error above
+                         1e-6. */
+    GRAPH_UNSOLVABLE, /* Solved shapes are requested, but the graph gives `key` hardly any weight
+                         even at the progress of `key`. */
 };
 
 struct graph_verdict {
-    uint8_t fault; /* enum graph_fault */
+    uint8_t fault; /* Fault of the graph (enum graph_fault). */
     uint8_t knot, key;
     float value;
 };
 
+/* Returns the first fault of a graph, or GRAPH_GOOD. */
 struct graph_verdict graph_check(const struct graph *graph, uint32_t key_count);
 
-/* Writes the weights at `progress` in [0, 1]: each >= 0, sum 1 within 1e-6; unused keys get 0. */
+/* Writes the weights of all keys at `progress` in [0, 1]. Each weight is at least 0, and the
+ * weights sum to 1 within 1e-6. Keys from `key_count` on get the weight 0. */
 void graph_weights(const struct graph *graph, uint32_t key_count, float progress,
                    float weights[MORPH_KEY_MAX]);
 
-/* solve.c: exaggerated shapes for a graph that shows no key alone. `solution[i][j]` is the weight
- * of drawn key j in the shape solved for key i (rows sum to 1). A fish blended from solved shapes
- * passes through every drawing at i / (n - 1). Returns false, with the key in `stuck`, if the
- * solution would need more than a tenfold exaggeration. */
+/* Solves exaggerated shapes for a graph that never shows a key alone (solve.c). `solution[i][j]`
+ * receives the weight of drawn key j in the shape solved for key i, and each row sums to 1. A fish
+ * that is blended from the solved shapes passes through the drawing of key i at progress i / (n -
+ * 1). Returns false if the solution would need more than a tenfold exaggeration, and writes the
+ * index of the key to `stuck`. */
 bool solve_graph(const struct graph *graph, uint32_t key_count,
                  float solution[MORPH_KEY_MAX][MORPH_KEY_MAX], uint32_t *stuck);
 
-/* template.c: standard graphs */
+/* Standard graphs (template.c) that can replace the graphs of a species. */
 
 enum graph_template {
-    TEMPLATE_OWN = 0,      /* The graph of the species itself. */
-    TEMPLATE_ORDINARY,     /* Eq. 3.1: only the first and the last key. */
-    TEMPLATE_PAIRWISE,     /* Figure 3.8: two neighbours at a time; each key reaches weight 1. */
-    TEMPLATE_SIMULTANEOUS, /* Figure 3.9: inner keys peak at `peak`, and their neighbours share the
+    TEMPLATE_OWN = 0,      /* The graphs of the species are used. */
+    TEMPLATE_ORDINARY,     /* Only the first and the last key are blended (eq. 3.1). */
+    TEMPLATE_PAIRWISE,     /* Two adjacent keys are blended at a time, and each key reaches weight 1
+                              (figure 3.8). */
+    TEMPLATE_SIMULTANEOUS, /* Three keys are blended at a time (figure 3.9). An inner key has the
+                              weight `peak` at its own progress, and its neighbours share the
                               rest. */
-    TEMPLATE_SMOOTH,       /* Weights of a cubic B-spline: the path has no corner at any key. */
+    TEMPLATE_SMOOTH,       /* The weights are those of a cubic B-spline, so that the path has no
+                              corner at any key. */
     TEMPLATE_COUNT,
 };
 
-#define SIMULTANEOUS_PEAK 0.70f /* Value for the hirame in section 4.2. */
+#define SIMULTANEOUS_PEAK 0.70f /* Peak weight of the hirame in section 4.2 of the thesis. */
 
-/* Writes a standard graph. `template_id` must not be TEMPLATE_OWN; `peak` in (0.5, 1) affects only
- * TEMPLATE_SIMULTANEOUS. */
+/* Writes a standard graph. Asserts that `template_id` is not TEMPLATE_OWN and that `peak` is in
+ * (0.5, 1]. `peak` affects only TEMPLATE_SIMULTANEOUS. */
 void template_graph(struct graph *graph, enum graph_template template_id, uint32_t key_count,
                     float peak);
 
-/* rig.c: the curves that blend a fish, prepared for repeated evaluation */
+/* The curves (deformation graphs) that blend a fish, prepared for repeated evaluation (rig.c). */
 
 struct morph_rig {
     uint32_t key_count, curve_count;
     struct graph curves[MORPH_CURVE_MAX];
-    /* Weight of drawn key j in the shape solved for key i; the identity matrix if nothing is
-     * solved. */
+    /* solution[c][i][j]: weight of drawn key j in the shape that is solved for key i of curve c.
+     * The identity matrix if curve c is not solved. */
     float solution[MORPH_CURVE_MAX][MORPH_KEY_MAX][MORPH_KEY_MAX];
 };
 
-/* Initialises a rig. TEMPLATE_OWN uses the curves of the card; any other template replaces all of
- * them. A curve that cannot be solved (graph_check() returns the reason) blends the drawn shapes
- * directly. */
+/* Initialises a rig. TEMPLATE_OWN uses the curves of the card, and any other template replaces all
+ * curves. A curve that cannot be solved blends the drawn shapes directly; graph_check() returns the
+ * reason. */
 void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
                     enum graph_template template_id);
 
-/* Writes the factors of the drawn key shapes for each curve: sum 1, negative only for solved
- * shapes. A solved curve gives each key alone, exactly, at i / (n - 1). */
+/* Writes the weights of the drawn keys for each curve. The weights of a curve sum to 1, and only a
+ * solved curve can have negative weights. A solved curve has exactly weight 1 for key i at progress
+ * i / (n - 1). */
 void morph_weights(const struct morph_rig *rig, float progress,
                    float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX]);
 
-/* pose.c: the values of a vertex shader besides the tables */
+/* Rotation (pose.c). */
 
 struct quat {
-    float x, y, z, w; /* Unit quaternion. */
+    float x, y, z, w; /* Components of a unit quaternion. */
 };
 
-/* Returns a + 2 w (q x a) + 2 q x (q x a), with q = (x, y, z); pose_rotate_inverse() is the
- * inverse. */
+/* Returns `a` rotated by `q`: a + 2 w (v x a) + 2 v x (v x a), where v = (x, y, z). */
 vec3 pose_rotate(struct quat q, vec3 a);
+
+/* Returns `a` rotated by the inverse of `q`. */
 vec3 pose_rotate_inverse(struct quat q, vec3 a);
 
-/* All that changes from one fish to the next: to be uploaded as it is.
+/* Values that differ from fish to fish; a renderer uploads the struct without conversion.
  *
- * A vertex of mask m, in curves' weights W and key points P_k, N_k (a normal is unfolded onto the
- * octahedron |x| + |y| + |z| = 1 and blended there):
+ * A vertex has the masks m, and the points P_k and normals N_k in the keys. W are the weights of
+ * the curves. The normals are unfolded onto the octahedron |x| + |y| + |z| = 1 before the sum.
  *     w_k      = (sum over the curves c of m[c] * W[c][k]) / 255
  *     position = sum over the keys of w_k * P_k
  *     normal   = normalize(sum over the keys of w_k * N_k)
- * and if it has an anchor, of turn q and position A:
+ * A vertex with an anchor of rotation q and position A is then moved:
  *     position = A + q position q*          (pose_rotate)
  *     normal   = q normal q*
- * Where an anchor does not turn, q is the identity, so there is one formula for all. */
+ * For an anchor that does not rotate, q is the identity. */
 struct morph_pose {
-    float weight[MORPH_CURVE_MAX][MORPH_KEY_MAX]; /* As written by morph_weights(). */
+    float weight[MORPH_CURVE_MAX][MORPH_KEY_MAX]; /* Weights of the keys for each curve, as written
+                                                     by morph_weights(). */
     struct anchor_pose {
-        vec3 position;    /* Position in the body frame. */
-        struct quat turn; /* The identity if the anchor does not rotate. */
-    } anchor[ANCHOR_MAX]; /* The first anchor_count entries of the mesh are valid. */
+        vec3 position;    /* Position of the anchor in the body frame. */
+        struct quat turn; /* Rotation of the anchor; the identity if the anchor does not rotate. */
+    } anchor[ANCHOR_MAX]; /* Poses of the mesh's anchors; the first `anchor_count` entries are
+                             valid. */
 };
 
+/* Writes the weights and the anchors of a fish at `progress` in [0, 1]. */
 void morph_pose(const struct morph_rig *rig, const struct species_mesh *mesh, float progress,
                 struct morph_pose *pose);
 
@@ -154,82 +174,92 @@ void morph_pose(const struct morph_rig *rig, const struct species_mesh *mesh, fl
 void morph_key_pose(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
                     struct morph_pose *pose);
 
-/* Returns the place of body coordinates (u, v) on the skin blended by `pose->weight`. The place
- * lies on the two triangles of the grid cell, which meet between (ring, next spoke) and (next ring,
- * spoke). u is clamped to the rings of the grid, v counts turns. If `turns`: x is along the skin's
- * normal, z backward along the skin, y = z cross x. The mesh must have a grid of at least 2 rings
- * and 3 spokes whose vertices have no anchor. A vertex drawn at p in the body frame of a key is,
- * relative to its anchor there, pose_rotate_inverse(turn, p - position). */
+/* Returns the place with the body coordinates (u, v) on the skin that is blended by `pose->weight`.
+ * The place lies on the drawn triangles: the diagonal of each grid cell joins (ring, next spoke)
+ * and (next ring, spoke). u is clamped to the rings of the grid, and v counts turns around the
+ * body. If `turns` is set, the result also has a rotation: x along the skin's normal, z backward
+ * along the skin, and y = z cross x. Otherwise the rotation is the identity. The mesh must have a
+ * grid of at least 2 rings and 3 spokes (asserted), and the vertices of the grid must have no
+ * anchor. A vertex at p in the body frame of a key is at pose_rotate_inverse(turn, p - position)
+ * relative to its anchor. */
 struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_count,
                               const struct morph_pose *pose, float u, float v, bool turns);
 
-/* Sets the anchors of the pose from its weights: the u and v of each anchor are blended by its own
- * curve. */
+/* Writes the anchors of `pose` from the weights of `pose`. The curve of each anchor blends the
+ * anchor's u and v. */
 void morph_ride_all(const struct species_mesh *mesh, uint32_t key_count, struct morph_pose *pose);
 
-/* blend.c: eq. 3.2 on the CPU */
+/* ---- blend.c: eq. 3.2 on the CPU ----------------------------------------------------------- */
 
-/* Writes `positions` and `normals` (either may be null), each mesh->vertex_count long; the formula
- * stands at struct morph_pose. */
+/* Writes the positions and normals of all vertices by the formula at struct morph_pose. `positions`
+ * and `normals` have mesh->vertex_count entries, and each may be null. */
 void morph_shape(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
                  vec3 *positions, vec3 *normals);
 
-/* Writes the same bits as morph_shape(), 1, 4 or 8 vertices at a time; 8 needs AVX2. */
+/* Writes the same bits as morph_shape(), for `lanes` = 1, 4 or 8 vertices at a time. The caller
+ * must ensure that the processor has AVX2 if `lanes` is 8. */
 void morph_shape_lanes(const struct species_mesh *mesh, uint32_t key_count,
                        const struct morph_pose *pose, vec3 *positions, vec3 *normals,
                        uint32_t lanes);
 
-/* One vertex, before its anchor rotates and moves it. */
+/* Returns one blended vertex before its anchor rotates and moves it. */
 struct morph_point {
     vec3 position, normal;
 } morph_point(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
               uint32_t vertex);
 
-/* Returns the position of a vertex before its anchor moves it. */
+/* Returns the position of a blended vertex before its anchor rotates and moves it. */
 vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
                  uint32_t vertex);
 
-/* Convert the position (counts times reach) and the unit normal of a point. */
+/* Returns the position of a vertex in a key, converted from counts to body lengths. */
 vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vertex);
+
+/* Returns the unit normal for a folded normal of struct species_point. */
 vec3 morph_normal(int16_t folded);
+
+/* Returns the folded form of a unit normal; the inverse of morph_normal(). */
 int16_t morph_fold_normal(vec3 normal);
 
-/* Returns the count nearest to a coordinate `x` in a mesh with this `reach`, ties away from 0.
- * Values beyond the reach are clamped. The inverse of morph_position() for each axis. */
+/* Returns the count for the coordinate `x` in a mesh with the given `reach`, rounded to nearest
+ * with ties away from 0. Coordinates beyond the reach are clamped. The inverse of morph_position()
+ * on each axis. */
 int16_t morph_count(float x, float reach);
 
-/* straight.c: the method of the thesis, for comparison */
+/* ---- straight.c: the method of the thesis, for comparison ---------------------------------- */
 
-struct straight_memory { /* Owned by the caller, and in use as long as the species made from it. */
+struct straight_memory { /* Memory of a straightened species. The caller owns the memory and keeps
+                            it as long as the species. */
     struct species_vertex vertices[SPECIES_LOD_COUNT][MESH_VERTEX_MAX];
     struct species_point points[SPECIES_LOD_COUNT][MORPH_KEY_MAX][MESH_VERTEX_MAX];
-    struct morph_pose pose; /* Scratch memory, like the two arrays below. */
+    struct morph_pose pose; /* Scratch memory, like `positions` and `normals`. */
     vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
 };
 
-/* Writes the same key shapes without anchors and masks, so that every vertex moves straight (eq.
- * 3.1 and 3.2). Vertices on anchors are baked into the body frame of each key (within a count).
- * Unchanged tables remain those of `from`, which must outlive `out`; `out` must not be `from`. */
+/* Writes a species with the same key shapes but without anchors and masks, so that every vertex
+ * moves in a straight line (eq. 3.1 and 3.2). Vertices on anchors are converted to the body frame
+ * of each key, with an error of at most one count. Unchanged tables still belong to `from`, which
+ * must outlive `out`. `out` must not be `from`. */
 void straight_species(const struct species *from, struct straight_memory *memory,
                       struct species *out);
 
-/* Straightens a species to the three keys of chapter 4 with its template. The middle key is
- * exaggerated (solved) if that template is the simultaneous one. Keys keep their ages; sizes are
- * those of the shifted growth curve. */
+/* Writes a straightened species with the three keys and the template of chapter 4 of the thesis.
+ * The middle key is exaggerated (solved) if the template is TEMPLATE_SIMULTANEOUS. Keys keep their
+ * ages, and their lengths follow growth_shifted(). */
 void straight_thesis(const struct species *from, struct straight_memory *memory,
                      struct species *out);
 
-/* paint.c: colour */
+/* Colour and surface of a point on the fish (paint.c). */
 
 struct paint {
-    vec3 colour; /* sRGB, [0, 1] each. */
-    float clear; /* [0, 1] transparency. */
-    float shine; /* [0, 1] */
+    vec3 colour; /* Colour in sRGB, each component in [0, 1]. */
+    float clear; /* Transparency in [0, 1]; 0 is opaque. */
+    float shine; /* Silver shine in [0, 1]; 0 is dull. */
 };
 
-/* Returns the paint at vertex coordinates `at` (u, v, part, side), at vertices or between them. The
- * coats of the keys are blended by `weights`, which are first clamped to >= 0 and normalised to sum
- * 1. */
+/* Returns the paint at the coordinates `at` (u, v, part, side), which need not be those of a
+ * vertex. `weights` blend the coats of the keys; negative weights count as 0, and the sum is
+ * normalised to 1. */
 struct paint paint_at(const struct species *species, const float weights[MORPH_KEY_MAX],
                       const struct species_vertex *at);
 

@@ -1,19 +1,25 @@
-/* paint.c -- the skin of a fish at a point: the blended coats of its keys.
+/* paint.c -- the paint of a fish at a point of its surface: the blended coats of its keys.
  *
- * Colours blend in proportion to the keys. A mark on the same line of two keys' coats is a single
- * mark and moves. A mark that the next key lacks fades as the fish grows. Nothing jumps. */
+ * A key is one modelled growth stage, and its coat is a list of colours and marks. Colours are
+ * blended in proportion to the weights of the keys. Marks at the same index of two coats are one
+ * mark if same_mark() accepts them, and this mark moves as the fish grows. A mark that the next key
+ * lacks fades. Paint therefore never changes abruptly. */
 #include "core/morph/mark.h"
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
 
-#define PUPIL 0.52f /* Share of the eye's visible radius. */
+#define PUPIL 0.52f /* Radius of the pupil, as a share of the eye's visible radius. */
 #define IRIS_SHINE 0.6f
-#define BACK_SHINE 0.35f /* Share of the flank's shine: scales on the back lie under dark skin. */
-/* Position from which the skin blends into the tail fin, up to the tail root. */
+/* Shine of the back, as a share of the flank's shine, because the scales on the back lie under dark
+ * skin. */
+#define BACK_SHINE 0.35f
+/* Position u on the body from which the skin blends into the tail fin, up to the tail root at u =
+ * 1. */
 #define STALK_FROM 0.96f
-#define STALK_FIN 0.9f    /* Share of the fin's paint at the tail root. */
-#define MARK_OPAQUE 0.85f /* Pigment on a transparent larva is visible and slightly translucent. */
+#define STALK_FIN 0.9f /* Share of the fin's paint at the tail root. */
+/* Opacity of pigment on a transparent larva, where marks are visible but slightly translucent. */
+#define MARK_OPAQUE 0.85f
 
 static vec3 rgb(uint32_t colour)
 {
@@ -22,8 +28,9 @@ static vec3 rgb(uint32_t colour)
               (float)(colour & 255u) * scale);
 }
 
-/* Returns black pupil and iris, darker toward its edge. Behind it is the black lining of the
- * eyeball, visible where a larva's eye stands out and through its transparent head. */
+/* Returns the paint of an eye at the position `u`: the black pupil, the iris, which is darker
+ * toward its edge, and the black lining behind the visible edge. The lining shows where a larva's
+ * eye protrudes, and through its transparent head. */
 static struct paint eye_paint(const struct species_coat *coat, float u)
 {
     const vec3 black = v3(0.015f, 0.015f, 0.02f);
@@ -35,7 +42,8 @@ static struct paint eye_paint(const struct species_coat *coat, float u)
                            .shine = IRIS_SHINE * outside * (1.0f - rim) };
 }
 
-/* Returns the paint from back over flank to belly, by position around the girth. */
+/* Returns the paint of the skin by the position `down` around the flank: 0 at the back, 1 at the
+ * belly. */
 static struct paint skin_paint(const struct species_coat *coat, float down)
 {
     const float flank = f_smoothstep(0.1f, 0.5f, down), belly = f_smoothstep(0.6f, 0.95f, down);
@@ -57,7 +65,8 @@ static struct paint bare_paint(const struct species_coat *coat, const struct mar
     return (struct paint){ .colour = rgb(coat->fin), .clear = (float)coat->clear / 255.0f };
 }
 
-/* Returns the mean paint of the keys without marks; `share` sums to 1. */
+/* Returns the mean paint of the keys without marks. `share` holds the weights of the keys, which
+ * sum to 1. */
 static struct paint mean_paint(const struct species *species, const float *share,
                                const struct mark_point *at)
 {
@@ -73,8 +82,8 @@ static struct paint mean_paint(const struct species *species, const float *share
     return paint;
 }
 
-/* Returns true if the marks on one line of two keys' coats are the same mark, moved or tinted.
- * Scattered spots must also have the same field, because another field scatters them
+/* Returns true if two marks at the same index of two coats are one mark with a different place or
+ * colour. Scattered spots must also cover the same area, because another area would scatter them
  * differently. */
 static bool same_mark(const struct species_mark *a, const struct species_mark *b)
 {
@@ -84,7 +93,7 @@ static bool same_mark(const struct species_mark *a, const struct species_mark *b
            (a->kind != MARK_SPOTS || field);
 }
 
-/* The mean of a mark over several keys. */
+/* Mean of a mark over the keys that share it. */
 struct mark_mean {
     struct species_mark mark;
     vec3 colour;
@@ -104,12 +113,12 @@ static void mix_mark(struct mark_mean *mean, const struct species_mark *m, float
     mean->mark.high = f_lerp(mean->mark.high, m->high, t);
 }
 
-/* Paints line `slot` of the coats over `paint`. A mark that keys share moves between their places;
- * a mark that they do not share fades. */
+/* Paints the marks at index `slot` of the coats over `paint`. A mark that keys share is painted
+ * once, between its places in these keys. A mark that the keys do not share fades. */
 static void lay_marks(const struct species *species, const float *share, uint32_t slot,
                       const struct mark_point *at, struct paint *paint)
 {
-    uint32_t laid = 0; /* One bit for each key. */
+    uint32_t laid = 0; /* Keys whose mark is painted; bit i belongs to key i. */
     for (uint32_t key = 0; key < species->card.key_count; key++) {
         const struct species_coat *coat = &species->coats[key];
         if (share[key] <= 0.0f || slot >= coat->mark_count || (laid >> key & 1u)) {
@@ -130,7 +139,7 @@ static void lay_marks(const struct species *species, const float *share, uint32_
     }
 }
 
-/* `slots`: the highest number of marks of any key. */
+/* Returns the paint with all marks. `slots` is the highest number of marks of any key. */
 static struct paint paint_of_marks(const struct species *species, const float *share,
                                    uint32_t slots, const struct species_vertex *at)
 {
@@ -142,7 +151,8 @@ static struct paint paint_of_marks(const struct species *species, const float *s
     return paint;
 }
 
-/* Blends skin into fin toward the tail root, so that no edge of skin covers the fin. */
+/* Blends the skin's paint into the fin's paint toward the tail root, so that no edge of skin covers
+ * the fin. */
 static void run_out(struct paint *skin, const struct paint *fin, float u)
 {
     const float share = STALK_FIN * f_smoothstep(STALK_FROM, 1.0f, u);
@@ -158,8 +168,8 @@ struct paint paint_at(const struct species *species, const float weights[MORPH_K
     CORE_ASSERT(species->card.form <= FORM_PUFFER);
     CORE_ASSERT(species->card.key_count <= MORPH_KEY_MAX);
     for (uint32_t key = 0; key < species->card.key_count; key++) {
-        share[key] = f_max(weights[key], 0.0f); /* Weights of solved shapes may be negative; weights
-                                                   of colours may not. */
+        share[key] = f_max(weights[key], 0.0f); /* The weights of solved shapes may be negative, but
+                                                   the weights of colours may not. */
         sum += share[key];
     }
     for (uint32_t key = 0; key < species->card.key_count; key++) {

@@ -1,9 +1,9 @@
-/* pose.c -- the anchors of a blended fish: fins slide on its skin, eyes move around its head.
+/* pose.c -- the anchors of a blended fish: fins slide on its skin, and eyes move around its head.
  *
- * The body coordinates of an anchor are blended, and its place is found on the blended skin.
- * Blending the points themselves would move them along chords: a fin that slides forward would
- * cut through the back, and an eye would pass through the head (2005 thesis, sections 4.1.3 and
- * 4.1.4). */
+ * The body coordinates of an anchor are blended, and the place of the anchor is then found on the
+ * blended skin. A blend of the anchor's positions would move the anchor along a straight line: a
+ * fin that slides forward would cut through the back, and an eye would pass through the head (2005
+ * thesis, sections 4.1.3 and 4.1.4). */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -20,9 +20,10 @@ vec3 pose_rotate_inverse(struct quat q, vec3 a)
     return pose_rotate((struct quat){ -q.x, -q.y, -q.z, q.w }, a);
 }
 
-/* Returns the rotation from the body's axes to x, y, z (unit, orthogonal, y = z cross x), where z
- * is as close to the body's backward as x allows. z.z = s is then not negative and y.y = x.x / s,
- * so of the four possible first components w or z is the largest. No small number is divided by. */
+/* Returns the quaternion that rotates the body's axes to the axes x, y and z. The axes are
+ * orthogonal unit vectors with y = z cross x. The caller guarantees that z is as close to the
+ * body's backward axis as x allows. z.z is then not negative, and w or z is the largest component
+ * of the quaternion. The division is therefore never by a small number. */
 static struct quat quat_of_axes(vec3 x, vec3 y, vec3 z)
 {
     const float w4 = 1.0f + x.x + y.y + z.z, z4 = 1.0f - x.x - y.y + z.z;
@@ -33,7 +34,8 @@ static struct quat quat_of_axes(vec3 x, vec3 y, vec3 z)
     return (struct quat){ (z.x + x.z) * k, (y.z + z.y) * k, z4 * k, (x.y - y.x) * k };
 }
 
-/* Returns the rotation with x out of the skin, z backward along it, and y = z cross x. */
+/* Returns the rotation whose x points out of the skin, z points backward along the skin, and y = z
+ * cross x. */
 static struct quat skin_turn(vec3 normal)
 {
     const vec3 x = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f));
@@ -43,13 +45,13 @@ static struct quat skin_turn(vec3 normal)
 }
 
 struct cell {
-    uint32_t corner[4]; /* Ring and spoke; ring and next spoke; next ring and spoke; next ring and
-                           next spoke. */
-    float along, round; /* [0, 1] within the cell. */
+    uint32_t corner[4]; /* Vertices of the cell: (ring, spoke), (ring, next spoke), (next ring,
+                           spoke), (next ring, next spoke). */
+    float along, round; /* Position within the cell along the body and around it, each in [0, 1]. */
 };
 
-/* Returns the last ring not behind `u`, but never the last ring of all. The u of rings
- * increases. */
+/* Returns the cell of the skin's grid at the body coordinates (u, v), found by bisection because
+ * the u of the rings increases. A u beyond the last ring belongs to the last cell. */
 static struct cell skin_cell(const struct species_mesh *mesh, float u, float v)
 {
     const uint32_t row = mesh->grid_spokes + 1u, first = mesh->grid_first;
@@ -72,8 +74,8 @@ static struct cell skin_cell(const struct species_mesh *mesh, float u, float v)
                           .round = turn - (float)spoke };
 }
 
-/* Writes the weight of each corner on the cell's two triangles, which meet between corners 1 and 2,
- * so that a root lies exactly on the drawn surface. */
+/* Writes the weight of each corner for a point on one of the cell's two triangles, which share the
+ * diagonal from corner 1 to corner 2. The point therefore lies exactly on the drawn surface. */
 static void corner_shares(const struct cell *cell, float shares[4])
 {
     const float along = cell->along, round = cell->round;

@@ -1,4 +1,4 @@
-/* rig.c -- the curves that blend a fish, and the shapes solved for them. */
+/* rig.c -- the curves that blend a fish, and the shapes that are solved for these curves. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -31,7 +31,8 @@ void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
     }
 }
 
-/* Writes V M^-1; at a key's own progress exactly the drawing, without rounding error. */
+/* Replaces the weights V of solved shapes by the weights V M^-1 of drawn keys (see solve.c). At the
+ * progress of a key, the result is exactly the drawing of the key, without rounding errors. */
 static void solve_weights(const struct morph_rig *rig, uint32_t curve, float progress,
                           float weights[MORPH_KEY_MAX])
 {

@@ -1,16 +1,18 @@
-/* solve.c -- exaggerated keys without drawings.
+/* solve.c -- solves exaggerated key shapes, so that a blended fish passes through every drawing.
  *
- * If a graph never shows key i alone (the simultaneous template stops at 70 %), the fish never
- * looks like the drawing of key i. The 2005 thesis exaggerates that drawing by hand until the blend
- * looks right. In this code makers draw the true stage K_i, and the shapes C_j to be blended are
- * solved. With M the graph's weights at the keys' own progress, K = M C, so C = M^-1 K. For three
- * keys at once that is T' = (T - 0.15 (S + U)) / 0.7. No table of C is necessary: the weights V of
- * C are the weights V M^-1 of the drawn K. */
+ * A key shape (key) is one modelled growth stage. If a graph never shows key i alone (the
+ * simultaneous template stops at a weight of 70 %), the fish never has the shape of key i's
+ * drawing. In the 2005 thesis, the drawing is exaggerated by hand until the blend is right. In this
+ * code, the drawing K_i is the true stage, and the shapes C_j that are blended are solved. M is the
+ * matrix of the graph's weights at the progress of each key. K = M C then gives C = M^-1 K. For
+ * three keys that is T' = (T - 0.15 (S + U)) / 0.7. C needs no table, because the weights V of C
+ * equal the weights V M^-1 of the drawings K. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
 
-/* An exaggeration of more than ten times is an error in the graph. */
+/* Smallest pivot; a smaller pivot means an exaggeration of more than ten times, which is an error
+ * in the graph. */
 #define PIVOT_MIN 0.1f
 
 struct system {
@@ -27,7 +29,7 @@ static void swap_rows(float *a, float *b, uint32_t count)
     }
 }
 
-/* Subtracts `factor` times `from` from `row`. */
+/* Subtracts `factor` times the row `from` from the row `row`. */
 static void subtract_row(float *row, const float *from, float factor, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -35,7 +37,8 @@ static void subtract_row(float *row, const float *from, float factor, uint32_t c
     }
 }
 
-/* Runs one Gauss-Jordan step with the largest pivot; returns false if no pivot is large enough. */
+/* Performs one Gauss-Jordan step with the largest pivot of the column. Returns false if that pivot
+ * is below PIVOT_MIN. */
 static bool clear_column(struct system *s, uint32_t column, uint32_t count)
 {
     uint32_t pivot = column;

@@ -1,10 +1,11 @@
-/* species.h -- a species: the life as plain data, the bodies as constant tables.
+/* species.h -- a species: its life as plain data, and its bodies as constant tables.
  *
- * Three to eight key shapes share one topology and one size: the species' own measure (total,
- * fork or standard length, or the disc width of a ray) is 1 in every key. The snout is at z =
- * -0.5 of the body frame of vec.h. Size is a separate curve, independent of shape (2005 thesis,
- * section 3.2). Built-in species are baked from assets/species/NAME.txt; others are read from
- * packed files. */
+ * A key shape (key) is one modelled growth stage. A species has three to eight keys of one topology
+ * and one size: the length in the species' own measure is 1 in every key. The measure is the total,
+ * fork or standard length, or the disc width of a ray. The snout is at z = -0.5 of the body frame
+ * (core/base/vec.h). Length is a separate curve that does not depend on shape (2005 thesis, section
+ * 3.2). The build generates the built-in species from assets/species/NAME.txt, and other species
+ * are read from packed files. */
 #ifndef KINGYO_CORE_MORPH_SPECIES_H
 #define KINGYO_CORE_MORPH_SPECIES_H
 
@@ -12,21 +13,30 @@
 
 #include "core/base/vec.h"
 
-#define MORPH_KEY_MAX 8u /* Limit of the vertex shader's attributes. */
-/* The curve of the whole fish and those of three parts: the four masks of a vertex. */
+/* Largest number of keys, which is a limit of the vertex shader's attributes. */
+#define MORPH_KEY_MAX 8u
+/* Largest number of curves: one curve for the whole fish and three for parts. A vertex has a mask
+ * for each curve. */
 #define MORPH_CURVE_MAX 4u
-#define GRAPH_KNOT_MAX 12u    /* A hand-drawn curve with more knots would be a table. */
-#define GROWTH_POINT_MAX 12u  /* The conger has the most: nine measured lengths. */
-#define SPECIES_NAME_SIZE 24u /* Size with the terminating zero: a-z, 0-9 and _. */
-#define SPECIES_LOD_COUNT 2u  /* 0 near, 1 far. */
+/* Largest number of knots of a curve. A hand-drawn curve needs fewer. */
+#define GRAPH_KNOT_MAX 12u
+/* Largest number of measured lengths of a species. The conger has nine, more than any other
+ * species. */
+#define GROWTH_POINT_MAX 12u
+/* Size of a name with its terminating zero. A name consists of a-z, 0-9 and _. */
+#define SPECIES_NAME_SIZE 24u
+/* Number of levels of detail: 0 is the near level, 1 is the far level. */
+#define SPECIES_LOD_COUNT 2u
 #define SPECIES_BUILT_IN 7u
-#define SPECIES_EXTRA_MAX 8u /* Fixed slots for packed files of makers. */
+#define SPECIES_EXTRA_MAX 8u /* Number of slots for species that are read from packed files. */
 #define SPECIES_MAX (SPECIES_BUILT_IN + SPECIES_EXTRA_MAX)
-#define MESH_VERTEX_MAX 1024u /* Per level of detail; a near bigeye has 847. */
+/* Largest number of vertices of a level of detail; the near level of the bigeye has 847. */
+#define MESH_VERTEX_MAX 1024u
 #define MESH_INDEX_MAX 8192u
-#define ANCHOR_MAX 96u /* A root for each ray column of each fin, and two eyes. */
+/* Largest number of anchors: one for each ray column of each fin, and two for the eyes. */
+#define ANCHOR_MAX 96u
 #define ANCHOR_NONE 255u
-#define MARK_MAX 8u /* Painted marks of one key. */
+#define MARK_MAX 8u /* Largest number of painted marks of a key. */
 
 enum species_part {
     PART_BODY = 0,
@@ -37,129 +47,145 @@ enum species_part {
     PART_PECTORAL = 5,
     PART_PELVIC = 6,
     PART_DORSAL_2 = 7,     /* Second dorsal fin of a tuna. */
-    PART_FINLET_UPPER = 8, /* The finlets behind a tuna's second dorsal fin. */
-    PART_FINLET_LOWER = 9, /* The finlets behind a tuna's anal fin. */
+    PART_FINLET_UPPER = 8, /* Finlets behind a tuna's second dorsal fin. */
+    PART_FINLET_LOWER = 9, /* Finlets behind a tuna's anal fin. */
     PART_COUNT,
 };
 
 enum species_side { SIDE_MIDDLE = 0, SIDE_RIGHT = 1, SIDE_LEFT = 2 };
 
-/* Body coordinates of a vertex. Body: u from the snout 0 to the tail root 1; v around the girth, 0
- * at the back, over the right flank, 0.5 at the belly, over the left flank to 1 at the back again
- * (the seam column is doubled). Fins: u from the leading ray 0 to the last ray 1 (tail: top to
- * bottom), v from root 0 to tip 1. Eyes: u from the pupil's centre 0 over the visible edge 1 and
- * beyond behind it; v is the body's v on that side, for the skin around. */
+/* Vertex of a mesh with its body coordinates u and v.
+ *
+ * On the body, u runs from 0 at the snout to 1 at the tail root. v runs around the girth: 0 at the
+ * back, 0.25 on the right flank, 0.5 at the belly, 0.75 on the left flank and 1 at the back again.
+ * The vertices of the seam at the back exist twice. On a fin, u runs from 0 at the leading ray to 1
+ * at the last ray (on the tail: from top to bottom), and v runs from 0 at the root to 1 at the tip.
+ * On an eye, u is 0 at the pupil's centre, 1 at the visible edge and greater than 1 behind the
+ * edge. v of an eye is the v of the body on that side. */
 struct species_vertex {
     float u, v;
-    uint8_t part;   /* enum species_part */
-    uint8_t side;   /* enum species_side, for a part of a pair. */
-    uint8_t flex;   /* 0 .. 255: how far a fin's point trails in the water; 0 on body and eyes. */
-    uint8_t anchor; /* Anchor of the vertex: an index into the mesh's anchors, or ANCHOR_NONE. */
-    uint8_t mask[MORPH_CURVE_MAX]; /* Share of each curve in the vertex; the four sum to 255. */
+    uint8_t part;   /* Part of the fish (enum species_part). */
+    uint8_t side;   /* Side of a paired part (enum species_side). */
+    uint8_t flex;   /* How far a point of a fin trails in the water: 0 (not at all) to 255. 0 on
+                       body and eyes. */
+    uint8_t anchor; /* Index of the vertex's anchor in the mesh, or ANCHOR_NONE. */
+    uint8_t mask[MORPH_CURVE_MAX]; /* Share of each curve in the motion of the vertex; the four
+                                      shares sum to 255. */
 };
 
-/* A vertex in one key. Position: counts of mesh->reach / 32767, from the body's origin, or from the
- * vertex's anchor if it has one. Normal: folded on an octahedron, see morph_normal(). The vertex
- * shader reads the same table. */
+/* Position and normal of a vertex in one key. The position is in counts of mesh->reach / 32767,
+ * relative to the vertex's anchor, or to the body's origin if the vertex has no anchor. The normal
+ * is folded on an octahedron (see morph_normal()). The vertex shader reads the same table. */
 struct species_point {
     int16_t x, y, z, normal;
 };
 
-/* An anchor: a point on the skin, given by body coordinates in every key, such as the root of a
- * fin's ray or an eye. Between keys the body coordinates are blended, and the place is found on the
+/* Anchor: a point on the skin with body coordinates in every key, such as the root of a fin's ray
+ * or an eye. Between keys, the body coordinates are blended, and the anchor's place is found on the
  * blended skin. The anchor therefore slides along the body and never cuts through it. */
 struct species_anchor {
     uint8_t curve; /* Index of the curve that blends the anchor. */
-    uint8_t turns; /* 1: its vertices rotate with the skin (an eye: x out of the skin, z backward
-                      along it, y = z cross x). 0: they keep the body's axes (a fin's ray). */
-    float u[MORPH_KEY_MAX]; /* [0, 1] */
-    float v[MORPH_KEY_MAX]; /* Around the girth; a value outside [0, 1) gives the direction of the
-                               way around. */
+    uint8_t turns; /* 1 if the vertices of the anchor rotate with the skin, as an eye does (x out of
+                      the skin, z backward along the skin, y = z cross x). 0 if the vertices keep
+                      the body's axes, as a fin's ray does. */
+    float u[MORPH_KEY_MAX]; /* Body coordinate u of the anchor in each key, in [0, 1]. */
+    float v[MORPH_KEY_MAX]; /* Body coordinate v of the anchor in each key. A value outside [0, 1)
+                               selects the direction in which the anchor moves around the girth
+                               between keys. */
 };
 
-/* Triangles are counter-clockwise seen from outside. The body is closed. An eye is a closed ball
- * half sunk in the skin. A fin is a sheet of one layer of vertices whose triangles exist in both
- * windings, so that back faces may be culled. A renderer turns the normal of a fin toward the
- * viewer (part >= PART_TAIL). */
+/* Triangle mesh of one level of detail. Triangles are counter-clockwise as seen from outside. The
+ * body is closed. An eye is a closed ball that is half sunk in the skin. A fin is a single layer of
+ * vertices, and each of its triangles exists in both windings, so that a renderer may cull back
+ * faces. A renderer turns the normals of fins (part >= PART_TAIL) toward the viewer. */
 struct species_mesh {
     uint32_t vertex_count, index_count, anchor_count;
-    /* The skin: ring r, spoke s (0 .. spokes, the last on the first) is vertex grid_first + r *
-     * (spokes + 1) + s. 0 rings: no anchors. */
+    /* Grid of the skin: ring r and spoke s is vertex grid_first + r * (grid_spokes + 1) + s. s runs
+     * from 0 to grid_spokes, and the last spoke has the place of the first. grid_rings is 0 if the
+     * mesh has no anchors. */
     uint16_t grid_first, grid_rings, grid_spokes;
-    float reach; /* Length of 32767 counts: 1, 2 or 4 body lengths. */
+    float reach; /* Length of 32767 counts in body lengths: 1, 2 or 4. */
     const struct species_vertex *vertices;
     const struct species_point *points[MORPH_KEY_MAX];
     const struct species_anchor *anchors;
     const uint16_t *indices;
 };
 
-/* A knot of a deformation graph: progress, then each key's weight (sum 1, each >= 0). */
+/* Knot of a deformation graph: a progress, and the weight of each key there. Each weight is at
+ * least 0, and the weights sum to 1. */
 struct graph_knot {
     float progress;
     float weight[MORPH_KEY_MAX];
 };
 
 enum graph_line {
-    GRAPH_STRAIGHT = 0, /* Linear between knots. */
-    GRAPH_SMOOTH = 1,   /* A monotone cubic through the knots of each key, normalised to sum 1. */
+    GRAPH_STRAIGHT = 0, /* Weights are linear between knots. */
+    GRAPH_SMOOTH = 1,   /* Weights follow a monotone cubic curve through the knots of each key and
+                           are normalised to sum 1. */
 };
 
-/* The deformation graph (2005 thesis, section 3.3): knots at increasing progress from 0 to 1. */
+/* Deformation graph (2005 thesis, section 3.3): knots at increasing progress from 0 to 1. */
 struct graph {
-    uint8_t knot_count; /* 2 .. GRAPH_KNOT_MAX */
-    uint8_t line;       /* enum graph_line */
-    uint8_t solved;     /* 1: the weights apply to solved shapes, so that the fish passes through
-                           every drawn key; 0: to the drawn keys directly. */
+    uint8_t knot_count; /* Number of knots, 2 .. GRAPH_KNOT_MAX. */
+    uint8_t line;       /* Interpolation between knots (enum graph_line). */
+    uint8_t solved;     /* 1 if the weights apply to solved shapes, so that the fish passes through
+                           every drawn key. 0 if the weights apply to the drawn keys directly. */
     struct graph_knot knots[GRAPH_KNOT_MAX];
 };
 
-/* Length by age: measured points first (the first is hatching, at age 0), joined by a monotone
- * cubic. The last point fades into von Bertalanffy's curve (2005 thesis, eq. 3.3). */
+/* Length by age. A monotone cubic curve joins the measured points, of which the first is hatching
+ * at age 0. From the last point on, the length fades into von Bertalanffy's curve (2005 thesis, eq.
+ * 3.3). */
 struct growth {
     float length_inf_m, k_per_year, t0_year;
-    float fade_year;      /* > 0; after a few times this duration only the curve remains. */
-    uint32_t point_count; /* 1 .. GROWTH_POINT_MAX */
+    float fade_year;      /* Time constant of the fade into von Bertalanffy's curve, greater than
+                             0. */
+    uint32_t point_count; /* Number of measured points, 1 .. GROWTH_POINT_MAX. */
     struct growth_point {
         float age_days, length_m;
     } points[GROWTH_POINT_MAX];
 };
 
-/* Meaning of `length` for a species; the unit of the tables. */
+/* Kind of length in the tables of a species: total, standard or fork length, or disc width. */
 enum species_measure { MEASURE_TOTAL, MEASURE_STANDARD, MEASURE_FORK, MEASURE_DISC };
 
 /* Style of swimming. */
 enum species_motion {
     MOTION_TAIL, /* The tail beats: fusiform and compressed bodies. */
-    MOTION_EEL,  /* The wave runs along the whole body. */
-    MOTION_FINS, /* A puffer: dorsal and anal fins scull, the body is stiff. */
+    MOTION_EEL,  /* A wave runs along the whole body. */
+    MOTION_FINS, /* The dorsal and anal fins scull, and the body is stiff: a puffer. */
     MOTION_TUNA, /* Only the blade of the tail beats. */
-    MOTION_WING, /* A ray: the wave runs along the edges of the disc. */
+    MOTION_WING, /* A wave runs along the edges of the disc: a ray. */
 };
 
 enum body_form { FORM_FUSIFORM, FORM_COMPRESSED, FORM_DEPRESSED, FORM_EEL, FORM_PUFFER };
 
-/* The life of a species: plain data of about 2 KiB. */
+/* Life of a species: plain data of about 2 KiB. */
 struct species_card {
     char id[SPECIES_NAME_SIZE];
-    uint8_t key_count; /* 3 .. MORPH_KEY_MAX */
+    uint8_t key_count; /* Number of keys, 3 .. MORPH_KEY_MAX. */
     uint8_t measure, motion, form;
-    uint8_t thesis_key[3];   /* Keys that chapter 4 of the 2005 thesis used. */
-    uint8_t thesis_template; /* enum graph_template of chapter 4. */
+    uint8_t thesis_key[3];   /* Indices of the three keys that correspond to chapter 4 of the 2005
+                                thesis. */
+    uint8_t thesis_template; /* Template of the species in chapter 4 (enum graph_template). */
     char key_names[MORPH_KEY_MAX][SPECIES_NAME_SIZE];
-    float key_age_days[MORPH_KEY_MAX]; /* Increasing. */
-    float key_length_m[MORPH_KEY_MAX]; /* In the species' measure; not increasing for a conger. */
+    float key_age_days[MORPH_KEY_MAX]; /* Age of each key in days after hatching, increasing. */
+    float key_length_m[MORPH_KEY_MAX]; /* Length of each key in the species' measure; increasing
+                                          except for a conger. */
     struct growth growth;
-    uint8_t scale_knot_count; /* 0: size is the growth curve; otherwise 2 or more knots drawn by
-                                 hand. */
+    uint8_t scale_knot_count; /* Number of knots of the hand-drawn size curve. 0 means that the
+                                 length follows the growth curve; otherwise there are at least 2
+                                 knots. */
     struct scale_knot {
         float progress, length_m;
     } scale_knots[GRAPH_KNOT_MAX];
-    uint8_t curve_count; /* 1 .. MORPH_CURVE_MAX; curve 0 is that of the whole fish. */
+    uint8_t curve_count; /* Number of curves, 1 .. MORPH_CURVE_MAX. Curve 0 is the curve of the
+                            whole fish. */
     char curve_names[MORPH_CURVE_MAX][SPECIES_NAME_SIZE];
     struct graph curves[MORPH_CURVE_MAX];
 };
 
-/* Paint of a key; colours are 0xRRGGBB in sRGB. */
+/* Kinds of painted marks. */
 enum mark_kind {
     MARK_SPOTS,
     MARK_BANDS,
@@ -174,20 +200,21 @@ enum mark_kind {
 };
 
 struct species_mark {
-    uint8_t kind; /* enum mark_kind; mark.c defines the meaning of the other members. */
-    uint8_t part; /* enum species_part that bears the mark. */
+    uint8_t kind; /* Kind of the mark (enum mark_kind). mark.c defines the meaning of the other
+                     members for each kind. */
+    uint8_t part; /* Part of the fish that has the mark (enum species_part). */
     uint8_t count, seed;
     uint32_t colour;
-    float from, to; /* Range along u. */
+    float from, to; /* Range of the mark along u. */
     float width;
     float slant;
-    float low, high; /* Range of height along v: 0 belly .. 1 back. */
+    float low, high; /* Range of the mark in height: 0 is the belly, 1 is the back. */
 };
 
 struct species_coat {
     uint32_t back, flank, belly, fin, iris;
-    uint8_t clear; /* 0 opaque .. 255 transparent, as larvae are. */
-    uint8_t shine; /* 0 dull .. 255 silver. */
+    uint8_t clear; /* Transparency: 0 is opaque, 255 is transparent like a larva. */
+    uint8_t shine; /* Shine: 0 is dull, 255 is silver. */
     uint8_t mark_count;
     struct species_mark marks[MARK_MAX];
 };
@@ -200,7 +227,7 @@ struct species {
 
 extern const struct species species_wakin;
 
-/* All built-in species, wakin first; species_table_count entries. */
+/* All built-in species, the wakin first. The table has species_table_count entries. */
 extern const struct species *const species_table[];
 extern const uint32_t species_table_count;
 

@@ -1,4 +1,5 @@
-/* straight.c -- the method of the thesis on the same drawings: straight paths, three keys. */
+/* straight.c -- the method of the 2005 thesis on the same drawings, for comparison: straight paths
+ * and three keys. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -29,7 +30,7 @@ static float farthest(const vec3 *positions, uint32_t count)
     return most;
 }
 
-/* Writes the whole shape of a key into the scratch memory of straight_memory. */
+/* Writes the shape of key `key` alone to `positions` and `normals` of `memory`. */
 static void key_shape(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
                       struct straight_memory *memory)
 {
@@ -37,7 +38,8 @@ static void key_shape(const struct species_mesh *mesh, uint32_t key_count, uint3
     morph_shape(mesh, key_count, &memory->pose, memory->positions, memory->normals);
 }
 
-/* Returns the reach of the keys after the vertices on anchors are moved to the body frame. */
+/* Returns the reach of the straightened mesh, which must be large enough for the vertices of
+ * anchors in the body frame. */
 static float straight_reach(const struct species_mesh *mesh, uint32_t key_count,
                             struct straight_memory *memory)
 {
@@ -51,8 +53,8 @@ static float straight_reach(const struct species_mesh *mesh, uint32_t key_count,
     return reach;
 }
 
-/* Bakes the vertices on anchors into the body frame of key `key`; other vertices keep their
- * bits. */
+/* Writes the points of key `key` with all vertices in the body frame. A vertex without an anchor
+ * keeps its bits if the reach does not change. */
 static void bake_key(const struct species_mesh *mesh, uint32_t key_count, uint32_t key, float reach,
                      struct straight_memory *memory, struct species_point *out)
 {
@@ -122,8 +124,8 @@ void straight_thesis(const struct species *from, struct straight_memory *memory,
         }
         card->thesis_key[i] = (uint8_t)i;
     }
-    card->scale_knot_count = 0; /* The knots apply to the progress over all keys, which differs for
-                                   three keys. */
+    card->scale_knot_count = 0; /* The knots belong to the progress over all keys, which is
+                                   different for three keys. */
     template_graph(&card->curves[0], (enum graph_template)card->thesis_template, 3,
                    SIMULTANEOUS_PEAK);
 }

@@ -11,8 +11,8 @@ static void ordinary(struct graph *graph, uint32_t key_count)
     graph->knots[1].weight[key_count - 1] = 1.0f;
 }
 
-/* Writes a knot at every key: `peak` for the key itself, the rest for its neighbours. The end keys
- * have weight 1. */
+/* Writes a knot for each key. An inner key has the weight `peak` at its own knot, and its two
+ * neighbours share the rest. The first and the last key have the weight 1 at their knots. */
 static void hats(struct graph *graph, uint32_t key_count, float peak)
 {
     graph->knot_count = (uint8_t)key_count;
@@ -48,7 +48,8 @@ void template_graph(struct graph *graph, enum graph_template template_id, uint32
         graph->solved = 1;
         break;
     default:
-        hats(graph, key_count, 2.0f / 3.0f); /* The 1/6, 4/6, 1/6 of a cubic B-spline. */
+        hats(graph, key_count, 2.0f / 3.0f); /* The weights are 1/6, 4/6 and 1/6, as for a cubic
+                                                B-spline. */
         graph->line = GRAPH_SMOOTH;
         graph->solved = 1;
         break;

@@ -1,5 +1,5 @@
-/* recipe.c -- the parameters of all sounds. Pitches are of the yo scale on D, as in festival
- * music. */
+/* recipe.c -- the parameters of all sounds. The pitches are taken from the yo scale on D, which
+ * Japanese festival music uses. */
 #include "core/sound/recipe.h"
 
 /* clang-format off */
@@ -12,8 +12,8 @@
       .damping = (damp), .roughness = (rough) }
 
 const struct sound_recipe sound_recipes[SOUND_COUNT] = {
-    /* "Chapun": the sheet of water closes over a bubble, whose pitch rises as the bubble
-     * shrinks. */
+    /* A poi dips into the water ("chapun"): the water closes over a bubble, whose pitch rises as
+     * the bubble shrinks. */
     [SOUND_DIP] = {
         .layer = {
             NOISE(0.50f, 0.0f, 4.0f, 45.0f, 1500.0f, 600.0f, 40.0f, 0.9f, 0.2f),
@@ -22,7 +22,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 600.0f,
     },
-    /* A short rush of water, then three drops. */
+    /* A poi leaves the water: a short rush of water, followed by three drops. */
     [SOUND_LIFT] = {
         .layer = {
             NOISE(0.42f, 0.0f, 30.0f, 70.0f, 2600.0f, 3600.0f, 120.0f, 1.0f, 0.4f),
@@ -32,7 +32,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 800.0f,
     },
-    /* A koto string over a wooden knock: A5 after a grace note on D5. */
+    /* A fish is caught: a koto string (A5 after a grace note on D5) over a wooden knock. */
     [SOUND_CATCH] = {
         .layer = {
             NOISE(0.30f, 0.0f, 0.5f, 9.0f, 1900.0f, 1900.0f, 0.0f, 0.6f, 0.0f),
@@ -56,7 +56,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 700.0f,
     },
-    /* The last rip, and a low plucked string. */
+    /* The paper is gone: the last rip of the paper, and a low plucked string. */
     [SOUND_GONE] = {
         .layer = {
             NOISE(0.50f, 0.0f, 8.0f, 110.0f, 2200.0f, 4200.0f, 160.0f, 0.8f, 1.0f),
@@ -65,7 +65,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         .string_hz = 220.0f, .string_gain = 0.50f, .string_delay_ms = 330.0f,
         .string_keep = 0.985f, .length_ms = 2200.0f,
     },
-    /* Don-don: a soft festival drum, twice. */
+    /* A round starts ("don-don"): a soft festival drum, struck twice. */
     [SOUND_START] = {
         .layer = {
             TONE(0.70f, 0.0f, 2.0f, 130.0f, 150.0f, 82.0f, 45.0f),
@@ -75,7 +75,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 1600.0f,
     },
-    /* Two sticks on wood. */
+    /* The clock ticks: two sticks struck on wood. */
     [SOUND_TICK] = {
         .layer = {
             TONE(0.32f, 0.0f, 0.5f, 20.0f, 1244.5f, 1200.0f, 20.0f),
@@ -84,7 +84,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 250.0f,
     },
-    /* Don, ka: the drum, its rim, and a string that rings out over both. */
+    /* The result is shown ("don, ka"): a drum, the rim of the drum, and a string that rings out
+     * over both. */
     [SOUND_RESULT] = {
         .layer = {
             TONE(0.70f, 0.0f, 2.0f, 190.0f, 150.0f, 78.0f, 50.0f),
@@ -95,9 +96,9 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         .string_hz = 293.7f, .string_gain = 0.55f, .string_delay_ms = 520.0f,
         .string_keep = 0.994f, .length_ms = 2800.0f,
     },
-    /* Hyoshigi: bars of hard oak struck together, "chon, chon". Each has one bright mode, the
-     * second blow slightly lower, and the crack of the edges. The sound announces a call of the
-     * stall keeper. */
+    /* Hyoshigi ("chon, chon"): two bars of hard oak struck together, as the stall keeper does
+     * before an announcement. Each blow has one bright mode and the crack of the edges, and the
+     * second blow is slightly lower. */
     [SOUND_CALL] = {
         .layer = {
             TONE(0.34f, 0.0f, 0.3f, 34.0f, 2120.0f, 2090.0f, 12.0f),
@@ -107,8 +108,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 600.0f,
     },
-    /* The umpire's whistle: a pip, then a blast over breath. Two close tones beat 36 times per
-     * second, like the pea that rolls inside. */
+    /* The umpire's whistle: a short pip, followed by a blast with breath noise. Two close tones
+     * beat 36 times per second, like the pea that rolls inside a whistle. */
     [SOUND_FOUL] = {
         .layer = {
             TONE(0.24f, 0.0f, 6.0f, 32.0f, 2780.0f, 2820.0f, 20.0f),
@@ -118,7 +119,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 1300.0f,
     },
-    /* A wooden tag swings around on its cord and knocks against the next tag: "ka-ta". */
+    /* The choice changes ("ka-ta"): a wooden tag swings around on its cord and knocks against the
+     * next tag. */
     [SOUND_CHOOSE] = {
         .layer = {
             TONE(0.26f, 0.0f, 0.4f, 17.0f, 930.0f, 905.0f, 14.0f),
@@ -128,8 +130,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 260.0f,
     },
-    /* A coin on the rim of a brass bowl: "chirin". Two modes of a small bell, slightly more than a
-     * fourth apart as in bells, struck twice as the coin tips over. */
+    /* A coin hits the rim of a brass bowl ("chirin"). Two modes of a small bell, slightly more than
+     * a fourth apart, are struck twice as the coin tips over. */
     [SOUND_COIN] = {
         .layer = {
             TONE(0.30f, 0.0f, 0.4f, 90.0f, 2349.3f, 2349.3f, 0.0f),

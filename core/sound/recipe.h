@@ -1,4 +1,7 @@
-/* recipe.h -- the parameters of each sound of the stall, as constants for the synthesiser. */
+/* recipe.h -- the parameters of each sound of the kiosk, as constants for the synthesiser
+ * (synth.h).
+ *
+ * A sound consists of layers (tones and noise) and at most one plucked string. */
 #ifndef KINGYO_CORE_SOUND_RECIPE_H
 #define KINGYO_CORE_SOUND_RECIPE_H
 
@@ -6,30 +9,33 @@
 
 enum layer_kind {
     LAYER_NONE = 0,
-    LAYER_TONE,  /* A sine whose pitch glides: bubbles, drum skins, wood. */
-    LAYER_NOISE, /* Noise through a band-pass: splashes, slaps, paper. */
+    LAYER_TONE,  /* A sine wave whose pitch glides: bubbles, drum skins, wood. */
+    LAYER_NOISE, /* Noise through a band-pass filter: splashes, slaps, paper. */
 };
 
 struct layer_recipe {
-    uint8_t kind;         /* enum layer_kind */
-    float gain;           /* Peak, about [0, 1]. */
-    float delay_ms;       /* Delay after the start of the sound. */
-    float attack_ms;      /* Duration of the linear rise. */
-    float decay_ms;       /* Decay time to 1/e. */
-    float hz_from, hz_to; /* Pitch, or centre of the band; (0, 8000]. */
-    float glide_ms;       /* Time to within 1/e of hz_to; 0 stays at hz_from. */
-    float damping;        /* For noise: 1 / Q of the band, (0, 2]. */
-    float roughness;      /* [0, 1] random variation of the level. */
+    uint8_t kind;         /* Kind of the layer (enum layer_kind). */
+    float gain;           /* Peak level of the layer, about [0, 1]. */
+    float delay_ms;       /* Delay of the layer after the start of the sound. */
+    float attack_ms;      /* Duration of the linear rise to the peak level. */
+    float decay_ms;       /* Time in which the level falls to 1/e. */
+    float hz_from, hz_to; /* Pitch of a tone, or centre of a noise band, at the start and after the
+                             glide, in (0, 8000]. */
+    float glide_ms;       /* Time constant of the glide from hz_from to hz_to; 0 means that the
+                             frequency stays at hz_from. */
+    float damping;        /* Damping of a noise layer's band-pass filter, 1 / Q, in (0, 2]. */
+    float roughness;      /* Random variation of a noise layer's level, in [0, 1]. */
 };
 
 struct sound_recipe {
     struct layer_recipe layer[SYNTH_LAYER_MAX];
-    float string_hz; /* Pitch of a plucked string, >= 190; 0: no string. */
+    float string_hz; /* Pitch of the plucked string, at least 190; 0 means no string. */
     float string_gain;
     float string_delay_ms;
-    float string_keep; /* Share of a wave that remains after one round of the delay line, (0, 1). */
-    float length_ms;   /* Time until the voice is free again; all of the sound has decayed by
-                          then. */
+    float string_keep; /* Share of the string's wave that remains after one pass through the delay
+                          line, in (0, 1). */
+    float length_ms;   /* Duration of the sound, after which its voice is free. All layers and the
+                          string have decayed by this time. */
 };
 
 extern const struct sound_recipe sound_recipes[SOUND_COUNT];

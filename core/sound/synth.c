@@ -1,8 +1,8 @@
-/* synth.c -- voices: each has a few gliding sines and filtered bursts, and at most one plucked
- * string.
+/* synth.c -- the synthesiser: each voice has a few gliding sines and filtered noise bursts, and at
+ * most one plucked string.
  *
- * Pitch, filter and roughness change on every CONTROL_FRAMES-th frame of a voice's own age, so that
- * the wave does not depend on the number of frames per call. */
+ * Pitch, filter and roughness change every CONTROL_FRAMES frames of a voice's own age, so that the
+ * wave does not depend on the number of frames per call. */
 #include "core/sound/synth.h"
 
 #include "core/base/fmath.h"
@@ -10,12 +10,14 @@
 #include "core/base/panic.h"
 #include "core/sound/recipe.h"
 
-#define CONTROL_FRAMES 32u /* 0.67 ms: steps this short are inaudible. */
+/* Frames (0.67 ms) between two changes of the parameters, which is too short to be audible. */
+#define CONTROL_FRAMES 32u
 #define FRAMES_PER_MS ((float)SYNTH_RATE_HZ / 1000.0f)
 #define FULL_SCALE 32000.0f
-#define FADE_FRAMES 480.0f /* The last 10 ms of a voice fade out to avoid a click. */
+/* Frames (10 ms) over which the end of a voice fades out to avoid a click. */
+#define FADE_FRAMES 480.0f
 
-/* An active layer, with its parameters in frames. */
+/* Active layer of a voice, with its parameters converted to frames. */
 struct drive {
     const struct layer_recipe *recipe;
     struct synth_layer *state;
@@ -23,8 +25,8 @@ struct drive {
     float attack_per_frame;
 };
 
-/* Returns white noise in [-1, 1) from a linear congruential generator, whose high bits suffice for
- * water and paper. */
+/* Returns white noise in [-1, 1) from a linear congruential generator. The high bits of the
+ * generator are random enough for the sound of water and paper. */
 static float noise_next(uint32_t *state)
 {
     *state = *state * 1664525u + 1013904223u;
@@ -36,7 +38,7 @@ static uint32_t frames_of(float ms)
     return (uint32_t)(int32_t)(ms * FRAMES_PER_MS);
 }
 
-/* ---- Layers --------------------------------------------------------------------------------- */
+/* ---- Layers (tones and noise) --------------------------------------------------------------- */
 
 static void control(struct drive *drive, uint32_t *noise)
 {
@@ -78,9 +80,10 @@ static float layer_next(struct drive *drive, uint32_t age_frames, uint32_t *nois
     return layer_wave(drive, noise) * drive->state->level * f_min(rise, 1.0f);
 }
 
-/* ---- String --------------------------------------------------------------------------------- */
+/* ---- Plucked string ------------------------------------------------------------------------- */
 
-/* Karplus-Strong: a burst circulates in a delay line and loses high frequencies on each round. */
+/* Returns the next sample of a plucked string by the Karplus-Strong method: a noise burst
+ * circulates in a delay line and loses high frequencies on each pass. */
 static float string_next(struct synth_voice *voice, const struct sound_recipe *recipe)
 {
     if (voice->string_count == 0 || voice->age_frames < frames_of(recipe->string_delay_ms)) {
@@ -94,13 +97,14 @@ static float string_next(struct synth_voice *voice, const struct sound_recipe *r
     return wave * recipe->string_gain;
 }
 
-/* Fills the delay line: noise, smoothed as by a fingertip, without a mean value, which would end as
- * a thump. */
+/* Fills the delay line of the string with noise that is smoothed, as if plucked by a fingertip. The
+ * mean of the noise is removed, because it would be audible as a thump at the end. */
 static void string_pluck(struct synth_voice *voice, float hz)
 {
     float mean = 0.0f;
     float smooth = 0.0f;
-    /* Averaging two neighbours delays by half a frame, so the line is shorter by that amount. */
+    /* The mean of two neighbouring samples adds a delay of half a frame, so that the length of the
+     * line is rounded down. */
     voice->string_count = (uint32_t)(int32_t)((float)SYNTH_RATE_HZ / hz);
     CORE_ASSERT(voice->string_count <= SYNTH_PLUCK_MAX);
     for (uint32_t i = 0; i < voice->string_count; i++) {
@@ -113,7 +117,7 @@ static void string_pluck(struct synth_voice *voice, float hz)
     }
 }
 
-/* ---- Voices --------------------------------------------------------------------------------- */
+/* ---- Rendering of voices -------------------------------------------------------------------- */
 
 static uint32_t gather_drives(struct synth_voice *voice, const struct sound_recipe *recipe,
                               struct drive drives[SYNTH_LAYER_MAX])
@@ -133,7 +137,8 @@ static uint32_t gather_drives(struct synth_voice *voice, const struct sound_reci
     return count;
 }
 
-/* Adds up to one control step of a voice to `mix`; returns the number of frames. */
+/* Adds the next frames of a voice to `mix`, up to the end of the voice's control step. Returns the
+ * number of frames. */
 static uint32_t voice_step(struct synth_voice *voice, float *mix, uint32_t frame_count)
 {
     const struct sound_recipe *recipe = &sound_recipes[voice->sound];
@@ -177,8 +182,8 @@ static struct synth_voice *free_or_oldest(struct synth *synth)
     return oldest;
 }
 
-/* Soft clipping: linear at low levels and curved near full scale, so that many sounds at once fit
- * the sample format. */
+/* Clips softly: the curve is linear at low levels and flattens near full scale, so that many
+ * simultaneous sounds fit the sample format. */
 static int16_t to_sample(float x)
 {
     const float c = f_clamp(x, -3.0f, 3.0f);
@@ -186,7 +191,7 @@ static int16_t to_sample(float x)
     return (int16_t)(int32_t)(bent * FULL_SCALE);
 }
 
-/* ---- Public --------------------------------------------------------------------------------- */
+/* ---- Interface of the synthesiser ----------------------------------------------------------- */
 
 void synth_init(struct synth *synth)
 {
@@ -203,7 +208,8 @@ void synth_play(struct synth *synth, const struct sound_event *event)
     const float pan = f_clamp(event->pan, -1.0f, 1.0f);
     struct synth_voice *voice = free_or_oldest(synth);
     *voice = (struct synth_voice){ .sound = event->sound, .noise = ++synth->played * 2654435761u };
-    voice->left = gain * f_sqrt(0.5f * (1.0f - pan)); /* Equal power. */
+    voice->left = gain * f_sqrt(0.5f * (1.0f - pan)); /* The gains of left and right keep the total
+                                                         power equal for every pan. */
     voice->right = gain * f_sqrt(0.5f * (1.0f + pan));
     for (uint32_t i = 0; i < SYNTH_LAYER_MAX; i++) {
         voice->layer[i].hz = recipe->layer[i].hz_from;
