@@ -1,7 +1,9 @@
-/* replay.h -- the file format of recordings: the inputs of a game and checksums of states.
+/* replay.h -- the file format of recordings, which contain the inputs of a game and checksums of
+ * the core's states.
  *
- * All numbers are little-endian. A file consists of one header, the start, the growth lab's catalog
- * if there is one, chunks of at most one second each, and one end mark:
+ * All numbers are little-endian. A file consists of one header, the initial state ("start"), the
+ * growth lab's catalog ("book") if it is not empty, chunks of at most one second each, and one end
+ * mark:
  *
  *   header   magic 8, u16 version, u16 header size, u32 tick rate in Hz, program version 16 (text,
  *            zero-filled), u32 ticks per digest, u32 start size, u32 book size, u64 sum of the 44
@@ -17,14 +19,15 @@
  *            (replay_codec.c); after each interval of the header's ticks per digest also the low
  *            32 bits of core_hash_quick
  *
- * A sum is an FNV-1a checksum over the preceding bytes of its part. Its initial value is the sum of
+ * A sum is an FNV-1a checksum of the preceding bytes of its part. Its initial value is the sum of
  * the previous part, so that every changed, exchanged or missing part is detected.
  *
- * The end mark is written together with each chunk, in one write that overwrites the previous end
+ * Each chunk is written together with a new end mark, in one write that overwrites the previous end
  * mark. A recording in progress is therefore complete up to its last second, and a killed process
- * loses at most one second. The frame loop's thread writes without a sync. A power cut may lose
- * data that the system had not written yet, and a card that hangs blocks the frame loop. A
- * truncated file is rejected with a message that states how many of its seconds are valid. */
+ * loses at most one second. The frame loop's thread writes the file and does not sync it. A power
+ * cut may lose data that the operating system had not written yet. A card that does not respond
+ * blocks the frame loop. The reader rejects a truncated file with a message that states how many
+ * seconds are valid. */
 #ifndef KINGYO_PLATFORM_REPLAY_REPLAY_H
 #define KINGYO_PLATFORM_REPLAY_REPLAY_H
 
@@ -37,158 +40,164 @@
 #include "platform/replay/replay_initial_state.h"
 #include "platform/replay/replay_pose_delta.h"
 
-/* Version that is written. Version 8 added the rules of tickets and refunds. */
+/* Format version that the writer writes. Version 8 added the rules of tickets and refunds. */
 #define REPLAY_VERSION 8u
-/* Oldest version that is read; its recordings run under the rules of that version. Older
- * versions are rejected: 1 lacks shadows, 2 modes, 3 the growth lab, 4 credits and the
- * operator's controllers, 5 the ledger, 6 wrong PINs. */
+/* Oldest format version that the reader accepts. A recording of version 7 is simulated under the
+ * rules of version 7. Older versions are rejected because they lack data: 1 lacks shadows, 2 game
+ * modes, 3 the growth lab, 4 credits and the operator's controllers, 5 the ledger, 6 wrong PINs. */
 #define REPLAY_VERSION_MIN 7u
 #define REPLAY_HEADER_SIZE 52u
 #define REPLAY_CHUNK_HEAD_SIZE 40u
 #define REPLAY_END_SIZE 40u
 #define REPLAY_SUM_SIZE 8u
-#define REPLAY_CHUNK_TICKS CORE_TICK_HZ /* One second. */
+#define REPLAY_CHUNK_TICKS CORE_TICK_HZ /* Ticks of a complete chunk: one second. */
 #define REPLAY_PROGRAM_SIZE 16u
 
 #define REPLAY_DESK_BYTES (CONTROLLER_MAX + 4u)
 
-/* Bytes of the machine's state: a mask, two saved ids, levels, day and minute, dropped ticks,
- * faults and ended tickets. */
+/* Maximum size in bytes of the machine's state in one tick: a mask, two ids of saved data, the
+ * level bits, day and minute, dropped ticks, faults and completed tickets. */
 #define REPLAY_MACHINE_BYTES (1u + 2u * 4u + 1u + 2u * 2u + 3u * 4u)
 
-/* Largest size of one tick: mask, buttons, edges, coins of each line, the machine's state, the
- * controllers' mask and bytes, the poses and the digest. */
+/* Maximum size in bytes of one tick: mask, held and pressed buttons, coins of each line, the
+ * machine's state, the controllers' mask and bytes, the poses and the digest. */
 #define REPLAY_TICK_SIZE_MAX                                                                       \
     (1u + (2u + COIN_LINE_COUNT) * 4u + REPLAY_MACHINE_BYTES + 2u + REPLAY_DESK_BYTES +            \
      REPLAY_POSE_DELTA_BYTES + 4u)
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
 
-/* Buffer for the largest chunk, or for the header with the largest start and book; plus an end
- * mark. */
+/* Size in bytes of a buffer for the largest chunk, or for the header with the largest initial state
+ * and catalog, followed by an end mark. */
 #define REPLAY_HEADER_MAX                                                                          \
     (REPLAY_HEADER_SIZE + REPLAY_INITIAL_STATE_MAX + REPLAY_CATALOG_MAX + 2u * REPLAY_SUM_SIZE)
 #define REPLAY_BUFFER_SIZE                                                                         \
     (REPLAY_HEADER_MAX + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE + REPLAY_END_SIZE)
 
-/* Parsed content of the header and the start. */
+/* Parsed content of the header and the initial state. */
 struct replay_header {
     struct core_config config;
-    uint32_t version;                  /* REPLAY_VERSION_MIN .. REPLAY_VERSION */
-    char program[REPLAY_PROGRAM_SIZE]; /* KINGYO_VERSION of the recorder; zero-terminated. */
+    uint32_t version;                  /* Format version of the file: REPLAY_VERSION_MIN ..
+                                          REPLAY_VERSION. */
+    char program[REPLAY_PROGRAM_SIZE]; /* KINGYO_VERSION of the program that wrote the recording.
+                                          Zero-terminated. */
 };
 
-/* Stands for the hash after a tick that a panic interrupted, because there is no complete state.
- * Only a reader with `as_is` set interprets the value in this way. */
+/* Hash of a tick that a panic interrupted, because there is no complete state. Only a reader with
+ * `as_is` interprets 0 in this way. */
 #define REPLAY_HASH_NONE 0u
 
-/* Totals at the end of a part, counted from the start of the recording. */
+/* Totals from the start of the recording to the end of a chunk or of the recording. */
 struct replay_totals {
     uint32_t ticks, rounds, caught, fouls;
-    uint16_t modes;   /* Modes of the rounds, one bit (1 << enum game_mode) each. */
-    uint16_t players; /* Players who took part in a round, one bit each. */
-    uint64_t hash;    /* core_hash after the last tick. */
+    uint16_t modes;   /* Game modes of the rounds so far, one bit (1 << enum game_mode) each. */
+    uint16_t players; /* Players who took part in a round so far, one bit each. */
+    uint64_t hash;    /* core_hash() after the last tick. */
 };
 
-/* ---- Codec (replay_codec.c), pure ---- */
+/* ---- Codec (replay_codec.c), pure functions ------------------------------------------------ */
 
-/* Encodes `input` as the difference from `before`, at most REPLAY_TICK_SIZE_MAX - 4 bytes. Returns
- * the number of bytes. */
+/* Encodes `input` as the difference from `before`. Writes at most REPLAY_TICK_SIZE_MAX - 4 bytes.
+ * Returns the number of bytes. */
 size_t replay_encode_input(const struct input *before, const struct input *input, uint8_t *out);
 
-/* Decodes one input into `input`, which must hold the previous tick. Returns the bytes used.
- * Returns 0 and leaves `input` unchanged if the bytes are incomplete or contain values that no
- * recorder writes. */
+/* Decodes one input. `input` must contain the input of the previous tick and is updated. Returns
+ * the number of bytes that were read. Returns 0 and leaves `input` unchanged if the bytes are
+ * incomplete or contain values that no recorder writes. */
 size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size);
 
-/* Decodes as replay_decode_input(). With `as_is`, also accepts fans with non-finite numbers, for
- * which the core panics. */
+/* Decodes one input as replay_decode_input() does. If `as_is` is 1, also accepts fans with
+ * non-finite numbers, for which the core panics. */
 size_t replay_decode_as_is(struct input *input, const uint8_t *bytes, size_t size, int as_is);
 
-/* Returns 1 if the totals are equal in everything except ticks and hash. */
+/* Returns 1 if the totals `a` and `b` are equal, apart from ticks and hash. Otherwise returns 0. */
 int replay_totals_agree(const struct replay_totals *a, const struct replay_totals *b);
 
-/* ---- Writer (replay_writer.c) ---- */
+/* ---- Writer (replay_writer.c) -------------------------------------------------------------- */
 
 struct replay_writer {
-    int fd;          /* -1: no file. */
-    uint8_t *memory; /* Destination of `memory_size` bytes in place of a file; else null. */
+    int fd;          /* Descriptor of the file. -1 means no file. */
+    uint8_t *memory; /* Buffer of `memory_size` bytes that receives the recording in place of a
+                        file. Null if the recording goes to a file. */
     size_t memory_size;
-    int error;       /* errno of the failure that ended the recording, or 0. */
-    uint64_t offset; /* Offset of the end mark in bytes. */
-    uint64_t sum;    /* Checksum of the last complete chunk. */
+    int error;       /* errno of the failure that ended the recording. 0 means no failure. */
+    uint64_t offset; /* Offset of the end mark from the start of the recording, in bytes. */
+    uint64_t sum;    /* Checksum at the end of the last complete chunk. */
     struct input last;
-    struct replay_totals totals, saved; /* Totals of all ticks so far, and of the ticks on disk. */
+    struct replay_totals totals, saved; /* `totals` covers all recorded ticks; `saved` covers the
+                                           ticks of the written chunks. */
     uint32_t digest_ticks;
     uint32_t chunk_ticks;
     size_t payload_size;
     uint8_t bytes[REPLAY_BUFFER_SIZE];
 };
 
-/* Starts a recording in a file at `path`, with a digest of each tick. An existing file must be
- * empty, else the result is -EEXIST. `first_hash` is core_hash of the new core. Returns 0, or a
- * negative errno with no file open. */
+/* Starts a recording in the file `path`, with a digest in each tick. `first_hash` is core_hash() of
+ * the new core. Returns 0. On an error returns a negative errno, and no file is open. Returns
+ * -EEXIST if the file exists and is not empty. */
 int replay_create(struct replay_writer *writer, const char *path, const struct core_config *config,
                   uint64_t first_hash);
 
-/* Starts a recording in the caller's memory, with a digest each second. The memory must outlive the
- * recording. Returns -ENOSPC if the header does not fit. If the memory is full later, the recording
- * ends as on a full disk. */
+/* Starts a recording in the caller's memory, with a digest in each second. `memory` must outlive
+ * the recording. Returns 0, or -ENOSPC if the header does not fit. If the memory is full later, the
+ * recording ends as on a full disk. */
 int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
                      const struct core_config *config, uint64_t first_hash);
 
-/* Returns 1 while ticks are accepted. */
+/* Returns 1 while the writer accepts ticks, otherwise 0. */
 int replay_is_open(const struct replay_writer *writer);
 
-/* Adds a tick. The last tick of a second writes the chunk. `digest` is used only if
- * replay_wants_digest() returns 1, and `totals->hash` only if replay_wants_hash() does. A write
- * that fails ends the recording and leaves the file complete up to the last second; `error` is
- * set. */
+/* Adds one tick. The last tick of each second writes a chunk. `digest` is used only if
+ * replay_wants_digest() returns 1, and `totals->hash` only if replay_wants_hash() returns 1. A
+ * failed write ends the recording and sets `error`. The file then ends with the last complete
+ * second. */
 void replay_add(struct replay_writer *writer, const struct input *input, uint32_t digest,
                 const struct replay_totals *totals);
 
-/* Return 1 if the next replay_add() uses `digest`, or the hash in `totals`. */
+/* replay_wants_digest() returns 1 if the next replay_add() uses `digest`. replay_wants_hash()
+ * returns 1 if the next replay_add() uses `totals->hash`. Otherwise both return 0. */
 int replay_wants_digest(const struct replay_writer *writer);
 int replay_wants_hash(const struct replay_writer *writer);
 
-/* Writes the rest of the last second and closes the file. `hash` is core_hash now. Returns 0 or the
- * negative errno that ended the recording. */
+/* Writes the last, incomplete second and closes the file. `hash` is core_hash() of the current
+ * state. Returns 0, or the negative errno of the failure that ended the recording. */
 int replay_finish(struct replay_writer *writer, uint64_t hash);
 
-/* Writes a recording in memory to `fd` as if it had ended with the newest tick. `memory` must be
- * the buffer of replay_create_in(), because a full recording has cleared its own pointer. `hash` is
- * core_hash now. With `is_torn`, a change of the writer was interrupted and only complete seconds
- * are written. The writer cannot be used afterwards. Async-signal-safe. Returns 0 or a negative
- * errno, -ENODATA if nothing was ever recorded. */
+/* Writes a recording in memory to the descriptor `fd` as if it had ended with the newest tick.
+ * `memory` must be the buffer of replay_create_in(), because a full recording has cleared
+ * writer->memory. `hash` is core_hash() of the current state. If `is_torn` is 1, a change of the
+ * writer was interrupted, and only complete seconds are written. The writer cannot be used
+ * afterwards. Async-signal-safe. Returns 0 or a negative errno; -ENODATA means that nothing was
+ * recorded. */
 int replay_dump(struct replay_writer *writer, const uint8_t *memory, uint64_t hash, int is_torn,
                 int fd);
 
 /* Copies a recording in memory to `out` as if it had ended with the newest tick. The recording
- * continues. `hash` is core_hash now. Returns the size, or 0 if the recording is not open or `size`
- * is too small. */
+ * continues. `hash` is core_hash() of the current state. Returns the size in bytes. Returns 0 if
+ * the recording is not open or `size` is too small. */
 size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *out, size_t size);
 
-/* Progress of updating the checksums of a recording in memory. */
+/* Progress of recomputing the checksums of a recording in memory. */
 struct replay_seal {
-    uint8_t *part; /* Next chunk of the recording, or its end. */
-    uint64_t sum;  /* Checksum of all parts before `part`. */
+    uint8_t *part; /* Next chunk of the recording, or its end mark. */
+    uint64_t sum;  /* Checksum at the end of the part before `part`. */
 };
 
-/* Replaces the start of a complete recording in memory, as replay_copy() makes it. The checksums of
- * its chunks and its end are wrong until replay_seal_next() has returned 1. Returns the new size.
- * Returns 0 and changes nothing if the new size is more than `size_max`. */
+/* Replaces the initial state of a complete recording made by replay_copy(). Afterwards the
+ * checksums of the chunks and of the end mark are wrong until replay_seal_next() returns 1. Returns
+ * the new size. Returns 0 and changes nothing if the new size is more than `size_max`. */
 size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
                             const struct core_config *config, struct replay_seal *seal);
 
-/* Updates the checksums of the next chunks until `size` bytes or more are done. Returns 1 when the
- * whole recording is done, else 0. */
+/* Recomputes the checksums of the next chunks, until at least `size` bytes are done. Returns 1 if
+ * the whole recording is done, otherwise 0. */
 int replay_seal_next(struct replay_seal *seal, size_t size);
 
-/* ---- Reader (replay_reader.c) ---- */
+/* ---- Reader (replay_reader.c) -------------------------------------------------------------- */
 
 #define REPLAY_PROBLEM_SIZE 120u
 
-/* Reason why a file cannot be used. `is_io` is 1 if the file could not be read (exit 74), and 0 if
- * its bytes are not a complete recording (exit 65). */
+/* Reason why a recording cannot be used. `is_io` is 1 if the file could not be read (exit code 74),
+ * and 0 if its bytes are not a complete recording (exit code 65). */
 struct replay_problem {
     int is_io;
     uint64_t offset;
@@ -196,44 +205,47 @@ struct replay_problem {
 };
 
 struct replay_reader {
-    int fd;                /* -1: no file. */
-    const uint8_t *memory; /* Source of `memory_size` bytes in place of a file; else null. */
+    int fd;                /* Descriptor of the file. -1 means no file. */
+    const uint8_t *memory; /* Buffer of `memory_size` bytes that contains the recording in place of
+                              a file. Null if the recording comes from a file. */
     size_t memory_size;
-    uint64_t offset; /* Offset of the next part in bytes. */
+    uint64_t offset; /* Offset of the next part from the start of the recording, in bytes. */
     uint64_t sum;
     struct replay_header header;
-    struct replay_totals totals; /* Totals of the current chunk, or of the end. */
+    struct replay_totals totals; /* Totals of the current chunk or of the end mark. */
     struct input input;
     uint32_t digest_ticks;
-    uint8_t has_digest; /* 1: the last tick of replay_next() has a digest. */
+    uint8_t has_digest; /* 1 if the tick that replay_next() returned last has a digest. */
     uint32_t digest;
-    uint32_t tick;       /* Ticks returned by replay_next() so far. */
-    uint32_t chunk_left; /* Ticks of the chunk that are not yet returned. */
+    uint32_t tick;       /* Number of ticks that replay_next() has returned so far. */
+    uint32_t chunk_left; /* Number of ticks in the current chunk that are not yet returned. */
     size_t payload_size, payload_used;
     uint8_t ended;
-    uint8_t as_is; /* 1: decode with replay_decode_as_is(). Set after replay_open(), only by a
-                      caller that tolerates a panic. */
+    uint8_t as_is; /* 1 if ticks are decoded with replay_decode_as_is(). Set after replay_open(),
+                      only by a caller that handles a panic. */
     struct replay_problem problem;
     uint8_t bytes[REPLAY_BUFFER_SIZE];
 };
 
-/* Opens a recording. Returns 0, or -1 with `problem` filled and no file open. */
+/* Opens the recording `path`. Returns 0. On an error returns -1 and sets `problem`, and no file is
+ * open. */
 int replay_open(struct replay_reader *reader, const char *path);
 
-/* Opens a recording in the caller's memory, which must outlive the reader. */
+/* Opens a recording in the caller's memory, otherwise as replay_open(). `memory` must outlive the
+ * reader. */
 int replay_open_in(struct replay_reader *reader, const uint8_t *memory, size_t size);
 
-/* Reads the next tick. Returns 1 with `input` filled, and `digest` if has_digest is 1. Returns 0 at
- * the end mark, or -1 with `problem` filled. When chunk_left is 0 after a tick, `totals` apply to
- * the core after that tick. */
+/* Reads the next tick. Returns 1 and sets `input`, and also reader->digest if has_digest is 1.
+ * Returns 0 at the end mark. Returns -1 and sets `problem` if the recording is invalid. If
+ * chunk_left is 0 after a tick, `totals` belong to the state after that tick. */
 int replay_next(struct replay_reader *reader, struct input *input);
 
-/* Closes the recording without further checks. */
+/* Closes the recording without reading the rest. */
 void replay_close(struct replay_reader *reader);
 
-/* Read a whole file, or the rest of the open recording, and validate every byte. Return 0 with
- * `totals` of the whole recording, or -1 with `reader->problem`. `reader` is closed afterwards; its
- * header remains valid. */
+/* replay_scan() reads and validates a whole file. replay_scan_on() reads and validates the rest of
+ * an open recording. Both return 0 and set `totals` of the whole recording, or return -1 and set
+ * reader->problem. Afterwards `reader` is closed, but its header remains valid. */
 int replay_scan(struct replay_reader *reader, const char *path, struct replay_totals *totals);
 int replay_scan_on(struct replay_reader *reader, struct replay_totals *totals);
 

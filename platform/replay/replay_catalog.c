@@ -1,5 +1,5 @@
-/* replay_catalog.c -- serializes the species and graphs of the growth lab with one function for
- * both directions. */
+/* replay_catalog.c -- serializes the species and graphs of the growth lab. One function per
+ * structure both reads and writes. */
 #include "platform/replay/replay_catalog.h"
 
 #include <string.h>
@@ -85,7 +85,8 @@ static void walk_book(struct replay_serializer *walk, struct lab_book *book)
 
 size_t replay_catalog_encode(const struct lab_book *book, uint8_t out[REPLAY_CATALOG_MAX])
 {
-    struct lab_book copy = *book; /* Copy, because the serializer takes a non-const pointer. */
+    struct lab_book copy = *book; /* The copy is needed because the serializer takes a non-const
+                                     pointer. */
     struct replay_serializer walk = { .out = out, .size = REPLAY_CATALOG_MAX };
     uint32_t edits = 0;
     for (uint32_t i = 0; i < SPECIES_MAX; i++) {

@@ -1,15 +1,15 @@
 /* replay_codec.c -- encodes one input as the difference from the previous input.
  *
- * A mask comes first: it states which of held, pressed, coins, machine state, controllers and poses
- * follow, in this order. Buttons and coins are u32.
+ * The first byte is a mask. Its bits state which of held buttons, pressed buttons, coins, machine
+ * state, controllers and poses follow. Held and pressed buttons and the coins of each line are u32.
  *
- * The machine state is a mask followed by the values that changed. The saved ids are u32 each. The
- * levels are one byte: upright screen, store rejects edits, store healthy. Day and minute are u16
- * each. Dropped ticks, faults and ended tickets are u32 each.
+ * The machine state is a mask, followed by the values that changed. The ids of the saved entry and
+ * of the saved edit are u32. One byte has the level bits: portrait screen, store rejects edits,
+ * store healthy. Day and minute are u16. Dropped ticks, faults and completed tickets are u32.
  *
- * The controllers are a u16 mask and the bytes that changed: each controller's state, then step,
- * row and progress of learning, then the number of files. The poses are encoded by
- * replay_pose_delta.c. */
+ * The controllers are a u16 mask and the bytes that changed: the state of each controller, then the
+ * step, row and progress of mapping learning, then the number of files. replay_pose_delta.c encodes
+ * the poses. */
 #include "platform/replay/replay.h"
 
 #include <string.h>
@@ -18,7 +18,8 @@
 
 enum {
     HAS_HELD = 1u << 0,
-    HAS_PRESSED = 1u << 1, /* Edges and coins are not differences; absent means none. */
+    HAS_PRESSED = 1u << 1, /* Presses and coins are stored as values, not as differences. A cleared
+                              bit means none. */
     HAS_COINS = 1u << 2,
     HAS_MACHINE = 1u << 3,
     HAS_HANDS = 1u << 4,
@@ -34,7 +35,7 @@ enum {
     MACHINE_MINUTE = 1u << 4,
     MACHINE_DROPPED = 1u << 5,
     MACHINE_FAULTS = 1u << 6,
-    MACHINE_TICKETS = 1u << 7, /* From format 8 on. */
+    MACHINE_TICKETS = 1u << 7, /* Only in format 8 and later. */
 };
 
 enum {
@@ -45,7 +46,8 @@ enum {
 };
 
 enum {
-    DESK_STEP = CONTROLLER_MAX, /* After one byte for each controller. */
+    DESK_STEP = CONTROLLER_MAX, /* Index of the learning step, after one state byte for each
+                                   controller. */
     DESK_ROW,
     DESK_PROGRESS,
     DESK_FILES,
@@ -54,7 +56,7 @@ enum {
 _Static_assert(DESK_BYTES == REPLAY_DESK_BYTES && DESK_BYTES <= 16, "each has its bit in a u16");
 _Static_assert(sizeof(struct controller_status) == DESK_BYTES, "the desk's bytes are all of it");
 
-/* ---- Encoding ---- */
+/* ---- Encoding ------------------------------------------------------------------------------ */
 
 static uint8_t levels_of(const struct input *input)
 {
@@ -77,7 +79,7 @@ static uint32_t machine_mask(const struct input *before, const struct input *inp
            (input->tickets_done != before->tickets_done ? MACHINE_TICKETS : 0u);
 }
 
-/* Returns 0 if nothing changed. */
+/* Writes the changed machine state. Returns the number of bytes, or 0 if nothing changed. */
 static size_t encode_machine(const struct input *before, const struct input *input, uint8_t *out)
 {
     const uint32_t mask = machine_mask(before, input);
@@ -109,7 +111,7 @@ static void list_desk(const struct controller_status *desk, uint8_t out[DESK_BYT
     out[DESK_FILES] = desk->file_count;
 }
 
-/* Returns 0 if nothing changed. */
+/* Writes the changed controller bytes. Returns the number of bytes, or 0 if nothing changed. */
 static size_t encode_desk(const struct controller_status *before,
                           const struct controller_status *desk, uint8_t *out)
 {
@@ -151,7 +153,7 @@ size_t replay_encode_input(const struct input *before, const struct input *input
     return size + hands_size;
 }
 
-/* ---- Decoding ---- */
+/* ---- Decoding ------------------------------------------------------------------------------ */
 
 static void decode_levels(struct input *input, struct replay_rest *rest)
 {

@@ -1,9 +1,10 @@
-/* replay_format.h -- byte positions shared by the writer and the reader of recordings. */
+/* replay_format.h -- byte offsets within the parts of a recording, used by the writer and the
+ * reader. */
 #ifndef KINGYO_PLATFORM_REPLAY_REPLAY_FORMAT_H
 #define KINGYO_PLATFORM_REPLAY_REPLAY_FORMAT_H
 
-/* Magic bytes with control and non-ASCII characters, so that any text conversion damages them
- * detectably. */
+/* First bytes of a recording. They include control and non-ASCII characters, so that a text
+ * conversion changes them and the reader rejects the file. */
 #define REPLAY_MAGIC "KGR\x1a\r\n\x89\n"
 #define REPLAY_CHUNK_TAG "SECS"
 #define REPLAY_END_TAG "ENDS"

@@ -1,8 +1,8 @@
-/* replay_initial_state.c -- serializes the initial state with one function for both directions, and
- * compresses runs of zeros.
+/* replay_initial_state.c -- serializes the initial state and compresses runs of zeros. One function
+ * per structure both reads and writes.
  *
- * In the compressed form, a byte n < 128 precedes n + 1 literal bytes, and a byte n >= 128 stands
- * for n - 126 zeros. */
+ * In the compressed form, a byte n < 128 is followed by n + 1 literal bytes. A byte n >= 128
+ * represents n - 126 zeros. */
 #include "platform/replay/replay_initial_state.h"
 
 #include <string.h>
@@ -16,13 +16,13 @@
 #define ZEROS_MIN 2u
 #define ZEROS_MAX 129u
 
-/* Largest size of all serialized fields. Compression adds at most one byte for each PLAIN_MAX
- * bytes. */
+/* Maximum size of all serialized fields in bytes. Compression adds at most one byte for each
+ * PLAIN_MAX bytes. */
 #define FIELDS_MAX (REPLAY_INITIAL_STATE_MAX / 2u)
 _Static_assert(sizeof(struct persistent_state) + sizeof(struct game_session) + 256u <= FIELDS_MAX,
                "the fields are no more than they hold");
 
-/* ---- The fields ----------------------------------------------------------------------------- */
+/* ---- Fields -------------------------------------------------------------------------------- */
 
 static void walk_purse(struct replay_serializer *walk, struct balance *balance)
 {
@@ -54,7 +54,7 @@ static void walk_ledger(struct replay_serializer *walk, struct ledger_start *led
 }
 _Static_assert(sizeof(struct ledger_start) == 44, "the walk knows all of it");
 
-/* Stores each setting as the difference from its default. */
+/* Serializes each setting as the difference from its default. */
 static void walk_settings(struct replay_serializer *walk, struct settings *settings)
 {
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
@@ -100,7 +100,8 @@ static void walk_memory(struct replay_serializer *walk, struct persistent_state 
     walk_ranking(walk, &memory->ranking);
 }
 
-/* Clears the bytes that are padding in the balances of format 7. */
+/* Clears the fields that did not exist in the balances of format 7, where their bytes were
+ * padding. */
 static void clear_later_fields(struct ledger *ledger)
 {
     struct balance *const purses[] = { &ledger->balance, &ledger->committed };
@@ -111,8 +112,8 @@ static void clear_later_fields(struct ledger *ledger)
     }
 }
 
-/* Serializes the session. Ledger, credit and settings are copied as in memory: integers only, with
- * the same layout on every supported board. */
+/* Serializes the session. Ledger, credit and settings are copied as they are in memory, because
+ * they contain only integers with the same layout on every supported board. */
 static void walk_chapter(struct replay_serializer *walk, struct game_session *session)
 {
     replay_serialize_u32(walk, &session->tick);
@@ -139,8 +140,8 @@ static void walk_chapter(struct replay_serializer *walk, struct game_session *se
 }
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "bytes of a board are those of a file");
 
-/* Serializes the rule version. The rules of format 7 stay in force for games that began with
- * them. */
+/* Serializes the rule version. A recording of format 7 sets rules_7, because its game is simulated
+ * under the rules of format 7. */
 static void walk_rules(struct replay_serializer *walk, uint8_t *rules_7)
 {
     if (walk->version == 7u) {
@@ -168,7 +169,7 @@ static void walk_config(struct replay_serializer *walk, struct core_config *conf
     walk_rules(walk, &config->rules_7);
 }
 
-/* ---- Packing -------------------------------------------------------------------------------- */
+/* ---- Compression --------------------------------------------------------------------------- */
 
 static size_t run_of_zeros(const uint8_t *bytes, size_t size)
 {
@@ -179,7 +180,7 @@ static size_t run_of_zeros(const uint8_t *bytes, size_t size)
     return count;
 }
 
-/* Returns the length up to the next run of zeros that is worth a byte of its own. */
+/* Returns the number of literal bytes before the next run of at least ZEROS_MIN zeros. */
 static size_t run_of_others(const uint8_t *bytes, size_t size)
 {
     size_t count = 0;
@@ -204,8 +205,8 @@ static size_t pack(const uint8_t *bytes, size_t size, uint8_t *out)
     return used;
 }
 
-/* Returns the decompressed size, or 0 if the size is more than `max` or the data ends inside a
- * run. */
+/* Decompresses `size` bytes to `out`. Returns the decompressed size. Returns 0 if this size is more
+ * than `max`, or if the data end inside a run. */
 static size_t unpack(const uint8_t *bytes, size_t size, uint8_t *out, size_t max)
 {
     size_t at = 0, count = 0;
@@ -227,12 +228,13 @@ static size_t unpack(const uint8_t *bytes, size_t size, uint8_t *out, size_t max
     return count;
 }
 
-/* ---- Encode and decode ----------------------------------------------------------------------- */
+/* ---- Encoding and decoding ----------------------------------------------------------------- */
 
 size_t replay_initial_state_encode(const struct core_config *config,
                                    uint8_t out[REPLAY_INITIAL_STATE_MAX])
 {
-    struct core_config copy = *config; /* Copy, because the serializer takes a non-const pointer. */
+    struct core_config copy = *config; /* The copy is needed because the serializer takes a
+                                          non-const pointer. */
     uint8_t fields[FIELDS_MAX];
     struct replay_serializer walk = { .out = fields,
                                       .size = sizeof fields,

@@ -5,17 +5,17 @@
 #include <string.h>
 
 enum {
-    HANDS_POI = 1u << 0,         /* Poi 0; the other pois follow. */
-    HANDS_SHADE = 1u << POI_MAX, /* Fan 0, after the pois. */
+    HANDS_POI = 1u << 0,         /* Bit of poi 0. The bits of the other pois follow. */
+    HANDS_SHADE = 1u << POI_MAX, /* Bit of fan 0, after the bits of the pois. */
 };
 
 enum {
     HELD_HAS_BYTE = 1u << 0,
-    HELD_HAS_FLOAT = 1u << 1, /* First float; the others follow. */
+    HELD_HAS_FLOAT = 1u << 1, /* Bit of the first float. The bits of the other floats follow. */
     POI_FLOATS = 6,
     SHADE_FLOATS = 3,
-    POI_HAS_AGE = 1u << 7, /* Bit after those of the byte and the six floats. */
-    LINK_WRIST = 1u << 2,  /* Bits 0 and 1 hold the link. */
+    POI_HAS_AGE = 1u << 7, /* Bit of a poi's age, after the bits of the byte and the six floats. */
+    LINK_WRIST = 1u << 2,  /* Bits 0 and 1 of the byte contain the link. */
     LINK_TREMBLES = 1u << 3,
     LINK_ALL = 15u,
 };
@@ -23,16 +23,16 @@ enum {
 _Static_assert(sizeof(struct poi_target) == POI_FLOATS * sizeof(float), "a target is six floats");
 _Static_assert(POI_MAX + SHADE_MAX <= 8, "all that hands hold has its bit in one byte");
 
-/* A poi or a fan in their common form on disk: a small number, floats, an age. */
+/* A poi or a fan in the form in which it is stored: one byte, floats, an age. */
 struct held {
     uint8_t byte;
-    uint8_t has_age; /* 1 for a poi; a fan has no age. */
+    uint8_t has_age; /* 1 for a poi and 0 for a fan, because a fan has no age. */
     uint16_t age;
     uint32_t float_count;
     uint32_t bits[POI_FLOATS];
 };
 
-/* ---- Encoding ---- */
+/* ---- Encoding ------------------------------------------------------------------------------ */
 
 static struct held poi_held(const struct poi_input *poi)
 {
@@ -53,7 +53,7 @@ static struct held shade_held(const struct shade_input *shade)
     return held;
 }
 
-/* Returns 0 if nothing changed. */
+/* Writes the fields that changed. Returns the number of bytes, or 0 if nothing changed. */
 static size_t encode_held(const struct held *before, const struct held *held, uint8_t *out)
 {
     uint8_t mask = 0;
@@ -95,9 +95,9 @@ size_t replay_pose_delta_encode(const struct input *before, const struct input *
     return mask ? size : 0;
 }
 
-/* ---- Decoding ---- */
+/* ---- Decoding ------------------------------------------------------------------------------ */
 
-/* Updates the fields in the mask; the others keep their values. */
+/* Updates the fields whose bits are set in the mask. All other fields keep their values. */
 static void decode_held(struct held *held, uint8_t byte_max, struct replay_rest *rest)
 {
     const uint8_t mask = replay_take_u8(rest);

@@ -1,4 +1,4 @@
-/* replay_reader.c -- reads recordings and validates every byte before it is used. */
+/* replay_reader.c -- reads recordings and validates every byte before its use. */
 #include "platform/replay/replay.h"
 
 #include <errno.h>
@@ -13,9 +13,9 @@
 #include "platform/replay/replay_bytes.h"
 #include "platform/replay/replay_format.h"
 
-#define TICK_SIZE_MIN 1u /* A mask without any change. */
+#define TICK_SIZE_MIN 1u /* Minimum size of a tick in bytes: a mask without any change. */
 
-/* Fills `problem`, closes the file and returns -1. */
+/* Sets `problem`, closes the file and returns -1. */
 __attribute__((format(printf, 4, 5))) static int replay_reader_error(struct replay_reader *reader,
                                                                      int is_io, uint64_t offset,
                                                                      const char *format, ...)
@@ -29,7 +29,7 @@ __attribute__((format(printf, 4, 5))) static int replay_reader_error(struct repl
     return -1;
 }
 
-/* Reads as pread() from the file or the memory. */
+/* Reads from the file or the memory as pread() does. */
 static ssize_t read_some(const struct replay_reader *reader, uint8_t *out, size_t size,
                          uint64_t offset)
 {
@@ -42,7 +42,7 @@ static ssize_t read_some(const struct replay_reader *reader, uint8_t *out, size_
     return (ssize_t)count;
 }
 
-/* Reads exactly `size` bytes at the reader's offset plus `ahead`. */
+/* Reads exactly `size` bytes at reader->offset + `ahead`. Returns 0, or -1 and sets `problem`. */
 static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, uint64_t ahead,
                       const char *what)
 {
@@ -67,8 +67,8 @@ static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, u
     return 0;
 }
 
-/* Returns 1 if the name is printable, zero-filled, and contains no character that would end a JSON
- * string. */
+/* Returns 1 if the name is printable, filled up with zeros, and without characters that would end a
+ * JSON string. Otherwise returns 0. */
 static int is_program_name(const uint8_t *bytes)
 {
     size_t length = 0;
@@ -83,7 +83,7 @@ static int is_program_name(const uint8_t *bytes)
     return zeros > 0 && length + zeros == REPLAY_PROGRAM_SIZE;
 }
 
-/* Reads a part with its checksum into the reader's buffer. */
+/* Reads a part with its checksum into reader->bytes. Returns 0, or -1 if the checksum is wrong. */
 static int read_part_of_header(struct replay_reader *reader, size_t size, const char *what)
 {
     if (read_bytes(reader, reader->bytes, size + REPLAY_SUM_SIZE, 0, what)) {
@@ -110,7 +110,8 @@ static int read_start(struct replay_reader *reader, size_t size)
     return 0;
 }
 
-/* Reads the catalog, whose species must be known to this program. */
+/* Reads the catalog. Returns 0, or -1 if the catalog contains species that this program does not
+ * have. */
 static int read_book(struct replay_reader *reader, size_t size)
 {
     if (size == 0) {
@@ -126,7 +127,8 @@ static int read_book(struct replay_reader *reader, size_t size)
     return 0;
 }
 
-/* Returns 1 if the header has the values that every recorder of this version writes. */
+/* Returns 1 if the header contains values that a recorder of this version can write, otherwise
+ * 0. */
 static int is_possible(const uint8_t *header)
 {
     const uint32_t digest_ticks = replay_get_u32(header + HEADER_DIGEST_TICKS);
@@ -174,7 +176,7 @@ int replay_open(struct replay_reader *reader, const char *path)
 {
     struct stat status;
     memset(reader, 0, sizeof *reader);
-    /* Non-blocking, so that a pipe without a writer cannot block. */
+    /* O_NONBLOCK prevents that a pipe without a writer blocks. */
     reader->fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (reader->fd < 0) {
         return replay_reader_error(reader, 1, 0, "cannot open: %s", strerror(errno));
@@ -279,7 +281,7 @@ static int read_chunk(struct replay_reader *reader)
     return 0;
 }
 
-/* Reads a chunk or the end. */
+/* Reads the next chunk or the end mark. */
 static int read_part(struct replay_reader *reader)
 {
     uint8_t tag[4];

@@ -1,4 +1,4 @@
-/* replay_serializer.c -- serializes one field at a time. */
+/* replay_serializer.c -- reads or writes one field at a time; see replay_serializer.h. */
 #include "platform/replay/replay_serializer.h"
 
 #include <string.h>

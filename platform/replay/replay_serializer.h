@@ -1,7 +1,8 @@
-/* replay_serializer.h -- serializer that writes or reads the same fields in the same order.
+/* replay_serializer.h -- a serializer that reads or writes fields, so that one function defines the
+ * order of fields for both directions.
  *
- * Each call either writes the field or reads it, depending on `out`. Little-endian; floats as their
- * bits. Pure. */
+ * Each call writes the field if `out` is not null, and otherwise reads it. Numbers are
+ * little-endian, and floats are stored as their bits. Pure functions. */
 #ifndef KINGYO_PLATFORM_REPLAY_REPLAY_SERIALIZER_H
 #define KINGYO_PLATFORM_REPLAY_REPLAY_SERIALIZER_H
 
@@ -9,14 +10,15 @@
 #include <stdint.h>
 
 struct replay_serializer {
-    uint8_t *out;      /* Destination, or null to read. */
-    const uint8_t *in; /* Source if `out` is null. */
-    size_t size, at;   /* Size of the buffer in use, and the position in it. */
-    uint32_t version;  /* REPLAY_VERSION_MIN .. REPLAY_VERSION of the bytes; 0 in a book. */
-    int bad;           /* 1: the buffer ended. Later calls have no effect. */
+    uint8_t *out;      /* Destination buffer. Null means that fields are read. */
+    const uint8_t *in; /* Source buffer if `out` is null. */
+    size_t size, at;   /* Size of the buffer and position in it, in bytes. */
+    uint32_t version;  /* Format version of the bytes: REPLAY_VERSION_MIN .. REPLAY_VERSION. 0 in a
+                          catalog, which has no version. */
+    int bad;           /* 1 if the buffer was too short. Later calls have no effect. */
 };
 
-/* Write or read one field, or an array of `count` elements. */
+/* Each function writes or reads one field, or an array of `count` elements. */
 void replay_serialize_bytes(struct replay_serializer *walk, void *bytes, size_t count);
 void replay_serialize_u8(struct replay_serializer *walk, uint8_t *value);
 void replay_serialize_u16(struct replay_serializer *walk, uint16_t *value);

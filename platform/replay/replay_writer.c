@@ -1,4 +1,4 @@
-/* replay_writer.c -- writes a recording that is complete on disk after each second. */
+/* replay_writer.c -- writes a recording that is complete in the file after each second. */
 #include "platform/replay/replay.h"
 
 #include <errno.h>
@@ -59,7 +59,8 @@ static void put_end(uint8_t *out, const struct replay_totals *totals, uint64_t s
     replay_put_u64(out + END_SUM, hash_bytes(sum, out, END_SUM));
 }
 
-/* Appends the checksum to a part that is not empty. Returns the size of both. */
+/* Appends the checksum to a part and updates `*sum`. Writes nothing if the part is empty. Returns
+ * the size of the part with its checksum. */
 static size_t put_sum(uint8_t *part, size_t size, uint64_t *sum)
 {
     if (size == 0) {
@@ -70,8 +71,8 @@ static size_t put_sum(uint8_t *part, size_t size, uint64_t *sum)
     return size + REPLAY_SUM_SIZE;
 }
 
-/* Writes header, start and catalog into the writer's buffer. Returns their size. The first chunk
- * continues the writer's checksum. */
+/* Writes the header, the initial state and the catalog to writer->bytes. Returns their size. Sets
+ * writer->sum, with which the checksum of the first chunk starts. */
 static size_t put_header(struct replay_writer *writer, const struct core_config *config)
 {
     uint8_t *out = writer->bytes;
@@ -107,9 +108,9 @@ static void give_up(struct replay_writer *writer, int error)
     writer->error = -error;
 }
 
-/* Returns a descriptor, or a negative errno. Only the owner may read a recording, because its start
- * contains the operator's settings and takings. A file with content is never overwritten, because a
- * game cannot be played again. */
+/* Opens an empty file. Returns a descriptor or a negative errno. Only the owner may read a
+ * recording, because its initial state contains the operator's settings and takings. A file with
+ * content is never overwritten, because a game cannot be played again. */
 static int open_empty(const char *path)
 {
     struct stat status;
@@ -133,7 +134,7 @@ int replay_is_open(const struct replay_writer *writer)
     return writer->fd >= 0 || writer->memory != NULL;
 }
 
-/* Starts a recording. The destination and the digest interval of `writer` are set by the caller. */
+/* Starts a recording. The caller has set the destination and digest_ticks of `writer`. */
 static int replay_writer_begin(struct replay_writer *writer, const struct core_config *config,
                                uint64_t first_hash)
 {
@@ -169,8 +170,8 @@ int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
     return replay_writer_begin(writer, config, first_hash);
 }
 
-/* Restores the old end mark at its old offset, which needs no new space on a full disk. Memory is
- * not changed in this case because a chunk that does not fit is not begun. */
+/* Restores the previous end mark at its previous offset. On a full disk this write needs no new
+ * space. A recording in memory is unchanged, because a chunk that does not fit is not written. */
 static void restore(struct replay_writer *writer)
 {
     uint8_t end[REPLAY_END_SIZE];
@@ -180,11 +181,11 @@ static void restore(struct replay_writer *writer)
         ftruncate(writer->fd, (off_t)(writer->offset + sizeof end)) != 0) {
         error = -errno;
     }
-    (void)error; /* The recording has already failed, so that a second error is ignored. */
+    (void)error; /* A second error is ignored because the recording has already failed. */
 }
 
-/* Completes the current chunk: `chunk` already contains the payload after its head, and an end mark
- * follows. Returns the chunk's size and sets `*sum` to its checksum. */
+/* Completes the current chunk and appends an end mark. `chunk` already contains the payload after
+ * its head. Returns the size of the chunk without the end mark, and sets `*sum` to its checksum. */
 static size_t close_chunk(uint8_t *chunk, size_t payload_size, uint32_t ticks,
                           const struct replay_totals *totals, uint64_t *sum)
 {
@@ -315,7 +316,8 @@ size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
     const size_t old_size = replay_get_u32(recording + HEADER_START);
     const size_t book_size = replay_get_u32(recording + HEADER_BOOK);
     const size_t new_size = replay_initial_state_encode(config, start);
-    const size_t behind = REPLAY_HEADER_SIZE + old_size; /* First byte after the start. */
+    const size_t behind = REPLAY_HEADER_SIZE + old_size; /* Offset of the first byte after the
+                                                            initial state. */
     if (size - old_size + new_size > size_max) {
         return 0;
     }
