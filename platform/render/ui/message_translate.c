@@ -1,5 +1,5 @@
-/* message_translate.c -- finds the pattern that produced an English line, and fills the same
- * pattern in another language. */
+/* message_translate.c -- finds the pattern that produced an English line, and fills in the
+ * pattern's translation. */
 #include "platform/render/ui/message_translate.h"
 
 #include <stdbool.h>
@@ -7,8 +7,8 @@
 
 #include "platform/render/ui/text.h"
 
-#define GAPS_MAX 6u /* Maximum number of names and figures in a line. */
-/* Nesting depth of a line within a line: "no store: PATH: disk I/O error; ..." */
+#define GAPS_MAX 6u /* Maximum number of gaps for names and figures in a line. */
+/* Maximum depth of lines within lines, such as "no store: PATH: disk I/O error; ..." */
 #define DEPTH_MAX 3u
 
 struct span {
@@ -21,8 +21,8 @@ struct sink {
     size_t used, size;
 };
 
-/* Appends bytes to the sink and drops what does not fit. Patterns contain no multi-byte character
- * that could be cut. */
+/* Appends bytes to the sink and drops the bytes that do not fit. Patterns contain no multi-byte
+ * character, so that no character of a pattern is cut in the middle. */
 static void message_translate_put(struct sink *sink, const char *at, size_t size)
 {
     size_t room = sink->size - 1u - sink->used;
@@ -31,7 +31,7 @@ static void message_translate_put(struct sink *sink, const char *at, size_t size
         while (size > 0 && ((unsigned char)at[size] & 0xc0u) == 0x80u) {
             size--;
         }
-        sink->size = sink->used + size + 1u; /* The sink is full. */
+        sink->size = sink->used + size + 1u; /* From here on the sink counts as full. */
     }
     memcpy(sink->out + sink->used, at, size);
     sink->used += size;
@@ -43,8 +43,8 @@ static bool starts_with(struct span text, const char *literal, size_t size)
     return text.size >= size && memcmp(text.at, literal, size) == 0;
 }
 
-/* Returns the position of the first `literal` in `text`, or a position past the end if there is
- * none. An empty literal matches at the end. */
+/* Returns the position of the first `literal` in `text`, or a position past the end if `text` does
+ * not contain it. An empty literal matches at the end. */
 static size_t message_translate_find(struct span text, const char *literal, size_t size)
 {
     size_t at = size == 0 ? text.size : 0;
@@ -56,7 +56,8 @@ static size_t message_translate_find(struct span text, const char *literal, size
 }
 
 /* Returns true if `line` was made from `pattern`, and writes the text of each gap. A gap ends at
- * the first occurrence of the literal behind it; the last literal must end the line. */
+ * the first occurrence of the literal behind the gap. The last literal must be at the end of the
+ * line. */
 static bool matches(struct span line, const char *pattern, struct span gap[GAPS_MAX])
 {
     const char *brace = strstr(pattern, "{}");
@@ -94,8 +95,8 @@ static enum text_key pattern_of(struct span line, struct span gap[GAPS_MAX])
 
 static void write(struct sink *sink, uint8_t language, struct span line, uint32_t depth);
 
-/* Fills the pattern's gaps. The text of a gap may itself be a translatable line, such as the reason
- * of a failure. */
+/* Writes the translation of `key` with the gaps filled in. The text of a gap may be a translatable
+ * line, such as the reason of a failure. */
 static void message_translate_fill_gap(struct sink *sink, uint8_t language, enum text_key key,
                                        const struct span gap[GAPS_MAX], uint32_t depth)
 {

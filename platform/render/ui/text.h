@@ -1,7 +1,8 @@
 /* text.h -- the user interface's text: UTF-8 decoding, translations, glyphs and their widths. Uses
  * no OpenGL.
  *
- * Text comes from assets/text by key and language. Adding a text there needs no other change. */
+ * The texts are in assets/text and are found by key and language. A new text in assets/text needs
+ * no change in this module. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_TEXT_H
 #define KINGYO_PLATFORM_RENDER_UI_TEXT_H
 
@@ -12,30 +13,31 @@
 #include "fonts.h"
 #include "text_keys.h"
 
-#define TEXT_MALFORMED 0xfffdu /* Result of text_next() for bytes that are not UTF-8. */
-/* Bytes of a line with its number inserted and the terminating zero. */
+/* Code point that text_next() returns for bytes that are not UTF-8. */
+#define TEXT_MALFORMED 0xfffdu
+/* Maximum bytes of a line, including its inserted number and the terminating zero. */
 #define TEXT_LINE_MAX 256u
 
-/* Returns the text of `key`, never null. An unknown language selects Japanese. */
+/* Returns the text of `key`, never null. Returns Japanese for an unknown language. */
 const char *text_words(uint8_t language, enum text_key key);
 
-/* Copies `words` with the first {} replaced by `number`, cut at a whole character when `out` is
- * full. */
+/* Copies `words` with the first {} replaced by `number`. If `out` is too small, the text is cut
+ * after a whole character. */
 void text_number(char *out, size_t out_size, const char *words, uint32_t number);
 
-/* Returns the code point at `*at` and advances `*at` past it; returns 0 at the end. Malformed bytes
- * are consumed one by one. */
+/* Returns the code point at `*at` and advances `*at` past it. Returns 0 at the end. Malformed bytes
+ * are consumed one by one and return TEXT_MALFORMED. */
 uint32_t text_next(const char **at);
 
-/* Returns null when the font was baked without that character. */
+/* Returns the glyph of a character, or null if the font was baked without the character. */
 const struct font_glyph *text_glyph(enum font_id font, uint32_t code);
 
-/* Returns the glyph drawn for a character: its own glyph, otherwise `?`, otherwise null (nothing is
- * drawn, without width). */
+/* Returns the glyph that is drawn for a character: its own glyph, otherwise the glyph of `?`.
+ * Returns null if the font has neither, so that nothing is drawn and the width is 0. */
 const struct font_glyph *text_glyph_or_mark(enum font_id font, uint32_t code);
 
-/* Returns the width from the first pen position to the last, in ems; `spacing_em` is added between
- * characters. */
+/* Returns the width of a text in ems, from the first pen position to the last. `spacing_em` is
+ * added between characters. */
 float text_width_em(enum font_id font, const char *words, float spacing_em);
 
 #endif

@@ -1,5 +1,5 @@
-/* ui.c -- draws the batch: one vertex buffer, and one draw call for each run of quads of one
- * kind. */
+/* ui.c -- draws the batch of quads from one vertex buffer. Consecutive quads of one kind share a
+ * draw call. */
 #include "platform/render/ui/ui.h"
 
 #include <GLES3/gl3.h>
@@ -25,7 +25,7 @@ static GLuint make_program(struct gl_status *status, GLuint vertex, const char *
     const char *const parts[3] = { numbers, ui_fragment_head, body };
     const GLuint fragment = gl_compile(status, "words", GL_FRAGMENT_SHADER, parts, 3);
     const GLuint program = gl_link(status, "words", vertex, fragment);
-    glDeleteShader(fragment); /* OpenGL ignores the name 0 and keeps the shader as long as the
+    glDeleteShader(fragment); /* OpenGL ignores the name 0. OpenGL keeps a shader as long as a
                                  program uses it. */
     if (program != 0) {
         gl_program_bind(program, "font paper");
@@ -126,8 +126,8 @@ static void set_state(const struct ui *ui, const struct display_transform *trans
     glBindBuffer(GL_ARRAY_BUFFER, ui->vertex_buffer);
 }
 
-/* Draws the quads from `first` up to `limit` that share a kind, in one call. Returns the index of
- * the next quad. */
+/* Draws consecutive quads of one kind, from `first` to at most `limit`, in one call. Returns the
+ * index of the next quad. */
 static uint32_t draw_run(const struct ui *ui, uint32_t first, uint32_t limit,
                          const struct display_transform *transform)
 {
@@ -162,7 +162,8 @@ void ui_show(struct ui *ui, struct specimen_pass *specimens,
              const struct display_transform *transform)
 {
     set_state(ui, transform);
-    /* New storage each frame, so that the driver need not wait for the previous frame's drawing. */
+    /* The buffer gets new storage in each frame, so that the driver does not wait for the drawing
+     * of the previous frame. */
     glBufferData(GL_ARRAY_BUFFER, sizeof ui->batch.vertices, NULL, GL_STREAM_DRAW);
     glBufferSubData(GL_ARRAY_BUFFER, 0,
                     (GLsizeiptr)(ui->batch.quad_count * 4u * sizeof(struct ui_vertex)),

@@ -1,5 +1,5 @@
-/* ui_album.c -- the album of caught fish: a page of pictures, each a small aquarium in which a fish
- * grows up. */
+/* ui_album.c -- the album of caught fish: a page of pictures. Each picture is a small aquarium in
+ * which a fish grows up. */
 #include <math.h>
 #include <stdio.h>
 
@@ -8,9 +8,9 @@
 
 #define TAU 6.28318531f
 #define SEAL_SIZE 19.0f
-#define YOUNG_SIZE 0.40f /* Fraction of its picture that the hatchling fills. */
+#define YOUNG_SIZE 0.40f /* Size of the hatchling, as a fraction of its picture. */
 
-/* ---- Layout of the pictures ------------------------------------------------------------------ */
+/* ---- Layout of the pictures ----------------------------------------------------------------- */
 
 struct spatial_grid {
     uint32_t columns, rows;
@@ -38,7 +38,7 @@ static struct spatial_grid grid_of(const struct ui_frame *frame, uint32_t count)
     return grid;
 }
 
-/* Returns the box of a picture. A last row that is not full is centred. */
+/* Returns the box of picture number `index` of `count`. A last row that is not full is centred. */
 static struct ui_box ui_album_place_of(const struct spatial_grid *grid, uint32_t index,
                                        uint32_t count)
 {
@@ -52,9 +52,9 @@ static struct ui_box ui_album_place_of(const struct spatial_grid *grid, uint32_t
 
 /* ---- One fish ------------------------------------------------------------------------------- */
 
-/* Returns how far the fish's own pattern is visible. The coats of the last two keys are red, and
- * the pattern appears there. For a fish caught at a younger age, the pattern is complete on that
- * day. */
+/* Returns the visibility of the fish's own pattern, [0, 1]. The coats of the last two keys are red,
+ * and the pattern appears during them. For a fish that was caught at a younger age, the pattern is
+ * complete on the day of the catch. */
 static float ripe(const struct scene_grown *fish)
 {
     const struct species_card *card = &species_wakin.card;
@@ -85,7 +85,7 @@ static void swim(const struct ui_frame *frame, struct ui_box water, uint32_t ind
     ui_specimen(frame->batch, &specimen);
 }
 
-/* Draws the fish's lifeline with a mark for the day on which it was caught. */
+/* Draws the fish's lifeline with a mark on the day of the catch. */
 static void life(const struct ui_frame *frame, struct ui_box line, const struct scene_grown *fish)
 {
     const float u = frame->unit;

@@ -1,9 +1,10 @@
-/* ui_announcements.c -- the announcements over the tank: the time, a foul, and "hold on". */
+/* ui_announcements.c -- the announcements over the tank: the remaining time, a foul, and the
+ * pause. */
 #include <math.h>
 
 #include "platform/render/ui/ui_widgets.h"
 
-#define CALL_S 1.9f /* Display time of a call, longer than reading takes. */
+#define CALL_S 1.9f /* Display time of a call in seconds, longer than the time for reading it. */
 #define FOUL_S 2.6f
 #define COUNTDOWN_S 5.0f
 
@@ -12,7 +13,7 @@ static float shown(float age_s, float length_s)
     return ui_smooth(0.0f, 0.12f, age_s) * (1.0f - ui_smooth(length_s - 0.5f, length_s, age_s));
 }
 
-/* Draws one digit a second, which grows and fades. */
+/* Draws one digit per second, which grows and fades. */
 static void countdown(const struct ui_frame *frame, const struct scene *scene)
 {
     if (scene->phase != PHASE_ROUND || scene->seconds_left <= 0.0f ||
@@ -45,8 +46,8 @@ static void call(const struct ui_frame *frame, const struct scene *scene)
     }
 }
 
-/* Draws a red flag with the foul's name and, if there are several players, the player. Returns its
- * height. */
+/* Draws a red flag with the foul's name and, if there are several players, the player's number.
+ * Returns the flag's height. */
 static float foul_flag(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                        float y)
 {
@@ -90,7 +91,7 @@ static float foul_flag(const struct ui_frame *frame, const struct scene *scene, 
 
 static void fouls(const struct ui_frame *frame, const struct scene *scene)
 {
-    /* Below the countdown's digits. Later flags overlap the first. */
+    /* The flags are below the countdown's digits. Later flags overlap the first flag. */
     const int counts_down = scene->phase == PHASE_READY;
     float y = (counts_down ? 0.72f : 0.47f) * frame->height;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -99,7 +100,8 @@ static void fouls(const struct ui_frame *frame, const struct scene *scene)
     }
 }
 
-/* Draws the sumo referee's word for a pause over a band across the tank, while nothing moves. */
+/* Draws the word with which a sumo referee pauses a bout, over a band across the tank. The word is
+ * shown while the game is paused. */
 static void pause(const struct ui_frame *frame, const struct scene *scene)
 {
     const float u = frame->unit, y = 0.46f * frame->height, height = 220.0f * u;

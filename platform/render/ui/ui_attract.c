@@ -1,4 +1,5 @@
-/* ui_attract.c -- the screens before a round: attract mode, then the countdown. */
+/* ui_attract.c -- the screens before a round: attract mode (the demonstration between rounds), then
+ * the countdown. */
 #include <math.h>
 #include <stdio.h>
 
@@ -20,7 +21,7 @@ static void best_tag(const struct ui_frame *frame, const struct scene *scene, fl
     ui_ribbon(frame, &tag, words);
 }
 
-/* Draws the key help. Without a poi, the line about the mouse is omitted. */
+/* Draws the help for the keys. If no poi is present, the line about the mouse is omitted. */
 static void key_lines(const struct ui_frame *frame, const struct scene *scene)
 {
     const float u = frame->unit;
@@ -48,8 +49,8 @@ void ui_attract(const struct ui_frame *frame, const struct scene *scene)
     if (risen < 1.0f) {
         ui_noren(frame, risen);
     }
-    if (board > 0.0f) { /* The curtain leaves room for the leaderboard, and the credits move
-                           aside. */
+    if (board > 0.0f) { /* The curtain leaves room for the leaderboard, and the credits move to the
+                           side. */
         ui_leaderboard(frame, &scene->leaderboard, 16.0f * u, frame->height - 160.0f * u);
         ui_credits(frame, scene, 128.0f * u, 62.0f * u);
     } else {
@@ -60,7 +61,7 @@ void ui_attract(const struct ui_frame *frame, const struct scene *scene)
     key_lines(frame, scene);
 }
 
-/* Draws the mode about to be played and its paper. */
+/* Draws the mode of the next round and its paper. */
 static void mode_tag(const struct ui_frame *frame, const struct scene *scene, float y, float alpha)
 {
     char paper[TEXT_LINE_MAX], words[2u * TEXT_LINE_MAX];
@@ -85,7 +86,8 @@ void ui_ready(const struct ui_frame *frame, const struct scene *scene,
 {
     const float u = frame->unit, x = 0.5f * frame->width, y = 0.42f * frame->height;
     const float whole = ceilf(scene->seconds_left), radius = 128.0f * u;
-    const float gone = whole - scene->seconds_left; /* 0 .. 1 within this second */
+    const float gone = whole - scene->seconds_left; /* Fraction of the current second that has
+                                                       elapsed, [0, 1]. */
     const float in = ui_smooth(0.15f, 0.5f, scene->phase_s);
     ui_noren(frame, ui_smooth(0.0f, 0.6f, scene->phase_s));
     frame->batch->opacity = in;

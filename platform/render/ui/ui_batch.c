@@ -1,10 +1,10 @@
-/* ui_batch.c -- fills the list of quads: shapes, and text as one quad a letter. */
+/* ui_batch.c -- fills the list of quads: one quad for each shape and for each letter of a text. */
 #include "platform/render/ui/ui_batch.h"
 
 #include "assets.h"
 
-/* Maximum reach of an outline in atlas pixels. The distance field is flat beyond it, and the bake
- * leaves the same margin around each letter. */
+/* Maximum width of an outline in atlas pixels. The distance field is constant beyond this width,
+ * and the bake leaves a margin of the same width around each letter. */
 #define REACH_PX ((float)ASSET_FONT_EDGE / (float)ASSET_FONT_STEP)
 
 void ui_batch_clear(struct ui_batch *batch)
@@ -24,8 +24,7 @@ static void unpack(uint8_t out[4], uint32_t colour, float opacity)
     out[3] = (uint8_t)((float)(colour & 0xffu) * opacity + 0.5f);
 }
 
-/* Adds four vertices that share everything but their corner. Returns null when the batch is
- * full. */
+/* Adds four vertices that differ only in their corner. Returns null if the batch is full. */
 static struct ui_vertex *add_quad(struct ui_batch *batch, const struct ui_shape *shape)
 {
     if (batch->opacity <= 0.0f) {
@@ -112,9 +111,9 @@ float ui_text_middle(const struct ui_text *style, float y)
     return y + 0.5f * asset_fonts[style->font].cap_em * style->size_px;
 }
 
-/* Returns how much of the margin REACH_PX a quad can omit. A quad includes only the margin that it
- * paints, and never the outer half of a texel, because filtering would mix in the neighbouring
- * letter. */
+/* Returns the part of the margin REACH_PX, in atlas pixels, that a quad can omit. A quad includes
+ * only the part of the margin that it paints. The quad never includes the outer half of a texel,
+ * because filtering would mix in the neighbouring letter. */
 static float trim_px(const float shape[4])
 {
     const float painted = shape[0] + shape[1] + shape[2] + 0.5f / shape[3] + 0.5f;
@@ -169,7 +168,7 @@ float ui_text(struct ui_batch *batch, const struct ui_text *style, float x, floa
 {
     const float size_px = ui_text_size(style, words), width_px = ui_text_width(style, words);
     const float left = x - style->align * width_px;
-    /* All outlines are added first, so that none covers a letter. */
+    /* All outlines are added before the letters, so that no outline covers a letter. */
     if (style->outline_em + style->soft_em > 0.0f) {
         struct ui_text outline = *style;
         outline.fill = 0;

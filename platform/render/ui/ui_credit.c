@@ -1,4 +1,4 @@
-/* ui_credit.c -- the credits, the price still to pay, and the warnings about the cabinet. */
+/* ui_credit.c -- the credits, the remaining price, and the warnings about the cabinet. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -6,13 +6,15 @@
 #include "core/game/accounting/credit.h"
 #include "platform/render/ui/ui_widgets.h"
 
-#define CLINK_S 0.5f       /* Duration for which the plate grows when a coin is inserted. */
-#define COMING_WIDTH 84.0f /* Width of "+99" and its margins, in units. */
-/* Duration of the emphasized call for coins after a player tried to start without credit. */
+/* Time in seconds during which the plate is enlarged after a coin was inserted. */
+#define CLINK_S 0.5f
+#define COMING_WIDTH 84.0f /* Width of "+99" and its margins, in layout units. */
+/* Time in seconds during which the request for coins is emphasized after a player tried to start
+ * without credit. */
 #define ASK_S 1.2f
 
-/* Size of the plates at the sides of a round, in units. The legend of ui_round.c is the widest and
- * lowest. */
+/* Size, in layout units, of the plates at the sides of a round. The legend of ui_round.c is the
+ * widest and the lowest plate. */
 #define PLATES_WIDTH 284.0f
 #define PLATES_REACH 240.0f
 
@@ -20,14 +22,15 @@ static void credit_words(const struct ui_frame *frame, const struct scene_credit
                          size_t out_size)
 {
     text_number(out, TEXT_LINE_MAX, text_words(frame->language, TEXT_CREDITS), credit->credits);
-    if (credit->units > 0 && credit->units < credit->price) { /* A partly paid credit is shown to
-                                                                 the next player. */
+    if (credit->units > 0 && credit->units < credit->price) { /* A partly paid credit is kept and
+                                                                 shown to the next player. */
         const size_t length = strlen(out);
         snprintf(out + length, out_size - length, "  +  %u/%u", credit->units, credit->price);
     }
 }
 
-/* Draws the credits that are not on disk yet as an outline beside the plate, from `left` on. */
+/* Draws the number of credits that are not on disk yet, as an outline beside the plate. `left` is
+ * the outline's left edge. */
 static void coming(const struct ui_frame *frame, const struct scene_credit *credit, float left,
                    float y)
 {
@@ -135,7 +138,7 @@ void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
                                           TEXT_WARN_STORE };
     const int in_round = scene->phase == PHASE_ROUND || scene->phase == PHASE_READY;
     uint32_t shown = scene->credit.warnings;
-    /* Below the curtain, or below the plates of a round. */
+    /* The warnings are below the curtain, or during a round below the plates. */
     float y = (scene->phase == PHASE_ATTRACT ? 0.335f : 0.215f) * frame->height;
     const float beside = in_round && y < PLATES_REACH * frame->unit ? PLATES_WIDTH : 16.0f;
     const float room_px = frame->width - 2.0f * beside * frame->unit;
@@ -148,8 +151,7 @@ void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
         y += 58.0f * frame->unit;
     }
     if (in_round) {
-        shown &= ~(uint32_t)WARN_NO_POI; /* The pause sign already shows this warning in larger
-                                            letters. */
+        shown &= ~(uint32_t)WARN_NO_POI; /* The pause sign shows this warning in larger letters. */
     }
     for (uint32_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
         if (shown >> i & 1u) {

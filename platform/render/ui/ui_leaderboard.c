@@ -6,10 +6,11 @@
 
 #include "core/game/ranking/ranking.h"
 
-#define ROWS_MIN 5u /* Minimum rows, because a sheet with a single name looks empty. */
+/* Minimum number of rows, because a sheet with a single name would look empty. */
+#define ROWS_MIN 5u
 #define COME_S 0.45f
 #define GO_S 0.35f
-#define ROW_COMES_S 0.07f /* Delay between the appearance of one row and the next. */
+#define ROW_COMES_S 0.07f /* Time in seconds between the appearance of one row and the next. */
 
 enum text_key ui_place_key(uint8_t period)
 {
@@ -68,7 +69,7 @@ static void ui_leaderboard_heading(const struct ui_frame *frame,
             text_words(frame->language, ui_leaderboard_key(board->period)));
 }
 
-/* Draws the place number in gold, silver or bronze, otherwise without a medal. */
+/* Draws the place number on a medal of gold, silver or bronze. Other places have no medal. */
 static void place_mark(const struct ui_frame *frame, float x, float y, uint32_t place)
 {
     static const uint32_t medals[] = { 0xe2a92fffu, 0xa9b0baffu, 0xb9794affu };
@@ -92,7 +93,7 @@ static void place_mark(const struct ui_frame *frame, float x, float y, uint32_t 
     ui_text(frame->batch, &style, x, ui_text_middle(&style, y), number);
 }
 
-/* Draws a vermilion seal, which shows that the round can be replayed and verified. */
+/* Draws a vermilion seal, which means that the round can be replayed to verify its score. */
 void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
 {
     const float u = frame->unit;
@@ -108,7 +109,7 @@ void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
     ui_words_in(frame, box, &word, text_words(frame->language, TEXT_BOARD_SEAL));
 }
 
-/* Draws the background of a new entry in the colour of the player's ring. */
+/* Draws the background of a new row in the colour of the player's ring. */
 static void new_ground(const struct ui_frame *frame, const struct scene_row *row, struct ui_box box)
 {
     const float u = frame->unit;

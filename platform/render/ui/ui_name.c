@@ -1,4 +1,5 @@
-/* ui_name.c -- the name entry: the line, the letters and four keys, on the core's canvas. */
+/* ui_name.c -- the name entry: the line, the letters and four function keys. Coordinates are on the
+ * core's canvas. */
 #include <math.h>
 
 #include "core/game/ranking/name_keyboard.h"
@@ -11,11 +12,11 @@ _Static_assert(SCENE_NAME_LETTERS == NAME_LETTERS_MAX, "every letter can be show
 #define KEY_PAPER_LIT 0xffd978ffu
 #define WARN_PAPER 0xb8301ee8u
 
-/* The canvas on the screen, and the name being written. */
+/* The canvas on the screen, and the name that the player enters. */
 struct slate {
-    struct ui_frame frame; /* Frame whose `unit` is one canvas unit. */
+    struct ui_frame frame; /* Drawing context whose `unit` is one canvas unit. */
     const struct scene_name *name;
-    float x, y; /* Position of its corner. */
+    float x, y; /* Screen position of the canvas' corner. */
     uint32_t colour;
 };
 
@@ -39,7 +40,7 @@ static struct ui_box place(const struct slate *slate, struct layout_box box)
                             box.height * u };
 }
 
-/* Darkens the tank, so that letters are more visible than the tank's lights. */
+/* Darkens the tank, so that the letters stand out from the tank's lights. */
 static void veil(const struct slate *slate)
 {
     const struct ui_box box = { 0.0f, 0.0f, slate->frame.width, slate->frame.height };
@@ -47,7 +48,7 @@ static void veil(const struct slate *slate)
              &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = 0x090d24b4u });
 }
 
-/* ---- Player, place and time ------------------------------------------------------------------ */
+/* ---- Player, place and time ----------------------------------------------------------------- */
 
 static void place_words(const struct slate *slate, const struct scene *scene, char *out,
                         size_t out_size)
@@ -94,7 +95,7 @@ static void title(const struct slate *slate, const struct scene *scene)
     }
 }
 
-/* Draws the remaining seconds, only when they are few, because a longer countdown makes guests
+/* Draws the remaining seconds, but only the last few, because a longer countdown makes guests
  * nervous. */
 static void seconds(const struct slate *slate, const struct scene *scene)
 {
@@ -121,7 +122,7 @@ static void seconds(const struct slate *slate, const struct scene *scene)
     ui_text(slate->frame.batch, &digits, at.x, ui_text_middle(&digits, at.y), number);
 }
 
-/* ---- The line ------------------------------------------------------------------------------- */
+/* ---- Name line ------------------------------------------------------------------------------ */
 
 static void one_letter(const struct slate *slate, struct ui_box box, uint16_t letter, float size,
                        uint32_t ink)
@@ -134,7 +135,7 @@ static void one_letter(const struct slate *slate, struct ui_box box, uint16_t le
     ui_words_in(&slate->frame, box, &style, words);
 }
 
-/* Draws eight places. The next one to fill is in the player's colour. */
+/* Draws eight places for letters. The next place to fill has the player's colour. */
 static void line(const struct slate *slate)
 {
     const int upright = slate->name->upright;
@@ -160,9 +161,9 @@ static void line(const struct slate *slate)
     }
 }
 
-/* ---- The keyboard ---------------------------------------------------------------------------- */
+/* ---- The keyboard --------------------------------------------------------------------------- */
 
-/* Returns a key's box, slightly lower while the key is pressed. */
+/* Returns a key's box, which is slightly lower while the key is pressed. */
 static struct ui_box key_paper(const struct slate *slate, uint32_t key)
 {
     const struct scene_name *name = slate->name;

@@ -1,10 +1,11 @@
-/* ui_players.c -- the players: numbers, lamps, and a plate for each of several players. */
+/* ui_players.c -- the players: their numbers, foul lamps, and plates if there are several
+ * players. */
 #include <math.h>
 
 #include "core/view.h"
 #include "platform/render/ui/ui_widgets.h"
 
-#define POP_S 0.45f /* Duration for which the count grows when a fish is caught. */
+#define POP_S 0.45f /* Time in seconds during which the count is enlarged after a catch. */
 #define PLATE_WIDTH 200.0f
 #define PLATE_WIDTH_MIN 152.0f
 
@@ -75,13 +76,13 @@ void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius,
     }
 }
 
-/* Draws the paper, or the reason why this player waits, at the right of a plate. */
+/* Draws, at the right of a plate, the player's paper or the reason why the player waits. */
 static void player_state(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                          float x, float y)
 {
     const float u = frame->unit;
     const struct scene_player *state = &scene->player[player];
-    if (state->out) { /* Also set for a player whose wait has timed out. */
+    if (state->out) { /* `out` is also set for a player whose wait has timed out. */
         const struct ui_text stamp = { .font = FONT_STALL,
                                        .size_px = 28.0f * u,
                                        .align = 0.5f,
@@ -141,7 +142,7 @@ float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
     const float beside = frame->width - 2.0f * edge - right_px - gap;
     const int fits = count * (PLATE_WIDTH_MIN * frame->unit + gap) <= beside;
     const float room = (fits ? beside : frame->width - 2.0f * edge) / count - gap;
-    /* A few plates are as large as the plate of a single player. */
+    /* If there are few plates, each plate is as large as the plate of a single player. */
     struct ui_frame larger = *frame;
     larger.unit *= fminf(fmaxf(room / (PLATE_WIDTH * frame->unit), 1.0f), fits ? 1.2f : 1.0f);
     struct ui_box box = { edge, (fits ? 16.0f : 110.0f) * frame->unit,
@@ -156,7 +157,7 @@ float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
     return box.y + box.height;
 }
 
-/* Projects a point of the world to screen pixels. */
+/* Projects a point of the tank's world to screen pixels. */
 static void project(const struct ui_frame *frame, const struct view *view, vec3 at_m, float *x,
                     float *y)
 {

@@ -163,7 +163,7 @@ void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct u
 void ui_card(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit;
-    /* The shadow is drawn only where it is visible, because a card covers many pixels. */
+    /* Only the visible part of the shadow is drawn, because a card covers many pixels. */
     const struct ui_box shade = { box.x - 2.0f * u, box.y + box.height - 28.0f * u,
                                   box.width + 4.0f * u, 38.0f * u };
     ui_shape(frame->batch, &(struct ui_shape){ .box = shade,

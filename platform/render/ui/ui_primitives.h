@@ -5,8 +5,8 @@
 
 #include "platform/render/ui/ui_batch.h"
 
-#define UI_INDIGO 0x1b2452ffu /* Dyed cloth. */
-/* Translucent dyed cloth, for plates that show the tank through. */
+#define UI_INDIGO 0x1b2452ffu /* Colour of dyed cloth. */
+/* Colour of translucent dyed cloth, for plates through which the tank is visible. */
 #define UI_NIGHT 0x10142eb8u
 #define UI_VERMILION 0xd9402affu
 #define UI_GOLD 0xe8b85cffu
@@ -15,11 +15,11 @@
 #define UI_INK 0x241a20ffu
 #define UI_INK_SOFT 0x5a4648ffu
 
-/* Common drawing context: `unit` is 1 px on a 1280x720 screen. */
+/* Drawing context of all screens. `unit` is 1 px on a 1280x720 screen. */
 struct ui_frame {
     struct ui_batch *batch;
     float width, height, unit;
-    float time_s; /* Time for swaying and pulsing. */
+    float time_s; /* Time in seconds, for swaying and pulsing. */
     uint8_t language;
 };
 
@@ -27,36 +27,38 @@ struct ui_frame {
 uint32_t ui_fade(uint32_t colour, float alpha);
 float ui_clamp01(float x);
 float ui_smooth(float from, float to, float x);
-/* Returns a smooth pulse 0 .. 1 .. 0 with period `period_s`. */
+/* Returns a smooth pulse from 0 to 1 and back to 0 with period `period_s`. */
 float ui_pulse(float time_s, float period_s);
 
-/* Draws the shop curtain: a pole, dyed cloth in strips, and the title; `lift` [0, 1] raises it out
- * of view. */
+/* Draws the shop curtain: a pole, strips of dyed cloth, and the title. `lift` in [0, 1] raises the
+ * curtain; at 1 it is out of view. */
 void ui_noren(const struct ui_frame *frame, float lift);
-/* Draws a paper lantern hanging from (x, y); `size` is its body's height, in pixels. */
+/* Draws a paper lantern that hangs from (x, y). `size` is the height of its body in pixels. */
 void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size, float phase);
 
-/* Draw a bamboo pole centred at (x, y), the two cords of a hanging tag, and the blank tag, which is
- * brighter when it is selected. */
+/* Draws a bamboo pole centred at (x, y). */
 void ui_pole(const struct ui_frame *frame, float x, float y, float width);
+/* Draws the two cords from which a tag hangs. */
 void ui_cords(const struct ui_frame *frame, struct ui_box box, float pole_y);
+/* Draws a blank wooden tag, which is brighter if `pointed` is 1. */
 void ui_wooden_tag(const struct ui_frame *frame, struct ui_box box, int pointed);
 
-/* Draws a large card of paper with its shadow. */
+/* Draws a large card of paper with a shadow. */
 void ui_card(const struct ui_frame *frame, struct ui_box box);
 
-/* Draws a line of text centred in a box, shrunk to its width. */
+/* Draws a line of text that is centred in a box and shrunk to the box' width. */
 void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct ui_text *style,
                  const char *words);
 
-/* Parameters of ui_ribbon(), which draws a pill with one line of text, centred at (x, y), and
- * returns the pill's width in pixels. */
+/* Parameters of ui_ribbon(). */
 struct ui_ribbon {
     float x, y, size_px;
     enum font_id font;
     uint32_t fill, line, ink;
-    float room_px; /* Maximum width; longer text shrinks. */
+    float room_px; /* Maximum width in pixels. A longer text is shrunk. */
 };
+/* Draws a rounded ribbon with one line of text, centred at (x, y). Returns the ribbon's width in
+ * pixels. */
 float ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, const char *words);
 
 #endif

@@ -7,12 +7,12 @@
 #include "platform/render/ui/ui_widgets.h"
 
 #define GRADES 6u
-#define COUNT_UP_S 1.0f /* Time in which the figure counts up to the catch. */
+#define COUNT_UP_S 1.0f /* Time in seconds in which the shown number rises from 0 to the catch. */
 #define CALL_TIME_S 1.3f
 
 struct grade {
-    uint32_t at_least; /* Number of fish. A stall's guest catches three to five; national titles
-                          were won with 35 to 87. */
+    uint32_t at_least; /* Minimum number of fish for this grade. A guest of a stall catches three to
+                          five; national titles were won with 35 to 87. */
     enum text_key praise, words;
 };
 
@@ -36,7 +36,7 @@ static const struct grade *grade_of(uint8_t mode, uint32_t caught)
     return &grades[grade];
 }
 
-/* Draws the seal for a player with a place on the leaderboard. */
+/* Draws the seal of a player who has a place on the leaderboard. */
 static void seal(const struct ui_frame *frame, float x, float y, float in, const char *words)
 {
     const float u = frame->unit;
@@ -100,7 +100,8 @@ static void ui_result_heading(const struct ui_frame *frame, const struct scene *
     ui_text(frame->batch, &text, box.x + 0.5f * box.width, box.y + 56.0f * u, words);
 }
 
-/* Draws the day's best in this mode, or after practice a comment of the stallkeeper. */
+/* Draws the day's best in the mode of the round. After a practice round, draws a comment of the
+ * stallkeeper. */
 static void last_line(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
 {
     const float u = frame->unit;
@@ -141,7 +142,7 @@ static void praise(const struct ui_frame *frame, const struct scene *scene, uint
     frame->batch->opacity = 1.0f;
 }
 
-/* Draws the result of a refunded round, which does not count: no figure, place or seal. */
+/* Draws the result of a refunded round, which does not count and has no figure, place or seal. */
 static void given_back(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit, x = box.x + 0.5f * box.width;
@@ -181,7 +182,8 @@ static void one_players_result(const struct ui_frame *frame, const struct scene 
     }
 }
 
-/* Returns how many players caught more. Players with equal catches share a place. */
+/* Returns the number of players who caught more than `player`. Players with equal catches share a
+ * place. */
 static uint32_t ui_result_place_of(const struct scene *scene, uint32_t player)
 {
     uint32_t ahead = 0;
@@ -241,7 +243,8 @@ static void ranking(const struct ui_frame *frame, const struct scene *scene, str
     }
 }
 
-/* Returns the player with the best place; POI_MAX: no player has a place. */
+/* Returns the player with the best place on the leaderboard. POI_MAX means that no player has a
+ * place. */
 static uint32_t proudest(const struct scene *scene)
 {
     uint32_t best = POI_MAX;
@@ -285,7 +288,8 @@ static void counted(const struct ui_frame *frame, const struct scene *scene, str
     seal_of(frame, scene, box);
 }
 
-/* Returns the card's opacity. The call "time!" is visible before the card covers it. */
+/* Returns the card's opacity. The call "time!" remains visible for CALL_TIME_S before the card
+ * covers it. */
 static float after_call(const struct scene *scene)
 {
     return scene->call == CALL_TIME ? ui_smooth(CALL_TIME_S, CALL_TIME_S + 0.4f, scene->call_s)

@@ -1,14 +1,14 @@
-/* ui_round.c -- the screen during a round: catch, paper, time and hint. */
+/* ui_round.c -- the screen during a round: catch, paper, remaining time and hint. */
 #include <math.h>
 #include <stdio.h>
 
 #include "platform/render/ui/ui_widgets.h"
 
-#define HURRY_S 10.0f /* Remaining time at which the clock turns red. */
-#define POP_S 0.45f   /* Duration for which the count grows when a fish is caught. */
+#define HURRY_S 10.0f /* Remaining time in seconds from which the clock is red. */
+#define POP_S 0.45f   /* Time in seconds during which the count is enlarged after a catch. */
 #define BOWL_MARKS_S 3.0f
 #define LONG_ROUND_S 99.5f
-#define TIME_WIDTH 136.0f /* Width of "9:59", in units. */
+#define TIME_WIDTH 136.0f /* Width of the text "9:59", in layout units. */
 
 static void caught_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                          float pop)
@@ -33,7 +33,7 @@ static void caught_plate(const struct ui_frame *frame, const struct scene *scene
     ui_text(frame->batch, &unit, unit_x, baseline, words);
 }
 
-/* Draws the word "Fouls" and three lamps. */
+/* Draws the word "Fouls" and three lamps, one for each foul. */
 static void foul_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player)
 {
     const float u = frame->unit, left = 18.0f * u, top = 112.0f * u, height = 46.0f * u;
@@ -72,7 +72,7 @@ static void time_ring(const struct ui_frame *frame, const struct scene *scene, f
     ui_text(frame->batch, &digits, x, ui_text_middle(&fitted, y), number);
 }
 
-/* Draws the time; of a long round as minutes and seconds. */
+/* Draws the remaining time, in minutes and seconds for a long round, otherwise in seconds. */
 static void time_digits(const struct ui_frame *frame, const struct scene *scene, float x, float y)
 {
     const float u = frame->unit;
@@ -95,8 +95,8 @@ static int is_long(const struct scene *scene)
     return scene->phase_s + scene->seconds_left > LONG_ROUND_S;
 }
 
-/* Draws paper and time at the top right. If there are several papers, only their number is written.
- * Returns the plate's width. */
+/* Draws paper and remaining time at the top right. If the player has several papers, only their
+ * number is written. Returns the plate's width. */
 static float state_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                          int alone)
 {
@@ -137,7 +137,7 @@ static float state_plate(const struct ui_frame *frame, const struct scene *scene
     return width;
 }
 
-/* Draws the legend of the paper's stress colours. */
+/* Draws the legend that explains the colours of the paper's stress. */
 static void stress_legend(const struct ui_frame *frame, float top)
 {
     const float u = frame->unit, width = 256.0f * u, height = 92.0f * u;

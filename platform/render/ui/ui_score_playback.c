@@ -1,5 +1,5 @@
-/* ui_score_playback.c -- a ribbon over a score playback: which round is shown, and whether its
- * score is verified. */
+/* ui_score_playback.c -- the ribbon over a score playback, which shows the round and whether its
+ * score is verified. A score playback is the recording of a round. */
 #include "platform/render/ui/ui_score_playback.h"
 
 #include "platform/render/ui/text.h"
@@ -18,7 +18,7 @@ void ui_score_playback_fade(const struct ui_frame *frame, const struct scene *sc
 }
 
 struct verdict_paint {
-    uint16_t words; /* enum text_key */
+    uint16_t words; /* Text of the verdict (enum text_key). */
     uint32_t fill;
 };
 

@@ -1,14 +1,17 @@
-/* ui_score_playback.h -- the fade between two sessions, and the ribbon of a score playback. */
+/* ui_score_playback.h -- the fade between two sessions, and the ribbon of a score playback, which
+ * is the recording of a round. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_UI_SCORE_PLAYBACK_H
 #define KINGYO_PLATFORM_RENDER_UI_UI_SCORE_PLAYBACK_H
 
 #include "core/scene.h"
 #include "platform/render/ui/ui_primitives.h"
 
-/* Darkens the tank below all text. Draws nothing while the tank is at full brightness. */
+/* Darkens the tank. Call before drawing text. Draws nothing while the tank is at full
+ * brightness. */
 void ui_score_playback_fade(const struct ui_frame *frame, const struct scene *scene);
 
-/* Draws the playback's ribbon over everything. Draws nothing without a playback. */
+/* Draws the ribbon of a score playback over all other drawings. Draws nothing without a
+ * playback. */
 void ui_score_playback(const struct ui_frame *frame, const struct scene *scene);
 
 #endif

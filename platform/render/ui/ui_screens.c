@@ -1,4 +1,5 @@
-/* ui_screens.c -- selects the screen of each phase, and records what it shows. */
+/* ui_screens.c -- selects the screen of each phase of the game, and records what the screen
+ * shows. */
 #include "platform/render/ui/ui_screens.h"
 
 #include <math.h>
@@ -58,8 +59,8 @@ static void phase_screen(const struct ui_frame *frame, struct ui_memory *memory,
         break;
     case PHASE_MENU:
         ui_menu(frame, scene);
-        return; /* The menu shows warnings itself. */
-    default:    /* PHASE_WORDLESS */
+        return; /* The menu draws the warnings. */
+    default:    /* PHASE_WORDLESS has no text. */
         return;
     }
     ui_warnings(frame, scene);

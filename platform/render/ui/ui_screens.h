@@ -9,22 +9,24 @@
 #include "platform/render/ui/ui_batch.h"
 #include "platform/species/library.h"
 
-/* What was shown last, so that a change can fade in. Zero is a valid initial value. */
+/* Last values shown by the screens, so that a change can fade in. Zero is a valid initial value. */
 struct ui_memory {
     uint32_t hint_tick;            /* Tick of the last change of the hint. */
     uint32_t caught_tick[POI_MAX]; /* Tick of the last change of each player's catch. */
     uint32_t caught[POI_MAX];
     uint32_t pointed_tick;           /* Tick of the last change of the selected mode. */
-    uint8_t pointed, pointed_before; /* Selected mode, and the mode selected before. */
+    uint8_t pointed, pointed_before; /* Selected mode, and the mode that was selected before it. */
     uint8_t hint;
-    const struct library *library; /* Makers' species, behind the built-in ones; null: none. */
+    const struct library *library; /* Library of the makers' species. Null means none. */
     struct ui_lab_preview bench;   /* State of the growth lab's picture. */
 };
 
-/* Records what `scene` shows without drawing it, so that the next picture fades in from there. */
+/* Records the values of `scene` without drawing them, so that the next picture fades in from
+ * there. */
 void ui_screens_notice(struct ui_memory *memory, const struct scene *scene);
 
-/* Clears `batch` and fills it with the whole screen of `scene`. Both sizes must be > 0. */
+/* Clears `batch` and fills it with the whole screen of `scene`. `width_px` and `height_px` must be
+ * > 0. */
 void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct scene *scene,
                 float width_px, float height_px);
 

@@ -1,7 +1,7 @@
 /* ui_shader.c -- the user interface's shaders.
  *
- * Every shape is a signed distance in pixels, so each edge is smoothed over exactly one pixel. The
- * output is premultiplied: (colour * alpha, alpha), and additive light has alpha 0. In the sources,
+ * Every shape is a signed distance in pixels, so that each edge is smoothed over exactly one pixel.
+ * The output is premultiplied: (colour * alpha, alpha). Additive light has alpha 0. In the shaders,
  * `at` is `u, v` of struct ui_vertex, `s` is `shape`, `inner` is `fill` and `outer` is `line`. */
 #include "platform/render/ui/ui_shader.h"
 
@@ -13,8 +13,8 @@ const char *const ui_vertex_source =
     "layout(location = 2) in vec4 shape;\n"
     "layout(location = 3) in vec4 fill;\n"
     "layout(location = 4) in vec4 line;\n"
-    "uniform vec2 to_clip;\n" /* 2 / width, -2 / height */
-    "uniform mat2 turn;\n"    /* Display geometry of the picture. */
+    "uniform vec2 to_clip;\n" /* Factors from pixels to clip space: 2 / width and -2 / height. */
+    "uniform mat2 turn;\n"    /* Display geometry (rotation and scale) of the picture. */
     "uniform vec2 move;\n"
     "out highp vec2 at;\n"
     "flat out highp vec4 s;\n"
@@ -76,7 +76,7 @@ const char *const ui_fragment_head =
     "    colour = framed(body);\n"                                                                 \
     "}\n"
 
-/* Planed cedar: soft bands of grain along the tag, and a bevel that is bright at the top. */
+/* Planed cedar: soft bands of grain along the tag, and a bevel with a bright upper edge. */
 #define WOOD                                                                                       \
     "void main() {\n"                                                                              \
     "    vec2 p = at / s.y;\n"                                                                     \
@@ -91,7 +91,7 @@ const char *const ui_fragment_head =
     "    colour = framed(vec4(body, inner.a));\n"                                                  \
     "}\n"
 
-/* Same colour ramp as in assets/shaders/poi_paper.frag.glsl. */
+/* The colour ramp is the one in assets/shaders/poi_paper.frag.glsl. */
 #define HEAT                                                                                       \
     "void main() {\n"                                                                              \
     "    float t = clamp(at.x / s.x * 0.5 + 0.5, 0.0, 1.0);\n"                                     \
@@ -102,8 +102,8 @@ const char *const ui_fragment_head =
     "    colour = framed(vec4(c, inner.a));\n"                                                     \
     "}\n"
 
-/* Sea waves: rows of overlapping arcs of three lines each, with the lower row in front. The cloth
- * has two soft folds. */
+/* Sea waves: rows of overlapping arcs of three lines each, in which a lower row hides the row
+ * above. The cloth has two soft folds. */
 #define WAVES                                                                                      \
     "float arcs(vec2 p) {\n"                                                                       \
     "    float row = floor(p.y * 2.0);\n"                                                          \
@@ -194,7 +194,7 @@ const char *const ui_fragment_head =
     "    colour = over(paint(vec4(0.07, 0.04, 0.05, inner.a), cover(eye * s.x)), colour);\n"       \
     "}\n"
 
-/* The scoop: ring, handle, and the remaining paper, torn from the middle. */
+/* The scoop: ring, handle, and the remaining paper, which is torn from the middle. */
 #define POI                                                                                        \
     "void main() {\n"                                                                              \
     "    float r = length(at), width = 0.15 * s.x;\n"                                              \
@@ -212,7 +212,7 @@ const char *const ui_fragment_head =
     "    colour = over(paint(inner, cover(body)), paint(vec4(washi, inner.a * 0.94), sheet));\n"   \
     "}\n"
 
-/* Aquarium: slow shafts of light from above, water that darkens downward, and drifting
+/* Aquarium: slow shafts of light from above, water that becomes darker downward, and drifting
  * particles. */
 #define WATER                                                                                      \
     "float shaft(float x, float t) {\n"                                                            \

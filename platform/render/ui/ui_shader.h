@@ -1,7 +1,7 @@
 /* ui_shader.h -- the user interface's shaders, one small program for each enum ui_kind.
  *
- * A single program with branches would be simpler, but a software renderer executes every branch
- * for every pixel. Separate programs draw the same screens at a fraction of the cost. */
+ * A single program with branches would be simpler. However, a software renderer executes every
+ * branch for every pixel, and separate programs draw the same screens at a fraction of the cost. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_UI_SHADER_H
 #define KINGYO_PLATFORM_RENDER_UI_UI_SHADER_H
 
@@ -9,8 +9,8 @@
 
 extern const char *const ui_vertex_source;
 
-/* Common head of each ui_fragment_sources[]: inputs and shared functions. Needs FONT_EDGE and
- * FONT_STEP defined. */
+/* Common head of every source in ui_fragment_sources: inputs and shared functions. The head
+ * requires that FONT_EDGE and FONT_STEP are defined. */
 extern const char *const ui_fragment_head;
 extern const char *const ui_fragment_sources[UI_KIND_COUNT];
 

@@ -16,9 +16,9 @@
 #define BUTTON_ON 0xc8341fffu
 #define BUTTON_INK 0xfff4deffu
 #define REFUSED 0xf0c089ffu
-#define TURN_S 4.0f /* Display time of each line that alternates. */
+#define TURN_S 4.0f /* Time in seconds for which each of the alternating help lines is shown. */
 
-/* ---- Shared --------------------------------------------------------------------------------- */
+/* ---- Coordinates and texts ------------------------------------------------------------------ */
 
 float lab_px_x(const struct lab_page *page, float x)
 {
@@ -64,7 +64,8 @@ void lab_words_in(const struct lab_page *page, struct ui_box box, const struct u
 struct button {
     enum lab_part part;
     const char *words;
-    int is_on, is_idle; /* Selected; or without effect at present. */
+    int is_on, is_idle; /* 1 if the button is selected, and 1 if the button has no effect at
+                           present. */
 };
 
 static uint32_t button_fill(const struct lab_page *page, const struct button *button)
@@ -73,7 +74,7 @@ static uint32_t button_fill(const struct lab_page *page, const struct button *bu
     return button->is_on ? BUTTON_ON : pointed && !button->is_idle ? BUTTON_LIT : BUTTON;
 }
 
-/* Returns the box of a button, slightly lower while it is pressed. */
+/* Returns the box of a button, which is slightly lower while the button is pressed. */
 static struct ui_box tag(const struct lab_page *page, const struct button *button)
 {
     const float u = page->frame.unit;
@@ -177,7 +178,7 @@ static void buttons(const struct lab_page *page)
     save_button(page);
 }
 
-/* ---- The title ------------------------------------------------------------------------------- */
+/* ---- The title ------------------------------------------------------------------------------ */
 
 static void name_plate(const struct lab_page *page)
 {
@@ -201,7 +202,8 @@ static void name_plate(const struct lab_page *page)
             ui_text_middle(&small, box.y + 0.5f * box.height), of);
 }
 
-/* Returns the box of the help line: beside the name, or on a tall upright screen above it. */
+/* Returns the box of the help line. The box is beside the name, or on a tall upright screen above
+ * the name. */
 static struct ui_box line_room(const struct lab_page *page)
 {
     const float u = page->frame.unit;
@@ -236,8 +238,8 @@ static void fault_words(const struct lab_page *page, struct ui_box room,
     lab_words_in(page, lower, &style, fault->why);
 }
 
-/* Draws the help line. It alternates with the operator's messages: how many makers' files were
- * rejected, then the reason for each rejected file. */
+/* Draws the help line. The line alternates with the operator's messages: the number of rejected
+ * makers' files, then the reason for each rejected file. */
 static void help_line(const struct lab_page *page)
 {
     const struct ui_box room = line_room(page);
@@ -258,7 +260,7 @@ static void help_line(const struct lab_page *page)
     }
 }
 
-/* ---- The cursor ------------------------------------------------------------------------------ */
+/* ---- The cursor ----------------------------------------------------------------------------- */
 
 static void hand(const struct lab_page *page)
 {
@@ -288,15 +290,15 @@ static struct lab_page open_page(const struct ui_frame *frame, const struct scen
     struct lab_page page = { .frame = *frame, .lab = &scene->lab, .bench = bench };
     page.frame.unit = fminf(frame->width / canvas.x, frame->height / canvas.y);
     if (scene->lab.upright) {
-        page.frame.unit = frame->width / canvas.x; /* Same scale as the camera's. */
+        page.frame.unit = frame->width / canvas.x; /* The scale equals the camera's scale. */
     }
     page.x = 0.5f * (frame->width - canvas.x * page.frame.unit);
     page.y = 0.5f * (frame->height - canvas.y * page.frame.unit);
     return page;
 }
 
-/* Returns the shown species, or null. A recording may contain makers' species that this kiosk
- * lacks; the graph is then shown without a fish. */
+/* Returns the species that the lab shows, or null if this kiosk lacks the species. A recording may
+ * contain makers' species of another kiosk; the graph is then shown without a fish. */
 static const struct species *species_of(const struct ui_memory *memory, const struct scene_lab *lab)
 {
     const uint32_t index = lab->species;

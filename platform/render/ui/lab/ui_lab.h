@@ -1,7 +1,7 @@
-/* ui_lab.h -- what the files of the growth lab's screen share.
+/* ui_lab.h -- functions and colours that the files of the growth lab's screen share.
  *
- * All coordinates are on the core's canvas (core/game/lab/lab_layout.h), which the pointer uses as
- * well. */
+ * All coordinates are on the core's canvas (core/game/lab/lab_layout.h), which the pointer also
+ * uses. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_H
 #define KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_H
 
@@ -10,54 +10,63 @@
 #include "platform/render/ui/ui_primitives.h"
 #include "platform/species/library.h"
 
-#define LAB_PURPLE 0x8a3fb5ffu /* Purple of the scale curve, as in the 2005 thesis. */
+#define LAB_PURPLE 0x8a3fb5ffu /* Colour of the scale curve: purple, as in the 2005 thesis. */
 #define LAB_PAPER 0xfbf2ddffu
 #define LAB_PAPER_LINE 0xb5762fffu
 #define LAB_INK 0x2a2024ffu
 #define LAB_INK_SOFT 0x6b5a50ffu
-#define LAB_MIST 0xdff3f2ffu /* Colour of words on water. */
+#define LAB_MIST 0xdff3f2ffu /* Colour of text on water. */
 
 struct lab_page {
-    struct ui_frame frame; /* Frame whose `unit` is one canvas unit. */
+    struct ui_frame frame; /* Drawing context whose `unit` is one canvas unit. */
     const struct scene_lab *lab;
-    struct ui_lab_preview *bench; /* Null: this kiosk lacks the species. */
+    struct ui_lab_preview *bench; /* Previewed species. Null means that this kiosk lacks the
+                                     species. */
     const struct library
-        *library; /* Species library with the rejected makers' files; null: none. */
-    float x, y;   /* Position of the canvas' corner on the screen. */
+        *library; /* Species library with the rejected makers' files. Null means no library. */
+    float x, y;   /* Screen position of the canvas' corner, in pixels. */
 };
 
-/* Return the position of a part, and of a coordinate, on the screen. */
+/* Returns the screen position of a part of the lab. */
 struct ui_box lab_place(const struct lab_page *page, enum lab_part part);
+/* Converts a canvas coordinate to a horizontal screen position in pixels. */
 float lab_px_x(const struct lab_page *page, float x);
+/* Converts a canvas coordinate to a vertical screen position in pixels. */
 float lab_px_y(const struct lab_page *page, float y);
 
-/* Returns key_colour() as opaque 0xRRGGBBAA. */
+/* Returns the colour of a key, key_colour(), as opaque 0xRRGGBBAA. */
 uint32_t lab_key_colour(uint32_t key_count, uint32_t key);
 
-/* Returns 1 if the pointer is over a part or drags it. */
+/* Returns 1 if the pointer is over a part or drags the part, otherwise 0. */
 int lab_is_pointed(const struct lab_page *page, enum lab_part part);
 
-/* Returns a text style. `size` is in canvas units; 22 is the smallest size that a standing player
+/* Returns a text style. `size` is in canvas units. 22 is the smallest size that a standing player
  * can read. */
 struct ui_text lab_text(const struct lab_page *page, float size, uint32_t fill);
 
-/* Draws a line of text centred in a box, shrunk to its width. */
+/* Draws a line of text that is centred in a box and shrunk to the box' width. */
 void lab_words_in(const struct lab_page *page, struct ui_box box, const struct ui_text *style,
                   const char *words);
 
-/* Write an age such as "45 days" or "3.2 years", and a length such as "23.4 mm" or "12.3 cm". */
+/* Writes an age such as "45 days" or "3.2 years". */
 void lab_age_words(uint8_t language, float age_days, char *out, size_t out_size);
+/* Writes a length such as "23.4 mm" or "12.3 cm". */
 void lab_length_words(float length_m, char *out, size_t out_size);
 
-/* Return the name of a species or of a key in the screen's language, or the maker's identifier if
- * there is no translation. */
+/* Returns the name of a species in the screen's language. Without a translation, returns the
+ * maker's identifier. */
 const char *lab_species_name(uint8_t language, const char *id);
+/* Returns the name of a key (modelled growth stage) in the screen's language. Without a
+ * translation, returns the maker's identifier. */
 const char *lab_key_name(uint8_t language, const char *name);
 
-/* Draw the screen's parts, in painter's order. */
+/* Draws the aquarium with the fish. */
 void lab_stage(const struct lab_page *page);
+/* Draws the key shapes, their weights and the lifeline. */
 void lab_keys(const struct lab_page *page);
+/* Draws the deformation graph. */
 void lab_graph(const struct lab_page *page);
+/* Draws the growth curve. */
 void lab_chart(const struct lab_page *page);
 
 #endif

@@ -1,5 +1,5 @@
-/* ui_lab_graph.c -- the deformation graph on paper, with one curve for each key and one for size,
- * and the growth curve below it. */
+/* ui_lab_graph.c -- the deformation graph on paper, with one curve for each key and one for the
+ * size, and the growth curve below the graph. */
 #include <math.h>
 #include <stdio.h>
 
@@ -10,7 +10,7 @@
 #define CHART_STEPS 60u
 #define GRID 0xb5a58a70u
 
-/* ---- Fields --------------------------------------------------------------------------------- */
+/* ---- Paper background ----------------------------------------------------------------------- */
 
 static void paper(const struct lab_page *page, enum lab_part part)
 {
@@ -57,15 +57,15 @@ static void dot_in(const struct lab_page *page, struct ui_box field, float x, fl
                                  .shape = { 0, 0, r, 2.0f * page->frame.unit } });
 }
 
-/* ---- The graph ------------------------------------------------------------------------------ */
+/* ---- Deformation graph ---------------------------------------------------------------------- */
 
 static void percent_axis(const struct lab_page *page, struct ui_box field)
 {
     const float u = page->frame.unit;
     struct ui_text style = lab_text(page, 15.0f, LAB_INK_SOFT);
     style.align = 1.0f;
-    style.fit_px = 38.0f * u; /* Keeps the label clear of the paper's frame and of a dragged
-                                 knot. */
+    style.fit_px = 38.0f * u; /* The maximum width keeps the label clear of the paper's frame and of
+                                 a dragged knot. */
     for (uint32_t i = 0; i <= 4u; i++) {
         const float share = 0.25f * (float)i;
         char words[8];
@@ -81,7 +81,8 @@ static void percent_axis(const struct lab_page *page, struct ui_box field)
     }
 }
 
-/* Draws the right-hand axis: 1, 10, 100 mm and 1 m, as far as they are in range. */
+/* Draws the right-hand axis with the labels 1 mm, 10 mm, 100 mm and 1 m, if they are in the curve's
+ * range. */
 static void length_axis(const struct lab_page *page, struct ui_box field)
 {
     static const struct {
@@ -114,7 +115,7 @@ static void key_marks(const struct lab_page *page, struct ui_box field)
     }
 }
 
-/* Draws a weight curve. Straight lines need only one segment between two knots. */
+/* Draws a weight curve. A straight line between two knots needs only one segment. */
 static void weight_curve(const struct lab_page *page, struct ui_box field, uint32_t key,
                          float width)
 {
@@ -179,7 +180,7 @@ static void size_knots(const struct lab_page *page, struct ui_box field)
     }
 }
 
-/* Draws all curves, with the dragged one on top. */
+/* Draws all curves, with the dragged curve on top. */
 static void curves(const struct lab_page *page, struct ui_box field)
 {
     const struct scene_lab *lab = page->lab;
@@ -223,7 +224,7 @@ static void title(const struct lab_page *page)
     lab_words_in(page, room, &style, text_words(page->frame.language, TEXT_LAB_TITLE));
 }
 
-/* Draws a small tool button on the paper, lower while it is pressed. */
+/* Draws a small tool button on the paper, slightly lower while the button is pressed. */
 static void tool(const struct lab_page *page, enum lab_part part, enum text_key key, int is_on,
                  uint32_t colour)
 {
@@ -258,7 +259,7 @@ void lab_graph(const struct lab_page *page)
     tool(page, LAB_REMOVE, TEXT_LAB_REMOVE, 0, LAB_INK_SOFT);
 }
 
-/* ---- The growth curve ----------------------------------------------------------------------- */
+/* ---- Growth curve --------------------------------------------------------------------------- */
 
 static void chart_axes(const struct lab_page *page, struct ui_box field, float most_days,
                        float most_m)
@@ -302,8 +303,8 @@ static float longest_m(const struct species_card *card)
     return most_m;
 }
 
-/* Draws the curve in even steps of age, because steps of progress are concentrated in the first
- * weeks. */
+/* Draws the growth curve in even steps of age. Even steps of progress would be concentrated in the
+ * first weeks. */
 static void chart_curve(const struct lab_page *page, struct ui_box field, float most_days,
                         float most_m)
 {

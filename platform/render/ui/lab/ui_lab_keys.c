@@ -1,4 +1,5 @@
-/* ui_lab_keys.c -- the key shapes as drawn, their current weights, and the lifeline. */
+/* ui_lab_keys.c -- the key shapes (modelled growth stages) as drawn, their current weights, and the
+ * lifeline. */
 #include <math.h>
 #include <stdio.h>
 
@@ -87,7 +88,7 @@ static void key_card(const struct lab_page *page, uint32_t key)
                key);
 }
 
-/* ---- The lifeline ---------------------------------------------------------------------------- */
+/* ---- Lifeline ------------------------------------------------------------------------------- */
 
 static void notch(const struct lab_page *page, uint32_t key, float y)
 {

@@ -5,9 +5,10 @@
 
 #include "platform/species/part.h"
 
-/* ---- Trajectories ---------------------------------------------------------------------------- */
+/* ---- Trajectories --------------------------------------------------------------------------- */
 
-/* Returns the position of one vertex, computed with a one-vertex mesh that shares all tables. */
+/* Returns the position of one vertex. The position is computed with a mesh of one vertex that
+ * shares all tables with the species' mesh. */
 static vec3 ui_lab_preview_point_at(struct ui_lab_preview *bench, const struct species *species,
                                     const struct morph_rig *rig, uint32_t vertex, float progress)
 {
@@ -39,8 +40,8 @@ static void walk(struct ui_lab_preview *bench, uint32_t vertex, struct lab_previ
     }
 }
 
-/* Traces an eye. The left eye is visible in a side view, but where the right eye migrates, the
- * right eye is traced. */
+/* Traces an eye. The left eye is traced because a side view shows it. If the right eye migrates,
+ * the right eye is traced instead. */
 static void walk_eye(struct ui_lab_preview *bench)
 {
     const struct species_mesh *mesh = &bench->species->lod[0];
@@ -53,7 +54,7 @@ static void walk_eye(struct ui_lab_preview *bench)
     }
 }
 
-/* ---- Selection of the species ---------------------------------------------------------------- */
+/* ---- Selection of the species --------------------------------------------------------------- */
 
 static void set_species(struct ui_lab_preview *bench, const struct species *species)
 {

@@ -1,5 +1,6 @@
-/* ui_lab_preview.h -- the growth lab's state between frames: the selected species, as the lab and
- * as the ordinary morph blend it, and the trajectories of two of its points. */
+/* ui_lab_preview.h -- the growth lab's state between frames: the selected species with the rig of
+ * the lab and with the rig of the ordinary morph (eq. 3.1 of the thesis), and the trajectories of
+ * two points of the fish. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_PREVIEW_H
 #define KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_PREVIEW_H
 
@@ -9,35 +10,37 @@
 #include "core/scene.h"
 #include "platform/render/specimen.h"
 
-#define LAB_PREVIEW_STEPS 64u /* Steps of a trajectory from hatching on. */
+#define LAB_PREVIEW_STEPS 64u /* Number of steps of a trajectory, which begins at hatching. */
 
 enum lab_preview_point { LAB_PREVIEW_DORSAL = 0, LAB_PREVIEW_EYE, LAB_PREVIEW_POINT_COUNT };
 
 struct lab_preview_path {
-    bool is_there; /* False if the species lacks the point. A ray has no dorsal root. */
-    vec3 at[LAB_PREVIEW_STEPS + 1u]; /* Positions in lengths, in the body's frame, from hatching
-                                        on. */
-    vec3 ordinary[LAB_PREVIEW_STEPS + 1u]; /* Positions of the same point in the ordinary morph. */
-    float bow; /* Largest distance of the trajectory from the straight line, in lengths. */
+    bool is_there; /* True if the species has the point. A ray, for example, has no dorsal root. */
+    vec3 at[LAB_PREVIEW_STEPS + 1u]; /* Positions of the point from hatching on, in body lengths in
+                                        the body's frame. */
+    vec3 ordinary[LAB_PREVIEW_STEPS + 1u]; /* Positions of the point in the ordinary morph. */
+    float bow; /* Largest distance of the trajectory from the straight line between its ends, in
+                  body lengths. */
 };
 
-/* State of the growth lab's picture, about 180 KB, mostly the tables of the ordinary morph.
- * Zero-initialized: no species yet. */
+/* State of the growth lab's picture, about 180 KB, mostly the tables of the ordinary morph. Zero
+ * means that no species is selected yet. */
 struct ui_lab_preview {
-    const struct species *species; /* Selected species; null: none. */
-    uint32_t edition;              /* Counts the selected species. */
-    struct species_card card;      /* Copy of the card from which the other fields were computed. */
+    const struct species *species; /* Selected species. Null means none. */
+    uint32_t edition;              /* Number that increases with each selection of a species. */
+    struct species_card card;      /* Copy of the species card from which the other fields were
+                                      computed. */
     struct morph_rig rig;          /* Rig with the edited graphs. */
     struct morph_rig ordinary_rig;
     struct species ordinary;
     struct straight_memory memory;
     struct lab_preview_path ways[LAB_PREVIEW_POINT_COUNT];
-    struct specimen_bounds bounds; /* Extent of the fish over all ages, in its usual view. */
-    struct morph_pose pose;        /* Scratch. */
+    struct specimen_bounds bounds; /* Extent of the fish over all ages, in the fish's usual view. */
+    struct morph_pose pose;        /* Scratch memory. */
 };
 
-/* Selects a species with that card and recomputes only what changed. `card` has as many keys as the
- * species. */
+/* Selects `species` with the edited `card` and recomputes only the fields that changed. `card` must
+ * have as many keys as the species. */
 void ui_lab_preview_set(struct ui_lab_preview *bench, const struct species *species,
                         const struct species_card *card);
 

@@ -7,19 +7,23 @@
 
 #define TAU 6.28318531f
 #define BEAT_HZ 1.1f
-/* Upper bound of the ruler's marks. At 7 px and more each, a ruler has 110. */
+/* Maximum number of marks on the ruler. Marks are at least 7 px apart, so that a ruler has about
+ * 110. */
 #define RULE_MARKS_MAX 260u
-/* Fraction of the stage that the hatchling fills. The value below 1 makes growth visible. */
+/* Fraction of the stage that the hatchling fills. The fraction is below 1 so that growth is
+ * visible. */
 #define YOUNG_SIZE 0.74f
 #define WAY_GOLD 0xffd24affu
 #define WAY_PINK 0xff8fb0ffu
 #define CHORD 0xffffff90u
-#define TOP 40.0f         /* Margin above the fish, which turns a little as it swims. */
-#define TOP_CAPTION 62.0f /* Margin above the fish when there is a caption. */
-#define FOOT 12.0f        /* Margin above the ruler. */
-#define DOT_WAY 120.0f    /* A trajectory of this length in pixels has dots of full size. */
+/* Margin above the fish in canvas units, because the fish turns a little as it swims. */
+#define TOP 40.0f
+#define TOP_CAPTION 62.0f /* Margin above the fish in canvas units if a caption is shown. */
+#define FOOT 12.0f        /* Margin above the ruler in canvas units. */
+/* Length in pixels from which the dots of a trajectory have their full size. */
+#define DOT_WAY 120.0f
 
-/* ---- Room ----------------------------------------------------------------------------------- */
+/* ---- Area of a fish ------------------------------------------------------------------------- */
 
 /* Area of one fish: the whole stage or half of it. */
 struct tank_room {
@@ -41,7 +45,7 @@ static struct tank_room room_of(const struct lab_page *page, uint32_t half)
     return (struct tank_room){ .box = box, .ruler_y = box.y + box.height - 40.0f * u };
 }
 
-/* Vertical range for the fish. */
+/* Vertical range of the fish in pixels. */
 struct span_px {
     float top, foot;
 };
@@ -53,7 +57,8 @@ static struct span_px free_span(const struct lab_page *page, const struct tank_r
                              room->ruler_y - FOOT * u };
 }
 
-/* Returns the largest length that fits at every age, reduced while the fish is young. */
+/* Returns the largest length in pixels at which the fish fits at every age. The length is reduced
+ * while the fish is young. */
 static float length_px(const struct lab_page *page, const struct tank_room *room)
 {
     const struct ui_lab_preview *bench = page->bench;
@@ -82,7 +87,7 @@ static struct specimen fish_in(const struct lab_page *page, const struct tank_ro
     fish.x_px =
         room->box.x + 0.5f * room->box.width + 0.5f * (reach->left - reach->right) * fish.length_px;
     fish.y_px = 0.5f * (span.top + span.foot) + 0.5f * (reach->up - reach->down) * fish.length_px;
-    if (!page->lab->path) { /* Trajectories are drawn on a fish that does not move. */
+    if (!page->lab->path) { /* The fish moves only while no trajectories are drawn on it. */
         fish.yaw_rad += 0.16f * sinf(0.5f * time_s);
         fish.pitch_rad += 0.05f * sinf(0.37f * time_s + 1.0f);
         fish.phase_rad = fmodf(TAU * BEAT_HZ * time_s, TAU);
@@ -93,7 +98,7 @@ static struct specimen fish_in(const struct lab_page *page, const struct tank_ro
 
 /* ---- Ruler ---------------------------------------------------------------------------------- */
 
-/* Returns a step of 1, 2 or 5 times a power of ten, at least `least_px` wide. */
+/* Returns a step of 1, 2 or 5 times a power of ten metres that is at least `least_px` wide. */
 static float step_m(float px_per_m, float least_px)
 {
     static const float steps[3] = { 1.0f, 2.0f, 5.0f };
@@ -108,8 +113,8 @@ static float step_m(float px_per_m, float least_px)
     return power;
 }
 
-/* Draws a bracket over the measured length. A disc is measured across, which a ruler below it
- * cannot show. */
+/* Draws a bracket over the measured length. A disc-shaped body is measured across its width, which
+ * a ruler below the fish cannot show. */
 static void bracket(const struct lab_page *page, float x, float length_px, float y)
 {
     const float u = page->frame.unit;
@@ -133,7 +138,7 @@ static void ui_lab_stage_draw_mark(const struct lab_page *page, float x, float y
     ui_segment(page->frame.batch, from, to, (is_coarse ? 1.8f : 1.1f) * u, 0x4a3018ffu);
 }
 
-/* Draws a figure of the ruler. The first one includes the unit. */
+/* Draws a figure of the ruler. Only the first figure includes the unit. */
 static void figure(const struct lab_page *page, float x, float y, float length_m, int in_cm)
 {
     const float u = page->frame.unit;
@@ -147,8 +152,8 @@ static void figure(const struct lab_page *page, float x, float y, float length_m
     ui_text(page->frame.batch, &style, x - (is_first ? 3.0f * u : 0.0f), y + 28.0f * u, number);
 }
 
-/* Draws a bamboo ruler from the snout to the right, which shows the fish's length in its own
- * measure. */
+/* Draws a bamboo ruler from the snout to the right, which shows the fish's length in the measure of
+ * its species. */
 static void ruler(const struct lab_page *page, const struct tank_room *room,
                   const struct specimen *fish)
 {
@@ -182,7 +187,7 @@ static void ruler(const struct lab_page *page, const struct tank_room *room,
     bracket(page, zero, fish->length_px, rule.y);
 }
 
-/* ---- Words ---------------------------------------------------------------------------------- */
+/* ---- Texts ---------------------------------------------------------------------------------- */
 
 static void ui_lab_stage_draw_words(const struct lab_page *page, const struct tank_room *room)
 {
@@ -213,7 +218,8 @@ static void ui_lab_stage_draw_words(const struct lab_page *page, const struct ta
             room->box.y + 44.0f * u, line);
 }
 
-/* Draws a caption. Both fish have the same age and length, so each caption names its morph. */
+/* Draws a caption that names the fish's morph. Without captions, the two fish could be confused
+ * because they have the same age and length. */
 static void caption(const struct lab_page *page, const struct tank_room *room, enum text_key key)
 {
     const float u = page->frame.unit;
@@ -234,7 +240,7 @@ static void caption(const struct lab_page *page, const struct tank_room *room, e
     ui_ribbon(&page->frame, &ribbon, words);
 }
 
-/* ---- Trajectories ---------------------------------------------------------------------------- */
+/* ---- Trajectories --------------------------------------------------------------------------- */
 
 static void ui_lab_stage_put(const struct specimen *fish, vec3 point, float out[2])
 {
@@ -266,7 +272,8 @@ static void way_dot(const struct lab_page *page, const struct specimen *fish, ve
                                  .shape = { 0, 0, r, fminf(2.0f * page->frame.unit, 0.35f * r) } });
 }
 
-/* Returns the dot size, smaller for a short trajectory. An eye's trajectory is about 20 px long. */
+/* Returns the dot size, which is smaller for a short trajectory. An eye's trajectory is about 20 px
+ * long. */
 static float dot_size(const struct lab_page *page, const struct specimen *fish,
                       const struct lab_preview_path *way)
 {
@@ -281,8 +288,8 @@ static float dot_size(const struct lab_page *page, const struct specimen *fish,
     return fminf(fmaxf(share, 0.4f), 1.0f);
 }
 
-/* Draws the trajectory of a point (figures 3.4 and 3.5) and the line of the ordinary morph
- * (figure 3.2). A dot marks each key, and a ring the current position. */
+/* Draws the trajectory of a point (figures 3.4 and 3.5 of the thesis) and the straight line of the
+ * ordinary morph (figure 3.2). A dot marks each key, and a ring marks the current position. */
 static void one_way(const struct lab_page *page, const struct specimen *fish,
                     const struct lab_preview_path *way, uint32_t colour)
 {
@@ -299,19 +306,19 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
             (uint32_t)((float)key / (float)(keys - 1u) * (float)LAB_PREVIEW_STEPS + 0.5f);
         way_dot(page, fish, way->at[step], 6.5f * size, lab_key_colour(keys, key), 0xffffffffu);
     }
-    /* The ring leaves the eye visible. */
+    /* The ring is large enough to leave the eye visible. */
     way_dot(page, fish, way->at[now], 12.0f, 0x00000000u, colour);
 }
 
-/* Returns the name of a traced point. A ray has a sting in place of a dorsal fin. */
+/* Returns the name of a traced point. A ray has a sting instead of a dorsal fin. */
 static enum text_key way_name(const struct lab_page *page, uint32_t point)
 {
     const int stings = page->lab->card.motion == MOTION_WING;
     return point == LAB_PREVIEW_EYE ? TEXT_LAB_EYE : stings ? TEXT_LAB_STING : TEXT_LAB_DORSAL;
 }
 
-/* Draws the legend above the snout, where the stage has room: each trajectory's distance from the
- * straight line, in lengths. */
+/* Draws the legend above the snout, where the stage has space. The legend lists the distance of
+ * each trajectory from the straight line, in body lengths. */
 static void way_legend(const struct lab_page *page, const struct tank_room *room)
 {
     static const uint32_t colours[LAB_PREVIEW_POINT_COUNT] = { WAY_GOLD, WAY_PINK };
@@ -343,7 +350,7 @@ static void ways(const struct lab_page *page, const struct specimen *fish)
     one_way(page, fish, &page->bench->ways[LAB_PREVIEW_EYE], WAY_PINK);
 }
 
-/* ---- The stage ------------------------------------------------------------------------------ */
+/* ---- Stage ---------------------------------------------------------------------------------- */
 
 static void water(const struct lab_page *page)
 {
@@ -367,7 +374,8 @@ static void frame_line(const struct lab_page *page)
                                                     .shape = { 0, 0, 16.0f * u, 2.0f * u } });
 }
 
-/* Draws the comparison fish, the result of eq. 3.1 for the first and the last drawing. */
+/* Draws the comparison fish, which is the result of eq. 3.1 of the thesis for the first and the
+ * last key. */
 static void rival(const struct lab_page *page)
 {
     const struct tank_room room = room_of(page, 1);

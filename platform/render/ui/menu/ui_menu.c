@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* ---- Shared --------------------------------------------------------------------------------- */
+/* ---- Positions and texts -------------------------------------------------------------------- */
 
 struct ui_box menu_place(const struct menu_view *view, struct layout_box box)
 {
@@ -61,7 +61,8 @@ struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag)
     return box;
 }
 
-/* Writes a tag's name and line. A tag that leads to a page has the page's title. */
+/* Writes the keys of a tag's name and description. A tag that leads to a page has the page's
+ * title. */
 static void name_hung(const struct menu_view *view, uint32_t tag, enum text_key *name,
                       enum text_key *line)
 {
@@ -71,7 +72,7 @@ static void name_hung(const struct menu_view *view, uint32_t tag, enum text_key 
     *line = page < MENU_PAGE_COUNT ? menu_words_of(page)->about : words->lines[tag];
 }
 
-/* Returns 1 for a page that contains something to check by the operator. */
+/* Returns 1 for a page that the operator must check, otherwise 0. */
 static int calls_for_a_look(const struct menu_view *view, uint8_t page)
 {
     const struct scene_machine *machine = &view->devices->machine;
@@ -79,7 +80,7 @@ static int calls_for_a_look(const struct menu_view *view, uint8_t page)
            (machine->aside > 0 || machine->missed > 0 || view->devices->files_refused > 0);
 }
 
-/* Draws the sign in a tag's upper corner: an exclamation mark on red, or the seal of a changed
+/* Draws the sign in the upper corner of a tag: an exclamation mark on red, or the seal of a changed
  * setting. */
 static void corner(const struct menu_view *view, struct ui_box box, uint8_t page)
 {
@@ -173,9 +174,9 @@ static void tags(const struct menu_view *view)
     }
 }
 
-/* ---- The page ------------------------------------------------------------------------------- */
+/* ---- Page ----------------------------------------------------------------------------------- */
 
-/* Darkens the tank, so that text is more visible than the tank's lights. */
+/* Darkens the tank, so that text stands out from the tank's lights. */
 static void veil(const struct menu_view *view)
 {
     const struct ui_box box = { 0.0f, 0.0f, view->frame.width, view->frame.height };
@@ -221,8 +222,8 @@ static void hand(const struct menu_view *view)
     }
 }
 
-/* Returns the view with the largest scale that fits. On an upright screen the scale is the
- * camera's, which the pointer uses. */
+/* Returns the view with the largest scale at which the canvas fits. On an upright screen the scale
+ * equals the camera's scale, which the pointer uses. */
 static struct menu_view open_view(const struct ui_frame *frame, const struct scene *scene)
 {
     const struct layout_point canvas = pointer_layout_size(scene->menu.upright);

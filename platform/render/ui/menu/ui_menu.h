@@ -1,7 +1,7 @@
-/* ui_menu.h -- what the files of the operator's menu share.
+/* ui_menu.h -- functions and types that the files of the operator's menu share.
  *
- * All coordinates are on the core's canvas (core/game/pointer_mapping.h), which the pointer uses as
- * well. */
+ * All coordinates are on the core's canvas (core/game/pointer_mapping.h), which the pointer also
+ * uses. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_MENU_UI_MENU_H
 #define KINGYO_PLATFORM_RENDER_UI_MENU_UI_MENU_H
 
@@ -14,75 +14,81 @@
 #define MENU_CREAM 0xfff6e2ffu
 
 struct menu_view {
-    struct ui_frame frame; /* Frame whose `unit` is one canvas unit. */
+    struct ui_frame frame; /* Drawing context whose `unit` is one canvas unit. */
     const struct scene *scene;
-    const struct scene_menu *menu; /* Menu of `scene`. */
+    const struct scene_menu *menu; /* The menu of `scene`. */
     const struct scene_devices *devices;
-    float x, y; /* Position of the canvas' corner on the screen. */
+    float x, y; /* Screen position of the canvas' corner, in pixels. */
 };
 
-/* The texts of a page and of its tags, and its drawing function. */
+/* Texts of a page and of its tags, and the function that draws the page. */
 struct menu_words {
-    enum text_key title, about;        /* Texts of the page's tag in its parent: a name and a
-                                          line. */
-    enum text_key foot[MENU_FOOT_MAX]; /* Texts of the tags at its foot, in their order. */
-    enum text_key names[8], lines[8];  /* Texts of hanging tags that lead to no page. */
-    void (*draw)(const struct menu_view *view); /* Null: the page draws only its tags. */
-    uint8_t is_whole; /* The page's drawing covers the whole picture, with only tags over it. */
+    enum text_key title, about;        /* Name and description of the page, for the tag that leads
+                                          to the page. */
+    enum text_key foot[MENU_FOOT_MAX]; /* Texts of the tags at the foot of the page, in order. */
+    enum text_key names[8], lines[8];  /* Names and descriptions of hanging tags that lead to no
+                                          page. */
+    void (*draw)(const struct menu_view *view); /* Function that draws the page. Null means that the
+                                                   page has only tags. */
+    uint8_t is_whole; /* 1 if the page covers the whole picture, with only the tags over it,
+                         otherwise 0. */
 };
 const struct menu_words *menu_words_of(uint8_t page);
 
 #define SETTING_CHOICES_MAX 4u
 
-/* The texts of a setting and of its values. A key of 0 means none, because key 0 is the title,
- * which is not used here. */
+/* Texts of a setting and of its values. Key 0 means no text, because key 0 is the game's title,
+ * which no setting uses. */
 struct setting_words {
     enum text_key name, help;
-    enum text_key unit, zero, one; /* Pattern such as "{} min", and the words for the values 0 and
-                                      1, if any. */
+    enum text_key unit, zero, one; /* Pattern such as "{} min", and texts that replace the values 0
+                                      and 1. */
     enum text_key choices[SETTING_CHOICES_MAX];
 };
 const struct setting_words *menu_setting_words_of(uint32_t id);
 
-/* Writes a setting's value, such as "5 min", "never" or "18:30". */
+/* Writes the value of a setting, such as "5 min", "never" or "18:30". */
 void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, char *out,
                       size_t out_size);
 
-/* Writes a setting's range and default, such as "free / paid / event    standard free". */
+/* Writes the range and the default of a setting, such as "free / paid / event    standard free". */
 void menu_range_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size);
 
 /* Returns the screen position of a canvas box. */
 struct ui_box menu_place(const struct menu_view *view, struct layout_box box);
 
-/* Returns a tag's own box; empty when the tag is not available. */
+/* Returns the box of a tag on the screen. The box is empty if the tag is not available. */
 struct ui_box menu_tag_place(const struct menu_view *view, uint32_t tag);
 
-/* Draws a tag's blank board and returns its box, slightly lower while the tag is pressed. */
+/* Draws the blank board of a tag and returns its box, which is slightly lower while the tag is
+ * pressed. */
 struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag);
 
 /* Returns the text of a key in the screen's language. */
 const char *menu_text(const struct menu_view *view, enum text_key key);
 
-/* Returns a text style of `size` canvas units in the common font. Size 22 is the smallest that is
+/* Returns a text style of `size` canvas units in the common font. 22 is the smallest size that is
  * readable from a metre. */
 struct ui_text menu_style(const struct menu_view *view, float size, uint32_t fill);
 
-/* Same as menu_style(), in a brush font for Japanese and in the stall's font otherwise. */
+/* Returns the same style as menu_style(), but in a brush font for Japanese and in the stall's font
+ * for other languages. */
 struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fill);
 
-/* Draws text that begins (align 0), is centred (0.5) or ends (1) at `x`, vertically centred on `y`,
- * and shrinks to `room`; all in pixels. */
+/* Draws text whose start (align 0), centre (0.5) or end (1) is at `x`. The text is vertically
+ * centred on `y` and shrunk to the width `room`. All lengths are in pixels. */
 void menu_words_at(const struct menu_view *view, float x, float y, float room, float align,
                    const struct ui_text *style, const char *words);
 
-/* Draws the operator's seal in vermilion, which marks a value that differs from its default. */
+/* Draws the operator's vermilion seal, which marks a value that differs from its default. */
 void menu_seal(const struct menu_view *view, float x, float y);
 
-/* Returns how many bytes of `words` fill a line of `room_px`: up to the last space that fits, or up
- * to the last whole character if there is no space. At least one character. */
+/* Returns the number of bytes of `words` that fill a line of `room_px`. The line ends at the last
+ * space that fits, or after the last whole character if no space fits. The line has at least one
+ * character. */
 size_t menu_fill_line(const struct ui_text *style, const char *words, float room_px);
 
-/* Draw the content of each page beside its tags. */
+/* The following functions draw the content of one page each, beside its tags. */
 void menu_settings(const struct menu_view *view);
 void menu_bits(const struct menu_view *view);
 void menu_rows(const struct menu_view *view);

@@ -1,5 +1,5 @@
-/* ui_menu_about.c -- the page about this machine: its version, its books, and the status line of
- * each device. */
+/* ui_menu_about.c -- the page about this machine: its version, its account books, and the status
+ * line of each device. */
 #include <stdio.h>
 #include <string.h>
 
@@ -9,7 +9,8 @@
 
 struct places {
     struct layout_box page;
-    float name_width; /* 0: the name is above its status line. */
+    float name_width; /* Width of the column of names. 0 means that a name is above its status
+                         line. */
     float head, pitch, line;
     uint32_t line_count;
 };
@@ -30,8 +31,8 @@ static const struct places upright_places = {
     .line_count = 3,
 };
 
-/* Draws a line such as "Kingyo 0.1.0 Start no. 12 Running for 340 min", and how much of the books
- * is on disk. */
+/* Draws a line such as "Kingyo 0.1.0 Start no. 12 Running for 340 min", and the extent to which the
+ * account books are on disk. */
 static void ui_menu_about_heading(const struct menu_view *view, const struct places *places,
                                   struct ui_box box)
 {

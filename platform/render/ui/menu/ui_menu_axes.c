@@ -9,16 +9,17 @@
 #define AXIS_COUNT 6u
 #define NEGATIVE_PAINT 0x2b4c8cffu
 #define POSITIVE_PAINT 0x17754effu
-/* A controller silent for this long is treated as unreliable:
+/* Gap in ms between two reports from which a controller is treated as unreliable, see
  * core/game/control/input_validation.h. */
 #define GAP_BAD_MS 100.0f
 
 struct axis {
     char name[4];
-    float full; /* Value of half a bar: metres or radians. */
+    float full; /* Value of half a bar, in metres or radians. */
 };
 
-/* The bars' full values: a tank's half length, an arm's height, half a turn, a quarter turn. */
+/* Half a bar is half of a tank's length for x, and the height of an arm for y. Half a bar is half a
+ * turn for yaw, and a quarter turn for pitch and roll. */
 static const struct axis axes[AXIS_COUNT] = {
     { "x", 0.70f },        { "y", 0.30f },        { "z", 0.40f },
     { "yaw", 3.1415927f }, { "pit", 1.5707964f }, { "rol", 1.5707964f },
@@ -42,7 +43,7 @@ static struct ui_box cell(const struct menu_view *view, uint32_t seat)
                                          120.0f + 240.0f * (float)(seat / 2u), 590.0f, 228.0f });
 }
 
-/* Draws a bar from the middle to the right or to the left, and the value beside it in mm or
+/* Draws a bar from the middle to the right or to the left. The value is beside the bar, in mm or
  * degrees. */
 static void ui_menu_axes_bar(const struct menu_view *view, const struct scene_axes *seat,
                              struct ui_box box, uint32_t axis)
@@ -56,7 +57,7 @@ static void ui_menu_axes_bar(const struct menu_view *view, const struct scene_ax
     char words[24];
     const int is_angle = axis >= 3u;
     const float shown = fmaxf(-9999.0f, fminf(is_angle ? value / F_DEG : value * 1000.0f, 9999.0f));
-    const int whole = (int)roundf(shown); /* An integer has no -0. */
+    const int whole = (int)roundf(shown); /* The conversion to an integer avoids the text "-0". */
     snprintf(words, sizeof words, "%s%d %s", whole > 0 ? "+" : "", whole, is_angle ? "°" : "mm");
     menu_words_at(view, box.x, y, 40.0f * u, 0.0f, &name, axes[axis].name);
     ui_shape(view->frame.batch,
@@ -81,7 +82,7 @@ static enum text_key link_name(uint8_t link)
                                      : TEXT_AXIS_ABSENT;
 }
 
-/* Draws slot, state, rate and gap above the bars. */
+/* Draws slot, state, report rate and longest gap above the bars. */
 static void ui_menu_axes_heading(const struct menu_view *view, const struct scene_axes *seat,
                                  uint32_t index, struct ui_box box)
 {
@@ -119,8 +120,8 @@ static void seat_sheet(const struct menu_view *view, uint32_t index)
         return;
     }
     const float pitch = (box.height - 68.0f * u) / 3.0f, width = 0.5f * box.width - 34.0f * u;
-    for (uint32_t axis = 0; axis < AXIS_COUNT; axis++) { /* Positions to the left, rotations to the
-                                                            right. */
+    for (uint32_t axis = 0; axis < AXIS_COUNT; axis++) { /* Positions are on the left side,
+                                                            rotations on the right side. */
         const float x = box.x + 22.0f * u + (axis >= 3u ? width + 24.0f * u : 0.0f);
         ui_menu_axes_bar(
             view, seat,

@@ -9,11 +9,13 @@
 #define BAR_PAINT 0x2b4c8cffu
 #define NUMBER_SIZE 24u
 
-/* A line of a book: a name, and a counter or the quotient of two counters. */
+/* A line of an account book: a name, and either a counter or the quotient of two counters. */
 struct book_line {
     enum text_key name;
-    uint8_t audit, by; /* Divisor counter; 0: none, because the first counter is no divisor. */
-    uint16_t over;     /* Additional constant divisor, unless 0: seconds to hours. */
+    uint8_t audit, by; /* Counter, and counter that divides it. A divisor of 0 means no division,
+                          because counter 0 is never a divisor. */
+    uint16_t over;     /* Additional constant divisor, for example from seconds to hours. 0 means no
+                          division. */
 };
 
 /* ---- Paper and numbers ---------------------------------------------------------------------- */
@@ -38,8 +40,7 @@ static void rule(const struct menu_view *view, float x, float y, float width)
                                                     .fill = RULE_PAINT });
 }
 
-/* Writes a count with separators, such as "1,234,567"; a mean with one decimal, and a dash if
- * nothing was counted. */
+/* Writes a count with separators, such as "1,234,567". */
 static void write_count(char out[NUMBER_SIZE], uint32_t count)
 {
     char digits[12];
@@ -54,6 +55,8 @@ static void write_count(char out[NUMBER_SIZE], uint32_t count)
     out[at] = 0;
 }
 
+/* Writes the value of a line: a count, a mean with one decimal, or a dash if nothing was
+ * counted. */
 static void write_line(const struct menu_view *view, const struct book_line *line,
                        char out[NUMBER_SIZE])
 {
@@ -69,7 +72,8 @@ static void write_line(const struct menu_view *view, const struct book_line *lin
     }
 }
 
-/* Draws lines in `columns` columns, read downward. */
+/* Draws the lines of an account book in `columns` columns. Each column is filled from top to
+ * bottom. */
 static void lines(const struct menu_view *view, struct ui_box box, uint32_t columns,
                   const struct book_line *line, uint32_t count)
 {
@@ -87,13 +91,15 @@ static void lines(const struct menu_view *view, struct ui_box box, uint32_t colu
         write_line(view, &line[i], words);
         menu_words_at(view, x, y, 0.62f * width, 0.0f, &name, menu_text(view, line[i].name));
         menu_words_at(view, x + width, y, 0.36f * width, 1.0f, &number, words);
-        if (i % rows + 1u < rows && i + 1u < count) { /* The border of the sheet ends a column. */
+        if (i % rows + 1u < rows && i + 1u < count) { /* The last line of a column needs no rule,
+                                                         because the border of the sheet is below
+                                                         it. */
             rule(view, x, y + 0.5f * pitch, width);
         }
     }
 }
 
-/* ---- Money and the machine ------------------------------------------------------------------ */
+/* ---- Earnings and faults -------------------------------------------------------------------- */
 
 static struct layout_box whole(const struct menu_view *view)
 {
@@ -153,7 +159,8 @@ static void by_mode(const struct menu_view *view, struct ui_box box)
     const float first = box.x + 0.36f * box.width;
     const float column = (box.x + box.width - 24.0f * u - first) / (float)AUDIT_GRADES;
     const struct ui_text name = menu_style(view, 24.0f, UI_INK_SOFT);
-    const struct ui_text number = menu_style(view, 22.0f, UI_INK); /* 4 digits fit in a column. */
+    const struct ui_text number = menu_style(view, 22.0f, UI_INK); /* Four digits of this size fit
+                                                                      in a column. */
     char words[TEXT_LINE_MAX];
     menu_words_at(view, box.x + 0.5f * box.width, box.y + 28.0f * u, box.width - 40.0f * u, 0.5f,
                   &name, menu_text(view, TEXT_AUD_BY_MODE));
@@ -203,7 +210,7 @@ void menu_plays(const struct menu_view *view)
 
 /* ---- Hours ---------------------------------------------------------------------------------- */
 
-/* Draws a bar chart with names below the bars. The highest bar fills the height. */
+/* Draws a bar chart with names below the bars. The highest bar has the full height. */
 static void bars(const struct menu_view *view, struct ui_box box, enum text_key title,
                  uint32_t first, uint32_t count,
                  void (*name)(const struct menu_view *view, uint32_t index, char *out,
@@ -245,7 +252,7 @@ static void bars(const struct menu_view *view, struct ui_box box, enum text_key 
     rule(view, left, base, box.width - 48.0f * u);
 }
 
-/* Writes every third hour, because all of them would be too small to read. */
+/* Writes every third hour, because 24 labels would be too small to read. */
 static void name_hour(const struct menu_view *view, uint32_t index, char *out, size_t out_size)
 {
     (void)view;

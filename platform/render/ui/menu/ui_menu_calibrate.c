@@ -1,5 +1,6 @@
-/* ui_menu_calibrate.c -- the calibration page: the tank from above with its four marks and the next
- * instruction, then a side view of the water on which the poi is laid. */
+/* ui_menu_calibrate.c -- the calibration page. The page shows the tank from above with its four
+ * marks and the next instruction, then a side view of the water on which the operator lays the
+ * poi. */
 #include <math.h>
 #include <stdio.h>
 
@@ -28,7 +29,7 @@ static int is_corner(uint8_t step)
     return step >= CALIBRATE_CORNER && step < CALIBRATE_WATER;
 }
 
-/* ---- Words ---------------------------------------------------------------------------------- */
+/* ---- Texts ---------------------------------------------------------------------------------- */
 
 static enum text_key name_of(uint8_t step)
 {
@@ -71,7 +72,7 @@ static enum text_key words_of(const struct menu_view *view)
                                                      : TEXT_CALIBRATE_IDLE_WORDS;
 }
 
-/* Draws a paragraph in as many rows as needed, from the top of the box. */
+/* Draws a paragraph in as many lines as needed, from the top of the box downward. */
 static void paragraph(const struct menu_view *view, struct ui_box box, const struct ui_text *style,
                       const char *words)
 {
@@ -85,7 +86,7 @@ static void paragraph(const struct menu_view *view, struct ui_box box, const str
     }
 }
 
-/* ---- The tank ------------------------------------------------------------------------------- */
+/* ---- Tank ----------------------------------------------------------------------------------- */
 
 static struct ui_box pool_of(const struct menu_view *view, struct ui_box box)
 {
@@ -129,7 +130,7 @@ static void ring(const struct menu_view *view, float x, float y, float radius, f
                                  .shape = { radius, 7.0f * view->frame.unit, part } });
 }
 
-/* Converts a place on the water to the box that shows the tank from above. */
+/* Converts a position on the water to a position in the box that shows the tank from above. */
 static void place_in(const struct menu_view *view, struct ui_box pool, vec3 at_m, float *x,
                      float *y)
 {
@@ -140,8 +141,8 @@ static void place_in(const struct menu_view *view, struct ui_box pool, vec3 at_m
     *y = pool.y + pool.height * (0.5f + fmaxf(-0.5f, fminf(near, 0.5f)));
 }
 
-/* Draws the marks: a fish for a finished step, a large ring that fills while the poi is still for
- * the current one, a small ring for later ones. */
+/* Draws the marks: a fish for each finished step, a large ring for the current step, and a small
+ * ring for each later step. The large ring fills while the poi is held still. */
 static void marks(const struct menu_view *view, struct ui_box pool)
 {
     const float u = view->frame.unit;
@@ -162,7 +163,7 @@ static void marks(const struct menu_view *view, struct ui_box pool)
     }
 }
 
-/* Draws the poi's current position with the calibration applied. */
+/* Draws the current position of the poi with the calibration applied. */
 static void live_poi(const struct menu_view *view, struct ui_box pool)
 {
     const struct scene_menu *menu = view->menu;
@@ -178,7 +179,7 @@ static void live_poi(const struct menu_view *view, struct ui_box pool)
     ui_poi_sign(&view->frame, x, y, 24.0f * view->frame.unit, 1.0f, ui_player_colours[menu->seat]);
 }
 
-/* Draws the side view: the poi sinks onto the water and lies there. */
+/* Draws the side view, in which the poi sinks onto the water and lies there. */
 static void laid_flat(const struct menu_view *view, struct ui_box pool)
 {
     const float u = view->frame.unit, t = fmodf(view->frame.time_s, 2.4f);

@@ -1,10 +1,11 @@
 /* ui_menu_card.c -- the test card, which makes a screen's faults visible.
  *
- * A white line follows the picture's edge; if an edge is invisible, correct it with the overscan
- * setting. A grid of squares and a circle are undistorted on a screen of square pixels. Eight
- * colours, eleven greys, and four greys that a badly adjusted screen shows as black or as white.
- * Letters stand in the middle and in the corners, down to a size that is sharp only if every pixel
- * is shown separately. Amber lines a twentieth inside the edge enclose the area for text. */
+ * A white line follows the picture's edge. If an edge is invisible, the operator must correct the
+ * overscan setting. A grid of squares and a circle are undistorted on a screen of square pixels.
+ * The card shows eight colours, eleven greys, and four further greys that a badly adjusted screen
+ * shows as black or white. Letters are in the middle and in the corners. The smallest letters are
+ * sharp only if every pixel is shown separately. Amber lines, a twentieth of the picture inside the
+ * edge, enclose the safe area for text. */
 #include "platform/render/ui/menu/ui_menu.h"
 
 #include <math.h>
@@ -13,10 +14,11 @@
 #define CARD_GREY 0x404040ffu
 #define CARD_WHITE 0xffffffffu
 #define CARD_AMBER 0xffa800ffu
-#define GRID_ROWS 9.0f /* Number of squares from top to bottom; upright, from side to side. */
-/* Maximum lines on each side of the middle, enough for a screen of 14 to 1. */
+/* Number of squares from top to bottom, or from side to side on an upright screen. */
+#define GRID_ROWS 9.0f
+/* Maximum number of lines on each side of the middle, enough for a screen of 14 to 1. */
 #define GRID_LINES_MAX 64u
-#define SAFE 0.05f /* Fraction of each side. */
+#define SAFE 0.05f /* Distance of the safe area from the edge, as a fraction of each side. */
 #define COLOUR_COUNT 8u
 #define GREY_COUNT 11u
 #define SUBTLE_COUNT 4u
@@ -26,8 +28,8 @@ static void ui_menu_card_fill_box(const struct menu_view *view, struct ui_box bo
     ui_shape(view->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = colour });
 }
 
-/* Draws a line on whole pixels. On half pixels a line would be two pixels wide and half as
- * bright. */
+/* Draws a horizontal line on whole pixels. A line on half pixels would be two pixels wide and half
+ * as bright. */
 static void line_across(const struct menu_view *view, float y, float from, float to, float px,
                         uint32_t colour)
 {
@@ -52,8 +54,8 @@ static void outline(const struct menu_view *view, struct ui_box box, float px, u
     line_down(view, right - px, box.y, bottom, px, colour);
 }
 
-/* Returns how many lines lie within half of `length`, the middle's included; at most
- * GRID_LINES_MAX. */
+/* Returns the number of lines within half of `length`, including the line in the middle. The
+ * maximum is GRID_LINES_MAX. */
 static uint32_t grid_lines(float length, float side)
 {
     const float lines = ceilf(0.5f * length / side);
@@ -107,8 +109,8 @@ static uint32_t grey_of(uint32_t level)
     return level << 24 | level << 16 | level << 8 | 0xffu;
 }
 
-/* Draws eleven greys from black to white. On the first are two patches that are slightly lighter,
- * on the last two that are slightly darker. */
+/* Draws eleven greys from black to white. The black has two slightly lighter patches, and the white
+ * has two slightly darker patches. */
 static void greys(const struct menu_view *view, struct ui_box band)
 {
     static const uint32_t subtle[SUBTLE_COUNT] = { 5, 10, 245, 250 };
@@ -129,7 +131,7 @@ static void greys(const struct menu_view *view, struct ui_box band)
     }
 }
 
-/* Draws letters in three sizes. The smallest is in the screen's pixels, not in canvas units. */
+/* Draws letters in three sizes. The smallest size is in screen pixels instead of canvas units. */
 static void letters(const struct menu_view *view, float x, float y)
 {
     static const float sizes_px[] = { 28.0f, 18.0f, 11.0f };

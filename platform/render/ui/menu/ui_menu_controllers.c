@@ -18,7 +18,8 @@ static const struct state_words states[CONTROLLER_STATE_COUNT] = {
     [CONTROLLER_DENIED] = { TEXT_STATE_DENIED, TEXT_ROW_DENIED, 0xb3261effu },
 };
 
-/* Writes a name such as "057e:2009 Pro Controller, port 3-1.2". A recording contains no names. */
+/* Writes a name such as "057e:2009 Pro Controller, port 3-1.2". A recording contains no controller
+ * names. */
 static void name_of(const struct menu_view *view, uint32_t row, char *out, size_t out_size)
 {
     const char *name = view->devices->controller[row];
@@ -44,7 +45,7 @@ static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t 
                 &style, menu_text(view, states[state].name));
 }
 
-/* Draws a whole poi for a controller that is in use or available, a torn one otherwise. */
+/* Draws a whole poi for a controller that is in use or available, otherwise a torn poi. */
 static void state_sign(const struct menu_view *view, float x, float y, float radius, uint8_t state)
 {
     const float paper = state == CONTROLLER_ACTIVE || state == CONTROLLER_FREE ? 1.0f : 0.2f;
@@ -75,7 +76,7 @@ static void row(const struct menu_view *view, uint32_t index)
                state);
 }
 
-/* Draws the reason why there is no controller, as reported by the controller manager. */
+/* Draws the reason why no controller is connected, as the controller manager reports it. */
 static void nothing_there(const struct menu_view *view)
 {
     char said[MESSAGE_TRANSLATE_SIZE];
@@ -105,7 +106,8 @@ void menu_rows(const struct menu_view *view)
     }
 }
 
-/* Draws the controller's name and state above the tags, and the state's meaning below them. */
+/* Draws the controller's name and state above the tags, and the meaning of the state below the
+ * tags. */
 void menu_one_controller(const struct menu_view *view)
 {
     const int upright = view->menu->upright;

@@ -1,4 +1,5 @@
-/* ui_menu_files.c -- a paper slip for each file: whether it is in use, and if not, why. */
+/* ui_menu_files.c -- the page of files. A paper slip for each file shows whether the file is in
+ * use, and otherwise the reason. */
 #include <stdio.h>
 #include <string.h>
 
@@ -10,7 +11,8 @@
 struct places {
     float x, y, width, pitch, height;
     float name_height, line_height;
-    uint32_t line_count; /* Lines of a reason. SCENE_LINE_SIZE letters of usual widths fit. */
+    uint32_t line_count; /* Number of lines of a reason, enough for SCENE_LINE_SIZE letters of usual
+                            widths. */
     struct layout_box count;
 };
 
@@ -48,7 +50,7 @@ static const struct state_look looks[FILE_STATE_COUNT] = {
     [FILE_SEEN] = { TEXT_FILE_SEEN, 0x5b6172ffu },
 };
 
-/* ---- Words ---------------------------------------------------------------------------------- */
+/* ---- Texts ---------------------------------------------------------------------------------- */
 
 size_t menu_fill_line(const struct ui_text *style, const char *words, float room_px)
 {
@@ -66,7 +68,7 @@ size_t menu_fill_line(const struct ui_text *style, const char *words, float room
     return strlen(words);
 }
 
-/* Draws a reason in several lines. The last line shrinks to hold the rest. */
+/* Draws a reason in several lines. The last line is shrunk to contain the rest of the text. */
 static void wrap(const struct menu_view *view, const struct ui_box *box, const char *words,
                  const struct places *places)
 {
@@ -101,7 +103,7 @@ static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t 
 }
 
 /* Writes a file's name. The store has no entry in the list of names, and a recording contains no
- * names. */
+ * file names. */
 static void name_of(const struct menu_view *view, uint32_t row, const struct scene_file *file,
                     char *out, size_t out_size)
 {
@@ -114,7 +116,8 @@ static void name_of(const struct menu_view *view, uint32_t row, const struct sce
     }
 }
 
-/* Returns the text beside the store's state: the scores that are lost. */
+/* Writes the text beside a file's state and returns `out`. For the store, the number of lost scores
+ * comes first. */
 static const char *words_of(const struct menu_view *view, uint32_t row,
                             const struct scene_file *file, char *out, size_t out_size)
 {

@@ -1,17 +1,17 @@
-/* ui_menu_learn.c -- the page that teaches a controller: a basin in which a poi shows the motion to
- * make. */
+/* ui_menu_learn.c -- the page on which the operator teaches the axes of a controller. A poi in a
+ * basin shows the motion to make. */
 #include <math.h>
 
 #include "platform/render/ui/menu/ui_menu.h"
 
-#define LOOP_S 2.4f /* Period of the demonstrated motion, */
-#define WAY_S 0.9f  /* duration of its outward part, */
-#define BACK_S 2.1f /* and time at which the poi is back. */
+#define LOOP_S 2.4f /* Period of the demonstrated motion in seconds. */
+#define WAY_S 0.9f  /* Time in seconds at which the outward motion ends. */
+#define BACK_S 2.1f /* Time in seconds at which the poi is back. */
 #define STEPS (LEARN_DIP - LEARN_REST + 1)
 
 struct step_words {
     enum text_key name, words;
-    float x, y; /* Direction of the poi's motion, in halves of the basin. */
+    float x, y; /* Direction of the poi's motion, in halves of the basin's size. */
 };
 
 static const struct step_words steps[LEARN_STEP_COUNT] = {
@@ -45,7 +45,8 @@ static const struct places upright_places = {
     .dots = { 27.0f, 1090.0f, 800.0f, 50.0f },
 };
 
-/* Returns the progress of the motion, [0, 1]: outward, hold, and back. */
+/* Returns how far the demonstrating poi has moved outward, [0, 1]. The poi moves outward, stops,
+ * and moves back. */
 static float way(float time_s)
 {
     const float t = fmodf(time_s, LOOP_S);
@@ -67,8 +68,8 @@ static void arrow(const struct menu_view *view, const struct step_words *step, f
     }
 }
 
-/* Draws the water from above, or from the side for the dip; the surface is then in the middle of
- * the box. */
+/* Draws the water from above. For the dip, draws the water from the side, with the surface in the
+ * middle of the box. */
 static void water(const struct menu_view *view, struct ui_box box, int from_the_side)
 {
     const float u = view->frame.unit;
@@ -115,7 +116,7 @@ static void teacher(const struct menu_view *view, struct ui_box box, uint8_t ste
     float x = 0.5f, y = 0.5f;
     const int plays = step == LEARN_TRY || step == LEARN_NOT_SAVED;
     float paper = step == LEARN_FAILED ? 0.15f : 1.0f, radius = 46.0f * u;
-    if (plays && menu->has_hand) { /* The taught controller moves this poi. */
+    if (plays && menu->has_hand) { /* The controller that the operator teaches moves this poi. */
         x = menu->x / canvas.x;
         y = menu->y / canvas.y;
         radius *= menu->presses ? 0.75f : 1.0f;
@@ -134,7 +135,7 @@ static void teacher(const struct menu_view *view, struct ui_box box, uint8_t ste
     ui_poi_sign(&view->frame, px, py, radius, paper, ui_player_colours[0]);
 }
 
-/* Draws a fish for each finished step and a ring for each later one. */
+/* Draws a fish for each finished step and a ring for each later step. */
 static void dots(const struct menu_view *view, struct ui_box box, uint8_t step)
 {
     const float u = view->frame.unit, pitch = 62.0f * u;

@@ -1,5 +1,6 @@
-/* ui_menu_lines.c -- a lamp for each button, lit while it is pressed, and the coins inserted. In
- * each cell's corner is the raw line: level, changes and faults. */
+/* ui_menu_lines.c -- the page of input lines: a lamp for each button, lit while the button is
+ * pressed, and the number of coins inserted. The corner of each cell shows the raw input line: its
+ * level, its changes and its faults. */
 #include <stdio.h>
 #include <string.h>
 
@@ -8,13 +9,13 @@
 
 #define CLINK_S 0.5f
 #define MISSING_PAINT 0xb3261effu
-#define STATE_ROWS 2u /* Number of rows for the state of the lines. */
+#define STATE_ROWS 2u /* Number of text rows that report the state of the input lines. */
 
 static const enum text_key names[INPUT_BUTTON_COUNT + 1u] = {
     TEXT_LINE_START, TEXT_LINE_LEFT,    TEXT_LINE_RIGHT, TEXT_LINE_OK,   TEXT_LINE_LANGUAGE,
     TEXT_LINE_TEST,  TEXT_LINE_SERVICE, TEXT_LINE_TILT,  TEXT_LINE_DOOR, TEXT_LINE_COIN,
 };
-/* Index of the coin cell, behind the buttons in the order of their bits. */
+/* Index of the coin cell. The cells of the buttons come first, in the order of their bits. */
 #define COIN INPUT_BUTTON_COUNT
 
 static struct ui_box cell(const struct menu_view *view, uint32_t index)
@@ -52,7 +53,7 @@ static void lamp(const struct menu_view *view, float x, float y, float radius, f
                                  .shape = { 0, 0, radius, 3.0f * u } });
 }
 
-/* Draws a red slip in place of a lamp: the line is configured but missing. */
+/* Draws a red slip instead of a lamp for an input line that is configured but missing. */
 static void not_there(const struct menu_view *view, struct ui_box box)
 {
     const float u = view->frame.unit;
@@ -67,7 +68,8 @@ static void not_there(const struct menu_view *view, struct ui_box box)
                 &style, menu_text(view, TEXT_LINE_MISSING));
 }
 
-/* Returns the line of a cell. The coin's cell combines all coin lines. */
+/* Returns the input line of a cell. The coin cell combines all coin lines. `is_raw` receives 1 if a
+ * raw level is available. */
 static struct scene_line line_of(const struct menu_view *view, uint32_t index, int *is_raw)
 {
     const struct scene_devices *devices = view->devices;
@@ -82,8 +84,8 @@ static struct scene_line line_of(const struct menu_view *view, uint32_t index, i
     return sum;
 }
 
-/* Draws the raw line in the corner: a square lamp for the level before debouncing, the number of
- * changes, and in red the number of invalid changes. */
+/* Draws the raw input line in the corner: a square lamp for the level before debouncing, the number
+ * of changes, and in red the number of invalid changes. */
 static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box box)
 {
     const float u = view->frame.unit, size = 16.0f * u;
@@ -108,7 +110,8 @@ static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box
     }
 }
 
-/* Draws lamp, name and count, one below the other. On an upright screen the lamp is beside them. */
+/* Draws lamp, name and count below each other. On an upright screen the lamp is beside the name and
+ * the count. */
 static void line(const struct menu_view *view, uint32_t index, float lit, uint32_t count)
 {
     const struct ui_box box = cell(view, index);
@@ -141,8 +144,8 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
     raw_line(view, index, box);
 }
 
-/* Draws which program or device uses the lines and what is missing, in rows of normal size. The
- * last row shrinks to fit. */
+/* Draws the program or device that uses the input lines and the missing lines, in rows of normal
+ * size. The last row is shrunk to fit. */
 static void state_of_lines(const struct menu_view *view, float x, float y, float width)
 {
     const uint32_t paint = view->devices->buttons_missing ? 0xff9c86ffu : 0xc9d2eeffu;
@@ -162,7 +165,8 @@ static void state_of_lines(const struct menu_view *view, float x, float y, float
     }
 }
 
-/* Draws the lines' state, then that a coin on this page is a test, and the number of failures. */
+/* Draws the state of the input lines, the note that a coin on this page is a test, and the number
+ * of failures. */
 static void notes(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
@@ -178,7 +182,7 @@ static void notes(const struct menu_view *view)
     ui_words_in(&view->frame,
                 menu_place(view, (struct layout_box){ x, y + 28.0f * STATE_ROWS, width, 32.0f }),
                 &warm, words);
-    if (upright) { /* One row is too narrow for both. */
+    if (upright) { /* One row is too narrow for both notes. */
         ui_words_in(&view->frame,
                     menu_place(view, (struct layout_box){ x, y + 28.0f * STATE_ROWS + 32.0f, width,
                                                           32.0f }),

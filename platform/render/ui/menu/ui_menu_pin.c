@@ -1,4 +1,4 @@
-/* ui_menu_pin.c -- the PIN page: ten keys, and a slot for each digit. */
+/* ui_menu_pin.c -- the PIN page: ten number keys, and a place for each digit. */
 #include <math.h>
 
 #include "platform/render/ui/menu/ui_menu.h"
@@ -22,7 +22,8 @@ static char digit_at(const struct scene_menu *menu, uint32_t index)
     return (char)('0' + pin % 10u);
 }
 
-/* Draws the slots. The digits of a new PIN are visible; otherwise each is shown as a fish. */
+/* Draws the places of the digits. The digits of a new PIN are visible. Otherwise a fish stands for
+ * each entered digit. */
 static void slots(const struct menu_view *view)
 {
     const struct scene_menu *menu = view->menu;

@@ -1,10 +1,11 @@
-/* ui_menu_ranking.c -- the leaderboard page for the operator: a board for each score, and the page
- * of one score. */
+/* ui_menu_ranking.c -- the leaderboard page for the operator, with a board for each score, and the
+ * page of one score. */
 #include "core/game/ranking/ranking.h"
 #include "platform/render/ui/menu/ui_menu.h"
 #include "platform/render/ui/ui_leaderboard.h"
 
-/* Draws which leaderboard is shown: beside the title, or under it on an upright screen. */
+/* Draws the name of the visible leaderboard beside the title, or under the title on an upright
+ * screen. */
 static void board_words(const struct menu_view *view)
 {
     const int upright = view->menu->upright;

@@ -1,17 +1,20 @@
-/* ui_menu_settings.c -- a board for each setting: its name, range, default and value. */
+/* ui_menu_settings.c -- the pages of settings. A board for each setting shows its name, range,
+ * default and value. */
 #include <stdio.h>
 #include <string.h>
 
 #include "platform/render/ui/menu/ui_menu.h"
 
-#define CHANGED_PAINT 0x94140cffu /* Dark enough to be readable on the board's wood. */
+/* Colour of a changed value, dark enough to be readable on the board's wood. */
+#define CHANGED_PAINT 0x94140cffu
 
-/* Positions of a board's parts, in canvas units from its left and right edge. */
+/* Positions of the parts of a board, in canvas units from the left and the right edge of the
+ * board. */
 struct places {
     float name_size, value_size, range_size;
     float inset, name_width, value_width;
     float range_x, range_width;
-    int two_lines; /* The range is below the name. */
+    int two_lines; /* 1 if the range is below the name, 0 if the range is beside the name. */
     struct layout_box help, saved;
     uint32_t help_lines;
 };
@@ -44,7 +47,7 @@ static const struct places upright_places = {
     .saved = { 27.0f, 152.0f, 300.0f, 40.0f },
 };
 
-/* ---- Values in words ------------------------------------------------------------------------ */
+/* ---- Values as text ------------------------------------------------------------------------- */
 
 static int count_bits(int32_t value)
 {
@@ -75,7 +78,7 @@ void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, 
     default:
         break;
     }
-    if (words->unit == TEXT_VAL_PER_MILLE) { /* Shown as per cent with a decimal. */
+    if (words->unit == TEXT_VAL_PER_MILLE) { /* Per mille are shown as per cent with one decimal. */
         snprintf(out, out_size, "%d.%d %%", (int)value / 10, (int)value % 10);
         return;
     }
@@ -88,7 +91,7 @@ static int32_t max_of(const struct menu_view *view, uint32_t id)
     return id == SET_FISH ? (int32_t)view->menu->fish_max : settings_entry(id)->max;
 }
 
-/* Writes choices such as "free / paid / event". */
+/* Writes the choices of a setting, such as "free / paid / event". */
 static void choice_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
 {
     size_t used = 0;
@@ -100,8 +103,9 @@ static void choice_words(const struct menu_view *view, uint32_t id, char *out, s
     }
 }
 
-/* Writes a range such as "5 - 240 min" or "0.0 - 10.0 %". A 0 with a word of its own is listed
- * separately ("silent / 1 - 10"), unless the default beside it already shows the word. */
+/* Writes the range of a setting, such as "5 - 240 min" or "0.0 - 10.0 %". A value 0 that has a text
+ * of its own is listed separately ("silent / 1 - 10"), unless the default beside the range shows
+ * this text. */
 static void span_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
 {
     const struct setting_words *words = menu_setting_words_of(id);
@@ -188,7 +192,7 @@ static void setting_board(const struct menu_view *view, const struct places *pla
     }
 }
 
-/* Draws a board that leads to a page and has no value of its own. */
+/* Draws a board that leads to a page and has no value. */
 static void page_board(const struct menu_view *view, const struct places *places, struct ui_box box,
                        uint8_t page)
 {
@@ -196,7 +200,7 @@ static void page_board(const struct menu_view *view, const struct places *places
     ui_words_in(&view->frame, box, &name, menu_text(view, menu_words_of(page)->title));
 }
 
-/* Draws the description of the selected setting above the foot. */
+/* Draws the description of the selected setting above the tags at the foot. */
 static void help(const struct menu_view *view, const struct places *places, const char *words)
 {
     const struct ui_text style = menu_style(view, 25.0f, MENU_CREAM);
@@ -214,7 +218,7 @@ static void help(const struct menu_view *view, const struct places *places, cons
     }
 }
 
-/* Draws whether the last change is on disk. Draws nothing for a setting that was not changed. */
+/* Draws whether the last change of a setting is on disk. Draws nothing before the first change. */
 static void saved(const struct menu_view *view, const struct places *places)
 {
     const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
@@ -240,7 +244,8 @@ static void board(const struct menu_view *view, const struct places *places, uin
     }
 }
 
-/* Draws the description of the selected row; for the foot, which value returns to which default. */
+/* Draws the description of the selected row. For the tag that restores a default
+ * (SETTINGS_STANDARD), draws the setting's name and default. */
 static void tell_pointed(const struct menu_view *view, const struct places *places)
 {
     const struct scene_menu *menu = view->menu;
@@ -267,7 +272,8 @@ void menu_settings(const struct menu_view *view)
     const struct scene_menu *menu = view->menu;
     const struct places *places = menu->upright ? &upright_places : &wide;
     const uint32_t body_count = menu_body_count(menu->page);
-    if (menu->tag < body_count) { /* Drawn first, so that its light falls behind its neighbours. */
+    if (menu->tag < body_count) { /* The selected board is drawn first, so that its glow is behind
+                                     the neighbouring boards. */
         board(view, places, menu->tag);
     }
     for (uint32_t tag = 0; tag < body_count; tag++) {
@@ -279,7 +285,8 @@ void menu_settings(const struct menu_view *view)
     saved(view, places);
 }
 
-/* Draws the board of a bit, which has a range, a default and a seal like any setting. */
+/* Draws the board of a single bit of a setting. The board has a range, a default and a seal, as the
+ * board of a setting has. */
 static void bit_board(const struct menu_view *view, const struct places *places, uint32_t id,
                       uint32_t bit)
 {

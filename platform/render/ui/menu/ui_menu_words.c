@@ -1,4 +1,5 @@
-/* ui_menu_words.c -- the texts of the operator's pages and settings, one row each. */
+/* ui_menu_words.c -- tables of the texts of the operator's pages and settings, one row for each
+ * page or setting. */
 #include "platform/render/ui/menu/ui_menu.h"
 
 #define BACK TEXT_MENU_BACK
