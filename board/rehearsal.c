@@ -1,7 +1,7 @@
-/* rehearsal.c -- opens any board for a demonstration: its display off screen, and simulated
+/* rehearsal.c -- opens a board for the demonstration: draws off screen, and simulates all other
  * devices.
  *
- * Shared by every board. The file is part of the board folder because it connects drivers. */
+ * Shared by all boards. The file is in the board folder because it connects drivers. */
 #include "platform/board.h"
 
 #include "core/input.h"

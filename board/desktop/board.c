@@ -1,6 +1,7 @@
-/* board.c -- the desktop board: a window, all poi devices, keys as buttons, sound and disk.
+/* board.c -- the desktop board: a window, all kinds of controllers, a keyboard as buttons, sound
+ * and disk.
  *
- * Connects all drivers, part by part (parts.h). */
+ * Opens all drivers and connects them to struct hal, part by part (parts.h). */
 #include "platform/board.h"
 
 #include "board/desktop/parts.h"
@@ -24,7 +25,7 @@ void board_open(struct hal *hal, const struct board_options *options)
 void board_release_store(struct hal *hal)
 {
     hal->audio.ops->close(hal->audio.self);
-    hal->storage.ops->close(hal->storage.self); /* The store may already be closed; a second close
+    hal->storage.ops->close(hal->storage.self); /* The store may already be closed; a second close()
                                                    has no effect. */
     panel_close();
     hands_close();

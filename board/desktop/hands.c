@@ -1,4 +1,4 @@
-/* hands.c -- assigns poi devices to the slots (drivers/input_mux.h). */
+/* hands.c -- assigns controllers (poi devices) to the players' slots by drivers/input_mux.h. */
 #include <SDL.h>
 #include <stdio.h>
 
@@ -19,7 +19,7 @@ static int wants(const struct board_options *options, enum board_poi kind)
     return options->poi == BOARD_POI_AUTO || options->poi == kind;
 }
 
-/* Ignores mouse and touch events if no driver reads them. */
+/* Makes SDL drop mouse and touch events, because no driver reads them. */
 static void ignore_pointers(void)
 {
     static const Uint32 types[] = { SDL_MOUSEMOTION, SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP,
@@ -28,8 +28,8 @@ static void ignore_pointers(void)
     screen_ignore(types, sizeof types / sizeof types[0]);
 }
 
-/* Returns the pointer devices in use. Mouse and touch control the same poi; the device moved last
- * counts. */
+/* Returns the pointer devices in use, as bits of enum pointer_filter. Mouse and touch screen
+ * control the same poi; the device that moved last sets the position. */
 static uint32_t pointers(const struct board_options *options)
 {
     return (wants(options, BOARD_POI_MOUSE) ? (uint32_t)POINTER_FILTER_MOUSE : 0u) |
@@ -53,15 +53,15 @@ static void add_pointer(struct hal *hal, const struct board_options *options, ui
     input_mux_add(&devices.seats, &mouse);
 }
 
-/* Excludes USB devices from SDL, so that each device has one owner. */
+/* Excludes the devices of the USB driver from SDL, so that each device has one owner. */
 static void bar_pads(void)
 {
     struct gamepad_exclusion bar[GAMEPADS_EXCLUSION_MAX] = { 0 };
     gamepads_exclude(&devices.gamepads, bar, usb_exclusions(bar));
 }
 
-/* Returns 1 if the gamepad is connected. The operator may choose controllers while the kiosk runs,
- * so that the choice is checked once a frame. */
+/* Returns 1 if the game pad is plugged in, otherwise 0. The operator may select USB controllers
+ * while the kiosk runs, so the exclusions are updated once in each frame. */
 static int pad_is_there(void *self)
 {
     if (self == &devices.gamepads.pad[0]) {
@@ -70,7 +70,8 @@ static int pad_is_there(void *self)
     return gamepad_poi_is_present(self);
 }
 
-/* Adds the gamepads. Unknown gamepads can be described in a file in the data folder. */
+/* Adds the game pads. A file in the data folder can contain mappings of game pads that SDL does not
+ * know. */
 static void add_pads(struct hal *hal, const struct board_options *options)
 {
     char database[1100] = "";

@@ -1,7 +1,7 @@
-/* panel.c -- combines all buttons to one panel: a desktop's keys, the GPIO lines, and controllers'
- * buttons.
+/* panel.c -- merges all buttons into one button device: the keyboard, the GPIO lines, and the
+ * buttons of controllers.
  *
- * On a desktop the keys work with every poi, because Esc must quit. A cabinet ignores all
+ * On a desktop the keyboard works with every poi, because Esc must quit. A cabinet ignores all
  * keyboards. */
 #include <SDL.h>
 #include <stdio.h>
@@ -37,7 +37,7 @@ int board_check_lines(const char (*line)[BOARD_LINE_SIZE], uint32_t count, char 
     return read_wires(wires, line, count, why);
 }
 
-/* Reports each line that is missing. Missing lines are retried while the kiosk runs. */
+/* Logs each GPIO line that is missing. Missing lines are requested again while the kiosk runs. */
 static void tell_missing(const struct gpio_wire wires[GPIO_ROLE_COUNT])
 {
     char why[HAL_TEXT_SIZE];
@@ -70,7 +70,7 @@ static void open_lines(struct hal *hal, const struct board_options *options)
     hal->switches = buttons_gpio_switches(&devices.gpio);
 }
 
-/* Drops key events at SDL's queue if the keys are no buttons, because no driver would read them. */
+/* Makes SDL drop key events, because no driver reads them while the keyboard is disabled. */
 static void ignore_keys(void)
 {
     static const Uint32 types[] = { SDL_KEYDOWN,     SDL_KEYUP,           SDL_TEXTINPUT,
@@ -94,8 +94,9 @@ void panel_open(struct hal *hal, const struct board_options *options)
     add_keys(options);
     usb_add_buttons(&devices.join);
     hands_add_buttons(&devices.join);
-    open_lines(hal, options); /* Last, because these texts report missing lines, and the earlier
-                                 texts name the keys to press. */
+    open_lines(hal, options); /* Added last, because the descriptions are joined in this order: the
+                                 other parts name the keys to press, and the lines report what is
+                                 missing. */
     hal->buttons = buttons_mux_device(&devices.join);
 }
 

@@ -22,8 +22,8 @@ void screen_ignore(const uint32_t *types, size_t count)
     }
 }
 
-/* Drops events that no driver reads. Such events would fill SDL's queue during a long day, and a
- * full queue drops later events, for example the click that closes the window. */
+/* Makes SDL drop events that no driver reads. Such events would fill SDL's queue during a long day.
+ * A full queue drops later events, for example the click that closes the window. */
 static void ignore_foreign_events(void)
 {
     /* clang-format off */
@@ -61,8 +61,8 @@ void screen_open(struct hal *hal, const struct board_options *options)
     }
 }
 
-/* Returns 1 if the kernel has a graphics card (/dev/dri/card*). Without one SDL is not called,
- * because its libraries would write errors to standard error. */
+/* Returns 1 if the kernel has a graphics card (/dev/dri/card*), otherwise 0. Without a graphics
+ * card SDL is not called, because its libraries would write errors to standard error. */
 static int has_graphics_card(void)
 {
     char path[32];

@@ -1,4 +1,4 @@
-/* store.c -- connects sound, disk and the service manager. */
+/* store.c -- opens the sound and the store, and connects the watchdog of the service manager. */
 #include <stdlib.h>
 
 #include "board/desktop/parts.h"
@@ -15,8 +15,8 @@ static struct {
     struct pin_sweep sweep;
 } devices;
 
-/* Opens sound and store. If a device is missing, its describe() states so and its functions have no
- * effect. */
+/* Opens the sound and the store. If a device is missing, its describe() names the problem, and its
+ * other functions have no effect. */
 void store_open(struct hal *hal, const struct board_options *options)
 {
     if (!options->mute) {

@@ -1,5 +1,5 @@
-/* usb.c -- opens controllers on USB: Kingyo's own poi, and the controllers that the operator
- * chose. */
+/* usb.c -- opens USB controllers: our own poi (drivers/hid/poi_descriptor.h), and the controllers
+ * that the operator selected. */
 #include <stdio.h>
 
 #include "board/desktop/parts.h"
@@ -9,10 +9,10 @@
 #include "drivers/usb/usb_transport.h"
 #include "platform/os/log.h"
 
-#define PATH_SIZE 1100u /* Size of the data folder's path and a file name. */
+#define PATH_SIZE 1100u /* Size of a path; large enough for a data folder and a file name. */
 
 static struct {
-    struct usb_seats *usb; /* Null: not started. */
+    struct usb_seats *usb; /* The USB transport; null means that it is not started. */
     struct poi_hid poi[POI_MAX];
     struct hid_mapping_store book;
     struct controller_manager desk;
@@ -67,7 +67,7 @@ static void open_desk(struct hal *hal, const struct board_options *options)
     hal->controllers = controller_manager_device(&devices.desk);
 }
 
-/* Opens USB only if the poi option is automatic or USB. */
+/* Opens USB only if the option --poi is auto or usb. */
 void usb_open(struct hal *hal, const struct board_options *options)
 {
     if (options->poi != BOARD_POI_AUTO && options->poi != BOARD_POI_USB) {
@@ -93,8 +93,9 @@ void usb_open(struct hal *hal, const struct board_options *options)
     open_desk(hal, options);
 }
 
-/* Returns 1 if the controller in a slot is ready, which requires a known mapping. Other controllers
- * are only read for mapping learning. */
+/* Returns 1 if the controller of a slot is ready to play, otherwise 0. A controller is ready if it
+ * has a mapping. Reports of controllers without a mapping are read too, so that the controller
+ * manager can learn a mapping. */
 static int is_there(void *self)
 {
     struct poi_hid *poi = self;
@@ -139,8 +140,8 @@ static void usb_fill_exclusion(struct gamepad_exclusion *out, uint16_t vendor, u
 _Static_assert(GAMEPADS_EXCLUSION_MAX >= USB_REQUEST_MAX + CONTROLLER_MAX,
                "every one of both finds room");
 
-/* Returns the controllers that were named, which SDL must skip from its start, and the controllers
- * that play or may be reconnected. */
+/* Copies the selected controllers, which SDL must not open from the start, and the controllers that
+ * play or were lost. Returns their number. */
 uint32_t usb_exclusions(struct gamepad_exclusion out[GAMEPADS_EXCLUSION_MAX])
 {
     struct usb_key wanted[USB_REQUEST_MAX];

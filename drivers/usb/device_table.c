@@ -1,4 +1,5 @@
-/* device_table.c -- allocates the eight rows, and reuses rows when there are more controllers. */
+/* device_table.c -- assigns rows of the controller menu, and reuses rows if there are more
+ * controllers than rows. */
 #include "drivers/usb/device_table.h"
 
 #include <string.h>

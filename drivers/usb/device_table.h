@@ -1,4 +1,5 @@
-/* device_table.h -- the rows of the operator's controller menu and their allocation. Pure. */
+/* device_table.h -- the rows of the operator's controller menu, and their assignment to
+ * controllers. Pure: uses no device and no clock. */
 #ifndef KINGYO_DRIVERS_USB_DEVICE_TABLE_H
 #define KINGYO_DRIVERS_USB_DEVICE_TABLE_H
 
@@ -9,20 +10,25 @@
 
 struct device_table {
     struct hid_row row[CONTROLLER_MAX];
-    char text[HAL_TEXT_SIZE]; /* Result of hid_device_list_ops.describe(). */
-    uint32_t wanted_count;    /* Keys chosen to play, whether present or not. */
+    char text[HAL_TEXT_SIZE]; /* Text that hid_device_list_ops.describe() returns. */
+    uint32_t wanted_count;    /* Number of keys (usb_choice.h) that are selected to play, whether
+                                 their controllers are present or not. */
     struct usb_key wanted[USB_REQUEST_MAX];
 };
 
 void device_table_init(struct device_table *rows);
 
-/* Returns a row for a new controller, marked FREE or BARRED, or CONTROLLER_MAX if there is none.
- * The controller's own LOST row comes first, then an empty row, then a BARRED row, then another
- * LOST row. A barred controller gets an empty row only while more than POI_MAX rows are empty. */
+/* Assigns a row to a new controller, with the state CONTROLLER_FREE, or CONTROLLER_UNSUPPORTED if
+ * `is_barred` is 1. Returns the row, or CONTROLLER_MAX if there is none.
+ *
+ * The row of the same lost controller is preferred, then an empty row, then a row with
+ * CONTROLLER_UNSUPPORTED, then the row of a different lost controller. A barred controller gets an
+ * empty row only while more than POI_MAX rows are empty. */
 uint32_t device_table_enter(struct device_table *rows, const struct hid_identity *identity,
                             int is_barred);
 
-/* Returns the row of exactly this controller, present or lost, or CONTROLLER_MAX. */
+/* Returns the row of exactly this controller, whether present or lost, or CONTROLLER_MAX if there
+ * is none. */
 uint32_t device_table_find(const struct device_table *rows, const struct hid_identity *identity);
 
 /* Empties a row. */

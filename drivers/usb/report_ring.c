@@ -1,4 +1,5 @@
-/* report_ring.c -- a ring buffer with two counters that only increase. */
+/* report_ring.c -- implements the report queue as a ring buffer with two counters that only
+ * increase. */
 #include "drivers/usb/report_ring.h"
 
 #include <string.h>
@@ -38,8 +39,8 @@ void report_ring_lose(struct report_ring *ring)
     atomic_fetch_add_explicit(&ring->lost, 1u, memory_order_relaxed);
 }
 
-/* Returns the older report of the queue and the late buffer. The queue is read first, so that a
- * late report posted before a push is seen. */
+/* Returns the older one of the next report in the queue and the report in the late buffer. The
+ * queue is read first, so that a late report that was posted before a push is seen. */
 const struct report_ring_slot *report_ring_peek(struct report_ring *ring)
 {
     const uint32_t taken = atomic_load_explicit(&ring->taken, memory_order_relaxed);

@@ -1,8 +1,9 @@
-/* triple_buffer.h -- a lock-free triple buffer for the newest value from one thread to another.
+/* triple_buffer.h -- a lock-free triple buffer, which passes the newest value from one thread to
+ * another.
  *
- * The owner has three slots. The writer uses one slot, the reader another, and the third holds
- * the value in between. An unread value is overwritten. The reader only ever sees the newest
- * value. */
+ * The owner has three slots (array elements) for values. The writer uses one slot, the reader uses
+ * another, and the middle slot holds the last published value. An unread value is overwritten, so
+ * the reader only sees the newest value. */
 #ifndef KINGYO_DRIVERS_USB_TRIPLE_BUFFER_H
 #define KINGYO_DRIVERS_USB_TRIPLE_BUFFER_H
 
@@ -10,17 +11,17 @@
 #include <stdint.h>
 
 #define TRIPLE_BUFFER_SLOTS 3u
-/* Flag beside the index of the middle slot: the value was not read yet. */
+/* Flag in `middle` beside the slot index: the value was not read yet. */
 #define TRIPLE_BUFFER_FRESH 4u
 
 struct triple_buffer {
-    uint32_t writing; /* Slot index, used only by the writer. */
-    uint32_t reading; /* Slot index, used only by the reader. */
+    uint32_t writing; /* Index of the writer's slot, used only by the writer. */
+    uint32_t reading; /* Index of the reader's slot, used only by the reader. */
     atomic_uint middle;
 };
 
-/* Initializes the buffer. Until the first post the reader sees slot 1, which the owner has
- * filled. */
+/* Initializes the buffer. Until the first triple_buffer_post() the reader uses slot 1, which the
+ * owner must have filled. */
 static inline void triple_buffer_init(struct triple_buffer *mail)
 {
     mail->writing = 0u;
@@ -28,8 +29,8 @@ static inline void triple_buffer_init(struct triple_buffer *mail)
     atomic_init(&mail->middle, 2u);
 }
 
-/* For the writer: publishes slot `mail->writing` and selects another slot for the next value.
- * Returns 1 if the previous value was never read. */
+/* For the writer: publishes the slot `mail->writing` and selects another slot for the next value.
+ * Returns 1 if the previous value was never read, otherwise 0. */
 static inline int triple_buffer_post(struct triple_buffer *mail)
 {
     const unsigned old = atomic_exchange_explicit(
@@ -38,7 +39,8 @@ static inline int triple_buffer_post(struct triple_buffer *mail)
     return (old & TRIPLE_BUFFER_FRESH) != 0;
 }
 
-/* For the reader: makes slot `mail->reading` the newest value. Returns 1 if the value is new. */
+/* For the reader: selects the newest value as slot `mail->reading`. Returns 1 if the value is new,
+ * otherwise 0. */
 static inline int triple_buffer_fetch(struct triple_buffer *mail)
 {
     if (!(atomic_load_explicit(&mail->middle, memory_order_relaxed) & TRIPLE_BUFFER_FRESH)) {

@@ -1,4 +1,5 @@
-/* usb_choice.c -- rules, verdicts and slots of USB controllers. */
+/* usb_choice.c -- implements the rules for USB controllers, the decisions about claiming, and the
+ * choice of slots. */
 #include "drivers/usb/usb_choice.h"
 
 #include <ctype.h>
@@ -8,7 +9,7 @@
 #include "drivers/hid/hid_mapping.h"
 #include "drivers/hid/poi_descriptor.h"
 
-/* ---- Keys ----------------------------------------------------------------------------------- */
+/* ---- Keys (names of controllers) ------------------------------------------------------------ */
 
 static int read_id(const char *text, uint16_t *out)
 {
@@ -56,7 +57,7 @@ struct usb_key usb_key_of(const struct hid_identity *identity)
     return key;
 }
 
-/* ---- Rules ---------------------------------------------------------------------------------- */
+/* ---- Rules of the operator ------------------------------------------------------------------ */
 
 static int is_same_key(const struct usb_key *a, const struct usb_key *b)
 {
@@ -140,7 +141,7 @@ uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[U
     return count;
 }
 
-/* Returns the most specific rule for a controller, or null if there is none. */
+/* Returns the most specific rule for a controller, or null if there is no rule. */
 static const struct usb_request *find_wish(const struct usb_choice *choice,
                                            const struct hid_identity *identity)
 {
@@ -159,11 +160,11 @@ static const struct usb_request *find_wish(const struct usb_choice *choice,
     return found;
 }
 
-/* ---- Verdicts ------------------------------------------------------------------------------- */
+/* ---- Decisions about claiming --------------------------------------------------------------- */
 
-/* Returns 1 for applications that cannot control a poi, by the HID Usage Tables. These are
- * keyboards, keypads, system controls, media keys, telephones, monitors, power supplies, bar
- * code scanners, scales, card readers, and FIDO security keys. */
+/* Returns 1 for application usages that cannot control a poi, otherwise 0. By the HID Usage Tables
+ * these are keyboards, keypads, system controls, media keys, telephones, monitors, power supplies,
+ * bar code scanners, scales, card readers, and FIDO security keys. */
 static int is_keys(hid_usage application)
 {
     const uint32_t page = application >> 16, id = application & 0xffffu;
@@ -171,8 +172,9 @@ static int is_keys(hid_usage application)
            page == 0x0cu || (page >= 0x80u && page <= 0x8eu) || page == 0xf1d0u;
 }
 
-/* Returns LEARNABLE if any field belongs to another application than keys, KEYS if all belong to
- * keys, or NOTHING if there are no fields. */
+/* Returns USB_KIND_LEARNABLE if an input field belongs to an application that can control a poi.
+ * Returns USB_KIND_KEYS if all fields belong to other applications, or USB_KIND_NOTHING if there
+ * are no fields. */
 static enum usb_kind kind_by_fields(const struct hid_descriptor *descriptor)
 {
     uint32_t keys = 0, others = 0;
@@ -250,7 +252,7 @@ int usb_choice_is_better(const struct usb_choice *choice, const struct usb_candi
                                   : a->identity->interface_number < b->identity->interface_number;
 }
 
-/* ---- Slots ---------------------------------------------------------------------------------- */
+/* ---- Choice of a slot ----------------------------------------------------------------------- */
 
 uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_identity *b)
 {
@@ -263,13 +265,14 @@ uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_id
         return same_port ? 4u : 3u; /* Several cheap devices can have the same serial number. */
     }
     if (same_port) {
-        return 2u; /* A replacement was plugged into the same port. */
+        return 2u; /* Another device of the same product was plugged into the same port. */
     }
-    return same_serial ? 1u : 0u; /* Same product without a serial number, at another port. */
+    return same_serial ? 1u : 0u; /* The device has the same product and no serial number, but
+                                     another port. */
 }
 
-/* Returns the vacant slot whose last controller is most similar to `identity`. Returns POI_MAX
- * if only the product matches and several slots match equally. */
+/* Returns the vacant slot whose last controller is most similar to `identity`, or POI_MAX if there
+ * is none. Also returns POI_MAX if several slots match equally and only by product. */
 static uint32_t own_seat(const struct usb_place place[POI_MAX], const struct hid_identity *identity)
 {
     uint32_t best = POI_MAX, most = 0u, equals = 0u;

@@ -1,10 +1,13 @@
-/* usb_choice.h -- rules for which USB controllers are claimed and which slot they get. Pure.
+/* usb_choice.h -- rules for which USB controllers the kiosk claims and which slot they get.
  *
- * A controller is claimed if the operator chose it in the menu (stored in a file) or if --usb
- * names it. Our own poi is always claimed, unless a rule forbids it. It has no fixed vendor id
- * and is recognized by its report descriptor. If the descriptor cannot be read without claiming,
- * only chosen ids and the test id of pid.codes are claimed to read it. An interface with typing
- * keys is never claimed, even if it was chosen. */
+ * A slot is the place of one of up to POI_MAX controllers. A controller is claimed if the operator
+ * selected it in the menu (stored in a file) or if the option --usb names it. Our own poi
+ * (poi_descriptor.h) is always claimed unless a rule forbids it. It has no fixed vendor id and is
+ * recognized by its report descriptor.
+ *
+ * Some descriptors can only be read after claiming. For this purpose only selected ids and the test
+ * id of pid.codes are claimed. An interface with the keys of a keyboard is never claimed, even if
+ * it was selected. Pure: uses no device and no clock. */
 #ifndef KINGYO_DRIVERS_USB_USB_CHOICE_H
 #define KINGYO_DRIVERS_USB_USB_CHOICE_H
 
@@ -15,86 +18,93 @@
 #include "drivers/hid/hid_descriptor.h"
 #include "drivers/hid/hid_port.h"
 
-#define USB_BENCH_VENDOR 0x1209u /* pid.codes' test id, which no product may be sold with. */
+#define USB_BENCH_VENDOR                                                                           \
+    0x1209u /* Vendor id of the pid.codes test id, with which no product may be sold. */
 #define USB_BENCH_PRODUCT 0x0001u
-#define USB_KEY_TEXT_SIZE (10u + HID_TEXT_SIZE) /* Size of "057e:2009:" with a serial number. */
-#define USB_REQUEST_MAX 32u /* Capacity of the rules: four pois, each replaced seven times. */
+#define USB_KEY_TEXT_SIZE                                                                          \
+    (10u + HID_TEXT_SIZE) /* Size of the text "057e:2009:" with a serial number. */
+#define USB_REQUEST_MAX                                                                            \
+    32u /* Largest number of rules: enough for four pois, each replaced seven times. */
 #define USB_ERROR_SIZE 96u
 
-/* A controller, or all controllers of a product. */
+/* Key that names one controller, or all controllers of a product. */
 struct usb_key {
     uint16_t vendor, product;
-    char serial[HID_TEXT_SIZE]; /* "": any serial number. */
+    char serial[HID_TEXT_SIZE]; /* Serial number of the controller; "" means any serial number. */
 };
 
-/* Parses "VVVV:PPPP" or "VVVV:PPPP:SERIAL" with four hexadecimal digits each. Returns 0, or -1
- * if the text is invalid. */
+/* Parses "VVVV:PPPP" or "VVVV:PPPP:SERIAL". VVVV and PPPP are four hexadecimal digits each. Returns
+ * 0, or -1 if the text is invalid. */
 int usb_key_read(struct usb_key *out, const char *text);
 
 /* Writes the key in the format that usb_key_read() parses. */
 void usb_key_write(const struct usb_key *key, char text[USB_KEY_TEXT_SIZE]);
 
-/* Returns the key of a controller, including its serial number if it has one. */
+/* Returns the key of a controller, with its serial number if it has one. */
 struct usb_key usb_key_of(const struct hid_identity *identity);
 
 struct usb_request {
     struct usb_key key;
-    uint8_t plays; /* 0: the controller must not play, even if it would without this rule. */
-    uint8_t kept;  /* 1 if the rule is stored in the file. */
+    uint8_t plays; /* 1 if the controller may play. 0 if it must not play, even if it would play
+                      without the rule. */
+    uint8_t kept;  /* 1 if the rule is stored in the file, otherwise 0. */
 };
 
-/* The list of rules. The zero value accepts only our own poi. */
+/* List of rules. The all-zero list accepts only our own poi. */
 struct usb_choice {
     uint32_t wish_count;
     struct usb_request wish[USB_REQUEST_MAX];
 };
 
-/* Adds a rule and removes an older rule for the same key. When the list is full, the oldest rule
- * is dropped. */
+/* Adds a rule and removes an older rule for the same key. If the list is full, the oldest rule is
+ * dropped. */
 void usb_choice_request(struct usb_choice *choice, const struct usb_key *key, int plays, int kept);
 
-/* Copies the keys of all rules that allow playing. Returns their number. */
+/* Copies the keys of all rules that allow playing. Returns the number of keys. */
 uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_REQUEST_MAX]);
 
-/* Parses one line of the choices file: "plays KEY", "rests KEY", or a comment that starts with
- * '#'. Returns 0, or -1 and one sentence in `error`. */
+/* Parses one line of the file of rules: "plays KEY", "rests KEY", or a comment that starts with
+ * '#'. Returns 0, or -1 with one sentence in `error`. */
 int usb_choice_read_line(struct usb_choice *choice, const char *line, char error[USB_ERROR_SIZE]);
 
-/* Writes line `index` of the choices file without a newline. Returns 1, or 0 if there are no
- * more lines. */
+/* Size of the buffer for usb_choice_line(), which writes line `index` of the file of rules without
+ * a newline. The function returns 1, or 0 if there is no such line. */
 #define USB_CHOICE_LINE_SIZE (USB_KEY_TEXT_SIZE + 8u)
 int usb_choice_line(const struct usb_choice *choice, uint32_t index,
                     char line[USB_CHOICE_LINE_SIZE]);
 
-/* Classes of input report descriptors. */
+/* Kind of an interface by its input report descriptor, ordered from unsuitable to best. */
 enum usb_kind {
     USB_KIND_UNKNOWN = 0, /* The descriptor was not read yet. */
-    USB_KIND_NOTHING,     /* No input fields, or the descriptor cannot be parsed. */
-    /* Typing keys in addition to any other fields, or only fields that cannot control a poi,
-     * such as media keys or a power supply. */
+    USB_KIND_NOTHING,     /* The descriptor has no input fields or cannot be parsed. */
+    /* The descriptor has keys of a keyboard, or has only fields that cannot control a poi, such as
+     * media keys or a power supply. */
     USB_KIND_KEYS,
-    USB_KIND_LEARNABLE, /* Input fields without a mapping; the controller must be learned. */
-    USB_KIND_HAND,      /* A mapping exists: hid_mapping_choose() finds one. */
-    USB_KIND_OWN,       /* Exactly the descriptor of our own poi. */
+    USB_KIND_LEARNABLE, /* The descriptor has usable fields but no mapping, so the operator must let
+                           the kiosk learn the controller. */
+    USB_KIND_HAND,      /* hid_mapping_choose() finds a mapping for the descriptor. */
+    USB_KIND_OWN,       /* The descriptor is exactly that of our own poi. */
 };
 
-/* An interface of a device. */
+/* HID interface of a device that may be claimed. */
 struct usb_candidate {
     const struct hid_identity *identity;
-    uint8_t is_boot_keyboard; /* From the interface descriptor, HID 1.11 section 4.2. */
-    uint8_t kind;             /* enum usb_kind */
-    uint8_t worth;            /* Rating by hid_mapping_score(). */
+    uint8_t is_boot_keyboard; /* 1 if the interface descriptor declares a boot keyboard (HID 1.11,
+                                 section 4.2), otherwise 0. */
+    uint8_t kind;             /* Kind of the interface (enum usb_kind). */
+    uint8_t worth;            /* Score by hid_mapping_score(). */
 };
 
-/* Sets the kind and worth of `subject` from its report descriptor. Size 0 means that the
- * descriptor was not read yet. */
+/* Sets the kind and the score of `subject` from the `size` bytes of its report descriptor. A size
+ * of 0 means that the descriptor was not read yet. `scratch` is overwritten. */
 void usb_choice_read(struct usb_candidate *subject, const uint8_t *bytes, uint32_t size,
                      struct hid_descriptor *scratch);
 
 enum usb_verdict {
-    USB_BARRED = 0, /* Must never be claimed. */
-    USB_FREE,       /* Claimed only after it is chosen. */
-    USB_ASK,        /* May be claimed to read its report descriptor and then be classified again. */
+    USB_BARRED = 0, /* The interface must never be claimed. */
+    USB_FREE,       /* The interface may be claimed only after the operator selects it. */
+    USB_ASK,        /* The interface may be claimed to read its report descriptor. It is then
+                       evaluated again. */
     USB_PLAYS,
 };
 
@@ -102,28 +112,31 @@ enum usb_verdict {
 enum usb_verdict usb_choice_evaluate(const struct usb_choice *choice,
                                      const struct usb_candidate *subject);
 
-/* Returns 1 if interface `a` of a device is to be claimed rather than `b`. A playable interface
- * comes first, then one whose descriptor must be read, then one that must be learned. Ties are
- * decided by kind, by hid_mapping_score(), and then by the lower interface number. */
+/* Returns 1 if interface `a` of a device should be claimed rather than interface `b`, otherwise 0.
+ * An interface that can play is preferred, then an interface whose descriptor must be read, then an
+ * interface that must be learned. Ties are resolved by the kind, by hid_mapping_score(), and then
+ * by the lower interface number. */
 int usb_choice_is_better(const struct usb_choice *choice, const struct usb_candidate *a,
                          const struct usb_candidate *b);
 
-/* The controller that has a slot, or that had it last. */
+/* State of a slot: the controller that has the slot now, or had it last. */
 struct usb_place {
-    uint8_t was_taken; /* 1 if `identity` is valid. */
-    uint8_t is_taken;  /* 1 if the controller is attached now. */
-    /* 1 shortly after unplugging, when another controller must not get the slot. */
+    uint8_t was_taken; /* 1 if `identity` is valid, otherwise 0. */
+    uint8_t is_taken;  /* 1 if the controller is attached now, otherwise 0. */
+    /* 1 for a limited time after the controller was unplugged, otherwise 0. A different controller
+     * must not get the slot during that time. */
     uint8_t is_held;
     struct hid_identity identity;
 };
 
-/* Returns the slot for a new controller, or POI_MAX if there is none. The controller's former
- * slot comes first, found by serial number or port. A slot that was never used is next, then one
- * that is not held. */
+/* Returns the slot for a new controller, or POI_MAX if there is none. The former slot of the
+ * controller is preferred, which is found by serial number or port. Next is a slot that was never
+ * used, then a vacant slot that is not held. */
 uint32_t usb_choice_slot(const struct usb_place place[POI_MAX],
                          const struct hid_identity *identity);
 
-/* Returns how likely two identities are the same controller, 0 (different) .. 4 (certain). */
+/* Returns how likely two identities belong to the same controller: 0 means different, 4 means
+ * certain. */
 uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_identity *b);
 
 #endif

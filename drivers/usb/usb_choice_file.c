@@ -1,4 +1,5 @@
-/* usb_choice_file.c -- one line for each rule; the file is replaced by a rename. */
+/* usb_choice_file.c -- reads and writes the file of rules, which has one line for each rule. The
+ * file is replaced by a rename. */
 #include "drivers/usb/usb_choice_file.h"
 
 #include <errno.h>
@@ -56,8 +57,8 @@ static int write_lines(const struct usb_choice *choice, FILE *file)
     return fclose(file) != 0 && !error ? -errno : error;
 }
 
-/* Flushes the folder, so that the renamed file survives a power loss. Returns 0 or a negative
- * errno. */
+/* Flushes the folder of the file, so that the renamed file survives a power loss. Returns 0 or a
+ * negative errno value. */
 static int sync_folder(const char *path)
 {
     char folder[PATH_MAX];
@@ -80,7 +81,7 @@ int usb_choice_save(const struct usb_choice *choice, const char *path)
     if ((size_t)snprintf(part, sizeof part, "%s.part", path) >= sizeof part) {
         return -ENAMETOOLONG;
     }
-    unlink(part); /* An earlier power loss or another process can have left this file. */
+    unlink(part); /* A power loss or another process can have left the temporary file. */
     FILE *file = fopen(part, "wxe");
     int error = file ? write_lines(choice, file) : -errno;
     if (!error && rename(part, path) != 0) {

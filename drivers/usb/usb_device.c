@@ -1,4 +1,4 @@
-/* usb_device.c -- classifies a device without opening it. */
+/* usb_device.c -- classifies a USB device without opening it. */
 #include "drivers/usb/usb_device.h"
 
 #include <stdio.h>
@@ -6,13 +6,13 @@
 
 #include "drivers/usb/usb_sysfs.h"
 
-#define HID_BOOT 1u                /* Value of bInterfaceSubClass, HID 1.11 section 4.2. */
-#define HID_BOOT_KEYBOARD 1u       /* Value of bInterfaceProtocol, HID 1.11 section 4.3. */
-#define HID_CLASS_DESCRIPTOR 0x21u /* Descriptor type, HID 1.11 section 7.1. */
+#define HID_BOOT 1u                /* Value of bInterfaceSubClass (HID 1.11, section 4.2). */
+#define HID_BOOT_KEYBOARD 1u       /* Value of bInterfaceProtocol (HID 1.11, section 4.3). */
+#define HID_CLASS_DESCRIPTOR 0x21u /* Descriptor type (HID 1.11, section 7.1). */
 #define HID_REPORT_DESCRIPTOR 0x22u
-#define PORT_DEPTH_MAX 7 /* Deepest nesting of hubs, USB 3.1 section 10.1. */
+#define PORT_DEPTH_MAX 7 /* Deepest nesting of hubs (USB 3.1, section 10.1). */
 
-/* ---- Classification ------------------------------------------------------------------------- */
+/* ---- Classification of devices -------------------------------------------------------------- */
 
 static void name_port(libusb_device *device, char out[32])
 {
@@ -25,8 +25,8 @@ static void name_port(libusb_device *device, char out[32])
     }
 }
 
-/* Reads the interrupt endpoints of an interface. Returns 0, or -1 if it has no usable input
- * endpoint. */
+/* Reads the interrupt endpoints of an interface. Returns 0, or -1 if the interface has no usable
+ * input endpoint. */
 static int read_pipe(const struct libusb_interface_descriptor *interface, struct usb_pipe *out)
 {
     *out = (struct usb_pipe){ .interface_number = interface->bInterfaceNumber };
@@ -54,8 +54,8 @@ static int is_boot_keyboard(const struct libusb_interface_descriptor *interface)
            interface->bInterfaceProtocol == HID_BOOT_KEYBOARD;
 }
 
-/* Returns wDescriptorLength of the report descriptor from the HID class descriptor (HID 1.11
- * section 6.2.1). Returns HID_DESCRIPTOR_MAX if the class descriptor does not contain it. */
+/* Returns the size of the report descriptor (wDescriptorLength) that the HID class descriptor
+ * declares (HID 1.11, section 6.2.1). Returns HID_DESCRIPTOR_MAX if the size is not declared. */
 static uint32_t declared_size(const struct libusb_interface_descriptor *interface)
 {
     const uint8_t *extra = interface->extra;
@@ -92,9 +92,9 @@ void usb_device_evaluate(struct usb_device *device, const struct usb_evaluation 
     device->verdict = (uint8_t)usb_choice_evaluate(judge->choice, &subject);
 }
 
-/* Classifies `device` by one interface. A descriptor that was read from the device is kept.
- * While the interface is claimed, /sys shows no descriptor, and a kernel driver may show a
- * corrected one. */
+/* Classifies `device` by one of its interfaces. A report descriptor that was read from the device
+ * itself is kept. The reason is that /sys has no descriptor while the interface is claimed, and a
+ * kernel driver may put a corrected descriptor into /sys. */
 static void look_at(struct usb_device *device, const struct usb_evaluation *judge,
                     const struct libusb_interface_descriptor *interface)
 {
@@ -123,9 +123,9 @@ static int is_better(const struct usb_device *a, const struct usb_device *b,
     return usb_choice_is_better(judge->choice, &first, &second);
 }
 
-/* Selects the best HID interface of a device by the first alternate setting of each, which is
- * the active one; HID devices have no other. Returns 0, or -1 if there is no usable HID
- * interface. */
+/* Selects the best HID interface of a device. Only the first alternate setting of each interface is
+ * examined, because it is the active one and HID devices have no others. Returns 0, or -1 if there
+ * is no usable HID interface. */
 static int pick_interface(struct usb_device *device, const struct usb_evaluation *judge,
                           const struct libusb_config_descriptor *config)
 {

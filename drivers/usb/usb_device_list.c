@@ -1,4 +1,4 @@
-/* usb_device_list.c -- rows to the frame loop, commands to the event thread. */
+/* usb_device_list.c -- passes rows to the frame loop and commands to the event thread. */
 #include "drivers/usb/usb_device_list.h"
 
 #include <string.h>

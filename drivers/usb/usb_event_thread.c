@@ -1,4 +1,4 @@
-/* usb_event_thread.c -- the main loop of the event thread. */
+/* usb_event_thread.c -- the main loop of the USB event thread, and its start and stop. */
 #include "drivers/usb/usb_event_thread.h"
 
 #include <errno.h>
@@ -10,9 +10,10 @@
 #include <unistd.h>
 
 #define NS_PER_MS 1000000ull
-#define IDLE_MS 1000               /* Longest wait in ms of an idle thread. */
-#define BUSY_MS 50                 /* Longest wait in ms while an output report is in flight. */
-#define LAST_WAIT_NS 2000000000ull /* Limit for transfers to return when the kiosk ends. */
+#define IDLE_MS 1000 /* Longest wait of the thread in ms if no output report is being sent. */
+#define BUSY_MS 50   /* Longest wait of the thread in ms while an output report is being sent. */
+#define LAST_WAIT_NS                                                                               \
+    2000000000ull /* Longest time to wait for cancelled transfers when the thread ends. */
 
 uint64_t usb_event_thread_now_ns(const struct usb_event_thread *usb_thread)
 {
@@ -23,12 +24,13 @@ void usb_event_thread_wake(void *self)
 {
     const struct usb_event_thread *usb_thread = self;
     const uint64_t one = 1;
-    /* The descriptor is nonblocking; if it is full, the thread is already woken. */
+    /* The event descriptor is nonblocking. If the write fails because its counter is full, the
+     * thread is already woken. */
     const ssize_t written = write(usb_thread->wake_fd, &one, sizeof one);
     (void)written;
 }
 
-/* ---- Waiting -------------------------------------------------------------------------------- */
+/* ---- Waiting for events --------------------------------------------------------------------- */
 
 static void LIBUSB_CALL on_fd_added(int fd, short events, void *self)
 {
@@ -74,9 +76,9 @@ static int wait_ms(const struct usb_event_thread *usb_thread)
     return (int)(left_ms < most_ms ? left_ms : most_ms);
 }
 
-/* Waits for events and lets libusb handle them. libusb's callbacks run here, and also inside
- * usb_device_open(), because libusb handles events while it waits for a request. Therefore
- * callbacks only record results and queue reports, and never change the table. */
+/* Waits for events and lets libusb handle them. libusb calls the callbacks here, and also inside
+ * usb_device_open(), because libusb handles events while it waits for a request. Therefore the
+ * callbacks only record results and queue reports, and never change the device table. */
 static void wait_and_handle(struct usb_event_thread *usb_thread)
 {
     struct timeval at_once = { 0, 0 };
@@ -92,9 +94,10 @@ static void wait_and_handle(struct usb_event_thread *usb_thread)
     libusb_handle_events_timeout_completed(usb_thread->context, &at_once, NULL);
 }
 
-/* ---- Thread --------------------------------------------------------------------------------- */
+/* ---- Main loop of the thread ---------------------------------------------------------------- */
 
-/* Called by libusb, where requests to a device and closing a device are forbidden. */
+/* Called by libusb when a device arrives or leaves. Inside this callback, requests to a device and
+ * closing a device are forbidden. */
 static int LIBUSB_CALL on_hotplug(libusb_context *context, libusb_device *device,
                                   libusb_hotplug_event event, void *self)
 {
@@ -105,7 +108,8 @@ static int LIBUSB_CALL on_hotplug(libusb_context *context, libusb_device *device
     return 0;
 }
 
-/* Registers for hot-plug before the first comparison, so that no device is missed between them. */
+/* Registers the hot-plug callback before the first comparison, so that no device is missed between
+ * them. */
 static void watch_bus(struct usb_event_thread *usb_thread)
 {
     const int events = LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT;
@@ -136,7 +140,7 @@ static int is_open(const struct usb_event_thread *usb_thread)
     return open;
 }
 
-/* Cancels all transfers, waits for them, and closes all devices. */
+/* Cancels all transfers, waits until they return, and closes all devices. */
 static void close_all(struct usb_event_thread *usb_thread)
 {
     usb_thread->compare_ns = UINT64_MAX;
@@ -158,12 +162,12 @@ static void close_all(struct usb_event_thread *usb_thread)
     }
 }
 
-/* Raises the thread's priority for accurate time stamps, if the process may (root, or
- * LimitRTPRIO= of the service). The thread needs only some microseconds for each report. */
+/* Raises the priority of the thread for accurate time stamps, if the process is permitted to (root,
+ * or LimitRTPRIO= of the service). The thread needs only some microseconds for each report. */
 static void hurry(void)
 {
     const struct sched_param first = { .sched_priority = 1 };
-    /* If permission is denied, the normal priority remains. */
+    /* Without the permission the thread keeps its normal priority. */
     pthread_setschedparam(pthread_self(), SCHED_RR, &first);
 }
 
@@ -215,22 +219,23 @@ static void init(struct usb_event_thread *usb_thread)
     }
     usb_thread->fds_changed = usb_thread->rows_changed = 1;
     atomic_store(&usb_thread->stop, 0);
-    /* Published before the thread starts, because other drivers read the chosen controllers
-     * first. */
+    /* Published before the thread starts, because other drivers read the selected controllers
+     * before that. */
     usb_event_thread_publish(usb_thread);
     usb_thread->rows_changed = 1;
 }
 
-/* Signals that a fault in the thread itself raises. */
+/* Signals that a fault inside the thread raises. */
 static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
 
-/* Starts the thread with all other signals blocked, because the main thread handles them. */
+/* Starts the thread with all signals blocked except `panics`, because the main thread handles all
+ * other signals. */
 static int start_thread(struct usb_event_thread *usb_thread)
 {
     sigset_t all, before;
     sigfillset(&all);
     for (size_t i = 0; i < sizeof panics / sizeof panics[0]; i++) {
-        /* A blocked fault signal would end the process without a trace. */
+        /* A blocked fault signal would end the process without a stack trace. */
         sigdelset(&all, panics[i]);
     }
     pthread_sigmask(SIG_SETMASK, &all, &before);
@@ -264,8 +269,8 @@ int usb_event_thread_begin(struct usb_event_thread *usb_thread, char why[HAL_TEX
     return 0;
 }
 
-/* Stops the thread. If a transfer never returned from the kernel, libusb and the link's memory
- * are leaked. Freeing memory under a transfer in flight would be worse. */
+/* Stops the thread. If a transfer never returned from the kernel, the memory of libusb and of the
+ * transfers is leaked. Freeing the memory of a transfer in use would be worse. */
 void usb_event_thread_end(struct usb_event_thread *usb_thread)
 {
     atomic_store(&usb_thread->stop, 1);

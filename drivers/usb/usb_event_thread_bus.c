@@ -1,5 +1,5 @@
-/* usb_event_thread_bus.c -- compares the bus with the table, executes commands, and publishes the
- * result. */
+/* usb_event_thread_bus.c -- compares the bus with the device table, executes commands, and
+ * publishes the rows. */
 #include <stdio.h>
 #include <string.h>
 
@@ -10,9 +10,10 @@
 /* Time after which even devices on slow hubs are configured. */
 #define SETTLE_NS (2000u * NS_PER_MS)
 #define AGAIN_NS (100u * NS_PER_MS)
-#define NO_HOTPLUG_NS (1000u * NS_PER_MS) /* Interval of comparisons without hot-plug support. */
+#define NO_HOTPLUG_NS                                                                              \
+    (1000u * NS_PER_MS) /* Interval of comparisons if libusb does not support hot-plug events. */
 
-/* ---- Comparison ----------------------------------------------------------------------------- */
+/* ---- Comparison with the bus ---------------------------------------------------------------- */
 
 static struct usb_device_entry *find_entry(struct usb_event_thread *usb_thread,
                                            const libusb_device *device)
@@ -25,7 +26,7 @@ static struct usb_device_entry *find_entry(struct usb_event_thread *usb_thread,
     return NULL;
 }
 
-/* Removes a device from the table. The row of a lost controller stays while its slot is held. */
+/* Removes a device from the table. The row of a lost controller is kept. */
 static void part(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
     usb_event_thread_detach(usb_thread, entry, 1);
@@ -36,8 +37,8 @@ static void part(struct usb_event_thread *usb_thread, struct usb_device_entry *e
     usb_device_remove(&entry->device);
 }
 
-/* Returns an empty entry. If the table is full, a device that may play replaces a barred one.
- * Returns null if there is no room. */
+/* Returns an empty entry. If the table is full, a device that may be claimed replaces a device with
+ * the verdict USB_BARRED. Returns null if there is no room. */
 static struct usb_device_entry *find_room(struct usb_event_thread *usb_thread,
                                           enum usb_verdict verdict)
 {
@@ -52,8 +53,8 @@ static struct usb_device_entry *find_room(struct usb_event_thread *usb_thread,
     return room;
 }
 
-/* Assigns a row. If the row belonged to an entry whose device was lost, that entry gets a new
- * row later. */
+/* Assigns a row to the entry. If another entry had the row because its controller was lost, that
+ * entry gets a new row later. */
 static void give_row(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
     entry->row = device_table_enter(&usb_thread->rows, &entry->device.face.identity,
@@ -91,14 +92,14 @@ static void meet(struct usb_event_thread *usb_thread, libusb_device *device)
     give_row(usb_thread, entry);
 }
 
-/* Removes missing devices before it adds new ones, so that a replugged controller finds its slot
- * vacant. */
+/* Compares the bus with the table. Missing devices are removed before new devices are added, so
+ * that a replugged controller finds its slot vacant. */
 static void compare(struct usb_event_thread *usb_thread)
 {
     libusb_device **list;
     const ssize_t count = libusb_get_device_list(usb_thread->context, &list);
     if (count < 0) {
-        return; /* No memory; the next change triggers another attempt. */
+        return; /* libusb has no memory; the next comparison is the next attempt. */
     }
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         usb_thread->entry[i].is_seen = 0;
@@ -122,9 +123,9 @@ static void compare(struct usb_event_thread *usb_thread)
     libusb_free_device_list(list, 1);
 }
 
-/* Compares the bus with the table when that is due. A device is announced before the kernel has
- * configured it, and it has no interfaces until then. No event reports the configuration.
- * Therefore the comparison repeats until SETTLE_NS after the last change. */
+/* Compares the bus with the table if a comparison is due. libusb announces a device before the
+ * kernel has configured it, and the device has no interfaces until then. No event reports the
+ * configuration. Therefore the comparison is repeated until SETTLE_NS after the last change. */
 void usb_event_thread_compare(struct usb_event_thread *usb_thread)
 {
     const uint64_t now_ns = usb_event_thread_now_ns(usb_thread);
@@ -140,9 +141,9 @@ void usb_event_thread_compare(struct usb_event_thread *usb_thread)
                                                              : now_ns + NO_HOTPLUG_NS;
 }
 
-/* ---- Commands ------------------------------------------------------------------------------- */
+/* ---- Commands of the operator --------------------------------------------------------------- */
 
-/* Releases the slot and the row that were held for a lost controller. */
+/* Releases the slot and the row that were kept for a lost controller. */
 static void usb_event_thread_bus_release(struct usb_event_thread *usb_thread,
                                          const struct hid_identity *identity)
 {
@@ -158,8 +159,8 @@ static void usb_event_thread_bus_release(struct usb_event_thread *usb_thread,
     }
 }
 
-/* Stores the choices. A file that could not be read is not overwritten, because it contains
- * other choices. */
+/* Stores the rules. A file that could not be read is not overwritten, because it contains other
+ * rules. */
 static void keep_choices(struct usb_event_thread *usb_thread)
 {
     char text[HAL_TEXT_SIZE];
@@ -174,8 +175,8 @@ static void keep_choices(struct usb_event_thread *usb_thread)
     }
 }
 
-/* Executes a command. If the product has no serial numbers, the rule applies to all its devices,
- * but devices that already play continue. */
+/* Executes a command. If the product has no serial numbers, the rule applies to all devices of the
+ * product, but devices that already play continue to play. */
 static void obey(struct usb_event_thread *usb_thread, const struct usb_command *order)
 {
     const struct usb_key key = usb_key_of(&order->identity);
@@ -210,7 +211,7 @@ void usb_event_thread_handle_commands(struct usb_event_thread *usb_thread)
     }
 }
 
-/* ---- Messages ------------------------------------------------------------------------------- */
+/* ---- Messages for the operator -------------------------------------------------------------- */
 
 static void write_trouble(const struct usb_device_entry *entry, char text[HAL_TEXT_SIZE])
 {
@@ -225,7 +226,8 @@ static void write_trouble(const struct usb_device_entry *entry, char text[HAL_TE
              who->port, remedies[entry->trouble]);
 }
 
-/* Returns 1 if the trouble needs the operator. A device that was just unplugged does not. */
+/* Returns 1 if the operator must correct the fault, otherwise 0. An unplugged device needs no
+ * correction. */
 static int is_in_the_way(const struct usb_device_entry *entry)
 {
     return entry->trouble != USB_FINE && entry->trouble != USB_AWAY;

@@ -1,5 +1,4 @@
-/* usb_event_thread_slots.c -- the event thread's device table: opens, attaches and closes
- * controllers. */
+/* usb_event_thread_slots.c -- opens controllers, attaches them to slots, and closes them. */
 #include <stdio.h>
 #include <string.h>
 
@@ -7,16 +6,18 @@
 
 #define NS_PER_S 1000000000ull
 #define SOON_NS (NS_PER_S / 10u)
-/* Retry interval; permissions and other programs change at human speed. */
+/* Interval of opening attempts. The operator may change permissions or end another program
+ * meanwhile. */
 #define RETRY_NS (2u * NS_PER_S)
-/* Longest retry interval. The interval doubles with each failure, because an attempt blocks the
- * thread for seconds and other devices wait. */
+/* Longest interval of opening attempts. The interval doubles with each failure, because an attempt
+ * blocks the thread for seconds and delays other devices. */
 #define RETRY_NS_MAX (60u * NS_PER_S)
-/* Limit of the count: the retry intervals are 2, 4, 8, 16 and 32 s, and then the longest. */
+/* Limit of the failure count. The intervals are 2, 4, 8, 16 and 32 s, and then RETRY_NS_MAX. */
 #define FAILURES_MAX 6u
-#define SETTLE_NS (2u * NS_PER_S) /* Time in which a driver binds and the udev rules run. */
-/* Time for which the slot of an unplugged controller is held. A round can wait equally long for
- * its controller. */
+#define SETTLE_NS                                                                                  \
+    (2u * NS_PER_S) /* Time in which a kernel driver binds a new device and the udev rules run. */
+/* Time for which the slot of an unplugged controller is held. A round also waits this long for its
+ * controller. */
 #define HOLD_NS (POI_WAIT_TICKS_MAX * NS_PER_S / CORE_TICK_HZ)
 
 static struct usb_evaluation judge_of(struct usb_event_thread *usb_thread)
@@ -44,7 +45,7 @@ void usb_event_thread_update_row(struct usb_event_thread *usb_thread,
     }
 }
 
-/* ---- Slots ---------------------------------------------------------------------------------- */
+/* ---- Attaching to slots --------------------------------------------------------------------- */
 
 void usb_event_thread_detach(struct usb_event_thread *usb_thread, struct usb_device_entry *entry,
                              int is_gone)
@@ -80,7 +81,8 @@ static uint32_t find_link(const struct usb_event_thread *usb_thread)
     return USB_INDEX_NONE;
 }
 
-/* Clears the row of a lost controller whose slot a different controller gets. */
+/* Clears the row of the lost controller that had the slot `seat`, if a different controller gets
+ * the slot. */
 static void forget_former(struct usb_event_thread *usb_thread, const struct usb_device_entry *entry,
                           uint32_t seat)
 {
@@ -93,7 +95,7 @@ static void forget_former(struct usb_event_thread *usb_thread, const struct usb_
     }
 }
 
-/* Detaches links that are still closing from this slot. */
+/* Detaches all links that are still closing from the slot `seat`. */
 static void clear_seat(struct usb_event_thread *usb_thread, uint32_t seat)
 {
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
@@ -119,9 +121,9 @@ static void seat_it(struct usb_event_thread *usb_thread, struct usb_device_entry
     usb_event_thread_update_row(usb_thread, entry, CONTROLLER_ACTIVE);
 }
 
-/* ---- Examining and opening ------------------------------------------------------------------ */
+/* ---- Examining and opening of devices ------------------------------------------------------- */
 
-/* Returns 1 if the controller had a slot and is only lost. */
+/* Returns 1 if the controller had a slot and was lost, otherwise 0. */
 static int was_here(const struct usb_event_thread *usb_thread, const struct usb_device_entry *entry)
 {
     return entry->row < CONTROLLER_MAX && usb_thread->rows.row[entry->row].state == CONTROLLER_LOST;
@@ -171,8 +173,9 @@ static void open_it(struct usb_event_thread *usb_thread, struct usb_device_entry
     }
 }
 
-/* Returns when to examine a device again. /sys shows no descriptor until a driver binds the
- * device, and after SETTLE_NS none will bind. */
+/* Returns the time at which the device is examined again. /sys has no report descriptor until a
+ * kernel driver binds the device. A driver that has not bound it after SETTLE_NS is not expected
+ * any more. */
 static uint64_t next_look_ns(const struct usb_event_thread *usb_thread,
                              const struct usb_device_entry *entry)
 {
@@ -202,8 +205,8 @@ static void look_at(struct usb_event_thread *usb_thread, struct usb_device_entry
     }
 }
 
-/* Returns 1 while the old handle is open, since its interface cannot be claimed again until
- * then. */
+/* Returns 1 while the previous handle of the device is open, otherwise 0. The interface cannot be
+ * claimed again until the handle is closed. */
 static int is_draining(const struct usb_event_thread *usb_thread,
                        const struct usb_device_entry *entry)
 {
@@ -211,7 +214,7 @@ static int is_draining(const struct usb_event_thread *usb_thread,
            usb_thread->link[entry->drains].state == USB_TRANSFERS_DRAINING;
 }
 
-/* Detaches the device of a failed link, and closes the link at once if all transfers have
+/* Detaches the device of a failed link, and closes the link immediately if all transfers have
  * returned. */
 static void unseat_link(struct usb_event_thread *usb_thread, uint32_t link)
 {

@@ -1,13 +1,13 @@
-/* usb_open.c -- opens a controller: claims it, reads its descriptor, and selects the report
- * protocol. */
+/* usb_open.c -- opens a controller: claims its interface, reads its report descriptor, and selects
+ * the report protocol. */
 #include <stdio.h>
 #include <string.h>
 
 #include "drivers/usb/usb_device.h"
 #include "drivers/usb/usb_sysfs.h"
 
-#define HID_REPORT_DESCRIPTOR 0x22u /* Descriptor type, HID 1.11 section 7.1. */
-#define HID_SET_IDLE 0x0au          /* Request code, HID 1.11 section 7.2. */
+#define HID_REPORT_DESCRIPTOR 0x22u /* Descriptor type (HID 1.11, section 7.1). */
+#define HID_SET_IDLE 0x0au          /* Request code (HID 1.11, section 7.2). */
 #define HID_SET_PROTOCOL 0x0bu
 #define DESCRIPTOR_MS 1000u
 #define REQUEST_MS 250u
@@ -50,9 +50,10 @@ static int interface_request(libusb_device_handle *handle, const struct usb_devi
                                    NULL, 0, REQUEST_MS);
 }
 
-/* Reads the report descriptor with GET_DESCRIPTOR, HID 1.11 section 7.1.1. A kernel driver may
- * show a corrected descriptor in /sys and correct the reports to match, but our reports come
- * unmodified. The descriptor of /sys is used if the device does not respond. */
+/* Reads the report descriptor with GET_DESCRIPTOR (HID 1.11, section 7.1.1). A kernel driver may
+ * put a corrected descriptor into /sys and correct the reports to match. This driver receives the
+ * reports unmodified, so it needs the original descriptor. The descriptor of /sys is used only if
+ * the device does not respond. */
 static enum usb_device_fault read_descriptor(libusb_device_handle *handle,
                                              struct usb_device *device)
 {
@@ -74,7 +75,7 @@ static enum usb_device_fault read_descriptor(libusb_device_handle *handle,
     return size == LIBUSB_ERROR_NO_DEVICE ? USB_AWAY : USB_BROKEN;
 }
 
-/* Measures the largest input report for the transfers. */
+/* Computes the size of the largest input report, which the transfers need. */
 static void measure_reports(struct usb_device *device, struct hid_descriptor *scratch)
 {
     uint32_t most = 0;
@@ -87,8 +88,8 @@ static void measure_reports(struct usb_device *device, struct hid_descriptor *sc
     device->pipe.report_size_max = most + scratch->has_report_ids;
 }
 
-/* Sends the requests of section 7.2 to a claimed interface. A device may refuse requests that it
- * does not support, so only its disconnection is an error. */
+/* Sends the requests of HID 1.11 section 7.2 to a claimed interface. A device may reject requests
+ * that it does not support, so only a disconnected device is an error. */
 static enum usb_device_fault make_ready(libusb_device_handle *handle, struct usb_device *device)
 {
     if (device->is_boot &&

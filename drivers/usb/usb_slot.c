@@ -1,4 +1,4 @@
-/* usb_slot.c -- attaches controllers to a slot and passes reports in both directions. */
+/* usb_slot.c -- attaches controllers to a slot, and passes reports in both directions. */
 #include "drivers/usb/usb_slot.h"
 
 #include <stdio.h>
@@ -13,7 +13,7 @@ void usb_slot_init(struct usb_slot *seat, void (*wake)(void *self), void *wake_s
     seat->wake_self = wake_self;
 }
 
-/* ---- Event thread --------------------------------------------------------------------------- */
+/* ---- Functions for the event thread --------------------------------------------------------- */
 
 void usb_slot_attach(struct usb_slot *seat, const struct hid_device_info *face)
 {
@@ -50,7 +50,7 @@ uint32_t usb_slot_outgoing(struct usb_slot *seat)
         return 0u;
     }
     if (seat->out_generation != atomic_load_explicit(&seat->generation, memory_order_relaxed)) {
-        usb_slot_sent(seat); /* The report was meant for the previous controller. */
+        usb_slot_sent(seat); /* The report was written for the previous controller. */
         return 0u;
     }
     atomic_store_explicit(&seat->outgoing, USB_OUT_SUBMITTED, memory_order_relaxed);
@@ -62,7 +62,7 @@ void usb_slot_sent(struct usb_slot *seat)
     atomic_store_explicit(&seat->outgoing, USB_OUT_NONE, memory_order_release);
 }
 
-/* ---- Frame loop ----------------------------------------------------------------------------- */
+/* ---- Functions for the frame loop ----------------------------------------------------------- */
 
 static uint32_t generation_now(struct usb_slot *seat)
 {
@@ -79,7 +79,8 @@ static int port_open(void *self, struct hid_device_info *out)
     triple_buffer_fetch(&seat->mail);
     const struct usb_attachment *attachment = &seat->attachment[seat->mail.reading];
     if (!(generation & 1u) || attachment->generation != generation) {
-        return HAL_ERR_GONE; /* No controller, or it changed during this call. */
+        return HAL_ERR_GONE; /* No controller is attached, or the controller changed during this
+                                call. */
     }
     *out = attachment->face;
     seat->opened = generation;
@@ -87,8 +88,8 @@ static int port_open(void *self, struct hid_device_info *out)
     return HAL_OK;
 }
 
-/* Drops reports of earlier controllers. Returns the oldest report of the current or a later one,
- * or null. */
+/* Drops the reports of earlier controllers. Returns the oldest report of the opened controller or
+ * of a later controller, or null if there is none. */
 static const struct report_ring_slot *newest_sitting(struct usb_slot *seat)
 {
     const struct report_ring_slot *slot = report_ring_peek(&seat->ring);
@@ -105,7 +106,8 @@ static int port_take(void *self, struct hid_raw *out)
     if (seat->is_never) {
         return HAL_ERR_ABSENT;
     }
-    /* Read first, because all reports of earlier generations are then in the queue. */
+    /* Read before the queue, because all reports of earlier generations are then already in the
+     * queue. */
     const uint32_t generation = generation_now(seat);
     const struct report_ring_slot *slot = newest_sitting(seat);
     if (slot && slot->generation == seat->opened) {

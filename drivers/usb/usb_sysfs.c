@@ -1,4 +1,4 @@
-/* usb_sysfs.c -- reads small files under /sys/bus/usb/devices. */
+/* usb_sysfs.c -- reads small files below /sys/bus/usb/devices. */
 #include "drivers/usb/usb_sysfs.h"
 
 #include <dirent.h>
@@ -66,7 +66,7 @@ void usb_sysfs_text(const char *root, const char *port, const char *name, char o
     usb_sysfs_clean_text(out);
 }
 
-/* Removes the last component of a path. Returns 0 if there is none left. */
+/* Removes the last component of a path. Returns 1, or 0 if no component is left to remove. */
 static int climb(char *path)
 {
     char *slash = strrchr(path, '/');
@@ -77,7 +77,7 @@ static int climb(char *path)
     return 1;
 }
 
-/* Finds the device's folder, which is the first parent of the node's folder with a file
+/* Finds the folder of the USB device: the first folder above the node that contains a file
  * idVendor. */
 void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT_SIZE])
 {
@@ -101,8 +101,8 @@ void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT
     }
 }
 
-/* Returns 1 for a folder of the HID driver, which is named BUS:VENDOR:PRODUCT.NUMBER with bus 3
- * for USB. */
+/* Returns 1 if `name` is a folder of a USB HID device, otherwise 0. The name has the form
+ * BUS:VENDOR:PRODUCT.NUMBER, and the bus of USB is 0003. */
 static int is_hid_folder(const char *name)
 {
     return strlen(name) == 19u && strncmp(name, "0003:", 5u) == 0 && name[9] == ':' &&

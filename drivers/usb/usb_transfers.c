@@ -3,14 +3,16 @@
 
 #include <string.h>
 
-#define RETRY_NS 10000000ull /* Delay after an error, longer than a glitch on the cable. */
+#define RETRY_NS                                                                                   \
+    10000000ull /* Delay after an error before transfers are submitted again; longer than a
+                   glitch on the cable. */
 
 static uint64_t usb_transfers_now_ns(const struct usb_transfers *link)
 {
     return link->clock.ops->now_ns(link->clock.self);
 }
 
-/* ---- Memory --------------------------------------------------------------------------------- */
+/* ---- Allocation of transfers ---------------------------------------------------------------- */
 
 static int init_flight(struct usb_transfer_slot *transfer_slot, struct usb_transfers *link)
 {
@@ -38,10 +40,10 @@ void usb_transfers_free(struct usb_transfers *link)
     }
 }
 
-/* ---- Input reports -------------------------------------------------------------------------- */
+/* ---- Transfers of input reports ------------------------------------------------------------- */
 
-/* Records an error. NO_DEVICE sets is_gone instead, because other transfers and hot-plug report
- * it too. */
+/* Records an error of a transfer. If the device was unplugged, only `is_gone` is set, because other
+ * transfers and hot-plug events report it too. */
 static void note_error(struct usb_transfers *link, int error)
 {
     if (error == LIBUSB_ERROR_NO_DEVICE) {
@@ -62,7 +64,8 @@ static void submit(struct usb_transfer_slot *transfer_slot)
     }
 }
 
-/* Evaluates a returned transfer. Returns 1 if it may be submitted again at once. */
+/* Evaluates a returned transfer. Returns 1 if the transfer may be submitted again immediately,
+ * otherwise 0. */
 static int read_status(struct usb_transfers *link, const struct libusb_transfer *transfer)
 {
     switch (transfer->status) {
@@ -71,7 +74,8 @@ static int read_status(struct usb_transfers *link, const struct libusb_transfer 
         usb_slot_report(link->seat, usb_transfers_now_ns(link), transfer->buffer,
                         (uint32_t)transfer->actual_length);
         return 1;
-    case LIBUSB_TRANSFER_OVERFLOW: /* More bytes than declared; the report is lost. */
+    case LIBUSB_TRANSFER_OVERFLOW: /* The device sent more bytes than it declared; the report is
+                                      lost. */
         usb_slot_report(link->seat, usb_transfers_now_ns(link), transfer->buffer,
                         HID_REPORT_MAX + 1u);
         note_error(link, LIBUSB_ERROR_OVERFLOW);
@@ -85,13 +89,14 @@ static int read_status(struct usb_transfers *link, const struct libusb_transfer 
         return 0;
     case LIBUSB_TRANSFER_CANCELLED: /* clear_halt() has cancelled the transfer. */
         return 0;
-    default: /* A transmission error, or the first sign that the cable is being unplugged. */
+    default: /* A transmission error, which can also mean that the cable is being unplugged. */
         note_error(link, LIBUSB_ERROR_IO);
         return 0;
     }
 }
 
-/* Accepts a report that was completed before the end. Cancelled transfers contain none. */
+/* Queues the report of a transfer that completed while the link closes. Cancelled transfers contain
+ * no report. */
 static void take_last(struct usb_transfers *link, const struct libusb_transfer *transfer)
 {
     if (transfer->status == LIBUSB_TRANSFER_COMPLETED && !link->has_left) {
@@ -116,8 +121,9 @@ static void LIBUSB_CALL on_report(struct libusb_transfer *transfer)
     }
 }
 
-/* Returns the transfer size: whole packets, so that no packet overflows, and one report at most,
- * so that no report is delayed until the next. */
+/* Returns the size of an input transfer. The size is a multiple of the packet size, so that no
+ * packet overflows. It holds at most one report, so that no report is delayed until the next
+ * report. */
 static int transfer_size(const struct usb_pipe *pipe)
 {
     const uint32_t packet = pipe->in_packet_size;
@@ -146,10 +152,10 @@ void usb_transfers_begin(struct usb_transfers *link, libusb_device_handle *handl
     }
 }
 
-/* ---- Closing -------------------------------------------------------------------------------- */
+/* ---- Closing of a link ---------------------------------------------------------------------- */
 
-/* Cancels a transfer. libusb returns NOT_FOUND if the transfer has just completed, which needs
- * no handling. */
+/* Cancels a transfer. libusb returns NOT_FOUND if the transfer has just completed, which needs no
+ * handling. */
 static void cancel(struct usb_transfer_slot *transfer_slot)
 {
     transfer_slot->is_due = 0;
@@ -198,7 +204,8 @@ static void close_link(struct usb_transfers *link)
     link->state = USB_TRANSFERS_NONE;
 }
 
-/* Clears a halt after all transfers have returned. Returns 1 when the halt was cleared. */
+/* Clears the halt of the input endpoint. Until all input transfers have returned, only cancels them
+ * and returns 0. Returns 1 when the halt was cleared. */
 static int clear_halt(struct usb_transfers *link)
 {
     int flying = 0;
@@ -239,7 +246,8 @@ static int is_due(const struct usb_transfers *link)
     return due;
 }
 
-/* Detaches the slot before closing, because closing can take a long time. */
+/* Continues closing a link. The slot is detached before the device is closed, because closing can
+ * take a long time. */
 static void tend_draining(struct usb_transfers *link)
 {
     const int flying = is_submitted(link);

@@ -1,9 +1,9 @@
-/* usb_transfers.h -- the USB transfers of one open controller.
+/* usb_transfers.h -- a link: the USB transfers of one open controller.
  *
- * Used only by the event thread. libusb callbacks only record results and submit transfers
- * again. All requests to the device, and closing it, happen in usb_transfers_service(), outside of
- * the callbacks. Closing has a fixed order: cancel all transfers, wait until each has returned,
- * release the interface, close the handle. */
+ * Used only by the event thread. The callbacks of libusb only record results and submit transfers
+ * again. usb_transfers_service() sends all requests to the device and closes it, outside of the
+ * callbacks. Closing has a fixed order: cancel all transfers, wait until each has returned, release
+ * the interface, close the handle. */
 #ifndef KINGYO_DRIVERS_USB_USB_TRANSFERS_H
 #define KINGYO_DRIVERS_USB_USB_TRANSFERS_H
 
@@ -13,28 +13,34 @@
 
 #include "drivers/usb/usb_slot.h"
 
-#define USB_IN_TRANSFER_COUNT 4u /* At 1,000 Hz the thread may be delayed by 3 ms without loss. */
-#define USB_TRANSFER_MAX 1024u   /* Largest packet of an interrupt endpoint, USB 2.0 5.7.3. */
-#define USB_ERRORS_MAX 8u        /* Consecutive errors before the device is opened again. */
-/* Time after cancelling in which returning transfers still deliver reports. */
+#define USB_IN_TRANSFER_COUNT                                                                      \
+    4u /* Number of input transfers. At 1,000 reports per second the thread may be delayed by 3
+          ms without loss. */
+#define USB_TRANSFER_MAX                                                                           \
+    1024u /* Largest packet of an interrupt endpoint in bytes (USB 2.0, section 5.7.3). */
+#define USB_ERRORS_MAX                                                                             \
+    8u /* Number of consecutive errors after which the device is closed and opened again. */
+/* Time after cancelling in which returning transfers still deliver reports, in ms. */
 #define USB_DETACH_MS 50u
-/* Timeout of an output report, after which force feedback would be late. */
+/* Timeout of an output report in ms. Later force feedback would be noticeably late. */
 #define USB_OUT_TIMEOUT_MS 100u
 
-/* Endpoints of an interface and properties of its report descriptor. */
+/* Endpoints of an interface, and properties of its report descriptor. */
 struct usb_pipe {
     uint8_t interface_number;
     uint8_t in_endpoint;
     uint8_t has_report_ids;
-    uint8_t out_endpoint; /* 0: output reports use the control pipe, HID 1.11 7.2.2. */
+    uint8_t out_endpoint; /* Address of the output endpoint. 0 means that output reports use the
+                             control pipe (HID 1.11, section 7.2.2). */
     uint16_t in_packet_size;
-    uint32_t report_size_max; /* Bytes of the longest input report, including its id. */
+    uint32_t report_size_max; /* Size of the longest input report in bytes, including its id. */
 };
 
 enum usb_transfers_state {
     USB_TRANSFERS_NONE = 0,
-    USB_TRANSFERS_LIVE,     /* The device is open and its transfers are in use. */
-    USB_TRANSFERS_DRAINING, /* The transfers are cancelled and some have not returned yet. */
+    USB_TRANSFERS_LIVE,     /* The device is open, and its transfers are in use. */
+    USB_TRANSFERS_DRAINING, /* The transfers are cancelled, and some of them have not returned
+                               yet. */
 };
 
 struct usb_transfers;
@@ -43,18 +49,20 @@ struct usb_transfer_slot {
     struct usb_transfers *link;
     struct libusb_transfer *transfer;
     uint8_t is_submitted;
-    uint8_t is_due; /* To be submitted again after an error or a halt. */
+    uint8_t is_due; /* 1 if the transfer must be submitted again after an error or a halt, otherwise
+                       0. */
     uint8_t buffer[USB_TRANSFER_MAX];
 };
 
 struct usb_transfers {
-    uint8_t state;        /* enum usb_transfers_state */
-    uint8_t is_gone;      /* 1 if the device was unplugged and accepts no requests. */
-    uint8_t has_halted;   /* 1 after the endpoint stalled. */
-    uint8_t has_left;     /* 1 after the slot was detached. */
+    uint8_t state;        /* State of the link (enum usb_transfers_state). */
+    uint8_t is_gone;      /* 1 if the device was unplugged and accepts no requests, otherwise 0. */
+    uint8_t has_halted;   /* 1 if the input endpoint stalled and must be cleared, otherwise 0. */
+    uint8_t has_left;     /* 1 if the slot was detached, otherwise 0. */
     uint32_t error_count; /* Number of consecutive errors. */
-    uint64_t retry_ns;    /* Earliest time to submit transfers again. */
-    uint64_t leave_ns;    /* Deadline for detaching the slot, even if transfers are in flight. */
+    uint64_t retry_ns;    /* Earliest time at which transfers are submitted again. */
+    uint64_t leave_ns;    /* Time at which the slot is detached even if some transfers have not
+                             returned. */
     struct hal_clock clock;
     libusb_device_handle *handle;
     struct usb_slot *seat;
@@ -63,34 +71,37 @@ struct usb_transfers {
     struct usb_transfer_slot out;
 };
 
-/* Allocates the transfers once. Returns 0, or -1 if there is no memory; usb_transfers_free() is
- * then still needed. */
+/* Allocates the transfers, which are reused for each device. Returns 0, or -1 if there is no
+ * memory; usb_transfers_free() must then still be called. */
 int usb_transfers_init(struct usb_transfers *link, struct hal_clock clock);
 
-/* Frees the transfers. No transfer may be in flight. */
+/* Frees the transfers. All transfers must have returned. */
 void usb_transfers_free(struct usb_transfers *link);
 
-/* Starts reading an open device whose interface is claimed. The link owns `handle` from now on.
+/* Starts reading an open device whose interface is claimed. The link owns `handle` from then on.
  * `seat` must already be attached (usb_slot_attach()). */
 void usb_transfers_begin(struct usb_transfers *link, libusb_device_handle *handle,
                          const struct usb_pipe *pipe, struct usb_slot *seat);
 
-/* Sends the pending output report of the slot if the previous one is finished. */
+/* Sends the pending output report of the slot, unless the previous output report is still being
+ * sent. */
 void usb_transfers_send(struct usb_transfers *link);
 
-/* Starts closing. `is_gone` means that the device was unplugged. The slot is detached when all
- * transfers have returned, or after USB_DETACH_MS. */
+/* Starts closing the link. `is_gone` is 1 if the device was unplugged, otherwise 0. The slot is
+ * detached when all transfers have returned, but after USB_DETACH_MS at the latest. */
 void usb_transfers_drain(struct usb_transfers *link, int is_gone);
 
-/* Detaches the slot now, because another controller needs it. */
+/* Detaches the slot immediately if the link is closing, because another controller needs the
+ * slot. */
 void usb_transfers_detach(struct usb_transfers *link);
 
-/* Performs the actions that callbacks must not: submits again, clears a halt, and closes a
- * drained link. Returns 0, or 1 if the link failed and usb_transfers_drain() must follow. */
+/* Performs the actions that are forbidden in callbacks: submits transfers again, clears a halt, and
+ * closes a link whose transfers have returned. Returns 0, or 1 if the link failed; the caller must
+ * then call usb_transfers_drain(). */
 int usb_transfers_service(struct usb_transfers *link);
 
-/* Returns when usb_transfers_service() must be called next, or UINT64_MAX if only an event requires
- * it. */
+/* Returns the time at which usb_transfers_service() must be called next, or UINT64_MAX if only an
+ * event requires a call. */
 uint64_t usb_transfers_due_ns(const struct usb_transfers *link);
 
 #endif

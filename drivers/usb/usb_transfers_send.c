@@ -3,8 +3,8 @@
 
 #include "drivers/usb/usb_transfers.h"
 
-#define HID_SET_REPORT 0x09u      /* Request code, HID 1.11 section 7.2.2. */
-#define HID_OUTPUT_REPORT 0x0200u /* Report type in the upper byte of wValue. */
+#define HID_SET_REPORT 0x09u      /* Request code (HID 1.11, section 7.2.2). */
+#define HID_OUTPUT_REPORT 0x0200u /* Report type "output" in the upper byte of wValue. */
 
 static void LIBUSB_CALL on_sent(struct libusb_transfer *transfer)
 {
@@ -13,11 +13,11 @@ static void LIBUSB_CALL on_sent(struct libusb_transfer *transfer)
     if (transfer->status == LIBUSB_TRANSFER_NO_DEVICE) {
         transfer_slot->link->is_gone = 1;
     }
-    /* A lost report is not repeated, because the next one is newer. */
+    /* A lost report is not sent again, because the next report is newer. */
     usb_slot_sent(transfer_slot->link->seat);
 }
 
-/* Fills a SET_REPORT request for devices without an output endpoint. */
+/* Fills a SET_REPORT request, which devices without an output endpoint need. */
 static void fill_set_report(struct usb_transfers *link, uint32_t size)
 {
     struct usb_transfer_slot *out = &link->out;

@@ -1,4 +1,4 @@
-/* usb_transport.c -- starts and stops the USB transport of this process. */
+/* usb_transport.c -- starts and stops the USB transport. */
 #include "drivers/usb/usb_transport.h"
 
 #include <stdio.h>
@@ -7,7 +7,7 @@
 #include "drivers/usb/usb_choice_file.h"
 #include "drivers/usb/usb_event_thread.h"
 
-#define PATH_SIZE 1100u /* Fits a data folder and a file name. */
+#define PATH_SIZE 1100u /* Size of a path; large enough for a data folder and a file name. */
 
 struct usb_seats {
     struct usb_event_thread usb_thread;
@@ -17,7 +17,7 @@ struct usb_seats {
 
 static struct usb_seats one;
 
-/* Publishes an empty device list with the reason why there is no USB. */
+/* Publishes an empty device list with the reason why USB is not available. */
 static void be_dead(struct usb_seats *seats, const char *why)
 {
     struct device_table *rows = &seats->usb_thread.rows;
@@ -25,7 +25,8 @@ static void be_dead(struct usb_seats *seats, const char *why)
         seats->usb_thread.seat[i].is_never = 1;
     }
     snprintf(rows->text, sizeof rows->text, "%s", why);
-    rows->wanted_count = 0; /* Other drivers may use these controllers. */
+    rows->wanted_count = 0; /* No keys are published, so that other drivers may use the selected
+                               controllers. */
     usb_device_list_publish(&seats->usb_thread.device_list, rows);
 }
 
