@@ -1,5 +1,5 @@
-/* glb.c -- the writer of glTF 2.0 files, sections 3.6 (buffers, accessors) and 4 (the binary
- * container). */
+/* glb.c -- the writer of binary glTF 2.0 files. The sections of the specification are 3.6 (buffers
+ * and accessors) and 4 (the binary container). */
 #include "platform/ctl/morph/glb.h"
 
 #include <errno.h>
@@ -12,7 +12,7 @@
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "glTF is little-endian; so is memory");
 
-#define MAGIC 0x46546c67u /* "glTF" as a little-endian number. */
+#define MAGIC 0x46546c67u /* The characters "glTF" as a little-endian number. */
 #define CHUNK_JSON 0x4e4f534au
 #define CHUNK_BIN 0x004e4942u
 
@@ -57,7 +57,8 @@ static uint32_t add_view(struct glb *glb, const void *data, size_t size, enum ta
     return view;
 }
 
-/* Adds the minimum (`sign` -1) or the maximum (`sign` 1) of each component to an accessor. */
+/* Adds the property `name`, a list with the minimum (`sign` -1) or the maximum (`sign` 1) of each
+ * component of the values. */
 static void add_bound(struct byte_buffer *out, const char *name, float sign, const float *values,
                       uint32_t width, uint32_t count)
 {
@@ -68,7 +69,7 @@ static void add_bound(struct byte_buffer *out, const char *name, float sign, con
             const float value = values[i * width + k];
             bound = sign * value > sign * bound ? value : bound;
         }
-        /* The 17 digits let a reader find exactly the float that the buffer contains. */
+        /* 17 digits allow a reader to recover exactly the float in the buffer. */
         byte_buffer_print(out, "%s%.17g", k > 0 ? "," : "", (double)bound);
     }
     byte_buffer_print(out, "]");

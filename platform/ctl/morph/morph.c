@@ -1,4 +1,5 @@
-/* morph.c -- `kingyoctl morph`, which shows fish of any age to makers and researchers. */
+/* morph.c -- `kingyoctl morph`, which shows and converts fish of any age for authors of species and
+ * for researchers. */
 #include "platform/ctl/morph/morph.h"
 
 #include <errno.h>

@@ -1,18 +1,19 @@
-/* morph.h -- the subcommands of `kingyoctl morph`. Each subcommand has its own file and one row in
- * the table of morph.c. */
+/* morph.h -- the subcommands of `kingyoctl morph`, which show and convert fish of any age.
+ *
+ * Each subcommand has its own source file and one row in the table of morph.c. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_H
 #define KINGYO_PLATFORM_CTL_MORPH_MORPH_H
 
 #include "platform/ctl/lib/ctl.h"
 
 struct morph_command {
-    const char *name; /* Subcommand name, for example "weights". */
-    /* Arguments as the usage line shows them, for example "SPECIES|FILE [--steps N]". */
+    const char *name; /* Name of the subcommand, for example "weights". */
+    /* Arguments in the form of the usage line, for example "SPECIES|FILE [--steps N]". */
     const char *words;
-    const char *summary; /* Summary in one line. */
+    const char *summary; /* Summary of the subcommand in one line. */
     const char *usage;   /* Further text that `kingyoctl morph NAME --help` prints. */
-    /* Runs the subcommand. argv[0] is the first word after the subcommand's name. The caller has
-     * already handled --help. */
+    /* Runs the subcommand. argv[0] is the first argument after the subcommand's name. The caller of
+     * `run` has already handled --help. */
     enum exit_code (*run)(int argc, const char *const *argv);
 };
 
@@ -29,8 +30,8 @@ extern const struct morph_command ctl_morph_weights;
 __attribute__((format(printf, 2, 3))) enum exit_code morph_usage(const char *command,
                                                                  const char *format, ...);
 
-/* Prints one line, "kingyoctl morph COMMAND: ...", to standard error and returns `code`. Use this
- * function for errors of a file, a disk or the data. */
+/* Prints one line, "kingyoctl morph COMMAND: ...", to standard error and returns `code`. Used for
+ * errors of a file, of memory or of the data. */
 __attribute__((format(printf, 3, 4))) enum exit_code
 morph_fail(enum exit_code code, const char *command, const char *format, ...);
 

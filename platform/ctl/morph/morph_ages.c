@@ -1,10 +1,10 @@
-/* morph_ages.c -- checks that age, progress and length convert into each other during a fish's
- * whole life. */
+/* morph_ages.c -- checks the conversions between age, progress and length over the whole life of a
+ * fish. */
 #include <math.h>
 
 #include "platform/ctl/morph/morph_walk.h"
 
-/* Counts the moments at which the fish is not older than at the previous moment. */
+/* Counts a moment at which the fish is not older than at the previous moment. */
 static void measure_age(struct morph_walk *w, float before_days, float age_days)
 {
     if (!(age_days > before_days)) {
@@ -14,8 +14,8 @@ static void measure_age(struct morph_walk *w, float before_days, float age_days)
     }
 }
 
-/* Compares the displayed length with the growth curve at that age. The comparison is skipped for a
- * key whose size the maker drew. */
+/* Compares the fish's length with the growth curve at its age. A key whose size the author of the
+ * species drew is skipped. */
 static void measure_length(struct morph_walk *w, float age_days)
 {
     const struct species_card *card = &w->species->card;

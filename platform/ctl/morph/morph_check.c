@@ -1,5 +1,5 @@
-/* morph_check.c -- `kingyoctl morph check`, which measures whether a species grows without
- * errors. */
+/* morph_check.c -- `kingyoctl morph check`, which reports errors in the growth of a species, for
+ * example flipped triangles. */
 #include <stdio.h>
 
 #include "platform/ctl/morph/morph_options.h"
@@ -20,16 +20,18 @@ struct check_plan {
     struct morph_survey survey[COLUMNS];
 };
 
-/* One value of a survey and its limit. */
+/* One printed value of a survey (morph_survey.h) and its limit. */
 struct row {
     const char *title, *key;
     float (*value)(const struct morph_survey *survey);
-    /* Returns the place of the worst value. A null pointer means that the value has no place. */
+    /* Returns the progress and the vertex at which the worst value was found. Null means that the
+     * value has no such place. */
     const struct finding *(*where)(const struct morph_survey *survey);
     const char *format;
-    /* Factor from the measured to the printed value. A value of 100 prints a share in percent. */
+    /* Factor by which the measured value is multiplied for printing. 100 prints a share in
+     * percent. */
     double scale;
-    double limit; /* Limit in the printed unit. */
+    double limit; /* Limit for the printed value. */
     enum { AT_MOST, AT_LEAST, TOLD_ONLY } rule;
 };
 
@@ -129,7 +131,7 @@ static const struct species_mesh *mesh_of(const struct check_plan *plan, enum co
     return column == ORDINARY ? &plan->ordinary->lod[0] : &plan->pick.fish->lod[column];
 }
 
-/* Prints a place, for example "at progress 0.431, vertex 312 (eye)". */
+/* Prints where a worst value was found, for example "at progress 0.431, vertex 312 (eye)". */
 static void print_where(const struct check_plan *plan, enum column column, const struct finding *at)
 {
     printf(" at progress %.4f", (double)at->progress);

@@ -1,4 +1,4 @@
-/* morph_curve.c -- finds a curve by its name. */
+/* morph_curve.c -- finds a curve of a deformation graph by its name. */
 #include "platform/ctl/morph/morph_curve.h"
 
 #include <stdio.h>

@@ -1,4 +1,5 @@
-/* morph_export.c -- `kingyoctl morph export`, which writes a fish as pictures and as meshes. */
+/* morph_export.c -- `kingyoctl morph export`, which writes a fish as pictures or as meshes for
+ * other programs. */
 #include <stdio.h>
 #include <string.h>
 
@@ -9,7 +10,7 @@
 
 static const char name[] = "export";
 
-/* The options of `morph export` besides the fish. */
+/* Options of `kingyoctl morph export` that do not select the fish. */
 struct wishes {
     const char *sheet, *obj, *glb, *folder, *view;
     uint32_t frame_count;

@@ -1,17 +1,20 @@
-/* morph_flips.c -- counts flipped triangles. A skin triangle is flipped if it faces inward. A fin
- * triangle is flipped if it faces the opposite way from one moment to the next.
+/* morph_flips.c -- counts flipped triangles. A triangle of the body or of an eye is flipped if it
+ * faces inward. A triangle of a fin is flipped if it reverses its direction between two moments.
  *
- * A fin may turn by a large angle between two moments without an error, because a hatchling's fin
- * unfolds. Where a fin triangle has turned by more than a right angle, the interval is therefore
- * sampled finely. A correct fin turns in small steps, but a flipped triangle reverses in a single
- * step. The count is thus the same for many moments and for few. */
+ * The fin of a hatchling unfolds. A correct fin may therefore turn by a large angle between two
+ * moments. If a fin triangle has turned by more than a right angle, the interval between the two
+ * moments is sampled in small steps. A correct fin turns a little in each step, but a flipped
+ * triangle reverses in a single step. The result is therefore independent of the number of
+ * moments. */
 #include "platform/ctl/morph/morph_walk.h"
 
-#define AREA_MIN 1e-9f /* Twice the area below which a triangle has no defined direction. */
-/* Height, in quantization steps of the mesh tables, below which rounding decides where a triangle
- * faces. */
+#define AREA_MIN                                                                                   \
+    1e-9f /* Length of the cross product of two edges (twice the area) below which a triangle has
+             no defined direction. */
+/* Height of a triangle, in quantization steps of the mesh tables, below which rounding errors
+ * determine the direction. */
 #define THIN_COUNTS 4.0f
-/* Distance between two moments of the fine sampling, as a share of a life. */
+/* Step of progress for sampling between two moments. */
 #define CLOSELY 4e-5f
 
 static vec3 face_of(const struct morph_walk *w, uint32_t triangle)
@@ -62,7 +65,7 @@ static void shape_at(struct morph_walk *w, float progress)
     morph_shape(w->mesh, w->rig->key_count, &w->pose, w->positions, w->normals);
 }
 
-/* Examines one step of the fin triangles that may be flipped. */
+/* Checks one small step of the fin triangles that may be flipped. */
 static void morph_flips_check_step(struct morph_walk *w)
 {
     for (uint32_t t = 0; t < w->mesh->index_count / 3u; t++) {

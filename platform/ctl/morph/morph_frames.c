@@ -1,5 +1,5 @@
-/* morph_frames.c -- draws one picture for each moment, with the fish at the same scale and
- * place. */
+/* morph_frames.c -- writes the frames of a growing fish, one picture for each moment. The fish has
+ * the same scale and position in each picture. */
 #include <stdio.h>
 #include <string.h>
 
@@ -10,7 +10,7 @@
 
 #define FRAME_MARGIN 48.0f
 
-/* Static because the object is too large for a stack. Only one portrait exists at a time. */
+/* Fish that is being drawn. The variable is static because it is too large for a stack. */
 static struct fish_preview portrait;
 
 static bool draw_frame(const struct morph_options *pick, struct canvas *canvas,

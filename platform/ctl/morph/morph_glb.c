@@ -1,16 +1,17 @@
-/* morph_glb.c -- writes a whole life as one glTF 2.0 file with nodes, a skin and an animation.
+/* morph_glb.c -- writes the whole life of a fish as a glTF 2.0 file with nodes, a skin and an
+ * animation.
  *
- * The scene has one node for the fish. The scale of that node is animated and gives the fish's
- * size. The fish faces +z, as glTF requires. The body lies under this node, and each other part has
- * a mesh. A part that follows the skin is skinned in the sense of glTF: each anchor is a joint
- * under the fish, and each vertex depends on one joint only. glTF first blends the targets and then
- * applies the joints, as morph_shape() does, so the file is exact and not an approximation. Nodes
- * instead of joints would not work, because the rays of a fin have one anchor each and share
- * triangles.
+ * The scene has one node for the fish, whose animated scale gives the size of the fish. The fish
+ * faces +z, as glTF requires. Each piece of the fish has a node with a mesh below the fish's node.
  *
- * The animation "growth" runs for GLB_SECONDS from progress 0 to 1. It holds the graph's weights,
- * the size and the joints. The weights are those of solved shapes where the graph is solved, so
- * that they stay in [0, 1]. */
+ * A part that is anchored to the body's surface is skinned in the sense of glTF. Each anchor is a
+ * joint, and each vertex depends on one joint only. glTF first blends the morph targets and then
+ * applies the joints, as morph_shape() does, so the result is exact. Nodes could not replace the
+ * joints, because neighbouring rays of a fin have different anchors but share triangles.
+ *
+ * The animation "growth" has GLB_SECONDS seconds from progress 0 to 1. It contains the weights of
+ * the deformation graph, the size and the joints. If the graph is solved, the weights are those of
+ * the solved shapes, which stay in [0, 1]. */
 #include "platform/ctl/morph/morph_glb.h"
 
 #include <errno.h>
@@ -19,16 +20,17 @@
 
 #include "platform/ctl/lib/caption.h"
 
-#define NAME_SIZE 2048u /* Bytes of a list of PIECE_MAX node numbers, with a margin. */
+#define NAME_SIZE 2048u /* Size in bytes of a list of PIECE_MAX node numbers, with a margin. */
 
 static const char command[] = "export";
 
-/* Static because the object is too large for a stack. Only one export runs at a time. */
+/* File that is being written. The variable is static because it is too large for a stack. */
 static struct morph_glb fish;
 
 /* ---- Nodes ----------------------------------------------------------------------------------- */
 
-/* Prints the colours of a key without its marks. Colours are 0xRRGGBB numbers. */
+/* Prints the colours of a key as 0xRRGGBB numbers, and its transparency and shine. The spots and
+ * stripes of the skin are not printed. */
 static void print_coat(struct byte_buffer *out, const struct species_coat *coat)
 {
     byte_buffer_print(out, "\"back\":%u,\"flank\":%u,\"belly\":%u,\"fin\":%u,\"iris\":%u,",
@@ -36,7 +38,7 @@ static void print_coat(struct byte_buffer *out, const struct species_coat *coat)
     byte_buffer_print(out, "\"clear\":%u,\"shine\":%u}", coat->clear, coat->shine);
 }
 
-/* Prints what the numbers of the file mean in real life. */
+/* Prints metadata of the species: its keys with their progress, age, length and colours. */
 static void print_life(struct byte_buffer *out)
 {
     const struct species_card *card = &fish.pick->fish->card;
@@ -99,7 +101,7 @@ static void add_joint(uint32_t anchor)
                       (double)at->turn.z, (double)at->turn.w);
 }
 
-/* Computes the inverse of an anchor's pose at progress 1, as a column-major matrix in the order of
+/* Computes the inverse of an anchor's pose at progress 1, as a column-major 4 x 4 matrix for
  * glTF. */
 static void inverse_bind(const struct anchor_pose *at, float out[16])
 {
@@ -148,8 +150,8 @@ static void add_nodes(char scene[NAME_SIZE])
     for (uint32_t i = 0; i < fish.cut.piece_count; i++) {
         add_piece(i, meshes[i]);
         if (fish.skinned[i]) {
-            /* Only joints move a skinned mesh, so glTF requires the mesh node beside the fish node
-             * and not under it. */
+            /* glTF ignores the node of a skinned mesh and moves the mesh only by its joints. The
+             * node is therefore a root node beside the fish's node. */
             used += (size_t)snprintf(scene + used, NAME_SIZE - used, ",%u", GLB_PIECE_NODE + i);
             skinned = true;
         }

@@ -1,21 +1,21 @@
-/* morph_glb_life.c -- writes the glTF animation of a fish: the size, the weights, and the joints of
- * parts that follow the skin.
+/* morph_glb_life.c -- writes the glTF animation of a fish's growth: the size, the weights of the
+ * keys, and the joints.
  *
- * Samples are dense where a value bends. The values are linear between samples, and the error is at
- * most TOLERANCE everywhere. */
+ * The animation is a table of samples with linear interpolation. Samples are closer together where
+ * a value changes nonlinearly, so that the error is at most TOLERANCE everywhere. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "platform/ctl/lib/piecewise_fit.h"
 #include "platform/ctl/morph/morph_glb.h"
 
-/* Maximum error of a weight, of the size (as a ratio), and of an anchor's position (in body
- * lengths). */
+/* Maximum error of a weight, of the relative size, and of an anchor's position in body lengths. */
 #define TOLERANCE 1e-5f
-/* Number of evenly spaced samples, so that no bend between two marks is missed. */
+/* Number of intervals between evenly spaced samples. The samples ensure that no change between two
+ * marks is missed. */
 #define EVEN_MARKS 32u
 #define MARK_ROOM (EVEN_MARKS + 1u + MORPH_CURVE_MAX * GRAPH_KNOT_MAX)
-/* Floats of an anchor: three for the position and four for the rotation quaternion. */
+/* Number of floats for an anchor: three for the position and four for the rotation quaternion. */
 #define ANCHOR_WIDTH 7u
 
 static void ask_size(const void *self, float progress, float *values)
@@ -68,16 +68,16 @@ static void ask_anchors(const void *self, float progress, float *values)
     }
 }
 
-/* Returns the sign that puts the quaternion `b` in the same hemisphere as `a`, because q and -q are
- * the same rotation. */
+/* Returns the sign (1 or -1) by which the quaternion `b` must be multiplied to lie in the same
+ * hemisphere as `a`. The quaternions q and -q are the same rotation. */
 static float morph_glb_life_side_of(const float *a, const float *b)
 {
     const float dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
     return dot < 0.0f ? -1.0f : 1.0f;
 }
 
-/* Returns the error of an interpolated rotation. The mean of two quaternions is normalized, because
- * only its direction is the middle rotation. */
+/* Returns the error if the mean of two rotations replaces the rotation `exact`. The mean of the two
+ * quaternions is normalized before the comparison. */
 static float turn_error(const float *from, const float *to, const float *exact)
 {
     const float side = morph_glb_life_side_of(from, to),
@@ -110,7 +110,8 @@ static float anchor_error(const void *self, const float *from, const float *to, 
     return error;
 }
 
-/* Computes sample positions that are dense enough for every bend and include every knot exactly. */
+/* Writes the progress of the first samples to `marks`: the evenly spaced samples and every knot of
+ * the graph, in rising order. Returns their number. */
 static uint32_t make_marks(const struct morph_rig *rig, float marks[MARK_ROOM])
 {
     uint32_t count = 0;
@@ -143,7 +144,7 @@ static bool fit(const struct morph_glb *fish, struct piecewise_fit *track,
     return piecewise_fit_fit(track, &function, marks, count, TOLERANCE);
 }
 
-/* ---- Writing to the file -------------------------------------------------------------------- */
+/* ---- Writing to the file --------------------------------------------------------------------- */
 
 static uint32_t add_times(struct morph_glb *fish, const struct piecewise_fit *track)
 {
@@ -187,7 +188,8 @@ static bool animate_size(struct morph_glb *fish)
 
 static bool animate_weights(struct morph_glb *fish)
 {
-    /* Sampler numbers, counted from 1, by the bit mask of the curves that they represent. */
+    /* Sampler index + 1 for each bit mask of curves. 0 means that the sampler does not exist
+     * yet. */
     uint32_t samplers[1u << MORPH_CURVE_MAX] = { 0 };
     for (uint32_t piece = 0; piece < fish->cut.piece_count; piece++) {
         const struct weight_list list = { &fish->pick->rig, &fish->targets[piece] };
@@ -209,8 +211,8 @@ static bool animate_weights(struct morph_glb *fish)
     return true;
 }
 
-/* Copies `width` columns of the track from `column` on. The sign of a quaternion never changes from
- * one sample to the next. */
+/* Copies `width` columns of the samples to `out`, from the column `column` on. A quaternion is
+ * negated if necessary, so that neighbouring samples lie in the same hemisphere. */
 static void pick_column(const struct piecewise_fit *track, uint32_t column, uint32_t width,
                         float *out)
 {

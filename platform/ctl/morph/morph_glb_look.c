@@ -1,16 +1,17 @@
-/* morph_glb_look.c -- computes the attributes of a vertex in each shape of a glTF mesh, that is in
- * the base and in the targets.
+/* morph_glb_look.c -- computes the attributes of a vertex in each shape of a glTF mesh: in the base
+ * and in the morph targets.
  *
- * In Kingyo, p = sum over curves c of m_c sum over keys k of V_ck C_ck. The masks m_c have the sum
- * 1, the graph's weights V_c have the sum 1 and are >= 0, and C_c are the solved shapes (the drawn
- * shapes where nothing is solved). In glTF, p = B + sum of w_t D_t. Therefore B = sum m_c C_c,last,
- * and each curve and each key except the last has D = m_c (C_ck - C_c,last) with w = V_ck. This is
- * the same sum, and every weight is in [0, 1].
+ * In Kingyo, p = sum over curves c of m_c sum over keys k of V_ck C_ck. The masks m_c of the vertex
+ * have the sum 1. The weights V_c of the graph have the sum 1 and are >= 0. C_c are the solved
+ * shapes, or the drawn shapes if no shape is solved.
  *
- * Colours are targets too (COLOR_0, linear). A viewer that does not morph colours shows those of
- * the last key, which are also the colours without the animation. The alpha of a glass body is
- * written, but the material of the body is opaque: unsorted transparent bodies look worse in
- * viewers than opaque ones. Fins use alpha blending. */
+ * In glTF, p = B + sum of w_t D_t. Therefore B = sum m_c C_c,last. Each curve c and each key k
+ * except the last gives a target with D = m_c (C_ck - C_c,last) and the weight w = V_ck. The two
+ * sums are equal, and every weight is in [0, 1].
+ *
+ * Colours are morph targets too (COLOR_0, linear). A viewer that does not blend colours shows the
+ * colours of the last key. The alpha of a transparent body is written, but the material of the body
+ * is opaque, because many viewers draw transparent bodies with errors. Fins use alpha blending. */
 #include "platform/ctl/lib/fish_preview.h"
 #include "platform/ctl/morph/morph_glb.h"
 
@@ -25,7 +26,8 @@ float morph_glb_share_of(const struct morph_glb *fish, uint32_t vertex, uint32_t
     return (float)share / 255.0f;
 }
 
-/* Writes linear colours, because glTF vertex colours are linear. */
+/* Sets the colour and the opacity of the vertex at a key. The colour is linear, as glTF requires
+ * for vertex colours. */
 static void take_paint(const struct morph_glb *fish, uint32_t vertex, uint32_t key,
                        struct aspect *out)
 {
@@ -42,14 +44,14 @@ static void add_look(struct aspect *sum, const struct aspect *look, float weight
     sum->hides += look->hides * weight;
 }
 
-/* Projects a normal to the octahedron |x| + |y| + |z| = 1, on which the normals of keys are blended
- * (see struct morph_pose). */
+/* Scales a normal to the octahedron |x| + |y| + |z| = 1. The core blends the normals of keys on
+ * this octahedron (see struct morph_pose). */
 static vec3 on_octahedron(vec3 n)
 {
     return v3_scale(n, 1.0f / (f_abs(n.x) + f_abs(n.y) + f_abs(n.z)));
 }
 
-/* Returns C_ck of one vertex. */
+/* Returns C_ck (see the start of this file) for one vertex. */
 static struct aspect solved(const struct morph_glb *fish, uint32_t vertex, uint32_t curve,
                             uint32_t key)
 {
@@ -65,9 +67,9 @@ static struct aspect solved(const struct morph_glb *fish, uint32_t vertex, uint3
     return sum;
 }
 
-/* Moves a vertex that follows the skin to its place at progress 1, so that a viewer without
- * skinning still shows a whole fish. The inverse bind matrix of the vertex's joint undoes this move
- * first. */
+/* Moves a vertex with an anchor to its position at progress 1, so that a viewer without skinning
+ * shows a complete fish. In a viewer with skinning, the inverse bind matrix of the joint reverses
+ * this move. */
 static void carry(const struct morph_glb *fish, uint32_t vertex, bool is_place, struct aspect *look)
 {
     const uint8_t anchor = fish->mesh->vertices[vertex].anchor;
@@ -84,7 +86,7 @@ static void carry(const struct morph_glb *fish, uint32_t vertex, bool is_place, 
 struct aspect morph_glb_base_appearance(const struct morph_glb *fish, uint32_t vertex)
 {
     const uint32_t last = fish->pick->rig.key_count - 1u;
-    /* Colours are those of the whole fish's curve. */
+    /* The colours follow the curve of the whole fish, which has index 0. */
     const struct aspect painted = solved(fish, vertex, 0, last);
     struct aspect sum = { .hides = 0.0f };
     for (uint32_t curve = 0; curve < fish->pick->rig.curve_count; curve++) {

@@ -1,23 +1,27 @@
-/* morph_glb_mesh.c -- writes a piece of the fish as a glTF mesh. The base is the last key, and the
- * targets are the displacements to the other keys (see morph_glb_look.c). */
+/* morph_glb_mesh.c -- writes a piece of the fish as a glTF mesh. The base of the mesh is the shape
+ * of the last key, and the morph targets are the displacements to the other keys (see
+ * morph_glb_look.c). */
 #include <string.h>
 
 #include "platform/ctl/morph/morph_glb.h"
 #include "platform/species/reader.h"
 
-/* The columns of a mesh before they are written to the file. The object is static because it is too
- * large for a stack. */
+/* Vertex attributes of one mesh before they are written to the file. The variable is static because
+ * it is too large for a stack. */
 static struct {
     uint32_t count;
-    uint16_t vertices[MESH_VERTEX_MAX]; /* Vertex numbers of species_mesh, in rising order. */
-    /* Inverse of `vertices`. Valid only for vertices that the piece uses. */
+    uint16_t vertices[MESH_VERTEX_MAX]; /* Vertex indices of species_mesh, in rising order. */
+    /* Index in `vertices` of each vertex of species_mesh. Valid only for vertices that the piece
+     * uses. */
     uint16_t place[MESH_VERTEX_MAX];
     float position[MESH_VERTEX_MAX][3], normal[MESH_VERTEX_MAX][3], colour[MESH_VERTEX_MAX][4];
     float coordinates[MESH_VERTEX_MAX][2], source[MESH_VERTEX_MAX];
-    /* Length of the base's normal before the normal was normalized. */
+    /* Length of the base normal of each vertex before normalization. */
     float facing[MESH_VERTEX_MAX];
     uint8_t joints[MESH_VERTEX_MAX][4];
-    float shares[MESH_VERTEX_MAX][4]; /* Floats, because importers misread fractions of 255. */
+    float shares[MESH_VERTEX_MAX][4]; /* Joint weights. The weights are floats, because some
+                                         importers misread weights that are stored as fractions of
+                                         255. */
     uint16_t indices[MESH_INDEX_MAX];
 } columns;
 
@@ -29,7 +33,7 @@ static void put_look(uint32_t place, const struct aspect *look)
     columns.colour[place][3] = look->hides;
 }
 
-/* ---- Contents of a piece -------------------------------------------------------------------- */
+/* ---- Contents of a piece --------------------------------------------------------------------- */
 
 static void gather_vertices(const struct morph_glb *fish, const struct morph_piece *piece)
 {
@@ -68,8 +72,8 @@ static struct target_list list_targets(const struct morph_glb *fish)
     return list;
 }
 
-/* Fills the joint and weight columns. Joint 0 is the fish itself, and joint i + 1 is anchor i.
- * Returns whether any vertex has an anchor. */
+/* Fills the joint columns and the weight columns. Joint 0 is the fish itself, and joint i + 1 is
+ * anchor i. Returns true if any vertex has an anchor. */
 static bool fill_rest(const struct morph_glb *fish)
 {
     bool rides = false;
@@ -88,7 +92,7 @@ static bool fill_rest(const struct morph_glb *fish)
     return rides;
 }
 
-/* ---- Writing to the file -------------------------------------------------------------------- */
+/* ---- Writing to the file --------------------------------------------------------------------- */
 
 static uint32_t material_of(struct morph_glb *fish, uint8_t part)
 {
@@ -106,7 +110,8 @@ static uint32_t material_of(struct morph_glb *fish, uint8_t part)
     return fish->materials[part] - 1u;
 }
 
-/* Prints the three accessors of a shape, whose columns the caller has filled. */
+/* Writes the positions, normals and colours in `columns` to the file, and prints their accessors.
+ * The caller has filled the columns. */
 static void print_shape(struct morph_glb *fish, struct byte_buffer *out)
 {
     const uint32_t position =
@@ -149,8 +154,8 @@ static void print_targets(struct morph_glb *fish, const struct target_list *list
         for (uint32_t i = 0; i < columns.count; i++) {
             struct aspect look = morph_glb_target_appearance(fish, columns.vertices[i],
                                                              list->curve[t], list->key[t]);
-            /* Only directions matter, so all normals of a vertex are scaled by the same factor as
-             * its base normal. */
+            /* Only the direction of a blended normal is used. All normals of a vertex are therefore
+             * divided by the length of the base normal. */
             look.normal = v3_scale(look.normal, 1.0f / columns.facing[i]);
             put_look(i, &look);
         }
@@ -160,7 +165,8 @@ static void print_targets(struct morph_glb *fish, const struct target_list *list
     }
 }
 
-/* Prints the name of each target's key. A target of a part's own curve is named CURVE.KEY. */
+/* Prints the name of each morph target. The name is KEY, or CURVE.KEY for a target of a part's own
+ * curve. */
 static void print_names(const struct morph_glb *fish, const struct target_list *list,
                         struct byte_buffer *out)
 {

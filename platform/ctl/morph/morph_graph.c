@@ -1,6 +1,8 @@
-/* morph_graph.c -- `kingyoctl morph graph`, which draws the deformation graph (2005 thesis, figures
- * 3.7 to 3.9). Each key has a curve, the size is purple, the key shapes are above, and the ages are
- * below. */
+/* morph_graph.c -- `kingyoctl morph graph`, which draws the deformation graph of a species (2005
+ * thesis, figures 3.7 to 3.9).
+ *
+ * The graph has one curve for the weight of each key and a purple curve for the size. The shapes of
+ * the keys are drawn above the graph, and the ages below. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -14,20 +16,21 @@
 static const char name[] = "graph";
 
 #define SAMPLES 400u
-#define KEY_WIDTH 190.0 /* Maximum width of a key's outline, pixels. */
+#define KEY_WIDTH 190.0 /* Maximum width of the outline of a key, in pixels. */
 #define KEY_HEIGHT 124.0
-/* Samples of the size curve. Samples of a curve that changes by 20 % within a 20th of a life differ
- * by 0.01 %. */
+/* Number of samples in the search for peaks and troughs of the length. If the length changes by
+ * 20 % within 1/20 of a life, neighbouring samples differ by 0.02 %. */
 #define TURN_SAMPLES 20000u
-/* Least relative change of the length after a peak or a trough for which the graph prints the
- * length there. */
+/* Minimum relative change of the length after a peak or a trough. A smaller peak or trough is not
+ * labelled. */
 #define TURN_LEAST 0.01
 
 struct graph_plan {
     struct morph_options pick;
     const char *path, *curve_name;
     uint32_t curve;
-    struct morph_rig keys; /* Rig that reaches every key completely. */
+    struct morph_rig keys; /* Rig whose weights select exactly one key at the progress of each
+                              key. */
     struct morph_graph_lengths lengths;
     struct svg svg;
 };
@@ -51,9 +54,9 @@ static void draw_title(struct graph_plan *plan)
              graph->solved ? ", its shapes solved so that each drawing is passed through" : "");
 }
 
-/* ---- Keys and curves ------------------------------------------------------------------------ */
+/* ---- Keys and curves ------------------------------------------------------------------------- */
 
-/* Draws the key's own shape as large as possible, with its middle above its progress. */
+/* Draws the shape of a key as large as possible, centred at `x`. */
 static void draw_shape(struct graph_plan *plan, uint32_t key, double x, double width_max)
 {
     const struct species_card *card = &plan->pick.fish->card;
@@ -74,7 +77,8 @@ static void draw_shape(struct graph_plan *plan, uint32_t key, double x, double w
     morph_outline_draw(&plan->svg, &outline);
 }
 
-/* Draws the key's shape, name, age and length, and a line down to its progress. */
+/* Draws the shape of a key with its name, age and length, and a line down to the progress of the
+ * key. */
 static void draw_key(struct graph_plan *plan, uint32_t key)
 {
     const struct species_card *card = &plan->pick.fish->card;
@@ -124,7 +128,8 @@ static void draw_scale(struct graph_plan *plan)
     svg_end_line(&plan->svg, MORPH_SCALE_COLOUR, 2.5, "9 5");
 }
 
-/* Draws the length of a peak or a trough beside the curve, on its outer side. */
+/* Draws a dot and the length at a peak or a trough of the size curve. The label of a peak is above
+ * the curve, and the label of a trough below. */
 static void draw_turn(struct graph_plan *plan, double progress, double mm, bool is_peak)
 {
     const double x = morph_graph_x(progress), y = morph_graph_length_y(&plan->lengths, mm);
@@ -133,18 +138,20 @@ static void draw_turn(struct graph_plan *plan, double progress, double mm, bool 
              "%.1f mm", mm);
 }
 
-/* Labels each peak and trough of the length. For example, a conger is longest before it becomes an
- * eel. */
+/* Labels the peaks and troughs of the length. For example, a conger larva is longest before its
+ * metamorphosis to an eel. */
 static void draw_turns(struct graph_plan *plan)
 {
     const struct species_card *card = &plan->pick.fish->card;
     double last = 1e3 * (double)life_length_m(card, 0.0f), turned = last, at = 0.0;
-    /* Direction of the change: 1 while the fish grows, -1 while it shrinks, 0 at first. */
+    /* Direction of the change: 1 while the length increases, -1 while it decreases, 0 before the
+     * first change. */
     int way = 0;
     for (uint32_t i = 1; i <= TURN_SAMPLES; i++) {
         const double progress = (double)i / (double)TURN_SAMPLES;
         const double mm = 1e3 * (double)life_length_m(card, (float)progress);
-        if (way == 0 || (mm - turned) * way >= 0.0) { /* New extreme in the present direction. */
+        if (way == 0 || (mm - turned) * way >= 0.0) { /* The length is a new extreme in the present
+                                                         direction. */
             way = way != 0 ? way : mm > last ? 1 : mm < last ? -1 : 0;
             turned = mm;
             at = progress;
@@ -158,7 +165,8 @@ static void draw_turns(struct graph_plan *plan)
     }
 }
 
-/* Names the parts whose own curves this picture does not show. */
+/* Writes two notes below the graph: the meaning of the lines, and the names of the curves that the
+ * graph does not show. */
 static void draw_foot(struct graph_plan *plan)
 {
     const struct species_card *card = &plan->pick.fish->card;

@@ -1,4 +1,4 @@
-/* morph_graph_axes.c -- the axes of a deformation graph and their labels. */
+/* morph_graph_axes.c -- draws the axes of a deformation graph and their labels. */
 #include "platform/ctl/morph/morph_graph.h"
 
 #include <math.h>
@@ -7,15 +7,15 @@
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/ctl/morph/morph_outline.h"
 
-#define AGES 652.0 /* Height of the line of ages, pixels from the top. */
+#define AGES 652.0 /* Distance of the row of ages from the top of the picture, in pixels. */
 #define YEAR_DAYS 365.25
-/* Factor by which the logarithmic axis continues below the least length, so that a trough's label
- * fits. */
+/* Ratio of the least length to the lower end of a logarithmic axis. The margin leaves room for the
+ * label of a trough. */
 #define FOOT 1.4
-/* Ratio of the greatest to the least length above which the axis is logarithmic. */
+/* Ratio of the greatest to the least length above which the length axis is logarithmic. */
 #define LOG_FROM 10.0f
-#define AGE_MAX 16u   /* Maximum number of labelled ages. */
-#define AGE_ROOM 78.0 /* Minimum distance between two labelled ages, pixels. */
+#define AGE_MAX 16u   /* Maximum number of ages with a label. */
+#define AGE_ROOM 78.0 /* Minimum distance between two labelled ages in pixels. */
 
 double morph_graph_x(double progress)
 {
@@ -54,7 +54,8 @@ static void draw_shares(struct svg *svg)
     svg_put(svg, "</g>\n");
 }
 
-/* Returns 1, 2 or 5 times a power of ten, so that four to ten steps fit in `range`. */
+/* Returns a round step, 1, 2 or 5 times a power of ten, with which an axis of length `range` has
+ * four to ten steps. */
 static double round_step(double range)
 {
     const double power = pow(10.0, floor(log10(range / 4.0)));
@@ -104,7 +105,7 @@ static void draw_lengths(struct svg *svg, const struct morph_graph_lengths *leng
         draw_length(svg, lengths, mm);
     }
     for (double mm = round_below(2.5 * lengths->low_mm); lengths->is_log && mm > 0.0 && mm <= most;
-         mm = round_below(2.51 * mm)) { /* The values are 1, 2, 5, 10 and so on. */
+         mm = round_below(2.51 * mm)) { /* Steps through the round lengths 1, 2, 5, 10 and so on. */
         draw_length(svg, lengths, mm);
     }
 }
@@ -122,7 +123,7 @@ static void draw_progress(struct svg *svg)
              "progress");
 }
 
-/* The ages on the axis: the labelled ages and their positions. */
+/* State of placing the labelled ages on the axis. */
 struct age_axis {
     const struct species_card *card;
     double youngest, oldest;
@@ -156,9 +157,9 @@ static void draw_age(struct svg *svg, struct age_axis *axis, double days)
     svg_text(svg, x, AGES + 44.0, 13.0, "middle", MORPH_SCALE_COLOUR, "%s", length);
 }
 
-/* Draws a tick at round ages with the length there. The roundest ages are placed first, and other
- * ages follow where there is room. Steps of days separate the labels of young fish, and steps of
- * years those of old fish. */
+/* Draws a mark at round ages, with the age and the length. The roundest ages are placed first, and
+ * less round ages are added if there is room. Young fish need steps of days and old fish steps of
+ * years. */
 static void draw_ages(struct svg *svg, const struct species_card *card)
 {
     static const double steps_days[] = { 10.0 * YEAR_DAYS,

@@ -1,10 +1,10 @@
-/* morph_growth.c -- `kingyoctl morph growth`, which compares three formulas for the length at an
- * age.
+/* morph_growth.c -- `kingyoctl morph growth`, which compares three formulas for the length of a
+ * fish at an age.
  *
- * The plain curve of von Bertalanffy (2005 thesis, eq. 3.3) makes most fish far too long at
- * hatching. The thesis shifts the start of the curve, which makes the adults too short. Kingyo
- * begins with measured lengths and blends into the plain curve. The table shows the three formulas
- * side by side. */
+ * The growth curve of von Bertalanffy (2005 thesis, eq. 3.3) gives far too great lengths at
+ * hatching for most species. The thesis shifts the start of the curve, which gives too small
+ * lengths for adults. Kingyo uses measured lengths for young fish and blends into the curve of von
+ * Bertalanffy. The command prints a table with all three lengths. */
 #include <math.h>
 #include <stdio.h>
 
@@ -15,7 +15,8 @@ static const char name[] = "growth";
 #define DAYS_PER_YEAR 365.25
 #define YEARS_MAX 40.0
 
-/* Returns eq. 3.3 in mm, with the start `t0_year`. */
+/* Returns the length in mm by eq. 3.3 of the 2005 thesis. `t0_year` is the age in years at which
+ * the curve starts with length 0. */
 static double von_bertalanffy_mm(const struct growth *growth, double age_days, double t0_year)
 {
     const double since_year = age_days / DAYS_PER_YEAR - t0_year;
@@ -23,14 +24,15 @@ static double von_bertalanffy_mm(const struct growth *growth, double age_days, d
     return 1e3 * (double)growth->length_inf_m * grown;
 }
 
-/* Returns the start for which eq. 3.3 gives the true length at hatching (thesis, section 3.2). */
+/* Returns the start of the curve for which eq. 3.3 gives the true length at hatching (2005 thesis,
+ * section 3.2). */
 static double shifted_t0_year(const struct growth *growth)
 {
     const double share = (double)growth->points[0].length_m / (double)growth->length_inf_m;
     return log(1.0 - share) / (double)growth->k_per_year;
 }
 
-/* Returns the age in days at which 95 % of the greatest length is reached. */
+/* Returns the age in days at which the fish has about 95 % of its greatest length. */
 static double grown_days(const struct growth *growth)
 {
     const double years = (double)growth->t0_year + 3.0 / (double)growth->k_per_year;

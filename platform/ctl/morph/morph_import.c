@@ -1,5 +1,5 @@
-/* morph_import.c -- `kingyoctl morph import`, which packs a maker's drawing or meshes for a
- * kiosk. */
+/* morph_import.c -- `kingyoctl morph import`, which converts meshes or a species text to a packed
+ * species for a kiosk. */
 #include <stdio.h>
 #include <string.h>
 
@@ -11,7 +11,7 @@
 
 static const char name[] = "import";
 
-/* ---- Sources -------------------------------------------------------------------------------- */
+/* ---- Input files ----------------------------------------------------------------------------- */
 
 static bool ends_with(const char *word, const char *suffix)
 {
@@ -19,7 +19,7 @@ static bool ends_with(const char *word, const char *suffix)
     return length >= tail && strcmp(word + length - tail, suffix) == 0;
 }
 
-/* Writes the file's name without folder and suffix, as an id or as a key's name. */
+/* Writes the base name of the file without its suffix to `out`, converted to a valid name. */
 static void name_of_file(const char *path, char out[SPECIES_NAME_SIZE])
 {
     const char *slash = strrchr(path, '/');
@@ -64,7 +64,8 @@ static enum exit_code morph_import_error(const char *path, const char *why)
     return EXIT_BAD_DATA;
 }
 
-/* A packed species has a near and a far mesh. A small model is used for both. */
+/* Copies the near mesh to the far mesh, because a packed species needs both. A small imported model
+ * is used at every distance. */
 static void use_near_as_far(struct species_slot *slot)
 {
     struct species_mesh *far = &slot->species.lod[1];
@@ -131,8 +132,8 @@ static enum exit_code make_of_meshes(struct morph_import_words *words, struct sp
     return EXIT_OK;
 }
 
-/* Opens `like`, which is a built-in species or a file. Its values apply wherever the options do not
- * set others. */
+/* Opens the species of the option --like, which is built-in or a file. Its values are the defaults
+ * for options that are absent. */
 static enum exit_code open_like(struct morph_import_words *words)
 {
     static struct species_slot slot;
@@ -155,8 +156,8 @@ static enum exit_code open_like(struct morph_import_words *words)
     return EXIT_OK;
 }
 
-/* Finds each file's landmarks. Unless the options name a file, the landmarks of FISH.obj are in
- * FISH.marks. */
+/* Sets the path of each mesh's landmark file. Unless an option names the file, the landmarks of
+ * FISH.obj are in FISH.marks. */
 static void find_marks(struct morph_import_words *words)
 {
     for (uint32_t i = words->mark_count; i < words->file_count; i++) {
@@ -198,7 +199,7 @@ static enum exit_code make_by_fit(struct morph_import_words *words, struct speci
                                                    : morph_import_error(words->files[0], fault);
 }
 
-/* ---- The command ---------------------------------------------------------------------------- */
+/* ---- Command --------------------------------------------------------------------------------- */
 
 static enum exit_code make(struct morph_import_words *words, struct species_slot *slot)
 {

@@ -1,4 +1,4 @@
-/* morph_import_words.c -- parses the options of morph_import_words.h. */
+/* morph_import_words.c -- parses the options of `kingyoctl morph import`. */
 #include "platform/ctl/morph/morph_import_words.h"
 
 #include <stdio.h>
@@ -10,8 +10,8 @@
 
 static const char name[] = "import";
 
-/* Calls `take` for each piece of "A,B,C". Returns the number of pieces, or IMPORT_UNSET if a piece
- * is not valid. */
+/* Calls `take` for each item of a comma-separated list. Returns the number of items, or
+ * IMPORT_UNSET if an item is invalid. */
 static uint32_t each_piece(const char *list, uint32_t count_max, void *out,
                            bool (*take)(const char *piece, uint32_t index, void *out))
 {
@@ -32,8 +32,8 @@ static uint32_t each_piece(const char *list, uint32_t count_max, void *out,
     return count > 0 ? count : IMPORT_UNSET;
 }
 
-/* Parses a length in mm. The range is the same as in a species text (text_life.c), so no value
- * beyond it reaches the core. */
+/* Parses a length in mm. The allowed range is the range of a species text (text_life.c), so that
+ * the core receives no other value. */
 static bool take_length(const char *piece, uint32_t index, void *out)
 {
     return number_parse_decimal(piece, 0.5, 20000.0, (double *)out + index);
@@ -126,8 +126,8 @@ static const char *const measures[] = { "total", "standard", "fork", "disc" };
 static const char *const motions[] = { "tail", "eel", "fins", "tuna", "wing" };
 static const char *const forms[] = { "fusiform", "compressed", "depressed", "eel", "puffer" };
 
-/* Parses an option that has a single value. Returns false if the value is not valid, and sets
- * `*known` to whether the option exists. */
+/* Parses an option with a single value. Returns false if the value is invalid. Sets `*known` to
+ * true if the option exists, otherwise to false. */
 static bool take_value(struct morph_import_words *words, const char *option, const char *value,
                        bool *known)
 {
@@ -170,7 +170,8 @@ static bool take_value(struct morph_import_words *words, const char *option, con
     return false;
 }
 
-/* Parses an option whose value is a list "A,B,C". The results are as in take_value(). */
+/* Parses an option whose value is a comma-separated list. Returns false if the value is invalid.
+ * Sets `*known` to true if the option exists, otherwise to false. */
 static bool take_list(struct morph_import_words *words, const char *option, const char *value,
                       bool *known)
 {
@@ -202,7 +203,8 @@ static bool take_list(struct morph_import_words *words, const char *option, cons
     return false;
 }
 
-/* Parses one option. Returns false if the option does not exist or its value is not valid. */
+/* Parses one option with its value. Returns false if the option does not exist or its value is
+ * invalid. */
 static bool morph_import_words_take_option(struct morph_import_words *words, const char *option,
                                            const char *value, bool *known)
 {

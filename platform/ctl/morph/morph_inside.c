@@ -1,26 +1,28 @@
 /* morph_inside.c -- measures how deep parts of a fish penetrate other parts.
  *
- * Penetrations that count, and overlaps that are intended:
+ * The following penetrations are errors, and the following overlaps are intended:
  *
- * - A body vertex counts if the point just outside it (LIFT along its normal) is inside the body,
- * because the skin has folded there. The depth is the distance to the surface along the normal.
+ * - A body vertex is an error if a point just outside it (LIFT along its normal) is inside the
+ * body, because the skin has folded there. The depth is the distance to the surface along the
+ * normal.
  *
- * - A fin is rooted in the body, and a fin that has not grown yet lies completely in the body. A
- * fin point counts by how much deeper it lies under the skin than the root (v = 0) of its own ray.
+ * - A fin is rooted in the body, and a fin that has not grown yet lies completely inside the body.
+ * The depth of a fin point is therefore its depth below the skin minus the depth of the root (v =
+ * 0) of its fin ray.
  *
- * - An eye is a ball half sunk in the skin, so the part behind its rim (u >= 1) is its socket and
- * does not count. The visible part counts, and the pupil (u <= PUPIL) is measured separately.
+ * - An eye is a ball that is half inside the head. The rear of the ball (u >= 1) is not measured.
+ * The visible part is measured, and the pupil (u <= PUPIL) also separately.
  *
- * - Fins against fins do not count, because fins are sheets without thickness that the water
- * bends. */
+ * - Penetrations between fins are not measured, because fins are sheets without thickness that bend
+ * in the water. */
 #include "platform/ctl/morph/morph_walk.h"
 
-#define LIFT 2e-4f /* Distance of the tested point from the skin, in body lengths. */
+#define LIFT 2e-4f /* Distance of the tested point from a body vertex, in body lengths. */
 #define EYE_RIM 1.0f
 #define PUPIL 0.5f
 
-/* Finds the root of each ray. A ray is all points with the same u in one fin. Its root has the
- * least v and is stored before the other points of the ray. */
+/* Finds the root of each fin ray. A fin ray consists of all points with the same u in one fin. The
+ * root is the point with the least v. */
 void morph_inside_find_roots(struct morph_walk *w)
 {
     const struct species_vertex *vertex = w->mesh->vertices;

@@ -33,8 +33,8 @@ static void list_json(const struct species *species)
            card->key_names[card->thesis_key[2]]);
 }
 
-/* Prints one species. A length of a few millimetres gets one decimal, and the length of a large
- * fish gets none. */
+/* Prints one species. Lengths of a few millimetres are printed with one decimal, and lengths of
+ * large fish without decimals. */
 static void list_text(const struct species *species)
 {
     const struct species_card *card = &species->card;

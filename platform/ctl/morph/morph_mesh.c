@@ -1,4 +1,5 @@
-/* morph_mesh.c -- sorts the triangles of a species' mesh into pieces and paints the vertices. */
+/* morph_mesh.c -- sorts the triangles of a species' mesh into pieces, and computes the colours of
+ * the vertices. */
 #include "platform/ctl/morph/morph_mesh.h"
 
 #include <stdio.h>
@@ -15,7 +16,8 @@ void morph_piece_name(const struct morph_piece *piece, char out[PIECE_NAME_SIZE]
     snprintf(out, PIECE_NAME_SIZE, "%s%s", part_names[piece->part], sides[piece->side]);
 }
 
-/* Returns whether the front of the triangle at `at` faces in the direction of its normals. */
+/* Returns true if the front of a triangle faces in the direction of its vertex normals. `at` points
+ * to the three vertex indices. */
 static bool faces_out(const uint16_t *at, const vec3 *positions, const vec3 *normals)
 {
     const vec3 front = v3_cross(v3_sub(positions[at[1]], positions[at[0]]),
@@ -34,9 +36,9 @@ static bool same_corners(const uint16_t *a, const uint16_t *b)
     return true;
 }
 
-/* Returns whether another triangle with the same corners replaces the triangle at `index`. A fin's
- * sheet is stored once for each side, and the triangle whose front faces in the direction of its
- * normals is sufficient. */
+/* Returns true if the triangle at `index` is omitted because another triangle has the same corners.
+ * The mesh stores the sheet of a fin twice, once for each side. Only the triangle whose front faces
+ * in the direction of its normals is needed. */
 static bool is_spare(const struct species_mesh *mesh, uint32_t index, const vec3 *positions,
                      const vec3 *normals)
 {
@@ -84,9 +86,9 @@ void morph_mesh_cut(const struct species_mesh *mesh, const vec3 *positions, cons
     }
 }
 
-/* Returns the point at which a triangle is sampled for its corner `k`. On the body, the point is
- * half way from the corner to the middle of the opposite edge. On an eye or a fin, the point is the
- * corner itself, because their vertices lie where the colours change. */
+/* Returns the point at which the colour for corner `k` of a triangle is sampled. On the body, the
+ * point is half way from the corner to the middle of the opposite edge. On an eye or a fin, the
+ * point is the corner itself, because the colours change exactly at the vertices. */
 static struct species_vertex inside(const struct species_mesh *mesh, const uint16_t *face,
                                     uint32_t k)
 {

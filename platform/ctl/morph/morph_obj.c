@@ -1,8 +1,9 @@
-/* morph_obj.c -- writes one moment of a life as a Wavefront OBJ file, for any program that draws
- * meshes.
+/* morph_obj.c -- writes a fish at one moment of its life as a Wavefront OBJ file for other
+ * programs.
  *
- * The colour of a vertex follows its position (`v x y z r g b`, sRGB), a form that MeshLab, Blender
- * and other programs read. Texture coordinates are body coordinates. Each piece is one group. */
+ * The colour of a vertex follows its position (`v x y z r g b`, sRGB). MeshLab, Blender and other
+ * programs read this extension. Texture coordinates are the body coordinates u and v. Each piece of
+ * the mesh is one group. */
 #include <errno.h>
 #include <string.h>
 
@@ -11,7 +12,7 @@
 
 static const char command[] = "export";
 
-/* Static because the object is too large for a stack. Only one export runs at a time. */
+/* Shape that is being written. The variable is static because it is too large for a stack. */
 static struct {
     struct morph_pose pose;
     vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
@@ -58,7 +59,7 @@ static void write_faces(FILE *file)
         fprintf(file, "g %s\n", name);
         for (uint32_t i = 0; i < piece->face_count; i++) {
             const uint16_t *at = work.cut.faces[piece->face_first + i];
-            /* OBJ files count vertices from 1. */
+            /* Vertices in OBJ files are counted from 1. */
             const unsigned a = at[0] + 1u, b = at[1] + 1u, c = at[2] + 1u;
             fprintf(file, "f %u/%u/%u %u/%u/%u %u/%u/%u\n", a, a, a, b, b, b, c, c, c);
         }

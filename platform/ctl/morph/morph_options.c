@@ -1,5 +1,5 @@
-/* morph_options.c -- reads the options, opens the species, and then applies the options to the
- * species. */
+/* morph_options.c -- parses the options that select a fish, opens the species, and applies the
+ * options to the species. */
 #include "platform/ctl/morph/morph_options.h"
 
 #include <stdio.h>
@@ -8,17 +8,18 @@
 #include "platform/os/number.h"
 
 #define LENGTH_SAMPLES 1000u
-/* Tolerance for a value outside the range, because a rounded value that was printed may be entered
- * again. */
+/* Relative tolerance for a value outside the range, because the user may enter a value that was
+ * rounded for printing. */
 #define ROUNDED 1e-3
 
 static const char *const template_names[TEMPLATE_COUNT] = { "own", "ordinary", "pairwise",
                                                             "simultaneous", "smooth" };
 
-/* Options as written, before the species is known. */
+/* Options as the user wrote them, before the species is opened. */
 struct words {
     const char *template_id;
-    const char *place[3]; /* Values in the order of place_options. */
+    const char *place[3]; /* Value of each option in `place_options`, or null if the option is
+                             absent. */
 };
 
 enum place { PLACE_PROGRESS, PLACE_AGE_DAYS, PLACE_LENGTH_MM };
@@ -28,7 +29,7 @@ static const struct {
     double min, max;
 } place_options[3] = {
     { "--progress", 0.0, 1.0 },
-    { "--age-days", 0.0, 14610.0 }, /* 40 years, as in core/morph/growth.c. */
+    { "--age-days", 0.0, 14610.0 }, /* The maximum is 40 years, as in core/morph/growth.c. */
     { "--length-mm", 1e-3, 10000.0 },
 };
 
@@ -37,7 +38,7 @@ const char *morph_template_name(enum graph_template template_id)
     return template_names[template_id];
 }
 
-/* ---- Options -------------------------------------------------------------------------------- */
+/* ---- Parsing the options --------------------------------------------------------------------- */
 
 static enum exit_code take_own(const char *command, const struct morph_option *option,
                                const char *value)
@@ -74,8 +75,8 @@ static enum exit_code take_template(struct morph_options *pick, const char *comm
                        value ? value : "");
 }
 
-/* Parses one option and its value. Sets `*used` to the number of words that were read, or to 0 if
- * the option is unknown. */
+/* Parses an option that all subcommands share, with its value. Sets `*used` to the number of words
+ * that were parsed, or to 0 if the option is not a shared option. */
 static enum exit_code take_shared(struct morph_options *pick, struct words *words,
                                   const char *command, enum morph_requirement asks,
                                   const char *option, const char *value, int *used)
@@ -113,7 +114,7 @@ static enum exit_code take_word(struct morph_options *pick, const char *command,
 
 /* ---- Curves --------------------------------------------------------------------------------- */
 
-/* Applies --thesis and --template to the drawn species. */
+/* Creates `pick->fish` from the drawn species by applying --thesis or --template ordinary. */
 static void settle_curves(struct morph_options *pick)
 {
     static struct straight_memory memory;
@@ -139,7 +140,7 @@ const struct species *morph_options_ordinary(const struct morph_options *pick,
     return &made;
 }
 
-/* ---- Place ---------------------------------------------------------------------------------- */
+/* ---- Moment of the life ---------------------------------------------------------------------- */
 
 void morph_options_lengths(const struct species_card *card, float *min, float *max)
 {
@@ -155,8 +156,9 @@ void morph_options_lengths(const struct species_card *card, float *min, float *m
     }
 }
 
-/* Rejects a moment before the first key or after the last key, because no key is drawn there. For
- * example, a fish of 22 days is not shown as a fish of one day. */
+/* Rejects a moment before the first key or after the last key, because the author of the species
+ * drew no shape there. For example, the shape for one day is not shown if 22 days were
+ * requested. */
 static enum exit_code check_drawn(const struct species_card *card, enum place place, double asked,
                                   const char *command)
 {
@@ -209,7 +211,7 @@ static enum exit_code settle_place(struct morph_options *pick, const struct word
     return EXIT_OK;
 }
 
-/* ---- The whole command line ----------------------------------------------------------------- */
+/* ---- Complete command line ------------------------------------------------------------------- */
 
 static enum exit_code take_any(struct morph_options *pick, struct words *words, const char *command,
                                enum morph_requirement asks, const struct morph_option *options,

@@ -1,4 +1,4 @@
-/* morph_options_file.c -- opens a species by its name or from a maker's file. */
+/* morph_options_file.c -- opens a built-in species by its name, or a species file by its path. */
 #include <stdio.h>
 #include <string.h>
 
@@ -6,7 +6,9 @@
 #include "platform/os/print.h"
 #include "platform/species/text_file.h"
 
-#define TEXT_SIZE_MAX (1u << 20) /* About fifty times the longest built-in species text, bytes. */
+#define TEXT_SIZE_MAX                                                                              \
+    (1u << 20) /* Maximum size of a species text in bytes, about fifty times the longest built-in
+                  species text. */
 
 static const struct species *built_in(const char *word)
 {
@@ -24,8 +26,8 @@ static bool ends_with(const char *word, const char *suffix)
     return length >= tail && strcmp(word + length - tail, suffix) == 0;
 }
 
-/* Reads a maker's text and lofts the species into `slot`. The parser of species texts prints its
- * own error line. */
+/* Reads a species text and lofts the mesh of the species into `slot`. Returns EXIT_OK, or prints
+ * one line and returns another exit code. The parser itself prints an error in the text. */
 static enum exit_code read_text(const char *path, const char *command, struct species_slot *slot)
 {
     static struct species_text text;

@@ -1,5 +1,6 @@
-/* morph_outline.c -- draws the triangles that face the viewer, as one filled path for each layer. A
- * path that is filled once shows no seams, and a drawing program can still edit the path. */
+/* morph_outline.c -- draws the triangles that face the viewer as one filled SVG path for each
+ * layer. A single path has no visible seams between the triangles, and a drawing program can edit
+ * the path. */
 #include "platform/ctl/morph/morph_outline.h"
 
 #include <math.h>
@@ -8,11 +9,11 @@
 
 #include "platform/key_colour.h"
 
-/* Distance in body lengths below which two vertices are joined. The distance is less than a
+/* Distance in body lengths below which two vertices count as one. The distance is less than a
  * quantization step of the mesh tables. */
 #define JOIN_LENGTHS 1e-5f
 
-/* Layers in drawing order, from back to front. */
+/* Layers of the drawing, from back to front. */
 enum layer { LAYER_FAR_FINS, LAYER_MEDIAN_FINS, LAYER_BODY, LAYER_NEAR_FINS, LAYER_EYES, LAYERS };
 
 const char *morph_outline_key_colour(const struct species_card *card, uint32_t key)
@@ -44,7 +45,7 @@ enum morph_outline_view morph_outline_view_of(const struct species_card *card)
     return card->form == FORM_DEPRESSED ? MORPH_OUTLINE_TOP : MORPH_OUTLINE_SIDE;
 }
 
-/* Returns a body point in view axes: right, up and toward the viewer. */
+/* Converts a body point to the axes of the view: right, up and toward the viewer. */
 static vec3 seen(enum morph_outline_view view, vec3 p)
 {
     switch (view) {
@@ -79,9 +80,9 @@ static enum layer layer_of(uint8_t part, float toward)
     }
 }
 
-/* Returns whether the view hides a layer. Eyes behind the body are hidden. In the side view these
- * are the eyes beyond the middle plane. The front view also hides the median fins, which are seen
- * edge-on there. */
+/* Returns true if the view hides a layer at the depth `toward`. Eyes behind the body are hidden. In
+ * the side view, these are the eyes beyond the middle plane of the fish. The front view also hides
+ * the median fins, because they are seen edge-on. */
 static bool is_hidden(const struct morph_outline *outline, enum layer layer, float toward)
 {
     if (outline->view == MORPH_OUTLINE_FRONT) {
@@ -90,7 +91,7 @@ static bool is_hidden(const struct morph_outline *outline, enum layer layer, flo
     return layer == LAYER_EYES && outline->view == MORPH_OUTLINE_SIDE && toward < 0.0f;
 }
 
-/* Returns whether the triangle at `corner` belongs to the layer and faces the viewer. */
+/* Returns true if the triangle at `corner` belongs to the layer and faces the viewer. */
 static bool is_seen(const struct morph_outline *outline, const vec3 *positions,
                     const uint16_t *corner, enum layer layer)
 {
@@ -130,8 +131,8 @@ static void draw_layer(struct svg *svg, const struct morph_outline *outline, con
     svg_put(svg, "\"/>\n");
 }
 
-/* Joins vertices at the same place for the contour, so that the body's texture seam is not an edge
- * of the contour. */
+/* Finds vertices at the same position, so that the contour is not drawn along the texture seam of
+ * the body. */
 static void join(const struct species_mesh *mesh, const vec3 *positions,
                  uint16_t joined[MESH_VERTEX_MAX])
 {
@@ -144,13 +145,12 @@ static void join(const struct species_mesh *mesh, const vec3 *positions,
     }
 }
 
-/* Draws each edge that belongs to a visible triangle and to no other visible triangle on its other
+/* Draws the contour: each edge of a visible triangle that has no visible triangle on its other
  * side. */
 static void draw_contour(struct svg *svg, const struct morph_outline *outline,
                          const vec3 *positions, const uint16_t *joined, enum layer layer)
 {
-    /* True if a visible triangle has the edge. The first index is the start vertex and the second
-     * index the end vertex. */
+    /* has[a][b] is 1 if a visible triangle has an edge from vertex a to vertex b. */
     static uint8_t has[MESH_VERTEX_MAX][MESH_VERTEX_MAX];
     const struct species_mesh *mesh = &outline->species->lod[0];
     const uint16_t *at = mesh->indices;

@@ -1,4 +1,5 @@
-/* morph_path.c -- `kingyoctl morph path`, which measures the path of a part while its fish grows.
+/* morph_path.c -- `kingyoctl morph path`, which measures the path of a part while the fish grows.
+ *
  * The path is compared with the straight line of ordinary morphing (2005 thesis, figures 3.2 to
  * 3.5). */
 #include <stdio.h>

@@ -1,11 +1,12 @@
-/* morph_path.h -- the path of a part during the life of its fish, as a table and as a picture. */
+/* morph_path.h -- the path of one point of a fish's part during the growth of the fish, as a table
+ * and as a picture. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_PATH_H
 #define KINGYO_PLATFORM_CTL_MORPH_MORPH_PATH_H
 
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/species/part.h"
 
-/* Straight line from the part's first position to its last. */
+/* Straight line from the first position of the part to its last position, in body coordinates. */
 struct chord {
     vec3 from, to;
 };
@@ -19,8 +20,8 @@ struct morph_path_plan {
     struct chord chord, ordinary_chord;
 };
 
-/* Draws the path into the file plan->svg. Returns EXIT_OK, or prints one line to standard error and
- * returns another code. */
+/* Draws the path into the SVG file `plan->svg`. Returns EXIT_OK, or prints one line to standard
+ * error and returns another exit code. */
 enum exit_code morph_path_picture(const struct morph_path_plan *plan, const char *command);
 
 #endif

@@ -1,6 +1,7 @@
-/* morph_path_picture.c -- draws the path of a part (2005 thesis, figures 3.2 to 3.5 and 4.15). One
- * window shows the outlines of all keys with the path across them, and a second window shows the
- * path enlarged. */
+/* morph_path_picture.c -- draws the path of a part (2005 thesis, figures 3.2 to 3.5 and 4.15).
+ *
+ * The first window shows the outlines of all keys with the path across them. The second window
+ * shows the path enlarged. */
 #include <errno.h>
 #include <math.h>
 #include <string.h>
@@ -8,8 +9,8 @@
 #include "platform/ctl/morph/morph_path_view.h"
 
 #define SVG_WAY "#c8371f"
-/* Distance from the chord in body lengths below which a path counts as straight. The value is less
- * than three quantization steps of the mesh tables. */
+/* Distance from the chord, in body lengths, below which a path counts as straight. The value is
+ * less than three quantization steps of the mesh tables. */
 #define STRAIGHT_LENGTHS 1e-4f
 
 static void draw_fish(struct picture *picture, const struct window *window, double opacity)
@@ -47,8 +48,8 @@ static void draw_chord(struct picture *picture, const struct window *window)
     svg_line(&picture->svg, x0, y0, x1, y1, SVG_GREY, 2.0, "7 6");
 }
 
-/* Draws the region that a blend of three keys can reach: the triangle between the keys' shapes (the
- * solved shapes if there are any). */
+/* Draws the region that a blend of three keys can reach. The region is the triangle between the
+ * positions in the three solved shapes. */
 static void draw_reach(struct picture *picture, const struct window *window)
 {
     if (!picture->plan->pick.rig.curves[0].solved ||
@@ -68,8 +69,8 @@ static void draw_reach(struct picture *picture, const struct window *window)
 }
 
 struct label {
-    /* `x` and `y` are the left end of the label's base line, and `width` is the width of its text,
-     * in pixels. */
+    /* `x` and `y` are the left end of the label's baseline, and `width` is the width of its text.
+     * All values are in pixels. */
     double x, y, width;
 };
 
@@ -78,8 +79,8 @@ static bool overlaps(struct label a, struct label b)
     return fabs(a.y - b.y) < 17.0 && a.x < b.x + b.width + 6.0 && b.x < a.x + a.width + 6.0;
 }
 
-/* Returns a place beside a dot that no other label occupies. The function tries the right side
- * (above, then below) before the left side. */
+/* Returns a position for a label beside a dot at (`x`, `y`), where the label overlaps no other
+ * label. Positions to the right of the dot are tried before positions to the left. */
 static struct label free_label(const struct label *taken, uint32_t count, double x, double y,
                                double width)
 {
@@ -124,8 +125,8 @@ static void draw_names(struct picture *picture, const struct window *window)
     }
 }
 
-/* Draws the distance between the chord and the path's farthest point, as a line to the nearest
- * point of the chord. */
+/* Draws a line from the farthest point of the path to the nearest point of the chord, with its
+ * length. */
 static void draw_bend(struct picture *picture, const struct window *window)
 {
     const struct morph_path_plan *plan = picture->plan;
@@ -151,7 +152,7 @@ static void draw_frame(struct picture *picture, const struct window *window, con
             window->width, window->height, SVG_FAINT, id);
 }
 
-/* Draws a scale bar of a round share of the body's length, with a label. */
+/* Draws a scale bar with a label. The length of the bar is a round share of the body's length. */
 static void draw_ruler(struct picture *picture, const struct window *window)
 {
     double lengths = 1.0;

@@ -1,11 +1,13 @@
-/* morph_path_view.c -- samples the path of a part and fits the picture's windows to the path. */
+/* morph_path_view.c -- samples the path of a part, and chooses windows of the picture that contain
+ * the path. */
 #include "platform/ctl/morph/morph_path_view.h"
 
 #include <math.h>
 
-/* ---- Sampling ------------------------------------------------------------------------------- */
+/* ---- Sampling the path ----------------------------------------------------------------------- */
 
-/* Converts a progress of the thesis' method to the progress of the whole species. */
+/* Converts a progress of the thesis' method, which uses three keys, to the progress of the species
+ * with all its keys. */
 static float drawn_progress(const struct species_card *drawn, float progress)
 {
     const float place = progress * 2.0f;
@@ -53,7 +55,7 @@ vec3 morph_path_solved(const struct picture *picture, uint32_t key)
     return sum;
 }
 
-/* ---- Windows -------------------------------------------------------------------------------- */
+/* ---- Windows of the picture ------------------------------------------------------------------ */
 
 struct morph_outline morph_path_outline(const struct window *window)
 {
@@ -71,7 +73,7 @@ void morph_path_place(const struct window *window, vec3 p, double *x, double *y)
     morph_outline_project(&outline, p, x, y);
 }
 
-/* Returns the length of the path as seen in a view. */
+/* Returns the length of the path as it appears in a view, in body lengths. */
 static double way_in(const struct picture *picture, enum morph_outline_view view)
 {
     const struct window flat = { .length_px = 1.0, .view = view };

@@ -1,4 +1,5 @@
-/* morph_sheet.c -- lays out portraits on a page. Single frames are in morph_frames.c. */
+/* morph_sheet.c -- writes the contact sheet of a growing fish. morph_frames.c writes sequences of
+ * single frames. */
 #include "platform/ctl/morph/morph_sheet.h"
 
 #include <stdio.h>
@@ -9,17 +10,18 @@
 #define PAGE_WIDTH 2400.0f
 #define MARGIN 48.0f
 #define HEAD_HEIGHT 132.0f
-#define CELL_FILL 0.86f /* Share of a cell's width that the longest fish fills. */
-#define GAP 14.0f       /* Space above and below a fish, pixels. */
-/* Maximum number of keys in a row. More keys use more rows, so that each key stays large enough to
- * examine. */
+#define CELL_FILL                                                                                  \
+    0.86f         /* Share of the width of a cell that the fish fills at its greatest extent. */
+#define GAP 14.0f /* Space above and below a fish in pixels. */
+/* Maximum number of keys in a row. Further keys are drawn in further rows, so that each key is
+ * large enough to be examined. */
 #define KEY_COLUMNS_MAX 4u
 #define KEY_WORDS_PX 24.0f
 #define BETWEEN_WORDS_PX 15.0f
 
 #define PAPER 0xf2f1ecu
 
-/* The layout that all cells of one width share. */
+/* Layout of all cells that have the same width. */
 struct layout {
     uint32_t columns;
     float cell_width, scale_px, words_px;
@@ -29,23 +31,24 @@ struct layout {
 struct page {
     const struct morph_options *pick;
     struct canvas canvas;
-    struct fish_preview_bounds bounds[VIEW_COUNT]; /* Bounds over all stages, for each view. */
+    struct fish_preview_bounds bounds[VIEW_COUNT]; /* Bounds of the fish in each view, over all
+                                                      stages. */
     struct layout keys, betweens;
     bool failed;
 };
 
-/* Static because the object is too large for a stack. Only one portrait exists at a time. */
+/* Fish that is being drawn. The variable is static because it is too large for a stack. */
 static struct fish_preview portrait;
 
-/* ---- The page -------------------------------------------------------------------------------- */
+/* ---- Layout of the page ---------------------------------------------------------------------- */
 
 static struct layout plan(const struct page *page, uint32_t columns, float words_px)
 {
     struct layout layout = { .columns = columns,
                              .cell_width = (PAGE_WIDTH - 2.0f * MARGIN) / (float)columns,
                              .words_px = words_px };
-    /* Greatest extent of all views. The vertical extent counts too, because a maker's fish may be
-     * higher than it is long. */
+    /* Greatest extent of the fish in all views. The height is included, because an imported fish
+     * may be higher than it is long. */
     float most = 0.0f;
     for (uint32_t view = 0; view < VIEW_COUNT; view++) {
         const struct fish_preview_bounds *b = &page->bounds[view];
@@ -61,8 +64,8 @@ static struct layout plan(const struct page *page, uint32_t columns, float words
     return layout;
 }
 
-/* The fraction of a pixel is passed to the raster, because the corner of a raster is a whole
- * pixel. */
+/* Draws one view of the fish. The corner of a raster is a whole pixel, so the remaining fraction of
+ * a pixel is applied inside the raster. */
 static void draw_view(struct page *page, enum fish_preview_view view, struct canvas_box box,
                       float scale_px)
 {
@@ -103,7 +106,8 @@ static void draw_words(struct page *page, const struct layout *layout, float x, 
     canvas_words(&page->canvas, x, y + 5.6f * size, size, ALIGN_CENTRE, CAPTION_SOFT_INK, words);
 }
 
-/* Draws one stage: the views in the water and the texts below them. */
+/* Draws one stage of the growth: the three views in front of the water, and the texts below the
+ * water. */
 static void draw_stage(struct page *page, const struct layout *layout, uint32_t column, float top,
                        const char *title, float progress)
 {

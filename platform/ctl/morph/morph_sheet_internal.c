@@ -1,11 +1,11 @@
-/* morph_sheet_internal.c -- measures the bounds of a fish over its life, and prints the errors of
- * pictures. */
+/* morph_sheet_internal.c -- measures the bounds of a fish over its life, writes PNG files and
+ * prints their errors. */
 #include "platform/ctl/morph/morph_sheet_internal.h"
 
 #include <errno.h>
 #include <string.h>
 
-#define MEASURE_STEPS 20u /* Number of steps of the life that are measured before drawing. */
+#define MEASURE_STEPS 20u /* Number of steps over the life at which the bounds are measured. */
 
 static const char command[] = "export";
 

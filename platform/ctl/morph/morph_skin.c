@@ -1,5 +1,5 @@
-/* morph_skin.c -- tests points against a closed triangle surface and computes distances to the
- * surface. */
+/* morph_skin.c -- tests whether points are inside a closed triangle surface, and computes their
+ * distances from the surface. */
 #include "platform/ctl/morph/morph_skin.h"
 
 #include <float.h>
@@ -33,7 +33,8 @@ static struct bins bins_of(const struct morph_skin *skin, const vec3 corner[3])
     return bins;
 }
 
-/* Counts the triangles of every bin if `fill` is false. Otherwise lists the triangles. */
+/* Sorts the triangles into bins. If `fill` is false, only counts the triangles of each bin. If
+ * `fill` is true, writes the triangle indices to `binned`. */
 static void walk_bins(struct morph_skin *skin, bool fill)
 {
     for (uint32_t i = 0; i < skin->triangle_count; i++) {
@@ -57,8 +58,8 @@ static void fill_bins(struct morph_skin *skin)
     for (uint32_t bin = 1; bin <= MORPH_SKIN_BINS; bin++) {
         skin->bin_first[bin] += skin->bin_first[bin - 1];
     }
-    /* Each count becomes the start index of its bin. The second walk advances the start index to
-     * the end of the bin. */
+    /* Converts each count to the first index of its bin in `binned`. The second call of walk_bins()
+     * increments each first index until it is the end of its bin. */
     memmove(&skin->bin_first[1], &skin->bin_first[0], MORPH_SKIN_BINS * sizeof skin->bin_first[0]);
     walk_bins(skin, true);
 }
@@ -84,7 +85,8 @@ void morph_skin_build(struct morph_skin *skin, const struct species_mesh *mesh,
         }
         skin->triangle_count++;
     }
-    skin->high_y += 1e-6f; /* Gives flat geometry a positive height, so that it has bins too. */
+    skin->high_y += 1e-6f; /* Gives a flat surface a positive height, so that the division by the
+                              height in bin_of() is valid. */
     skin->high_z += 1e-6f;
     fill_bins(skin);
 }
@@ -116,9 +118,12 @@ float morph_skin_volume(const struct morph_skin *skin)
     return (float)volume;
 }
 
-/* Returns on which side of the line from a to b (seen from the right) the point p lies. The two
- * triangles of an edge compute the value in the same order, so that the results agree in every bit.
- * A line through an edge therefore leaves by exactly one of the two triangles. */
+/* Returns a value whose sign states on which side of the line from `a` to `b` the point `p` lies,
+ * seen from the right.
+ *
+ * The value is computed in the same order for both triangles that share the edge, so that the
+ * results agree in every bit. A ray through the shared edge therefore crosses exactly one of the
+ * two triangles. */
 static double morph_skin_side_of(vec3 a, vec3 b, vec3 p)
 {
     const bool swap = b.y < a.y || (b.y == a.y && b.z < a.z);
@@ -129,7 +134,7 @@ static double morph_skin_side_of(vec3 a, vec3 b, vec3 p)
     return swap ? -never_on_it : never_on_it;
 }
 
-/* Returns whether a line from `p` to the right passes through the triangle. */
+/* Returns true if a ray from `p` to the right crosses the triangle. */
 static bool lies_right(const vec3 c[3], vec3 p)
 {
     const double d0 = morph_skin_side_of(c[0], c[1], p), d1 = morph_skin_side_of(c[1], c[2], p);
@@ -182,8 +187,8 @@ static float to_span(float x, float a, float b, float c)
     return f_max(f_max(f_min(f_min(a, b), c) - x, x - f_max(f_max(a, b), c)), 0.0f);
 }
 
-/* Returns the distance to the box around the triangle, which is a lower bound of the distance to
- * the triangle. */
+/* Returns the distance from `p` to the bounding box of the triangle. This distance is a lower bound
+ * for the distance to the triangle. */
 static float to_box(vec3 p, const vec3 c[3])
 {
     return v3_length(v3(to_span(p.x, c[0].x, c[1].x, c[2].x), to_span(p.y, c[0].y, c[1].y, c[2].y),
@@ -201,8 +206,8 @@ float morph_skin_distance(const struct morph_skin *skin, vec3 point)
     return nearest;
 }
 
-/* Returns the distance along `way` at which the line crosses the triangle, or a negative value if
- * there is no crossing. */
+/* Returns the distance along the ray from `p` in the direction `way` to the triangle. Returns a
+ * negative value if the ray does not meet the triangle. */
 static float crossing(vec3 p, vec3 way, const vec3 c[3])
 {
     const vec3 e1 = v3_sub(c[1], c[0]), e2 = v3_sub(c[2], c[0]), from = v3_sub(p, c[0]);

@@ -1,4 +1,5 @@
-/* morph_survey.c -- measures many moments of a fish's growth and records the worst values. */
+/* morph_survey.c -- measures many moments of a fish's growth, and records the worst value of each
+ * kind of error. */
 #include "platform/ctl/morph/morph_survey.h"
 
 #include <float.h>
@@ -28,8 +29,8 @@ static void measure_weights(struct morph_walk *w)
     }
 }
 
-/* Returns the key that every curve shows alone at this moment, or MORPH_KEY_MAX if there is no such
- * key. */
+/* Returns the key to which all curves give the weight 1 at the present moment, or MORPH_KEY_MAX if
+ * there is no such key. */
 static uint32_t lone_key(const struct morph_walk *w)
 {
     for (uint32_t key = 0; key < w->rig->key_count; key++) {
@@ -81,9 +82,9 @@ static float key_progress(const struct morph_walk *w, uint32_t key)
     return (float)key / (float)(w->rig->key_count - 1u);
 }
 
-/* Returns the rear end of the standard length. The end is the foremost point with u = 1, which is
- * the tail root, because the closing point of the body lies behind the tail root. Returns
- * `rearmost` for a body without such a point. */
+/* Returns the z coordinate of the tail root, where the standard length of a fish ends. The tail
+ * root is the foremost body point with u = 1. The point that closes the body also has u = 1, but is
+ * farther behind. Returns `rearmost` if the body has no point with u = 1. */
 static float standard_end(const struct morph_walk *w, float rearmost)
 {
     float end = FLT_MAX;

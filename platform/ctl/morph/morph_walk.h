@@ -1,12 +1,12 @@
-/* morph_walk.h -- declarations that the parts of a survey share while they measure a fish's
- * growth. */
+/* morph_walk.h -- the state of a survey (morph_survey.h), which its source files share while they
+ * measure the growth of a fish moment by moment. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_WALK_H
 #define KINGYO_PLATFORM_CTL_MORPH_MORPH_WALK_H
 
 #include "platform/ctl/morph/morph_skin.h"
 #include "platform/ctl/morph/morph_survey.h"
 
-struct morph_walk { /* State of a survey. The size is about 10 MiB. */
+struct morph_walk { /* State of a survey. The structure has about 10 MiB. */
     const struct species *species;
     const struct species_mesh *mesh;
     const struct morph_rig *rig;
@@ -15,20 +15,22 @@ struct morph_walk { /* State of a survey. The size is about 10 MiB. */
     struct morph_pose pose, key_pose;
     vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
     vec3 key_positions[MESH_VERTEX_MAX];
-    /* Direction of each fin triangle at the last moment when the triangle had an area. */
+    /* Normal of each fin triangle, at the last moment at which the triangle was large enough. */
     vec3 facing[MESH_INDEX_MAX / 3];
     bool flipped[MESH_INDEX_MAX / 3], doubtful[MESH_INDEX_MAX / 3];
-    /* Progress of the previous moment. At the first moment this value is not less than the present
+    /* Progress of the previous moment. At the first moment, the value is not less than the present
      * progress. */
     float before;
-    uint32_t root[MESH_VERTEX_MAX]; /* Vertex at the root of the ray, for each fin vertex. */
+    uint32_t root[MESH_VERTEX_MAX]; /* For each fin vertex, the vertex at the root of the same fin
+                                       ray. */
     bool key_alone[MORPH_KEY_MAX];
     float key_volume[MORPH_KEY_MAX];
     struct morph_skin body, eye[2];
     bool body_closed, eye_closed[2];
 };
 
-/* Stores `value` if it is greater than the finding's value. */
+/* Stores `value` in `finding`, with the present progress and `vertex`, if `value` exceeds the
+ * stored value. */
 static inline void morph_walk_keep(const struct morph_walk *w, struct finding *finding, float value,
                                    uint32_t vertex)
 {
@@ -37,16 +39,17 @@ static inline void morph_walk_keep(const struct morph_walk *w, struct finding *f
     }
 }
 
-/* morph_inside.c: morph_inside_find_roots() runs once before the first moment. The other functions
- * run at every moment that has a shape. */
+/* Functions of morph_inside.c. morph_inside_find_roots() is called once before the first moment.
+ * The other two functions are called at every moment for which a shape is computed. */
 void morph_inside_find_roots(struct morph_walk *w);
 void morph_inside_build_skins(struct morph_walk *w);
 void morph_inside_measure(struct morph_walk *w);
 
-/* morph_flips.c: call this function at every moment that has a shape, in the order of progress. */
+/* Function of morph_flips.c, called at every moment for which a shape is computed. Progress must
+ * increase from call to call. */
 void morph_flips_measure(struct morph_walk *w);
 
-/* morph_ages.c: measures the whole life moment by moment, without shapes. */
+/* Function of morph_ages.c, called once for the whole life. Shapes are not computed. */
 void morph_ages_measure(struct morph_walk *w, uint32_t steps);
 
 #endif

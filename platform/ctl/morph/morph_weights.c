@@ -1,4 +1,5 @@
-/* morph_weights.c -- `kingyoctl morph weights`, which prints the deformation graph as a table. */
+/* morph_weights.c -- `kingyoctl morph weights`, which prints the weights of the deformation graph
+ * as a table. */
 #include <stdio.h>
 
 #include "platform/ctl/morph/morph_curve.h"
