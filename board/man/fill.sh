@@ -1,11 +1,11 @@
 #!/bin/bash
 # fill.sh PAGE.in -- writes the manual page to standard output: its text, and in place of the lines
-# @OPTIONS@, @COMMANDS@ and @SETTINGS@ what the programs of $BUILD say of themselves. So page and program
-# cannot differ. Exits 74 when a program does not answer.
+# @OPTIONS@, @COMMANDS@ and @SETTINGS@ the help texts of the programs in $BUILD. So page and program
+# cannot differ. Exits 74 if a program does not answer.
 set -eu -o pipefail
 build=${BUILD:-build}
 
-# Words for mdoc(7): a sentence a line, 76 columns at most, nothing that looks like a macro.
+# Formats text for mdoc(7): a sentence a line, 76 columns at most, nothing that looks like a macro.
 words='
 function escape(text) {
     gsub(/\\/, "\\e", text)
@@ -23,7 +23,7 @@ function fill(text,    count, word, i, line) {
     if (line != "") print escape(line)
 }'
 
-options() { # As kingyo --help lists them: "  --name VALUE   what it does".
+options() { # Converts the output of kingyo --help: "  --name VALUE   what it does".
     "$build/kingyo" --help | awk "$words"'
         /^  --/ {
             text = $0
@@ -42,10 +42,10 @@ options() { # As kingyo --help lists them: "  --name VALUE   what it does".
         }'
 }
 
-commands() { # What each says of itself.
+commands() { # Converts the --help output of each command.
     local name text
     "$build/kingyoctl" --help | sed -nE 's/^  ([a-z]+) .*/\1/p' | while read -r name; do
-        # Not all at once: "subcommand --help" is answered by those that have some.
+        # One call for each command, because "subcommand --help" works only if there are subcommands.
         text=$("$build/kingyoctl" "$name" --help)
         echo ".Ss kingyoctl $name"
         sed -n '1s/^[^:]*: *//p' <<<"$text" | awk "$words"'{ fill(toupper(substr($0, 1, 1)) substr($0, 2) ".") }'
@@ -55,7 +55,7 @@ commands() { # What each says of itself.
     done
 }
 
-settings() { # As kingyoctl config defaults has them: help, range, and the standard.
+settings() { # Converts the output of kingyoctl config defaults: help, range, and default.
     "$build/kingyoctl" config defaults | awk "$words"'
         /^\[/ { if (open) print ".El"; open = 1; print ".Ss Section " substr($0, 2, length($0) - 2); print ".Bl -tag -width Ds"; next }
         !open { next }
@@ -63,12 +63,12 @@ settings() { # As kingyoctl config defaults has them: help, range, and the stand
         /^# / { help = substr($0, 3); next }
         /^#[a-z]/ {
             key = substr($1, 2)
-            standard = $0
-            sub(/^#[^=]*= ?/, "", standard)
+            value = $0
+            sub(/^#[^=]*= ?/, "", value)
             print ".It Ic " key
             fill(help)
             fill(range)
-            if (standard != "") fill("Standard: " standard ".")
+            if (value != "") fill("Default: " value ".")
         }
         END { if (open) print ".El" }'
 }
