@@ -121,7 +121,7 @@ struct morph_rig {
     float solution[MORPH_CURVE_MAX][MORPH_KEY_MAX][MORPH_KEY_MAX];
 };
 
-/* Initialises a rig. TEMPLATE_OWN uses the curves of the card, and any other template replaces all
+/* Initializes a rig. TEMPLATE_OWN uses the curves of the card, and any other template replaces all
  * curves. A curve that cannot be solved blends the drawn shapes directly; graph_check() returns the
  * reason. */
 void morph_rig_init(struct morph_rig *rig, const struct species_card *card,

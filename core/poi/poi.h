@@ -112,7 +112,7 @@ struct poi {
     struct sheet_load loads[SHEET_LOAD_MAX];
 };
 
-/* Initialises a new poi at rest with paper of `grade` 4 (strong) to 7 (weak). The paper starts dry.
+/* Initializes a new poi at rest with paper of `grade` 4 (strong) to 7 (weak). The paper starts dry.
  * `seed` selects the random properties of the paper. */
 void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed);
 

@@ -43,7 +43,7 @@ struct stall {
     uint32_t bowl_count; /* Number of entries in `bowls`, at most POI_MAX. */
 };
 
-/* Initialises an empty bowl that is moored at `position_m`. The height is clamped so that the mouth
+/* Initializes an empty bowl that is moored at `position_m`. The height is clamped so that the mouth
  * is 2 mm to BOWL_DEPTH_M / 2 above the water. The amount of water in the bowl is chosen so that
  * the bowl floats at rest there. */
 void bowl_init(struct bowl *bowl, vec3 position_m);

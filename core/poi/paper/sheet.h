@@ -111,7 +111,7 @@ float sheet_tension_centre(const struct paper_grade *grade, float pressure_pa, f
 float sheet_tension_edge(const struct paper_grade *grade, float pressure_pa, float radius_m);
 float sheet_belly(const struct paper_grade *grade, float pressure_pa, float radius_m);
 
-/* Initialises a dry, whole sheet. `seed` selects the weak spots, the fibre direction and the
+/* Initializes a dry, whole sheet. `seed` selects the weak spots, the fibre direction and the
  * strength of this sheet. */
 void sheet_init(struct sheet *sheet, uint8_t grade, float radius_m, uint32_t seed);
 

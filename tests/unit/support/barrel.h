@@ -1,5 +1,7 @@
-/* barrel.h -- a simple species for tests: a round body of one radius with three keys, an eye and a
- * fin ray. The species is small enough that every result can be computed by hand. */
+/* barrel.h -- a simple fish species for tests: a barrel-shaped body with an eye and a fin ray.
+ *
+ * Each of its three key shapes (modelled growth stages) is a body of constant radius. The species
+ * is so simple that a test can compute every result by hand. Lengths are in body lengths. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_BARREL_H
 #define KINGYO_TESTS_UNIT_SUPPORT_BARREL_H
 
@@ -8,9 +10,9 @@
 #define BARREL_RINGS 5u
 #define BARREL_SPOKES 16u
 #define BARREL_GRID (BARREL_RINGS * (BARREL_SPOKES + 1u))
-/* Vertex index of the eye, which is 0.01 outside the skin. */
+/* Index of the eye's vertex, which is 0.01 outside the skin. */
 #define BARREL_EYE BARREL_GRID
-/* Vertex index of the fin ray, which is 0.02 above its root. */
+/* Index of the fin ray's vertex, which is 0.02 above the root of the ray. */
 #define BARREL_RAY (BARREL_GRID + 1u)
 #define BARREL_VERTICES (BARREL_GRID + 2u)
 
@@ -21,7 +23,7 @@ struct barrel {
     struct species species;
 };
 
-/* Returns a length as a 16-bit fixed-point number. */
+/* Returns a length as a 16-bit fixed-point number (counts of 1/32767). */
 static int16_t barrel_count(float x)
 {
     return (int16_t)(x * 32767.0f + (x < 0.0f ? -0.5f : 0.5f));
@@ -34,9 +36,9 @@ static struct species_point barrel_point(vec3 p, vec3 n)
                                    morph_fold_normal(n) };
 }
 
-/* Fills the species. The radius of the three keys is 0.1, 0.1 and 0.2. The eye is on the right (v
- * 0.25), on the back (0) and on the left (-0.25). The root of the ray moves along the back from u
- * 0.75 to 0.5 to 0.25. */
+/* Initializes the species. The radius of its three keys is 0.1, 0.1 and 0.2. From key to key, the
+ * eye moves around the body, from the right flank (v = 0.25) over the back (0) to the left flank
+ * (-0.25). The root of the fin ray moves forward along the back (u = 0.75, 0.5, 0.25). */
 static void barrel_init(struct barrel *b)
 {
     static const float radius[3] = { 0.1f, 0.1f, 0.2f };

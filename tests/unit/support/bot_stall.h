@@ -1,5 +1,6 @@
-/* bot_stall.h -- a stall in which a bot of any technique plays the first poi through controller
- * input. */
+/* bot_stall.h -- a complete core in which a bot plays the first poi through controller input.
+ *
+ * The poi is the paper scoop. The test chooses the technique of the bot. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_BOT_STALL_H
 #define KINGYO_TESTS_UNIT_SUPPORT_BOT_STALL_H
 
@@ -13,8 +14,8 @@ struct bot_stall {
     struct bot bot;
 };
 
-/* Opens a stall of `config` with a bot of `technique`. Both the bot and the stall use the seed
- * of `config`. */
+/* Initializes the core with `config` and the bot with `technique`. The bot uses the seed of
+ * `config`, like the core. */
 static inline void bot_stall_open(struct bot_stall *stall, const struct core_config *config,
                                   const struct technique *technique)
 {
@@ -23,18 +24,19 @@ static inline void bot_stall_open(struct bot_stall *stall, const struct core_con
     memset(&stall->output, 0, sizeof stall->output);
     bot_init(&stall->bot, technique, config->seed);
     stall->bot.hand.pose = (struct poi_target){ .position_m = v3(0.0f, 0.10f, 0.0f) };
-    stall->core.game.hand_pose[0] = stall->bot.hand.pose; /* The pose begins over the middle of
-                                                             the tank. */
+    stall->core.game.hand_pose[0] = stall->bot.hand.pose; /* The pose starts over the middle of the
+                                                             tank. */
     stall->core.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
 }
 
-/* Returns the view of the stall for the bot of player 0. */
+/* Returns the view of the core that the bot of player 0 receives. */
 static inline struct vision bot_stall_sight(const struct bot_stall *stall)
 {
     return (struct vision){ .core = &stall->core, .player = 0 };
 }
 
-/* Runs one tick. Presses START while no round is played; otherwise only the bot's pose is input. */
+/* Runs one tick (1/120 s) with the bot's pose as input. Presses START once per second while no
+ * round has been started. */
 static inline void bot_stall_tick(struct bot_stall *stall)
 {
     const uint8_t phase = stall->core.game.phase;
@@ -51,7 +53,7 @@ static inline void bot_stall_tick(struct bot_stall *stall)
     assert_int_equal(core_tick(&stall->core, &stall->input, &stall->output), CORE_OK);
 }
 
-/* Runs ticks until the round has begun. */
+/* Runs ticks until the round has begun. Fails the test after 20 s. */
 static inline void bot_stall_begin(struct bot_stall *stall)
 {
     for (uint32_t i = 0; i < 20u * CORE_TICK_HZ && stall->core.game.phase != PHASE_ROUND; i++) {
@@ -60,7 +62,8 @@ static inline void bot_stall_begin(struct bot_stall *stall)
     assert_int_equal(stall->core.game.phase, PHASE_ROUND);
 }
 
-/* Runs ticks until the bot enters `stage`. Returns 1 if the bot did so within `seconds`. */
+/* Runs ticks until the bot enters `stage`. Returns 1 if the bot enters `stage` within `seconds` and
+ * before the round ends, otherwise 0. */
 static inline int bot_stall_until(struct bot_stall *stall, uint8_t stage, uint32_t seconds)
 {
     for (uint32_t i = 0; i < seconds * CORE_TICK_HZ; i++) {

@@ -1,11 +1,11 @@
-/* calm_fish.h -- selects the fish that a scripted poi tries to catch. */
+/* calm_fish.h -- selects the fish that a test tries to catch with a scripted poi (paper scoop). */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_CALM_FISH_H
 #define KINGYO_TESTS_UNIT_SUPPORT_CALM_FISH_H
 
 #include "core/tank/tank.h"
 
-/* Returns the calmest fish near the ring that swims above the depth `dip_m`, so that a dip without
- * any technique reaches it. Returns null if no fish is suitable. */
+/* Returns the best target for a simple vertical dip: a slow fish near the ring that swims above the
+ * depth `dip_m`, away from the walls. Returns null if there is none. */
 static inline const struct fish *calmest_fish(const struct tank *tank, vec3 ring_m, float dip_m)
 {
     const struct fish *best = NULL;

@@ -1,5 +1,7 @@
-/* display_stand.h -- the real display without a screen, with a tank of sixty fish, for tests of its
- * pictures and of its faults. Include cmocka.h first. */
+/* display_stand.h -- test fixture of the real display without a screen, for tests of its pictures
+ * and its faults.
+ *
+ * The tank has sixty fish. The test must include cmocka.h first. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_DISPLAY_STAND_H
 #define KINGYO_TESTS_UNIT_SUPPORT_DISPLAY_STAND_H
 
@@ -18,7 +20,7 @@ static struct display_gl display;
 static struct hal_display device;
 static uint8_t pixels[2][PIXELS_SIZE];
 
-/* Sets up the core, its scene and the display. This is a cmocka setup function. */
+/* Initializes the core and opens the display; a cmocka setup function. */
 static inline int open_display(void **state)
 {
     (void)state;
@@ -32,7 +34,7 @@ static inline int open_display(void **state)
     return device.ops->open(device.self);
 }
 
-/* Closes the display. This is a cmocka teardown function. */
+/* Closes the display; a cmocka teardown function. */
 static inline int close_display(void **state)
 {
     (void)state;
@@ -40,12 +42,13 @@ static inline int close_display(void **state)
     return 0;
 }
 
-/* Draws the scene and copies the picture to `out`. Fails the test on any display or OpenGL
- * error. */
+/* Draws the scene and copies the picture to `out`. Fails the test on any error of the display or
+ * OpenGL. */
 static inline void picture(uint8_t out[PIXELS_SIZE])
 {
     struct hal_image image = { .rgb = out, .size = PIXELS_SIZE };
-    scene.veil = 0.0f; /* The fade-in is disabled, because a session begins with a dark picture. */
+    scene.veil = 0.0f; /* The fade-in of a session is disabled, because its first picture is
+                          dark. */
     assert_int_equal(device.ops->present(device.self, &scene), HAL_OK);
     assert_int_equal(device.ops->capture(device.self, &image), HAL_OK);
     assert_int_equal(image.width, WIDTH);

@@ -1,5 +1,7 @@
-/* game_stand.h -- test fixture of the game module alone with a static tank, for tests of its clock
- * and rules. stall_stand.h runs the whole stall. */
+/* game_stand.h -- test fixture of the game module with a tank that does not move, for tests of the
+ * game's clock and rules.
+ *
+ * stall_stand.h is the fixture that runs the whole core. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_GAME_STAND_H
 #define KINGYO_TESTS_UNIT_SUPPORT_GAME_STAND_H
 
@@ -23,20 +25,22 @@
 static struct core core;
 static struct input input;
 static struct output output;
-static uint32_t sounds[SOUND_COUNT]; /* Number of sounds of each kind after the last
+static uint32_t sounds[SOUND_COUNT]; /* Number of sounds of each kind since the last
                                         clear_sounds(). */
 
-/* Resets the sound counts. */
+/* Sets all sound counts to 0. */
 static inline void clear_sounds(void)
 {
     memset(sounds, 0, sizeof sounds);
 }
 
-/* 1 means that the test itself sets which entries the store has written. */
+/* 1 if the test itself sets which ledger entries the store has written. 0 if step() reports each
+ * entry as written. */
 static int store_is_late;
 
-/* Runs one tick of the game alone. Button edges last one tick. Before the next tick the store has
- * written an entry and the dispenser has finished a ticket. */
+/* Runs one tick (1/120 s) of the game module. A pressed button lasts one tick. The step then
+ * reports that the dispenser has finished its tickets and, unless store_is_late is set, that the
+ * store has written all ledger entries. */
 static inline void step(void)
 {
     struct poi_target targets[POI_MAX];
@@ -57,7 +61,7 @@ static inline void step(void)
     }
 }
 
-/* Runs `count` ticks of the game. */
+/* Runs `count` ticks of the game module. */
 static inline void steps(uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -65,21 +69,22 @@ static inline void steps(uint32_t count)
     }
 }
 
-/* Presses `buttons` for one tick. */
+/* Runs one tick with `buttons` pressed. */
 static inline void press(uint32_t buttons)
 {
     input.pressed = buttons;
     step();
 }
 
-/* Holds the first poi at the height `y_m` over the tank. */
+/* Sets the input of the first poi to a position at the height `y_m` above the water. */
 static inline void hold_at(float y_m)
 {
     input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(0.05f, y_m, 0.02f);
 }
 
-/* Holds the first poi above the water for one tick and below it for the next tick. */
+/* Runs two ticks: the first poi is above the water in the first tick and below the water in the
+ * second. */
 static inline void dip(void)
 {
     hold_at(ABOVE_M);
@@ -88,7 +93,7 @@ static inline void dip(void)
     step();
 }
 
-/* Initializes the core, the input and the output. This is a cmocka setup function. */
+/* Initializes core, input and output; a cmocka setup function. */
 static inline int setup(void **state)
 {
     (void)state;
@@ -105,7 +110,8 @@ static inline int setup(void **state)
     return 0;
 }
 
-/* Holds the first poi above the water for a tick and presses START. */
+/* Runs two ticks: the first poi appears above the water in the first tick, and START is pressed in
+ * the second. */
 static inline void start_with_a_hand(void)
 {
     hold_at(ABOVE_M);
@@ -113,7 +119,7 @@ static inline void start_with_a_hand(void)
     press(INPUT_START);
 }
 
-/* Plays into the first tick of the round. */
+/* Runs ticks from the start to the first tick of the round. */
 static inline void play_into_round(void)
 {
     start_with_a_hand();
@@ -121,7 +127,7 @@ static inline void play_into_round(void)
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }
 
-/* Plays into the first tick of the result. */
+/* Runs ticks from the start to the first tick of the result. */
 static inline void play_into_result(void)
 {
     play_into_round();
@@ -129,7 +135,7 @@ static inline void play_into_result(void)
     assert_int_equal(core.game.phase, PHASE_RESULT);
 }
 
-/* Turns all paper of a poi into holes. */
+/* Turns all paper of poi `index` into holes. */
 static inline void tear_all(uint32_t index)
 {
     struct sheet *sheet = &core.poi[index].sheet;
@@ -141,8 +147,8 @@ static inline void tear_all(uint32_t index)
     sheet->paper_cells = 0;
 }
 
-/* Checks that the first `count` fish swim within half a second after they were put back, even if
- * they fell onto other fish. */
+/* Checks that each of the first `count` fish swims within half a second, even if it was put back
+ * onto other fish. */
 static inline void expect_all_to_swim_soon(uint32_t count)
 {
     uint8_t swam[16] = { 0 };

@@ -1,11 +1,12 @@
-/* gl_context.h -- an OpenGL ES context for tests, drawn off screen by the software renderer. */
+/* gl_context.h -- creates an OpenGL ES context for tests, which the software renderer draws off
+ * screen. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_GL_CONTEXT_H
 #define KINGYO_TESTS_UNIT_SUPPORT_GL_CONTEXT_H
 
 #include <SDL.h>
 
-/* Creates a context and makes it current. The caller ends with SDL_Quit(). Include cmocka.h
- * first. */
+/* Creates a context and makes it current. Fails the test on any error. The test must include
+ * cmocka.h first and call SDL_Quit() at its end. */
 static inline void open_gl_context(const char *title)
 {
     SDL_setenv("SDL_VIDEODRIVER", "offscreen", 0);

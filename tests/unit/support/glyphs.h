@@ -1,12 +1,13 @@
-/* glyphs.h -- measures the size of a letter in a text layout. */
+/* glyphs.h -- finds the font size of the letters in a laid-out text. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_GLYPHS_H
 #define KINGYO_TESTS_UNIT_SUPPORT_GLYPHS_H
 
 #include "assets.h"
 #include "platform/render/ui/ui_batch.h"
 
-/* Returns the size in pixels at which a letter's quad is drawn, or 0 if the quad is no letter. The
- * place of the quad in the glyph atlas gives its font. */
+/* Returns the font size in pixels at which a letter is drawn, or 0 if the quad `quad` of `batch` is
+ * not a letter. The texture coordinates of the quad tell the font apart from other fonts in the
+ * atlas. */
 static inline float glyph_em_px(const struct ui_batch *batch, uint32_t quad)
 {
     const struct ui_vertex *v = &batch->vertices[quad * 4u];

@@ -1,5 +1,8 @@
-/* hashed_fields.h -- tables of every member of every struct that core_hash() covers, in order, with
- * the members that the hash skips. A new member of such a struct must be added here. */
+/* hashed_fields.h -- tables of all members of the structs that core_hash() covers.
+ *
+ * The test of the hash reads the tables. Each table lists the members of one struct in order,
+ * including the members that the hash skips. A new member of such a struct must be added to its
+ * table. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_HASHED_FIELDS_H
 #define KINGYO_TESTS_UNIT_SUPPORT_HASHED_FIELDS_H
 
@@ -11,7 +14,8 @@
 struct field {
     const char *name;
     size_t offset, size, align;
-    int skipped; /* 1 for scratch memory, and for a member that has its own table. */
+    int skipped; /* 1 if the test does not change the member, because it is scratch memory or has
+                    its own table; otherwise 0. */
 };
 
 #define FIELD_AS(type, member, is_skipped)                                                         \
@@ -317,8 +321,8 @@ static const struct field poi_fields[] = {
     FIELD(poi, dips),        FIELD(poi, is_in), FIELD(poi, slap_tick),
     FIELD(poi, tear_tick),   SKIP(poi, sheet),
     FIELD(poi, strain),      FIELD(poi, carried_kg),
-    SKIP(poi, carried_count), /* The tests set this member below, because a count without
-                                 matching arrays cannot be hashed. */
+    SKIP(poi, carried_count), /* The test sets this member separately, because the hash reads as
+                                 many array entries as the count says. */
     SKIP(poi, carried_fish),       SKIP(poi, load_count), FIELD(poi, slap_count),
     SKIP(poi, loads),
 };

@@ -1,8 +1,8 @@
-/* hid_wire.h -- a simulated controller with a real descriptor, for tests of the decoder and of the
- * game.
+/* hid_wire.h -- a simulated controller with a real HID report descriptor, for tests of the decoder
+ * and the game.
  *
- * The tests set fields by their usages, independent of their place in the descriptor. Reports are
- * sent complete. */
+ * A test sets the fields of a report by their usages and need not know their bit positions. Reports
+ * are always sent with their full length. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_HID_WIRE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_HID_WIRE_H
 
@@ -20,10 +20,10 @@ struct hid_wire {
     struct hid_device_info face;
     struct hid_descriptor descriptor;
     struct hid_port_sim port;
-    uint8_t payload[256][HID_REPORT_MAX]; /* Payload of each report id. */
+    uint8_t payload[256][HID_REPORT_MAX]; /* Payload of each report, indexed by report id. */
 };
 
-/* Initializes a controller with the descriptor in `bytes`. Fails the test if the descriptor is
+/* Initializes a controller with the report descriptor `bytes`. Fails the test if the descriptor is
  * invalid. */
 static inline void wire_begin(struct hid_wire *wire, struct clock_sim *clock, const uint8_t *bytes,
                               uint32_t size)
@@ -36,8 +36,8 @@ static inline void wire_begin(struct hid_wire *wire, struct clock_sim *clock, co
     hid_port_sim_init(&wire->port, clock_sim_device(clock), &wire->face);
 }
 
-/* Loads a descriptor. `name` is the begin of a file name in the corpus, for example
- * "016-ci-dualsense". */
+/* Initializes a controller with the report descriptor in file NAME.hid of the corpus. `name` is the
+ * file name without the suffix, for example "016-ci-dualsense". */
 static inline void wire_load(struct hid_wire *wire, struct clock_sim *clock, const char *name)
 {
     char path[256];
@@ -65,8 +65,8 @@ static inline void wire_put_bits(struct hid_wire *wire, uint8_t id, uint32_t off
     }
 }
 
-/* Sets the first field with this usage in report `id`; -1 means any report. Returns the id of the
- * report. */
+/* Writes `value` to the first field with the usage `usage` in report `id`. An `id` of -1 means any
+ * report. Returns the id of the report that contains the field. */
 static inline uint8_t wire_put(struct hid_wire *wire, int id, hid_usage usage, int64_t value)
 {
     const struct hid_field_location spot =
@@ -89,7 +89,8 @@ static inline void wire_send(struct hid_wire *wire, uint8_t id)
     hid_port_sim_report(&wire->port, bytes, size);
 }
 
-/* Returns the value at a fraction of a field's range: 0 is its low end and 1 its high end. */
+/* Returns the field value at the share `share` of the field's logical range: 0 gives the minimum, 1
+ * gives the maximum. */
 static inline int64_t wire_share(const struct hid_wire *wire, int id, hid_usage usage, float share)
 {
     const struct hid_field_location spot =

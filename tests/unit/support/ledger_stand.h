@@ -1,6 +1,7 @@
-/* ledger_stand.h -- test fixture with a new temporary folder and a ledger file for each test.
+/* ledger_stand.h -- test fixture that gives each test a new temporary folder for a ledger file.
  *
- * A test may open, close, damage and replace the file. */
+ * The ledger is the append-only list of money events. A test may open, close, damage and replace
+ * the file. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_LEDGER_STAND_H
 #define KINGYO_TESTS_UNIT_SUPPORT_LEDGER_STAND_H
 
@@ -12,11 +13,11 @@
 #include "platform/store/sqlite/ledger_file.h"
 
 static char folder[32];
-static char path[64]; /* Path of the ledger file in that folder. The file does not exist at the
-                         start of a test. */
+static char path[64]; /* Path of the ledger file in `folder`. The file does not exist at the start
+                         of a test. */
 static struct ledger_file file;
 
-/* Creates the temporary folder. This is a cmocka setup function. */
+/* Creates the temporary folder; a cmocka setup function. */
 static inline int set_up(void **state)
 {
     (void)state;
@@ -27,7 +28,7 @@ static inline int set_up(void **state)
     return 0;
 }
 
-/* Closes the ledger file and removes the folder. This is a cmocka teardown function. */
+/* Closes the ledger file and removes the temporary folder; a cmocka teardown function. */
 static inline int tear_down(void **state)
 {
     (void)state;
@@ -37,8 +38,8 @@ static inline int tear_down(void **state)
     return system(command);
 }
 
-/* Runs `sql` on the file from a second connection, as another program would. `sql` may also change
- * SQLite's own tables. */
+/* Runs `sql` on the ledger file through a second connection, as another program would. `sql` may
+ * also change SQLite's own tables. */
 static inline void do_sql(const char *sql)
 {
     sqlite3 *db;
@@ -48,7 +49,8 @@ static inline void do_sql(const char *sql)
     sqlite3_close(db);
 }
 
-/* Copies tests/unit/platform/store/files/version-N.db, which an older Kingyo wrote, to `path`. */
+/* Copies tests/unit/platform/store/files/version-N.db, a ledger file of an older Kingyo version, to
+ * `path`. `version` is the number N. */
 static inline void take_version(int version)
 {
     char command[120];

@@ -5,9 +5,9 @@
 #include "tests/unit/support/game_stand.h"
 
 #define PRICE 3u
-#define CREDITS_MAX 99u /* Default of SET_CREDIT_MAX. */
+#define CREDITS_MAX 99u /* Default of the setting SET_CREDIT_MAX, the largest number of credits. */
 
-/* Initializes the stall with a price. This is a cmocka setup function. */
+/* Initializes the core with a price of PRICE coins; a cmocka setup function. */
 static inline int setup_paid(void **state)
 {
     (void)state;
@@ -24,7 +24,7 @@ static inline int setup_paid(void **state)
     return 0;
 }
 
-/* Inserts coins during one tick. */
+/* Inserts `coins` coins within one tick. */
 static inline void drop(uint32_t coins)
 {
     input.coin_count[0] = coins;
@@ -32,25 +32,25 @@ static inline void drop(uint32_t coins)
     input.coin_count[0] = 0;
 }
 
-/* Returns the credit balance. */
+/* Returns the balance of coins and credits. */
 static inline const struct balance *balance(void)
 {
     return &core.game.ledger.balance;
 }
 
-/* Returns the number of credits. */
+/* Returns the number of paid and service credits. */
 static inline uint32_t credits(void)
 {
     return purse_credits(&core);
 }
 
-/* Returns an audit counter. */
+/* Returns the value of the audit counter `id`. */
 static inline uint32_t audit(enum audit_id id)
 {
     return purse_audit(&core, id);
 }
 
-/* Inserts the price of one round, presses START and runs until the round has begun. */
+/* Inserts the price of one round, presses START, and runs ticks until the round has begun. */
 static inline void play_a_paid_round(void)
 {
     drop(PRICE);

@@ -1,7 +1,7 @@
-/* panic.c -- makes a failed assertion of the core visible to cmocka.
+/* panic.c -- reports failed assertions of the core to cmocka.
  *
- * expect_assert_failure(...) catches the failed assertion. Otherwise the assertion fails the test
- * and prints its condition. */
+ * A test can expect an assertion with expect_assert_failure(). An unexpected assertion fails the
+ * test and prints its condition. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,6 +15,6 @@
 _Noreturn void core_panic(const char *condition, const char *file, int line)
 {
     mock_assert(0, condition, file, line);
-    abort(); /* mock_assert() leaves by longjmp or fails the test, so that control never returns to
-                this line. */
+    abort(); /* This line is never reached, because mock_assert() either returns to the test by
+                longjmp or fails the test. */
 }

@@ -1,7 +1,8 @@
-/* poi_stand.h -- test fixture of a poi with scripted motion and a tank of motionless fish.
+/* poi_stand.h -- test fixture of a poi (paper scoop) with a scripted motion in a tank of fish that
+ * do not swim.
  *
- * One tick runs the poi's part of the core's order (poi, then catch) on a tank that the test
- * fills. */
+ * One tick runs the same steps in the same order as the core: poi, bowl, contact solver, haptics
+ * and catch. The test puts the fish into the tank. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_POI_STAND_H
 #define KINGYO_TESTS_UNIT_SUPPORT_POI_STAND_H
 
@@ -31,15 +32,15 @@ struct stand {
     struct poi_target hand;
     struct poi_force force;
     int has_wrist;
-    int laden; /* 1 makes the poi tip as if a fish lay on it. */
+    int laden; /* 1 if the poi tips toward the bowl as if it carried a fish, otherwise 0. */
     uint32_t tick;
-    uint32_t landed, poured, walled; /* Fish in the bowl after the start, by cause. See
-                                        struct catch_result. */
+    uint32_t landed, poured, walled; /* Number of fish that came into the bowl since stand_init(),
+                                        by cause (struct catch_result). */
     float tension_max_n_m, tension_sum_n_m;
 };
 
-/* Initializes a tank of 0.9 x 0.55 m with 15 cm of water and no fish. The poi is 6 cm above the
- * middle. */
+/* Initializes a tank of 0.9 m x 0.55 m with 15 cm of water and no fish. The poi has the paper grade
+ * `grade` and is 6 cm above the middle of the tank. */
 static inline void stand_init(struct stand *stand, uint8_t grade, uint32_t seed)
 {
     memset(stand, 0, sizeof *stand);
@@ -52,7 +53,7 @@ static inline void stand_init(struct stand *stand, uint8_t grade, uint32_t seed)
     bowl_init(&stand->bowl, v3(0.30f, 0.02f, 0.15f));
 }
 
-/* Adds a fish at `position_m`. Returns its index. */
+/* Adds a fish of length `length_m` to the tank. Returns its index. */
 static inline uint32_t stand_fish(struct stand *stand, vec3 position_m, float length_m)
 {
     const uint32_t index = stand->tank.fish_count++;
@@ -63,8 +64,8 @@ static inline uint32_t stand_fish(struct stand *stand, vec3 position_m, float le
     return index;
 }
 
-/* Runs a tick of the contact solver only. Fish stay at rest unless the poi or another fish overlaps
- * them. */
+/* Runs one tick of the contact solver. A fish moves only if one of the two obstacles or another
+ * fish overlaps it. */
 static inline void stand_part(struct tank *tank, struct obstacle around_it[2])
 {
     struct broad_phase *broad_phase = &tank->broad_phase;
@@ -92,7 +93,7 @@ static inline void stand_part(struct tank *tank, struct obstacle around_it[2])
     reentry_tick(tank, around_it, 2);
 }
 
-/* Runs one tick of the poi, the contact solver, the bowl and the catch. */
+/* Runs one tick of the poi, the bowl, the contact solver, the haptics and the catch. */
 static inline void stand_tick(struct stand *stand)
 {
     struct poi *poi = &stand->poi;
@@ -119,7 +120,7 @@ static inline void stand_tick(struct stand *stand)
     stand->tension_sum_n_m += poi->strain.tension_max_n_m;
 }
 
-/* Runs ticks for `seconds` without moving the scripted pose. */
+/* Runs ticks for `seconds` with a constant target pose. */
 static inline void stand_wait(struct stand *stand, float seconds)
 {
     for (uint32_t i = 0; (float)i < seconds * (float)CORE_TICK_HZ; i++) {
@@ -127,7 +128,7 @@ static inline void stand_wait(struct stand *stand, float seconds)
     }
 }
 
-/* Moves the poi in a straight line to a place at a given speed. */
+/* Moves the target position in a straight line to `to_m` at `speed_m_s`. */
 static inline void stand_move(struct stand *stand, vec3 to_m, float speed_m_s)
 {
     const vec3 from = stand->hand.position_m;
@@ -139,7 +140,7 @@ static inline void stand_move(struct stand *stand, vec3 to_m, float speed_m_s)
     }
 }
 
-/* Turns the pose linearly to the given pitch and roll within `seconds`. */
+/* Turns the target linearly to the given pitch and roll within `seconds`. */
 static inline void stand_turn(struct stand *stand, float pitch_rad, float roll_rad, float seconds)
 {
     const struct angles from = stand->hand.angles;
@@ -152,7 +153,8 @@ static inline void stand_turn(struct stand *stand, float pitch_rad, float roll_r
     }
 }
 
-/* Dips the poi until it is 6 cm deep, completely wet, level and at rest. */
+/* Dips the poi until the poi is level, at rest and completely wet at a depth of 6 cm. Then resets
+ * the tension statistics. */
 static inline void stand_dip(struct stand *stand)
 {
     stand_turn(stand, 0.6f, 0.0f, 0.2f);
@@ -162,9 +164,9 @@ static inline void stand_dip(struct stand *stand)
     stand->tension_max_n_m = stand->tension_sum_n_m = 0.0f;
 }
 
-/* Sets up a level poi, 6 cm over the water, that has just lifted one struggling fish of 45 mm. The
- * fish lies `off_x_m` from the middle of the poi and its nose points to `yaw_rad`. Returns the
- * index of the fish. */
+/* Lifts one struggling fish of 45 mm out of the water with a new poi. The poi ends level, 6 cm
+ * above the water. The fish lies `off_x_m` to the right of the poi's middle with its nose at the
+ * yaw `yaw_rad`. Returns the index of the fish. */
 static inline uint32_t stand_lift(struct stand *stand, uint8_t grade, uint32_t seed, float off_x_m,
                                   float yaw_rad)
 {
@@ -172,13 +174,13 @@ static inline uint32_t stand_lift(struct stand *stand, uint8_t grade, uint32_t s
     stand_dip(stand);
     const uint32_t index = stand_fish(stand, v3(off_x_m, -0.045f, 0.005f), 0.045f);
     stand->tank.fish[index].angles.yaw_rad = yaw_rad;
-    stand->tank.fish[index].alarm = 1.0f; /* The fish is alarmed as after a chase. */
+    stand->tank.fish[index].alarm = 1.0f; /* The fish is fully alarmed, as after a chase. */
     stand_move(stand, v3(0.0f, 0.06f, 0.0f), 0.18f);
     return index;
 }
 
-/* Puts a fish on the paper at a given place. The fish is flat and has been at rest for a long
- * time. */
+/* Puts a new fish on the paper at (x_m, z_m) in the plane of the poi. The fish lies flat on its
+ * side and does not slap for 1000 s. Returns the carried fish. */
 static inline struct carried_fish *stand_lay(struct stand *stand, float length_m, float x_m,
                                              float z_m, float heading_rad)
 {
@@ -197,7 +199,7 @@ static inline struct carried_fish *stand_lay(struct stand *stand, float length_m
     return carried;
 }
 
-/* Removes the paper within `radius_m` of a point in the plane of the poi. */
+/* Turns the paper within `radius_m` of the point (x_m, z_m) in the plane of the poi into holes. */
 static inline void stand_punch(struct stand *stand, float x_m, float z_m, float radius_m)
 {
     struct sheet *sheet = &stand->poi.sheet;
@@ -211,7 +213,7 @@ static inline void stand_punch(struct stand *stand, float x_m, float z_m, float 
     }
 }
 
-/* Makes the paper a uniform, completely wet specimen, as the formulas assume. */
+/* Gives all paper the strength 1 and the given wetness, as the membrane formulas assume. */
 static inline void stand_plain_paper(struct sheet *sheet, float wetness)
 {
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {

@@ -1,4 +1,5 @@
-/* pointer.h -- a simulated pointer over the stall's window for tests of pointer control. */
+/* pointer.h -- a simulated pointer (mouse) over the window of the kiosk, for tests of pointer
+ * control. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_POINTER_H
 #define KINGYO_TESTS_UNIT_SUPPORT_POINTER_H
 
@@ -9,13 +10,13 @@
 #define WIDTH 1280u
 #define HEIGHT 720u
 
-/* Returns the view of the festival's tank. */
+/* Returns the camera view of the festival tank. */
 static inline const struct view *stall_view(void)
 {
     return &tank_preset(TANK_PRESET_FESTIVAL)->view;
 }
 
-/* Returns a pointer report at `ms` milliseconds. */
+/* Returns a pointer report with the time `ms` in milliseconds and a position in pixels. */
 static inline struct pointer_report report(uint64_t ms, float x_px, float y_px, uint32_t buttons)
 {
     return (struct pointer_report){
@@ -28,7 +29,7 @@ static inline struct pointer_report report(uint64_t ms, float x_px, float y_px, 
     };
 }
 
-/* Returns the point of the still water surface that a pixel shows. */
+/* Returns the point of the still water surface (y = 0) that is visible at a pixel. */
 static inline vec3 on_water(float x_px, float y_px)
 {
     return view_point_on_plane(stall_view(), (float)WIDTH / (float)HEIGHT,

@@ -1,4 +1,5 @@
-/* pond.h -- fish and perception of the stall for tests that need no complete tank. */
+/* pond.h -- single fish of the festival tank and their perception, for tests that need no complete
+ * tank. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_POND_H
 #define KINGYO_TESTS_UNIT_SUPPORT_POND_H
 
@@ -9,18 +10,18 @@
 
 #define POND_WATER_M 0.12f
 
-/* Sets the size members of a wakin of the given length. */
+/* Initializers of the length, height and width of a wakin (goldfish) with the length `size_m`. */
 #define WAKIN(size_m)                                                                              \
     .length_m = (size_m), .height_m = 0.36f * (size_m), .width_m = 0.20f * (size_m)
 
-/* Returns the behavior parameters of the pond's fish. */
+/* Returns the behavior parameters of the festival tank's fish. */
 static inline const struct behavior_params *pond_law(void)
 {
     return &tank_preset(TANK_PRESET_FESTIVAL)->params;
 }
 
-/* Returns the perception of a fish of the stall in one tick. The result is valid until the next
- * call. */
+/* Returns what a fish of the festival tank perceives in tick `tick`. The result is valid until the
+ * next call. */
 static inline const struct perception *pond_at(uint32_t seed, uint32_t tick)
 {
     static struct perception around;
@@ -35,8 +36,8 @@ static inline const struct perception *pond_at(uint32_t seed, uint32_t tick)
     return &around;
 }
 
-/* Returns a fish on a level course at mid depth that has just made a decision. A test changes
- * further members itself. */
+/* Returns a level fish at mid depth with the given length and gait. A test sets further members
+ * itself. */
 static inline struct fish pond_fish(float length_m, uint8_t gait)
 {
     return (struct fish){ WAKIN(length_m),

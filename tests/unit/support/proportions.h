@@ -1,10 +1,10 @@
-/* proportions.h -- known body proportions of the species, as numbers from the modelers' brief.
+/* proportions.h -- known body proportions of the species, for tests of the modelled fish.
  *
- * Lengths are fractions of standard length (snout to tail root), of fork length for the tuna, of
- * total length for the conger and of disc width for the ray. Numbers with a source are those of the
- * goldfish (eye, peduncle, places of the fins) and the lengths of the stages. All other numbers are
- * general knowledge of these fish, so that an adult may differ by 15 % and a larva or young fish by
- * 25 %. */
+ * Lengths are fractions of the standard length (snout to tail root). Exceptions are the tuna (fork
+ * length), the conger (total length) and the ray (disc width). The lengths of the stages and three
+ * proportions of the goldfish (eye, tail root, places of the fins) have a source. All other numbers
+ * are general knowledge of these fish, so that an adult may differ by 15 %, and a larva or young
+ * fish by 25 %. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_PROPORTIONS_H
 #define KINGYO_TESTS_UNIT_SUPPORT_PROPORTIONS_H
 
@@ -12,11 +12,12 @@
 #define ADULT 0.15f
 #define YOUNG 0.25f
 
-/* depth_at: place of the greatest body depth. waist: depth half way along the tail of a hatchling.
- * A fin has its base from start to end, and its height is the longest ray. fork: depth of the notch
- * as a fraction of the tail. turn_deg: angle by which the right eye has moved over the back. For
- * the ray: distance of the eye from the midline, lengths of disc and whip, place of the sting on
- * the whip, and angle at the snout. */
+/* Names of all proportions. depth_at is the place of the greatest body depth. waist is the depth of
+ * a hatchling half way along its tail. The base of a fin reaches from start to end, and the height
+ * of a fin is the length of its longest ray. fork is the depth of the tail's notch as a fraction of
+ * the tail. turn_deg is the angle by which the right eye has moved over the back. Five proportions
+ * belong to the ray only: eye_out is the distance of the eye from the midline, disc and whip are
+ * lengths, sting is the place of the sting on the whip, and snout_deg is the angle at the snout. */
 #define FIELDS(X)                                                                                  \
     X(depth) X(depth_at) X(width) X(head) X(eye) X(eye_x) X(eye_y) X(stalk) X(waist)               \
     X(dorsal_start) X(dorsal_end) X(dorsal_height)                                                 \
@@ -38,8 +39,8 @@ static const char *const field_names[FIELD_COUNT] = {
 #undef NAME
 };
 
-/* Known proportions of one key of a species. A value of 0 means that the proportion is not
- * known. */
+/* Known proportions of one key shape (growth stage) of a species. A value of 0 means that the
+ * proportion is unknown. */
 struct known {
     const char *species, *key;
     float tolerance;

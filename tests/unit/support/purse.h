@@ -1,28 +1,30 @@
-/* purse.h -- queries of the credits, refunds and ledger entries of a stall under test. */
+/* purse.h -- functions that read credits, audit counters and ledger entries of a core under test.
+ *
+ * The ledger is the append-only list of money events. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_PURSE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_PURSE_H
 
 #include "core/core.h"
 
-/* Returns the number of paid credits and service credits together. */
+/* Returns the sum of paid credits and service credits. */
 static inline uint32_t purse_credits(const struct core *core)
 {
     return core->game.ledger.balance.paid + core->game.ledger.balance.service;
 }
 
-/* Returns an audit counter. */
+/* Returns the value of the audit counter `id`. */
 static inline uint32_t purse_audit(const struct core *core, enum audit_id id)
 {
     return core->game.audits.count[id];
 }
 
-/* Returns the ledger entry `id`, which must be one of the newest LEDGER_RING entries. */
+/* Returns the ledger entry with the id `id`. The id must be one of the newest LEDGER_RING ids. */
 static inline const struct ledger_entry *purse_entry(const struct output *out, uint32_t id)
 {
     return &out->entries[id % LEDGER_RING];
 }
 
-/* Returns the number of entries of this kind among the newest LEDGER_RING entries. */
+/* Returns the number of entries of the kind `kind` among the newest LEDGER_RING ledger entries. */
 static inline uint32_t purse_count(const struct output *out, enum ledger_kind kind)
 {
     uint32_t count = 0;
@@ -32,7 +34,8 @@ static inline uint32_t purse_count(const struct output *out, enum ledger_kind ki
     return count;
 }
 
-/* Returns 1 if the newest round record is equal to the stored entry with its id. */
+/* Returns 1 if the newest round record in `out` equals the ledger entry with its id, otherwise
+ * 0. */
 static inline int purse_keeps_record(const struct output *out)
 {
     const struct round_record *record = &out->record;

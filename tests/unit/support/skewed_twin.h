@@ -1,5 +1,7 @@
-/* skewed_twin.h -- a simulated poi whose sensors use a rotated and shifted coordinate frame of the
- * tank. */
+/* skewed_twin.h -- a simulated poi controller whose sensors use a different coordinate frame than
+ * the tank.
+ *
+ * The frame of the sensors is rotated and shifted. Tests of the calibration use the controller. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_SKEWED_TWIN_H
 #define KINGYO_TESTS_UNIT_SUPPORT_SKEWED_TWIN_H
 
@@ -7,21 +9,21 @@
 
 #include "core/game/control/calibration.h"
 
-/* Transform from true positions and angles to the sensors' coordinate frame. */
+/* Transform from true positions and angles to the coordinate frame of the sensors. */
 struct twin {
     float xx, xz, zx, zz;
     vec3 shift_m;
     float pitch_rad, roll_rad;
 };
 
-/* Returns the position that the sensors measure at `at_m`. */
+/* Returns the position that the sensors report for the true position `at_m`. */
 static inline vec3 seen_point(const struct twin *twin, vec3 at_m)
 {
     return v3(twin->xx * at_m.x + twin->xz * at_m.z + twin->shift_m.x, at_m.y + twin->shift_m.y,
               twin->zx * at_m.x + twin->zz * at_m.z + twin->shift_m.z);
 }
 
-/* Returns the pose that the sensors measure for the true pose `at`. */
+/* Returns the pose that the sensors report for the true pose `at`. */
 static inline struct poi_target seen(const struct twin *twin, struct poi_target at)
 {
     const float x = -f_sin(at.angles.yaw_rad), z = -f_cos(at.angles.yaw_rad);
@@ -32,7 +34,7 @@ static inline struct poi_target seen(const struct twin *twin, struct poi_target 
     };
 }
 
-/* Writes calibration values and their check value into the settings of a player. */
+/* Writes calibration values and their check value into the settings of one player. */
 static inline void set_values(struct settings *settings, uint32_t seat, const int32_t *value)
 {
     memcpy(&settings->value[calibration_setting(seat)], value, CALIBRATION_VALUES * sizeof *value);

@@ -1,4 +1,5 @@
-/* species_text.h -- a small complete species as text, and the error messages of its reader. */
+/* species_text.h -- the text of a small complete species, and helpers to test the error messages of
+ * its reader. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_SPECIES_TEXT_H
 #define KINGYO_TESTS_UNIT_SUPPORT_SPECIES_TEXT_H
 
@@ -32,8 +33,8 @@ static struct species_text species;
 #define KEYS "key a 10\n" KEY_BODY "key b 20\n" KEY_BODY "key c 40\n" KEY_BODY
 #define KNOTS "knot 0 1 0 0\nknot .5 .15 .7 .15\nknot 1 0 0 1\n"
 
-/* Returns the reader's error message for `text`, or an empty string if the reader accepts the
- * text. */
+/* Returns the error message of the reader for `text`, or an empty string if the reader accepts
+ * `text`. */
 static inline const char *complaint_of(const char *text)
 {
     static char complaint[256];
@@ -47,13 +48,13 @@ static inline const char *complaint_of(const char *text)
     return complaint;
 }
 
-/* Checks that the reader refuses `text` with one line that contains `complaint`. */
+/* Checks that the reader refuses `text` with a single line that contains `complaint`. */
 static inline void assert_refused(const char *text, const char *complaint)
 {
     const char *answer = complaint_of(text);
     assert_non_null(strstr(answer, complaint));
-    assert_ptr_equal(strchr(answer, '\n'), answer + strlen(answer) - 1); /* The message has exactly
-                                                                            one line. */
+    assert_ptr_equal(strchr(answer, '\n'), answer + strlen(answer) - 1); /* Checks that the message
+                                                                            has exactly one line. */
 }
 
 #endif

@@ -1,4 +1,5 @@
-/* stall_stand.h -- test fixture of a whole stall that is played only by inputs, as in the kiosk. */
+/* stall_stand.h -- test fixture of the whole core, which the test plays through inputs only, as in
+ * the kiosk. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_STALL_STAND_H
 #define KINGYO_TESTS_UNIT_SUPPORT_STALL_STAND_H
 
@@ -19,10 +20,10 @@ static struct core core;
 static struct input input;
 static struct output output;
 static struct scene scene;
-static uint32_t sounds[SOUND_COUNT]; /* Number of sounds of each kind after the stall was opened or
-                                        the counts were cleared. */
+static uint32_t sounds[SOUND_COUNT]; /* Number of sounds of each kind since open_stall(). A test may
+                                        clear the counts. */
 
-/* Initializes the core with `config` and resets the input, the output and the sound counts. */
+/* Initializes the core with `config`, and resets input, output and sound counts. */
 static inline void open_stall(const struct core_config *config)
 {
     assert_int_equal(core_init(&core, config), CORE_OK);
@@ -31,7 +32,7 @@ static inline void open_stall(const struct core_config *config)
     memset(sounds, 0, sizeof sounds);
 }
 
-/* Runs one tick of the core. Buttons are pressed for one tick only. */
+/* Runs one tick (1/120 s) of the core. A pressed button lasts one tick. */
 static inline void tick(void)
 {
     output.sound_count = 0;
@@ -42,7 +43,7 @@ static inline void tick(void)
     }
 }
 
-/* Runs `count` ticks. */
+/* Runs `count` ticks of the core. */
 static inline void ticks(uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -50,14 +51,15 @@ static inline void ticks(uint32_t count)
     }
 }
 
-/* Presses `buttons` for one tick. */
+/* Runs one tick with `buttons` pressed. */
 static inline void press(uint32_t buttons)
 {
     input.pressed = buttons;
     tick();
 }
 
-/* Holds the poi of player `index` at `at_m`, level and with an orientation, until the next call. */
+/* Sets the input of player `index` to a level poi at `at_m`, until the next call for the player.
+ * The simulated controller reports angles too. */
 static inline void hold(uint32_t index, vec3 at_m)
 {
     input.poi[index] = (struct poi_input){
@@ -67,7 +69,8 @@ static inline void hold(uint32_t index, vec3 at_m)
     };
 }
 
-/* Moves the poi of player `index` straight to `to_m` at 0.5 m/s, the speed of an unhurried arm. */
+/* Moves the poi of player `index` in a straight line to `to_m` at 0.5 m/s, the speed of an
+ * unhurried arm. */
 static inline void lead(uint32_t index, vec3 to_m)
 {
     const vec3 way_m = v3_sub(to_m, input.poi[index].target.position_m);
@@ -79,8 +82,8 @@ static inline void lead(uint32_t index, vec3 to_m)
     }
 }
 
-/* Brings a poi over the given place, keeps it visible there for half a second, and dips it straight
- * down. */
+/* Dips the poi of player `index` straight down at (x_m, z_m), after it was visible above that place
+ * for half a second. */
 static inline void dip(uint32_t index, float x_m, float z_m)
 {
     hold(index, v3(x_m, STAND_ABOVE_M, z_m));
@@ -95,7 +98,7 @@ static inline const struct scene *look(void)
     return &scene;
 }
 
-/* Runs ticks until `phase`. Fails the test if `ticks_max` ticks are not enough. */
+/* Runs ticks until the game is in `phase`. Fails the test if `ticks_max` ticks are not enough. */
 static inline void wait_for_phase(uint8_t phase, uint32_t ticks_max)
 {
     for (uint32_t i = 0; core.game.phase != phase && i < ticks_max; i++) {
@@ -104,7 +107,7 @@ static inline void wait_for_phase(uint8_t phase, uint32_t ticks_max)
     assert_int_equal(core.game.phase, phase);
 }
 
-/* Removes all paper of a poi. */
+/* Turns all paper of poi `index` into holes. */
 static inline void tear_all(uint32_t index)
 {
     struct sheet *sheet = &core.poi[index].sheet;

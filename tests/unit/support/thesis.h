@@ -1,4 +1,4 @@
-/* thesis.h -- the tank of the 2013 thesis for separate tests of its rules. */
+/* thesis.h -- the tank of the 2013 thesis, for tests of single rules of its fish behavior. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_THESIS_H
 #define KINGYO_TESTS_UNIT_SUPPORT_THESIS_H
 
@@ -7,13 +7,14 @@
 #include "core/input.h"
 #include "core/tank/tank.h"
 
-/* Returns the behavior parameters of the thesis' tank. */
+/* Returns the behavior parameters of the thesis tank. */
 static inline const struct behavior_params *thesis_law(void)
 {
     return &tank_preset(TANK_PRESET_THESIS)->params;
 }
 
-/* Returns the perception of a fish in that tank. The result is valid until the next call. */
+/* Returns what a fish of the thesis tank perceives in tick `tick`. The result is valid until the
+ * next call. */
 static inline const struct perception *thesis_at(uint32_t seed, uint32_t tick)
 {
     static struct perception around;
@@ -27,7 +28,8 @@ static inline const struct perception *thesis_at(uint32_t seed, uint32_t tick)
     return &around;
 }
 
-/* Returns a tank with only the given fish. The result is valid until the next call. */
+/* Returns a thesis tank that contains only the `count` fish in `stages`. The result is valid until
+ * the next call. */
 static inline struct tank *thesis_stage(const struct tank_stage *stages, uint32_t count,
                                         uint32_t seed)
 {
@@ -37,19 +39,19 @@ static inline struct tank *thesis_stage(const struct tank_stage *stages, uint32_
     return &tank;
 }
 
-/* Critical value of the Kolmogorov-Smirnov test. A uniform sample of n values exceeds 1.63 /
- * sqrt(n) with a probability of 1 %. */
+/* Critical value of the Kolmogorov-Smirnov test for a sample of n values. The misfit of a uniform
+ * sample exceeds 1.63 / sqrt(n) with a probability of 1 %. */
 #define UNIFORM_MISFIT_MAX(n) (1.63f / f_sqrt((float)(n)))
 
-/* Compares two floats for qsort(). */
+/* Compares two floats for qsort() in ascending order. */
 static inline int thesis_by_value(const void *a, const void *b)
 {
     const float x = *(const float *)a, y = *(const float *)b;
     return (x > y) - (x < y);
 }
 
-/* Returns the greatest distance between the distribution of the sample and the uniform distribution
- * in [low, high]. Sorts the sample. */
+/* Returns the Kolmogorov-Smirnov misfit: the greatest distance between the distribution of the
+ * sample and the uniform distribution in [low, high]. Sorts the sample. */
 static inline float uniform_misfit(float *sample, uint32_t count, float low, float high)
 {
     float worst = 0.0f;

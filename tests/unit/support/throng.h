@@ -1,4 +1,4 @@
-/* throng.h -- a crowd of randomly placed fish in the tank of the thesis, for tests of the neighbour
+/* throng.h -- many randomly placed fish in the tank of the thesis, for tests of the neighbour
  * search. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_THRONG_H
 #define KINGYO_TESTS_UNIT_SUPPORT_THRONG_H
@@ -11,7 +11,7 @@ static struct broad_phase broad_phase;
 static struct fish fish[768];
 static const vec3 tank_m = { 1.36f, 0.20f, 0.65f };
 
-/* Updates the broad phase for all fish at `tick`. */
+/* Updates the broad phase of the neighbour search for all fish at `tick`. */
 static inline void look(uint32_t tick)
 {
     struct perception around = *pond_at(1, tick);
@@ -25,7 +25,8 @@ static inline float draw(uint32_t who, uint32_t purpose, float low, float high)
     return rng_range((struct rng_key){ 21, 0, who, purpose }, low, high);
 }
 
-/* Places `count` fish at random. `pitch_max` is in rad and `length_max` in m. */
+/* Places the first `count` fish at random. `pitch_max` is the largest pitch in rad, and
+ * `length_max` is the largest length in m. */
 static inline void fill_at_random(uint32_t count, float pitch_max, float length_max)
 {
     for (uint32_t i = 0; i < count; i++) {

@@ -1,4 +1,4 @@
-/* usb_kinds.h -- simulated USB devices, and a frame loop that reads them, for the USB tests. */
+/* usb_kinds.h -- simulated USB devices, and a test bench that runs the USB thread with them. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_USB_KINDS_H
 #define KINGYO_TESTS_UNIT_SUPPORT_USB_KINDS_H
 
@@ -16,7 +16,7 @@
 #include "platform/os/clock.h"
 #include "tests/unit/support/usb_stand.h"
 
-/* Boot keyboard of HID 1.11, appendix E.6. */
+/* Report descriptor of the boot keyboard in HID 1.11, appendix E.6. */
 static const uint8_t keyboard_descriptor[] = {
     0x05, 0x01, 0x09, 0x06, 0xa1, 0x01, 0x05, 0x07, 0x19, 0xe0, 0x29, 0xe7, 0x15, 0x00, 0x25, 0x01,
     0x75, 0x01, 0x95, 0x08, 0x81, 0x02, 0x95, 0x01, 0x75, 0x08, 0x81, 0x01, 0x95, 0x05, 0x75, 0x01,
@@ -24,14 +24,16 @@ static const uint8_t keyboard_descriptor[] = {
     0x75, 0x08, 0x15, 0x00, 0x25, 0x65, 0x05, 0x07, 0x19, 0x00, 0x29, 0x65, 0x81, 0x00, 0xc0,
 };
 
-/* A joystick with two axes of a byte each and eight buttons, without report ids. */
+/* Report descriptor of a joystick with eight buttons and two axes of one byte each, without report
+ * ids. */
 static const uint8_t joystick_descriptor[] = {
     0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25,
     0x7f, 0x75, 0x08, 0x95, 0x02, 0x81, 0x02, 0x05, 0x09, 0x19, 0x01, 0x29, 0x08,
     0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x08, 0x81, 0x02, 0xc0,
 };
 
-/* Eight vendor-defined bytes, as in the first interface of tablets and receivers. */
+/* Report descriptor of eight vendor-defined bytes, as in the first interface of tablets and
+ * wireless receivers. */
 static const uint8_t vendor_descriptor[] = {
     0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x09, 0x01, 0x15, 0x00,
     0x26, 0xff, 0x00, 0x75, 0x08, 0x95, 0x08, 0x81, 0x02, 0xc0,
@@ -69,7 +71,7 @@ static const uint8_t vendor_descriptor[] = {
         .descriptor_size = sizeof joystick_descriptor,                                             \
     }
 
-/* A Kingyo poi that another maker built with an id of its own. */
+/* Kingyo poi controller that another maker built with its own USB vendor id. */
 static const struct stand_kind own_poi = {
     .vendor = 0xcafe,
     .product = 0x0b01,
@@ -89,12 +91,12 @@ static const struct stand_kind second_poi = {
     .interface = { OWN_INTERFACE },
 };
 static const struct stand_kind plain_poi = {
-    /* A poi without a serial number. */
+    /* Kingyo poi controller without a serial number. */
     .vendor = 0xcafe, .product = 0x0b01,    .name = "Poi",
     .is_bound = 1,    .interface_count = 1, .interface = { OWN_INTERFACE },
 };
 static const struct stand_kind bench_poi = {
-    /* A poi that no kernel driver has bound. */
+    /* Kingyo poi controller that no kernel driver has bound. */
     .vendor = 0x1209,
     .product = 0x0001,
     .name = "Bench poi",
@@ -119,17 +121,17 @@ static const struct stand_kind keyboard = {
     .interface = { KEYBOARD_INTERFACE },
 };
 
-/* Folders of one test, and the USB thread that uses them. */
+/* Test bench: the temporary folders of one test, and the USB thread that uses the folders. */
 struct usb_bench {
     char folder[64], sysfs[96], choices[96];
     struct usb_seats *seats;
     char why[HAL_TEXT_SIZE];
-    pthread_mutex_t lock; /* Lock of the members below, which the USB thread writes. */
+    pthread_mutex_t lock; /* Lock of the members that follow, which the USB thread writes. */
     uint32_t told_count;
     char told[HAL_TEXT_SIZE];
 };
 
-/* Callback of the USB thread for a reported line. Takes the lock. */
+/* Callback with which the USB thread reports the text `line`. Takes the lock. */
 static inline void bench_tell(void *self, const char *line)
 {
     struct usb_bench *bench = self;
@@ -139,7 +141,8 @@ static inline void bench_tell(void *self, const char *line)
     pthread_mutex_unlock(&bench->lock);
 }
 
-/* Returns the number of lines that were reported, and copies the newest one. */
+/* Returns the number of lines that the USB thread has reported. Copies the newest line to
+ * `line`. */
 static inline uint32_t bench_told(struct usb_bench *bench, char line[HAL_TEXT_SIZE])
 {
     pthread_mutex_lock(&bench->lock);
@@ -149,7 +152,7 @@ static inline uint32_t bench_told(struct usb_bench *bench, char line[HAL_TEXT_SI
     return count;
 }
 
-/* Creates the folders and an empty bus. */
+/* Creates the temporary folders and an empty bus. */
 static inline void bench_prepare(struct usb_bench *bench)
 {
     pthread_mutex_init(&bench->lock, NULL);
@@ -163,7 +166,8 @@ static inline void bench_prepare(struct usb_bench *bench)
     stand_begin(bench->sysfs);
 }
 
-/* Starts the USB thread with the given clock and the listed devices. */
+/* Starts the USB thread with the given clock. `listed` are the devices that may play.
+ */
 static inline void bench_start_with(struct usb_bench *bench, struct hal_clock clock,
                                     const struct usb_key *listed, uint32_t listed_count)
 {
@@ -179,15 +183,15 @@ static inline void bench_start_with(struct usb_bench *bench, struct hal_clock cl
     bench->seats = usb_transport_start(&config, bench->why);
 }
 
-/* Starts the USB thread with the real clock and the listed devices. */
+/* Starts the USB thread with the real clock. `listed` are the devices that may play. */
 static inline void bench_start(struct usb_bench *bench, const struct usb_key *listed,
                                uint32_t listed_count)
 {
     bench_start_with(bench, clock_device(), listed, listed_count);
 }
 
-/* Ends the thread and removes the folder. Returns the number of resources that were not released,
- * plus 1 if the folder could not be removed. */
+/* Ends the USB thread and removes the temporary folders. Returns the number of resources that were
+ * not released, plus 1 if the folders could not be removed. */
 static inline uint32_t bench_end(struct usb_bench *bench)
 {
     char command[128];
@@ -208,7 +212,8 @@ static inline struct hid_row bench_row(struct usb_bench *bench, uint32_t index)
 
 #define BENCH_WAIT_MS 5000u
 
-/* Waits until row `index` has the given state. Returns 0 on timeout. */
+/* Waits until row `index` of the device list has the state `state`. Returns 0 on timeout, otherwise
+ * 1. */
 static inline int bench_until(struct usb_bench *bench, uint32_t index, uint8_t state)
 {
     for (uint32_t i = 0; i < BENCH_WAIT_MS * 5u; i++) {
@@ -220,7 +225,8 @@ static inline int bench_until(struct usb_bench *bench, uint32_t index, uint8_t s
     return 0;
 }
 
-/* Waits until slot `index` has a device. Returns 0 on timeout. */
+/* Waits until slot `index` has a device, and copies its description to `face`. Returns 0 on
+ * timeout, otherwise 1. */
 static inline int bench_open(struct usb_bench *bench, uint32_t index, struct hid_device_info *face)
 {
     const struct hid_port port = usb_transport_port(bench->seats, index);
@@ -233,7 +239,7 @@ static inline int bench_open(struct usb_bench *bench, uint32_t index, struct hid
     return 0;
 }
 
-/* Waits for the next result of take() that is not 0. Returns that result, or 0 on timeout. */
+/* Waits until take() returns a result other than 0. Returns the result, or 0 on timeout. */
 static inline int bench_take(struct usb_bench *bench, uint32_t index, struct hid_raw *raw)
 {
     const struct hid_port port = usb_transport_port(bench->seats, index);
@@ -247,14 +253,14 @@ static inline int bench_take(struct usb_bench *bench, uint32_t index, struct hid
     return 0;
 }
 
-/* Sends a report that contains its number. */
+/* Sends a report that contains the number `number`. */
 static inline void bench_say(uint32_t device, uint32_t number)
 {
     uint8_t bytes[POI_REPORT_SIZE] = { POI_REPORT_ID, (uint8_t)number, (uint8_t)(number >> 8) };
     stand_report(device, bytes, sizeof bytes);
 }
 
-/* Returns the number in a report of bench_say(). */
+/* Returns the number in a report that bench_say() sent. */
 static inline uint32_t bench_number(const struct hid_raw *raw)
 {
     return (uint32_t)raw->bytes[1] | (uint32_t)raw->bytes[2] << 8;

@@ -39,7 +39,8 @@ void bus_unlock(void)
     pthread_mutex_unlock(&bus.lock);
 }
 
-/* Counts a call of libusb from any thread. The caller holds the lock. */
+/* Counts a call of libusb, which counts as a breach if another thread than the drivers' thread
+ * makes it. The caller holds the lock of the bus. */
 void bus_note_call(const char *name)
 {
     bus.calls++;
@@ -48,7 +49,8 @@ void bus_note_call(const char *name)
     }
 }
 
-/* Counts a call that communicates with a device and therefore blocks. The caller holds the lock. */
+/* Counts a libusb call that communicates with a device and therefore blocks. A call from within a
+ * callback is a breach. The caller holds the lock of the bus. */
 void bus_note_talk(const char *name)
 {
     bus_note_call(name);
@@ -79,7 +81,7 @@ static void wake_handles(const struct libusb_device *device)
     }
 }
 
-/* ---- /sys ----------------------------------------------------------------------------------- */
+/* ---- Device files in /sys -------------------------------------------------------------------- */
 
 static void write_file(const char *path, const void *bytes, size_t size)
 {
@@ -168,9 +170,9 @@ static void hide_device(const struct libusb_device *device)
     rmdir(path);
 }
 
-/* ---- The wire ------------------------------------------------------------------------------- */
+/* ---- Transfers of the simulated devices ------------------------------------------------------ */
 
-/* Completes the transfer immediately or after `delay_ms`. The caller holds the lock. */
+/* Completes a transfer immediately or after `delay_ms`. The caller holds the lock of the bus. */
 void bus_finish(struct libusb_transfer *transfer, int status, int actual, uint32_t delay_ms)
 {
     transfer->status = (enum libusb_transfer_status)status;
@@ -214,7 +216,8 @@ static int oldest_in(const struct libusb_device *device)
     return -1;
 }
 
-/* Assigns queued reports to pending transfers. The caller holds the lock. */
+/* Assigns the queued reports of a device to its pending transfers. The caller holds the lock of the
+ * bus. */
 void bus_run_wire(struct libusb_device *device)
 {
     int index;
@@ -310,7 +313,8 @@ uint32_t stand_end(void)
         left += bus.handles[i] != NULL;
     }
     for (uint32_t i = 0; i < bus.device_count; i++) {
-        left += bus.devices[i]->references - 1u; /* One reference belongs to the bus itself. */
+        left += bus.devices[i]->references - 1u; /* The bus itself holds one reference to each
+                                                    device. */
         if (bus.devices[i]->attached) {
             hide_device(bus.devices[i]);
         }

@@ -1,112 +1,122 @@
-/* usb_stand.h -- a simulated USB bus. It replaces the part of libusb that the drivers call.
+/* usb_stand.h -- a simulated USB bus, which replaces the part of libusb that the drivers call.
  *
- * A test plugs devices in and out while the drivers' thread runs. The bus behaves as libusb 1.0.26
- * on Linux. It also checks its caller: a forbidden call is counted as a breach and printed on
- * standard error. */
+ * A test plugs devices in and out while the drivers' thread runs. The bus behaves like libusb
+ * 1.0.26 on Linux. The bus also checks the drivers: each forbidden call is counted as a breach and
+ * printed on standard error. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_USB_STAND_H
 #define KINGYO_TESTS_UNIT_SUPPORT_USB_STAND_H
 
 #include <stdint.h>
 
-/* Largest number of devices in one test. A stress test plugs in many devices. */
+/* Largest number of devices in one test, which a stress test needs. */
 #define STAND_DEVICE_MAX 4096u
 #define STAND_INTERFACE_MAX 4u
-#define STAND_WIRE_MAX 4096u /* Largest number of reports that wait for a transfer. */
+#define STAND_WIRE_MAX 4096u /* Largest number of reports of a device that wait for a transfer. */
 
-/* Descriptors of an interface of a device kind. */
+/* Descriptors of one interface of a simulated device. */
 struct stand_interface {
     uint8_t class, subclass, protocol;
-    uint16_t packet_size; /* Packet size of the interrupt endpoint; 0 means that no such endpoint
-                             exists. */
+    uint16_t packet_size; /* Packet size of the interrupt IN endpoint; 0 means that the interface
+                             has no such endpoint. */
     uint8_t has_out;
-    const uint8_t *descriptor; /* Report descriptor. */
+    const uint8_t *descriptor; /* Report descriptor that the device returns. */
     uint32_t descriptor_size;
-    const uint8_t *mended; /* Report descriptor in /sys if it differs from `descriptor`; null
-                              means the same. */
+    const uint8_t *mended; /* Report descriptor in /sys, if it differs from `descriptor`. Null means
+                              that both are equal. */
     uint32_t mended_size;
 };
 
 struct stand_kind {
     uint16_t vendor, product;
-    const char *name, *serial; /* Name and serial number of the device; null means none. */
-    uint8_t is_bound;          /* 1 if a HID driver of the kernel has bound the interface, so that
-                                  /sys has its descriptor. */
+    const char *name, *serial; /* Name and serial number of the device; null means that the device
+                                  has none. */
+    uint8_t is_bound;          /* 1 if a HID driver of the kernel has bound the interfaces, so that
+                                  /sys has their report descriptors; otherwise 0. */
     uint32_t interface_count;
     struct stand_interface interface[STAND_INTERFACE_MAX];
 };
 
-/* Order of the events after a cable was unplugged. */
+/* Order of the events after a device was unplugged. */
 enum stand_parting {
-    STAND_GONE = 0, /* Every transfer returns NO_DEVICE, and the hot-plug event follows. */
-    STAND_IO_FIRST, /* One transfer returns ERROR, and the others return NO_DEVICE. */
-    STAND_LATE,     /* As STAND_GONE, but the hot-plug event waits for stand_announce(). */
-    STAND_QUIET,    /* The hot-plug event comes first, and transfers return only when they are
-                       cancelled. */
+    STAND_GONE = 0, /* Every pending transfer returns NO_DEVICE, and the hot-plug event follows. */
+    STAND_IO_FIRST, /* One pending transfer returns ERROR, the others return NO_DEVICE, and the
+                       hot-plug event follows. */
+    STAND_LATE,     /* Every pending transfer returns NO_DEVICE, and the hot-plug event waits for
+                       stand_announce(). */
+    STAND_QUIET,    /* The hot-plug event comes first, and pending transfers return only when they
+                       are cancelled. */
 };
 
-/* Starts with an empty bus and no faults. `sysfs` is a folder of the test, or null. */
+/* Initializes the bus without devices and faults. `sysfs` is the path of a folder for the simulated
+ * /sys, or null for no /sys. */
 void stand_begin(const char *sysfs);
 
-/* Returns 0 if all handles, devices, transfers and lists were released, or the number of resources
- * that were not. */
+/* Ends a test. Returns the number of handles, devices, transfers and lists that the drivers did not
+ * release; 0 means none. */
 uint32_t stand_end(void);
 
-/* Plugs in a device at bus 3 and the given port. Port 1 has the name "3-1". Returns the index of
- * the device from 0. */
+/* Plugs a device into port `port` of bus 3. Port 1 has the name "3-1". Returns the index of the
+ * device, counted from 0. */
 uint32_t stand_plug(const struct stand_kind *kind, uint8_t port);
 /* Unplugs a device. `how` selects the order of the events. */
 void stand_unplug(uint32_t device, enum stand_parting how);
-/* Sends the hot-plug event of a device that left with STAND_LATE. */
+/* Sends the hot-plug event of a device that was unplugged with STAND_LATE. */
 void stand_announce(uint32_t device);
 
-/* Puts one report on the wire, or a short packet of length 0. */
+/* Queues one report of a device. A size of 0 sends a short packet. */
 void stand_report(uint32_t device, const uint8_t *bytes, uint32_t size);
 
-/* Makes the next completed transfer return this libusb_transfer_status. */
+/* Makes the next completed transfer of a device return `status`, an enum libusb_transfer_status. */
 void stand_fail(uint32_t device, int status);
 
-/* Returns the number of reports that no transfer has taken yet. */
+/* Returns the number of queued reports that no transfer has taken yet. */
 uint32_t stand_waiting(uint32_t device);
 
-/* Counts of the calls that a device received. */
+/* Number of calls that a device has received, by kind, and the newest output report. */
 struct stand_seen {
     uint32_t opens, closes, claims, releases;
-    uint32_t claimed_interfaces; /* All interfaces that were ever claimed, one bit each. */
+    uint32_t claimed_interfaces; /* Interfaces that were ever claimed; bit i belongs to interface
+                                    i. */
     uint32_t in_flight, in_flight_max;
     uint32_t clear_halts, set_idles, set_protocols, descriptor_reads;
     uint32_t outs, set_reports; /* Number of output reports that arrived by interrupt transfers
-                                   (`outs`) and by SET_REPORT (`set_reports`). */
+                                   (`outs`) and by SET_REPORT requests (`set_reports`). */
     uint32_t out_size;
-    uint8_t out[64];           /* Bytes of the newest output report, without the setup packet of
-                                  the control pipe. */
-    uint16_t set_report_value; /* wValue of the newest SET_REPORT: report type and id. */
+    uint8_t out[64];           /* Bytes of the newest output report, without the setup packet of a
+                                  control transfer. */
+    uint16_t set_report_value; /* Field wValue of the newest SET_REPORT request: report type and
+                                  report id. */
 };
-/* Returns the counts of a device. */
+/* Returns the number of calls that a device has received. */
 struct stand_seen stand_seen(uint32_t device);
 
-/* Faults that apply to every device. */
+/* Faults that apply to all devices on the bus. */
 struct stand_faults {
-    int open_error, claim_error; /* Errors of open and claim, an enum libusb_error each; 0 means
-                                    none. */
+    int open_error, claim_error; /* Errors that libusb_open() and libusb_claim_interface() return
+                                    (enum libusb_error); 0 means no error. */
     uint32_t close_ms;           /* Duration of libusb_close(). */
-    uint32_t cancel_ms;          /* Delay of a cancelled transfer. */
-    uint8_t stalls_requests;     /* 1 makes the device stall SET_IDLE and SET_PROTOCOL. */
-    uint8_t hold_outs;           /* 1 keeps output reports on the host until it is 0 again. */
+    uint32_t cancel_ms;          /* Delay until a cancelled transfer completes. */
+    uint8_t stalls_requests;     /* 1 if devices stall the requests SET_IDLE and SET_PROTOCOL,
+                                    otherwise 0. */
+    uint8_t hold_outs;           /* 1 if output reports stay on the host until the fault is cleared,
+                                    otherwise 0. */
     uint8_t lets_outs_time_out;
-    uint8_t is_unconfigured;  /* 1 means that the kernel has not chosen a configuration yet. */
-    uint8_t hides_descriptor; /* 1 makes GET_DESCRIPTOR of the report descriptor fail. */
+    uint8_t is_unconfigured;  /* 1 if the kernel has not chosen a configuration yet, otherwise 0. */
+    uint8_t hides_descriptor; /* 1 if the request GET_DESCRIPTOR of the report descriptor fails,
+                                 otherwise 0. */
     int init_error;
     uint8_t no_hotplug;
 };
-/* Replaces the faults of the bus. */
+/* Replaces the faults of the bus by `faults`. */
 void stand_set_faults(const struct stand_faults *faults);
 
-/* Returns the number of breaches after stand_begin(). Breaches are: communication with a device
- * from within a callback, close of a device with a pending transfer, use of a closed object, and a
- * call from a thread other than the drivers' thread. */
+/* Returns the number of breaches since stand_begin(). A breach is communication with a device from
+ * within a callback, the close of a device with a pending transfer, the use of a closed object, or
+ * a call from a thread other than the drivers' thread. */
 uint32_t stand_breaches(void);
 
-/* Returns the number of libusb calls so far except those that initialize and shut down. */
+/* Returns the number of libusb calls since stand_begin(), without the calls that initialize libusb
+ * and shut it down. */
 uint32_t stand_calls(void);
 
 #endif

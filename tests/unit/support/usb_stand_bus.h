@@ -1,5 +1,5 @@
-/* usb_stand_bus.h -- internal declarations of the simulated bus of usb_stand.h, which its source
- * files share. */
+/* usb_stand_bus.h -- internal declarations of the simulated USB bus, which the usb_stand*.c files
+ * share. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_USB_STAND_BUS_H
 #define KINGYO_TESTS_UNIT_SUPPORT_USB_STAND_BUS_H
 
@@ -34,19 +34,21 @@ struct libusb_device {
     struct stand_seen seen;
     struct wire_report *wire;
     uint32_t wire_first, wire_count;
-    int fail; /* Status of the next transfer, an enum libusb_transfer_status; 0 means no fault. */
-    struct libusb_transfer *pending[PENDING_MAX]; /* Pending transfers, oldest first. */
+    int fail; /* Status that the next transfer returns (enum libusb_transfer_status); 0 means that
+                 it does not fail. */
+    struct libusb_transfer *pending[PENDING_MAX]; /* Pending transfers of the device, oldest
+                                                     first. */
     uint32_t pending_count;
 };
 
 struct libusb_device_handle {
     struct libusb_device *device;
     int fd;
-    uint32_t claimed; /* Claimed interfaces, one bit each. */
+    uint32_t claimed; /* Claimed interfaces; bit i belongs to interface i. */
     uint8_t auto_detaches;
 };
 
-/* The next action of libusb_handle_events(): the callback of a transfer or of a hot-plug event. */
+/* Event that libusb_handle_events() delivers next: a completed transfer or a hot-plug event. */
 struct done {
     struct libusb_transfer *transfer;
     struct libusb_device *device;
@@ -71,8 +73,8 @@ struct stand_bus {
     struct stand_faults faults;
     uint32_t lists, transfers, breaches, calls;
     uint8_t is_running, has_thread;
-    pthread_t thread; /* The drivers' thread, which is the thread that first requested the list
-                         of devices. */
+    pthread_t thread; /* The drivers' thread, which is the first thread that requested the device
+                         list. */
     int in_transfer_callback, in_hotplug_callback;
 };
 
@@ -83,30 +85,32 @@ void bus_lock(void);
 /* Releases the lock of the bus. */
 void bus_unlock(void);
 
-/* The caller of each function below holds the lock. */
+/* Counts a breach and prints `what`. The caller of this and each following function holds the lock
+ * of the bus. */
 void bus_breach(const char *what);
-void bus_note_call(const char *name); /* Counts a call from any thread. */
-void bus_note_talk(const char *name); /* Counts a call that communicates with a device and therefore
-                                         blocks. */
+void bus_note_call(const char *name); /* Counts a call of libusb and checks its thread. */
+void bus_note_talk(const char *name); /* Counts a libusb call that communicates with a device and
+                                         therefore blocks. */
 void bus_ring(int fd);
 
-/* Calls all due callbacks. The lock is released during the callbacks, as libusb does while it waits
- * for events or for the end of a request. */
+/* Calls all callbacks that are due. The lock is released during the callbacks, because libusb
+ * releases its lock too while it waits. */
 void bus_call_back(void);
 
-/* Completes the transfer immediately or after `delay_ms`. */
+/* Completes a transfer immediately or after `delay_ms`. */
 void bus_finish(struct libusb_transfer *transfer, int status, int actual, uint32_t delay_ms);
 
-/* Assigns queued reports to pending transfers. */
+/* Assigns the queued reports of a device to its pending transfers. */
 void bus_run_wire(struct libusb_device *device);
-/* Delivers output reports to the device, unless a fault holds them back. */
+/* Delivers output reports to the device, unless a fault keeps them on the host. */
 void bus_run_outs(struct libusb_device *device);
-/* Removes `transfer` from the pending transfers. Returns 0 if it is not pending. */
+/* Removes `transfer` from the pending transfers. Returns 1, or 0 if the transfer is not pending. */
 int bus_take_pending(struct libusb_device *device, const struct libusb_transfer *transfer);
 
-/* Writes the report descriptor of the interface to /sys, as if a kernel driver had bound it. */
+/* Writes the report descriptor of an interface to the simulated /sys, as if a kernel driver had
+ * bound it. */
 void bus_show_driver(const struct libusb_device *device, uint32_t interface);
-/* Removes the report descriptor of the interface from /sys. */
+/* Removes the report descriptor of an interface from the simulated /sys. */
 void bus_hide_driver(const struct libusb_device *device, uint32_t interface);
 
 /* Returns the time of the monotonic clock in ns. */

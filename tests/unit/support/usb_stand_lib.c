@@ -1,5 +1,6 @@
-/* usb_stand_lib.c -- simulated libusb functions for the library, its events and its devices, as far
- * as the drivers call them. */
+/* usb_stand_lib.c -- simulated libusb functions for initialization, events and device lists.
+ *
+ * Only the functions that the drivers call exist. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +9,7 @@
 
 #include "tests/unit/support/usb_stand_bus.h"
 
-/* ---- The library and its events ----------------------------------------------------- */
+/* ---- Initialization and events --------------------------------------------------------------- */
 
 int libusb_init(libusb_context **context)
 {
@@ -107,8 +108,8 @@ void libusb_free_pollfds(const struct libusb_pollfd **list)
     free(list);
 }
 
-/* Finds the next due action. Returns 0 if nothing is due. The caller holds the lock. Events are
- * level-triggered, as those of usbfs. */
+/* Removes the next event that is due and writes it to `out`. Returns 1, or 0 if nothing is due. The
+ * caller holds the lock of the bus. Events are level-triggered, like those of usbfs. */
 static int next_done(struct done *out)
 {
     const uint64_t now = bus_now_ns();
@@ -141,8 +142,8 @@ static void call_back(const struct done *done)
     if (done->transfer) {
         done->transfer->dev_handle->device->seen.in_flight -=
             done->transfer->endpoint == IN_ENDPOINT;
-        done->transfer->num_iso_packets = 0; /* Marks the transfer as not submitted (see
-                                                libusb_submit_transfer()). */
+        done->transfer->num_iso_packets = 0; /* A value of 0 marks the transfer as not submitted
+                                                (see libusb_submit_transfer()). */
         bus.in_transfer_callback++;
     } else {
         bus.in_hotplug_callback++;
@@ -179,8 +180,8 @@ int libusb_handle_events_timeout_completed(libusb_context *context, struct timev
     bus_note_call("libusb_handle_events from a strange thread");
     quieten();
     bus_call_back();
-    const int has_more = bus.done_count > 0; /* Actions remain that are delayed or that arrived
-                                                during the callback. */
+    const int has_more = bus.done_count > 0; /* 1 if events remain that are delayed or that arrived
+                                                during the callback, otherwise 0. */
     if (has_more) {
         bus_ring(bus.context.fd);
     }
@@ -189,7 +190,7 @@ int libusb_handle_events_timeout_completed(libusb_context *context, struct timev
     return LIBUSB_SUCCESS;
 }
 
-/* ---- Devices -------------------------------------------------------------------------------- */
+/* ---- Devices and descriptors ----------------------------------------------------------------- */
 
 ssize_t libusb_get_device_list(libusb_context *context, libusb_device ***list)
 {
@@ -271,7 +272,7 @@ int libusb_get_device_descriptor(libusb_device *device, struct libusb_device_des
     return LIBUSB_SUCCESS;
 }
 
-/* A configuration with all its descriptors in one block of memory. */
+/* Configuration of a device with all its descriptors in one block of memory. */
 struct configuration {
     struct libusb_config_descriptor head;
     struct libusb_interface interface[STAND_INTERFACE_MAX];

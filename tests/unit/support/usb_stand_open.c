@@ -8,7 +8,7 @@
 
 #include "tests/unit/support/usb_stand_bus.h"
 
-/* ---- Handles -------------------------------------------------------------------------------- */
+/* ---- Handles and requests -------------------------------------------------------------------- */
 
 static void tell_fd_added(int fd)
 {
@@ -90,8 +90,8 @@ int libusb_claim_interface(libusb_device_handle *handle, int interface)
     if (!error && device->kind->is_bound && !handle->auto_detaches) {
         error = LIBUSB_ERROR_BUSY;
     }
-    for (uint32_t i = 0; i < HANDLE_MAX; i++) { /* An interface has only one owner, also within a
-                                                   process. */
+    for (uint32_t i = 0; i < HANDLE_MAX; i++) { /* An interface can have only one owner, even within
+                                                   one process. */
         if (bus.handles[i] && bus.handles[i] != handle && bus.handles[i]->device == device &&
             (bus.handles[i]->claimed & 1u << interface)) {
             error = LIBUSB_ERROR_BUSY;
@@ -198,8 +198,8 @@ struct libusb_transfer *libusb_alloc_transfer(int packets)
     return calloc(1, sizeof(struct libusb_transfer));
 }
 
-/* Frees a transfer. The count of isochronous packets is 1 while a transfer is submitted. No
- * interrupt transfer uses this count otherwise. */
+/* Frees a transfer; a submitted transfer is a breach. `num_iso_packets` is 1 while a transfer is
+ * submitted, because no interrupt transfer needs it otherwise. */
 void libusb_free_transfer(struct libusb_transfer *transfer)
 {
     if (!transfer) {
