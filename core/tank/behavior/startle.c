@@ -26,9 +26,9 @@
  * reaches it. */
 #define PUSH_SPAN_M2_S2 0.016f
 #define WAKE_SHARE 0.5f
-/* Length of a fish whose sensitivity to pressure is 1. Smaller fish are more sensitive: fish of 1.6 g
- * hear sounds that are 15 dB fainter than fish of 23.6 g do (Asa et al.). Their threshold pressure
- * is 5.6 times lower at a length that is 2.5 times smaller. */
+/* Length of a fish whose sensitivity to pressure is 1. Smaller fish are more sensitive: fish of
+ * 1.6 g hear sounds that are 15 dB fainter than fish of 23.6 g do (Asa et al.). Their threshold
+ * pressure is 5.6 times lower at a length that is 2.5 times smaller. */
 #define LENGTH_M 0.05f
 /* Height of the image of an edge-on disc per diameter. The ring of the disc causes this height. */
 #define LINE_THICKNESS 0.07f

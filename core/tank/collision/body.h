@@ -1,7 +1,8 @@
-/* body.h -- the geometry of a fish in one cache line. Broad phase, walls and contact solver share
- * it.
+/* body.h -- the oriented box of a fish in one cache line, which broad phase and contact solver
+ * share.
  *
- * A body has four quads of four floats, so that SIMD code loads it without shuffling. */
+ * A body consists of four quads (groups of four floats), so that SIMD code loads a quad with one
+ * instruction. */
 #ifndef KINGYO_CORE_TANK_COLLISION_BODY_H
 #define KINGYO_CORE_TANK_COLLISION_BODY_H
 
@@ -10,12 +11,12 @@
 struct body {
     vec3 centre_m;
     float half_x_m; /* Half of the width, along `right`. */
-    vec3 right;     /* Unit axes in world space, as in struct basis. */
+    vec3 right;     /* Unit axes of the body in world coordinates, as in struct basis. */
     float half_y_m; /* Half of the height, along `up`. */
     vec3 up;
     float half_z_m; /* Half of the length, along `back`. */
     vec3 back;
-    float margin_m; /* Personal space beyond the body, on every side. */
+    float margin_m; /* Size of the personal space beyond the body on every side. */
 };
 _Static_assert(sizeof(struct body) == 64u, "a body is a cache line, four quads of floats");
 
@@ -34,7 +35,7 @@ static inline struct box body_box(const struct body *body)
     };
 }
 
-/* Returns half the size of the axis-aligned box that holds the body. */
+/* Returns half the size of the smallest axis-aligned box that contains the body. */
 static inline vec3 body_extent_m(const struct body *body)
 {
     return box_upright_m(body->right, body->up, body->back,

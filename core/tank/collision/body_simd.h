@@ -1,17 +1,18 @@
-/* body_simd.h -- LANES bodies as columns, for SIMD kernels (core/base/simd.h). */
+/* body_simd.h -- SIMD_LANES bodies at a time as columns, for SIMD kernels (core/base/simd.h). */
 #ifndef KINGYO_CORE_TANK_COLLISION_BODY_SIMD_H
 #define KINGYO_CORE_TANK_COLLISION_BODY_SIMD_H
 
 #include "core/base/simd.h"
 #include "core/tank/collision/body.h"
 
-/* The columns of LANES bodies; the names are those of struct body. */
+/* Columns of SIMD_LANES bodies; the names are those of struct body. */
 struct body_simd {
-    flanes centre[4], right[4], up[4], back[4]; /* x, y, z of the vector; [3] is a half size or the
-                                                   margin. */
+    flanes centre[4], right[4], up[4], back[4]; /* Columns 0 to 2 are x, y and z of the vector.
+                                                   Column 3 is the float behind the vector:
+                                                   half_x_m, half_y_m, half_z_m or margin_m. */
 };
 
-/* Loads LANES bodies that are consecutive in memory. */
+/* Loads SIMD_LANES bodies that are consecutive in memory. */
 static inline void body_simd_load_block(struct body_simd *all, const struct body *first)
 {
     const char *from = (const char *)first;
@@ -21,7 +22,8 @@ static inline void body_simd_load_block(struct body_simd *all, const struct body
     simd_load_quads(all->back, from + 48u, sizeof *first);
 }
 
-/* Loads quad `quad` of fish[0]. With eight lanes the second half is the quad of fish[4]. */
+/* Loads quad number `quad` of body fish[0]. With eight lanes, the upper four lanes are loaded from
+ * body fish[4]. */
 static inline flanes body_simd_row(const struct body *body, const uint32_t *fish, uint32_t quad)
 {
     const size_t at = quad * sizeof(fquad);
@@ -36,7 +38,7 @@ static inline void body_simd_quads(flanes column[4], const struct body *body, co
               body_simd_row(body, fish + 2, quad), body_simd_row(body, fish + 3, quad));
 }
 
-/* Loads the bodies of LANES fish in a list, at any place in memory. */
+/* Loads the bodies of the SIMD_LANES fish in the list `fish`, wherever they are in memory. */
 static inline void body_simd_load(struct body_simd *all, const struct body *body,
                                   const uint32_t *fish)
 {

@@ -1,10 +1,11 @@
-/* box.c -- the separating-axis test; the cosines between both frames are computed once per test. */
+/* box.c -- the separating-axis test of two boxes. The cosines between the axes of the boxes are
+ * computed once per test. */
 #include "core/tank/collision/box.h"
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 
-/* Squared length of a cross product below which two edges count as parallel. */
+/* Squared length of a cross product of unit vectors below which two edges count as parallel. */
 #define PARALLEL 1e-6f
 
 struct frame {
@@ -20,10 +21,10 @@ static struct frame frame_of(const struct box *box)
     };
 }
 
-/* The best axis of those tried so far. */
+/* The axis with the largest gap among the axes tried so far. */
 struct verdict {
     float gap_m, space_m;
-    int axis; /* Axis index as in box_axis(). */
+    int axis; /* Index of the axis, as in box_axis(). */
 };
 
 static inline void try_axis(struct verdict *verdict, float gap_m, float margins_m, int axis)
@@ -35,14 +36,16 @@ static inline void try_axis(struct verdict *verdict, float gap_m, float margins_
     }
 }
 
-/* Box b relative to box a. The rows are computed when an axis first needs them. */
+/* Box b relative to box a. A row of `cosine` and `size` is computed when an axis needs it for the
+ * first time. */
 struct view_of_b {
     const struct box *a, *b;
     vec3 way; /* Vector from the centre of a to the centre of b. */
     float margin_a_m, margin_b_m;
     float half_a[3], half_b[3];
-    float cosine[3][3], size[3][3]; /* Cosines of a's axes against b's, and their magnitudes. */
-    float d[3];                     /* `way` in the frame of a. */
+    float cosine[3][3], size[3][3]; /* Cosines between the axes of a and the axes of b (`cosine`),
+                                       and their magnitudes (`size`). */
+    float d[3];                     /* The vector `way` in the coordinates of box a. */
 };
 
 static inline vec3 axis_of(const struct basis *axes, int index)
@@ -119,8 +122,8 @@ vec3 box_axis(const struct basis *a, const struct basis *b, vec3 way, uint8_t wh
     return v3_dot(along, way) < 0.0f ? v3_scale(along, -1.0f) : along;
 }
 
-/* Tries the sides first, then nose and tail, because this order separates most nearby fish
- * soonest. */
+/* Tries axis 0 (right), then 2 (back), then 1 (up) of each box, because this order separates most
+ * near fish soonest. Returns 1 if an axis separates the spaces, otherwise 0. */
 static int are_apart(struct verdict *verdict, struct view_of_b *view)
 {
     static const int order[3] = { 0, 2, 1 };
@@ -176,8 +179,8 @@ vec3 box_extent_m(const struct box *box)
     return box_upright_m(box->axes.right, box->axes.up, box->axes.back, box->half_m);
 }
 
-/* Seen along the rod the box is a hexagon and the rod is a disc. The normals of the hexagon's sides
- * are the box axes crossed with the rod. */
+/* Seen along the rod, the box is a hexagon and the rod is a disc. The normals of the hexagon's
+ * sides are the cross products of the box axes and the rod. */
 vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius_m)
 {
     const struct frame frame = frame_of(box);
@@ -188,7 +191,8 @@ vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius
     for (int i = 0; i < 3; i++) {
         const vec3 side = v3_cross(frame.axis[i], along);
         const float length = v3_length(side);
-        if (length < 1e-3f) { /* The rod is parallel to this axis; the other two axes suffice. */
+        if (length < 1e-3f) { /* The rod is parallel to axis i of the box. The other two axes
+                                 suffice. */
             continue;
         }
         const vec3 normal = v3_scale(side, 1.0f / length);

@@ -1,5 +1,5 @@
-/* broad_phase.c -- the bodies of all fish, and how long the pairs found by a broad-phase query stay
- * valid. */
+/* broad_phase.c -- the bodies of all fish, and the time for which the contacts of a broad-phase
+ * query stay valid. */
 #include "core/tank/collision/broad_phase.h"
 
 #include "core/base/hash.h"
@@ -8,11 +8,13 @@
 #include "core/input.h"
 #include "core/tank/behavior/swim.h"
 
-/* Margin beyond 1.2 times the present motion; covers most starts and turns. */
+/* The predicted motion of a fish until the next query is REACH_SPARE times its present motion plus
+ * REACH_SPARE_M. This margin covers most starts and turns. */
 #define REACH_SPARE_M 0.0035f
 #define REACH_SPARE 1.2f
-#define AGAIN_MAX 8u /* Fish queried one by one; for more fish a full query is as cheap. */
-#define RADIUS_PER_LENGTH 0.55f /* Half the diagonal of a body of 5 x 2 x 1. */
+/* Largest number of fish that are queried one by one. For more fish a full query is as fast. */
+#define AGAIN_MAX 8u
+#define RADIUS_PER_LENGTH 0.55f /* Half of the diagonal of a body of 5 x 2 x 1 cm, per length. */
 
 float broad_phase_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m,
                         const struct behavior_params *params)
@@ -31,8 +33,8 @@ float broad_phase_space(const struct fish *fish, uint32_t fish_count, vec3 tank_
     return share * params->space_per_length;
 }
 
-/* Returns 1 if the body stands out of the water. The cheap sphere test rejects most bodies
- * first. */
+/* Returns 1 if the body stands out of the water, otherwise 0. The cheap sphere test rejects most
+ * bodies first. */
 static int is_airborne(const struct body *body, float emerges_m)
 {
     const float y = body->centre_m.y;
@@ -48,7 +50,8 @@ void broad_phase_mark(struct broad_phase *broad_phase, const struct fish *fish, 
         broad_phase->flags[i] = 0;
         broad_phase->play_m[i] = 0.5f * BROAD_PHASE_CONTACT_M;
         if (!fish_swims(&fish[i])) {
-            broad_phase->way_m[i] = SWIM_FAR_M; /* Invalid until a query has seen this fish swim. */
+            broad_phase->way_m[i] = SWIM_FAR_M; /* The value forces a query before the contacts of
+                                                   this fish are used again. */
         } else {
             broad_phase->flags[i] = BODY_SWIMMING;
             broad_phase->flags[i] |=
@@ -118,8 +121,9 @@ static void drop_contacts_of(struct broad_phase *broad_phase, uint32_t fish)
     broad_phase->touch_count = kept;
 }
 
-/* Lists the pair if it could touch before the next query of either fish. The gap is computed from
- * the position that the other fish had at its last query. */
+/* Adds the pair to the contact list if the fish could touch before the next query. The stored gap
+ * is the present gap plus the motion of `other` since its last query, because contact_is_apart()
+ * subtracts that motion. */
 static void meet_again(struct broad_phase *broad_phase, uint32_t fish, uint32_t other)
 {
     const struct body *a = &broad_phase->body[fish], *b = &broad_phase->body[other];

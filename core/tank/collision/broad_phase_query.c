@@ -1,5 +1,5 @@
-/* broad_phase_query.c -- one broad-phase query: advice to each fish about its neighbours, and the
- * contact list. */
+/* broad_phase_query.c -- one broad-phase query: avoidance advice for each fish about its
+ * neighbours, and the contact list. */
 #include "core/tank/collision/broad_phase.h"
 
 #include "core/base/rng.h"
@@ -7,7 +7,8 @@
 
 #define ROOM_GAP_M 0.005f /* Gap that a tail sweeps in a few ticks of a hard turn. */
 #define ROOM_MIN 0.2f
-/* Pairs to prefetch ahead: testing a few pairs takes as long as one memory access. */
+/* Number of pairs by which prefetching runs ahead. Testing that many pairs takes as long as one
+ * memory access. */
 #define FETCH_AHEAD 8u
 
 static void take_advice(struct avoid_advice *kept, const struct avoid_advice *advice)
@@ -39,8 +40,8 @@ static struct avoid_party party_of(const struct body *body, const struct fish *f
     };
 }
 
-/* Applies the full push to the side and half of it along the body, so that a fish pushed from
- * behind does not shoot ahead. */
+/* Adds a push. The component across the body has its full size and the component along the body
+ * half its size, so that a fish pushed from behind does not shoot ahead. */
 static void push_apart(struct neighbours *neighbours, vec3 forward, vec3 axis, float speed_m_s)
 {
     const float along = v3_dot(axis, forward);
@@ -54,8 +55,9 @@ static void leave_out(struct broad_phase *broad_phase, const struct contact *con
     broad_phase->flags[contact->b] |= BODY_UNLISTED;
 }
 
-/* Adds a contact. If the list is full, each further pair takes a random slot or none (reservoir
- * sampling), so that every pair has the same chance and none waits for long. */
+/* Adds a contact to the list. If the list is full, the contact replaces a random contact or is left
+ * out (reservoir sampling). Every pair has the same probability to be listed, and no pair is left
+ * out for long. */
 static void list_contact(struct broad_phase *broad_phase, struct contact contact, uint32_t seed,
                          uint32_t tick)
 {
@@ -119,7 +121,8 @@ static void take_found(const struct snapshot *look, const struct narrow_phase_pa
     }
 }
 
-/* Prefetches a fish: in a big tank, neighbours lie far apart in memory and outside every cache. */
+/* Prefetches the data of a fish. In a large tank, neighbours are far apart in memory and outside
+ * every cache. */
 static void fetch_fish(const struct snapshot *look, uint32_t index)
 {
     __builtin_prefetch(&look->fish[index].speed_m_s);
@@ -167,9 +170,9 @@ static float ball_m(const struct body *body)
     return v3_length(v3(body->half_x_m + m, body->half_y_m + m, body->half_z_m + m));
 }
 
-/* Compares the personal spaces as balls, the alternative that the thesis rejected in section
- * 3.4. Tests each fish against each other fish, because it serves comparison only, not a running
- * stall. */
+/* Compares the personal spaces as balls, the alternative that section 3.4 of the 2013 thesis
+ * rejected. Tests each fish against each other fish, because the test serves only for comparison
+ * and is not used in a kiosk. */
 static void meet_balls(const struct snapshot *look)
 {
     const struct broad_phase *broad_phase = look->broad_phase;
@@ -212,8 +215,9 @@ void broad_phase_update(struct broad_phase *broad_phase, const struct fish *fish
     };
     seek(&look, &of, 1);
     if (broad_phase->touch_count >
-        broad_phase_contact_max(broad_phase)) { /* Overfull: list the nearest contacts only and
-                                                   query again soon. */
+        broad_phase_contact_max(broad_phase)) { /* The list overflowed. The second search lists only
+                                                   the nearest contacts, and a new query is due
+                                                   soon. */
         seek(&look, &of, 0);
     }
     if (around->ball_spaces && !how.contacts_only) {

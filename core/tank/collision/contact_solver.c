@@ -1,4 +1,4 @@
-/* contact_solver.c -- the contact solver: rounds of small pushes, then the penetration check
+/* contact_solver.c -- the contact solver: rounds of small pushes, followed by the penetration check
  * (penetration_check.c). */
 #include "core/tank/collision/contact_solver.h"
 
@@ -8,14 +8,18 @@
 #include "core/tank/collision/contact_solver_internal.h"
 #include "core/tank/collision/contact_solver_simd.h"
 
-#define SKIN_M 0.0001f         /* Gap that the solver leaves between two bodies. */
-#define PART_ROUNDS_MAX 12     /* Most ticks need two rounds; a shoved crowd uses all of them. */
-#define TOPPLE_ROUND 5         /* Pairs that four rounds could not separate are jammed. */
-#define PART_STEP_MAX_M 0.002f /* Largest push per round. */
+#define SKIN_M 0.0001f /* Gap that the solver leaves between two bodies. */
+/* Most ticks need two rounds. A dense group of fish that a poi pushes needs all rounds. */
+#define PART_ROUNDS_MAX 12
+/* Round from which vertical pushes are tilted. Pairs that earlier rounds could not separate are
+ * jammed. */
+#define TOPPLE_ROUND 5
+#define PART_STEP_MAX_M 0.002f /* Largest push in a round. */
 #define CLEAR_ROUNDS 4u
-#define CLOSE_MAX 64u /* Contacts measured at a time. */
+#define CLOSE_MAX 64u /* Number of contacts whose gaps are measured at a time. */
 
-/* Returns 1 if no pose of the body could reach a wall, the floor or the surface. */
+/* Returns 1 if the body is so far inside the tank that it reaches no wall, floor or surface in any
+ * orientation, otherwise 0. */
 static int is_far_inside(const struct tank_bounds *bounds, const struct body *body)
 {
     const float reach_m = body->half_x_m + body->half_y_m + body->half_z_m;
@@ -50,8 +54,8 @@ static void keep_inside(const struct solver_step *all, uint32_t index)
     body->centre_m = contact_kept_inside_m(all, index, body);
 }
 
-/* Moves a fish to its body as broad_phase_sync() does, so that contact_is_apart() counts the push.
- */
+/* Moves a fish to the position of its body as broad_phase_sync() does, so that contact_is_apart()
+ * includes the push. */
 static void note_moved_body(const struct solver_step *all, uint32_t index)
 {
     CORE_ASSERT(all->broad_phase->flags[index] & BODY_SWIMMING);
@@ -61,8 +65,8 @@ static void note_moved_body(const struct solver_step *all, uint32_t index)
     fish->position_m = centre_m;
 }
 
-/* Moves a body as far as its limit per substep allows and returns the rest of the move. A body may
- * always move back toward its previous position. */
+/* Moves a body as far as its limit for the substep allows, and returns the rest of the move. A body
+ * may always move back toward its previous position. */
 static vec3 shove(const struct solver_step *all, uint32_t index, vec3 move)
 {
     struct body *body = &all->broad_phase->body[index];
@@ -77,7 +81,7 @@ static vec3 shove(const struct solver_step *all, uint32_t index, vec3 move)
 }
 
 /* Returns a tilted axis. A stack of fish that fills the water from floor to surface cannot be
- * separated vertically, so it topples. */
+ * separated vertically, so it must topple. */
 static vec3 topple(const struct body *a, const struct body *b, vec3 axis)
 {
     vec3 aside = v3_sub(b->centre_m, a->centre_m);
@@ -91,8 +95,7 @@ static float mass_of(const struct body *body)
     return body->half_z_m * body->half_z_m * body->half_z_m;
 }
 
-/* Stores the measured distance, so that the pair is not measured again until the bodies come
- * nearer. */
+/* Stores the measured gap, so that the pair is not measured again until its bodies come nearer. */
 static void know_apart(const struct solver_step *all, struct contact *contact, float apart_m)
 {
     const float *way_m = all->broad_phase->way_m;
@@ -100,7 +103,7 @@ static void know_apart(const struct solver_step *all, struct contact *contact, f
     contact->gap_m = f_max(contact->gap_m, gap_m);
 }
 
-/* Separates a pair. Returns 1 if it had to be moved. */
+/* Separates a pair. Returns 1 if the bodies had to be moved, otherwise 0. */
 static int part_pair(const struct solver_step *all, struct contact *contact, int round)
 {
     const struct body *a = &all->broad_phase->body[contact->a],
@@ -119,12 +122,12 @@ static int part_pair(const struct solver_step *all, struct contact *contact, int
     const vec3 solver = v3_scale(gap.axis, depth_m);
     const vec3 left_a = shove(all, contact->a, v3_scale(solver, -share_a));
     const vec3 left_b = shove(all, contact->b, v3_sub(v3_scale(solver, 1.0f - share_a), left_a));
-    /* The rest of a fish's move is passed to the other fish. */
+    /* If a fish cannot move by its full share, the other fish moves by the rest. */
     shove(all, contact->a, v3_scale(left_b, -1.0f));
     return 1;
 }
 
-/* Returns the push that ring, hull and paper require of a body. */
+/* Returns the push that the ring and paper of a poi or the hull of a bowl exert on a body. */
 static vec3 push_off(const struct solver_step *all, uint32_t index, const struct obstacle *obstacle)
 {
     const struct body *body = &all->broad_phase->body[index];
@@ -133,8 +136,9 @@ static vec3 push_off(const struct solver_step *all, uint32_t index, const struct
     return v3_dot(hard, hard) > 0.0f ? hard : paper;
 }
 
-/* Moves a body off an obstacle. Pushes nearly always suffice. In the corner between paper and ring
- * one push undoes the other, so there the fish moves along with the poi. */
+/* Moves a body off an obstacle. Pushes suffice nearly always. In the corner between paper and ring,
+ * a push by one of them undoes the push by the other. A fish in that corner moves along with the
+ * poi. */
 static void clear_obstacle(const struct solver_step *all, uint32_t index, uint32_t o)
 {
     const struct obstacle *obstacle = &all->place->obstacles[o];
@@ -166,7 +170,8 @@ static void clear_obstacles(const struct solver_step *all, uint32_t index)
     }
 }
 
-/* Moves a body off obstacles that it is beside, so that no push drives it into one. */
+/* Moves a body off the obstacles near it, so that no push of the solver drives the body into an
+ * obstacle. */
 static void clear_if_beside(const struct solver_step *all, uint32_t index)
 {
     if (all->broad_phase->flags[index] & BODY_NEAR_OBSTACLE) {
@@ -175,7 +180,7 @@ static void clear_if_beside(const struct solver_step *all, uint32_t index)
 }
 
 /* Sets BODY_NEAR_OBSTACLE of a fish that could touch an obstacle in this substep. Returns the
- * largest distance by which an obstacle may carry it. */
+ * largest distance by which an obstacle may carry the fish, m. */
 static float look_beside(const struct solver_step *all, uint32_t index)
 {
     const struct box box = body_box(&all->broad_phase->body[index]);
@@ -203,7 +208,7 @@ static void clear_shoved(const struct solver_step *all, uint32_t index)
     note_moved_body(all, index);
 }
 
-/* Contacts whose gap may be used up, measured several at a time. */
+/* Contacts that may be used up, collected so that several gaps are measured at a time. */
 struct close {
     uint32_t count;
     uint32_t contact[CLOSE_MAX];
@@ -211,7 +216,7 @@ struct close {
     float gap_m[CLOSE_MAX + SIMD_LANES_MAX];
 };
 
-/* Adds contact `c` to those to be measured. */
+/* Adds contact number `c` to the contacts to be measured. */
 static void note_close(struct close *close, const struct contact *contact, uint32_t c)
 {
     close->contact[close->count] = c;
@@ -219,7 +224,7 @@ static void note_close(struct close *close, const struct contact *contact, uint3
     close->b[close->count++] = contact->b;
 }
 
-/* Measures the added contacts and clears the list. */
+/* Measures the collected contacts and empties the collection. */
 static void measure_close_pairs(const struct solver_step *all, struct close *close)
 {
     const uint32_t count = close->count;
@@ -235,8 +240,8 @@ static void measure_close_pairs(const struct solver_step *all, struct close *clo
     close->count = 0;
 }
 
-/* Measures all contacts whose stored gap no longer proves that they are apart. Most of them were
- * only predicted to come near. */
+/* Measures all contacts whose stored gap no longer proves that the bodies are apart. Most of these
+ * contacts were only predicted to come near. */
 static void measure_close(const struct solver_step *all)
 {
     const struct broad_phase *broad_phase = all->broad_phase;
@@ -253,8 +258,8 @@ static void measure_close(const struct solver_step *all)
     measure_close_pairs(all, &close);
 }
 
-/* Runs one round over all contacts in order, so that a push propagates to the later ones of a row.
- * Returns the number of contacts that had to be separated. */
+/* Runs one round over all contacts in order, so that a push propagates to later contacts in the
+ * same round. Returns the number of contacts that had to be separated. */
 static uint32_t relax_once(const struct solver_step *all, int round)
 {
     struct broad_phase *broad_phase = all->broad_phase;
@@ -270,8 +275,8 @@ static uint32_t relax_once(const struct solver_step *all, int round)
     return parted;
 }
 
-/* Runs the rounds. Returns 1 if the last round separated no pair; only then does the penetration
- * check cover all pairs. */
+/* Runs the rounds. Returns 1 if the last round separated no pair, otherwise 0. The result 1 means
+ * that no two fish overlap. */
 static int relax(const struct solver_step *all)
 {
     uint32_t parted = 1;
@@ -299,8 +304,8 @@ static void clear_one(const struct solver_step *all, uint32_t index)
         solver->step_max_m[index] + v3_length(led_m) + contact_sweep_m(all, index);
 }
 
-/* Returns 1 if contact_solver_project_block() may process the fish: `width` fish exist and all are
- * plain swimmers. */
+/* Returns 1 if contact_solver_project_block() may process the fish from `first` on, otherwise 0.
+ * Then `width` fish exist, and each fish swims, does not gulp and is not in the air. */
 static int is_plain(const struct broad_phase *broad_phase, uint32_t first, uint32_t width)
 {
     uint32_t all_same = broad_phase->count - first >= width;
@@ -310,7 +315,7 @@ static int is_plain(const struct broad_phase *broad_phase, uint32_t first, uint3
     return (int)all_same;
 }
 
-/* ---- Public --------------------------------------------------------------------------------- */
+/* ---- Public functions ------------------------------------------------------------------------ */
 
 void contact_solver_project(struct contact_solver *solver, struct broad_phase *broad_phase,
                             const struct solver_context *place)

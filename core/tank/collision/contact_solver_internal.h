@@ -1,12 +1,12 @@
-/* contact_solver_internal.h -- internals of the contact solver, shared by contact_solver.c and
- * penetration_check.c only. */
+/* contact_solver_internal.h -- internal declarations that contact_solver.c and penetration_check.c
+ * share. */
 #ifndef KINGYO_CORE_TANK_COLLISION_CONTACT_SOLVER_INTERNAL_H
 #define KINGYO_CORE_TANK_COLLISION_CONTACT_SOLVER_INTERNAL_H
 
 #include "core/tank/collision/contact_solver.h"
 #include "core/tank/collision/ring_contact.h"
 
-#define SOLVER_ROUNDING_M 1e-6f /* Rounding error by which the same pose may seem deeper. */
+#define SOLVER_ROUNDING_M 1e-6f /* Rounding error by which an unchanged pose may seem deeper. */
 
 /* Context of one substep of a tick. */
 struct solver_step {
@@ -15,14 +15,15 @@ struct solver_step {
     const struct solver_context *place;
 };
 
-/* Returns the position to which a fish may revert: that at the start of the substep. */
+/* Returns the position to which a fish reverts: its position at the start of the substep. */
 static inline vec3 contact_before_m(const struct solver_step *all, uint32_t index)
 {
     const struct contact_solver *solver = all->solver;
     return solver->station == 0 ? solver->began_m[index] : solver->step_began_m[index];
 }
 
-/* Returns the body in the pose to which it may revert. Bodies rotate in the first substep only. */
+/* Returns the body in the pose to which it reverts. Bodies rotate only in the first substep
+ * (station 0). */
 static inline struct body contact_body_before(const struct solver_step *all, uint32_t index)
 {
     const struct contact_solver *solver = all->solver;
@@ -37,8 +38,9 @@ static inline struct body contact_body_before(const struct solver_step *all, uin
     return body;
 }
 
-/* Returns 1 if the motion of both bodies since the query leaves more than `apart_m` of their gap,
- * so that the gap need not be measured. */
+/* Returns 1 if the gap of a contact is certainly larger than `apart_m`, otherwise 0. The stored
+ * gap minus the motion of the two bodies since the query is a lower bound, so the gap is not
+ * measured. */
 static inline int contact_is_apart(const struct solver_step *all, const struct contact *contact,
                                    float apart_m)
 {
@@ -53,7 +55,8 @@ static inline int contact_is_clear(const struct obstacle *obstacle, const struct
     return ring_excess_m(obstacle, body, before, SOLVER_FREE_M, &unused) <= SOLVER_ROUNDING_M;
 }
 
-/* Returns the largest distance that any point of a body moves by rotation alone. */
+/* Returns the largest distance that any point of a body moved in this substep by rotation alone,
+ * m. */
 static inline float contact_sweep_m(const struct solver_step *all, uint32_t index)
 {
     const struct angles now = all->place->fish[index].angles,
@@ -65,13 +68,14 @@ static inline float contact_sweep_m(const struct solver_step *all, uint32_t inde
     return all->solver->station == 0 ? turn_rad * (body->half_z_m + body->half_y_m) : 0.0f;
 }
 
-/* Returns the centre that keeps the body of this fish within walls, floor and surface. Defined in
- * contact_solver.c. */
+/* Returns the nearest centre at which the body of fish `index` is within walls, floor and surface.
+ * Defined in contact_solver.c. */
 vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const struct body *body);
 
-/* Runs the penetration check after the pushes. A fish too deep in another fish or in an obstacle
- * reverts or moves along with the obstacle, or the obstacle reacts, until none is too deep.
- * `is_parted`: 1 if the pushes left no two fish overlapping. Defined in penetration_check.c. */
+/* Runs the penetration check after the pushes, until no fish is too deep in another fish or in an
+ * obstacle. A fish that is too deep reverts or moves along with the obstacle, or the obstacle
+ * reacts. `is_parted` is 1 if no two fish overlap after the pushes, otherwise 0. Defined in
+ * penetration_check.c. */
 void penetration_check(const struct solver_step *all, int is_parted);
 
 #endif

@@ -7,7 +7,7 @@
 
 _Static_assert(sizeof(struct angles) == 12u && sizeof(vec3) == 12u, "three floats, side by side");
 
-/* Returns the same value as body_extent_m(), along one world axis. */
+/* Returns the component of body_extent_m() along one world axis for each lane. */
 static inline flanes extent_m(const struct body_simd *all, int axis)
 {
     return simd_abs(all->right[axis]) * all->centre[3] + simd_abs(all->up[axis]) * all->right[3] +
@@ -20,7 +20,7 @@ static inline flanes keep_between(const struct body_simd *all, int axis, float l
     return simd_clamp(all->centre[axis], low_m + extent, high_m - extent);
 }
 
-/* Returns the same as obstacle_in_reach(). */
+/* Returns the result of obstacle_in_reach() for each lane as a mask. */
 static inline ilanes in_reach(const struct obstacle *obstacle, const struct body_simd *all)
 {
     const struct simd_v3 half = { all->centre[3], all->right[3], all->up[3] };

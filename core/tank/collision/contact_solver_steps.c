@@ -3,9 +3,10 @@
 #include "core/input.h"
 #include "core/tank/collision/contact_solver.h"
 
-/* Largest motion of an obstacle per substep; ring and fish together are four times as thick. */
+/* Largest motion of an obstacle in a substep. Ring and fish together are four times as thick. */
 #define STATION_M 0.003f
-#define STATIONS_MAX 6u /* Reached at 2.1 m/s; a faster hand makes longer substeps. */
+/* Largest number of substeps, reached at 2.1 m/s. The substeps of a faster poi are longer. */
+#define STATIONS_MAX 6u
 
 void contact_solver_begin(struct contact_solver *solver, const struct fish *fish,
                           uint32_t fish_count)
@@ -32,7 +33,7 @@ uint32_t contact_solver_substep_count(struct contact_solver *solver,
     return solver->substep_count;
 }
 
-/* The first substep contains the whole rotation. */
+/* All rotation takes place in the first substep. */
 void contact_solver_substep(struct contact_solver *solver, struct broad_phase *broad_phase,
                             const struct solver_context *place, uint32_t station)
 {
@@ -65,8 +66,8 @@ void contact_solver_write_back(const struct broad_phase *broad_phase, struct fis
     }
 }
 
-/* Sets the step of the obstacle to that of the whole tick, for code that needs the obstacle's
- * previous position (reentry.c). */
+/* Sets the obstacle's step to the motion of the whole tick, because reentry.c computes the
+ * obstacle's previous position from the step. Reduces the velocity of an obstacle that reacted. */
 static void lose_blocked_step(struct obstacle *obstacle, const struct course *course)
 {
     obstacle->step_m = v3_sub(obstacle->centre_m, course->from_m);

@@ -1,12 +1,13 @@
-/* narrow_phase.c -- the order of a pair search: sort, filter, narrow phase. */
+/* narrow_phase.c -- the order of a pair search: sort the fish into cells, filter the pairs, and run
+ * the narrow phase. */
 #include "core/tank/collision/narrow_phase.h"
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/tank/collision/narrow_phase_simd.h"
 
-/* Writes the fish to search into `member`, then repeats some of them to fill the last SIMD
- * block. */
+/* Writes the indices of the fish to be searched to `member` and returns their number. Repeats the
+ * last index to fill the last SIMD block. */
 static uint32_t gather_members(fish_index member[TANK_FISH_MAX + SIMD_LANES_MAX],
                                const struct narrow_phase_query *of)
 {

@@ -1,18 +1,18 @@
-/* narrow_phase_boxes_simd.c -- box-box narrow phase for several pairs at a time; see box.c. */
+/* narrow_phase_boxes_simd.c -- the separating-axis test of box.c for several pairs at a time. */
 #include "core/tank/collision/narrow_phase_simd.h"
 
 #include "core/base/mem.h"
 #include "core/tank/collision/body_simd.h"
 
 #define APART_M 1e9f
-#define PARALLEL simd_splat(1e-6f) /* The same value as in box.c. */
+#define PARALLEL simd_splat(1e-6f) /* Value of PARALLEL in box.c. */
 
-/* Best axes so far of LANES pairs. Gaps are squared with their signs kept, so that an axis that is
- * no unit vector costs a division but no root. The last four bits of a square hold the index of its
- * axis, so that the maximum carries its axis along. */
+/* Axes with the largest gaps so far for SIMD_LANES pairs. A gap is squared and keeps its sign, so
+ * that a cross product of any length costs a division but no root. The last four bits of a square
+ * hold the index of its axis, so that the maximum of the squares also selects the axis. */
 struct verdict {
-    flanes square; /* Signed square of the gap between the bodies. */
-    flanes space;  /* > 0: the personal spaces are apart; otherwise undefined. */
+    flanes square; /* Square of the gap between the bodies, with the sign of the gap. */
+    flanes space;  /* A value > 0 means that the personal spaces are apart. */
 };
 
 static inline flanes mark_axis(flanes square, int32_t axis)
@@ -20,8 +20,8 @@ static inline flanes mark_axis(flanes square, int32_t axis)
     return (flanes)(((ilanes)square & ~15) | axis);
 }
 
-/* Tries one face axis. `offset` is the distance of the centres along the axis, `halves` is the
- * projection of the bodies and `margins` that of their margins. */
+/* Tries one face axis. `offset` is the distance of the centres along the axis, `halves` the sum of
+ * the projected half sizes and `margins` the sum of the projected margins. */
 static inline void try_face(struct verdict *verdict, flanes offset, flanes halves, flanes margins,
                             int32_t axis)
 {
@@ -30,9 +30,8 @@ static inline void try_face(struct verdict *verdict, flanes offset, flanes halve
     verdict->square = simd_max(verdict->square, mark_axis(gap * simd_abs(gap), axis));
 }
 
-/* Tries one cross product of edges. The length of the axis is the root of `length2`. Nearly
- * parallel edges have no usable cross product and are skipped, because the face axes already cover
- * that case. */
+/* Tries one cross product of edges, whose squared length is `length2`. Nearly parallel edges have
+ * no usable cross product and are skipped, because the face axes already cover that case. */
 static inline void try_edges(struct verdict *verdict, flanes offset, flanes halves, flanes margins,
                              flanes length2, int32_t axis)
 {
@@ -48,8 +47,8 @@ static inline flanes dot(const flanes a[3], const flanes b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Cosines of a's axes against b's, their magnitudes, and the vector between the centres in the
- * frame of a. */
+/* Cosines `c` between the axes of a and the axes of b, their magnitudes `m`, and the vector `d`
+ * between the centres in the coordinates of a. */
 struct view {
     flanes c[3][3], m[3][3], d[3];
 };
@@ -76,8 +75,8 @@ static inline void view_row(struct view *view, int i, const flanes axis[3], cons
              hb[j] + (view.m[0][j] * ha[0] + view.m[1][j] * ha[1] + view.m[2][j] * ha[2]),         \
              mb + ma * (view.m[0][j] + view.m[1][j] + view.m[2][j]), 3 + j)
 
-/* Edge i of a across edge j of b. p and q follow i, and r and s follow j, in the cyclic order of
- * the axes. */
+/* Tries the cross product of edge i of a and edge j of b. p and q follow i, and r and s follow j,
+ * in the cyclic order of the axes. */
 #define EDGES(i, p, q, j, r, s)                                                                    \
     try_edges(&verdict, view.d[q] * view.c[p][j] - view.d[p] * view.c[q][j],                       \
               ha[p] * view.m[q][j] + ha[q] * view.m[p][j] + hb[r] * view.m[i][s] +                 \
@@ -85,8 +84,8 @@ static inline void view_row(struct view *view, int i, const flanes axis[3], cons
               ma * (view.m[q][j] + view.m[p][j]) + mb * (view.m[i][s] + view.m[i][r]),             \
               view.c[p][j] * view.c[p][j] + view.c[q][j] * view.c[q][j], 6 + 3 * i + j)
 
-/* Tries all fifteen axes in the order of narrow_phase_axis(). Always inlined, because a call would
- * pass a kilobyte through memory. */
+/* Tries all fifteen axes in the order of narrow_phase_axis(). The function is always inlined,
+ * because a call would pass a kilobyte through memory. */
 __attribute__((always_inline)) static inline struct verdict
 find_separating_axis(const struct body_simd *a, const struct body_simd *b)
 {

@@ -1,18 +1,18 @@
-/* narrow_phase_simd.c -- the ball test of the broad phase, several pairs at a time. */
+/* narrow_phase_simd.c -- the tests of balls, heights and sides for several pairs at a time. */
 #include "core/tank/collision/narrow_phase_simd.h"
 
 #include "core/base/mem.h"
 #include "core/tank/collision/body_simd.h"
 
-#define ROUNDING 1.00001f /* Tolerance for roots and products, so that no ball is too small. */
+#define ROUNDING 1.00001f /* Tolerance for rounding errors, so that no ball is too small. */
 
-/* Factor on the margins: 0 if only the bodies count. */
+/* Returns the factor on the margins: 0 if only bodies are searched, otherwise 1. */
 static inline float spaces_of(const struct narrow_phase_query *of)
 {
     return of->bodies_only ? 0.0f : 1.0f;
 }
 
-/* Loads the bodies of LANES members and their reaches. */
+/* Loads the bodies of SIMD_LANES members and returns their reaches. */
 static inline flanes load_members(struct body_simd *all, const struct narrow_phase_query *of,
                                   const fish_index *member)
 {
@@ -32,7 +32,8 @@ static inline flanes length_of(flanes x, flanes y, flanes z)
     return simd_sqrt(x * x + y * y + z * z);
 }
 
-/* Returns the radius of the ball that encloses the personal space and the body with its reach. */
+/* Returns the radius of the ball that contains the personal space, and the body enlarged by its
+ * reach. */
 static inline flanes ball_of(const struct body_simd *all, flanes reach)
 {
     const flanes x = all->centre[3], y = all->right[3], z = all->up[3], margin = all->back[3];
@@ -40,7 +41,8 @@ static inline flanes ball_of(const struct body_simd *all, flanes reach)
            simd_max(length_of(x + margin, y + margin, z + margin), length_of(x, y, z) + reach);
 }
 
-/* Returns half the height of the personal space and of the body with its reach. */
+/* Returns half the height of the volume that contains the personal space, and the body enlarged by
+ * its reach. */
 static inline flanes slab_of(const struct body_simd *all, flanes reach)
 {
     const flanes x = simd_abs(all->right[1]), y = simd_abs(all->up[1]), z = simd_abs(all->back[1]);
@@ -65,7 +67,7 @@ NARROW_PHASE_MEASURE(SIMD_NAME(narrow_phase_measure))
     return farthest_m;
 }
 
-/* Computes cells as spatial_grid_cell() does. */
+/* Computes the cells of members as spatial_grid_cell() does. */
 NARROW_PHASE_CELLS(SIMD_NAME(narrow_phase_cells))
 {
     struct spatial_grid *grid = &narrow_phase->grid;
@@ -85,7 +87,8 @@ NARROW_PHASE_CELLS(SIMD_NAME(narrow_phase_cells))
     }
 }
 
-/* Prefetches LANES bodies from item `k` on. In a large tank they are scattered in memory. */
+/* Prefetches the bodies of SIMD_LANES items from item `k` on. In a large tank the bodies are
+ * scattered in memory. */
 static inline void call_bodies(const struct body *body, const fish_index *item, uint32_t k,
                                uint32_t count)
 {
@@ -111,7 +114,8 @@ NARROW_PHASE_COLUMNS(SIMD_NAME(narrow_phase_columns))
 
 typedef uint32_t uquad __attribute__((vector_size(16)));
 
-/* Writes the positions of the set bits of four and returns their number. */
+/* Writes the positions of the set bits of a four-bit mask, plus `from`, to `to`. Returns the number
+ * of set bits. */
 static inline uint32_t keep_four(uint32_t *to, uint32_t from, uint32_t bits)
 {
     static const uquad place[16] = {
@@ -124,8 +128,8 @@ static inline uint32_t keep_four(uint32_t *to, uint32_t from, uint32_t bits)
     return count[bits];
 }
 
-/* The item whose neighbours are searched: ball, height, and reach to the sides, where the body is
- * thinnest. */
+/* The item whose near items are searched: centre, ball, height, and reach to the side, where the
+ * body is thinnest. */
 struct seeker {
     float x_m, y_m, z_m, ball_m, slab_m;
     vec3 right;
@@ -146,7 +150,8 @@ static inline struct seeker seeker_of(const struct narrow_phase *narrow_phase,
     };
 }
 
-/* Returns one bit for each of the next LANES items that is near. */
+/* Returns one bit for each of the items from `from` on, at most SIMD_LANES and below `to`. A bit is
+ * 1 if the item is near `me`. */
 static inline uint32_t sieve(const struct narrow_phase *narrow_phase, const struct seeker *me,
                              uint32_t from, uint32_t to)
 {
@@ -165,7 +170,8 @@ static inline uint32_t sieve(const struct narrow_phase *narrow_phase, const stru
                      (simd_abs(beside) < ball + me->side_m) & (lane < (int32_t)(to - from)));
 }
 
-/* Appends the near ones of LANES items as pairs with `item`. Returns the new number of pairs. */
+/* Appends pairs of `item` and the items whose bit is set. Bit 0 belongs to item `from`. Returns the
+ * new number of pairs. */
 static inline uint32_t note_near_pairs(struct narrow_phase *narrow_phase, uint32_t noted,
                                        uint32_t item, uint32_t from, uint32_t bits)
 {
@@ -180,8 +186,9 @@ static inline uint32_t note_near_pairs(struct narrow_phase *narrow_phase, uint32
     return noted;
 }
 
-/* Appends the near items of a range as pairs with `item`, except those before *other. Returns 0 if
- * the list is full; *other is then the item at which to continue. */
+/* Appends pairs of `item` and the near items of a range, beginning at item *other at the earliest.
+ * Returns 1 at the end of the range. Returns 0 if the list of pairs is full; *other is then the
+ * item at which to continue. */
 static inline int note_range(struct narrow_phase *narrow_phase, const struct seeker *me,
                              uint32_t item, struct spatial_grid_range range, uint32_t *noted,
                              uint32_t *other)

@@ -1,34 +1,35 @@
-/* narrow_phase_simd.h -- the inner loops of the pair search, once for four lanes and once for
- * eight.
+/* narrow_phase_simd.h -- the inner loops of the pair search, compiled for four lanes and for eight
+ * lanes.
  *
- * Only narrow_phase.c calls them. Lists that SIMD code reads have room for SIMD_LANES_MAX extra
- * entries, which hold some valid entry. */
+ * Only narrow_phase.c calls these functions. The lists that SIMD code reads have SIMD_LANES_MAX
+ * extra entries with valid values. */
 #ifndef KINGYO_CORE_TANK_COLLISION_NARROW_PHASE_SIMD_H
 #define KINGYO_CORE_TANK_COLLISION_NARROW_PHASE_SIMD_H
 
 #include "core/tank/collision/narrow_phase.h"
 
-/* Items or pairs to prefetch ahead; covers the latency of memory. */
+/* Number of items or pairs by which prefetching runs ahead, which covers the latency of memory. */
 #define NARROW_PHASE_PREFETCH (2u * SIMD_LANES)
 
-/* Writes the positions of the `count` > 0 members in their order (pairs->x_m, z_m). Returns the
- * radius of the largest ball in which one of them is found. */
+/* Writes the horizontal positions of `count` > 0 members to narrow_phase->x_m and z_m. Returns the
+ * radius of the largest ball in which a member is found. */
 #define NARROW_PHASE_MEASURE(name)                                                                 \
     float name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,             \
                const fish_index *member, uint32_t count)
 
-/* Writes the cell of each of `count` positions, from pairs->x_m and z_m. */
+/* Computes the cell of each of `count` members from narrow_phase->x_m and z_m. */
 #define NARROW_PHASE_CELLS(name) void name(struct narrow_phase *narrow_phase, uint32_t count)
 
-/* Writes all columns in the order of the cells. */
+/* Fills all arrays of `narrow_phase` in the order of the cells. */
 #define NARROW_PHASE_COLUMNS(name)                                                                 \
     void name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of)
 
-/* Writes the next near pairs; pairs->near_count is 0 after the last pair. */
+/* Writes the next near pairs. narrow_phase->near_count is 0 after the last pair. */
 #define NARROW_PHASE_NEAR(name)                                                                    \
     void name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of)
 
-/* Keeps the near pairs that all fifteen axes leave. Returns their number. */
+/* Tests the near pairs by all fifteen axes and writes the pairs that remain to `found`. Returns
+ * their number. */
 #define NARROW_PHASE_BOXES(name)                                                                   \
     uint32_t name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,          \
                   struct narrow_phase_pair *found)

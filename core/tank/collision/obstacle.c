@@ -1,11 +1,11 @@
-/* obstacle.c -- contact with rings and hulls, and the sidestep of fish. */
+/* obstacle.c -- contact of fish with rings and hulls, and the sidestep of fish beside a poi. */
 #include "core/tank/collision/obstacle.h"
 
 #include "core/input.h"
 
 #define SIDESTEP_RANGE_M 0.05f
 #define SIDESTEP_M_S 0.012f
-#define STILL_M_S 0.01f /* A disc slower than this is like a drifting leaf. */
+#define STILL_M_S 0.01f /* A slower disc causes no sidestep. */
 
 struct touch obstacle_touch(const struct obstacle *obstacle, const struct box *box)
 {

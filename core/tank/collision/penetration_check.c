@@ -1,11 +1,13 @@
-/* penetration_check.c -- the penetration check: resolves the overlaps that the contact solver could
- * not separate. */
+/* penetration_check.c -- the penetration check: resolves the overlaps that the pushes of the
+ * contact solver could not resolve. */
 #include "core/base/panic.h"
 #include "core/tank/collision/contact_solver_internal.h"
 
-#define PILE 2u /* Overlaps per fish; fish that were free never reach this number in a tick. */
-/* Extra rounds in which only pois react: eight reactions of each of eight pois at most, and the
- * last check. */
+/* Number of overlaps per fish that only a staged scene reaches. Fish that did not overlap never
+ * reach this number within a tick. */
+#define PILE 2u
+/* Largest number of rounds in which only pois react: at most eight reactions of each of eight
+ * obstacles, and the last check. */
 #define ROUNDS_SPARE 256u
 
 static int points_are_equal(vec3 a, vec3 b)
@@ -30,8 +32,8 @@ static float pair_allowed_m(const struct solver_step *all, uint32_t a, uint32_t 
     return f_max(SOLVER_FREE_M, pair_depth_m(&was_a, &was_b));
 }
 
-/* Marks a fish that turns back. Only the first substep counts; in later substeps the fish loses
- * just a push. */
+/* Marks a fish that turns back to its previous angles. Only the first substep rotates fish; in
+ * later substeps a revert undoes only a push. */
 static void note_turned_back(const struct solver_step *all, uint32_t index)
 {
     if (all->solver->station == 0) {
@@ -51,10 +53,11 @@ static void put_back(const struct solver_step *all, uint32_t index, uint32_t rou
     note_turned_back(all, index);
 }
 
-/* If the contact list is full, the unlisted contacts are unknown. Each fish with an unlisted
- * contact keeps its pose from the start of the substep. All kept poses are free of each other, and
- * the list covers the remaining fish. List slots are drawn in each tick, so some fish always move.
- * A pile that was staged overlapping is only separated. Returns the number of fish held. */
+/* Reverts fish whose contacts are unknown because the contact list was full. Each fish with an
+ * unlisted contact keeps its pose from the start of the substep. These poses do not overlap, and
+ * the list covers the other fish. The contacts in the list are random in each tick, so every fish
+ * moves in some ticks. Staged fish with many overlaps are not reverted, only separated. Returns the
+ * number of reverted fish. */
 static uint32_t hold_unlisted(const struct solver_step *all)
 {
     const struct broad_phase *broad_phase = all->broad_phase;
@@ -70,16 +73,17 @@ static uint32_t hold_unlisted(const struct solver_step *all)
     return held;
 }
 
-/* Returns 1 if the fish moved in this round or the previous one, so that its pairs must be checked
- * again. */
+/* Returns 1 if the fish moved in this round or in the previous round, so that its pairs must be
+ * checked again. Otherwise returns 0. */
 static int is_fresh(const struct contact_solver *solver, uint32_t index, uint32_t round)
 {
     return round == 0 || solver->fresh_round[index] >= round;
 }
 
-/* Moves a fish along with an obstacle from its pose at the start of the substep. Fish moved along
- * with the same obstacle cannot come nearer to the obstacle. Returns 0 and leaves the fish if walls
- * leave no room, or if the distance exceeds the limit of a substep that the query covers. */
+/* Moves a fish along with an obstacle from its pose at the start of the substep. Fish that move
+ * along with an obstacle cannot come nearer to that obstacle. Returns 1 if the fish moved. Returns
+ * 0 and leaves the fish unchanged if it was already carried or reverted, if a wall leaves no room,
+ * or if the motion exceeds the limit that the query covers. */
 static int carry(const struct solver_step *all, uint32_t index, uint32_t o, uint32_t round)
 {
     struct contact_solver *solver = all->solver;
@@ -99,8 +103,8 @@ static int carry(const struct solver_step *all, uint32_t index, uint32_t o, uint
     return 1;
 }
 
-/* Carries a fish that an obstacle presses into another fish, because it would only be pressed
- * again. */
+/* Moves a fish along with the obstacle that presses it into another fish, because the obstacle
+ * would press a reverted fish again. Returns 1 if the fish moved, otherwise 0. */
 static int carry_pressed(const struct solver_step *all, uint32_t index, uint32_t round)
 {
     const uint8_t result = all->solver->result[index];
@@ -108,7 +112,8 @@ static int carry_pressed(const struct solver_step *all, uint32_t index, uint32_t
            carry(all, index, (uint32_t)result - SOLVER_PRESSED, round);
 }
 
-/* Carries the other fish along if it is in the way of a carried fish. */
+/* Moves fish `other` along with the obstacle that carries fish `carried`, if `other` is in its way.
+ * Returns 1 if `other` moved, otherwise 0. */
 static int carry_too(const struct solver_step *all, uint32_t carried, uint32_t other,
                      uint32_t round)
 {
@@ -116,8 +121,8 @@ static int carry_too(const struct solver_step *all, uint32_t carried, uint32_t o
     return result >= SOLVER_CARRIED && carry(all, other, (uint32_t)result - SOLVER_CARRIED, round);
 }
 
-/* Reverts one of two fish with too much penetration, namely the fish whose revert suffices. If
- * either would suffice, reverts the fish that moved farther. */
+/* Resolves the penetration of two fish. Reverts the fish whose revert suffices. If the revert of
+ * either fish would suffice, reverts the fish that moved farther. */
 static void choose_reverted(const struct solver_step *all, uint32_t a, uint32_t b, float allowed_m,
                             uint32_t round)
 {
@@ -171,9 +176,10 @@ static uint32_t judge_pairs(const struct solver_step *all, uint32_t round)
     return guilty;
 }
 
-/* Resolves penetration with an obstacle. A fish that ran into the obstacle reverts. A fish that the
- * obstacle ran into is carried along, because a revert would not help. If there is no room either,
- * the obstacle reacts, unless it has reacted as often as it may. Returns 1 if anything changed. */
+/* Resolves the penetration of a fish and an obstacle. A fish that ran into the obstacle reverts. If
+ * the obstacle ran into the fish, a revert would not help, so the fish moves along with the
+ * obstacle. If the fish has no room, the obstacle reacts, unless it has no motion left to give up.
+ * Returns 1 if a position changed, otherwise 0. */
 static int settle_with(const struct solver_step *all, uint32_t index, uint32_t o, vec3 out,
                        float excess_m, uint32_t round)
 {
@@ -221,8 +227,9 @@ static uint32_t judge_obstacles(const struct solver_step *all, uint32_t round)
     return changes;
 }
 
-/* Each round carries or reverts a fish, or makes a poi react. Each fish can be carried once and
- * reverted once, even after it was carried. Each poi can react a few times. */
+/* In each round, a fish is carried, a fish reverts, or a poi reacts. Each fish is carried at most
+ * once and reverts at most once, even after it was carried. Each poi reacts a limited number of
+ * times. Therefore the loop ends. */
 void penetration_check(const struct solver_step *all, int is_parted)
 {
     const int is_known = hold_unlisted(all) == 0 && is_parted;

@@ -5,27 +5,34 @@
 #include "core/input.h"
 #include "core/tank/collision/ring_contact.h"
 
-#define SPEED_MAX_M_S 0.5f /* The water absorbs any higher speed at once. */
+/* Largest initial speed in the water, which absorbs any higher speed immediately. */
+#define SPEED_MAX_M_S 0.5f
 #define DRAG_PER_S 6.0f
-#define SINK_M_S 0.03f     /* A stunned fish sinks. */
-#define PUSH_MAX_M 0.0025f /* Per tick: 0.3 m/s, like a fish that slips between others. */
-#define FALL_MAX_M 0.010f  /* Per tick, for a fish that slides off paper over the water. */
-#define SLIDE_M_S 0.3f     /* Speed off a paper that would otherwise lift the fish. */
-#define ASIDE_M_S 0.06f    /* Speed at which the fish in its place move aside. */
+#define SINK_M_S 0.03f /* Speed at which a stunned fish sinks. */
+/* Largest push per tick: 0.3 m/s, like a fish that slips between other fish. */
+#define PUSH_MAX_M 0.0025f
+/* Largest fall per tick of a fish that slides off paper over the water. */
+#define FALL_MAX_M 0.010f
+/* Speed at which a fish slides off paper that would otherwise lift it. */
+#define SLIDE_M_S 0.3f
+#define ASIDE_M_S 0.06f /* Speed at which other fish move aside. */
 #define HURRY_ALARM 0.5f
 #define BURST_S 0.6f
-#define BURST_LENGTHS 4.0f /* Body lengths per second. */
-#define SWIM_S 0.5f        /* Time until the next choice of gait. */
+/* Initial speed of a fish that bursts away, in body lengths per second. */
+#define BURST_LENGTHS 4.0f
+#define SWIM_S 0.5f /* Time until the fish chooses its next gait. */
 
-#define SEEK_TICKS 16u /* Ticks of pushes alone; afterwards the fish makes for the nearest gap. */
+/* Ticks in which only pushes move the fish. Afterwards the fish moves toward the nearest gap. */
+#define SEEK_TICKS 16u
 #define PUT_TICKS 48u  /* Ticks after which the fish is placed into the nearest gap. */
 #define AGAIN_TICKS 8u /* Ticks between two searches for a gap. */
 #define SEEK_M_S 0.3f
-/* About one length; ring_contact.c detects paper on the way within 6 cm. */
+/* Largest distance of a gap, about one body length. ring_contact.c detects paper on the way within
+ * 6 cm. */
 #define SEEK_M 0.05f
 #define SEEK_SHELLS 14u
 
-/* Returns the ticks since the fish came back. */
+/* Returns the ticks since the fish came back into the water. */
 static uint32_t loose_ticks(const struct fish *fish)
 {
     return (uint32_t)(fish->gait_left_s * (float)CORE_TICK_HZ + 0.5f);
@@ -41,7 +48,8 @@ static float reach_m(const struct fish *fish)
     return 0.5f * (fish->length_m + fish->height_m);
 }
 
-/* Keeps the fish within the tank and below `high_m`, unless it lies level there. */
+/* Keeps the fish within the walls and above the floor. The highest possible position is just below
+ * the surface, or `high_m` if `high_m` is higher. */
 static void stay_within(const struct tank *tank, struct fish *fish, float high_m)
 {
     const struct box box = fish_box(fish);
@@ -70,11 +78,14 @@ void reentry_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
     fish->heading_rad = fish->angles.yaw_rad;
     fish->push_m_s = v3(0.0f, 0.0f, 0.0f);
     fish->gait_left_s = 0.0f;
-    stay_within(tank, fish, fish->position_m.y); /* No fish is pushed down through paper. */
+    stay_within(tank, fish, fish->position_m.y); /* Allows the fish's present height, so that a
+                                                    fish over paper is not pushed down through
+                                                    the paper. */
     tank->reentry_count++;
 }
 
-/* Keeps the fish within the tank; above the surface it only falls. */
+/* Keeps the fish within the tank. A fish above the surface comes down by FALL_MAX_M per tick at
+ * most. */
 static void come_down(const struct tank *tank, struct fish *fish)
 {
     const float high_m = fish->position_m.y - FALL_MAX_M;
@@ -82,8 +93,8 @@ static void come_down(const struct tank *tank, struct fish *fish)
     fish->position_m.y = f_max(fish->position_m.y, high_m);
 }
 
-/* Sums the pushes that move the fish out of all others, and pushes those in the opposite direction.
- * Returns 1 if the fish overlaps none of them. */
+/* Adds the pushes that move the fish out of swimming fish to `push_m`, and pushes those fish in the
+ * opposite direction. Returns 1 if the fish overlaps no swimming fish, otherwise 0. */
 static int part_from_fish(struct tank *tank, uint32_t index, vec3 *push_m)
 {
     struct fish *fish = &tank->fish[index];
@@ -108,7 +119,8 @@ static int part_from_fish(struct tank *tank, uint32_t index, vec3 *push_m)
     return clear;
 }
 
-/* Sums the pushes of ring, paper and hull in the same way. */
+/* Adds the pushes by rings, paper and hulls to `push_m`. Returns 1 if the fish touches no obstacle,
+ * otherwise 0. */
 static int part_from_obstacles(const struct fish *fish, vec3 before_m,
                                const struct obstacle *obstacles, uint32_t obstacle_count,
                                vec3 *push_m)
@@ -127,8 +139,9 @@ static int part_from_obstacles(const struct fish *fish, vec3 before_m,
     return clear;
 }
 
-/* Paper without room for the fish takes it along, over the surface if necessary, and the fish
- * slides off over the ring. No fish passes through paper. Returns 1 if the fish was taken along. */
+/* Moves the fish along with paper that leaves no room for it, over the surface if necessary. The
+ * fish then slides off over the ring, so no fish passes through paper. Returns 1 if the fish was
+ * moved along, otherwise 0. */
 static int keep_off_paper(struct fish *fish, vec3 before_m, const struct obstacle *obstacles,
                           uint32_t obstacle_count)
 {
@@ -148,7 +161,7 @@ static int keep_off_paper(struct fish *fish, vec3 before_m, const struct obstacl
     return held;
 }
 
-/* ---- Gaps ----------------------------------------------------------------------------------- */
+/* ---- Search for gaps ------------------------------------------------------------------------- */
 
 static int meets_fish(const struct tank *tank, uint32_t index, const struct fish *there)
 {
@@ -168,7 +181,7 @@ static int meets_fish(const struct tank *tank, uint32_t index, const struct fish
     return 0;
 }
 
-/* Returns one of the 26 directions from the middle cell of a 3 x 3 x 3 cube. */
+/* Returns one of the 26 directions from the middle cell of a 3 x 3 x 3 cube to the other cells. */
 static vec3 way_out(uint32_t which)
 {
     const uint32_t cell = which < 13u ? which : which + 1u;
@@ -177,9 +190,9 @@ static vec3 way_out(uint32_t which)
     return v3_normalize_or(way, way);
 }
 
-/* Finds the nearest place within SEEK_M that is clear of all fish and obstacles, on the same side
- * of every paper. A third of all places is free in a full tank, so the first shells usually have
- * one. Returns 0 if there is none. */
+/* Finds the nearest place within SEEK_M that is free of fish and obstacles and on the fish's side
+ * of every paper. In a full tank a third of all places is free, so the nearest shells usually
+ * contain one. Returns 1 and writes the place to `gap_m`, or returns 0 if no place is free. */
 static int find_gap(const struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                     uint32_t obstacle_count, vec3 *gap_m)
 {
@@ -212,7 +225,8 @@ static void swim_off(const struct tank *tank, struct fish *fish)
     fish->falls = 0;
 }
 
-/* Moves a fish that pushes have not freed for long toward a gap, or places it there. */
+/* Moves a fish that pushes did not free toward the nearest gap. After PUT_TICKS, places the fish
+ * into the gap. */
 static void seek_gap(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                      uint32_t obstacle_count)
 {
@@ -231,7 +245,7 @@ static void seek_gap(struct tank *tank, uint32_t index, const struct obstacle *o
     }
 }
 
-/* ---- A tick --------------------------------------------------------------------------------- */
+/* ---- Advancing by a tick --------------------------------------------------------------------- */
 
 static void sink(const struct tank *tank, struct fish *fish)
 {
@@ -242,8 +256,8 @@ static void sink(const struct tank *tank, struct fish *fish)
     come_down(tank, fish);
 }
 
-/* Moves a fish in reentry. A fish that makes for a gap ignores pushes by fish, which would lead it
- * away. */
+/* Moves a fish in reentry. A fish on its way to a gap ignores the pushes by other fish, because
+ * they would lead it away from the gap. */
 static void move_dropped_fish(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                               uint32_t obstacle_count)
 {
@@ -260,7 +274,8 @@ static void move_dropped_fish(struct tank *tank, uint32_t index, const struct ob
     }
     const int seeks = loose_ticks(fish) >= SEEK_TICKS && swims;
     push_m = seeks ? push_m : v3_add(push_m, fish_push_m);
-    if (swims) { /* Over the water it slides over the ring, whatever the other pushes are. */
+    if (swims) { /* Above the water the fish only slides over the ring and ignores all other
+                    pushes. */
         fish->position_m = v3_add(fish->position_m, v3_limit(push_m, PUSH_MAX_M));
     }
     come_down(tank, fish);

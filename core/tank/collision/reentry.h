@@ -1,20 +1,23 @@
-/* reentry.h -- reentry: a fish that comes back into the water, until it is clear of all others.
+/* reentry.h -- reentry: the state of a fish that came back into the water, until it overlaps no
+ * other fish.
  *
- * A fish dropped from a poi, floated off it or poured from a bowl may overlap other fish. Meanwhile
- * the fish is GAIT_HELD by FISH_HOLDER_WATER. In this state the fish drifts, is pushed out of other
- * fish, pushes them aside, and swims as soon as it overlaps none. A fish that is not free after
- * 0.13 s makes for the nearest gap. After 0.4 s it is placed into that gap. Reentry therefore ends
- * within half a second, unless nothing within 5 cm is free. */
+ * A fish that dropped or floated off a poi (the paper scoop), or was poured from a bowl, may
+ * overlap other fish. During reentry its gait is GAIT_HELD and its holder FISH_HOLDER_WATER. The
+ * fish drifts, is pushed out of other fish and pushes them aside. The fish swims as soon as it
+ * overlaps no other fish. After 0.13 s of overlap the fish moves toward the nearest gap, and after
+ * 0.4 s it is placed into the gap. Therefore reentry ends within half a second unless no place
+ * within 5 cm is free. */
 #ifndef KINGYO_CORE_TANK_COLLISION_REENTRY_H
 #define KINGYO_CORE_TANK_COLLISION_REENTRY_H
 
 #include "core/tank/tank.h"
 
-/* Releases a fish into the water at its place, inside the walls, under the surface and level, with
- * the rest of its speed. Once clear, it bursts away if its alarm is high; otherwise it swims. */
+/* Begins the reentry of a fish at its present place, with pitch and roll 0, within the walls and
+ * with at most `velocity_m_s`. At the end of reentry the fish bursts away if its alarm is high;
+ * otherwise it swims. */
 void reentry_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s);
 
-/* Advances all fish in reentry by one tick, after the contact solver has run. */
+/* Advances all fish in reentry by one tick; called after the contact solver. */
 void reentry_tick(struct tank *tank, const struct obstacle *obstacles, uint32_t obstacle_count);
 
 #endif

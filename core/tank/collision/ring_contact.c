@@ -1,18 +1,22 @@
-/* ring_contact.c -- contact of fish with ring, hull and paper in the contact solver. */
+/* ring_contact.c -- contact of fish with the ring and paper of a poi and the hull of a bowl, for
+ * the contact solver. */
 #include "core/tank/collision/ring_contact.h"
 
 #include "core/input.h"
 
-/* Largest number of slides around fish in one tick; afterwards the poi stops. */
+/* Largest number of partial reactions of a poi in one tick; afterwards the poi stops. */
 #define GIVE_MAX 8u
-#define GIVE_MIN_M 0.00002f /* Extra distance, so that rounding does not cause another reaction. */
-#define SIDE_GAP_M 0.0005f  /* Least distance of a fish's centre from the paper. */
-/* Speed per tick at which a body that slid in over the ring is pushed out. */
+/* Extra distance of a reaction, so that rounding does not cause another reaction. */
+#define GIVE_MIN_M 0.00002f
+#define SIDE_GAP_M 0.0005f /* Least distance of a fish's centre from the paper. */
+/* Speed per tick at which a body that came over the ring into the paper is pushed out. */
 #define PAPER_PUSH_M 0.0025f
-#define PIN_M_S 0.12f /* Speed of the paper at which it takes a fish halfway along. */
-/* Slope at which a fish glides off a rim at half the body's height: 37 degrees. */
+/* Speed of the paper at which a fish on it moves along at half of that speed. */
+#define PIN_M_S 0.12f
+/* Slope at which a fish slides off a ring at half the body's height: 37 degrees. */
 #define GLIDE 1.5f
-#define NEAR_PLANE_M 0.06f /* Farther from the plane no fish touches the paper in one tick. */
+/* Distance from the plane of the paper beyond which no fish touches the paper in one tick. */
+#define NEAR_PLANE_M 0.06f
 
 struct obstacle ring_before(const struct obstacle *obstacle)
 {
@@ -25,7 +29,7 @@ struct obstacle ring_before(const struct obstacle *obstacle)
     return before;
 }
 
-/* ---- Paper ---------------------------------------------------------------------------------- */
+/* ---- Paper ----------------------------------------------------------------------------------- */
 
 static int paper_holds(const struct obstacle *disc, float x_m, float z_m)
 {
@@ -40,7 +44,8 @@ static int paper_holds(const struct obstacle *disc, float x_m, float z_m)
     return disc->paper[row * OBSTACLE_PAPER_SIDE + column] == OBSTACLE_PAPER_HOLDS;
 }
 
-/* Returns half the thickness of a fish's ellipsoid along a world unit vector. */
+/* Returns half the thickness of the fish along a world unit vector. The fish is the ellipsoid that
+ * fits into its box. */
 static float half_thick_m(const struct body *body, vec3 direction)
 {
     const float x = body->half_x_m * v3_dot(body->right, direction);
@@ -49,12 +54,15 @@ static float half_thick_m(const struct body *body, vec3 direction)
     return f_sqrt(x * x + y * y + z * z);
 }
 
-/* A fish relative to the paper. */
+/* Position of a fish relative to the paper of a poi. */
 struct side {
-    float side;     /* +1 above, -1 below; 0: no paper is near. */
-    float height_m; /* Height of the fish's centre on that side; < 0 if the fish passed through. */
-    float clear_m;  /* Height at which its body would not touch the paper. */
-    float was_m;    /* The height at the start of the substep. */
+    float side;     /* Side of the paper: +1 means above, -1 means below, 0 means that no paper is
+                       near. */
+    float height_m; /* Distance of the fish's centre from the paper, positive on the side `side`; <
+                       0 if the fish passed through. */
+    float clear_m;  /* Distance of the fish's centre from the paper at which its body would not
+                       touch the paper. */
+    float was_m;    /* Value of `height_m` at the start of the substep. */
 };
 
 static struct side disc_side_of(const struct obstacle *disc, const struct body *now, vec3 before_m)
@@ -69,7 +77,8 @@ static struct side disc_side_of(const struct obstacle *disc, const struct body *
     const vec3 q1 = vec_basis_to_body(&disc->axes, away);
     const vec3 q0 = vec_basis_to_body(&old.axes, v3_sub(before_m, old.centre_m));
     const float side = q0.y < 0.0f ? -1.0f : 1.0f;
-    /* The point where the path crossed the plane, or the point below the fish now. */
+    /* Share of the path at which the fish crossed the plane of the paper. 1 means that it did not
+     * cross, so its present place counts. */
     const float t = side * q1.y < 0.0f ? q0.y / (q0.y - q1.y) : 1.0f;
     if (!paper_holds(disc, f_lerp(q0.x, q1.x, t), f_lerp(q0.z, q1.z, t)) ||
         f_abs(q1.y) > NEAR_PLANE_M) {
@@ -78,9 +87,9 @@ static struct side disc_side_of(const struct obstacle *disc, const struct body *
     return (struct side){ side, side * q1.y, half_thick_m(now, disc->axes.up), side * q0.y };
 }
 
-/* Returns how far a fish moves along the paper. The flow through which the paper moves presses the
- * fish flat on it: at 0.3 m/s with 0.04 N, more than its weight in air. Friction then takes the
- * fish along with the paper, also sideways. */
+/* Returns the velocity at which a fish moves along the plane of the paper. The flow through the
+ * moving paper presses the fish flat onto it, at 0.3 m/s with 0.04 N, which is more than the fish's
+ * weight in air. Friction then moves the fish along with the paper, also sideways. */
 static vec3 pinned_along(const struct obstacle *disc, float closing_m_s)
 {
     const vec3 v = disc->velocity_m_s, up = disc->axes.up;
@@ -125,7 +134,7 @@ static float paper_excess_m(const struct obstacle *disc, const struct body *now,
     return at.clear_m - at.height_m - f_max(RING_SAG_M, was_in_m);
 }
 
-/* ---- Ring and hull -------------------------------------------------------------------------- */
+/* ---- Ring and hull --------------------------------------------------------------------------- */
 
 vec3 ring_hard_push(const struct obstacle *obstacle, const struct body *now)
 {
@@ -141,7 +150,7 @@ vec3 ring_hard_push(const struct obstacle *obstacle, const struct body *now)
     return v3_muladd(off, normal, GLIDE * depth_m * round);
 }
 
-/* ---- Both ----------------------------------------------------------------------------------- */
+/* ---- Ring, hull and paper -------------------------------------------------------------------- */
 
 static float hard_excess_m(const struct obstacle *obstacle, const struct body *now,
                            const struct body *before, float free_m, vec3 *out)

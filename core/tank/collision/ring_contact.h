@@ -1,9 +1,9 @@
-/* ring_contact.h -- contact between a poi and a fish in one tick: penetration of ring and paper,
- * and which of the two moves.
+/* ring_contact.h -- contact between a poi (the paper scoop) and a fish in one tick: the penetration
+ * into ring and paper, and the choice which of the two moves.
  *
- * A poi moves before the fish do, and pushes fish out of its way. If a fish cannot move (other
- * fish, a wall or the floor behind it), the poi gives back as much of its step as needed. Both were
- * clear of each other in the previous tick, so the whole step always suffices. */
+ * A poi moves before the fish do, and pushes fish out of its way. If a fish cannot move because of
+ * other fish, a wall or the floor, the poi gives up as much of its step as needed. Giving up the
+ * whole step always suffices, because poi and fish did not touch in the previous tick. */
 #ifndef KINGYO_CORE_TANK_COLLISION_RING_CONTACT_H
 #define KINGYO_CORE_TANK_COLLISION_RING_CONTACT_H
 
@@ -13,34 +13,36 @@
 /* Largest sag of the paper under a body. */
 #define RING_SAG_M 0.004f
 
-/* Returns the obstacle as it was at the start of the tick. */
+/* Returns a copy of the obstacle with its position and orientation before its step. */
 struct obstacle ring_before(const struct obstacle *obstacle);
 
-/* Returns the penetration of a fish into ring, hull or paper, minus the allowed depth; > 0 is too
- * deep. `out` becomes the direction out. `before` is the pose of the previous tick: a deeper
- * penetration there is allowed to stay, and paper holds a fish on its previous side. */
+/* Returns the penetration of a fish into ring, hull or paper minus the allowed penetration, m. A
+ * result > 0 is too deep. `out` receives the direction in which the fish must move. `before` is the
+ * body in the previous tick. Its penetration is allowed if it is larger than `free_m`. Paper keeps
+ * a fish on the side on which `before` is. */
 float ring_excess_m(const struct obstacle *obstacle, const struct body *now,
                     const struct body *before, float free_m, vec3 *out);
 
-/* Returns the shortest move that takes the body off the ring or hull, and a little more above or
- * below a ring, because bodies are round where their boxes have corners. Zero: the body is
- * clear. */
+/* Returns the shortest translation that moves the body off the ring or hull, or zero if the body
+ * does not touch them. At a ring a small move along the ring's normal is added, because a fish is
+ * round where its box has corners. */
 vec3 ring_hard_push(const struct obstacle *obstacle, const struct body *now);
 
-/* Returns the move that the paper requires of the fish in this tick: off the paper by the fish's
- * ellipsoid, a little more each tick, and along with the paper if the flow presses the fish on.
- * Zero: no contact. */
+/* Returns the move that the paper requires of the fish in this tick, or zero if the fish does not
+ * touch the paper. The fish moves off the paper by a limited distance. If the flow presses the fish
+ * onto the paper, the fish also moves along with the paper. */
 vec3 ring_paper_push(const struct obstacle *disc, const struct body *now, vec3 before_m);
 
-/* Returns the shortest move that keeps the fish's centre on its side of the paper. Zero: the centre
- * is there. */
+/* Returns the shortest translation that keeps the fish's centre on its side of the paper, or zero
+ * if the centre is already there. */
 vec3 ring_paper_hold(const struct obstacle *disc, const struct body *now, vec3 before_m);
 
-/* Returns the position of a point at `before_m` after it moves along with the obstacle. */
+/* Returns the position of a point that was at `before_m` after it moved along with the obstacle. */
 vec3 ring_carry_m(const struct obstacle *obstacle, vec3 before_m);
 
-/* Removes `excess_m` of the obstacle's step against `out`, or its rotation into the fish, or
- * finally the whole step. Returns 0 if nothing is left to remove. */
+/* Reduces the obstacle's step by `excess_m` against the direction `out`. If that is impossible,
+ * undoes the obstacle's rotation, or finally its whole step. Returns 1 if the obstacle changed, or
+ * 0 if it has no motion left to give up. */
 int ring_apply_reaction(struct obstacle *obstacle, vec3 out, float excess_m);
 
 #endif

@@ -1,11 +1,14 @@
-/* shape_tests.c -- distances between a box and a ring or hull, by search along the curve within
- * reach of the box. */
+/* shape_tests.c -- distances between a box and a ring or hull, found by a search over the ring or
+ * over the box. */
 #include "core/tank/collision/shape_tests.h"
 
-/* 4 mm apart on a poi's ring: no corner of a fish fits between two points. */
+/* Number of coarse points on a ring. On the ring of a poi they are 4 mm apart, so that no corner of
+ * a fish fits between two points. */
 #define RING_POINTS 64
-#define RING_HALVINGS 7 /* Refines the point to a thirtieth of a millimetre along the ring. */
-/* Coordinate descent over three coordinates; the box of a fish needs five sweeps. */
+/* Number of halvings that refine a point to a thirtieth of a millimetre along the ring. */
+#define RING_HALVINGS 7
+/* Number of sweeps of the coordinate descent over three coordinates. The box of a fish needs five
+ * sweeps. */
 #define HULL_SWEEPS 8
 
 static float sign_of(float value)
@@ -13,8 +16,8 @@ static float sign_of(float value)
     return value < 0.0f ? -1.0f : 1.0f;
 }
 
-/* Returns the normal of the face nearest to a point inside a box; `q` is the distance to each face
- * (<= 0). */
+/* Returns the normal of the box face nearest to a point inside the box. `p` is the point in the
+ * coordinates of the box, and `q` its signed distance to the faces, <= 0. */
 static vec3 nearest_face(vec3 p, vec3 q)
 {
     if (q.x >= q.y && q.x >= q.z) {
@@ -37,16 +40,16 @@ float shape_touch_point_m(const struct box *box, vec3 point_m, vec3 *out)
     return outside_m + inside_m;
 }
 
-/* ---- Ring ----------------------------------------------------------------------------------- */
+/* ---- Ring ------------------------------------------------------------------------------------ */
 
-/* A direction in the plane of a ring, as cosine and sine of the angle from its east. The angle
- * itself is never computed. */
+/* A direction in the plane of a ring, as cosine and sine of the angle from the vector `east` of
+ * struct circle. The angle itself is never computed. */
 struct turn {
     float cos, sin;
 };
 
-/* Cosines of k / RING_POINTS of a turn, for half a turn. A sine is the cosine of a quarter turn
- * less. */
+/* Cosines of k / RING_POINTS of a full turn, for k up to half a turn. The sine of an angle is the
+ * cosine of that angle minus a quarter turn. */
 static const float ring_cos[RING_POINTS / 2 + 1] = {
     1.0f,          0.995184727f,  0.98078528f,   0.956940336f,  0.923879533f,  0.881921264f,
     0.831469612f,  0.773010453f,  0.707106781f,  0.634393284f,  0.555570233f,  0.471396737f,
@@ -56,7 +59,7 @@ static const float ring_cos[RING_POINTS / 2 + 1] = {
     -0.98078528f,  -0.995184727f, -1.0f,
 };
 
-/* Successive halvings of the angle between two points. */
+/* Cosines and sines of successive halvings of the angle between two points. */
 static const struct turn ring_halving[RING_HALVINGS] = {
     { 0.998795456f, 0.0490676743f },   { 0.999698819f, 0.0245412285f },
     { 0.999924702f, 0.0122715383f },   { 0.999981175f, 0.00613588465f },
@@ -70,12 +73,12 @@ static struct turn turn_by(struct turn turn, struct turn more, float side)
                           turn.sin * more.cos + side * turn.cos * more.sin };
 }
 
-/* The circle in the frame of the box. */
+/* The centre line of a ring in the coordinates of the box. */
 struct circle {
     vec3 centre_m;    /* Centre of the circle relative to the centre of the box, along the axes of
                          the box. */
-    vec3 east, north; /* Vectors of the circle's radius: toward the box, and perpendicular to
-                         that. */
+    vec3 east, north; /* Vectors as long as the circle's radius: `east` points toward the box, and
+                         `north` is perpendicular to `east`. */
     vec3 half_m;      /* Half sizes of the box. */
 };
 
@@ -84,7 +87,8 @@ static vec3 circle_point(const struct circle *circle, struct turn turn)
     return v3_muladd(v3_muladd(circle->centre_m, circle->east, turn.cos), circle->north, turn.sin);
 }
 
-/* Returns the signed distance, as shape_touch_point_m(). */
+/* Returns the signed distance of a point of the circle from the box, as shape_touch_point_m()
+ * does. */
 static float circle_distance_m(const struct circle *circle, struct turn turn)
 {
     const vec3 p = circle_point(circle, turn), half = circle->half_m;
@@ -94,7 +98,7 @@ static float circle_distance_m(const struct circle *circle, struct turn turn)
     return square > 0.0f ? f_sqrt(square) : f_max(q.x, f_max(q.y, q.z));
 }
 
-/* Point of the ring nearest to the box, or deepest in it. */
+/* Point of the ring that is nearest to the box, or deepest in the box. */
 struct nearest {
     struct turn turn;
     float distance_m;
@@ -108,8 +112,9 @@ static void try_turn(struct nearest *best, const struct circle *circle, struct t
     }
 }
 
-/* Refines the point of least distance by halving the step. From a convex box the distance along a
- * chord has one minimum, and so short an arc deviates from its chord by 0.05 mm. */
+/* Refines the point of least distance by halving the step. Along a chord, the distance from a
+ * convex box has one minimum, and an arc of this length deviates from its chord by at most
+ * 0.05 mm. */
 static struct nearest close_in(struct nearest best, const struct circle *circle)
 {
     for (int k = 0; k < RING_HALVINGS; k++) {
@@ -120,9 +125,9 @@ static struct nearest close_in(struct nearest best, const struct circle *circle)
     return best;
 }
 
-/* Returns the number of steps from east, in both directions, that cover all points within `reach_m`
- * of the box's centre. The centre lies `in_plane_m` to the east of the ring's centre and `away_m`
- * from it in total. */
+/* Returns the number of steps from `east`, in each direction, that cover all points of the circle
+ * within `reach_m` of the box's centre. The box's centre lies `in_plane_m` to the east of the
+ * ring's centre, in total `away_m` from it. `middle_m` is the radius of the circle. */
 static int window_of(float in_plane_m, float away_m, float middle_m, float reach_m)
 {
     const float least =
@@ -142,9 +147,9 @@ static struct turn turn_of(int step)
     return (struct turn){ ring_cos[size], step < 0 ? -sine : sine };
 }
 
-/* Finds the nearest point. A box can be near two parts of the ring at once, and a second minimum
- * that is slightly worse at the coarse points may be the better one after refinement. Every coarse
- * minimum is therefore refined. */
+/* Finds the point nearest to the box. The box can be near two parts of the ring, and the coarse
+ * minimum that is slightly worse can be better after refinement. Therefore every coarse minimum is
+ * refined. */
 static struct nearest nearest_on(const struct circle *circle, int window, float maybe_m)
 {
     struct nearest best = { { 1.0f, 0.0f }, SHAPE_TOUCH_FAR_M };
@@ -165,8 +170,8 @@ static struct nearest nearest_on(const struct circle *circle, int window, float 
     return best;
 }
 
-/* Handles a ring that passes right through a box. It has no nearest face: only a move perpendicular
- * to the ring clears it, and there a straight rod approximates the ring. */
+/* Handles a ring whose centre line passes through the box. Only a move perpendicular to the ring
+ * separates them, and a straight rod approximates the ring there. */
 static struct touch pierced(const struct ring *ring, const struct box *box, vec3 point_m, vec3 out)
 {
     const vec3 along =
@@ -214,16 +219,16 @@ struct touch shape_touch_ring(const struct ring *ring, const struct box *box)
     return at.distance_m < SHAPE_TOUCH_FAR_M ? touch_near(ring, box, &circle, &at) : far;
 }
 
-/* ---- Hull ----------------------------------------------------------------------------------- */
+/* ---- Hull ------------------------------------------------------------------------------------ */
 
 static float part_of(vec3 v, int i)
 {
     return i == 0 ? v.x : i == 1 ? v.y : v.z;
 }
 
-/* Returns the point of the box that lies deepest in an ellipsoid. There |S (c + R u)| is least,
- * with S the inverse half axes and u within the half sizes. Each of the three coordinates is
- * optimised in turn. */
+/* Returns the point of the box that lies deepest in an ellipsoid. At that point |S (c + R u)| is
+ * least, where S holds the inverse half axes, c and R are the centre and axes of the box, and u is
+ * within the half sizes. Each of the three coordinates of u is optimised in turn. */
 static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
 {
     const vec3 axis[3] = { box->axes.right, box->axes.up, box->axes.back };
@@ -244,7 +249,8 @@ static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
     return v3_muladd(v3_muladd(v3_muladd(centre, axis[0], u[0]), axis[1], u[1]), axis[2], u[2]);
 }
 
-/* The first-order distance to an ellipsoid, (k - 1) k / |gradient|, is accurate near its skin. */
+/* Uses the first-order distance to an ellipsoid, (k - 1) k / |gradient|, which is accurate near the
+ * skin of the ellipsoid. */
 struct touch shape_touch_hull(const struct hull *hull, const struct box *box)
 {
     const struct touch far = { SHAPE_TOUCH_FAR_M, { 0.0f, -1.0f, 0.0f } };
@@ -259,7 +265,7 @@ struct touch shape_touch_hull(const struct hull *hull, const struct box *box)
     const vec3 gradient = v3(s.x * inverse.x, s.y * inverse.y, s.z * inverse.z);
     const float k = v3_length(s), steep = v3_length(gradient);
     const vec3 out = v3_normalize_or(gradient, far.out);
-    /* The direction is down and aside, never up into the bowl. */
+    /* The direction points down and to the side, never up into the bowl. */
     const vec3 away = v3_normalize_or(v3(out.x, f_min(out.y, 0.0f), out.z), far.out);
     return (struct touch){ steep > 0.0f ? (k - 1.0f) * k / steep : -hull->depth_m, away };
 }

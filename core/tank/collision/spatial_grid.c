@@ -1,4 +1,4 @@
-/* spatial_grid.c -- counting sort into square cells. */
+/* spatial_grid.c -- counting sort of fish into square cells. */
 #include "core/tank/collision/spatial_grid.h"
 
 #include "core/base/mem.h"
@@ -16,8 +16,8 @@ void spatial_grid_layout(struct spatial_grid *grid, float width_m, float breadth
     const uint32_t cell_max = fish_capacity(fish_count) / (TANK_FISH_MAX / SPATIAL_GRID_CELL_MAX);
     CORE_ASSERT(width_m > 0.0f && breadth_m > 0.0f);
     CORE_ASSERT(reach_m > 0.0f);
-    /* No cell is smaller than a square plan of cell_max cells needs. */
-    /* Slightly more than the reach, so that rounding never puts two near items two cells apart. */
+    /* A cell is at least as large as a square floor plan of `cell_max` cells requires. It is also
+     * slightly larger than the reach, so that rounding never puts two near fish two cells apart. */
     grid->cell_m = f_max(1.0001f * reach_m, f_max(width_m, breadth_m) / (float)cell_max);
     grid->columns = cells_along(width_m, grid->cell_m);
     grid->rows = cells_along(breadth_m, grid->cell_m);
@@ -31,7 +31,7 @@ void spatial_grid_layout(struct spatial_grid *grid, float width_m, float breadth
     grid->origin_z_m = -0.5f * breadth_m;
 }
 
-/* Clamps before the conversion, so that no float exceeds the range of the integer. */
+/* Clamps before the conversion, so that the float never exceeds the range of the integer. */
 static uint32_t cell_along(float offset_m, float cells_per_m, uint32_t count)
 {
     return (uint32_t)f_clamp(offset_m * cells_per_m, 0.0f, (float)(count - 1u));
@@ -56,8 +56,8 @@ void spatial_grid_sort(struct spatial_grid *grid, const fish_index *member, uint
     for (uint32_t c = 1; c <= cell_count; c++) {
         grid->start[c] = (fish_index)(grid->start[c] + grid->start[c - 1u]);
     }
-    /* Each start is now the end of its cell. Filling from the back moves each start to the
-     * beginning and keeps the order. */
+    /* Each element of `start` is now the end of its cell. Filling from the back moves it to the
+     * beginning of the cell and keeps the order of the members. */
     for (uint32_t m = count; m-- > 0;) {
         grid->item[--grid->start[grid->cell_of[m]]] = member[m];
     }

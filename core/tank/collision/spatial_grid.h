@@ -1,7 +1,7 @@
 /* spatial_grid.h -- the spatial grid: square cells over the floor plan and the fish in each cell.
  *
- * Uses a counting sort. If the cell side is at least the reach, the 3 x 3 cells around a fish hold
- * all its neighbours. */
+ * The fish are sorted by a counting sort. If the cell side is at least the reach of the search, the
+ * 3 x 3 cells around a fish hold all its neighbours. */
 #ifndef KINGYO_CORE_TANK_COLLISION_SPATIAL_GRID_H
 #define KINGYO_CORE_TANK_COLLISION_SPATIAL_GRID_H
 
@@ -13,39 +13,44 @@
 
 _Static_assert((fish_index)TANK_FISH_MAX == TANK_FISH_MAX, "all may be before a cell's start");
 
-/* Two fish per cell; sparser tanks have larger cells. */
+/* Largest number of cells: one cell for two fish. Tanks with fewer fish have larger cells. */
 #define SPATIAL_GRID_CELL_MAX (TANK_FISH_MAX / 2u)
 
 struct spatial_grid {
     float cell_m;      /* Side of a cell. */
     float cells_per_m; /* Inverse of `cell_m`. */
     float origin_x_m, origin_z_m;
-    uint32_t columns, rows; /* columns * rows <= SPATIAL_GRID_CELL_MAX */
+    uint32_t columns, rows; /* Number of cells along x and z. columns * rows is at most
+                               SPATIAL_GRID_CELL_MAX. */
     uint32_t count;         /* Number of items. */
     fish_index start[SPATIAL_GRID_CELL_MAX +
-                     1u]; /* Items of cell c: item[start[c]] .. item[start[c+1]-1]. */
+                     1u]; /* First item of each cell. The items of cell c are item[start[c]] to
+                             item[start[c + 1] - 1]. */
     fish_index item[TANK_FISH_MAX + SIMD_LANES_MAX];
-    fish_index cell_of[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Cell of each member to be sorted. */
+    fish_index cell_of[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Cell of each member that
+                                                           spatial_grid_sort() will sort. */
 };
 
-/* Lays cells of side >= `reach_m` over a floor plan for `fish_count` fish. The cells are larger if
- * the plan would need more than half of fish_capacity() cells. */
+/* Divides a floor plan for `fish_count` fish into cells whose side is at least `reach_m`. The cells
+ * are larger if the plan would need more than half of fish_capacity() cells. */
 void spatial_grid_layout(struct spatial_grid *grid, float width_m, float breadth_m, float reach_m,
                          uint32_t fish_count);
 
-/* Returns the cell of a point, clamped to the plan. */
+/* Returns the cell of a point. A point outside the plan belongs to the nearest cell at the
+ * border. */
 uint32_t spatial_grid_cell(const struct spatial_grid *grid, vec3 point_m);
 
-/* Sorts `count` <= TANK_FISH_MAX members by their cells; cell_of[m] is the cell of member m. The
- * sort is stable. */
+/* Sorts `count` members into their cells; cell_of[m] is the cell of member m. Members of a cell
+ * keep their order. Asserts that `count` is at most TANK_FISH_MAX. */
 void spatial_grid_sort(struct spatial_grid *grid, const fish_index *member, uint32_t count);
 
-/* A range of items. The cells of a row are consecutive, so their items are too. */
+/* The items from `from` to `to` - 1. The cells of a row are consecutive, so their items are too. */
 struct spatial_grid_range {
     uint32_t from, to;
 };
 
-/* Returns the cell of an item, at or after `cell`. */
+/* Returns the cell of `item`. The search begins at `cell`, which must not be behind the cell of
+ * `item`. */
 static inline uint32_t spatial_grid_cell_of_item(const struct spatial_grid *grid, uint32_t item,
                                                  uint32_t cell)
 {
@@ -55,8 +60,8 @@ static inline uint32_t spatial_grid_cell_of_item(const struct spatial_grid *grid
     return cell;
 }
 
-/* Returns the items of this cell and the next cell to the right. Together with spatial_grid_below()
- * they are the later items that may be near. */
+/* Returns the items of `cell` and of the next cell to the right. Together with
+ * spatial_grid_below(), these items are the only later items that may be near an item of `cell`. */
 static inline struct spatial_grid_range spatial_grid_beside(const struct spatial_grid *grid,
                                                             uint32_t cell)
 {
