@@ -36,7 +36,8 @@ void main()
     float inside = 1.0 - shell.x;
     float light = texture(caustics, world.xz * CAUSTIC_TILES * 1.6).r;
     tint *= lit * mix(1.0, 0.62 + 0.38 * shell.y, inside * 0.55);
-    // The bowl's own water is shallow: blue, but clear enough for its fish to be visible.
+    // The water in the bowl is shallow. It has a blue tint, but is clear enough for the fish in the
+    // bowl to be visible.
     float under = form.y - (world.y - mouth.y) / form.x;
     float drowned = inside * smoothstep(-0.02, 0.04, under);
     tint *= mix(vec3(1.0), vec3(0.70, 0.94, 1.02), drowned);
@@ -46,8 +47,8 @@ void main()
     tint = (tint + pow(shine, 60.0) * 0.22) * lamps;
     float depth = inside > 0.5 ? 0.0 : -world.y;
     vec3 left = water_passes(depth * 1.2);
-    // As on the poi, the outline is where the surface turns away from the viewer. Fading there
-    // smooths it.
+    // The outline of the bowl is where its surface turns away from the viewer. The outline fades
+    // there, which smooths it, as on the poi.
     float facing = dot(n, view);
     float cover = clamp(facing / fwidth(facing) + 0.15, 0.0, 1.0);
     color = vec4(mix(WATER_COLOR, tint, left), 1.0) * cover;

@@ -1,5 +1,5 @@
-// A bubble is a bright rim around a clear middle with the lamp's reflection. The stone is a rough
-// ball.
+// A bubble is a bright rim around a transparent middle, with a reflection of the lamp. The air
+// stone is a rough ball.
 in vec2 corner;
 in float grey;
 in float whole;

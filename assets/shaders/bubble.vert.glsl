@@ -1,9 +1,10 @@
-// The stone, then its bubbles: squares that face the viewer. A bubble rises for half a second and
-// spreads. Every third bubble then floats for a while and bursts.
+// The air stone, then its bubbles. Each is a square that faces the viewer. A bubble rises for half
+// a second and drifts sideways. Every third bubble then floats on the surface for a while and
+// bursts.
 uniform vec3 stone;
 out vec2 corner;
 out float grey;     // 1 for the stone, 0 for a bubble.
-out float whole;    // Remaining visibility of a bubble.
+out float whole;    // Visibility of the bubble, from 1 to 0 when it bursts.
 
 const float STONE_M = 0.009;
 const float RISES_M_S = 0.24;

@@ -1,4 +1,4 @@
-// The caustics tile of this frame: two neighbouring layers of the baked loop, crossfaded.
+// The tile of caustics at the current time: a mix of two neighbouring layers of the baked loop.
 in vec2 at;
 uniform sampler2DArray loop_layers;
 out vec4 color;

@@ -1,4 +1,5 @@
-// Prepended to every shader: precisions, the uniform values that all passes share, and the water.
+// Common block that is inserted before every shader: precisions, uniform values that all passes
+// share, and functions for water and goldfish colours.
 precision highp float;
 precision mediump int;
 precision highp sampler2D;
@@ -6,32 +7,38 @@ precision highp sampler2DArray;
 
 layout(std140) uniform Frame {
     mat4 view_projection;
-    vec4 eye;        // World position; w: seconds, wrapped at an hour.
-    vec4 tank;       // Half width, water depth, half breadth, rim height above the water.
-    vec4 screen;     // 1 / width, 1 / height of the screen; z: absorption, 1 / m; w: caustic layer.
-    vec4 shadow;     // xy: world x, z to the shadow map's -1 .. 1; zw: drift, m per m of height.
-    vec4 bend;       // xy: screen fraction per unit of surface slope, in x and in z;
-                     // z: number of shades that are fans; w: number of all shades.
-    vec4 placed;     // Columns of the rotation of the picture on the screen.
-    vec4 shades[8];  // Centre x, z, radius and darkness of shadow ellipses: fans first, then dry
-                     // pois.
+    vec4 eye;        // World position of the camera. w: time in seconds, which restarts each hour.
+    vec4 tank;       // Half width, water depth, half breadth, height of the rim above the water,
+                     // all in m.
+    vec4 screen;     // xy: 1 / width and 1 / height of the screen. z: absorption, 1 / m. w:
+                     // caustics layer.
+    vec4 shadow;     // xy: factors from world x, z to the shadow map's -1 .. 1. zw: sideways drift
+                     // of a shadow in m per m of height.
+    vec4 bend;       // xy: shift of the refracted picture, as a fraction of the screen, per unit of
+                     // surface slope in x and in z. z: number of fans in `shades`. w: number of all
+                     // entries.
+    vec4 placed;     // Columns of the matrix that rotates the picture on the screen.
+    vec4 shades[8];  // Shadow ellipses: centre x, z, radius and darkness. The fans come first, then
+                     // the dry pois.
 };
 
 const vec3 WATER_COLOR = vec3(0.09, 0.42, 0.53);
-const vec3 LAMP_DIRECTION = vec3(0.251, 0.955, 0.151); // Direction from any point to the stall's
-                                                       // lamps.
-const vec3 WHITE = vec3(1.0, 0.955, 0.90);             // Colour where a goldfish is not red.
-const float CAUSTIC_TILES = 3.6;                       // Tiles per metre.
+const vec3 LAMP_DIRECTION = vec3(0.251, 0.955, 0.151); // Direction from any point to the lamps of
+                                                       // the stall.
+const vec3 WHITE = vec3(1.0, 0.955, 0.90);             // Skin colour of a goldfish where the skin
+                                                       // is not red.
+const float CAUSTIC_TILES = 3.6;                       // Number of caustics tiles per metre.
 
-// Returns the fraction of light left after `path_m` of water. Red is absorbed most, but never
-// completely.
+// Returns the fraction of light that remains after `path_m` metres of water. Water absorbs red the
+// most, but never completely.
 vec3 water_passes(float path_m)
 {
     return exp(-max(path_m, 0.0) * screen.z * vec3(1.25, 0.55, 0.45));
 }
 
-// Returns the fraction of light that shades 0 .. count absorb at `at`. The light falls from
-// straight above, where the fish detect shade (core/tank/shade.h). The edge blurs with the depth.
+// Returns the fraction of light that shades 0 to count - 1 absorb at point `at`. The light falls
+// from straight above, as in core/tank/shade.h, in which the fish detect shade. The edge of a shade
+// blurs with the depth.
 float shade_at(vec3 at, float count)
 {
     float light = 1.0;
@@ -44,21 +51,24 @@ float shade_at(vec3 at, float count)
     return 1.0 - light;
 }
 
-// Returns the red of a goldfish: from vermilion to, rarely, orange.
+// Returns the red of a goldfish with this hue. The colours range from vermilion to, rarely, orange.
 vec3 red_of(float hue)
 {
     return mix(vec3(1.0, 0.085, 0.015), vec3(1.0, 0.40, 0.03), hue * hue * hue);
 }
 
-// Young goldfish lose their grey in patches, the belly first.
+// Colour of a young goldfish.
 const vec3 FRY = vec3(0.40, 0.42, 0.27);
+// Returns the fraction of the young colour that a point of the skin has lost. `ahead` is above 0
+// where the loss begins earlier, as on the belly.
 float turned(float maturity, float ahead)
 {
     return smoothstep(0.10, 0.42, maturity + ahead);
 }
 
-// Writes a goldfish's skin colours where its pattern is white and where it is red; `under` is 0 at
-// the back and 1 at the belly. Used in the tank and in the album, so that a fish is recognizable.
+// Writes the skin colours of a goldfish: `pale` where its pattern is white, and `stain` where its
+// pattern is red. `under` is 0 at the back and 1 at the belly. The tank and the album use this
+// function, so that a fish has the same colours in both.
 void goldfish_skin(float under, float maturity, float hue, out vec3 pale, out vec3 stain)
 {
     float belly = smoothstep(0.52, 0.96, under);
@@ -69,8 +79,8 @@ void goldfish_skin(float under, float maturity, float hue, out vec3 pale, out ve
     stain = mix(young, mix(red, below, 0.55 * belly), turned(maturity, 0.10 * belly + 0.06));
 }
 
-// Returns the colour of a goldfish's fins at (u, v) of species.h, for the `layer` of patterns on
-// its skin.
+// Returns the colour of a goldfish's fins at (u, v), the coordinates of species.h. `layer` is the
+// pattern layer of the fish's skin.
 vec3 goldfish_fin(vec2 at, float maturity, float hue, float layer)
 {
     float seed = fract(hue * 17.31);

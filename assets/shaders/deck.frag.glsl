@@ -1,5 +1,6 @@
-// Compiled with COUNTER, with RIM (the rim's top) or with neither (the rim's sides), so that each
-// program has only its own cost.
+// The rim and the counter. The shader is compiled in three variants, so that each variant computes
+// only its own part: COUNTER for the counter, RIM for the top of the rim, and neither for the sides
+// of the rim.
 in vec3 world;
 in vec3 face;
 uniform sampler2D wood;
@@ -25,7 +26,8 @@ void main()
     float t = grain(world.xz * vec2(2.2, 6.2));
     vec3 tint = mix(vec3(0.075, 0.042, 0.030), vec3(0.33, 0.20, 0.12), t);
     float pool = lamp_pool(2.2);
-    // Two paper lanterns stand at the far corners. The stall's own lamps hang over the middle.
+    // Two paper lanterns stand at the far corners of the stall. The lamps of the stall hang over
+    // the middle.
     vec2 lantern = vec2(abs(world.x) - 0.66, world.z + 0.30);
     float glow = 1.0 / (1.0 + dot(lantern, lantern) * 26.0);
     vec3 light = vec3(0.16 + 1.15 * pool * pool) + vec3(1.25, 0.62, 0.26) * (glow * glow);
@@ -41,14 +43,15 @@ void main()
     vec2 along = across ? world.zx : world.xz;
     float t = grain(vec2(along.x * 1.5, along.y * 7.0 + (across ? 0.37 : 0.0)));
     vec3 tint = mix(vec3(0.30, 0.14, 0.06), vec3(0.80, 0.48, 0.25), t);
-    float width = max(past.x, past.y) / RIM_M;     // 0 at the water's side, 1 outside.
+    float width = max(past.x, past.y) / RIM_M;     // 0 at the edge beside the water, 1 at the outer
+                                                   // edge.
     float bevel = 0.35 * (1.0 - smoothstep(0.0, 0.10, width) - smoothstep(0.88, 1.0, width));
     float mitre = 1.0 - 0.45 * (1.0 - smoothstep(0.0, 0.0012, abs(past.x - past.y)));
     float joined = min(past.x, past.y) > 0.0 ? mitre : 1.0;
     float lamp = 0.70 + 0.46 * lamp_pool(3.0);
-    // A plank's last pixel fades over its background: water at the near plank's inner edge, and the
-    // counter at the other planks' outer edges. The inner edges of the other planks fade to their
-    // own dark sides.
+    // The last pixel of a plank fades into its background, which is the water at the inner edge of
+    // the near plank and the counter at the outer edges of the other planks. The inner edges of the
+    // other planks fade into their own dark sides.
     float pixel = fwidth(width);
     float inner = clamp(width / pixel, 0.0, 1.0);
     bool near_plank = !across && world.z > 0.0;

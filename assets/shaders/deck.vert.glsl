@@ -1,7 +1,8 @@
-// The wooden rim and the stall's counter around it. Corners are in steps relative to the tank's
-// walls.
-layout(location = 0) in vec3 corner;   // x, z: +-1 wall, +-2 rim's outer edge, +-3 far away; y: 0
-                                       // water, 1 rim, -1 counter.
+// The wooden rim and the stall's counter around the rim. The coordinates of corners are small
+// integers.
+layout(location = 0) in vec3 corner;   // x, z: +-1 at the tank's wall, +-2 at the rim's outer edge,
+                                       // +-3 far away. y: 0 at the water, 1 at the rim's top, -1 at
+                                       // the counter.
 layout(location = 1) in vec3 normal;
 out vec3 world;
 out vec3 face;

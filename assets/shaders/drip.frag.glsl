@@ -1,4 +1,4 @@
-// A drop: clear, with a bright rim below and the lamp's reflection above.
+// A drop, transparent with a bright lower rim and a reflection of the lamp in its upper half.
 in vec2 corner;
 in float shown;
 out vec4 color;

@@ -1,6 +1,6 @@
 // Drops that fall from the low side of a wet poi. Each drop detaches, falls freely, and disappears
-// at the water. The more water the paper carries, the more drops there are.
-uniform vec4 lip;           // Position where drops detach; w: number of simultaneous drops.
+// at the water. The number of drops increases with the water on the paper.
+uniform vec4 lip;           // Position where drops detach. w: number of simultaneous drops.
 out vec2 corner;
 out float shown;
 
@@ -20,14 +20,16 @@ void main()
     float life = max(falls, EVERY_S);
     float turns = eye.w / life + id * 0.37 + chance(id) * 0.2;
     float seed = id * 7.0 + mod(floor(turns), 64.0);
-    float age = fract(turns) * life - (life - falls); // The drop hangs and grows before it falls.
+    float age = fract(turns) * life - (life - falls); // Time after the start of the fall. The value
+                                                      // is negative while the drop hangs and grows.
     float drop = max(age, 0.0);
     corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
     shown = clamp(lip.w - id, 0.0, 1.0);
     vec3 at = lip.xyz + vec3(chance(seed) - 0.5, 0.0, chance(seed + 0.5) - 0.5) * 0.014;
     at.y -= 0.5 * GRAVITY * drop * drop;
     float swells = smoothstep(-0.25, 0.0, age);
-    float long_ = 1.0 + min(GRAVITY * drop, 1.0) * 1.6; // Stretched by its speed, like motion blur.
+    float long_ = 1.0 + min(GRAVITY * drop, 1.0) * 1.6; // A falling drop is stretched by its speed,
+                                                        // as by motion blur.
     vec3 view = normalize(eye.xyz - at);
     vec3 side = normalize(vec3(view.z, 0.0, -view.x));
     vec3 up = cross(view, side);

@@ -1,12 +1,12 @@
-// A round uchiwa: paper on split bamboo, a painted goldfish over indigo ripples. The fan is nearer
-// to the viewer than the focus, so every edge is slightly soft.
+// A round fan (uchiwa): paper on split bamboo, with a painted goldfish over indigo ripples. The fan
+// is out of the camera's focus, so that every edge is slightly soft.
 in vec2 at;
-uniform vec4 trim;         // The player's colour, along the rim; w: opacity.
+uniform vec4 trim;         // Colour of the player, along the rim. w: opacity.
 uniform sampler2D fibres;
 out vec4 color;
 
-const float SOFT = 0.022;      // Half the blur, in radii: 2 mm.
-const vec2 FORK = vec2(0.0, 1.06); // Point where the ribs leave the handle.
+const float SOFT = 0.022;      // Half the width of the blur, in fan radii, which stands for 2 mm.
+const vec2 FORK = vec2(0.0, 1.06); // Point where the ribs leave the handle, in fan radii.
 const vec3 BAMBOO = vec3(0.80, 0.62, 0.36);
 const vec3 WASHI = vec3(0.985, 0.955, 0.885);
 const vec3 INDIGO = vec3(0.13, 0.25, 0.52);
@@ -17,8 +17,8 @@ float ink(float distance)
     return 1.0 - smoothstep(-SOFT, SOFT, distance);
 }
 
-// Returns a brush stroke from `root` along `way` (unit), which widens to `width` and ends in a
-// point.
+// Returns a brush stroke from `root` in direction `way` (a unit vector). The stroke widens to
+// `width` and ends in a point.
 float leaf(vec2 p, vec2 root, vec2 way, float reach, float width, float bend)
 {
     vec2 d = p - root;
@@ -35,8 +35,8 @@ vec2 turned(vec2 p, float angle)
     return vec2(c * p.x + s * p.y, c * p.y - s * p.x);
 }
 
-// Returns a goldfish seen from above, nose up, `size` from snout to tail root. rgb: paint, a:
-// coverage.
+// Returns a goldfish seen from above with its nose up. `size` is the distance from snout to tail
+// root. rgb: colour, a: coverage.
 vec4 goldfish(vec2 place, float angle, float size)
 {
     vec2 p = turned(place, angle) / size;
@@ -52,7 +52,7 @@ vec4 goldfish(vec2 place, float angle, float size)
     float body = max(abs(p.x) - girth, abs(p.y) - 0.5);
     float wash = 1.0 - smoothstep(-soft, soft, min(tail, fins));
     float solid = 1.0 - smoothstep(-soft, soft, body);
-    // Watercolour: darker at a stroke's edge and paler toward the tail's tips.
+    // The paint is like watercolour: darker at a stroke's edge and paler toward the tail's tips.
     float pale = smoothstep(0.35, 1.15, length(p - vec2(0.0, 0.2)));
     vec3 veil = mix(VERMILION, vec3(1.0, 0.62, 0.46), pale);
     float back = smoothstep(0.85, 0.1, abs(p.x) / girth);
@@ -66,7 +66,8 @@ vec4 goldfish(vec2 place, float angle, float size)
     return vec4(paint, max(wash * (0.92 - 0.55 * pale), solid * 0.97));
 }
 
-// Returns concentric half-arcs like ripples of a drop: indigo, thinner as they widen.
+// Returns concentric half-arcs, like the ripples of a drop. The indigo arcs become thinner as they
+// widen.
 float ripples(vec2 p, vec2 middle)
 {
     float r = length((p - middle) * vec2(1.0, 1.7));
@@ -83,7 +84,7 @@ void main()
     float reach = length(from_fork);
     float rib = abs(fract(ray * 9.5 + 0.5) - 0.5) / 9.5 * reach;
     float ribs = ink(rib - 0.010 - 0.004 * smoothstep(1.2, 0.2, reach));
-    float bow = at.y - 0.70 + 0.20 * at.x * at.x;   // The bent twig that spreads the ribs.
+    float bow = at.y - 0.70 + 0.20 * at.x * at.x;   // The bent twig that holds the ribs apart.
     float leaf_edge = r - 1.0;
     float paper = ink(max(leaf_edge, bow));
     float open = ink(max(leaf_edge, -bow));
@@ -92,7 +93,7 @@ void main()
     float fibre = texture(fibres, at * 0.9).r;
     vec3 tint = WASHI * (0.98 + 0.09 * fibre);
     tint = mix(tint, BAMBOO * 0.95, 0.16 * ribs);     // The ribs are visible through the paper.
-    // A wash of pale blue increases toward the bottom.
+    // A pale blue wash becomes stronger toward the bottom.
     tint = mix(tint, vec3(0.50, 0.78, 0.95), 0.62 * smoothstep(-0.55, 0.80, at.y + 0.12 * at.x));
     tint = mix(tint, INDIGO, 0.62 * ripples(at, vec2(-0.46, 0.36)));
     tint = mix(tint, INDIGO, 0.50 * ripples(at, vec2(0.56, -0.40)));
@@ -106,7 +107,8 @@ void main()
     float rim = ink(abs(leaf_edge + 0.030) - 0.028);
     tint = mix(tint, trim.rgb, 0.92 * rim);
 
-    // The handle is a round stick: dark at its sides, with nodes and a cord at its end.
+    // The handle is a round stick, dark at its sides, with nodes in the bamboo and a cord at its
+    // end.
     float grip = 0.062 + 0.012 * smoothstep(1.1, 2.2, at.y);
     vec2 end = vec2(at.x, max(at.y - 2.16, 0.0)); // Rounded end of the handle.
     float stick = max(length(end) - grip, 0.80 - at.y);
@@ -117,7 +119,8 @@ void main()
     vec3 rod = BAMBOO * 0.92;
 
     vec4 sum = vec4(rod, 1.0) * (ribs * open * 0.95);
-    float shine = 0.90 + 0.12 * smoothstep(0.9, -0.6, at.x + at.y);  // Brighter on the lamps' side.
+    float shine = 0.90 + 0.12 * smoothstep(0.9, -0.6, at.x + at.y);  // The paper is brighter on the
+                                                                     // side of the lamps.
     float painted = max(0.7 * rim, 0.6 * max(small.a, large.a));
     float alpha = paper * 0.95 * mix(trim.w, 1.0, painted);
     sum = vec4(tint * shine, 1.0) * alpha + sum * (1.0 - alpha);

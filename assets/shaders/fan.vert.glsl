@@ -1,5 +1,7 @@
-// A fan: one flat quad, transformed by its pose. The fragment shader draws the whole picture.
-uniform mat4 pose;   // Unit: the fan's radius. x right, z toward the hand.
+// A fan, which is one flat quad with a pose. The fragment shader draws the whole picture on the
+// fan.
+uniform mat4 pose;   // Pose. The unit of length is the fan's radius. x is to the right, z toward
+                     // the player's hand.
 out vec2 at;
 
 const vec2 LOW = vec2(-1.15, -1.15);

@@ -1,5 +1,5 @@
-// A wakin's skin: the baked pattern selects between the two colours that the vertex shader
-// prepared.
+// Skin of a goldfish in the tank. The baked pattern selects between the two colours that the vertex
+// shader computed.
 in vec4 skin;
 in vec3 pale;
 in vec3 stain;
@@ -17,7 +17,7 @@ void main()
     float rays = abs(fract(skin.x) * 2.0 - 1.0);
     float root = 1.0 - skin.y;
     float alpha = (0.42 + 0.51 * root * root) * (0.70 + 0.30 * rays);
-    // A frayed edge.
+    // The fin's edge is frayed.
     alpha *= 1.0 - 0.75 * clamp((skin.y - 0.86 - 0.08 * rays) * 12.0, 0.0, 1.0);
     color = vec4((stain * (0.90 + 0.22 * rays) + haze.rgb) * alpha, alpha);
 }
@@ -25,18 +25,20 @@ void main()
 void main()
 {
 #ifdef SUNK
-    if (out_m > 0.0) { // A snout above the surface must not also be visible through the water.
+    if (out_m > 0.0) { // A snout above the surface must not also be drawn in the picture that is
+                       // seen through the water.
         discard;
     }
 #endif
     vec2 pattern = texture(patterns, skin.xyz).rg;
-    float pupil = clamp((0.62 - skin.x) * 8.0, 0.0, 1.0); // u runs from the pupil to the socket.
+    float pupil = clamp((0.62 - skin.x) * 8.0, 0.0, 1.0); // In an eye, u runs from the pupil to the
+                                                          // socket.
     float red = mix(pattern.r, pupil, skin.w);
     float scales = mix(pattern.g, 0.70, skin.w);
     float gill = haze.w * max(1.0 - abs(skin.x - 0.252) * 45.0, 0.0);
     vec3 tint = mix(pale, stain, red) * ((0.74 + 0.38 * scales) * (1.0 - gill));
-    // The outline of a round body is where its surface turns away. Fading there, about a pixel
-    // wide, smooths the outline.
+    // The outline of a round body is where its surface turns away from the viewer. The outline
+    // fades there over about a pixel, which smooths it.
     float cover = clamp(turned_to / fwidth(turned_to) + 0.15, 0.0, 1.0);
     color = vec4(tint + haze.rgb * (0.45 + 0.75 * scales), 1.0) * cover;
 }

@@ -1,33 +1,42 @@
-// A fish of the tank: its key shapes are blended (morph.glsl), then bent, then waved along the
-// spine, then placed. FIN selects fins, otherwise body and eyes.
-layout(location = 9) in vec4 place;        // World position; w: length, m.
-layout(location = 10) in vec4 right_phase; // Body's right axis in the world; w: phase of the wave.
-layout(location = 11) in vec4 up_amplitude; // Body's up axis in the world; w: amplitude of the
-                                            // wave.
-layout(location = 14) in vec4 character;   // Bend (rad), maturity, pattern layer, hue.
-layout(location = 15) in vec3 gulp;        // Opening of the mouth; gulp phase; row of the pose.
+// A fish of the tank. The vertex shader blends the key shapes (morph.glsl), bends the body, adds
+// the swimming wave along the spine, and places the fish in the world. With FIN defined the shader
+// draws the fins, otherwise the body and the eyes.
+layout(location = 9) in vec4 place;        // World position. w: length in m.
+layout(location = 10) in vec4 right_phase; // The body's right axis in the world. w: phase of the
+                                           // swimming wave.
+layout(location = 11) in vec4 up_amplitude; // The body's up axis in the world. w: amplitude of the
+                                            // swimming wave.
+layout(location = 14) in vec4 character;   // Bend in rad, maturity, pattern layer, hue.
+layout(location = 15) in vec3 gulp;        // Opening of the mouth, phase of the gulp, texture row
+                                           // of the pose.
 
 uniform sampler2D caustics;
 
-// Colours are computed here for both extremes of the skin. The fragment shader only selects between
-// them.
-out vec4 skin;         // u, v, pattern layer, and 1 for an eye.
-out vec3 pale;         // Colour where the pattern is white (for an eye, its iris), lit and seen
-                       // through water.
-out vec3 stain;        // Colour where the pattern is red (for an eye, its pupil).
-out float turned_to;   // Cosine between normal and view direction; 0 along the outline. Bodies
-                       // only.
+// The vertex shader computes the colours of both extremes of the skin. The fragment shader only
+// selects between the colours.
+out vec4 skin;         // u, v, pattern layer, and 1 for an eye or 0 for skin.
+out vec3 pale;         // Colour where the pattern is white (for an eye, its iris), with lighting
+                       // and water tint.
+out vec3 stain;        // Colour where the pattern is red (for an eye, its pupil), with lighting and
+                       // water tint.
+out float turned_to;   // Cosine of the angle between normal and view direction, which is 0 along
+                       // the outline. Used only for bodies.
 #ifdef SUNK
-out float out_m;       // Height above the surface, m.
+out float out_m;       // Height above the water surface in m.
 #endif
-out vec4 haze;         // Colour added by water and gloss; w: visibility of the gill's edge.
+out vec4 haze;         // Colour added by water and gloss. w: visibility of the edge of the gill
+                       // cover.
 
-const float WAVE_NUMBER = 6.45;  // rad per body length: 0.97 lengths a wave (Videler & Hess).
-const float PIVOT = 0.38;        // Position along the body, from the snout, about which a turn
-                                 // pivots.
-const float ARC_MIDDLE = 0.02;   // Body lengths by which a bend of 1 rad moves the centre of mass.
-const float SEAM = 0.005;        // Overlap of the two sides of the surface, m.
-const float JAWS = 0.080;        // Reach of the mouth's motion, in the body's u.
+const float WAVE_NUMBER = 6.45;  // Radians per body length. The wavelength is 0.97 body lengths
+                                 // (Videler & Hess).
+const float PIVOT = 0.38;        // Position along the body, as a fraction from the snout, around
+                                 // which the fish turns.
+const float ARC_MIDDLE = 0.02;   // Distance, in body lengths, by which a bend of 1 rad moves the
+                                 // centre of mass.
+const float SEAM = 0.005;        // Overlap, in m, of the parts of a fish above and below the
+                                 // surface.
+const float JAWS = 0.080;        // Length of the moving part of the mouth, in the body coordinate
+                                 // u.
 
 #ifdef FIN
 void colour()
@@ -54,8 +63,8 @@ void colour()
 #endif
 
 #ifndef FIN
-// Opens the mouth: a carp's mouth protrudes and the lower jaw drops. The pole that closes the snout
-// sinks in and becomes a dark throat.
+// Opens the mouth and returns its visibility as a dark throat. A carp's mouth protrudes and its
+// lower jaw drops. The vertex that closes the snout moves inward and becomes the throat.
 float open_mouth(inout vec3 p, vec3 n)
 {
     float body = 1.0 - step(0.5, surface.z * 255.0);
@@ -78,7 +87,8 @@ void main()
     float throat = open_mouth(p, n);
 #endif
 
-    // The travelling wave, with the amplitude envelope measured on cruising fish of a carp's build.
+    // The swimming wave travels along the spine. Its amplitude envelope was measured on cruising
+    // fish with the build of a carp.
     float t = p.z + 0.5;
     float flex = surface.w;
     float amplitude = up_amplitude.w;
@@ -89,8 +99,8 @@ void main()
     float side = envelope * wave;
     float side_slope = envelope_slope * wave - envelope * WAVE_NUMBER * cos(phase);
 
-    // The turn bends the spine to an arc of constant curvature, up to the C of a startle response.
-    // The centre of mass stays in place, because no outside force acts on the body.
+    // A turn bends the spine to an arc of constant curvature, up to the C shape of a startle
+    // response. The centre of mass stays in place, because no outside force acts on the body.
     float s = t - PIVOT;
     float turn = character.x * s;
     float half_turn = 0.5 * turn;
@@ -121,13 +131,14 @@ void main()
     out_m = world.y;
 #endif
 #ifdef SNOUT
-    // The waves displace the refracted picture, so a small part above the surface is drawn as well,
-    // which closes the seam.
+    // The waves shift the refracted picture. A small part of the snout above the surface is
+    // therefore also drawn below it, which closes the gap.
     vec4 nearer = view_projection * vec4(world + SEAM * normalize(eye.xyz - world), 1.0);
     gl_Position.z = nearer.z / nearer.w * gl_Position.w;
 #endif
 
-    // Lighting is per vertex, because at these sizes per-pixel lighting looks the same.
+    // Lighting is computed per vertex, because per-pixel lighting would look the same at these
+    // sizes.
     vec3 view = normalize(eye.xyz - world);
 #ifdef FIN
     n = dot(n, view) < 0.0 ? -n : n;
@@ -139,8 +150,9 @@ void main()
     float diffuse = 0.49 + 0.68 * max(dot(n, LAMP_DIRECTION) * 0.65 + 0.35, 0.0);
     float caustic = textureLod(caustics, world.xz * CAUSTIC_TILES * 1.15, 0.0).r;
     float light = diffuse * (1.0 + (caustic * 2.4 - 0.55) * max(n.y, 0.0) * (1.0 - wet));
-    float shade = shade_at(world, world.y < 0.0 ? bend.w : bend.z); // Without the shade of the poi
-                                                                    // on which the fish lies.
+    float shade = shade_at(world, world.y < 0.0 ? bend.w : bend.z); // The shade of the poi on which
+                                                                    // a fish lies above the water
+                                                                    // is excluded.
     light *= 1.0 - 0.85 * shade;
     vec3 left = water_passes(depth * 1.2);
 #ifdef FIN
@@ -152,7 +164,7 @@ void main()
     shine *= shine;
     shine *= shine;
     shine *= shine;
-    // Wet skin in air mirrors the lamps: the highlight is narrower, not brighter all over.
+    // Wet skin in air has a narrower highlight than skin in water, but is not brighter elsewhere.
     float gloss = mix(0.62 * shine, 0.90 * shine * shine, wet) * (1.0 - shade);
     light *= 0.42 + 0.60 * smoothstep(0.0, 0.42, facing);
 #endif

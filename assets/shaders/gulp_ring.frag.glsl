@@ -1,10 +1,10 @@
-// Two crests run outward and fade, and the water film clings to the snout. Slopes toward the lamp
-// are bright.
+// The ring on the surface around a gulping mouth. Two wave crests spread outward and fade, and the
+// water film clings to the snout. Slopes toward the lamp are bright.
 in vec2 from;
 in float phase;
 out vec4 color;
 
-// Approximates -x exp(-x x) without an exponential.
+// Approximates -x exp(-x x) without an exponential function.
 float crest(float x)
 {
     float k = max(1.0 - 0.25 * x * x, 0.0);

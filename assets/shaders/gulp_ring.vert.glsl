@@ -1,13 +1,13 @@
-// The ring that a gulping mouth makes on the surface: a square around the point where the snout
-// breaks the surface.
-layout(location = 0) in vec4 place;      // As in fish.vert.glsl.
+// The ring that a gulping mouth makes on the surface. The shader draws a square around the point
+// where the snout breaks the surface.
+layout(location = 0) in vec4 place;      // World position, w: length in m, as in fish.vert.glsl.
 layout(location = 1) in vec4 right_phase;
 layout(location = 2) in vec4 up_amplitude;
 layout(location = 3) in vec2 gulp;
 out vec2 from;      // Position relative to the snout, in body lengths.
 out float phase;
 
-const float REACH = 0.46; // Half the square's side, in body lengths.
+const float REACH = 0.46; // Half of the square's side, in body lengths.
 
 void main()
 {

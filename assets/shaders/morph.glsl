@@ -1,14 +1,19 @@
-// The morph (2005 thesis, eq. 3.2): blends key shapes to the shape of one fish. Prepended to every
-// vertex shader that draws fish. core/morph/blend.c computes the same on the CPU; the two agree
-// within 1e-5 of a length.
+// The morph (2005 thesis, eq. 3.2), which blends key shapes (modelled growth stages) to the shape
+// of one fish. This file is inserted before every vertex shader that draws fish. core/morph/blend.c
+// computes the same shape on the CPU. The results agree within 1e-5 of a body length.
 //
-// KEYS: number of key shapes, 3 .. 8, with an attribute of 8 bytes each: xyz the position, w the
-// normal.
-// CURVES: number of deformation graphs, 1 .. 4. With one graph, a vertex's masks are not read.
-// ANCHORS: 2 if vertices are attached to points of the skin and may turn with it, as eyes do; 1 if
-// attached vertices keep the body's axes, as fins do; 0 if no vertex is attached.
-// POSE_ROWS: each fish's pose is a row of texels in `poses`. Otherwise the pose of the only fish is
-// the block Pose.
+// KEYS is the number of key shapes, 3 to 8. Each key shape has an attribute of 8 bytes: xyz is the
+// position, and w is the normal.
+//
+// CURVES is the number of deformation graphs, 1 to 4. With one graph, the vertex masks are not
+// read.
+//
+// ANCHORS is 0 if no vertex is attached to an anchor on the skin. ANCHORS is 1 if attached vertices
+// keep the body's axes, as fins do. ANCHORS is 2 if attached vertices may turn with the skin, as
+// eyes do.
+//
+// If POSE_ROWS is defined, each fish's pose is a row of texels in `poses`. Otherwise the uniform
+// block Pose contains the pose of the only fish.
 layout(location = 0) in vec4 key_0;
 layout(location = 1) in vec4 key_1;
 layout(location = 2) in vec4 key_2;
@@ -29,14 +34,16 @@ layout(location = 7) in vec4 key_7;
 #endif
 layout(location = 8) in vec4 surface; // u, v, part / 255, flexibility.
 #if CURVES > 1
-layout(location = 12) in vec4 masks;  // Share of each curve in the vertex's motion; the sum is 1.
+layout(location = 12) in vec4 masks;  // Weight of each curve in the vertex's motion. The sum is 1.
 #endif
-layout(location = 13) in vec2 rides;  // Index of the vertex's anchor, or 255; side of a pair.
+layout(location = 13) in vec2 rides;  // x: index of the vertex's anchor; 255 means none. y: side of
+                                      // a paired part.
 
-uniform float reach;                  // Length that the attribute value 1 stands for, in body
-                                      // lengths.
+uniform float reach;                  // Length in body lengths for which the attribute value 1
+                                      // stands.
 
-// A pose: each curve's weights of keys 0 .. 3 and 4 .. 7, then each anchor's position and rotation.
+// Layout of a pose: for each curve the weights of keys 0 to 3 and 4 to 7, then for each anchor its
+// position and rotation.
 #ifdef POSE_ROWS
 uniform sampler2D poses;
 #define POSE(index) texelFetch(poses, ivec2(index, row), 0)
@@ -47,7 +54,8 @@ layout(std140) uniform Pose {
 #define POSE(index) pose[index]
 #endif
 
-// Unfolds a normal from the octahedron |x| + |y| + |z| = 1. Normals are blended in this form.
+// Returns the normal that is stored on the unfolded octahedron |x| + |y| + |z| = 1. Normals are
+// blended in the octahedral form.
 vec3 unfold_normal(float folded)
 {
     float code = floor(folded * 32767.0 + 32767.5);
@@ -71,7 +79,7 @@ void blend(vec4 key, float weight, inout vec3 p, inout vec3 n)
 }
 
 #if ANCHORS
-// Moves the vertex to its anchor, if it has one.
+// Moves the vertex to the position of its anchor. A vertex without an anchor does not change.
 void carry(int row, inout vec3 p, inout vec3 n)
 {
     if (rides.x < 254.5) {
@@ -86,7 +94,8 @@ void carry(int row, inout vec3 p, inout vec3 n)
 }
 #endif
 
-// Computes the vertex in the fish's own frame and unit. The normal is not normalized yet.
+// Computes the position `p` and normal `n` of the vertex in the fish's own frame and unit. `n` is
+// not normalized.
 void morph(int row, out vec3 p, out vec3 n)
 {
 #if CURVES > 1

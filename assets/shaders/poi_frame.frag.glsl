@@ -1,10 +1,12 @@
 in vec3 world;
 in vec3 face;
 in vec3 at;                     // Position in ring radii.
-uniform vec4 paint;             // w: number of white marks that distinguish this player.
+uniform vec4 paint;             // Colour of the player. w: number of white marks that distinguish
+                                // the player.
 out vec4 color;
 
-// Returns the white bands around handle and ring, which identify the player without colour.
+// Returns the coverage of the white bands around handle and ring, which distinguish the players
+// without colour.
 float marks()
 {
     float along = (at.z - 2.0) / 0.30;
@@ -25,8 +27,8 @@ void main()
     shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;
     float facing = dot(n, view);
     float edge = 1.0 - max(facing, 0.0);
-    // The outline of a round solid is where its surface turns away. Fading there, one pixel wide,
-    // is the anti-aliasing, with or without multisampling.
+    // The outline of a round solid is where its surface turns away from the viewer. The outline
+    // fades there over one pixel, which smooths it with or without multisampling.
     float cover = clamp(facing / fwidth(facing), 0.0, 1.0);
     vec3 plastic = mix(paint.rgb, vec3(1.0, 0.98, 0.94), marks());
     vec3 tint = plastic * (lit + edge * edge * 0.25) + vec3(1.0, 0.95, 0.9) * (0.55 * shine);

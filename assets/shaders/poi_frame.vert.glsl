@@ -1,5 +1,5 @@
-// Ring and handle: a plastic solid, transformed by its pose.
-layout(location = 0) in vec3 position;  // In ring radii.
+// Ring and handle of a poi, a plastic solid with a pose.
+layout(location = 0) in vec3 position;  // Position in ring radii.
 layout(location = 1) in vec3 normal;
 uniform mat4 pose;
 out vec3 world;

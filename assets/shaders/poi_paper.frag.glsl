@@ -1,30 +1,33 @@
 in vec3 world;
 in vec3 face;
 in vec2 at;
-uniform vec4 paper;             // z: 1 in practice, where the paper's colour shows its stress.
-uniform vec2 pool;              // World height of the water on the paper; thickness of the water
-                                // film.
-uniform vec4 rests[2];          // Fish on this paper: centre, length in m.
+uniform vec4 paper;             // z: 1 in the practice mode, in which the paper's colour shows its
+                                // stress, otherwise 0.
+uniform vec2 pool;              // x: world height of the pool on the paper. y: thickness of the
+                                // water film.
+uniform vec4 rests[2];          // Fish on this paper. xyz: centre. w: length in m; 0 means no fish.
 uniform vec3 spines[2];
-uniform sampler2DArray sheet;   // r: wetness, g: integrity, b: presence of paper, a: stress.
+uniform sampler2DArray sheet;   // r: wetness. g: integrity. b: presence of paper. a: stress.
 uniform sampler2D fibres;
 out vec4 color;
 
-// Returns the soft contact shadow of a fish, which makes the fish appear to lie on the paper.
+// Returns the soft shadow of a fish on the paper, which makes the fish appear to lie on the paper.
 float shade(vec4 rest, vec3 spine)
 {
-    vec3 d = world - rest.xyz + vec3(0.10, 0.0, -0.02) * rest.w; // Shifted aside, where the shadow
-                                                                 // is visible.
+    vec3 d = world - rest.xyz + vec3(0.10, 0.0, -0.02) * rest.w; // The shadow is shifted to the
+                                                                 // side, where it is visible.
     float along = dot(d, spine);
     float across = length(d - spine * along);
     return (1.0 - smoothstep(0.12, 0.40, across / max(rest.w, 1e-4)))
         * (1.0 - smoothstep(0.34, 0.62, abs(along) / max(rest.w, 1e-4)));
 }
 
-// Returns the colour of a stress, from a light load to a tearing load. Brightness rises over the
-// whole range, for viewers of every colour vision; same ramp as in ui_shader.c. The scale is a
-// square root, because most loads are a tenth of the tearing load. Half the tearing load, which
-// paper bears for a minute, is yellow.
+// Returns the colour of a stress between 0 (no load) and 1 (tearing load). Brightness rises over
+// the whole range, so that viewers with any colour vision can read it. The ramp is the one in
+// ui_shader.c.
+//
+// The ramp uses the square root of the stress, because most loads are about a tenth of the tearing
+// load. Half of the tearing load, which paper withstands for a minute, is yellow.
 vec3 heat(float stress)
 {
     float t = sqrt(stress);
@@ -33,7 +36,8 @@ vec3 heat(float stress)
     return mix(c, vec3(1.0, 1.0, 0.94), smoothstep(0.70, 1.0, t));
 }
 
-float fifth_powers(float x)     // x to the 32nd power: the reflection of a lamp in a wet surface.
+float fifth_powers(float x)     // Returns x to the 32nd power, the reflection of a lamp in a wet
+                                // surface.
 {
     x *= x; x *= x; x *= x; x *= x;
     return x * x;
@@ -50,19 +54,20 @@ void main()
     }
     float wet = smoothstep(0.05, 0.75, cell.r);
     float worn = 1.0 - cell.g;
-    // Torn paper curls: its edge is bright, and the fold behind the edge is darker.
+    // Torn paper curls. Its edge is bright, and the fold behind the edge is darker.
     float lip = (1.0 - smoothstep(0.5, 0.72, solid)) * (1.0 - step(0.995, cell.b));
     float fold = smoothstep(0.60, 0.82, solid) * (1.0 - smoothstep(0.82, 1.0, solid))
         * (1.0 - step(0.995, cell.b));
     vec3 view = normalize(eye.xyz - world);
     vec3 n = normalize(face);
-    n *= sign(dot(n, view)); // Normal of the face toward the viewer.
+    n *= sign(dot(n, view)); // The normal is turned to the face that the viewer sees.
     float lit = 0.66 + 0.40 * max(dot(n, LAMP_DIRECTION), 0.0);
     lit *= 1.0 - 0.7 * shade_at(world, bend.z);
     vec3 dry = vec3(1.0, 0.975, 0.925) * (0.80 + 0.32 * fibre);
     vec3 soaked = vec3(0.74, 0.83, 0.85) * (0.74 + 0.46 * fibre);
     vec3 load = mix(dry, heat(cell.a) * (0.62 + 0.66 * fibre), 0.88 + 0.10 * wet);
-    float front = abs(cell.r - 0.4) / max(fwidth(cell.r), 0.004); // Border of wet and dry paper.
+    float front = abs(cell.r - 0.4) / max(fwidth(cell.r), 0.004); // Distance from the border
+                                                                  // between wet and dry paper.
     load *= 0.45 + 0.55 * smoothstep(0.7, 1.7, front);
     vec3 tint = mix(mix(dry, soaked, wet), load, paper.z) * lit;
     float dark = max(shade(rests[0], spines[0]), shade(rests[1], spines[1]));
@@ -72,8 +77,8 @@ void main()
     alpha = mix(alpha, 0.92 - (0.30 - 0.22 * fibre) * wet, paper.z);
     alpha += 0.30 * dark * (1.0 - alpha);
     alpha = mix(alpha, 0.95, max(0.8 * lip, 0.35 * fold));
-    // Water on the paper: a film that shines with the fibres, and a level pool, darker where it is
-    // deeper, with a bright edge where it meets the paper.
+    // Water on the paper consists of a film, which shines with the fibres, and a level pool. The
+    // pool is darker where it is deeper and has a bright edge where it meets the paper.
     float above = step(0.0, world.y);
     vec3 lamp = normalize(view + LAMP_DIRECTION);
     float deep = above * max(pool.x - world.y, 0.0);
@@ -94,8 +99,9 @@ void main()
     shine *= shine; shine *= shine; shine *= shine; shine *= shine;
     float glints = shine * wet * above * (0.35 - 0.25 * pooled);
     glints += 0.25 * gloss * gloss + 0.30 * mirror + 0.16 * edge;
-    tint += min(glints, 0.32) * (1.0 - 0.75 * paper.z); // Reduced on the stress map, where white
-                                                        // has a meaning.
+    tint += min(glints, 0.32) * (1.0 - 0.75 * paper.z); // The reflections are weaker while the
+                                                        // paper shows its stress, because white is
+                                                        // then a stress colour.
     vec3 left = water_passes(-world.y * 1.2);
     color = vec4(mix(WATER_COLOR, tint, left) * alpha, alpha);
 }

@@ -1,7 +1,7 @@
-// The paper: a disc that sags under its load.
-layout(location = 0) in vec2 position;  // In ring radii; y runs toward the handle.
+// The paper of a poi, a disc that sags under its load.
+layout(location = 0) in vec2 position;  // Position in ring radii. y increases toward the handle.
 uniform mat4 pose;
-uniform vec4 paper;                     // x: sag in radii; y: sheet layer.
+uniform vec4 paper;                     // x: sag in ring radii. y: layer of `sheet`.
 out vec3 world;
 out vec3 face;
 out vec2 at;

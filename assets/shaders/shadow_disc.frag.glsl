@@ -1,5 +1,6 @@
 in vec2 disc;
-uniform vec4 softness;    // x: margin in radii; z: darkness of the centre; w: sheet layer or -1.
+uniform vec4 softness;    // x: margin in disc radii. z: darkness of the centre. w: layer of
+                          // `sheet`; -1 means no paper.
 uniform sampler2DArray sheet;
 out vec4 color;
 

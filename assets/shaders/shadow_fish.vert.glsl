@@ -1,6 +1,6 @@
-// A fish's shadow: one soft ellipse on the floor, softer and farther aside the higher the fish
-// swims.
-layout(location = 0) in vec4 place;      // World position; w: length, m.
+// The shadow of a fish, a soft ellipse on the floor. The shadow of a higher fish is softer and
+// farther to the side.
+layout(location = 0) in vec4 place;      // World position. w: length in m.
 layout(location = 1) in vec4 right_phase;
 layout(location = 2) in vec4 up_amplitude;
 out vec2 lens;
@@ -15,7 +15,8 @@ void main()
     float half_breadth = place.w * 0.115 + soft * 0.6;
     vec2 right = normalize(right_phase.xz + vec2(1e-5, 0.0));
     vec2 back = vec2(-right.y, right.x);
-    // The body's centre lies in front of the box's centre, because only a thin tail is behind it.
+    // The body's centre is in front of the middle of the fish, because the rear part is only the
+    // thin tail.
     vec2 local = corner * 1.35 * vec2(half_breadth, half_length) - vec2(0.0, place.w * 0.07);
     vec2 at = place.xz + right * local.x + back * local.y - shadow.zw * height;
     lens = corner * 1.35;

@@ -1,17 +1,18 @@
-// A specimen's skin in studio light: a soft lamp above the viewer's side, water light from below,
-// and a cool edge light. Two neighbouring sheets of the fish texture are mixed.
+// Skin of a specimen in studio light: a soft lamp above and beside the viewer, light from the water
+// below, and a cool edge light. Two neighbouring sheets of the fish texture are mixed.
 in vec3 normal;
 in vec2 paint_uv;
 in vec4 skin;
 
 uniform sampler2DArray paints; // Colour and transparency.
 uniform sampler2DArray shines; // Reflectance.
-uniform vec3 sheets;           // Two layers of the texture, and the weight of the second.
-uniform vec4 look; // Opacity, scales along the body, the body's transparency; w: 1 for parts behind
-                   // a transparent body.
+uniform vec3 sheets;           // x, y: two layers of the fish texture. z: weight of the second
+                               // layer.
+uniform vec4 look; // Opacity, number of scales along the body, transparency of the body. w: 1 for
+                   // parts behind a transparent body, otherwise 0.
 uniform vec4 tint;
-uniform sampler2DArray patterns; // Patterns of individual goldfish.
-uniform vec4 worn;               // Pattern, hue, visibility of the pattern, maturity.
+uniform sampler2DArray patterns; // Patterns of the individual goldfish.
+uniform vec4 worn;               // Pattern layer, hue, visibility of the pattern, maturity.
 
 out vec4 color;
 
@@ -20,7 +21,7 @@ const vec3 WARM = vec3(1.10, 1.04, 0.94);
 const vec3 ABOVE = vec3(0.46, 0.50, 0.54); // Ambient light from above.
 const vec3 BELOW = vec3(0.14, 0.24, 0.28); // Ambient light from below, through water.
 const vec3 EDGE = vec3(0.36, 0.48, 0.56);
-const float PUPIL = 0.56; // Fraction of the eye's visible radius.
+const float PUPIL = 0.56; // Radius of the pupil, as a fraction of the eye's visible radius.
 
 vec3 to_light(vec3 c)
 {
@@ -33,7 +34,8 @@ vec3 to_screen(vec3 c)
     c *= 1.12 - 0.06 * c;
     c /= 1.0 + 0.8 * max(c - 0.75, 0.0); // Compresses highlights, so that bright areas keep their
                                          // shading.
-    return sqrt(c); // Close to the 2.2th root here, at a tenth of the cost.
+    return sqrt(c); // The square root is close to an exponent of 1 / 2.2 in this range, at a tenth
+                    // of the cost.
 }
 
 vec4 mixed(sampler2DArray of, vec2 at)
@@ -41,8 +43,8 @@ vec4 mixed(sampler2DArray of, vec2 at)
     return mix(texture(of, vec3(at, sheets.x)), texture(of, vec3(at, sheets.y)), sheets.z);
 }
 
-// Returns the light that a silvery skin mirrors: bright above, a dark band at eye level, water
-// below.
+// Returns the light that a silvery skin reflects: bright light from above, a dark band at eye
+// level, and the colour of water from below.
 vec3 mirrored(vec3 n)
 {
     float up = 2.0 * n.z * n.y;
@@ -102,21 +104,22 @@ void main()
     float root = 1.0 - skin.y;
     float alpha = (0.62 + 0.34 * root * root) * (0.84 + 0.26 * rays);
     alpha *= 1.0 - 0.60 * paint.a;
-    // The outline fades over about a pixel, at the tips and beside the first and last ray.
+    // The outline fades over about a pixel, at the fin's tip and beside its first and last ray.
     vec2 from_rim = vec2(min(skin.x, 1.0 - skin.x), 1.0 - skin.y) / max(fwidth(skin.xy), 1e-4);
     alpha *= clamp(min(from_rim.x, from_rim.y) + 0.15, 0.0, 1.0);
-    // Only the root of a median fin is behind a transparent body, and that root is not drawn.
+    // Of a median fin, only the root is behind a transparent body, and the root is not drawn there.
     float paired = step(4.5, skin.z) * step(skin.z, 6.5);
     alpha = clamp(alpha, 0.0, 1.0) * look.x * (1.0 - look.w * (1.0 - paired));
-    vec3 through = 0.30 * to_light(paint.rgb); // Light transmitted through the fin.
+    vec3 through = 0.30 * to_light(paint.rgb); // Light that passes through the fin.
     vec3 light = lit(to_light(paint.rgb) * (0.82 + 0.30 * rays), n, 0.3 * shine, 0.25) + through;
     color = vec4(to_screen(light) * alpha, alpha);
 }
 #else
-const float EYE_WIDTH = 63.0 / 256.0; // Fraction of the sheet's width covered by an eye's u.
+const float EYE_WIDTH = 63.0 / 256.0; // Fraction of the sheet's width that the range of u of an eye
+                                      // covers.
 
-// Returns the colour of an eye. The iris is painted; the pupil's edge is drawn here at the screen's
-// resolution.
+// Returns the colour of an eye. The fish texture contains the iris. The pupil's edge is drawn here,
+// at the screen's resolution.
 vec4 eyeball(vec3 n)
 {
     vec3 iris = mixed(paints, paint_uv + vec2((0.80 - skin.x) * EYE_WIDTH, 0.0)).rgb;
@@ -128,34 +131,36 @@ vec4 eyeball(vec3 n)
     vec3 paint = to_light(iris) * (0.70 + 0.50 * ring) * (1.0 - 0.80 * rim);
     paint = mix(paint, vec3(0.006), pupil);
     float spot = smoothstep(0.962, 0.984, dot(n, normalize(KEY_LIGHT + vec3(0.0, 0.10, 1.0))));
-    float glow = 0.10 * pupil * max(-n.y, 0.0); // Water light in the lens.
+    float glow = 0.10 * pupil * max(-n.y, 0.0); // Light from the water in the lens of the eye.
     return vec4(lit(paint, n, 0.0, 0.0) + vec3(1.15 * spot) + glow * BELOW, 1.0);
 }
 
-// Returns rows of round scales, each over the root of the next: how near the point is to an edge,
-// and how far its scale is tilted toward the tail, [0, 1] each.
+// Returns a pattern of rows of round scales, in which each scale covers the root of the scale
+// behind it. x: nearness of the point to a scale's edge, [0, 1]. y: tilt of the scale toward the
+// tail, [0, 1].
 vec2 scales(vec2 uv)
 {
     vec2 p = vec2(uv.x, uv.y * 0.82) * look.y;
     float told = clamp(1.5 - 2.4 * max(fwidth(p.x), fwidth(p.y)), 0.0, 1.0);
     float row = floor(p.y * 2.0);
-    // The four rows that reach this point: each row's height beside the point and the distance
-    // along it.
+    // Four rows of scales reach this point: y has the height of each row beside the point.
     vec4 y = p.y - 0.5 * (row + vec4(-1.0, 0.0, 1.0, 2.0));
     float odd = fract(0.5 * row);
     vec2 x = fract(p.x - vec2(0.5 - odd, odd));
     vec4 wide = 0.62 - y * y;
-    vec4 back = sqrt(max(wide, 0.0)) - 0.08 - x.xyxy; // Distance to the end of each row's scale.
-    back += step(back, vec4(0.0)) + 9.0 * step(wide, vec4(0.0)); // Past that end: distance to the
-                                                                 // end of the next scale.
+    vec4 back = sqrt(max(wide, 0.0)) - 0.08 - x.xyxy; // Distance from the point to the end of the
+                                                      // scale in each row.
+    back += step(back, vec4(0.0)) + 9.0 * step(wide, vec4(0.0)); // A point behind that end lies on
+                                                                 // the next scale, to whose end the
+                                                                 // distance is then measured.
     float front = min(min(back.x, back.y), min(back.z, back.w));
     float edge = 1.0 - smoothstep(0.0, 0.22, front);
     float trunk = smoothstep(0.22, 0.30, uv.x) * (1.0 - smoothstep(0.90, 1.0, uv.x));
     return vec2(edge, clamp(1.2 - 1.3 * front, 0.0, 1.0)) * (told * trunk * step(1.0, look.y));
 }
 
-// Returns the lines round the body that are too fine for a sheet (platform/render/fish_texture.h), the
-// bands of core/morph/mark.c. Each line has its true width, even below a pixel.
+// Lines round the body that are too fine for a sheet (platform/render/fish_texture.h), which are
+// the bands of core/morph/mark.c. Each line has its true width, even if that is below a pixel.
 uniform vec4 line_place[2];
 uniform vec4 line_shape[2];
 uniform vec3 line_colour[2];
@@ -184,11 +189,12 @@ vec4 body(vec3 n)
     float shine = mixed(shines, paint_uv).r;
     paint.rgb = mix(worn_body(paint.rgb), tint.rgb, tint.a);
     vec2 scale = scales(skin.xy) * (1.0 - smoothstep(0.02, 0.30, look.z)) * (1.0 - tint.a);
-    n = normalize(n + vec3(0.10, 0.04, 0.0) * scale.y); // Each scale has its own highlight.
+    n = normalize(n + vec3(0.10, 0.04, 0.0) * scale.y); // The tilt of each scale gives it a
+                                                        // highlight of its own.
     vec3 base = to_light(paint.rgb) * (1.06 - 0.36 * scale.x);
     vec3 light = lit(base, n, shine * (1.0 - 0.5 * scale.x), 0.35 + 0.5 * shine);
     float edge = 1.0 - max(n.z, 0.0);
-    // A transparent body transmits most light. Its outline and its painted marks stay visible.
+    // A transparent body transmits most light. Its outline and its painted marks remain visible.
     float through = paint.a * (1.5 - 0.5 * paint.a);
     float alpha = mix(1.0, 0.14 + 0.66 * edge * edge, through);
     return vec4(light, alpha);
@@ -198,8 +204,8 @@ void main()
 {
     vec3 n = normalize(normal);
     vec4 light = skin.z > 0.5 ? eyeball(n) : body(n);
-    // The outline of a round body is where its surface turns away. Fading there, about a pixel
-    // wide, smooths the outline.
+    // The outline of a round body is where its surface turns away from the viewer. The outline
+    // fades there over about a pixel, which smooths it.
     float cover = clamp(n.z / max(fwidth(n.z), 1e-4) + 0.35, 0.0, 1.0) * look.x * light.a;
     color = vec4(to_screen(light.rgb) * cover, cover);
 }

@@ -1,32 +1,35 @@
-// A specimen: one fish of any species, blended (morph.glsl), swimming in place, without
-// perspective. FIN selects fins, otherwise body and eyes.
-layout(location = 9) in vec2 paint_at; // Coordinates in the fish texture.
+// A specimen, which is one fish of any species, blended (morph.glsl) and swimming in place, without
+// perspective. With FIN defined the shader draws the fins, otherwise the body and the eyes.
+layout(location = 9) in vec2 paint_at; // Coordinates in the sheets of the fish texture.
 
-uniform mat3 axes;      // Transforms the body's axes to screen right, screen up and toward the
+uniform mat3 axes;      // Matrix from the body's axes to the screen axes right, up and toward the
                         // viewer.
-uniform vec3 place;     // Centre of the body, px from the top left; z: px a length.
+uniform vec3 place;     // xy: centre of the body in pixels from the top left. z: pixels per body
+                        // length.
 uniform vec2 screen_px;
-uniform mat2 turn;  // Rotation of the picture on the screen.
+uniform mat2 turn;  // Matrix that rotates the picture on the screen.
 uniform vec2 move;
-uniform vec3 swim;      // Phase, amplitude, and kind of swimming (enum species_motion).
+uniform vec3 swim;      // Phase, amplitude, and kind of swimming motion (enum species_motion).
 
-out vec3 normal;        // Normal in view axes: right, up, toward the viewer.
+out vec3 normal;        // Normal in the screen axes right, up and toward the viewer.
 out vec2 paint_uv;
-out vec4 skin;          // u, v, part, and depth in the body's shade.
+out vec4 skin;          // u, v, body part, and depth in the shade of the body.
 
-const float TAIL = 0.5, EEL = 1.5, FINS = 2.5, TUNA = 3.5; // Upper limits of enum species_motion.
+const float TAIL = 0.5, EEL = 1.5, FINS = 2.5, TUNA = 3.5; // Upper limits of the kinds of swimming
+                                                           // motion (enum species_motion).
 
-// Returns the sideways displacement of the spine at t (0 snout .. 1 tail), and its slope along the
-// body.
+// Returns the sideways displacement of the spine (x) and its slope along the body (y). t is 0 at
+// the snout and 1 at the tail.
 vec2 sway(float t)
 {
-    vec3 envelope; // Value, slope, wave number.
+    vec3 envelope; // Amplitude of the wave, slope of the amplitude, and wave number.
     if (swim.z < TAIL) {
         envelope = vec3(0.02 - 0.0825 * t + 0.1625 * t * t, -0.0825 + 0.325 * t, 6.45);
     } else if (swim.z < EEL) {
-        envelope = vec3(0.018 + 0.060 * t * t, 0.120 * t, 10.2); // 1.6 waves along the body.
+        envelope = vec3(0.018 + 0.060 * t * t, 0.120 * t, 10.2); // The body has 1.6 waves.
     } else if (swim.z < FINS) {
-        envelope = vec3(0.022 * t * t * t, 0.066 * t * t, 4.2);  // A stiff body; the tail steers.
+        envelope = vec3(0.022 * t * t * t, 0.066 * t * t, 4.2);  // The body is stiff and only the
+                                                                 // tail moves.
     } else if (swim.z < TUNA) {
         envelope = vec3(0.004 + 0.090 * pow(t, 5.0), 0.45 * pow(t, 4.0), 5.2);
     } else {
@@ -37,7 +40,8 @@ vec2 sway(float t)
     return swim.y * vec2(envelope.x * wave.x, envelope.y * wave.x + envelope.x * wave.y);
 }
 
-// Moves a ray's wings: the wave runs back along the disc and grows toward its edges.
+// Moves the wings of a ray. The wave travels backward along the disc and grows toward the edges of
+// the disc.
 void flap(inout vec3 p, inout vec3 n)
 {
     float out_ = smoothstep(0.06, 0.50, abs(p.x));
@@ -49,8 +53,8 @@ void flap(inout vec3 p, inout vec3 n)
     n = vec3(n.x - slope.x * n.y, n.y, n.z - slope.y * n.y);
 }
 
-// Moves the fins: a puffer sculls with its dorsal and anal fin and fans with its pectoral fins.
-// Other fishes' fins trail slightly.
+// Moves the fins. A puffer swims with its dorsal and anal fins and fans with its pectoral fins. The
+// fins of other fish trail slightly.
 void scull(inout vec3 p, float part)
 {
     float flex = surface.w;

@@ -1,9 +1,10 @@
-// The soft shadow under a specimen: an ellipse, lower than any belly.
-uniform vec3 place; // Same as in specimen.vert.glsl.
+// The soft shadow under a specimen, an ellipse that is lower than any belly.
+uniform vec3 place; // xy: centre of the body in pixels. z: pixels per body length, as in
+                    // specimen.vert.glsl.
 uniform vec2 screen_px;
-uniform mat2 turn;  // Rotation of the picture on the screen.
+uniform mat2 turn;  // Matrix that rotates the picture on the screen.
 uniform vec2 move;
-uniform vec3 look;  // Darkness; visible fraction of the fish's length.
+uniform vec3 look;  // x: darkness of the shadow. y: visible fraction of the fish's length.
 out vec2 lens;
 
 void main()

@@ -1,4 +1,4 @@
-// The still surface. The slopes alone contain the waves.
+// The water surface as a flat quad. Only the slopes contain the waves.
 layout(location = 0) in vec3 corner;
 out vec3 world;
 
