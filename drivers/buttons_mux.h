@@ -8,9 +8,8 @@
 
 #include "platform/hal.h"
 
-#define BUTTONS_MUX_MAX                                                                            \
-    12u /* Largest number of parts: the keyboard, the cabinet's lines, and one part for each
-           controller. */
+/* Largest number of parts: the keyboard, the cabinet's lines, and one part for each controller. */
+#define BUTTONS_MUX_MAX 12u
 
 struct buttons_mux {
     struct hal_buttons part[BUTTONS_MUX_MAX];

@@ -25,8 +25,8 @@ void board_open(struct hal *hal, const struct board_options *options)
 void board_release_store(struct hal *hal)
 {
     hal->audio.ops->close(hal->audio.self);
-    hal->storage.ops->close(hal->storage.self); /* The store may already be closed; a second close()
-                                                   has no effect. */
+    /* The store may already be closed; a second close() has no effect. */
+    hal->storage.ops->close(hal->storage.self);
     panel_close();
     hands_close();
     usb_close();

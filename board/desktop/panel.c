@@ -94,9 +94,9 @@ void panel_open(struct hal *hal, const struct board_options *options)
     add_keys(options);
     usb_add_buttons(&devices.join);
     hands_add_buttons(&devices.join);
-    open_lines(hal, options); /* Added last, because the descriptions are joined in this order: the
-                                 other parts name the keys to press, and the lines report what is
-                                 missing. */
+    /* The GPIO lines are added last, because the descriptions are joined in this order. The other
+     * parts name the keys to press, and the lines report what is missing. */
+    open_lines(hal, options);
     hal->buttons = buttons_mux_device(&devices.join);
 }
 

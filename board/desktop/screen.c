@@ -51,8 +51,8 @@ void screen_open(struct hal *hal, const struct board_options *options)
     };
     display_gl_on_lost(display, options->on_display_lost, options->on_display_lost_self);
     hal->display = display_gl_device(display);
-    SDL_InitSubSystem(SDL_INIT_EVENTS); /* SDL's event queue must outlive a display that is lost and
-                                           reopened. */
+    /* SDL's event queue must outlive a display that is lost and reopened. */
+    SDL_InitSubSystem(SDL_INIT_EVENTS);
     ignore_foreign_events();
     if (hal->display.ops->open(display) != HAL_OK && !options->waits_for_screen) {
         snprintf(devices.text, sizeof devices.text, "%.*s", (int)sizeof devices.text - 1,

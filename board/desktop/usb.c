@@ -1,5 +1,5 @@
-/* usb.c -- opens USB controllers: our own poi (drivers/hid/poi_descriptor.h), and the controllers
- * that the operator selected. */
+/* usb.c -- opens USB controllers: Kingyo's poi controller (drivers/hid/poi_descriptor.h), and the
+ * controllers that the operator selected. */
 #include <stdio.h>
 
 #include "board/desktop/parts.h"

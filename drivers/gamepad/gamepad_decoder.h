@@ -45,16 +45,16 @@ enum gamepad_button {
     GAMEPAD_RIGHT = 1u << 14,
 };
 
-#define GAMEPAD_DEAD                                                                               \
-    4915 /* Dead zone of a stick: 15 % of an axis, because worn sticks do not return exactly to
-            the center. */
-#define GAMEPAD_TRIGGER_ON                                                                         \
-    16384 /* Axis value at which a trigger counts as pressed: half its travel. */
+/* Dead zone of a stick: 15 % of an axis, because worn sticks do not return exactly to the
+ * center. */
+#define GAMEPAD_DEAD 4915
+/* Axis value at which a trigger counts as pressed: half its travel. */
+#define GAMEPAD_TRIGGER_ON 16384
 /* Axis value at which a pressed trigger counts as released: 30 % of its travel. The hysteresis
  * prevents repeated dips. */
 #define GAMEPAD_TRIGGER_OFF 9830
-#define GAMEPAD_TILT_RAD                                                                           \
-    (45.0f * F_DEG) /* Tilt of the ring at full deflection of the right stick. */
+/* Tilt of the ring at full deflection of the right stick. */
+#define GAMEPAD_TILT_RAD (45.0f * F_DEG)
 
 /* The complete state of a game pad at one moment. */
 struct gamepad_report {

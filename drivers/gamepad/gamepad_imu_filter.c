@@ -10,9 +10,9 @@
 #define REST_TAU_S 4.0f
 /* Angle around the rest attitude within which the tilt is 0, because a human hand trembles. */
 #define REST_BAND_RAD (2.0f * F_DEG)
-#define RATE_MAX_RAD_S                                                                             \
-    40.0f                /* Limit of the rotation rate. Game pads measure at most 2,000 degrees/s
-                            (35 rad/s); larger values are noise. */
+/* Limit of the rotation rate. Game pads measure at most 2,000 degrees/s (35 rad/s); larger values
+ * are noise. */
+#define RATE_MAX_RAD_S 40.0f
 #define STEP_MAX_S 0.25f /* Longest time for which a measured rotation rate is used. */
 
 static float seconds_between(uint64_t from_ns, uint64_t to_ns)

@@ -14,8 +14,8 @@
 
 #include "core/base/vec.h"
 
-#define GAMEPAD_IMU_FILTER_MAX_RAD                                                                 \
-    (45.0f * F_DEG) /* Largest tilt that the filter returns, for each axis. */
+/* Largest tilt that the filter returns, for each axis. */
+#define GAMEPAD_IMU_FILTER_MAX_RAD (45.0f * F_DEG)
 
 /* State of the filter. The axes are SDL's: +x points right, +y up out of the buttons, +z toward the
  * player. */

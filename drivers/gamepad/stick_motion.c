@@ -3,16 +3,15 @@
 
 #include "drivers/pointer/pointer_fan.h"
 
-#define PUSH_TAU_S                                                                                 \
-    0.07f /* Time constant that smooths the velocity, so that the flick of a thumb moves the ring
-             like an arm. */
-#define TWIST_TAU_S                                                                                \
-    0.06f /* Time constant that smooths the tilt, the same as for the wheel in pointer_poi.c. */
+/* Time constant that smooths the velocity, so that the flick of a thumb moves the ring like an
+ * arm. */
+#define PUSH_TAU_S 0.07f
+/* Time constant that smooths the tilt, the same as for the wheel in pointer_poi.c. */
+#define TWIST_TAU_S 0.06f
 /* Largest integration step. The step is so small that its size does not affect the motion. */
 #define STEP_MAX_S 0.008f
-#define GAP_MAX_S                                                                                  \
-    1.0f /* Longest time between calls that is integrated. After a longer pause the poi has not
-            moved. */
+/* Longest time between calls that is integrated. After a longer pause the poi has not moved. */
+#define GAP_MAX_S 1.0f
 
 /* Share of half the image's width and height that the poi may reach from the middle of the
  * image. */
@@ -23,8 +22,8 @@
 #define LEAN_RAD_PER_M_S (28.0f * F_DEG)
 #define LEAN_MAX_RAD (20.0f * F_DEG)
 
-#define LEVEL_FROM_M                                                                               \
-    0.03f /* Distance from the hover height within which LEVEL slows down the return. */
+/* Distance from the hover height within which the return by LEVEL slows down. */
+#define LEVEL_FROM_M 0.03f
 
 #define LAP_M 0.35f /* Distance beyond the tank's near edge at which the idle fan rests. */
 

@@ -16,13 +16,12 @@
 #include "drivers/pointer/dip_trajectory.h"
 #include "drivers/pointer/pointer_poi.h"
 
-#define STICK_MOTION_AIR_M_S                                                                       \
-    0.55f /* Speed above the water at full deflection; the kiosk's tank is crossed in 1.5 s. */
-#define STICK_MOTION_WATER_M_S                                                                     \
-    0.26f /* Speed under water at full deflection. Wet paper withstands 0.4 m/s broadside. */
-#define STICK_MOTION_HEIGHT_M_S                                                                    \
-    0.30f                           /* Vertical speed at full deflection, equal to the fastest
-                                       part of a dip. */
+/* Speed above the water at full deflection; the kiosk's tank is crossed in 1.5 s. */
+#define STICK_MOTION_AIR_M_S 0.55f
+/* Speed under water at full deflection. Wet paper withstands 0.4 m/s broadside. */
+#define STICK_MOTION_WATER_M_S 0.26f
+/* Vertical speed at full deflection, equal to the fastest part of a dip. */
+#define STICK_MOTION_HEIGHT_M_S 0.30f
 #define STICK_MOTION_HIGH_M 0.12f   /* Upper limit of the ring, above the rim of the tank. */
 #define STICK_MOTION_LOW_M (-0.11f) /* Lower limit of the ring: the floor of the kiosk's tank. */
 #define STICK_MOTION_TILT_MAX_RAD (60.0f * F_DEG)

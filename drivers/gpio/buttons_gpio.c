@@ -4,7 +4,8 @@
 
 #include <string.h>
 
-/* INPUT_ bit of each input line, or 0 for the coin lines, which are no buttons. */
+/* Button of each input line as a bit of enum input_button, or 0 for the coin lines, which are no
+ * buttons. */
 static const uint32_t button_of[GPIO_INPUT_COUNT] = {
     [GPIO_START] = INPUT_START, [GPIO_LEFT] = INPUT_LEFT, [GPIO_RIGHT] = INPUT_RIGHT,
     [GPIO_OK] = INPUT_OK,       [GPIO_TEST] = INPUT_TEST, [GPIO_SERVICE] = INPUT_SERVICE,

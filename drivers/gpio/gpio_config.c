@@ -8,17 +8,16 @@
 
 #include "drivers/gpio/gpio_config_token.h"
 
-#define COIN_DEBOUNCE_US                                                                           \
-    3000u /* Default debounce time of a coin line; coin switches bounce for 1 to 3 ms. */
-#define COIN_MIN_US                                                                                \
-    15000u /* Default shortest coin pulse: the shortest common pulse of 25 ms, minus 20 %, minus
-              5 ms of bounce. */
-#define COIN_MAX_US                                                                                \
-    250000u /* Default longest coin pulse: the longest common pulse of 200 ms, plus 20 %, rounded
-               up. */
-#define PULSE_ON_US                                                                                \
-    100000u /* Default length of an output pulse. Electromechanical meters count five to ten
-               steps per second. */
+/* Default debounce time of a coin line; coin switches bounce for 1 to 3 ms. */
+#define COIN_DEBOUNCE_US 3000u
+/* Default shortest coin pulse: the shortest common pulse of 25 ms, minus 20 %, minus 5 ms of
+ * bounce. */
+#define COIN_MIN_US 15000u
+/* Default longest coin pulse: the longest common pulse of 200 ms, plus 20 %, rounded up. */
+#define COIN_MAX_US 250000u
+/* Default length of an output pulse. Electromechanical meters count five to ten steps per
+ * second. */
+#define PULSE_ON_US 100000u
 #define PULSE_OFF_US 100000u
 
 /* Name and default debounce time of each role. */

@@ -58,13 +58,13 @@ uint32_t gpio_dev_poll_ms(const struct gpio_dev_poll_state *looks, uint32_t time
 bool gpio_dev_poll_level(struct gpio_dev_poll_state *looks, enum gpio_role role, int level,
                          struct gpio_edge *out);
 
-/* Writes to `why` why the kernel refused an existing line. `error` is the errno value. `consumer`
- * is the program that uses the line, or "" if unknown. */
+/* Writes the reason to `why` if the kernel refused an existing line. `error` is the errno value.
+ * `consumer` is the program that uses the line, or "" if unknown. */
 void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, int error,
                           const char *consumer);
 
-/* Writes to `why` why no chip has the line. `denied` is the path of a chip that could not be
- * opened, or "" if all `chip_count` chips were opened. */
+/* Writes the reason to `why` if no chip has the line. `denied` is the path of a chip that could not
+ * be opened, or "" if all `chip_count` chips were opened. */
 void gpio_dev_why_missing(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, const char *denied,
                           uint32_t chip_count);
 

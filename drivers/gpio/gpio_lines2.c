@@ -11,8 +11,8 @@
 #include "drivers/gpio/gpio_backend.h"
 #include "drivers/gpio/gpio_chips.h"
 
-#define QUEUE_SIZE                                                                                 \
-    GPIO_EDGES_MAX /* Requested queue size; the kernel's default is 16 edges for each line. */
+/* Requested queue size; the kernel's default is 16 edges for each line. */
+#define QUEUE_SIZE GPIO_EDGES_MAX
 
 static struct held {
     struct gpiod_chip *chip; /* Handle of the chip, or null if the line is not held. */

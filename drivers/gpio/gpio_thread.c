@@ -10,12 +10,11 @@
 #include "drivers/gpio/gpio_thread_lines.h"
 
 #define NS_PER_MS 1000000u
-#define WATCH_NS                                                                                   \
-    100000000u /* Interval at which the levels of all input lines are read, in addition to edge
-                  events. */
-#define STOP_STEPS_MAX                                                                             \
-    200u /* Longest wait in gpio_thread_stop(): 200 steps of 10 ms, enough for ten pulses of the
-            slowest meters. */
+/* Interval at which the levels of all input lines are read, in addition to edge events. */
+#define WATCH_NS 100000000u
+/* Longest wait in gpio_thread_stop(): 200 steps of 10 ms, enough for ten pulses of the slowest
+ * meters. */
+#define STOP_STEPS_MAX 200u
 #define STOP_STEP_NS 10000000
 
 _Static_assert((int)GPIO_OUTPUT_COUNT == (int)HAL_SWITCH_COUNT, "outputs are the HAL's switches");

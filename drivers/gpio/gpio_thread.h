@@ -17,9 +17,8 @@
 #define GPIO_OUTPUT_COUNT (GPIO_ROLE_COUNT - GPIO_INPUT_COUNT)
 /* Longest delay of an output change, and of a level change without an edge event, in ms. */
 #define GPIO_WAIT_MS_MAX 20u
-#define GPIO_COIN_POLL_NS                                                                          \
-    5000000u /* Polling interval of a coin line, so that each pulse is polled at least three
-                times. */
+/* Polling interval of a coin line, so that each pulse is polled at least three times. */
+#define GPIO_COIN_POLL_NS 5000000u
 
 /* Counts since gpio_thread_open(). */
 struct gpio_total {
@@ -40,7 +39,7 @@ struct gpio_thread {
     uint32_t had;                           /* Held lines, one bit for each role. */
     uint32_t lit;                           /* Outputs whose last set level is active, one bit for
                                                each role. */
-    uint64_t retry_ns;                      /* Time at which missing lines are requested again. */
+    uint64_t retry_ns;                      /* Time at which missing lines are requested next. */
     uint64_t watch_ns;                      /* Time at which the levels of all lines are read
                                                next. */
     uint64_t coin_look_ns[COIN_LINE_COUNT]; /* Time at which each coin line is polled next. */
@@ -51,15 +50,18 @@ struct gpio_thread {
     struct gpio_total total; /* Totals, which the caller of gpio_thread_step() may read. */
 
     /* The GPIO thread and the frame loop share the atomic fields below. */
-    /* Debounced buttons that are pressed, and buttons that were pressed since the last read, one
-     * bit for each role. */
+    /* Debounced buttons that are pressed, and buttons that were pressed since the frame loop's last
+     * read, one bit for each role. */
     _Atomic uint32_t held, pressed;
-    _Atomic uint32_t coins[COIN_LINE_COUNT];  /* Coins of each line since the last read. */
-    _Atomic uint32_t faults;                  /* Number of faults since the last read. */
+    _Atomic uint32_t coins[COIN_LINE_COUNT];  /* Coins of each line since the frame loop's last
+                                                 read. */
+    _Atomic uint32_t faults;                  /* Number of faults since the frame loop's last
+                                                 read. */
     _Atomic uint32_t raw;                     /* Levels before debouncing, one bit for each role. */
-    _Atomic uint32_t edges[GPIO_INPUT_COUNT]; /* Edges of each line since the last read, including
-                                                 bounces. */
-    _Atomic uint32_t line_faults[GPIO_INPUT_COUNT]; /* Faults of each line since the last read. */
+    _Atomic uint32_t edges[GPIO_INPUT_COUNT]; /* Edges of each line since the frame loop's last
+                                                 read, including bounces. */
+    _Atomic uint32_t line_faults[GPIO_INPUT_COUNT]; /* Faults of each line since the frame loop's
+                                                       last read. */
     _Atomic uint32_t missing; /* Wired lines that are not held, one bit for each role. */
     _Atomic uint32_t wanted;  /* Outputs that the frame loop has set active, one bit for each
                                  role. */

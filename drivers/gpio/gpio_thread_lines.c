@@ -7,9 +7,8 @@
 
 #include "drivers/gpio/gpio_config.h"
 
-#define RETRY_NS                                                                                   \
-    1000000000u /* Interval of requests for missing lines, so that a chip that returns is used
-                   within a second. */
+/* Interval of requests for missing lines, so that a chip that returns is used within a second. */
+#define RETRY_NS 1000000000u
 
 uint32_t gpio_thread_begin_bits(void)
 {

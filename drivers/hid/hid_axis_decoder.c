@@ -4,9 +4,9 @@
 #include "drivers/hid/hid_bits.h"
 
 #define PRESS_AT 0.5f /* Share of a key's or trigger's travel at which it counts as pressed. */
-#define RELEASE_AT                                                                                 \
-    0.4f                  /* Share of the travel at which a pressed key or trigger counts as
-                             released; the difference from PRESS_AT is hysteresis. */
+/* Share of the travel at which a pressed key or trigger counts as released; the difference from
+ * PRESS_AT is hysteresis. */
+#define RELEASE_AT 0.4f
 #define AWAKE_WITHIN 0.3f /* Deflection below which a stick counts as released. */
 #define HAT_DIRECTIONS 8.0f
 

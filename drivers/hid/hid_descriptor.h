@@ -11,18 +11,16 @@
 #include <stdint.h>
 
 #define HID_DESCRIPTOR_SIZE_MAX 65535u /* Limit of the 16-bit wDescriptorLength. */
-#define HID_GROUP_MAX                                                                              \
-    512u /* Largest number of Input items; the largest of 72 examined devices has 209. */
+/* Largest number of Input items; the largest of 72 examined devices has 209. */
+#define HID_GROUP_MAX 512u
 #define HID_RANGE_MAX 2048u /* Largest number of usages and usage ranges of all groups together. */
 #define HID_DEPTH_MAX 32u   /* Deepest nesting of collections; real devices nest 4 collections. */
 #define HID_PUSH_MAX 8u     /* Largest number of nested Push items; real devices use 1. */
 #define HID_FIELD_BITS_MAX 256u /* Largest Report Size of one field, in bits. */
-#define HID_REPORT_BITS_MAX                                                                        \
-    65536u /* Largest size of one report: 8 KiB. The largest report of a real device has 7,487
-              bytes. */
-#define HID_FIELD_MAX                                                                              \
-    65536u /* Largest number of fields of all groups together; one report of single bits can have
-              as many. */
+/* Largest size of one report: 8 KiB. The largest report of a real device has 7,487 bytes. */
+#define HID_REPORT_BITS_MAX 65536u
+/* Largest number of fields of all groups together; one report of single bits can have as many. */
+#define HID_FIELD_MAX 65536u
 
 enum hid_flag { /* Bits of an Input item (HID 1.11, section 6.2.2.5). */
                 HID_CONSTANT = 1u << 0,

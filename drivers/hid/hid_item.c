@@ -2,9 +2,8 @@
  * data. */
 #include "drivers/hid/hid_item.h"
 
-#define LONG_ITEM                                                                                  \
-    0xfeu /* Prefix of a long item. A size byte, a tag byte and data follow (HID 1.11, section
-             6.2.2.3). */
+/* Prefix of a long item. A size byte, a tag byte and data follow (HID 1.11, section 6.2.2.3). */
+#define LONG_ITEM 0xfeu
 #define LONG_HEAD_SIZE 3u
 
 int32_t hid_item_signed(uint32_t data, uint8_t size)

@@ -6,10 +6,11 @@
 #include "core/base/fmath.h"
 #include "drivers/hid/hid_mapping_infer.h"
 
-#define REST_NS                                                                                    \
-    1000000000ull /* Time with reports after which the progress of LEARN_REST is complete. */
-#define REST_REPORTS                                                                               \
-    8u /* Number of reports that the complete progress of LEARN_REST requires too. */
+/* Time from the first report after which the progress of LEARN_REST is complete. */
+#define REST_NS 1000000000ull
+/* Number of reports after which the progress of LEARN_REST is complete; REST_NS must have passed
+ * too. */
+#define REST_REPORTS 8u
 
 /* ---- Fields of the controller --------------------------------------------------------------- */
 

@@ -7,18 +7,18 @@
 #include "drivers/hid/poi_report.h"
 
 #define KEYBOARD_PAGE 0x0007u
-#define WORTH_KNOWN                                                                                \
-    100u /* Score of our own poi and of known controllers, above every score of
-            hid_mapping_auto_score(). */
+/* Score of Kingyo's poi controller and of known controllers, above every score of
+ * hid_mapping_auto_score(). */
+#define WORTH_KNOWN 100u
 
-/* ---- The project's own poi ------------------------------------------------------------------ */
+/* ---- Kingyo's poi controller ---------------------------------------------------------------- */
 
 struct place {
     hid_usage usage;
     uint32_t bit_offset, bit_size;
 };
 
-/* Axes of the project's own poi. The sequence number before the axes has no HID usage and is not
+/* Axes of Kingyo's poi controller. The sequence number before the axes has no HID usage and is not
  * checked. */
 static const struct place own_places[] = {
     { USAGE_X, 8, 16 },   { USAGE_Y, 24, 16 },  { USAGE_Z, 40, 16 },

@@ -3,8 +3,9 @@
  * A mapping comes from a table of known controllers (hid_mapping_known.c), from the HID descriptor
  * (hid_mapping_auto.c) or from learning (hid_learn.h). hid_pose_decoder.h decodes reports with a
  * mapping. A mapping is stored as one line of text for each vendor:product:serial
- * (hid_mapping_text.c). A poi is a paper scoop, and also the controller that moves it; our own poi
- * is the controller that this project defines (poi_report.h). Pure: uses no device and no clock. */
+ * (hid_mapping_text.c). A poi is a paper scoop, and also the controller that moves it. This project
+ * defines its own poi controller (poi_report.h), which the comments name Kingyo's poi controller.
+ * Pure: uses no device and no clock. */
 #ifndef KINGYO_DRIVERS_HID_HID_MAPPING_H
 #define KINGYO_DRIVERS_HID_HID_MAPPING_H
 
@@ -13,9 +14,9 @@
 #include "drivers/hid/hid_descriptor.h"
 #include "drivers/hid/hid_port.h"
 
-#define HID_BINDING_MAX                                                                            \
-    32u /* Largest number of bindings: enough for six axes, a hat, a pen tip, pressure, a
-           sequence number and buttons. */
+/* Largest number of bindings: enough for six axes, a hat, a pen tip, pressure, a sequence number
+ * and buttons. */
+#define HID_BINDING_MAX 32u
 
 #define HID_VALUE_MAX 4294967295ll /* Largest size of a signed or unsigned 32-bit value. */
 
@@ -80,15 +81,15 @@ struct hid_binding {
     int64_t rest;        /* Value of a released stick or key, or value at the low end of a
                             HID_BINDING_POSITION. */
     int64_t full;        /* Value at the positive end. A value below `rest` reverses the axis. */
-    /* Dead zone around the rest position, in counts. `rest`, `full` and `dead` are within
-     * +-HID_VALUE_MAX. */
+    /* Dead zone around the rest position, in units of the field's value. `rest`, `full` and `dead`
+     * are within +-HID_VALUE_MAX. */
     int64_t dead;
 };
 
 /* Kind of controller that the bindings form together. */
 enum hid_style {
     HID_STYLE_NONE = 0,
-    HID_STYLE_POSE,    /* Six absolute axes, as of our own poi. */
+    HID_STYLE_POSE,    /* Six absolute axes, as of Kingyo's poi controller. */
     HID_STYLE_POINTER, /* Two axes in the image, with buttons to dip and tilt, as of a mouse or a
                           tablet. */
     HID_STYLE_FLY,     /* Velocity control by sticks or a puck. A button or the Y axis dips the
@@ -97,7 +98,7 @@ enum hid_style {
 
 enum hid_mapping_source {
     HID_MAPPING_NONE = 0, /* The controller has no usable mapping. */
-    HID_MAPPING_OWN,      /* The reports have the layout of our own poi. */
+    HID_MAPPING_OWN,      /* The reports have the layout of Kingyo's poi controller. */
     HID_MAPPING_KNOWN,
     HID_MAPPING_AUTO,
     HID_MAPPING_LEARNED,
@@ -113,18 +114,19 @@ struct hid_mapping {
     struct hid_binding binding[HID_BINDING_MAX];
 };
 
-/* Returns 1 if the reports have the layout of our own poi, otherwise 0: every axis of poi_report.h
- * must be at its position. Unlike poi_descriptor_is(), this function also accepts a device with
- * additional reports. Such a device can play after the operator selected it. */
+/* Returns 1 if the reports have the layout of Kingyo's poi controller, otherwise 0: every axis of
+ * poi_report.h must be at its position. Unlike poi_descriptor_is(), this function also accepts a
+ * device with additional reports. Such a device can play after the operator selected it. */
 int hid_mapping_is_own(const struct hid_descriptor *descriptor);
 
 /* Returns 1 if the descriptor declares the keys of a keyboard, otherwise 0. A keyboard is never
  * used as a controller. */
 int hid_mapping_has_keyboard(const struct hid_descriptor *descriptor);
 
-/* Finds the best mapping for a controller. Our own poi is preferred, then a known controller, then
- * a mapping from the descriptor. `out->source` is the origin of the mapping. HID_MAPPING_NONE means
- * that no mapping is possible, for example for a keyboard or a device without axes. */
+/* Finds the best mapping for a controller. Kingyo's poi controller is preferred, then a known
+ * controller, then a mapping from the descriptor. `out->source` is the origin of the mapping.
+ * HID_MAPPING_NONE means that no mapping is possible, for example for a keyboard or a device
+ * without axes. */
 void hid_mapping_choose(struct hid_mapping *out, const struct hid_identity *identity,
                         const struct hid_descriptor *descriptor);
 

@@ -5,10 +5,10 @@
 /* Smallest logical range of an axis, which is larger than that of a hat. An "X" field of one bit is
  * a button. */
 #define AXIS_STEPS_MIN 14
-#define DEAD_SHARE_STICK                                                                           \
-    12 /* Divisor of half a stick's range: a released stick stops within 1/12 of half its range. */
-#define DEAD_SHARE_PUCK                                                                            \
-    50 /* Divisor of half a puck's range; a puck has stiffer springs than a stick. */
+/* Divisor of half a stick's range: a released stick stops within 1/12 of half its range. */
+#define DEAD_SHARE_STICK 12
+/* Divisor of half a puck's range; a puck has stiffer springs than a stick. */
+#define DEAD_SHARE_PUCK 50
 
 int hid_mapping_auto_is_axis(const struct hid_group *group)
 {

@@ -4,21 +4,19 @@
 #include "core/base/fmath.h"
 #include "drivers/hid/hid_mapping_auto.h"
 
-#define NOISE_MAX                                                                                  \
-    0.20f             /* Largest noise of a usable field at rest, as a share of the field's
-                         range. */
+/* Largest noise of a usable field at rest, as a share of the field's range. */
+#define NOISE_MAX 0.20f
 #define WAY_MIN 0.12f /* Smallest travel of an axis, as a share of the field's range. */
-#define PRESS_MIN                                                                                  \
-    0.30f /* Smallest travel of the control that dips the poi, as a share of the field's range. */
-#define CLEAR_WAY                                                                                  \
-    0.4f /* Travel at which a step counts as fully clear, as a share of the field's range. */
-#define VENDOR_WORTH                                                                               \
-    0.5f                /* Weight of a vendor-defined field, which must therefore move twice as
-                           far as a standard field. */
+/* Smallest travel of the control that dips the poi, as a share of the field's range. */
+#define PRESS_MIN 0.30f
+/* Travel at which a step counts as fully clear, as a share of the field's range. */
+#define CLEAR_WAY 0.4f
+/* Weight of a vendor-defined field, which must therefore move twice as far as a standard field. */
+#define VENDOR_WORTH 0.5f
 #define STEP_WAY 100.0f /* Range that is assumed for a relative field, in counts. */
-#define MIDDLE_SHARE                                                                               \
-    0.2f /* Largest distance from the rest value at which a stick counts as returned, as a share
-            of the range. */
+/* Largest distance from the rest value at which a stick counts as returned, as a share of the
+ * range. */
+#define MIDDLE_SHARE 0.2f
 #define DEAD_SHARE 0.08f
 #define PAGE_OF(usage) ((usage) >> 16)
 #define PAGE_VENDOR 0xff00u

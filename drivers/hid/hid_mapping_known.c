@@ -5,9 +5,8 @@
 #include "drivers/hid/hid_mapping_auto.h"
 
 #define SONY 0x054cu
-#define STICK_DEAD                                                                                 \
-    12 /* Dead zone of a stick, out of 127 counts. A worn stick stops up to this far from its
-          center. */
+/* Dead zone of a stick, out of 127 counts. A worn stick stops up to this far from its center. */
+#define STICK_DEAD 12
 
 struct known {
     uint16_t vendor, product;

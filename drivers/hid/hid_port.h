@@ -12,11 +12,10 @@
 
 #include "platform/hal.h"
 
-#define HID_REPORT_MAX                                                                             \
-    256u /* Largest report, in bytes. Game pads send 64 bytes, the largest pen tablets 192. */
-#define HID_REPORTS_MAX                                                                            \
-    1024u                        /* Capacity of a slot's queue, enough for 1,000 reports per
-                                    second during a stall of one second. */
+/* Largest report, in bytes. Game pads send 64 bytes, the largest pen tablets 192. */
+#define HID_REPORT_MAX 256u
+/* Capacity of a slot's queue, enough for 1,000 reports per second during a stall of one second. */
+#define HID_REPORTS_MAX 1024u
 #define HID_DESCRIPTOR_MAX 4096u /* Largest report descriptor, in bytes. Linux reads no more. */
 #define HID_TEXT_SIZE 64u
 

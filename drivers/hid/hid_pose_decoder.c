@@ -190,8 +190,8 @@ static int hid_pose_decoder_error(struct hid_pose_decoder *hand)
     return 0;
 }
 
-/* Decodes a report of our own poi. Returns 1. Returns 0 and rejects the report if it is invalid or
- * repeats a sequence number. Missing sequence numbers are counted in gap_count. */
+/* Decodes a report of Kingyo's poi controller. Returns 1. Returns 0 and rejects the report if it is
+ * invalid or repeats a sequence number. Missing sequence numbers are counted in gap_count. */
 static int pose(struct hid_pose_decoder *hand, const struct hid_raw *raw)
 {
     struct poi_report report;

@@ -1,5 +1,5 @@
-/* poi_descriptor.c -- the bytes of our own poi's HID report descriptor, with one item in each line
- * (HID 1.11, section 6.2.2).
+/* poi_descriptor.c -- the bytes of the HID report descriptor of Kingyo's poi controller, with one
+ * item in each line (HID 1.11, section 6.2.2).
  *
  * Units follow the specification. In unit system 1 (centimeter, gram, second) a newton is 10^5 g
  * cm/s^2, and a newton meter is 10^7 g cm^2/s^2. Degrees belong to unit system 4. The physical
@@ -65,7 +65,7 @@ const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE] = {
     0xa1, 0x02,       /*   Collection (Logical) */
     0x09, 0x01,       /*     Usage (sequence) */
     0x26, 0xff, 0x00, /*     Logical Maximum (255) */
-    0x45, 0x00,       /*     Physical Maximum (0): none */
+    0x45, 0x00,       /* Physical Maximum (0): not declared */
     0x75, 0x08,       /*     Report Size (8) */
     0x95, 0x01,       /*     Report Count (1) */
     0x91, 0x0a,       /*     Output (Data, Variable, Absolute, Wrap) */

@@ -1,9 +1,9 @@
-/* poi_descriptor.h -- the HID report descriptor of our own poi, the scoop-shaped controller that
- * this project defines.
+/* poi_descriptor.h -- the HID report descriptor of Kingyo's poi controller, the paper scoop with
+ * sensors that this project defines.
  *
- * This array is the only definition of the bytes. The kiosk recognizes our own poi by the
- * descriptor, independent of the vendor and product id. The program kingyo-poi passes the bytes to
- * the kernel of the poi's board (board/poi-gadget/, whose README explains them). A test compares
+ * This array is the only definition of the bytes. The kiosk recognizes Kingyo's poi controller by
+ * the descriptor, independent of the vendor and product id. The program kingyo-poi passes the bytes
+ * to the kernel of the poi's board (board/poi-gadget/, whose README explains them). A test compares
  * the bytes with poi_report.h field by field. After a change of the descriptor, pois with the
  * previous descriptor are no longer recognized. */
 #ifndef KINGYO_DRIVERS_HID_POI_DESCRIPTOR_H
@@ -14,7 +14,8 @@
 #define POI_DESCRIPTOR_SIZE 184u
 
 /* Vendor-defined usage page. The HID Usage Tables reserve the pages FF00 to FFFF for vendors.
- * Another vendor may use the same page, so only the whole descriptor identifies our own poi. */
+ * Another vendor may use the same page, so only the whole descriptor identifies Kingyo's poi
+ * controller. */
 #define POI_PAGE 0xff4bu
 
 enum poi_usage { /* Usages of POI_PAGE. */

@@ -3,9 +3,8 @@
 
 #include "drivers/pointer/pointer_fan.h"
 
-#define LAP_Z_M                                                                                    \
-    0.75f /* Z coordinate of the idle fan: in front of the player, beyond the near edge of every
-             tank. */
+/* Z coordinate of the idle fan: in front of the player, beyond the near edge of every tank. */
+#define LAP_Z_M 0.75f
 
 void poi_fan_init(struct poi_fan *fan)
 {

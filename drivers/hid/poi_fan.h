@@ -1,4 +1,4 @@
-/* poi_fan.h -- the fan of our own poi, a tracked controller (poi_report.h).
+/* poi_fan.h -- the fan of Kingyo's poi controller, a tracked controller (poi_report.h).
  *
  * While the FAN key is pressed, the controller moves the fan over the water, and the poi (the paper
  * scoop) stands still. Pure: uses no device and no clock. */
@@ -9,8 +9,8 @@
 
 #include "platform/hal.h"
 
-#define POI_FAN_BACK_S                                                                             \
-    0.5f /* Duration of the poi's return to the controller after FAN is released. */
+/* Duration of the poi's return to the controller after FAN is released. */
+#define POI_FAN_BACK_S 0.5f
 
 struct poi_fan {
     struct poi_target hand;  /* Newest pose of the controller. */

@@ -6,9 +6,8 @@
 
 #include "drivers/hid/poi_report.h"
 
-#define HEARD_MAX                                                                                  \
-    (HID_REPORTS_MAX + 1u) /* Largest number of reports in one frame: a full queue and the newest
-                              report. */
+/* Largest number of reports in one frame: a full queue and the newest report. */
+#define HEARD_MAX (HID_REPORTS_MAX + 1u)
 
 void poi_hid_init(struct poi_hid *poi, struct hid_port port, struct hal_clock clock,
                   struct hid_mapper mapper, const struct view *view)

@@ -1,4 +1,4 @@
-/* poi_report.c -- encodes and decodes the reports of our own poi. */
+/* poi_report.c -- encodes and decodes the reports of Kingyo's poi controller. */
 #include "drivers/hid/poi_report.h"
 
 #include "core/base/fmath.h"

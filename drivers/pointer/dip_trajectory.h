@@ -10,15 +10,14 @@
 
 #include "core/base/fmath.h"
 
-#define DIP_HOVER_M                                                                                \
-    0.035f /* Height of a hovering ring above the water: above the ripples, and low enough to
-              aim. */
-#define DIP_DEPTH_M                                                                                \
-    (-0.050f) /* Depth of a dipped ring, where the fish swim in a tank of 10 to 20 cm. */
+/* Height of a hovering ring above the water: above the ripples, and low enough to aim. */
+#define DIP_HOVER_M 0.035f
+/* Depth of a dipped ring, where the fish swim in a tank of 10 to 20 cm. */
+#define DIP_DEPTH_M (-0.050f)
 #define DIP_DOWN_S 0.30f
-#define DIP_UP_S                                                                                   \
-    0.46f /* Duration of the upward stroke; longer than the downward stroke, because wet paper
-             carries water. */
+/* Duration of the upward stroke; longer than the downward stroke, because wet paper carries
+ * water. */
+#define DIP_UP_S 0.46f
 
 #define DIP_SLANT_MAX_RAD (28.0f * F_DEG)
 #define DIP_SLANT_AT_M_S 0.40f

@@ -6,8 +6,8 @@
 #include <stdio.h>
 
 #define EVENT_BATCH 64
-#define CREEP_PX                                                                                   \
-    24.0f /* Motion that counts as use by a person; a bump against the table moves a mouse less. */
+/* Motion that counts as use by a person; a bump against the table moves a mouse less. */
+#define CREEP_PX 24.0f
 
 void mouse_poi_init(struct mouse_poi *mouse, struct hal_clock clock, const struct view *view,
                     uint32_t width, uint32_t height, uint32_t heeds)

@@ -31,11 +31,10 @@ struct mouse_poi {
     struct touch_fingers fingers;
     uint64_t used_ns; /* Time of the last use by a person; 0 means never. */
     float crept_px;   /* Mouse motion in pixels after `used_ns`. */
-    struct display_settings
-        display_settings; /* Image geometry from set_view(). If all fields are 0, the image fills
-                             the window. */
-    struct pointer_report report; /* Last state of the pointer. The wheel is reset for each
-                                     event. */
+    /* Image geometry from set_view(). If all fields are 0, the image fills the window. */
+    struct display_settings display_settings;
+    /* Last state of the pointer. The wheel is reset for each event. */
+    struct pointer_report report;
     uint64_t last_poll_ns;
     char text[HAL_TEXT_SIZE];
 };

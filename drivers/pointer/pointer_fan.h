@@ -10,8 +10,8 @@
 
 /* Radius of the fan's shadow: the value of the 2013 thesis, and the size of a small uchiwa. */
 #define POINTER_FAN_RADIUS_M 0.10f
-#define POINTER_FAN_SWING_S                                                                        \
-    0.40f /* Duration of the fan's way from beyond the tank's near edge to the pointer, or back. */
+/* Duration of the fan's way from beyond the tank's near edge to the pointer, or back. */
+#define POINTER_FAN_SWING_S 0.40f
 
 struct pointer_fan {
     struct view view;

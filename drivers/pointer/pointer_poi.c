@@ -15,13 +15,13 @@
 
 /* Shortest duration of the poi's return to the pointer, slow enough not to damage the paper. */
 #define BACK_S 0.30f
-#define BACK_S_PER_WIDTH                                                                           \
-    0.9f /* Additional duration of the return for a distance of one window width. */
-/* Height of the ring above which the return has its full speed. */
+/* Additional duration of the poi's return to the pointer, for a distance of one window width. */
+#define BACK_S_PER_WIDTH 0.9f
+/* Height of the ring above which the poi's return to the pointer has its full speed. */
 #define BACK_FREE_M 0.025f
-#define BACK_UNDER_WATER                                                                           \
-    0.12f /* Speed of the return under water as a share of the full speed; faster motion would
-             tear the paper. */
+/* Speed of the poi's return under water as a share of the full speed; faster motion would tear the
+ * paper. */
+#define BACK_UNDER_WATER 0.12f
 
 static float seconds_between(uint64_t from_ns, uint64_t to_ns)
 {

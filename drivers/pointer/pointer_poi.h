@@ -43,8 +43,8 @@ struct pointer_report {
 #define POINTER_DOWN_S DIP_DOWN_S
 #define POINTER_UP_S DIP_UP_S
 #define POINTER_TILT_STEP_RAD (7.5f * F_DEG) /* Change of the tilt by one notch of the wheel. */
-#define POINTER_TILT_MAX_RAD                                                                       \
-    (60.0f * F_DEG) /* Limit of the tilt: eight notches in each direction. */
+/* Limit of the tilt: eight notches in each direction. */
+#define POINTER_TILT_MAX_RAD (60.0f * F_DEG)
 
 struct pointer_poi {
     struct view view;

@@ -16,7 +16,8 @@ struct display_sim {
                                    lost; 0 means never. */
     uint8_t away;               /* 1 while the display is unplugged and open() fails, otherwise
                                    0. */
-    uint8_t needs_open;         /* 1 from unplugging until open() succeeds, otherwise 0. */
+    uint8_t needs_open;         /* 1 from the unplugging of the display until open() succeeds,
+                                   otherwise 0. */
     uint32_t open_count;
     uint32_t fail_at; /* Number (from 1) of the present() call that fails with HAL_ERR_IO; 0 means
                          that no call fails. */

@@ -33,8 +33,8 @@ struct report_ring {
     /* `has_late` is 1 if `late` has an unread report. `is_late` is 1 if report_ring_peek() returned
      * that report. Used only by the reader. */
     uint8_t has_late, is_late;
-    _Alignas(REPORT_RING_LINE_SIZE) struct triple_buffer
-        mail; /* Triple buffer for `late`, which holds the newest report while the queue is full. */
+    /* Triple buffer for `late`, which holds the newest report while the queue is full. */
+    _Alignas(REPORT_RING_LINE_SIZE) struct triple_buffer mail;
     struct report_ring_slot late[TRIPLE_BUFFER_SLOTS];
     _Alignas(REPORT_RING_LINE_SIZE) struct report_ring_slot slot[HID_REPORTS_MAX];
 };

@@ -1,9 +1,9 @@
 /* usb_choice.h -- rules for which USB controllers the kiosk claims and which slot they get.
  *
  * A slot is the place of one of up to POI_MAX controllers. A controller is claimed if the operator
- * selected it in the menu (stored in a file) or if the option --usb names it. Our own poi
- * (poi_descriptor.h) is always claimed unless a rule forbids it. It has no fixed vendor id and is
- * recognized by its report descriptor.
+ * selected it in the menu (stored in a file) or if the option --usb names it. Kingyo's poi
+ * controller (poi_descriptor.h) is always claimed unless a rule forbids it. It has no fixed vendor
+ * id and is recognized by its report descriptor.
  *
  * Some descriptors can only be read after claiming. For this purpose only selected ids and the test
  * id of pid.codes are claimed. An interface with the keys of a keyboard is never claimed, even if
@@ -18,13 +18,13 @@
 #include "drivers/hid/hid_descriptor.h"
 #include "drivers/hid/hid_port.h"
 
-#define USB_BENCH_VENDOR                                                                           \
-    0x1209u /* Vendor id of the pid.codes test id, with which no product may be sold. */
+/* Vendor id of the pid.codes test id, with which no product may be sold. */
+#define USB_BENCH_VENDOR 0x1209u
 #define USB_BENCH_PRODUCT 0x0001u
-#define USB_KEY_TEXT_SIZE                                                                          \
-    (10u + HID_TEXT_SIZE) /* Size of the text "057e:2009:" with a serial number. */
-#define USB_REQUEST_MAX                                                                            \
-    32u /* Largest number of rules: enough for four pois, each replaced seven times. */
+/* Size of the text "057e:2009:" with a serial number. */
+#define USB_KEY_TEXT_SIZE (10u + HID_TEXT_SIZE)
+/* Largest number of rules: enough for four pois, each replaced seven times. */
+#define USB_REQUEST_MAX 32u
 #define USB_ERROR_SIZE 96u
 
 /* Key that names one controller, or all controllers of a product. */
@@ -50,7 +50,7 @@ struct usb_request {
     uint8_t kept;  /* 1 if the rule is stored in the file, otherwise 0. */
 };
 
-/* List of rules. The all-zero list accepts only our own poi. */
+/* List of rules. The all-zero list accepts only Kingyo's poi controller. */
 struct usb_choice {
     uint32_t wish_count;
     struct usb_request wish[USB_REQUEST_MAX];
@@ -83,7 +83,7 @@ enum usb_kind {
     USB_KIND_LEARNABLE, /* The descriptor has usable fields but no mapping, so the operator must let
                            the kiosk learn the controller. */
     USB_KIND_HAND,      /* hid_mapping_choose() finds a mapping for the descriptor. */
-    USB_KIND_OWN,       /* The descriptor is exactly that of our own poi. */
+    USB_KIND_OWN,       /* The descriptor is exactly that of Kingyo's poi controller. */
 };
 
 /* HID interface of a device that may be claimed. */

@@ -13,8 +13,8 @@
 #include "drivers/usb/device_table.h"
 #include "drivers/usb/triple_buffer.h"
 
-#define USB_COMMAND_MAX                                                                            \
-    8u /* Capacity of the command queue, which the event thread empties within a frame. */
+/* Capacity of the command queue, which the event thread empties within a frame. */
+#define USB_COMMAND_MAX 8u
 
 /* Command of the operator. The identity is copied, because the rows can change before the command
  * is executed. */

@@ -12,8 +12,8 @@
 #define NS_PER_MS 1000000ull
 #define IDLE_MS 1000 /* Longest wait of the thread in ms if no output report is being sent. */
 #define BUSY_MS 50   /* Longest wait of the thread in ms while an output report is being sent. */
-#define LAST_WAIT_NS                                                                               \
-    2000000000ull /* Longest time to wait for cancelled transfers when the thread ends. */
+/* Longest time to wait for cancelled transfers when the thread ends. */
+#define LAST_WAIT_NS 2000000000ull
 
 uint64_t usb_event_thread_now_ns(const struct usb_event_thread *usb_thread)
 {

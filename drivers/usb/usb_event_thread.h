@@ -21,14 +21,13 @@
 #include "drivers/usb/usb_slot.h"
 #include "drivers/usb/usb_transfers.h"
 
-#define USB_DEVICE_MAX                                                                             \
-    16u /* Largest number of HID devices in the table. If the table is full, a device that may
-           not be claimed is replaced first. */
-#define USB_LINK_MAX                                                                               \
-    (2u * POI_MAX) /* Largest number of links: four open controllers, and four that are being
-                      closed. */
-#define USB_FD_MAX                                                                                 \
-    16u /* Largest number of file descriptors: two of libusb, one for each link, and `wake_fd`. */
+/* Largest number of HID devices in the table. If the table is full, a device that may not be
+ * claimed is replaced first. */
+#define USB_DEVICE_MAX 16u
+/* Largest number of links: four open controllers, and four that are being closed. */
+#define USB_LINK_MAX (2u * POI_MAX)
+/* Largest number of file descriptors: two of libusb, one for each link, and `wake_fd`. */
+#define USB_FD_MAX 16u
 #define USB_INDEX_NONE UINT32_MAX
 
 /* Entry of the table: a device on the bus and its state. */

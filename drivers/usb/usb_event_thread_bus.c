@@ -10,8 +10,8 @@
 /* Time after which even devices on slow hubs are configured. */
 #define SETTLE_NS (2000u * NS_PER_MS)
 #define AGAIN_NS (100u * NS_PER_MS)
-#define NO_HOTPLUG_NS                                                                              \
-    (1000u * NS_PER_MS) /* Interval of comparisons if libusb does not support hot-plug events. */
+/* Interval of comparisons if libusb does not support hot-plug events. */
+#define NO_HOTPLUG_NS (1000u * NS_PER_MS)
 
 /* ---- Comparison with the bus ---------------------------------------------------------------- */
 

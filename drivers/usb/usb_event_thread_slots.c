@@ -14,8 +14,8 @@
 #define RETRY_NS_MAX (60u * NS_PER_S)
 /* Limit of the failure count. The intervals are 2, 4, 8, 16 and 32 s, and then RETRY_NS_MAX. */
 #define FAILURES_MAX 6u
-#define SETTLE_NS                                                                                  \
-    (2u * NS_PER_S) /* Time in which a kernel driver binds a new device and the udev rules run. */
+/* Time in which a kernel driver binds a new device and the udev rules run. */
+#define SETTLE_NS (2u * NS_PER_S)
 /* Time for which the slot of an unplugged controller is held. A round also waits this long for its
  * controller. */
 #define HOLD_NS (POI_WAIT_TICKS_MAX * NS_PER_S / CORE_TICK_HZ)
@@ -168,8 +168,8 @@ static void open_it(struct usb_event_thread *usb_thread, struct usb_device_entry
     } else if (entry->trouble != USB_FINE) {
         say_trouble(usb_thread, entry);
     } else {
-        entry->due_ns =
-            usb_event_thread_now_ns(usb_thread); /* The descriptor changed the verdict. */
+        /* The report descriptor changed the verdict, so the device is examined again. */
+        entry->due_ns = usb_event_thread_now_ns(usb_thread);
     }
 }
 

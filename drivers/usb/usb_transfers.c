@@ -3,9 +3,8 @@
 
 #include <string.h>
 
-#define RETRY_NS                                                                                   \
-    10000000ull /* Delay after an error before transfers are submitted again; longer than a
-                   glitch on the cable. */
+/* Delay after an error before transfers are submitted again; longer than a glitch on the cable. */
+#define RETRY_NS 10000000ull
 
 static uint64_t usb_transfers_now_ns(const struct usb_transfers *link)
 {

@@ -13,13 +13,13 @@
 
 #include "drivers/usb/usb_slot.h"
 
-#define USB_IN_TRANSFER_COUNT                                                                      \
-    4u /* Number of input transfers. At 1,000 reports per second the thread may be delayed by 3
-          ms without loss. */
-#define USB_TRANSFER_MAX                                                                           \
-    1024u /* Largest packet of an interrupt endpoint in bytes (USB 2.0, section 5.7.3). */
-#define USB_ERRORS_MAX                                                                             \
-    8u /* Number of consecutive errors after which the device is closed and opened again. */
+/* Number of input transfers. At 1,000 reports per second the thread may be delayed by 3 ms without
+ * loss. */
+#define USB_IN_TRANSFER_COUNT 4u
+/* Largest packet of an interrupt endpoint in bytes (USB 2.0, section 5.7.3). */
+#define USB_TRANSFER_MAX 1024u
+/* Number of consecutive errors after which the device is closed and opened again. */
+#define USB_ERRORS_MAX 8u
 /* Time after cancelling in which returning transfers still deliver reports, in ms. */
 #define USB_DETACH_MS 50u
 /* Timeout of an output report in ms. Later force feedback would be noticeably late. */
