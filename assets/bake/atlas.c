@@ -13,8 +13,8 @@ static int by_height(const void *a, const void *b)
     return left->code < right->code ? -1 : left->code > right->code;
 }
 
-/* Fills rows of falling height from left to right, so that the first glyph of each row is its
- * highest. Returns the number of pages of `page_rows` needed. */
+/* Places the glyphs from left to right in rows of falling height, so that the first glyph of each
+ * row is its highest. Returns the number of pages of `page_rows` rows that the glyphs need. */
 static uint32_t lay_out(struct glyph **glyphs, uint32_t count, uint32_t page_rows)
 {
     uint32_t x = FONT_ATLAS_WIDTH, y = 0, next_y = 0, page = 0;

@@ -1,4 +1,5 @@
-/* bake.c -- the bake's command line: one asset a run, so that make rebuilds only what changed. */
+/* bake.c -- the command line of the bake. Each run bakes one asset, so that make rebuilds only the
+ * assets that changed. */
 #include "assets/bake/bake.h"
 
 #include <errno.h>

@@ -1,9 +1,10 @@
-/* bake.h -- the bake: assets that are computed once, on the building machine, and linked as
- * constants.
+/* bake.h -- the bake: a tool that computes assets once, on the building machine. The assets are
+ * linked as constants.
  *
  * `build/bake ASSET ...` writes one asset and prints one line about it. The output depends only on
- * the sources, the fonts and the numbers here, so the same sources give the same bytes. This tool
- * never runs on the kiosk, so it may allocate memory, use libm and exit at the first error. */
+ * the sources, the fonts and the constants in this header, so that the same sources give the same
+ * bytes. The tool never runs on the kiosk. For that reason the tool may allocate memory, use libm
+ * and exit at the first error. */
 #ifndef KINGYO_ASSETS_BAKE_BAKE_H
 #define KINGYO_ASSETS_BAKE_BAKE_H
 
@@ -11,73 +12,86 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* Sizes in texels; bake_header() repeats them for the renderer. */
-#define CAUSTICS_SIZE 256u  /* Side of one tile, a power of two for mipmaps. */
-#define CAUSTICS_FRAMES 32u /* Layers of one loop; choose_waves() explains the number. */
-#define PATTERN_WIDTH 128u  /* From snout to tail root. */
-#define PATTERN_HEIGHT 64u  /* Round the girth, from the back. */
+/* The following sizes are in texels. bake_header() writes them to a header for the renderer. */
+#define CAUSTICS_SIZE 256u /* Side of one tile of caustics, a power of two for mipmaps. */
+/* Number of layers of one loop of caustics, explained at choose_waves(). */
+#define CAUSTICS_FRAMES 32u
+#define PATTERN_WIDTH 128u /* Width of a pattern, from snout to tail root. */
+#define PATTERN_HEIGHT 64u /* Height of a pattern, once round the girth, beginning at the back. */
 #define PATTERN_LAYERS 12u
 #define ENVIRONMENT_SIZE 128u
 #define WOOD_SIZE 256u
 #define PAPER_SIZE 128u
-#define FONT_ATLAS_WIDTH 2048u   /* Texture width that OpenGL ES 3.0 guarantees. */
-#define FONT_PAGE_ROWS_MAX 2048u /* Texture height that OpenGL ES 3.0 guarantees. */
-#define FONT_PAGES_MAX 2u        /* 8 MiB of texture are enough for the text. */
-#define FONT_EDGE 160u           /* Distance value on the outline: most of the range is outside. */
-#define FONT_STEP 16u            /* Value per atlas pixel: reaches 10 px out and 6 px in. */
+/* Width of the font atlas, a texture width that OpenGL ES 3.0 guarantees. */
+#define FONT_ATLAS_WIDTH 2048u
+/* Maximum height of a page, a texture height that OpenGL ES 3.0 guarantees. */
+#define FONT_PAGE_ROWS_MAX 2048u
+/* Maximum number of pages. Two pages have 8 MiB, which is enough for all texts. */
+#define FONT_PAGES_MAX 2u
+/* Distance value on a letter's outline. Most of the range 0 to 255 lies outside the letter. */
+#define FONT_EDGE 160u
+/* Change of the distance value per atlas pixel. The values reach 10 px outward and 6 px inward. */
+#define FONT_STEP 16u
 #define FONT_MAX 8u
-#define TEXT_LANGUAGES 2u /* Same as LANGUAGE_COUNT of core/scene.h, in its order. */
+/* Number of languages, equal to LANGUAGE_COUNT of core/scene.h and in the same order. */
+#define TEXT_LANGUAGES 2u
 #define TEXT_KEYS_MAX 1024u
 
-/* Ends the bake with one line on standard error and exit code 65 (bad input data). */
+/* Ends the bake with exit code 65 (invalid input data) and one line on standard error. */
 _Noreturn void bake_fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Reads the whole file, zero-terminated. The caller frees it. Fails when the file cannot be
- * read. */
+/* Reads a whole file and adds a terminating zero. The caller frees the returned memory. Ends the
+ * bake if the file cannot be read. */
 uint8_t *bake_read(const char *path, size_t *size);
+/* Writes a whole file. Ends the bake if the file cannot be written. */
 void bake_write(const char *path, const void *bytes, size_t size);
-/* Opens a file for writing and fails when it cannot be opened. bake_close() also fails when not
- * every byte was written. */
+/* Opens a file for writing. Ends the bake if the file cannot be opened. */
 FILE *bake_open(const char *path);
+/* Closes a file. Ends the bake if any byte could not be written. */
 void bake_close(FILE *file, const char *path);
-void *bake_alloc(size_t size); /* Allocates zeroed memory. */
+void *bake_alloc(size_t size); /* Returns zeroed memory. Ends the bake if no memory is left. */
 
-/* Each function fills its texels, row 0 first, channels interleaved. */
+/* Each of the following functions fills the texels of one texture, beginning with row 0. The
+ * channels are interleaved. */
 void bake_caustics(uint8_t *r8);
 void bake_patterns(uint8_t *rg8);
 void bake_environment(uint8_t *rgb8);
 void bake_wood(uint8_t *r8);
 void bake_paper(uint8_t *r8);
 
-/* The user interface's text: assets/text/ja.txt and en.txt, read and compared. */
+/* A line of the user interface's text in assets/text/ja.txt or en.txt. */
 struct text_line {
     char *key, *words;
-    uint32_t line; /* Line number in its file, from 1. */
+    uint32_t line; /* Line number in the text file, beginning with 1. */
 };
 
+/* All lines of one language's text file. */
 struct text_file {
     const char *path;
     struct text_line lines[TEXT_KEYS_MAX];
     uint32_t count;
 };
 
-/* Reads `directory`/ja.txt and en.txt. Fails with one line unless both have the same keys. */
+/* Reads `directory`/ja.txt and en.txt. Ends the bake if the files do not have the same keys. */
 void text_read(struct text_file files[TEXT_LANGUAGES], const char *directory);
+/* Writes the enum of the text keys as a C header. */
 void text_write_keys(const struct text_file files[TEXT_LANGUAGES], const char *path);
+/* Writes the texts of all languages as a C table. */
 void text_write_table(const struct text_file files[TEXT_LANGUAGES], const char *path);
 
 /* Returns the next code point of zero-terminated UTF-8 and advances `*at`. Returns 0 at the end and
  * -1 for malformed bytes. */
 int32_t text_utf8_next(const char **at);
 
-/* Output files of font_bake(), which reads `directory`/fonts.txt and writes the atlas, its glyph
- * tables and the ids of its fonts. */
+/* Output files of font_bake(): the atlas, its glyph tables, and the ids of its fonts. */
 struct font_output {
     const char *atlas_path, *table_path, *header_path;
 };
+/* Bakes the fonts that `directory`/fonts.txt lists, with all characters of `files`. */
 void font_bake(const struct text_file files[TEXT_LANGUAGES], const char *directory,
                const struct font_output *output);
 
+/* Writes the sizes of the baked assets as a C header. */
 void bake_header(const char *path);
 
 #endif

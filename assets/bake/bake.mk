@@ -1,10 +1,10 @@
-# bake.mk -- makes build/generated/: textures, font and texts, computed once on the building machine.
-# Each asset depends on its own object files, so that changing one baker rebuilds one asset.
+# bake.mk -- creates textures, font and texts in build/generated/, once on the building machine.
+# Each asset depends only on its own object files, so that a change of one source rebuilds one asset.
 
 GENERATED := $(BUILD)/generated
 BAKE_BUILD := $(BUILD)/assets/bake
 
-# The tool runs on the building machine, even when CC compiles for another machine.
+# The bake tool runs on the building machine, even if CC compiles for another machine.
 BUILD_CC ?= cc
 BAKE_CFLAGS := -std=c17 -O2 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE -I.
 BAKE_PARTS := bake noise caustics patterns environment wood paper text font atlas stb

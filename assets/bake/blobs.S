@@ -1,4 +1,4 @@
-/* blobs.S -- the baked bytes, linked as constants. The assembler finds the files by its include
+/* blobs.S -- links the baked files as constants. The assembler finds the files in its include
  * path. */
     .macro blob name
     .global asset_\name

@@ -1,10 +1,11 @@
-/* caustics.c -- bakes caustics: light that a moving water surface focuses into bright lines on the
- * floor.
+/* caustics.c -- bakes caustics: the bright lines on the floor into which a moving water surface
+ * focuses the light.
  *
- * A fine grid of rays is traced through a surface of waves with whole wave numbers. Each ray is
- * refracted by the slope and adds its light where it meets the floor. Whole waves per tile and
- * whole periods per loop make the result repeat in x, y and time without a seam. Phases are counted
- * in whole steps of one table, so nothing drifts, and rounding is the same on every machine. */
+ * A fine grid of light rays is traced through a surface of waves. Each ray is refracted by the
+ * slope of the surface and adds its light at the point where it meets the floor. Each wave has a
+ * whole number of cycles per tile and per loop, so that the result repeats in x, y and time without
+ * a seam. Phases are whole steps of one table. Therefore no phase drifts, and rounding is the same
+ * on every machine. */
 #include "assets/bake/bake.h"
 
 #include <math.h>
@@ -14,25 +15,27 @@
 #include "assets/bake/noise.h"
 
 #define WAVES 28
-/* In each direction: 16 rays a texel keep the picture smooth. */
+/* Number of rays per texel in each direction, enough for a smooth picture. */
 #define RAYS_PER_TEXEL 4u
 #define RAYS (CAUSTICS_SIZE * RAYS_PER_TEXEL)
-#define WAVE_NUMBER_MIN 1.9f /* Minimum wave number, in cycles per tile. */
+#define WAVE_NUMBER_MIN 1.9f /* Minimum wave number of a wave, in cycles per tile. */
 #define WAVE_NUMBER_MAX 6.6f
-/* Tiles that a ray moves per unit of slope, which corresponds to the depth. */
+/* Distance in tiles that a ray moves per unit of slope, which corresponds to the water depth. */
 #define FOCUS 0.033f
-#define EXPOSURE 0.30f /* Light 1 (flat water) becomes 1 - exp(-0.30). */
+#define EXPOSURE 0.30f /* Exposure. A light of 1, as under flat water, becomes 1 - exp(-0.30). */
 
 struct wave {
-    int32_t kx, ky; /* Cycles per tile. */
-    int32_t turns;  /* Cycles per loop; the sign is the direction. */
-    uint32_t phase; /* Steps of 1 / RAYS of a turn. */
+    int32_t kx, ky; /* Wave number in cycles per tile, along x and y. */
+    int32_t turns;  /* Number of cycles per loop. The sign is the direction in which the wave
+                       travels. */
+    uint32_t phase; /* Initial phase, in units of 1 / RAYS of a cycle. */
     float slope_x, slope_y;
 };
 
-/* Chooses the waves. Longer waves are higher and, with one cycle a loop each, faster. Directions
- * are random, and half of the waves run backward. With one cycle, bright lines move less than five
- * texels a frame, so that blending two frames hides the step. */
+/* Chooses the waves. Longer waves are higher. Each wave has one cycle per loop, so that longer
+ * waves are faster. Directions are random, and half of the waves travel backward. With one cycle
+ * per loop, bright lines move less than five texels from one layer to the next, so that blending
+ * two layers hides the step. */
 static void choose_waves(struct wave waves[WAVES])
 {
     uint32_t random = 4711;

@@ -1,9 +1,10 @@
-/* environment.c -- bakes the environment that the water mirrors: a summer night over the stall, and
- * its lanterns.
+/* environment.c -- bakes the environment that the water reflects: a summer night over the stall,
+ * with its lanterns.
  *
- * The picture is a paraboloid map of the upper half space, so that a shader needs no trigonometry:
- * a direction (x, y, z) with y >= 0 is at uv = 0.5 + 0.5 * (x, z) / (1 + y). The middle is the
- * zenith. Row 0 is the far side (-z), where a player sees the water reflect. */
+ * The picture is a paraboloid map of the upper half space, so that a shader needs no
+ * trigonometry. A direction (x, y, z) with y >= 0 is at uv = 0.5 + 0.5 * (x, z) / (1 + y). The
+ * middle of the picture is the zenith. Row 0 is the far side (-z), whose reflection a player
+ * sees on the water. */
 #include "assets/bake/bake.h"
 
 #include <math.h>
@@ -27,7 +28,8 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
     static const struct colour paper = { 1.0f, 0.56f, 0.22f }, red = { 1.0f, 0.26f, 0.12f };
     static const float rows[3][3] = { { -0.85f, 0.50f, 7.0f },
                                       { -0.45f, 0.80f, 6.0f },
-                                      { 0.35f, 0.90f, 5.0f } }; /* z, height, number of lanterns */
+                                      { 0.35f, 0.90f, 5.0f } }; /* Position z, height, and number of
+                                                                   lanterns of each string. */
     for (uint32_t row = 0; row < 3; row++) {
         const int32_t count = (int32_t)rows[row][2];
         for (int32_t i = 0; i < count; i++) {
@@ -50,7 +52,8 @@ static struct colour sky(float x, float y, float z)
     const float low = expf(-3.2f * y);
     const float cloud = noise_2d_sum(x * 3.0f + 8.0f, z * 3.0f + 8.0f, 4096, 4096, 71, 4);
     struct colour at = { 0.018f, 0.030f, 0.085f };
-    glow(&at, (struct colour){ 0.16f, 0.09f, 0.10f }, low); /* Light of the fair. */
+    glow(&at, (struct colour){ 0.16f, 0.09f, 0.10f }, low); /* Glow of the fair's lights near the
+                                                               horizon. */
     glow(&at, (struct colour){ 0.05f, 0.06f, 0.11f },
          noise_ramp(0.45f, 0.75f, cloud) * (1.0f - low));
     return at;
@@ -59,7 +62,7 @@ static struct colour sky(float x, float y, float z)
 /* Adds the beam and the edge of the striped awning over the far side of the stall. */
 static void add_awning(struct colour *at, float x, float y, float z)
 {
-    const float up = y / fmaxf(-z, 0.02f); /* Tangent of the elevation angle, straight ahead. */
+    const float up = y / fmaxf(-z, 0.02f); /* Tangent of the elevation angle in the direction -z. */
     const float inside =
         z < 0.0f ? noise_ramp(0.22f, 0.25f, up) * noise_ramp(0.42f, 0.39f, up) : 0.0f;
     const float stripe = noise_ramp(-0.12f, 0.12f, sinf(x / fmaxf(-z, 0.02f) * 14.0f));
@@ -74,7 +77,9 @@ void bake_environment(uint8_t *rgb8)
         for (uint32_t column = 0; column < ENVIRONMENT_SIZE; column++) {
             const float px = ((float)column + 0.5f) / (float)ENVIRONMENT_SIZE * 2.0f - 1.0f;
             const float pz = ((float)row + 0.5f) / (float)ENVIRONMENT_SIZE * 2.0f - 1.0f;
-            const float r2 = fminf(px * px + pz * pz, 1.0f); /* Corners repeat the horizon. */
+            const float r2 = fminf(px * px + pz * pz, 1.0f); /* The corners of the picture are
+                                                                outside the map and repeat the
+                                                                horizon. */
             const float y = (1.0f - r2) / (1.0f + r2), x = px * (1.0f + y), z = pz * (1.0f + y);
             struct colour at = sky(x, y, z);
             add_awning(&at, x, y, z);

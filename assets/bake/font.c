@@ -1,7 +1,8 @@
-/* font.c -- draws the glyphs that the user interface needs, each as a signed distance field.
+/* font.c -- bakes the glyphs that the user interface needs, each as a signed distance field.
  *
- * assets/text/fonts.txt assigns keys to fonts. A font gets its base set and every character of its
- * keys in every language, so a new text adds its own glyphs. */
+ * assets/text/fonts.txt assigns text keys to fonts. A font gets its base set of characters and
+ * every character in the texts of its keys in every language. A new text therefore adds its glyphs
+ * automatically. */
 #include "assets/bake/atlas.h"
 
 #include <errno.h>
@@ -10,7 +11,8 @@
 #include <stb/stb_truetype.h>
 
 #define GLYPHS_MAX 2048u
-#define FONT_PADDING 10 /* Atlas pixels around a glyph, the reach of FONT_EDGE / FONT_STEP. */
+/* Width of the margin around a glyph in atlas pixels, equal to FONT_EDGE / FONT_STEP. */
+#define FONT_PADDING 10
 #define KEY_PATTERNS_MAX 192u
 
 struct face {
@@ -97,7 +99,7 @@ static void open_face(struct face *face)
     }
     fclose(file);
     size_t size;
-    /* Not freed, because stb_truetype reads it until the end. */
+    /* The file is never freed, because stb_truetype reads it until the end of the program. */
     const uint8_t *bytes = bake_read(face->path, &size);
     const int offset = stbtt_GetFontOffsetForIndex(bytes, 0);
     if (size < 12 || offset < 0 || !stbtt_InitFont(&face->info, bytes, offset)) {
@@ -107,7 +109,8 @@ static void open_face(struct face *face)
     face->glyphs = bake_alloc(GLYPHS_MAX * sizeof *face->glyphs);
 }
 
-/* Adds a glyph once. Returns false when the font lacks the character. */
+/* Adds a glyph, unless the font already has it. Returns 0 if the font file lacks the character or
+ * the font already has GLYPHS_MAX glyphs, otherwise 1. */
 static int add_glyph(struct face *face, uint32_t code)
 {
     for (uint32_t i = 0; i < face->glyph_count; i++) {
@@ -133,8 +136,8 @@ static void add_range(struct face *face, uint32_t first, uint32_t last)
     }
 }
 
-/* Adds the base set. `names` contains every character that a guest's name may have
- * (core/game/ranking/name_keyboard.h). */
+/* Adds the base set of characters of a font. The base set "names" contains every character that a
+ * guest's name may have (core/game/ranking/name_keyboard.h). */
 static void add_base(struct face *face)
 {
     const int names = strcmp(face->base, "names") == 0;
@@ -145,9 +148,10 @@ static void add_base(struct face *face)
     }
     add_range(face, all ? 0x20 : '0', all ? 0x7e : '9');
     if (names) {
-        add_range(face, 0x3041, 0x3093); /* Hiragana, */
-        add_range(face, 0x30a1, 0x30f4); /* katakana, */
-        add_range(face, 0x30fb, 0x30fc); /* and the two signs between them. */
+        add_range(face, 0x3041, 0x3093); /* Hiragana. */
+        add_range(face, 0x30a1, 0x30f4); /* Katakana. */
+        add_range(face, 0x30fb, 0x30fc); /* The middle dot and the prolonged sound mark of
+                                            katakana. */
     }
 }
 
@@ -176,8 +180,8 @@ static int by_code(const void *a, const void *b)
     return left->code < right->code ? -1 : left->code > right->code;
 }
 
-/* Orders the glyphs and computes the size of each as draw_face() will draw it, so that too many
- * glyphs are detected before the slow part. */
+/* Sorts the glyphs by code and computes the size of each glyph as draw_face() will draw it. Too
+ * many glyphs are thus detected before the slow drawing. */
 static void measure_face(struct face *face)
 {
     qsort(face->glyphs, face->glyph_count, sizeof *face->glyphs, by_code);

@@ -1,4 +1,4 @@
-/* noise.c -- repeatable noise and small numeric helpers for the bakers. */
+/* noise.c -- repeatable noise and small numeric functions for the baking of textures. */
 #include "assets/bake/noise.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* paper.c -- bakes washi paper: long mulberry fibres in random positions over a soft cloud of
+/* paper.c -- bakes washi paper: long mulberry fibres at random positions over a soft cloud of
  * pulp. */
 #include "assets/bake/bake.h"
 
@@ -24,7 +24,8 @@ static void paper_add_light(float *sum, float x, float y, float amount)
     sum[bottom + right] += amount * tx * ty;
 }
 
-/* Draws one fibre. Its direction drifts, it thins toward both ends, and it may be light or dark. */
+/* Draws one fibre, either light or dark. Its direction drifts, and the fibre becomes thinner toward
+ * both ends. */
 static void lay_fibre(float *sum, uint32_t *random)
 {
     float x = noise_random01(random) * (float)PAPER_SIZE,

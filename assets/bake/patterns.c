@@ -1,9 +1,10 @@
-/* patterns.c -- bakes the red and white patterns of goldfish: patches as breeders name them, and
- * rows of scales.
+/* patterns.c -- bakes the red and white patterns of goldfish: patches with the names that breeders
+ * use, and rows of scales.
  *
- * A texel is (u, v): u runs from the snout to the tail's root, v once round the girth, starting on
- * the back (0), over the right flank, the belly (0.5) and the left flank back to 1. Red channel:
- * redness of the skin, with a crisp edge. Green channel: brightness of the scale's reflection. */
+ * A texel has the coordinates (u, v). u runs from the snout to the tail root. v runs once round the
+ * girth: from the back (0) over the right flank, the belly (0.5) and the left flank to the back
+ * (1). The red channel is the redness of the skin, with a crisp edge. The green channel is the
+ * brightness of a scale's reflection. */
 #include "assets/bake/bake.h"
 
 #include <math.h>
@@ -11,69 +12,74 @@
 #include "assets/bake/noise.h"
 
 #define PATCHES_MAX 6u
-#define GIRTH 0.85f      /* Girth in body lengths, which makes round patches round. */
-#define SCALE_ROWS 22.0f /* Number of rows from gill to tail root. */
+/* Girth in body lengths, with which round patches are round on the body. */
+#define GIRTH 0.85f
+#define SCALE_ROWS 22.0f /* Number of rows of scales from the gill cover to the tail root. */
 #define SCALES_ROUND 12.0f
-#define GILL 0.23f /* Border of head and trunk. A head has no scales. */
+#define GILL 0.23f /* Position u of the border between head and trunk. The head has no scales. */
 
 struct patch {
-    float u, v, length, width; /* Centre, and half extents in body lengths. */
+    float u, v, length, width; /* Centre (u, v) of a patch, and its half length and half width in
+                                  body lengths. */
 };
 
 struct design {
-    float base;   /* Redness everywhere: 1 covers the fish, 0 leaves it white. */
-    float belly;  /* Height on the flanks up to which the belly stays white. */
-    float ragged; /* Strength of the noise that moves the edges. */
+    float base;   /* Redness outside the patches. 1 makes the fish red, 0 leaves it white. */
+    float belly;  /* Height on the flanks up to which the belly stays white. 0 is the belly, 1 is
+                     the back. */
+    float ragged; /* Strength of the noise that deforms the edges of patches. */
     struct patch patches[PATCHES_MAX];
 };
 
 /* clang-format off */
 static const struct design designs[PATTERN_LAYERS] = {
-    /* All red, the common wakin. */
+    /* All red, the most common pattern of a wakin (common goldfish). */
     { .base = 1.0f },
     /* Red back, pale belly. */
     { .base = 1.0f, .belly = 0.36f, .ragged = 0.10f },
-    /* Red with a white waist (a broad saddle). */
+    /* Red with a white saddle around the middle of the body. */
     { 0.0f, 0.22f, 0.15f, { { 0.12f, 0.0f, 0.25f, 0.60f }, { 0.80f, 0.0f, 0.26f, 0.60f } } },
-    /* Two steps. */
+    /* Two steps: two red patches. */
     { 0.0f, 0.20f, 0.20f, { { 0.27f, 0.05f, 0.20f, 0.26f }, { 0.74f, 0.96f, 0.17f, 0.24f } } },
-    /* Three steps. */
+    /* Three steps: three red patches. */
     { 0.0f, 0.18f, 0.27f,
       { { 0.12f, 0.0f, 0.12f, 0.20f }, { 0.45f, 0.06f, 0.14f, 0.26f },
         { 0.79f, 0.95f, 0.13f, 0.22f } } },
-    /* Lightning: one band that swings from side to side. */
+    /* Lightning: one red band that alternates between the sides. */
     { 0.0f, 0.12f, 0.24f,
       { { 0.16f, 0.93f, 0.13f, 0.15f }, { 0.31f, 0.09f, 0.13f, 0.16f },
         { 0.47f, 0.92f, 0.13f, 0.15f }, { 0.63f, 0.09f, 0.13f, 0.15f },
         { 0.80f, 0.95f, 0.14f, 0.15f } } },
-    /* A red hood. */
+    /* Red hood: a red head. */
     { 0.0f, 0.10f, 0.24f, { { 0.06f, 0.0f, 0.24f, 0.60f }, { 0.70f, 0.13f, 0.09f, 0.12f } } },
-    /* A round spot on the head and patches behind. */
+    /* A round spot on the head, and patches behind it. */
     { 0.0f, 0.15f, 0.25f,
       { { 0.14f, 0.0f, 0.085f, 0.10f }, { 0.50f, 0.97f, 0.13f, 0.22f },
         { 0.81f, 0.05f, 0.11f, 0.18f } } },
-    /* The crane: white, with only the spot on the head. */
+    /* Crane: white with one red spot on the head. */
     { 0.0f, 0.0f, 0.05f, { { 0.145f, 0.0f, 0.095f, 0.11f } } },
-    /* Spots scattered over both flanks. */
+    /* Red spots scattered over both flanks. */
     { 0.0f, 0.10f, 0.32f,
       { { 0.21f, 0.17f, 0.08f, 0.10f }, { 0.36f, 0.86f, 0.10f, 0.12f },
         { 0.52f, 0.12f, 0.08f, 0.11f }, { 0.64f, 0.83f, 0.07f, 0.09f },
         { 0.83f, 0.04f, 0.10f, 0.13f }, { 0.10f, 0.92f, 0.06f, 0.08f } } },
-    /* Mostly white: a blush at the tail and on one cheek. */
+    /* Mostly white, with a red area at the tail and one on a cheek. */
     { 0.0f, 0.05f, 0.18f, { { 0.92f, 0.0f, 0.10f, 0.30f }, { 0.17f, 0.16f, 0.06f, 0.08f } } },
-    /* White. */
+    /* All white. */
     { .base = 0.0f },
 };
 /* clang-format on */
 
-/* Returns the distance round the girth, in body lengths. */
+/* Returns the distance between `v` and `centre` round the girth, in body lengths. The sign is the
+ * direction. */
 static float round_distance(float v, float centre)
 {
     const float d = v - centre;
     return (d - roundf(d)) * GIRTH;
 }
 
-/* Returns a value above 0 inside the union of the patches. Patches that nearly touch merge. */
+/* Returns a value above 0 inside the union of the patches, otherwise below 0. Patches that nearly
+ * touch are merged. */
 static float patch_depth(const struct design *design, float u, float v)
 {
     float sum = 0.0f;
@@ -83,7 +89,8 @@ static float patch_depth(const struct design *design, float u, float v)
         const float dv = round_distance(v, patch->v) / patch->width;
         sum += expf(-1.6f * (du * du + dv * dv));
     }
-    return sum - 0.202f; /* exp(-1.6): a single patch ends at its extents. */
+    return sum - 0.202f; /* The constant is exp(-1.6), with which a single patch ends at its half
+                            length and half width. */
 }
 
 static float redness(uint32_t layer, float u, float v)
@@ -94,7 +101,9 @@ static float redness(uint32_t layer, float u, float v)
     const float fine = noise_2d_sum(u * 19.0f, v * 16.0f, 64, 16, 104u + layer * 8u, 2) - 0.5f;
     const float edge = design->ragged * (2.2f * coarse + 0.55f * fine);
     float depth = fmaxf(patch_depth(design, u, v), design->base > 0.0f ? 0.5f : -1.0f) + edge;
-    const float from_belly = fabsf(round_distance(v, 0.5f)) / GIRTH * 2.0f; /* 0 belly .. 1 back */
+    const float from_belly = fabsf(round_distance(v, 0.5f)) / GIRTH * 2.0f; /* Height on the flank.
+                                                                               0 is the belly, 1 is
+                                                                               the back. */
     depth = fminf(depth, (from_belly - design->belly) * 2.0f + 0.6f * edge);
     if (design->belly <= 0.0f) {
         depth = fmaxf(depth, design->base - 0.5f);
@@ -102,13 +111,13 @@ static float redness(uint32_t layer, float u, float v)
     return noise_ramp(-0.030f, 0.035f, depth);
 }
 
-/* Returns the brightness of a scale. Scales overlap toward the tail: bright in the middle, dark
- * below a neighbour's rim. */
+/* Returns the brightness of a scale at a point of the skin. The scales overlap toward the tail. A
+ * scale is bright in the middle and dark below the rim of a neighbouring scale. */
 static float scale_light(float u, float v)
 {
     const float row = (u - GILL) / (1.0f - GILL) * SCALE_ROWS;
     float best = 0.0f;
-    /* Rims of three rows may cover a point; the front one counts. */
+    /* Scales of three rows may cover a point. The frontmost row is visible. */
     for (int32_t i = 0; i < 3; i++) {
         const float centre = floorf(row) - (float)i + 0.5f;
         const float odd = fmodf(centre - 0.5f + 64.0f, 2.0f) * 0.5f;
@@ -121,7 +130,7 @@ static float scale_light(float u, float v)
     }
     const float back = 0.5f + 0.5f * cosf(TAU * v);
     const float fade = noise_ramp(GILL - 0.01f, GILL + 0.06f, u) * noise_ramp(0.05f, 0.35f, back);
-    const float flank = 0.25f - fabsf(v - 0.5f); /* 0 in the middle of either flank. */
+    const float flank = 0.25f - fabsf(v - 0.5f); /* 0 in the middle of the right or left flank. */
     const float gill = expf(-powf((u - GILL - 0.03f * (fabsf(flank) - 0.12f)) / 0.011f, 2.0f));
     return noise_mix(0.80f, 0.46f + 0.54f * best, fade) -
            0.26f * gill * noise_ramp(0.13f, 0.05f, fabsf(flank));

@@ -1,4 +1,5 @@
-# shaders.mk -- converts assets/shaders/fish.vert.glsl to the C string shader_fish_vert, and so on.
+# shaders.mk -- converts each shader in assets/shaders to a C string. For example, fish.vert.glsl
+# becomes shader_fish_vert.
 
 SHADERS := $(sort $(wildcard assets/shaders/*.glsl))
 SHADER_DIR := $(BUILD)/generated
@@ -12,7 +13,7 @@ $(SHADER_DIR)/shaders.h: $(SHADERS) assets/bake/shaders.mk
 	$(Q){ echo '/* Made from assets/shaders by assets/bake/shaders.mk. */'; \
 	  $(foreach s,$(SHADERS),echo 'extern const char $(call SHADER_NAME,$(s))[];';) } > $@
 
-# Comments are kept, so that the line number in a driver's error message is the file's own.
+# Comments are kept, so that line numbers in a driver's error message refer to the shader file.
 $(SHADER_DIR)/shaders.c: $(SHADERS) assets/bake/shaders.mk
 	@mkdir -p $(@D)
 	$(Q){ echo '#include "shaders.h"'; \

@@ -1,6 +1,8 @@
-/* species.c -- bake_species IN.txt OUT.c: converts a species' text to the core's constant tables.
+/* species.c -- the tool `bake_species IN.txt OUT.c`, which converts a species text to the core's
+ * constant tables.
  *
- * Exit status: 0 success, 2 wrong usage, 65 invalid species text, 74 file error. */
+ * Exit status: 0 for success, 2 for wrong usage, 65 for an invalid species text, 74 for a file
+ * error. */
 #include "assets/bake/species_write.h"
 #include "core/base/panic.h"
 #include "platform/species/drawing.h"

@@ -1,8 +1,8 @@
 # species.mk -- bakes assets/species/*.txt into constant tables of the core.
 
 SPECIES := wakin kurodai shimafugu kuroanago hirame ray mebachi
-# All sources except the kiosk's species library, which depends on the table baked here, and except
-# the SIMD kernels, which a bake does not need.
+# The sources of bake_species: all files of platform/species and core/morph with two exceptions.
+# library.c depends on the table that this file bakes, and a bake does not need the SIMD kernels.
 SPECIES_PARTS := assets/bake/species assets/bake/species_write \
     $(patsubst %.c,%,$(filter-out %/library.c,$(wildcard platform/species/*.c))) \
     $(patsubst %.c,%,$(filter-out %/blend_pick.c,$(wildcard core/morph/*.c))) \

@@ -1,4 +1,4 @@
-/* species_write.c -- writes a species as C source: constant tables, with floats in hexadecimal so
+/* species_write.c -- writes a species as C source with constant tables. Floats are hexadecimal, so
  * that no bit is lost. */
 #include "assets/bake/species_write.h"
 

@@ -7,8 +7,8 @@
 
 #include "core/morph/species.h"
 
-/* Writes `const struct species species_ID`. Returns false when the file could not be written
- * completely. */
+/* Writes the C constant `const struct species species_ID`, in which ID is the species' name.
+ * Returns false if the file could not be written completely. */
 bool species_write(FILE *file, const struct species *species);
 
 #endif

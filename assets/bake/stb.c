@@ -1,3 +1,4 @@
-/* stb.c -- the only object that contains stb_truetype's code (libstb-dev, public domain). */
+/* stb.c -- the only source file that compiles the code of stb_truetype (package libstb-dev, public
+ * domain). */
 #define STB_TRUETYPE_IMPLEMENTATION
 #include <stb/stb_truetype.h>

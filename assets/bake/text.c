@@ -1,7 +1,7 @@
-/* text.c -- converts the user interface's text to an enum of keys and a table.
+/* text.c -- converts the user interface's text to an enum of keys and a table of texts.
  *
- * A text file consists of `key = words` lines; `#` starts a comment line. The first language gives
- * the order. */
+ * A text file consists of lines `key = words`. A line that begins with `#` is a comment. The file
+ * of the first language determines the order of the keys. */
 #include "assets/bake/bake.h"
 
 #include <ctype.h>
@@ -99,7 +99,7 @@ static void check_line(const struct text_file *file, const struct text_line *lin
     }
 }
 
-/* Reads a file. The lines point into the file's bytes, which are never freed. */
+/* Reads one text file. Its lines point to the file's bytes, which are never freed. */
 static void text_read_file(struct text_file *file, const char *directory, const char *language)
 {
     char path[1024];
@@ -175,7 +175,7 @@ static void write_quoted(FILE *file, const char *words)
         }
         fputc(*c, file);
         if (*c == '?') {
-            fputs("\"\"", file); /* Prevents trigraphs. */
+            fputs("\"\"", file); /* The split of the string literal prevents trigraphs. */
         }
     }
     fputs("\",\n", file);

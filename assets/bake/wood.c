@@ -1,5 +1,5 @@
-/* wood.c -- bakes the planks of the tank's rim and the stall's counter: grain along x, knots, dark
- * joints. */
+/* wood.c -- bakes the planks of the tank's rim and of the stall's counter, with grain along x,
+ * knots and dark joints. */
 #include "assets/bake/bake.h"
 
 #include <math.h>
@@ -11,7 +11,8 @@
 #define KNOTS 2u
 
 struct knot {
-    float x, y, radius; /* Texels; y from the plank's top. */
+    float x, y, radius; /* Position and radius in texels. y is counted from the upper edge of the
+                           plank. */
 };
 
 static struct knot knot_of(uint32_t plank, uint32_t i)
@@ -22,8 +23,8 @@ static struct knot knot_of(uint32_t plank, uint32_t i)
                           .radius = 2.5f + 3.5f * noise_hash01(id, 2, 5) };
 }
 
-/* Returns how far the grain bends around the knots, and writes how deep inside a knot the texel
- * lies. */
+/* Returns the distance by which the grain bends around the knots. `*core` receives the darkness of
+ * the nearest knot, which falls from 1 at its centre to 0 outside. */
 static float bend(uint32_t plank, float x, float y, float *core)
 {
     float shift = 0.0f;
@@ -40,8 +41,8 @@ static float bend(uint32_t plank, float x, float y, float *core)
     return shift;
 }
 
-/* Returns the pattern of growth rings cut lengthwise: a slowly varying height, cut into sharp-edged
- * seasons. */
+/* Returns the pattern of growth rings in wood that is cut lengthwise: a slowly varying height,
+ * divided into growth seasons with sharp edges. */
 static float grain(uint32_t plank, float x, float y, float *core)
 {
     const float shifted = y - bend(plank, x, y, core);

@@ -1,8 +1,8 @@
-/* words.c -- converts the list of rejected names to a table of the core.
+/* words.c -- the tool `bake_words assets/words/refused.txt OUT.c`, which converts the list of
+ * rejected player names to a table of the core.
  *
- * bake_words assets/words/refused.txt OUT.c
- *
- * A line is `word` or `=word`; `#` starts a comment line. Each word is normalized as names are. */
+ * A line of the list is `word` or `=word`. A line that begins with `#` is a comment. Each word is
+ * normalized in the same way as a player's name. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
