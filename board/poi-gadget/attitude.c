@@ -1,16 +1,19 @@
-/* attitude.c -- computes the orientation with quaternions, which have no singular direction. */
+/* attitude.c -- computes the orientation with quaternions, which have no singularities. */
 #include "board/poi-gadget/attitude.h"
 
-/* Rate of the gravity correction: about one second to correct an error. */
+/* Rate in 1/s with which gravity corrects the orientation. An error is corrected in about one
+ * second. */
 #define PULL_PER_S 1.0f
-/* Relative deviation from g above which an acceleration does not show the vertical direction. */
+/* Relative difference from the gravity g above which an acceleration is not used as the vertical
+ * direction. */
 #define TRUST_G 0.15f
-/* Rotation rate below which the poi counts as still: 3 degrees a second. A poi in a hand rotates
- * faster. */
+/* Rotation rate in rad/s below which the poi counts as still, 3 degrees per second. A poi that is
+ * held in a hand rotates faster. */
 #define STILL_RAD_S 0.05f
 #define STILL_S 1.0f
 #define BIAS_PER_S 0.5f
-/* Greatest gyroscope bias: 11 degrees a second, the worst value of cheap chips. */
+/* Greatest plausible bias of the gyroscope in rad/s, 11 degrees per second. Cheap chips have at
+ * most this bias. */
 #define BIAS_MAX_RAD_S 0.2f
 
 struct quaternion attitude_quaternion_product(struct quaternion a, struct quaternion b)
@@ -33,15 +36,15 @@ static struct quaternion normalized(struct quaternion q)
     return (struct quaternion){ q.w * s, q.x * s, q.y * s, q.z * s };
 }
 
-/* Returns a rotation of 2 x half_rad about a unit axis. */
+/* Returns a rotation by the angle 2 * `half_rad` about the unit axis (x, y, z). */
 static struct quaternion about(float half_rad, float x, float y, float z)
 {
     const float s = f_sin(half_rad);
     return (struct quaternion){ f_cos(half_rad), x * s, y * s, z * s };
 }
 
-/* Converts angles to a rotation: yaw about +y, then pitch about +x, then roll about -z. A positive
- * roll lowers the right side. */
+/* Converts yaw, pitch and roll to a quaternion. The rotations are yaw about +y, then pitch about
+ * +x, then roll about -z. A positive roll lowers the right side. */
 struct quaternion attitude_quaternion_of_angles(struct angles angles)
 {
     const struct quaternion yaw = about(0.5f * angles.yaw_rad, 0.0f, 1.0f, 0.0f);
@@ -50,8 +53,8 @@ struct quaternion attitude_quaternion_of_angles(struct angles angles)
     return attitude_quaternion_product(attitude_quaternion_product(yaw, pitch), roll);
 }
 
-/* Converts a rotation to angles. The axes of the poi in the world are the columns of the rotation
- * matrix. */
+/* Converts a quaternion to angles. The columns of the rotation matrix are the axes of the poi in
+ * the world. */
 struct angles attitude_quaternion_angles(struct quaternion q)
 {
     const float right_y = 2.0f * (q.x * q.y + q.w * q.z);
@@ -64,15 +67,16 @@ struct angles attitude_quaternion_angles(struct quaternion q)
                             .roll_rad = f_atan2(-right_y, up_y) };
 }
 
-/* Returns the world's up direction in the axes of the poi, which is the middle row of the rotation
- * matrix. */
+/* Returns the world's up direction in the axes of the poi. The direction is the middle row of the
+ * rotation matrix. */
 static vec3 up_of(struct quaternion q)
 {
     return v3(2.0f * (q.x * q.y + q.w * q.z), 1.0f - 2.0f * (q.x * q.x + q.z * q.z),
               2.0f * (q.y * q.z - q.w * q.x));
 }
 
-/* Returns the initial orientation: the shortest rotation that makes `up` vertical. */
+/* Returns the initial orientation, which is the shortest rotation that turns the direction `up` to
+ * the world's up direction. */
 static struct quaternion upright(vec3 up)
 {
     if (up.y < -0.9999f) {

@@ -1,11 +1,11 @@
-/* board_pose.c -- computes the pose: the draw wires give the position of the eye, and the inertial
- * sensor gives the direction from the eye to the ring. */
+/* board_pose.c -- computes the pose of the ring. The draw wires give the position of the eye on the
+ * poi's neck, and the inertial chip gives the direction from the eye to the ring. */
 #include "board/poi-gadget/board_pose.h"
 
 #include <assert.h>
 
-/* Converts a matrix to a quaternion with the largest of the four components, which is never near 0
- * (Shepperd 1978). */
+/* Converts a rotation matrix to a quaternion. The division uses the largest of the four components,
+ * because it is never near 0 (Shepperd 1978). */
 struct quaternion board_pose_quaternion_of_rows(const vec3 row[3])
 {
     const float xx = row[0].x, yy = row[1].y, zz = row[2].z;
@@ -53,8 +53,9 @@ static void feel_attitude(struct board_pose *pose, const struct readings *readin
                             to_poi(pose->config, readings->accel_m_s2), seconds);
         return;
     }
-    /* The chip's world has +z up and Kingyo's world has +y up, so the rotation is a quarter turn
-     * about x. The rotation also converts from the chip's axes. */
+    /* In the chip's world +z points up, and in Kingyo's world +y points up. A quarter turn about x
+     * converts between the two worlds. `back` converts from the axes of the poi to the axes of the
+     * chip. */
     const struct quaternion upright = { 0.70710678f, -0.70710678f, 0.0f, 0.0f };
     const struct quaternion back = { pose->mount.w, -pose->mount.x, -pose->mount.y,
                                      -pose->mount.z };
@@ -62,8 +63,9 @@ static void feel_attitude(struct board_pose *pose, const struct readings *readin
                                       attitude_quaternion_product(upright, readings->turn), back));
 }
 
-/* Computes the eye's position from the wires. A broken or released wire is pulled to its
- * potentiometer's stop, and an unplugged wire gives no reading. Neither has a valid length. */
+/* Computes the position of the eye from the draw wires. A broken or released wire is pulled to the
+ * end stop of its potentiometer, and a wire that is not connected gives no reading. In these cases
+ * the length is invalid. */
 static enum draw_wires_result feel_wires(struct board_pose *pose, const struct readings *readings)
 {
     const struct poi_config *config = pose->config;

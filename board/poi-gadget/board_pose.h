@@ -1,5 +1,5 @@
-/* board_pose.h -- converts a poi's sensor readings to the report for its host. The functions are
- * pure. */
+/* board_pose.h -- converts the sensor readings of a poi (a paper scoop with sensors) to the report
+ * that is sent to the host. The functions are pure. */
 #ifndef KINGYO_BOARD_POI_GADGET_BOARD_POSE_H
 #define KINGYO_BOARD_POI_GADGET_BOARD_POSE_H
 
@@ -8,38 +8,44 @@
 #include "board/poi-gadget/steady.h"
 #include "drivers/hid/poi_report.h"
 
-/* Readings below this number of converter steps are the stop of a potentiometer with its noise. */
+/* Converter steps below which a reading counts as the end stop of the potentiometer, with its
+ * noise. */
 #define BOARD_POSE_STEPS_MIN 8.0f
 
-/* Readings of all sensors at one moment, in the chips' own steps and axes. */
+/* Readings of all sensors at one moment, in the steps and the axes of the chips. */
 struct readings {
-    float wire[DRAW_WIRE_COUNT]; /* Converter steps of each wire, a mean of several samples. */
-    /* 1 if the chip computes `turn`. Otherwise `gyro` and `accel` are valid. */
+    float wire[DRAW_WIRE_COUNT]; /* Mean of several samples for each draw wire, in steps of the
+                                    analog-to-digital converter. */
+    /* 1 if the chip computes a quaternion, and then `turn` is valid. 0 if `gyro_rad_s` and
+     * `accel_m_s2` are valid. */
     uint8_t fuses;
-    struct quaternion turn; /* Rotation from the chip's axes to a world with +z up. */
+    struct quaternion turn; /* Rotation from the axes of the chip to a world whose +z axis points
+                               up. */
     vec3 gyro_rad_s, accel_m_s2;
-    uint8_t buttons; /* Pressed buttons, enum poi_button. */
+    uint8_t buttons; /* Bit mask of the pressed buttons (enum poi_button). */
 };
 
 struct board_pose {
     const struct poi_config *config;
     struct attitude attitude;
     struct steady steady;
-    struct quaternion mount;      /* Rotation from the chip's axes to the axes of the poi. */
-    enum draw_wires_result wires; /* Result of the wires in the last step. */
-    vec3 eye_m;                   /* Unfiltered position at which the wires meet. */
+    struct quaternion mount;      /* Rotation from the axes of the chip to the axes of the poi. */
+    enum draw_wires_result wires; /* Result of the position from the draw wires in the last step. */
+    vec3 eye_m;                   /* Unfiltered position of the eye, the point at which the draw
+                                     wires meet, in metres. */
 };
 
-/* Initializes the state. `config` must outlive `pose`. The caller guarantees a valid and calibrated
- * `config`. */
+/* Initializes the state. `config` must outlive `pose`. The caller guarantees that `config` is valid
+ * and calibrated. */
 void board_pose_init(struct board_pose *pose, const struct poi_config *config);
 
-/* Computes the report `seconds` > 0 after the previous report. The report has no position if the
- * wires do not meet. The caller sets the sequence number. */
+/* Computes the next report. `seconds` is the time since the previous report and must be above 0. If
+ * the wires do not meet in a point, the report has no position. The caller sets the sequence number
+ * of the report. */
 void board_pose_step(struct board_pose *pose, const struct readings *readings, float seconds,
                      struct poi_report *out);
 
-/* Returns the rotation whose matrix has the given rows. */
+/* Converts a rotation matrix with the rows `row` to a quaternion. */
 struct quaternion board_pose_quaternion_of_rows(const vec3 row[3]);
 
 #endif

@@ -1,4 +1,4 @@
-/* calibrate.c -- averages one second of sensor readings at each mark. */
+/* calibrate.c -- measures the draw wires at each calibration mark, as a mean over one second. */
 #include "board/poi-gadget/calibrate.h"
 
 #include <stdio.h>
@@ -10,10 +10,12 @@
 
 #define READINGS 50u
 #define BETWEEN_NS 20000000
-/* Greatest spread of converter steps while a person holds the eye on its mark: 5 mm. */
+/* Greatest range of the converter steps while the user holds the eye on a mark. 20 steps are 5 mm
+ * of wire. */
 #define STILL_STEPS 20.0f
 
-/* Averages the readings of one second. Returns 0 if a sensor does not answer. */
+/* Computes the mean and the range of the sensor readings during one second. Returns 1, or 0 if a
+ * sensor does not respond. */
 static int mean_readings(struct sensors *sensors, struct readings *mean, float spread[3])
 {
     float low[3], high[3];
@@ -45,7 +47,8 @@ static int wait_for_enter(void)
     return letter != EOF;
 }
 
-/* Measures one mark and adds the result to all three fits. */
+/* Asks the user to hold the eye on a mark, measures the wires, and adds the mark to the fits of the
+ * three wires. */
 static int ask_mark(const struct poi_config *config, struct sensors *sensors, uint32_t mark,
                     struct wire_fit fits[DRAW_WIRE_COUNT], struct readings *mean)
 {

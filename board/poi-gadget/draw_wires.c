@@ -1,15 +1,16 @@
-/* draw_wires.c -- computes the intersection of three wires. In axes along the spools, two of the
- * three unknowns are linear. */
+/* draw_wires.c -- computes the point at which three draw wires meet. In coordinates along the
+ * spools, two of the three unknowns are linear. */
 #include "board/poi-gadget/draw_wires.h"
 
 #include <assert.h>
 
 #define SPOOLS_APART_M 0.1f
 
-/* Axes along the spools. The first spool is the origin, the second spool lies on +x, and the third
- * spool lies in the plane of x and y. */
+/* Coordinate axes along the spools. The origin is the first spool. The second spool lies on +x, and
+ * the third spool lies in the plane of x and y. */
 struct spool_axes {
-    vec3 x, y, normal; /* Unit axes. `normal` points up. */
+    vec3 x, y, normal; /* Unit vectors of the axes. `normal` is perpendicular to the plane of the
+                          spools and points up. */
     float second_x_m, third_x_m, third_y_m;
 };
 
@@ -51,10 +52,10 @@ enum draw_wires_result draw_wires_meet(const vec3 spool_m[DRAW_WIRE_COUNT],
     const float d = axes.second_x_m, i = axes.third_x_m, j = axes.third_y_m;
     const float x_m = (a - b + d * d) / (2.0f * d);
     const float y_m = (a - c + i * i + j * j - 2.0f * i * x_m) / (2.0f * j);
-    /* Square of the depth below the spools' plane. */
+    /* Square of the eye's depth below the plane of the spools, in m^2. */
     const float below = a - x_m * x_m - y_m * y_m;
-    /* If the wires are too short to meet by DRAW_WIRE_SLACK_M, the squared depth is negative by
-     * this amount. */
+    /* If the wires are too short to meet by DRAW_WIRE_SLACK_M, the square of the depth is about
+     * this negative value. */
     if (below < -2.0f * DRAW_WIRE_SLACK_M * length_m[0]) {
         return DRAW_WIRES_APART;
     }

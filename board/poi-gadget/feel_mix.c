@@ -1,4 +1,4 @@
-/* feel_mix.c -- mixes decaying levels and a rattle into the motor's level. */
+/* feel_mix.c -- adds the decaying levels of drag, slap and tear to the level of the motor. */
 #include "board/poi-gadget/feel_mix.h"
 
 static float die_away(float level, float seconds, float within_s)

@@ -1,4 +1,4 @@
-/* hid_gadget.c -- reads and writes reports without blocking. */
+/* hid_gadget.c -- reads and writes USB reports without blocking. */
 #include "board/poi-gadget/hid_gadget.h"
 
 #include <errno.h>
@@ -6,10 +6,11 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Number of consecutive failed writes before the device is opened again: a quarter of a second. */
+/* Number of consecutive failed writes after which the device is opened again. At 250 reports per
+ * second, 64 writes take a quarter of a second. */
 #define SHUT_MAX 64u
-/* Maximum number of reads in a call. A host sends one report in each frame, and f_hid queues four
- * requests. */
+/* Maximum number of reads in one call. The host sends one report in each video frame, and f_hid
+ * queues four reports. */
 #define READS_MAX 8
 
 void hid_gadget_init(struct hid_gadget *gadget, const char *path)
@@ -31,9 +32,9 @@ int hid_gadget_open(struct hid_gadget *gadget)
     return gadget->fd >= 0;
 }
 
-/* Handles an error. EAGAIN means that the host has not fetched the last report, or that no output
- * report is available. ESHUTDOWN means that no host has configured the device. Any other error
- * means that the USB function behind the file no longer exists. */
+/* Handles the error in errno. EAGAIN means that the host has not fetched the last report, or that
+ * no output report has arrived. ESHUTDOWN means that no host has configured the device. After any
+ * other error, the device is closed, because its USB function no longer exists. */
 static void survive(struct hid_gadget *gadget)
 {
     if (errno != EAGAIN && errno != EINTR && errno != ESHUTDOWN) {
@@ -41,8 +42,9 @@ static void survive(struct hid_gadget *gadget)
     }
 }
 
-/* Handles an error of a write. An absent host and a removed USB function give the same error.
- * Opening the file again may find a new function. */
+/* Handles the error of a write. A missing host and a removed USB function give the same error. The
+ * device is therefore closed after SHUT_MAX consecutive errors, so that a new USB function is found
+ * when the device is opened again. */
 static void survive_send(struct hid_gadget *gadget)
 {
     gadget->shut_count = errno == ESHUTDOWN ? gadget->shut_count + 1 : 0;

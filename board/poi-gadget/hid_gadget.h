@@ -1,7 +1,8 @@
-/* hid_gadget.h -- the poi's side of the USB cable: /dev/hidgN of Linux's HID function (f_hid).
+/* hid_gadget.h -- sends reports from the poi's board to the host over USB, and receives force
+ * feedback. The device /dev/hidgN belongs to Linux's USB gadget function for HID (f_hid).
  *
- * No call blocks. If the host does not read, reports are dropped. A device whose USB function was
- * removed is opened again. */
+ * No call blocks. If the host does not read, reports are dropped. If the USB function was removed
+ * and created again, the device is opened again. */
 #ifndef KINGYO_BOARD_POI_GADGET_HID_GADGET_H
 #define KINGYO_BOARD_POI_GADGET_HID_GADGET_H
 
@@ -10,32 +11,35 @@
 #include "drivers/hid/poi_report.h"
 
 struct hid_gadget {
-    /* Path of the device. The path "-" writes reports to standard output and gives no force
-     * feedback. */
+    /* Path of the device. "-" means that reports are written to standard output and no force
+     * feedback is received. */
     const char *path;
     int fd;              /* File descriptor, or -1 if the device is not open. */
-    uint8_t sequence;    /* Sequence number of the next sent report. */
-    uint32_t shut_count; /* Number of consecutive writes that found no host. */
+    uint8_t sequence;    /* Sequence number of the next report. */
+    uint32_t shut_count; /* Number of consecutive writes that failed because no host is
+                            connected. */
     uint32_t sent_count;
-    /* Number of reports that were dropped because the host had not fetched the previous report or
-     * no host is present. */
+    /* Number of dropped reports. A report is dropped if the host has not fetched the previous
+     * report, or if no host is connected. */
     uint32_t skipped_count;
     uint32_t felt_count;
-    uint32_t refused_count; /* Number of rejected output reports of an unknown format. */
+    uint32_t refused_count; /* Number of received output reports that were rejected because their
+                               format is unknown. */
 };
 
-/* Initializes the gadget without opening the device. `path` must outlive `gadget`. */
+/* Initializes the structure without opening the device. `path` must outlive `gadget`. */
 void hid_gadget_init(struct hid_gadget *gadget, const char *path);
 
-/* Opens the device if it is not open. Returns 1 if the device is open. Returns 0 and sets errno
- * otherwise. */
+/* Opens the device unless it is already open. Returns 1 if the device is open. Otherwise sets errno
+ * and returns 0. */
 int hid_gadget_open(struct hid_gadget *gadget);
 
-/* Sends a report with the next sequence number. Returns 1, or 0 if the report was dropped. */
+/* Sends a report and sets its sequence number. Returns 1 if the report was sent, or 0 if the report
+ * was dropped. */
 int hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report);
 
-/* Reads the newest force feedback after the last call. Returns 1 and sets `out`, or returns 0 if
- * there is none. */
+/* Reads the newest force feedback report that arrived since the last call. Returns 1 and sets
+ * `out`, or returns 0 if no report arrived. */
 int hid_gadget_feel(struct hid_gadget *gadget, struct poi_force *out);
 
 /* Closes the device. */

@@ -1,4 +1,5 @@
-/* iio.c -- reads sensor attributes, which are text files that are read from their start. */
+/* iio.c -- reads sensor attributes. Each attribute is a text file that is read again from its
+ * start. */
 #include "board/poi-gadget/iio.h"
 
 #include <fcntl.h>
@@ -7,9 +8,10 @@
 #include <string.h>
 #include <unistd.h>
 
-#define DEVICES_MAX 32 /* Maximum number of devices. A board has only a few. */
+#define DEVICES_MAX                                                                                \
+    32 /* Maximum number of IIO devices that are searched. A board has only a few devices. */
 
-/* Writes `folder`/`leaf` to `out`. Returns 1, or 0 if the path is too long. */
+/* Writes the path `folder`/`leaf` to `out`. Returns 1, or 0 if the path is too long. */
 static int join(char out[IIO_PATH_SIZE], const char *folder, const char *leaf)
 {
     return snprintf(out, IIO_PATH_SIZE, "%s/%s", folder, leaf) < (int)IIO_PATH_SIZE;

@@ -1,4 +1,5 @@
-/* keys.c -- reads key events. If events were lost, the kernel is queried for the present levels. */
+/* keys.c -- reads key events from the kernel. If the kernel reports that events were lost, the
+ * state of all keys is read again. */
 #include "board/poi-gadget/keys.h"
 
 #include <fcntl.h>
@@ -11,7 +12,8 @@
 #include "drivers/hid/poi_report.h"
 
 #define EVENT_DEVICES 32u
-#define EVENTS_MAX 16 /* Maximum number of events for each read. Bouncing keys send few events. */
+#define EVENTS_MAX                                                                                 \
+    16 /* Maximum number of events in one read. Even a bouncing key sends fewer events. */
 
 static const struct key_code {
     uint16_t code;
@@ -36,8 +38,8 @@ static int is_gpio_keys(const char *root, uint32_t number)
     return got && strncmp(phys, "gpio-keys/", 10) == 0;
 }
 
-/* Reads the pressed keys from the kernel. Keys of which the kernel reports no level keep their
- * state. */
+/* Adds the keys that the kernel reports as pressed to `held`. If the kernel returns an error,
+ * `held` is unchanged. */
 static void ask_levels(struct keys *keys, int fd)
 {
     uint8_t bits[KEY_MAX / 8 + 1] = { 0 };

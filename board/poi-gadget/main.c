@@ -1,4 +1,5 @@
-/* main.c -- `kingyo-poi`, the program that runs on the small board of a poi. */
+/* main.c -- `kingyo-poi`, the program that runs on the small computer board of a poi (a paper scoop
+ * with sensors). */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,7 +52,7 @@ static int read_count(const char *word, uint32_t least, uint32_t most, uint32_t 
     return 1;
 }
 
-/* ---- Options -------------------------------------------------------------------------------- */
+/* ---- Command line ---------------------------------------------------------------------------- */
 
 static int read_flag(struct arguments *out, const char *name)
 {
@@ -91,8 +92,8 @@ static int read_path(struct arguments *out, const char *name, const char *value)
     return 0;
 }
 
-/* Parses one option and its value. Returns the number of words that were read, or 0 if the option
- * is not valid. */
+/* Parses one option and its value. Returns the number of command-line words that were parsed, or 0
+ * if the option is invalid. */
 static int read_option(struct arguments *out, const char *name, const char *value)
 {
     uint32_t seconds;
@@ -133,8 +134,8 @@ static enum exit_code descriptor(const struct arguments *arguments)
     return EXIT_OK;
 }
 
-/* Loads the configuration. Without a file, the defaults of poi_config.h apply, which are sufficient
- * for a simulation. */
+/* Loads the configuration. If no file is named, the defaults of poi_config_init() apply, which are
+ * sufficient for simulated sensors. Returns EXIT_OK or an exit code for the error. */
 static enum exit_code load(struct poi_config *config, const struct arguments *arguments)
 {
     poi_config_init(config);
@@ -167,7 +168,8 @@ static enum exit_code play_sensors(const struct poi_config *config,
     return code;
 }
 
-/* Sends poses from the selected source to the host, or prints them as text. */
+/* Runs the program with the selected source of poses. If `prints` is 1, prints the poses as text.
+ * Otherwise sends the poses to the host. */
 static enum exit_code play(struct poi_config *config, const struct arguments *arguments, int prints)
 {
     static struct script_source script;
@@ -178,7 +180,8 @@ static enum exit_code play(struct poi_config *config, const struct arguments *ar
     char why[MOTOR_WHY_SIZE];
     if (!prints) {
         if (!motor_open(&motor, config, arguments->root, why)) {
-            print_error("kingyo-poi: %s", why); /* The program continues without force feedback. */
+            print_error("kingyo-poi: %s", why); /* A missing motor or light is not fatal. The
+                                                   program continues without force feedback. */
         }
         sink = motor_sink(&motor);
     }

@@ -1,4 +1,5 @@
-/* motor.c -- writes numbers as text to sysfs files, only if a number has changed. */
+/* motor.c -- writes the duty and the brightness as text to sysfs files. A file is written only if
+ * its value has changed. */
 #include "board/poi-gadget/motor.h"
 
 #include <fcntl.h>
@@ -8,7 +9,8 @@
 #include <unistd.h>
 
 #define PATH_SIZE 256
-/* Number of attempts of 10 ms each, because udev may set the permissions of the new files later. */
+/* Maximum number of attempts to open the exported files, 10 ms apart. udev sets the permissions of
+ * the files some time after the export. */
 #define EXPORT_TRIES 20
 
 static int motor_put(const char *path, uint32_t value)
@@ -66,8 +68,8 @@ static int open_pwm(struct motor *motor, const struct poi_config *config, const 
     motor->period_ns = 1000000000u / config->motor_hz;
     motor->least = config->motor_least;
     motor->duty_ns = UINT32_MAX;
-    /* The duty must be lowered before the period is shortened. Otherwise the kernel rejects the
-     * period. */
+    /* The duty is set to 0 before the period is set, because the kernel rejects a period that is
+     * shorter than the duty. */
     put_again(motor->duty_fd, &motor->duty_ns, 0);
     snprintf(path, sizeof path, "%s/pwm%u/period", chip, config->pwm_channel);
     const int period = motor_put(path, motor->period_ns);

@@ -1,4 +1,5 @@
-/* motor.h -- drives a small motor on a PWM channel and a light on an LED through sysfs. */
+/* motor.h -- controls a vibration motor on a PWM channel and a light on an LED, through files of
+ * sysfs. */
 #ifndef KINGYO_BOARD_POI_GADGET_MOTOR_H
 #define KINGYO_BOARD_POI_GADGET_MOTOR_H
 
@@ -8,25 +9,28 @@
 
 struct motor {
     struct feel_mix mix;
-    /* File descriptors of the duty and the light, or -1 if the part is absent. */
+    /* File descriptors of the PWM duty file and of the LED brightness file. -1 means that the part
+     * is absent. */
     int duty_fd, light_fd;
     uint32_t period_ns;
-    float least; /* Lowest duty at which the motor turns. */
+    float least; /* Lowest duty at which the motor turns, in [0, 1). */
     uint32_t light_most;
-    uint32_t duty_ns, light_value; /* Values of the duty and the light that were written last. */
+    uint32_t duty_ns, light_value; /* Duty in ns and brightness that were written last. */
 };
 
 #define MOTOR_WHY_SIZE 160u
 
-/* Exports the PWM channel and enables it at level 0. Returns 1. Returns 0 and writes one line to
- * `why` if a configured part is missing. Parts that are present still work. */
+/* Exports the PWM channel and enables the channel with a duty of 0. Returns 1 if all configured
+ * parts are present. Otherwise writes one line to `why` and returns 0, and the parts that are
+ * present can still be used. */
 int motor_open(struct motor *motor, const struct poi_config *config, const char *root,
                char why[MOTOR_WHY_SIZE]);
 
-/* Returns the force feedback sink for run(). Its stop() sets both outputs to 0. */
+/* Returns a receiver of force feedback that drives the motor and the light. Its stop() sets the two
+ * outputs to 0. */
 struct feel_sink motor_sink(struct motor *motor);
 
-/* Sets the motor and the light immediately. Both levels are in [0, 1]. */
+/* Sets the outputs of the motor and the light immediately. */
 void motor_set(struct motor *motor, struct feel_levels levels);
 
 #endif

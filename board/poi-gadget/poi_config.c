@@ -1,4 +1,4 @@
-/* poi_config.c -- parses the configuration with a table of names and their types. */
+/* poi_config.c -- parses the configuration file with a table of setting names and their types. */
 #include "board/poi-gadget/poi_config.h"
 
 #include <errno.h>
@@ -29,9 +29,10 @@ void poi_config_init(struct poi_config *config)
     };
 }
 
-/* ---- Values --------------------------------------------------------------------------------- */
+/* ---- Parsing values -------------------------------------------------------------------------- */
 
-/* Parses exactly `count` numbers within +-`most`. */
+/* Parses exactly `count` numbers, each in [-`most`, `most`]. Returns 1, or 0 if the text is
+ * invalid. */
 static int read_numbers(const char *text, uint32_t count, float most, float out[NUMBERS_MAX])
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -82,7 +83,8 @@ static int poi_config_read_wire(struct poi_config *config, uint32_t index, const
     return 1;
 }
 
-/* Parses axes such as "+x -z +y". The axes must form a rotation and not a reflection. */
+/* Parses three axes of the chip, for example "+x -z +y". Returns 1, or 0 if the axes do not form a
+ * rotation matrix. A reflection is invalid. */
 static int read_axes(struct poi_config *config, uint32_t index, const char *value)
 {
     (void)index;
@@ -190,9 +192,10 @@ static int read_ahead(struct poi_config *config, uint32_t index, const char *val
     return 1;
 }
 
-/* ---- Lines ---------------------------------------------------------------------------------- */
+/* ---- Parsing lines --------------------------------------------------------------------------- */
 
-/* Table of settings. `index` is the number of a spool or a wire, and other settings ignore it. */
+/* Table of the settings. `index` is the number of a spool or of a wire. Settings without a number
+ * ignore `index`. */
 static const struct setting {
     const char *name;
     int (*set)(struct poi_config *config, uint32_t index, const char *value);
@@ -216,7 +219,8 @@ static const struct setting {
     { "mark", read_mark, 0, "a mark is X Y Z in mm, and there are at most 8" },
 };
 
-/* Removes the comment and the blanks. Returns the first character of the rest. */
+/* Removes the comment and the white space around the text. Returns the first remaining
+ * character. */
 static char *poi_config_trim(char *text)
 {
     text[strcspn(text, "#\r\n")] = '\0';

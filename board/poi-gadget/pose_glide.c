@@ -1,10 +1,10 @@
-/* pose_glide.c -- moves between two poses along a polynomial. */
+/* pose_glide.c -- moves a simulated hand between two poses along a polynomial of degree five. */
 #include "board/poi-gadget/pose_glide.h"
 
 #include <assert.h>
 
-/* Tolerance of the end time, because ten steps of 0.01 s are not exactly 0.1 s in binary
- * numbers. */
+/* Tolerance in seconds for the end of a motion, because the sum of ten steps of 0.01 s is not
+ * exactly 0.1 s in binary floating point. */
 #define ROUNDING_S 1e-4f
 
 int pose_glide_is_there(const struct pose_glide *glide)
@@ -20,14 +20,14 @@ void pose_glide_send(struct pose_glide *glide, const struct pose_line *to)
     glide->begun = 1;
 }
 
-/* Returns the share of the motion at time `t`, in [0, 1]. The speed and the acceleration are 0 at
- * both ends. */
+/* Returns the completed share of the motion at the share `t` of its duration. The two values are in
+ * [0, 1]. The speed and the acceleration are 0 at the start and at the end. */
 static float smooth(float t)
 {
     return t * t * t * (10.0f - t * (15.0f - 6.0f * t));
 }
 
-/* Interpolates an angle in the shorter direction. */
+/* Interpolates between two angles in the direction of the smaller rotation. */
 static float turn_between(float from_rad, float to_rad, float t)
 {
     return f_wrap_angle(from_rad + t * f_wrap_angle(to_rad - from_rad));

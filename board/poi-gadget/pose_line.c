@@ -18,7 +18,8 @@ static const struct key_name {
 };
 #define KEY_COUNT (sizeof keys / sizeof keys[0])
 
-/* Cuts the next word from `*rest`. Returns null at the end of the line. */
+/* Returns the next word and advances `*rest` past the word. Returns null at the end of the line or
+ * at a comment. */
 static char *next_word(char **rest)
 {
     char *word = *rest + strspn(*rest, " \t\r\n");
@@ -60,7 +61,8 @@ static int read_keys(char **rest, uint8_t *buttons)
     return 1;
 }
 
-/* Parses a pose. The limits are the reach in millimetres and one turn in each direction. */
+/* Parses the six numbers of a pose. Positions are limited to 1,000 mm and angles to 360 degrees in
+ * each direction. */
 static int read_pose(struct poi_target *out, char *word, char **rest, const char **why)
 {
     const float most[6] = { 1000.0f, 1000.0f, 1000.0f, 360.0f, 360.0f, 360.0f };

@@ -1,4 +1,4 @@
-/* pose_tape.c -- cuts lines from the start of the buffered text. */
+/* pose_tape.c -- removes lines of poses from the start of a text buffer. */
 #include "board/poi-gadget/pose_tape.h"
 
 #include <string.h>
@@ -14,7 +14,8 @@ void pose_tape_wrote(struct pose_tape *tape, uint32_t count)
     tape->size += count;
 }
 
-/* Cuts one line from the buffer into `line`. Returns 1, or 0 if the buffer has no complete line. */
+/* Moves one line from the buffer to `line`. Returns 1, 0 if the buffer has no complete line, or -1
+ * after setting `why` if the line is too long or not text. */
 static int cut_line(struct pose_tape *tape, char line[POSE_LINE_SIZE])
 {
     const char *end = memchr(tape->text, '\n', tape->size);
@@ -36,7 +37,8 @@ static int cut_line(struct pose_tape *tape, char line[POSE_LINE_SIZE])
     return 1;
 }
 
-/* Parses the next line and sets its pose as the goal. Returns 1, or 0 if no line is available. */
+/* Parses the next line and sets its pose as the goal of the hand. Returns 1, 0 if no complete line
+ * is available, or -1 after setting `why` if the line is invalid. */
 static int take_line(struct pose_tape *tape)
 {
     char text[POSE_LINE_SIZE];

@@ -1,4 +1,4 @@
-/* run.c -- runs the loop at absolute times, so that delays do not accumulate. */
+/* run.c -- runs the main loop at absolute times, so that delays do not accumulate. */
 #include "board/poi-gadget/run.h"
 
 #include <errno.h>
@@ -12,7 +12,8 @@
 #include "board/poi-gadget/pose_line.h"
 #include "platform/os/print.h"
 
-#define REOPEN_BEATS 64u /* Interval in beats between two attempts to open a missing device. */
+#define REOPEN_BEATS                                                                               \
+    64u /* Number of cycles of the main loop between two attempts to open a missing device. */
 
 static volatile sig_atomic_t told_to_end;
 
@@ -31,12 +32,12 @@ static void heed_signals(void)
     signal(SIGPIPE, SIG_IGN);
 }
 
-/* ---- Beats ---------------------------------------------------------------------------------- */
+/* ---- Timing of the main loop ----------------------------------------------------------------- */
 
 struct beat {
     uint64_t next_ns, period_ns, begin_ns;
-    uint64_t count; /* Number of beats that were due. */
-    uint32_t late;  /* Number of due beats that were dropped because the board was too slow. */
+    uint64_t count; /* Number of cycles that were due since the start. */
+    uint32_t late;  /* Number of due cycles that were skipped because the board was too slow. */
 };
 
 static uint64_t run_now_ns(void)
@@ -52,7 +53,7 @@ static void beat_start(struct beat *beat, uint32_t rate_hz)
     *beat = (struct beat){ .next_ns = now, .begin_ns = now, .period_ns = 1000000000u / rate_hz };
 }
 
-/* Sleeps until the next beat. Returns the seconds since the previous beat. */
+/* Sleeps until the next cycle is due. Returns the time in seconds since the previous cycle. */
 static float beat_wait(struct beat *beat)
 {
     const uint64_t now = run_now_ns();

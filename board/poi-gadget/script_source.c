@@ -1,4 +1,4 @@
-/* script_source.c -- appends the available text to the tape. */
+/* script_source.c -- reads lines of poses from an input and appends them to a pose_tape. */
 #include "board/poi-gadget/script_source.h"
 
 #include <errno.h>
@@ -24,16 +24,16 @@ static void read_more(struct script_source *script)
     }
 }
 
-/* Adds a tremor of half a report step in both directions. A real hand is never exactly still, and
- * the kiosk treats a sensor with constant values as frozen. */
+/* Adds an alternating tremor of half a step of the report to the position. A real hand is never
+ * exactly still, and the kiosk treats a sensor with constant values as failed. */
 static void tremble(struct script_source *script, struct poi_report *report)
 {
     const float half_m = 0.5f * POI_REPORT_REACH_M / 32767.0f;
     report->target.position_m.x += script->step++ & 1u ? half_m : -half_m;
 }
 
-/* Advances through all beats of `seconds`. Returns 1 if a beat gave a pose, and writes the last
- * pose to `out`. */
+/* Advances the script by all cycles in `seconds`. Returns 1 and writes the last pose to `out` if
+ * any cycle gave a pose. Returns 0 if no pose is available, or -1 if a line is invalid. */
 static int step_beats(struct script_source *script, float seconds, struct poi_report *out)
 {
     uint8_t buttons = 0;

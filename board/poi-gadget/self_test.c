@@ -1,4 +1,4 @@
-/* self_test.c -- runs the checks and prints each result immediately. */
+/* self_test.c -- runs the checks of a poi's parts, and prints each result immediately. */
 #include "board/poi-gadget/self_test.h"
 
 #include <errno.h>
@@ -13,21 +13,22 @@
 #include "board/poi-gadget/sensors.h"
 #include "platform/os/print.h"
 
-#define LOOKS 50u /* Number of readings of the sensors at rest. */
+#define LOOKS 50u /* Number of readings of the sensors while the poi is at rest. */
 #define LOOK_S 0.02f
-/* Greatest noise in converter steps, 2 mm. Means of four readings vary less on a working
- * converter. */
+/* Greatest range of the converter steps at rest. 8 steps are 2 mm of wire. Means of four readings
+ * vary less if the converter works. */
 #define NOISE_STEPS_MAX 8.0f
-/* Greatest deviation from g as a share of g. A larger deviation means that the chip is defective or
- * moves. */
+/* Greatest relative difference of the measured gravity from g. A larger difference means that the
+ * chip is defective or that the poi moves. */
 #define GRAVITY_OFF_MAX 0.08f
-#define SPIN_REST_MAX 0.2f /* Greatest rotation rate at rest, rad/s. */
+#define SPIN_REST_MAX 0.2f /* Greatest rotation rate in rad/s while the poi is at rest. */
 
 struct verdicts {
     uint32_t good, bad;
 };
 
-/* Prints one line with ok or FAIL, the name of the check, and the reason. */
+/* Prints one line with "ok" or "FAIL", the name of the check, and the reason. Counts the result in
+ * `verdicts`. */
 __attribute__((format(printf, 4, 5))) static void self_test_print_verdict(struct verdicts *verdicts,
                                                                           int good,
                                                                           const char *what,
@@ -47,12 +48,13 @@ __attribute__((format(printf, 4, 5))) static void self_test_print_verdict(struct
     }
 }
 
-/* ---- Sensors at rest ------------------------------------------------------------------------ */
+/* ---- Sensors at rest ------------------------------------------------------------------------- */
 
 struct looks {
     struct readings last;
     float low[DRAW_WIRE_COUNT], high[DRAW_WIRE_COUNT];
-    float spin_rad_s, pull_m_s2; /* Mean magnitudes of the rotation rate and of the acceleration. */
+    float spin_rad_s, pull_m_s2; /* Mean magnitudes of the rotation rate and of the acceleration
+                                    over all readings. */
     uint32_t missed;
     struct timespec began, ended;
 };
@@ -168,7 +170,7 @@ static void judge_sensors(struct verdicts *verdicts, const struct poi_config *co
     sensors_close(&sensors);
 }
 
-/* ---- Outputs -------------------------------------------------------------------------------- */
+/* ---- Motor, light and USB -------------------------------------------------------------------- */
 
 static void judge_motor(struct verdicts *verdicts, const struct poi_config *config,
                         const char *root)

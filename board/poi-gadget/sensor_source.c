@@ -1,7 +1,8 @@
-/* sensor_source.c -- reads the sensors, computes the pose and returns the report. */
+/* sensor_source.c -- reads the real or simulated sensors, computes the pose, and returns the
+ * report. */
 #include "board/poi-gadget/sensor_source.h"
 
-#define TWIN_NOISE_STEPS 1.5f /* Noise of a 12-bit converter on a cheap potentiometer. */
+#define TWIN_NOISE_STEPS 1.5f /* Noise in steps of a 12-bit converter with a cheap potentiometer. */
 
 static enum pose_result sensor_step(void *self, float seconds, struct poi_report *out)
 {

@@ -1,5 +1,5 @@
-/* sensor_source.h -- poses from the board's own sensors, or from simulated sensors with a hand that
- * scoops. */
+/* sensor_source.h -- sources of poses that read the board's sensors, or simulated sensors with a
+ * simulated hand that scoops. */
 #ifndef KINGYO_BOARD_POI_GADGET_SENSOR_SOURCE_H
 #define KINGYO_BOARD_POI_GADGET_SENSOR_SOURCE_H
 
@@ -8,18 +8,18 @@
 #include "board/poi-gadget/sensor_twin.h"
 #include "board/poi-gadget/sensors.h"
 
-/* Number of consecutive missed readings after which the position counts as unknown. */
+/* Number of consecutive failed readings after which the position counts as unknown. */
 #define SENSOR_GONE_BEATS 25u
 
 struct sensor_source {
     struct board_pose pose;
     struct sensors sensors;
     struct readings readings;
-    uint32_t missed; /* Number of consecutive missed readings. */
+    uint32_t missed; /* Number of consecutive failed readings so far. */
 };
 
-/* Returns a source of the board's sensors, which must be open. `config` must outlive the source,
- * and must be valid and calibrated. */
+/* Returns a source that reads the board's sensors. `source->sensors` must be open. `config` must
+ * outlive the source. The caller guarantees that `config` is valid and calibrated. */
 struct pose_source sensor_source(struct sensor_source *source, const struct poi_config *config);
 
 struct sensor_source_twin {
@@ -28,7 +28,8 @@ struct sensor_source_twin {
     struct board_pose pose;
 };
 
-/* Returns a source of simulated sensors with a hand that scoops. */
+/* Returns a source of simulated sensors on a poi that a simulated hand moves (scoop.h). `config`
+ * must outlive the source. */
 struct pose_source sensor_source_twin(struct sensor_source_twin *source,
                                       const struct poi_config *config);
 

@@ -1,11 +1,12 @@
-/* sensor_twin.c -- inverts the computation of board_pose.c and adds quantization and noise. */
+/* sensor_twin.c -- computes simulated readings by inverting board_pose.c, and adds quantization and
+ * noise. */
 #include "board/poi-gadget/sensor_twin.h"
 
 #include "core/base/rng.h"
 
-#define STEPS 4096.0f /* Steps of a 12-bit converter. */
-/* Wire length for the full range of the converter: ten turns of a drum with a circumference of 100
- * mm. */
+#define STEPS 4096.0f /* Number of steps of a 12-bit converter. */
+/* Change of the wire's length in metres over the full range of the converter. The potentiometer
+ * makes ten turns, and the drum has a circumference of 100 mm. */
 #define WIRE_SPAN_M 1.0f
 #define WIRE_LEAST_M 0.25f
 #define SAMPLES 4u
@@ -18,7 +19,8 @@ void sensor_twin_calibrate(struct poi_config *config)
     }
 }
 
-/* Returns the mean of several noisy samples in whole steps, as a converter gives them. */
+/* Returns the mean of several samples with noise. Each sample is rounded to a whole step, as by a
+ * real converter. */
 static float converted(struct sensor_twin *twin, float steps, uint32_t wire)
 {
     float sum = 0.0f;
@@ -41,8 +43,8 @@ static struct quaternion back_of(struct quaternion q)
     return (struct quaternion){ q.w, -q.x, -q.y, -q.z };
 }
 
-/* Returns the rotation rate from `from` to `to` in the axes of the poi. For small rotations, the
- * angle is twice the vector part of the quaternion. */
+/* Returns the rotation rate from `from` to `to` in rad/s, in the axes of the poi. For a small
+ * rotation, the angle is twice the vector part of the quaternion. */
 static vec3 rate_between(struct quaternion from, struct quaternion to, float seconds)
 {
     const struct quaternion d = attitude_quaternion_product(back_of(from), to);
@@ -79,8 +81,8 @@ void sensor_twin_step(struct sensor_twin *twin, const struct poi_report *pose, f
         out->wire[i] = converted(twin, steps, i);
     }
     feel(twin, &axes, turn, eye_m, seconds, out);
-    /* Converts from the chip to the poi, then to the world with +y up, and then to the world with
-     * +z up. */
+    /* Combines three rotations: from the chip to the poi, from the poi to the world with +y up, and
+     * to the world with +z up. */
     const struct quaternion lying = { 0.70710678f, 0.70710678f, 0.0f, 0.0f };
     out->turn = attitude_quaternion_product(attitude_quaternion_product(lying, turn),
                                             board_pose_quaternion_of_rows(config->imu_row));

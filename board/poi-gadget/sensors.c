@@ -1,5 +1,5 @@
-/* sensors.c -- reads one attribute after the other. A complete reading takes about twenty system
- * calls. */
+/* sensors.c -- reads the sensor attributes in sequence. A complete reading takes about twenty
+ * system calls. */
 #include "board/poi-gadget/sensors.h"
 
 #include <stdio.h>
@@ -43,8 +43,8 @@ static int open_three(int fd[3], const char *path, const char *quantity, float *
     return iio_read_once(path, name, 1, scale) && *scale != 0.0f;
 }
 
-/* Opens the inertial sensor. The quaternion order of the sysfs-bus-iio ABI is x y z w, but Linux's
- * bno055 driver writes the order of its registers, w x y z. */
+/* Opens the inertial chip. By the sysfs-bus-iio ABI, the order of a quaternion is x y z w. Linux's
+ * bno055 driver instead writes the order of the chip's registers, w x y z. */
 static int open_imu(struct sensors *sensors, const struct poi_config *config, const char *root,
                     char why[SENSORS_WHY_SIZE])
 {

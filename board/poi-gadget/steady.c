@@ -1,7 +1,8 @@
-/* steady.c -- two low-pass filters. The filtered speed controls the filter of the position. */
+/* steady.c -- the One Euro filter, which consists of two low-pass filters. The filtered speed
+ * controls the corner frequency of the position filter. */
 #include "board/poi-gadget/steady.h"
 
-/* Returns the weight of a new value in one step of a low-pass filter. */
+/* Returns the weight of the new value in one step of a first-order low-pass filter. */
 static float steady_share_of(float corner_hz, float seconds)
 {
     const float t = F_TAU * corner_hz * seconds;

@@ -1,4 +1,5 @@
-/* wire_fit.c -- fits a line through points, relative to their mean. */
+/* wire_fit.c -- fits a straight line to the marks. The coordinates are relative to the mean of the
+ * marks to reduce rounding errors. */
 #include "board/poi-gadget/wire_fit.h"
 
 #include <assert.h>

@@ -19,7 +19,8 @@ static bool ends_with(const char *word, const char *suffix)
     return length >= tail && strcmp(word + length - tail, suffix) == 0;
 }
 
-/* Writes the base name of the file without its suffix to `out`, converted to a valid name. */
+/* Writes the base name of the file without its suffix to `out`, for use as an id or as the name of
+ * a key. */
 static void name_of_file(const char *path, char out[SPECIES_NAME_SIZE])
 {
     const char *slash = strrchr(path, '/');
