@@ -14,7 +14,7 @@
 #define DAYS_PER_YEAR 365.25f
 /* Greatest age of the growth functions; the oldest goldfish on record lived for 43 years. */
 #define AGE_MAX_DAYS (40.0f * DAYS_PER_YEAR)
-#define FADE_NONE_YEAR 1e-6f /* Fade time of half a minute, which means no fade. */
+#define FADE_NONE_YEAR 1e-6f /* Fade time of half a minute, which has the same effect as no fade. */
 /* Number of bisections: 14,610 days halved 24 times are 0.001 days. */
 #define BISECTIONS 24
 

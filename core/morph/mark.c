@@ -1,9 +1,10 @@
 /* mark.c -- the painted marks of a fish: spots, rows, bars, lines, margins, patches, and the slits
  * of mouth and gill.
  *
- * Each mark is a function of the body coordinates of a point, with soft edges. Marks therefore move
- * with the skin as the fish grows and need no texture. Lengths are in body lengths, and `flank` of
- * a point converts distances around the girth into body lengths. */
+ * The cover of a mark is the share [0, 1] of a point that the mark paints. Each mark is a function
+ * of the body coordinates of a point, with soft edges. Marks therefore move with the skin as the
+ * fish grows and need no texture. Lengths are in body lengths, and `flank` of a point converts
+ * distances around the girth into body lengths. */
 #include "core/morph/mark.h"
 
 #include "core/base/fmath.h"
@@ -72,7 +73,8 @@ static float disc(float distance, float radius)
     return 1.0f - f_smoothstep(radius - soft, radius + soft, distance);
 }
 
-/* Returns the distance `down` that belongs to a height on the body. */
+/* Returns the position `down` around the flank (0 at the back, 1 at the belly) for a height on the
+ * body. */
 static float down_of(const struct mark_point *at, float height)
 {
     if (at->part >= PART_TAIL || height <= 0.0f || height >= 1.0f) {
@@ -98,9 +100,9 @@ static float to_middle(float x)
     return f_max(f_max(CELL_RIM - x, x - (1.0f - CELL_RIM)), 0.0f);
 }
 
-/* Returns the cover of a mark of `count` cells over one flank. Each cell has a spot at a random
- * place, and a point tests the nine cells around it. Toward the tail, the number of cells stays
- * constant, but cells are lower and spots are smaller, so that no spot is cut off. */
+/* Returns the cover of a mark of `count` cells over one flank, each with a spot at a random place.
+ * The function tests only the nine cells around the point. Toward the tail, the number of cells
+ * stays constant, but cells are lower and spots are smaller, so that no spot is cut off. */
 static float spots(const struct species_mark *m, const struct mark_point *at)
 {
     const float top = down_of(at, m->high), bottom = down_of(at, m->low);
@@ -136,9 +138,9 @@ static float spots(const struct species_mark *m, const struct mark_point *at)
     return cover;
 }
 
-/* Returns the cover of `seed` rows with `count` dots each; every other row is offset by half a
- * step. Toward the tail, rows are closer, and dots are smaller and flatter, so that no dot is cut
- * off. */
+/* Returns the cover of rows of dots. In this kind of mark, `seed` is the number of rows, and
+ * `count` is the number of dots in a row. Every other row is offset by half a step. Toward the
+ * tail, rows are closer, and dots are smaller and flatter, so that no dot is cut off. */
 static float rows(const struct species_mark *m, const struct mark_point *at)
 {
     const float row_count = f_max((float)m->seed, 1.0f), count = f_max((float)m->count, 1.0f);

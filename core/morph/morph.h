@@ -19,7 +19,8 @@
 float growth_length_m(const struct growth *growth, float age_days);
 
 /* Returns the youngest age in days with the length `length_m`, with an error of at most 0.1 day.
- * Lengths that are too short or too long return 0 or 40 years. */
+ * Returns 0 if the fish is longer at hatching, and 40 years if the fish never reaches the
+ * length. */
 float growth_age_days(const struct growth *growth, float length_m);
 
 /* Returns the youngest age within [from_days, to_days] with the length `length_m`, or -1 if there

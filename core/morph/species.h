@@ -151,11 +151,11 @@ enum species_measure { MEASURE_TOTAL, MEASURE_STANDARD, MEASURE_FORK, MEASURE_DI
 
 /* Style of swimming. */
 enum species_motion {
-    MOTION_TAIL, /* The tail beats: fusiform and compressed bodies. */
-    MOTION_EEL,  /* A wave runs along the whole body. */
-    MOTION_FINS, /* The dorsal and anal fins scull, and the body is stiff: a puffer. */
-    MOTION_TUNA, /* Only the blade of the tail beats. */
-    MOTION_WING, /* A wave runs along the edges of the disc: a ray. */
+    MOTION_TAIL, /* The tail beats (fusiform and compressed bodies). */
+    MOTION_EEL,  /* A wave runs along the whole body (eels). */
+    MOTION_FINS, /* The dorsal and anal fins scull, and the body is stiff (puffers). */
+    MOTION_TUNA, /* Only the blade of the tail beats (tunas). */
+    MOTION_WING, /* A wave runs along the edges of the disc (rays). */
 };
 
 enum body_form { FORM_FUSIFORM, FORM_COMPRESSED, FORM_DEPRESSED, FORM_EEL, FORM_PUFFER };

@@ -13,7 +13,7 @@
  * more at larger ones. */
 #define CN_PER_SINE 2.0f
 #define NU_M2_S 1.0e-6f     /* Kinematic viscosity of water at 20 C. */
-#define ENTRY_HALF_M 0.005f /* Half the depth over which a level disc submerges. */
+#define ENTRY_HALF_M 0.005f /* Half the range of heights over which a level disc submerges. */
 /* Depth below which the water surface no longer affects the added mass: 1.5 radii of the poi. */
 #define OPEN_DEPTH_M 0.06f
 

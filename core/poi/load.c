@@ -4,17 +4,17 @@
 #include "core/base/physics.h"
 #include "core/poi/disc.h"
 
-/* Time constant of the acceleration filter. A pointer device moves in whole pixels, and this jitter
- * of half a pixel at 8 to 30 Hz must not act on the paper as water hammer. The filter has two
- * poles, because a single pole would need twice the delay. */
+/* Time constant of the acceleration filter. A pointer device moves in whole pixels, which causes a
+ * jitter of half a pixel at 8 to 30 Hz. The filter keeps the jitter from acting on the paper as
+ * water pressure. The filter has two poles, because a single pole would need twice the delay. */
 #define FEEL_TAU_S 0.050f
 /* Limit of the filtered acceleration, because a sudden stop at a wall acts on the ring and not on
  * the paper. */
 #define FEEL_M_S2_MAX 6.0f
 
 #define SIGMA_N_M 0.072f
-/* Height to which a rising plate lifts the water surface before they separate: 2 sqrt(sigma / (rho
- * g)). */
+/* Height to which a rising plate lifts the water surface before the surface separates from the
+ * plate: 2 sqrt(sigma / (rho g)). */
 #define CLING_M 0.0054f
 
 vec3 load_weight_n(const struct poi *poi)

@@ -53,9 +53,9 @@ struct poi {
     vec3 before_m, before_m_s;   /* `position_m` and `velocity_m_s` at the start of the tick. */
     struct angles before_angles; /* `angles` at the start of the tick, restored if fish block the
                                     rotation. */
-    vec3 hand_m;                 /* Target position of the ring in this tick, as the player's hand
-                                    holds it. */
-    float pace_m_s;              /* Highest recent speed of the hand, which decays with time. */
+    vec3 hand_m;                 /* Target position of the ring in this tick, given by the player's
+                                    hand. */
+    float pace_m_s;              /* Recent highest speed of the hand; the value decays with time. */
     uint8_t reaction;  /* Bits of enum obstacle_reaction: motion of the ring that fish blocked in
                           the last tick. */
     uint8_t stopped;   /* 1 if walls, floor, a bowl or another ring blocked the ring in this

@@ -6,7 +6,8 @@
 #include "core/poi/poi.h"
 
 /* Moves a ring that came from `before_m` in this tick out of the floor, the walls and its own bowl,
- * and back within an arm's reach. Removes the speed toward them. `up` is the ring's unit normal. */
+ * and back within an arm's reach. Removes the speed of the ring toward these limits. `up` is the
+ * ring's unit normal. */
 void poi_constrain(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m,
                    vec3 up);
 

@@ -66,7 +66,7 @@ static void move(struct poi *poi, vec3 out, float way_m)
 }
 
 /* Moves a ring sideways by at most `need_m`. The step cancels the ring's own approach and adds at
- * most ASIDE_M_S, so that a ring above another ring cannot hold it down forever. */
+ * most ASIDE_M_S. A ring above another ring therefore cannot hold the lower ring down forever. */
 static void slide(struct poi *poi, vec3 out, float need_m)
 {
     const float came_m = f_max(0.0f, -v3_dot(v3_sub(poi->position_m, poi->before_m), out));

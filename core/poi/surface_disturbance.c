@@ -1,7 +1,7 @@
-/* surface_disturbance.c -- disturbances of the water surface by a poi.
+/* surface_disturbance.c -- disturbances of the water surface by a poi (paper scoop).
  *
  * A ring that cuts the surface presses on the surface at two points of its edge. Each point draws a
- * V-shaped wake if it is faster than the ripples, which move at 0.23 m/s. */
+ * V-shaped wake if the ring is faster than the ripples, which move at 0.23 m/s. */
 #include "core/poi/surface_disturbance.h"
 
 /* Share of a disc's vertical motion that the water surface above the disc follows. */

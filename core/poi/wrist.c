@@ -17,7 +17,9 @@
 /* Distance between the centres of ring and bowl mouth at which the ring tips fully, per sum of
  * their radii. */
 #define TIP_NEAR 0.45f
-#define TIP_FAR 0.95f     /* Distance like TIP_NEAR, at which the ring does not tip. */
+/* Distance between the centres of ring and bowl mouth, per sum of their radii, from which the ring
+ * does not tip. */
+#define TIP_FAR 0.95f
 #define TIP_FALL_M 0.040f /* Distance from the ring's centre at which a fish leaves the ring. */
 /* Distance of the fish's landing point from the centre of the bowl's mouth, per mouth radius, up to
  * which the ring tips fully. */

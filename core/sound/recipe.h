@@ -9,8 +9,8 @@
 
 enum layer_kind {
     LAYER_NONE = 0,
-    LAYER_TONE,  /* A sine wave whose pitch glides: bubbles, drum skins, wood. */
-    LAYER_NOISE, /* Noise through a band-pass filter: splashes, slaps, paper. */
+    LAYER_TONE,  /* A sine wave whose pitch glides, for bubbles, drum skins and wood. */
+    LAYER_NOISE, /* Noise through a band-pass filter, for splashes, slaps and paper. */
 };
 
 struct layer_recipe {

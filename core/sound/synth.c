@@ -10,7 +10,7 @@
 #include "core/base/panic.h"
 #include "core/sound/recipe.h"
 
-/* Frames (0.67 ms) between two changes of the parameters, which is too short to be audible. */
+/* Number of frames between two changes of the parameters. Steps of 0.67 ms are inaudible. */
 #define CONTROL_FRAMES 32u
 #define FRAMES_PER_MS ((float)SYNTH_RATE_HZ / 1000.0f)
 #define FULL_SCALE 32000.0f

@@ -10,10 +10,12 @@
 /* Stiffness of the mooring, which returns the bowl in about two seconds. */
 #define MOORING_N_M 2.0f
 #define DRAG_N_S_M 1.6f /* Coefficient of linear drag on the hull. */
-/* Coefficient of quadratic drag on the hull: 1/2 rho 0.6 on 50 cm2. */
+/* Coefficient of quadratic drag on the hull: half the density of water times a drag coefficient of
+ * 0.6 times an area of 50 cm2. */
 #define DRAG_N_S2_M2 1.5f
 #define ALONG_SHARE 0.5f /* Added mass of water, as a share of the displaced water. */
-/* Highest horizontal speed of the bowl, lower than the speed at which a ring slides aside. */
+/* Highest horizontal speed of the bowl, which is lower than the speed of a ring that slides off the
+ * hull. */
 #define SPEED_MAX_M_S 0.5f
 /* Damping of the vertical motion: a quarter of the critical damping. */
 #define HEAVE_DAMP_N_S_M 5.0f

@@ -8,7 +8,8 @@
 /* Mean angular speed of the circling fish: one lap in about four seconds. */
 #define ROUND_RAD_S 1.6f
 #define SETTLE_PER_S 2.0f /* Rate at which a new fish approaches its depth and its radius. */
-/* Share by which SETTLE_PER_S falls in a full bowl, because its fish cannot choose their place. */
+/* Share by which SETTLE_PER_S is reduced in a full bowl, because its fish cannot choose their
+ * place. */
 #define SETTLE_CROWD 0.9f
 #define HULL_GAP_M 0.003f
 /* Mass of fish in the bowl from which all fish circle at a common speed. */
@@ -30,8 +31,8 @@ static float draw_bowl_fish(uint32_t seed, uint32_t fish, uint32_t which)
 
 /* ---- Circling in the bowl -------------------------------------------------------------------- */
 
-/* Returns how crowded the bowl is, in [0, 1]. At 1, all fish circle at a common speed, because a
- * faster fish would swim into others. */
+/* Returns the crowding of the bowl in [0, 1]. At 1, all fish circle at a common speed, because a
+ * faster fish would swim into other fish. */
 static float crowd_of(const struct bowl *bowl)
 {
     return f_smoothstep(0.0f, CROWD_KG, bowl->fish_kg);

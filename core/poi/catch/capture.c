@@ -13,12 +13,14 @@
 /* Additional depth of water for a fish that lies across the ring, which is 3 mm higher. */
 #define STAND_SPARE_M 0.0045f
 #define HELD_SHARE (CAPTURE_FLOAT_SHARE - 0.05f)
-/* Horizontal speed at which a fish without room on the paper leaves over the ring. */
+/* Horizontal speed of a fish that leaves the poi over the ring, because the paper has no room for
+ * the fish. */
 #define SPILL_M_S 0.4f
 #define WALL_GAP_M 0.015f
 /* Lowest speed of the ring that counts as motion toward a wall; a trembling hand is slower. */
 #define WALL_M_S 0.02f
-/* Distance from the ring to the hand's target beyond a wall that counts as a push (0.9 N). */
+/* Distance of the hand's target beyond a ring that a wall stops, from which the hand counts as
+ * pushing (0.9 N). */
 #define WALL_PRESS_M 0.004f
 /* Slap strength of a fish that was calm before the capture, relative to a fleeing fish. A calm fish
  * is surprised and slaps less. */

@@ -1,4 +1,5 @@
-/* carried_fish.c -- one tick of a carried fish: a wet fish on wet paper. */
+/* carried_fish.c -- motion of a carried fish on the paper: slaps, sliding, and the roll onto its
+ * side. */
 #include "core/poi/catch/carried_fish.h"
 
 #include "core/base/hash.h"
@@ -13,8 +14,8 @@
  * degrees. */
 #define STICK 0.36f
 #define SLIP 0.30f /* Coefficient of sliding friction. */
-/* Ratio of downhill to normal acceleration at which a fish rolls over the 3 mm high ring (a tilt of
- * 40 degrees). */
+/* Ratio of the acceleration along the paper to the acceleration onto the paper, above which a fish
+ * rolls over the 3 mm high ring (a tilt of 40 degrees). */
 #define WALL_STICK 0.84f
 #define WALL_JUMP_M_S 0.40f /* Outward speed at which a fish passes over the ring at any tilt. */
 /* Distance from the fish's centre to the ring when its belly touches the ring. */
@@ -23,9 +24,10 @@
 #define SLAP_M_S2_MIN 10.0f /* Lower limit of a slap's force, divided by the mass of the fish. */
 #define SLAP_M_S2_MAX 30.0f
 #define SLAP_N_MAX 0.15f
-#define CALM_TAU_S 3.0f   /* Time constant with which the slaps of a fish out of water weaken. */
-#define CALM_HEAD_UP 2.5f /* Factor on the rate of calming for a fish with its head up. */
-/* Factor on the rate of calming for a fish in a sag of paper that surrounds it. */
+#define CALM_TAU_S 3.0f /* Time constant with which the slaps of a fish out of water weaken. */
+/* Factor by which a fish calms faster while its head is higher than its tail. */
+#define CALM_HEAD_UP 2.5f
+/* Factor by which a fish calms faster in a deep sag, where the paper surrounds it. */
 #define CALM_CRADLE 1.5f
 #define CRADLE_M 0.003f /* Depth of the sag at which CALM_CRADLE applies fully. */
 /* Highest speed at which a slap throws the fish; few slaps reach this speed. */
@@ -131,8 +133,8 @@ static float lean_per_m(const struct carried_fish *carried, const struct paper_s
     return 2.0f * ride->belly_m / wide + f_min(own, LEAN_MAX / ride->radius_m);
 }
 
-/* Accelerates a fish that floats over the paper toward its nose. `afloat` is the share [0, 1] of
- * its weight that water supports. */
+/* Accelerates a floating fish toward its nose. `afloat` is the share [0, 1] of its weight that
+ * water supports. */
 static void make_off(struct carried_fish *carried, const struct fish *fish, float afloat)
 {
     const float goal_m_s = SWIM_LENGTHS * fish->length_m * carried->vigour;

@@ -37,8 +37,8 @@ struct carried_fish {
     float slide_x_m_s, slide_z_m_s;
     float heading_rad; /* Direction of the fish's nose in the plane of the poi: 0 along -z, positive
                           to the left, like yaw. */
-    float lie;         /* How far the fish has rolled onto its side: 0 is upright in water, 1 is
-                          flat on its side. */
+    float lie;         /* Roll of the fish onto its side: 0 is upright in water, 1 is flat on its
+                          side. */
     float vigour;      /* Strength [0, 1] of the fish's slaps, which decays while it calms. */
     float rest_s;      /* Time until the next slap. */
     float slap_s;      /* Remaining time of the present slap; 0 means no slap. */
@@ -67,9 +67,9 @@ float carried_fish_half_extent_m(const struct fish *fish, vec3 direction);
 
 /* Advances a lying fish by one tick (1/120 s). The fish slides down a slope or into the sag of the
  * paper, and each slap reduces its friction for a moment. A fish with enough water swims off along
- * its nose, faster if it is less calm. `dry` in [0, 1] is the share of its weight that water does
- * not support. `seed` and `key_tick` are the keys of its random slaps. Returns the force in N of a
- * slap that begins in this tick, otherwise 0. */
+ * its nose, and a calm fish swims more slowly. `dry` in [0, 1] is the share of the fish's weight
+ * that water does not support. `seed` and `key_tick` are the keys of the fish's random slaps.
+ * Returns the force in N of a slap that begins in this tick, otherwise 0. */
 float carried_fish_tick(struct carried_fish *carried, const struct fish *fish,
                         const struct paper_surface *ride, float dry, uint32_t seed,
                         uint32_t key_tick);

@@ -21,8 +21,8 @@ static void add_load(struct poi *poi, struct sheet_load load)
     }
 }
 
-/* Adds the load of a slap. A slap ends within a tick, so that its last tick has a part of the
- * force. */
+/* Adds the load of a slap. If the slap ends during this tick, the load is only the share of the
+ * force for the rest of the slap. */
 static void add_slap(struct poi *poi, const struct carried_fish *carried, const struct fish *fish)
 {
     const float share = f_min(1.0f, carried->slap_s * (float)CORE_TICK_HZ);

@@ -10,7 +10,7 @@
 /* Drainage time constant of a pool on a vertical ring; at a smaller tilt, the time constant is
  * divided by the sine of the tilt. */
 #define DRAIN_TAU_S 0.15f
-/* Drainage rate of water above the rim of a level ring, over the whole rim. */
+/* Rate at which water above the capacity drains over the whole rim of a level ring. */
 #define RIM_PER_S 3.3f
 /* Sine of the tilt from which water drains over the lowest point of the rim only. */
 #define RIM_SINE 0.1f

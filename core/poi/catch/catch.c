@@ -10,7 +10,8 @@
 #include "core/poi/catch/fall.h"
 #include "core/poi/catch/paper_contact.h"
 
-/* Lowest tension for the compliance of the paper: the tension of wet paper under a single fish. */
+/* Smallest line tension for the compliance of the paper, which is the tension of wet paper under a
+ * single fish. */
 #define SLACK_N_M 1.5f
 #define LIFT_OFF_M_S2 0.5f /* Acceleration away from the paper above which a fish lifts off. */
 /* Highest sliding speed after a landing, because wet paper absorbs most of the velocity. */
@@ -159,8 +160,8 @@ static void see_ring(const struct scoop *scoop, struct carried_fish *carried)
     }
 }
 
-/* Advances a lying fish by one tick. Returns 1 if the fish has left the poi into the water,
- * otherwise 0. */
+/* Advances a lying fish by one tick. Returns 1 if the fish has left the poi and is in the water,
+ * otherwise 0. A fish that starts to fall is still carried. */
 static int ride(struct scoop *scoop, struct carried_fish *carried)
 {
     struct fish *fish = &scoop->tank->fish[carried->fish];

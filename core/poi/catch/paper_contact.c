@@ -3,8 +3,8 @@
 
 #define ZONE_M 0.06f /* Distance from the paper's plane beyond which no fish can touch the paper. */
 #define SQUEEZE_GAP_M 0.0005f
-/* Distance from a ring blocked by fish up to the hand's target, from which the pull counts as a jam
- * (6.5 N). */
+/* Height of the hand's target above a ring that fish block, from which the pull of the hand counts
+ * as a jam (6.5 N). */
 #define JAM_PULL_M 0.03f
 /* Ticks (0.1 s) within which all fish over a jammed ring leave, from the edge inward. */
 #define JAM_TICKS 12.0f
@@ -73,8 +73,8 @@ int paper_contact_squeezed(const struct poi *poi, const struct fish *fish)
            ring_touches(poi, fish, 1);
 }
 
-/* Returns 1 if the fish is above the disc and at least `from_m` from its vertical axis, otherwise
- * 0. The depth of the fish has no effect. */
+/* Returns 1 if the fish is above the disc, inside its outer radius, and at least `from_m`
+ * horizontally from its centre; otherwise 0. The depth of the fish has no effect. */
 static int lies_over(const struct basis *axes, vec3 away, float from_m)
 {
     const float side_m2 = away.x * away.x + away.z * away.z;

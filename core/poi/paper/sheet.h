@@ -133,8 +133,8 @@ int sheet_holds(const struct sheet *sheet, float x_m, float z_m);
 float sheet_left(const struct sheet *sheet); /* Returns the share [0, 1] of the paper's area that
                                                 has no holes. */
 
-/* Returns the area of the holes, from 0 to the area of the disc. The area of the disc is used as a
- * reference, because the square cells at the ring extend beyond the paper. */
+/* Returns the area of the holes, from 0 to the area of the disc. The result is a share of the
+ * disc's area, because the sum of all square cells is larger than the disc. */
 float sheet_hole_m2(const struct sheet *sheet);
 uint64_t sheet_hash(uint64_t hash, const struct sheet *sheet);
 

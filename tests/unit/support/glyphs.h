@@ -6,8 +6,7 @@
 #include "platform/render/ui/ui_batch.h"
 
 /* Returns the font size in pixels at which a letter is drawn, or 0 if the quad `quad` of `batch` is
- * not a letter. The texture coordinates of the quad tell the font apart from other fonts in the
- * atlas. */
+ * not a letter. The texture coordinates of the quad identify its font. */
 static inline float glyph_em_px(const struct ui_batch *batch, uint32_t quad)
 {
     const struct ui_vertex *v = &batch->vertices[quad * 4u];

@@ -321,8 +321,8 @@ static const struct field poi_fields[] = {
     FIELD(poi, dips),        FIELD(poi, is_in), FIELD(poi, slap_tick),
     FIELD(poi, tear_tick),   SKIP(poi, sheet),
     FIELD(poi, strain),      FIELD(poi, carried_kg),
-    SKIP(poi, carried_count), /* The test sets this member separately, because the hash reads as
-                                 many array entries as the count says. */
+    SKIP(poi, carried_count), /* The test changes this member separately, because the member
+                                 determines how many array entries the hash reads. */
     SKIP(poi, carried_fish),       SKIP(poi, load_count), FIELD(poi, slap_count),
     SKIP(poi, loads),
 };

@@ -1,8 +1,8 @@
 /* hid_wire.h -- a simulated controller with a real HID report descriptor, for tests of the decoder
  * and the game.
  *
- * A test sets the fields of a report by their usages and need not know their bit positions. Reports
- * are always sent with their full length. */
+ * A test sets the fields of a report by their usages instead of their bit positions. Reports are
+ * always sent with their full length. */
 #ifndef KINGYO_TESTS_UNIT_SUPPORT_HID_WIRE_H
 #define KINGYO_TESTS_UNIT_SUPPORT_HID_WIRE_H
 

@@ -166,8 +166,8 @@ static inline void bench_prepare(struct usb_bench *bench)
     stand_begin(bench->sysfs);
 }
 
-/* Starts the USB thread with the given clock. `listed` are the devices that may play.
- */
+/* Starts the USB thread with the given clock. `listed` are the keys of the devices that may
+ * play. */
 static inline void bench_start_with(struct usb_bench *bench, struct hal_clock clock,
                                     const struct usb_key *listed, uint32_t listed_count)
 {
@@ -183,7 +183,7 @@ static inline void bench_start_with(struct usb_bench *bench, struct hal_clock cl
     bench->seats = usb_transport_start(&config, bench->why);
 }
 
-/* Starts the USB thread with the real clock. `listed` are the devices that may play. */
+/* Starts the USB thread with the real clock. `listed` are the keys of the devices that may play. */
 static inline void bench_start(struct usb_bench *bench, const struct usb_key *listed,
                                uint32_t listed_count)
 {
@@ -239,7 +239,8 @@ static inline int bench_open(struct usb_bench *bench, uint32_t index, struct hid
     return 0;
 }
 
-/* Waits until take() returns a result other than 0. Returns the result, or 0 on timeout. */
+/* Waits until take() of the port in slot `index` returns a result other than 0. Returns the result,
+ * or 0 on timeout. */
 static inline int bench_take(struct usb_bench *bench, uint32_t index, struct hid_raw *raw)
 {
     const struct hid_port port = usb_transport_port(bench->seats, index);

@@ -39,8 +39,8 @@ void bus_unlock(void)
     pthread_mutex_unlock(&bus.lock);
 }
 
-/* Counts a call of libusb, which counts as a breach if another thread than the drivers' thread
- * makes it. The caller holds the lock of the bus. */
+/* Counts a libusb call. A call from a thread other than the drivers' thread is a breach. The caller
+ * holds the lock of the bus. */
 void bus_note_call(const char *name)
 {
     bus.calls++;

@@ -19,7 +19,7 @@ struct stand_interface {
     uint16_t packet_size; /* Packet size of the interrupt IN endpoint; 0 means that the interface
                              has no such endpoint. */
     uint8_t has_out;
-    const uint8_t *descriptor; /* Report descriptor that the device returns. */
+    const uint8_t *descriptor; /* Report descriptor that the device returns on request. */
     uint32_t descriptor_size;
     const uint8_t *mended; /* Report descriptor in /sys, if it differs from `descriptor`. Null means
                               that both are equal. */

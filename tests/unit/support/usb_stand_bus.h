@@ -85,16 +85,16 @@ void bus_lock(void);
 /* Releases the lock of the bus. */
 void bus_unlock(void);
 
-/* Counts a breach and prints `what`. The caller of this and each following function holds the lock
- * of the bus. */
+/* Counts a breach and prints `what`. The caller of bus_breach() and of each function declared after
+ * it holds the lock of the bus. */
 void bus_breach(const char *what);
 void bus_note_call(const char *name); /* Counts a call of libusb and checks its thread. */
 void bus_note_talk(const char *name); /* Counts a libusb call that communicates with a device and
                                          therefore blocks. */
 void bus_ring(int fd);
 
-/* Calls all callbacks that are due. The lock is released during the callbacks, because libusb
- * releases its lock too while it waits. */
+/* Calls all callbacks that are due. The lock of the bus is released during the callbacks, as in
+ * libusb. */
 void bus_call_back(void);
 
 /* Completes a transfer immediately or after `delay_ms`. */
