@@ -1,4 +1,5 @@
-/* graph_file.c -- saves edits of the growth lab atomically and loads them at start. */
+/* graph_file.c -- writes edits of the growth lab to files atomically and loads them at program
+ * start; see graph_file.h. */
 #include "platform/store/graph_file.h"
 
 #include <errno.h>
@@ -11,7 +12,8 @@
 
 #define PATH_SIZE 1200u
 
-/* Returns 1 if the name contains no character that could form another path. */
+/* Returns 1 if the species name consists of letters, digits and '_' only, so that it cannot form
+ * another path. Otherwise returns 0. */
 static int is_plain_name(const char id[SPECIES_NAME_SIZE])
 {
     size_t length = 0;
@@ -41,7 +43,7 @@ static int write_whole(int fd, const char *text, size_t size)
     return fsync(fd) != 0 ? -errno : 0;
 }
 
-/* Syncs the folder. A new name is durable only after this sync. */
+/* Syncs the folder. A new file name survives a power cut only after this sync. */
 static int sync_folder(const char *folder)
 {
     const int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -57,7 +59,8 @@ static int replace(const char *path, const char *text, size_t size)
 {
     char beside[PATH_SIZE + SPECIES_NAME_SIZE + 32u];
     snprintf(beside, sizeof beside, "%s.new", path);
-    unlink(beside); /* Remove the remains of an earlier power cut or a foreign file. */
+    unlink(beside); /* Deletes a temporary file that was left from a power cut or belongs to another
+                       program. */
     const int fd = regular_file_handle(beside, O_WRONLY | O_CREAT | O_EXCL, 0644);
     if (fd < 0) {
         return -errno;
@@ -104,7 +107,7 @@ static void graph_file_print_warning(struct graph_file_warn warn, const char *pa
     }
 }
 
-/* Reads one edit. A file longer than GRAPH_FILE_TEXT_MAX is rejected. */
+/* Loads the graph of one species from `path`. Rejects a file longer than GRAPH_FILE_TEXT_MAX. */
 static void fill_one(const char *path, const struct species_card *card, uint8_t *has,
                      struct lab_edit *edit, struct graph_file_warn warn)
 {

@@ -1,4 +1,4 @@
-/* graph_text.c -- formats and parses the text of a saved graph. */
+/* graph_text.c -- formats and parses the text of a saved graph; see graph_file.h. */
 #include "platform/store/graph_file.h"
 
 #include <ctype.h>
@@ -16,7 +16,7 @@ static const char *const templates[TEMPLATE_COUNT] = {
 };
 static const char *const lines[] = { [GRAPH_STRAIGHT] = "straight", [GRAPH_SMOOTH] = "smooth" };
 
-/* ---- Writing -------------------------------------------------------------------------------- */
+/* ---- Formatting ---------------------------------------------------------------------------- */
 
 struct text_out {
     char *out;
@@ -57,17 +57,18 @@ size_t graph_file_format(const struct graph_edit_record *record, char out[GRAPH_
     return text.used;
 }
 
-/* ---- Reading -------------------------------------------------------------------------------- */
+/* ---- Parsing ------------------------------------------------------------------------------- */
 
 struct reading {
     const char *text;
     size_t size, at;
-    uint32_t line;         /* Number of the line read last, from 1. */
-    char words[LINE_SIZE]; /* That line, without comment and surrounding white space. */
+    uint32_t line;         /* Number of the line that was read last, counted from 1. */
+    char words[LINE_SIZE]; /* Text of the line that was read last, without comment and surrounding
+                              white space. */
     uint32_t knot_line[GRAPH_KNOT_MAX], scale_line[GRAPH_KNOT_MAX];
     char *why;
-    int is_unreadable; /* 1: the file ended or a line is malformed, and `why` is set; other
-                          checks are skipped. */
+    int is_unreadable; /* 1 if the file has ended or a line is malformed. `why` then has the reason,
+                          and all later checks are skipped. */
 };
 
 __attribute__((format(printf, 2, 3))) static int graph_text_error(struct reading *reading,
@@ -87,13 +88,14 @@ __attribute__((format(printf, 2, 3))) static int graph_text_error(struct reading
 
 static int end_reading(struct reading *reading, const char *what)
 {
-    reading->line += reading->line == 0; /* An empty file reports line 1. */
+    reading->line += reading->line == 0; /* For an empty file the error names line 1. */
     graph_text_error(reading, "%s", what);
     reading->is_unreadable = 1;
     return 0;
 }
 
-/* Returns the next line with content, or 0 at the end or at a malformed line. */
+/* Reads the next line that is not empty. Returns 1, or 0 at the end of the file or at a malformed
+ * line. */
 static int graph_text_next_line(struct reading *reading)
 {
     while (reading->at < reading->size) {
@@ -123,7 +125,7 @@ static int graph_text_next_line(struct reading *reading)
     return end_reading(reading, "the file ends without 'end'");
 }
 
-/* Returns the text after `word` on the line, or null if the line starts differently. */
+/* Returns the text after `word` on the line, or null if the line does not start with `word`. */
 static const char *after(const struct reading *reading, const char *word)
 {
     const size_t length = strlen(word);
@@ -131,7 +133,8 @@ static const char *after(const struct reading *reading, const char *word)
     return strncmp(reading->words, word, length) == 0 && (*rest == ' ' || *rest == 0) ? rest : NULL;
 }
 
-/* Reads a line "`word` VALUE" and returns the index of VALUE in `names`, or -1. */
+/* Reads a line of the form "`word` VALUE". Returns the index of VALUE in `names`, or -1 if the line
+ * has another form. */
 static int named(struct reading *reading, const char *word, const char *const *names, int count)
 {
     const char *rest = graph_text_next_line(reading) ? after(reading, word) : NULL;
@@ -146,7 +149,7 @@ static int named(struct reading *reading, const char *word, const char *const *n
     return -1;
 }
 
-/* Parses exactly `count` numbers. */
+/* Parses exactly `count` numbers. Returns 1, or 0 after an error. */
 static int numbers(struct reading *reading, const char *rest, float *out, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -224,7 +227,8 @@ static int read_scale(struct reading *reading, const char *rest, struct lab_edit
     return 1;
 }
 
-/* Reports which knot of an invalid graph is wrong, and why. */
+/* Checks the graph. Returns 1. If the graph is invalid, reports the wrong knot and the reason, and
+ * returns 0. */
 static int judge_graph(struct reading *reading, const struct species_card *card,
                        const struct graph *graph)
 {

@@ -1,7 +1,8 @@
-/* offline_credits.c -- writes offline credits to a database that appears after the start.
+/* offline_credits.c -- writes offline credits to a database that appears after program start.
+ * Offline credits are coins and credits from the time in which no database was available.
  *
- * Such a database has its own ledger. The entries are appended in one transaction with a boot
- * number of their own, after the database's last boot. */
+ * The new database has its own ledger. The entries are appended in one transaction, with a boot
+ * number that follows the database's last boot. */
 #include <string.h>
 
 #include <sqlite3.h>
@@ -18,7 +19,7 @@ int offline_credits_merge(void *self, const struct balance_change *step,
     }
     late->count = count < OFFLINE_CREDITS_MAX ? count : OFFLINE_CREDITS_MAX;
     memcpy(late->entries, entries, late->count * sizeof *entries);
-    late->entries[0].id = 0; /* 0: no id in that database yet. */
+    late->entries[0].id = 0; /* An id of 0 means that the entries have no id in the database yet. */
     late->step = *step;
     atomic_store(&late->state, OFFLINE_CREDITS_NEW);
     sem_post(&storage->wake);
@@ -37,8 +38,8 @@ static void change(uint32_t *count, uint32_t from, uint32_t to)
     *count = sum < 0 ? 0u : sum < BALANCE_MAX ? (uint32_t)sum : BALANCE_MAX;
 }
 
-/* Applies the change to the balance of that database. `open` is unchanged: a round that was open in
- * that database is refunded at the next start. */
+/* Returns the database's balance after the change. `open` stays unchanged, because a round that is
+ * open in the database is refunded at the next start. */
 static struct balance after(struct balance balance, const struct balance_change *step)
 {
     change(&balance.units, step->from.units, step->to.units);
@@ -56,7 +57,8 @@ static void put_behind(struct offline_credits *late, const struct ledger_start *
 {
     const struct balance balance = after(list->balance, &late->step);
     const uint32_t next = list->boots + (list->boots < LEDGER_BOOTS_MAX);
-    late->boot = late->boot > 0 ? late->boot : next; /* All parts share one boot number. */
+    late->boot = late->boot > 0 ? late->boot : next; /* All transfers of this kiosk share one boot
+                                                        number. */
     for (uint32_t i = 0; i < late->count; i++) {
         late->entries[i].id = list->last_id + 1u + i;
         late->entries[i].boot = late->boot;
@@ -65,7 +67,7 @@ static void put_behind(struct offline_credits *late, const struct ledger_start *
 }
 
 /* Returns true if the entries are already in the file, because a failed commit may have succeeded.
- * The content read at open is known to be on disk. */
+ * The content that was read when the file was opened is on disk. */
 static bool has_them(struct storage *storage)
 {
     const struct ledger_entry *first = &storage->late.entries[0];

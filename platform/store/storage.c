@@ -1,5 +1,5 @@
-/* storage.c -- the frame loop's side of the store. No function here blocks, except open() and
- * close(). */
+/* storage.c -- the functions of the store that the frame loop calls. Only open() and close() may
+ * block. */
 #include "platform/store/storage.h"
 
 #include <signal.h>
@@ -13,10 +13,10 @@
 #include "platform/panic.h"
 #include "platform/store/storage_internal.h"
 
-/* ---- Opening -------------------------------------------------------------------------------- */
+/* ---- Opening ------------------------------------------------------------------------------- */
 
 /* Returns true if the data folder exists or was created. A folder that cannot be written is
- * accepted here because the card may be remounted at any time. */
+ * accepted, because the card may be remounted at any time. */
 static bool folder_is_there(struct storage *storage)
 {
     const int error = directory_make(storage->dir);
@@ -30,7 +30,8 @@ static bool folder_is_there(struct storage *storage)
     return is_there;
 }
 
-/* Returns true and sets the path of the file, or writes the reason to `text`. */
+/* Sets storage->path to the path of the database and returns true. Otherwise writes the reason to
+ * storage->text and returns false. */
 static bool find_file(struct storage *storage)
 {
     if (!storage->dir) {
@@ -47,7 +48,7 @@ static bool find_file(struct storage *storage)
     return storage->how.vfs || folder_is_there(storage);
 }
 
-/* Starts the thread with all signals blocked, except those of a panic, because the main thread
+/* Starts the thread with all signals blocked except the fatal signals, because the main thread
  * handles the signals that end the kiosk. */
 static bool start_thread(struct storage *storage)
 {
@@ -60,7 +61,8 @@ static bool start_thread(struct storage *storage)
     return storage->has_thread;
 }
 
-/* Copies the loaded state from which the core continues, before the thread owns the file. */
+/* Copies the loaded state, from which the core continues. Called before the thread uses the
+ * file. */
 static void note_start(struct storage *storage)
 {
     storage->start = storage->file.content;
@@ -76,8 +78,8 @@ static void note_start(struct storage *storage)
     atomic_store(&storage->has_file, true);
 }
 
-/* Opens the store. Without a database the thread runs all the same because edits are text files in
- * the same folder. */
+/* Opens the store. The thread also runs without a database, because edits of the growth lab are
+ * text files in the same folder. */
 static int storage_open(void *self)
 {
     struct storage *storage = self;
@@ -119,12 +121,12 @@ static int storage_load(void *self, struct persistent_state *out)
         return HAL_ERR_ABSENT;
     }
     ledger_content_load(&storage->start, out);
-    /* Count this start; the first entry of this start stores the number. */
+    /* Counts the current program start. The first ledger entry of this start stores the number. */
     out->ledger.boots += out->ledger.boots < LEDGER_BOOTS_MAX;
     return HAL_OK;
 }
 
-/* ---- Entries and graphs --------------------------------------------------------------------- */
+/* ---- Entries and graphs -------------------------------------------------------------------- */
 
 static int storage_append(void *self, const struct ledger_entry *entry)
 {
@@ -178,16 +180,18 @@ static uint32_t storage_stored_edit_id(void *self)
     return atomic_load(&storage->stored_edit_id);
 }
 
-/* Returns 1 if the last write of an edit failed, or if no more can be written. */
+/* Returns 1 if the last write of an edit failed, or if the store is not open. Otherwise returns
+ * 0. */
 static int storage_edits_failed(void *self)
 {
     struct storage *storage = self;
     return !storage->running || atomic_load(&storage->edit_error) != 0;
 }
 
-/* ---- Status --------------------------------------------------------------------------------- */
+/* ---- Status -------------------------------------------------------------------------------- */
 
-/* Returns how long the card has not responded, or 0 below STORAGE_STUCK_MS. */
+/* Returns how long the card has not responded, in milliseconds. Returns 0 if the time is less than
+ * STORAGE_STUCK_MS. */
 int64_t storage_stuck_ms(const struct storage *storage)
 {
     const int64_t since_ms = atomic_load(&storage->busy_since_ms);
@@ -215,7 +219,7 @@ static uint32_t storage_refused_count(void *self)
     return atomic_load(&storage->refused);
 }
 
-/* ---- Closing -------------------------------------------------------------------------------- */
+/* ---- Closing ------------------------------------------------------------------------------- */
 
 static void stop_thread(struct storage *storage)
 {
@@ -228,8 +232,8 @@ static void stop_thread(struct storage *storage)
     }
 }
 
-/* Counts the queued entries that are lost. An entry that is only missing in the mirror is in the
- * database and not lost. */
+/* Returns the number of queued entries that are lost. An entry that is missing only in the mirror
+ * is in the database and therefore not lost. */
 static uint32_t lost_entries(const struct storage *storage)
 {
     const unsigned pushed = atomic_load(&storage->pushed);
@@ -249,9 +253,11 @@ static uint32_t storage_close(void *self)
         return 0;
     }
     stop_thread(storage);
-    storage->closes = true; /* A power cut from now on finds the previous backup. */
+    storage->closes = true; /* No new backup is started during the close, so that a power cut leaves
+                               the previous backup. */
     ledger_backup_drop(&storage->backup);
-    storage_work(storage); /* Writes entries that arrived meanwhile, and retries the rest once. */
+    storage_work(storage); /* Writes entries that arrived after the thread's last write, and retries
+                              failed writes once. */
     storage_save_deleted(storage);
     const uint32_t lost = lost_entries(storage), lost_edits = storage_unwritten_edits(storage);
     if (lost > 0) {

@@ -1,33 +1,36 @@
-/* storage.h -- the store: one SQLite file with the ledger (platform/store/sqlite/ledger_file.h),
- * written by its own thread.
+/* storage.h -- the store: an SQLite database with the ledger (platform/store/sqlite/ledger_file.h),
+ * which a separate thread writes. The ledger is the append-only list of money events and rounds.
  *
- * The frame loop never blocks on the card. keep() copies an entry into one of STORAGE_QUEUE_MAX
- * slots and returns. The thread writes and syncs all queued entries in one transaction, and
- * saved_id() then returns the newest id. After a failed sync an entry is acknowledged only when its
- * bytes were written again and synced (platform/store/sqlite/ledger_log.c), both in the database
- * and in the ledger mirror.
+ * The frame loop never blocks on the card. append() copies an entry into a queue of
+ * STORAGE_QUEUE_MAX entries and returns. The thread writes and syncs all queued entries in one
+ * transaction. Afterwards saved_id() returns the id of the newest entry. After a failed sync, an
+ * entry counts as saved only when its bytes were written again and synced
+ * (platform/store/sqlite/ledger_log.c), in the database and in the ledger mirror. The ledger mirror
+ * is a second copy of the newest entries.
  *
- * A card that is slow, full, busy, read-only or absent is retried once a second while the queue
+ * A card that is slow, full, busy, read-only or absent is retried once per second while the queue
  * fills. A file that must be read completely to detect a change is retried less often
- * (storage_card.c). When the queue is full, keep() returns HAL_ERR_BUSY and the entries wait in the
- * output of the core. A card that is full at the start is read, and written as soon as it has free
- * space. Each failed attempt is counted. close() tries once more and returns the number of entries
- * that are lost.
+ * (storage_card.c). When the queue is full, append() returns HAL_ERR_BUSY and the entries wait in
+ * the output of the core. If the card is full at program start, the store reads it, and writes it
+ * as soon as it has free space. Each failed write is counted. close() tries once more and returns
+ * the number of lost entries.
  *
- * The file is copied to a backup beside it at the start, each hour and after each
- * STORAGE_BACKUP_ENTRIES entries. The backup is validated before it replaces the previous backup.
- * Entries since then are stored twice, in the database and in the ledger mirror
- * (platform/store/sqlite/ledger_mirror.h).
+ * The database is copied to a backup file in the same folder: at program start, every hour, and
+ * after STORAGE_BACKUP_ENTRIES entries. The backup is validated before it replaces the previous
+ * backup. Entries that are newer than the backup are stored twice, in the database and in the
+ * ledger mirror (platform/store/sqlite/ledger_mirror.h).
  *
- * A damaged file is renamed (quarantined), never repaired in place and never deleted. The backup
- * replaces it, with all later entries that the damaged file or the mirror still contains. A missing
- * file is replaced in the same way, and an empty marker file records the loss. If the card has no
- * space for the replacement, all files stay unchanged and are only read.
+ * A damaged database is renamed (quarantined). It is never repaired in place and never deleted. The
+ * replacement consists of the backup and of all later entries that can be read from the damaged
+ * database or the mirror. A missing database is replaced in the same way, and an empty marker file
+ * records the loss. If the card has no space for the replacement, all files stay unchanged and are
+ * only read.
  *
- * A file or folder that is removed, renamed, replaced or mounted over while it is open is detected
- * within a second (storage_moved.c). No entry is acknowledged until the file is back.
+ * If the open database or its folder is removed, renamed, replaced or mounted over, the store
+ * detects this within one second (storage_moved.c). No entry counts as saved until the file is
+ * back.
  *
- * Edits from the growth lab become text files in the same folder. They are stored even if the
+ * Edits of the growth lab become text files in the same folder. Edits are stored even if the
  * database cannot be opened. */
 #ifndef KINGYO_PLATFORM_STORE_STORAGE_H
 #define KINGYO_PLATFORM_STORE_STORAGE_H
@@ -46,72 +49,80 @@
 #define STORAGE_FILE "kingyo.db"
 #define STORAGE_BACKUP_SUFFIX ".backup"
 #define STORAGE_MIRROR_SUFFIX ".tail"
-/* Finished replacement of a damaged file, until it is renamed. */
+/* Suffix of the complete replacement of a damaged database, until it is renamed to STORAGE_FILE. */
 #define STORAGE_NEW_SUFFIX ".new"
-/* Backup of a database that the operator replaced by a copy. */
+/* Suffix of the backup of a database that the operator replaced by a copy. */
 #define STORAGE_BEFORE_SUFFIX ".before-restore"
-/* Followed by a number: the database that the operator replaced by a copy. */
+/* Suffix of a database that the operator replaced by a copy. A number follows. */
 #define STORAGE_REPLACED_SUFFIX ".before-"
-/* Followed by a number: a quarantined damaged file. */
+/* Suffix of a quarantined damaged database. A number follows. */
 #define STORAGE_QUARANTINE_SUFFIX ".damaged-"
-/* Followed by a number: an empty marker for a missing file. */
+/* Suffix of the empty marker for a missing database. A number follows. */
 #define STORAGE_MISSING_SUFFIX ".missing-"
-/* After the name of a backup or mirror of a foreign ledger; then a number. */
+/* Suffix of a backup or mirror that belongs to a foreign ledger. A number follows. */
 #define STORAGE_OTHER_SUFFIX ".other-"
-/* Followed by a number: a copy made by ledger_leave_out(). */
+/* Suffix of a copy that ledger_leave_out() makes. A number follows. */
 #define STORAGE_LEFT_SUFFIX ".left-out-"
-/* After such a name: the operator has acknowledged the event. */
+/* Suffix of the marker that the operator has acknowledged a quarantined file. The marker has the
+ * file's full name before the suffix. */
 #define STORAGE_SEEN_SUFFIX ".seen"
-/* A card that blocks one write for this long is reported as unhealthy. The worst internal pause
+/* Time after which a write that still blocks makes the store unhealthy. The longest internal pause
  * of good cards is one second. */
 #define STORAGE_STUCK_MS 3000
-/* Interval between two complete reads of an unusable file. The interval doubles from the first
- * value up to the second. */
+/* Shortest and longest interval between two complete reads of an unusable file. The interval
+ * doubles after each attempt. */
 #define STORAGE_RETRY_MS 1000
 #define STORAGE_RETRY_MS_MAX 60000
-/* Growth of the free space in bytes that triggers an early retry on a full card. The margin is
- * needed because other programs write to the card, too. */
+/* Increase of the free space in bytes after which a full card is retried early. A smaller increase
+ * is ignored because other programs also write to the card. */
 #define STORAGE_ROOM_MORE (256u * 1024u)
-#define STORAGE_BACKUP_S 3600 /* Longest interval between two backups. */
-/* Entries after which a backup is made earlier. */
+#define STORAGE_BACKUP_S 3600 /* Maximum interval between two backups in seconds. */
+/* Number of new entries after which a backup is made before the interval ends. */
 #define STORAGE_BACKUP_ENTRIES (LEDGER_MIRROR_SLOTS / 2u)
 #define STORAGE_PATH_SIZE 512u
-/* Twice the number of entries that the core can have unwritten, so that a slot is always free while
- * the card responds. */
+/* Capacity of the queue: twice the number of entries that the core can hold unwritten. While the
+ * card responds, the queue is therefore never full. */
 #define STORAGE_QUEUE_MAX (2u * LEDGER_RING)
-/* Enough because the menu allows far less than four saved edits a second. */
+/* Capacity of the queue of edits. The operator's menu permits far less than four edits per
+ * second. */
 #define STORAGE_EDITS_MAX 4u
-#define STORAGE_REPLAY_MS 10000 /* Time after which a replay that the card rejects is given up. */
-/* Limit in bytes for all memory of SQLite. The highest measured use was 4.2 MiB, with 100,000
- * entries, a backup and a replay of maximum length (SESSION_RECORDER_SIZE) for each ranked round.
- */
+#define STORAGE_REPLAY_MS                                                                          \
+    10000 /* Time after which the store abandons a replay that the card rejects. */
+/* Maximum memory of SQLite in bytes. The highest measured use was 4.2 MiB, with 100,000 entries, a
+ * backup, and a replay of maximum length (SESSION_RECORDER_SIZE) for each ranked round. */
 #define STORAGE_HEAP_MAX (8 * 1024 * 1024)
 
 #define STORAGE_RANKS (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
 
-/* Request to write or read a replay. The frame loop sets the other fields first and then `state`;
- * the thread resets `state` at the end. */
+/* Request to write or read a replay. The frame loop sets all other fields first and then `state` to
+ * WAITS. The thread sets `state` to IDLE when the request is complete. */
 enum storage_replay_state { STORAGE_REPLAY_IDLE = 0, STORAGE_REPLAY_WAITS };
 struct storage_replay {
     uint32_t round_id;
-    const uint8_t *bytes; /* Bytes to write, borrowed until the request ends. */
-    uint8_t *room;        /* Buffer for the bytes that are read, borrowed until the request ends. */
+    const uint8_t *bytes; /* Bytes to write. The caller must not change them until the request is
+                             complete. */
+    uint8_t *room;        /* Buffer for the bytes that are read. The buffer must stay valid until
+                             the request is complete. */
     size_t size;
-    struct ledger_entry *round; /* Receives the ledger entry of the round that is read. */
-    atomic_int state;           /* enum storage_replay_state */
+    struct ledger_entry *round; /* Destination for the ledger entry of the round. */
+    atomic_int state;           /* State of the request (enum storage_replay_state). */
 };
 
-#define OFFLINE_CREDITS_MAX 16u /* One entry for each coin line and each other credit kind. */
+#define OFFLINE_CREDITS_MAX                                                                        \
+    16u /* Maximum number of entries in one transfer: one for each coin line and each kind of
+           credit. */
 
-#define STORAGE_PLACES 3u /* The database file, its log (-wal) and the log's index (-shm). */
+#define STORAGE_PLACES                                                                             \
+    3u /* Number of monitored files: the database, its write-ahead log (-wal) and the index of
+          the log (-shm). */
 
-/* Identity of a file when it was first seen. Zero: the file did not exist yet. */
+/* Identity of a file when it was first seen. Zeros mean that the file did not exist yet. */
 struct storage_place {
     uint64_t device, inode;
 };
 
-/* State of the offline credits: credits of a kiosk that started without a store, for a database
- * that appears later. */
+/* State of a transfer of offline credits: credits of a kiosk that started without a store, for a
+ * database that appears later. */
 enum offline_credits_state {
     OFFLINE_CREDITS_NONE = 0,
     OFFLINE_CREDITS_NEW,
@@ -120,110 +131,124 @@ enum offline_credits_state {
 struct offline_credits {
     struct ledger_entry entries[OFFLINE_CREDITS_MAX];
     uint32_t count;
-    uint32_t boot; /* Boot number of the entries in that database; 0: none assigned yet. */
-    struct balance_change step; /* Change of the balance in that database. */
-    atomic_int state;           /* enum offline_credits_state; NEW is handled at once. */
+    uint32_t boot; /* Boot number of the entries in the database. 0 means not yet assigned. */
+    struct balance_change step; /* Change of the database's balance. */
+    atomic_int state;           /* State of the transfer (enum offline_credits_state). The thread
+                                   handles NEW immediately. */
 };
 
-/* Background work on the open file, without a deadline. The thread calls `step` for at most
- * STORAGE_CHORE_MS in a row, while no entry waits and the last write succeeded. One call takes at
+/* Background work on the open database, without a deadline. The thread calls `step` repeatedly for
+ * at most STORAGE_CHORE_MS, while no entry waits and the last write succeeded. One call takes at
  * most a few milliseconds. `step` returns SQLITE_OK, SQLITE_DONE when no work is left, or the code
- * of a failed write; the next call then continues with another part. Null: no work. */
+ * of a failed write. After a failed write the next call continues with another part. A null `step`
+ * means no work. */
 struct storage_chore {
     int (*step)(void *self, struct ledger_file *file);
     void *self;
 };
 #define STORAGE_CHORE_MS 10
-#define STORAGE_CHORE_WAIT_MS 40 /* Interval between two runs of background work. */
+#define STORAGE_CHORE_WAIT_MS                                                                      \
+    40 /* Interval between two periods of background work, in milliseconds. */
 
-/* State of the store. The caller owns the structure, sets the first four fields and clears the
- * rest. The address must not change while the store is open. */
+/* State of the store. The caller owns the structure, sets `dir`, `how`, `by_hand` and `chore`, and
+ * clears the other fields. The address must not change while the store is open. */
 struct storage {
-    const char *dir; /* Folder of the file; must outlive the store. Null: nothing is stored. */
-    struct ledger_file_options how; /* Zero: defaults. With a custom vfs there is no backup. */
-    uint8_t by_hand; /* 1: no thread is started; the caller calls storage_work() instead. */
+    const char *dir; /* Folder of the database. Must outlive the store. Null means that nothing is
+                        stored. */
+    struct ledger_file_options how; /* Options for opening the database. Zeros mean the defaults.
+                                       With a custom vfs no backup is made. */
+    uint8_t by_hand; /* 1 if no thread is started and the caller calls storage_work() instead. */
     struct storage_chore chore;
 
-    struct ledger_file file;     /* Used only by the thread while the thread runs. */
-    struct ledger_content start; /* Content of the file at open(). */
+    struct ledger_file file;     /* Open database. While the thread runs, only the thread uses
+                                    it. */
+    struct ledger_content start; /* Content of the database when open() read it. */
     char path[STORAGE_PATH_SIZE];
     char text[HAL_TEXT_SIZE];
 
     pthread_t thread;
     sem_t wake;
-    bool running; /* 1 between open() and close(). */
+    bool running; /* True from open() to close(). */
     bool has_thread;
-    bool closes; /* 1 while close() runs: no new backup is started. */
+    bool closes; /* True while close() runs, so that no new backup is started. */
     atomic_bool stop;
-    atomic_bool has_file; /* The database was opened at least once, so that entries are accepted. */
-    bool has_to_rebuild;  /* The file is damaged or missing and has not been replaced yet. */
-    atomic_uint aside;    /* Number of the quarantined file; 0: none. */
-    atomic_uint strange;  /* Index + 1 in storage_suffixes of a file that was renamed because it was
-                             no regular file; 0: none. */
-    bool was_missing;     /* 1: the replaced file was missing; 0: it was damaged. */
-    uint32_t from_backup; /* Newest entry id in the backup that replaced a file. */
-    struct ledger_recovered salvaged; /* Newer entries recovered from the damaged file and the
-                                         mirror. */
-    atomic_int error;      /* SQLite code of the last failed write; 0: the last write succeeded. */
-    atomic_int edit_error; /* errno of the last failed edit; 0: the last write of an edit
+    atomic_bool has_file; /* True if the database was opened at least once. Entries are accepted
+                             only then. */
+    bool has_to_rebuild;  /* True if the database is damaged or missing and has not been replaced
+                             yet. */
+    atomic_uint aside;    /* Number of the quarantined database. 0 means no quarantined database. */
+    atomic_uint strange;  /* Index + 1 in storage_suffixes of an object that was renamed because it
+                             was not a regular file. 0 means no such object. */
+    bool was_missing;     /* True if the replaced database was missing; false if it was damaged. */
+    uint32_t from_backup; /* Newest entry id in the backup from which the replacement was made. */
+    struct ledger_recovered salvaged; /* Newer entries that were recovered from the damaged database
+                                         and the mirror. */
+    atomic_int error;      /* SQLite code of the last failed write. 0 means that the last write
                               succeeded. */
-    atomic_uint refused;   /* Failed writes, including retries. */
-    atomic_llong busy_since_ms; /* Start of the current write on the monotonic clock; 0: no write
-                                   runs. */
+    atomic_int edit_error; /* errno of the last failed write of an edit. 0 means that the last write
+                              succeeded. */
+    atomic_uint refused;   /* Number of failed writes, including retries. */
+    atomic_llong busy_since_ms; /* Start time of the current write on the monotonic clock. 0 means
+                                   that no write is in progress. */
 
-    /* Queue of entries with one producer (the frame loop) and one consumer (the thread). Both
-     * indexes only increase. */
+    /* Queue of entries with one producer (the frame loop) and one consumer (the thread). `pushed`
+     * and `written` only increase. */
     struct ledger_entry queue[STORAGE_QUEUE_MAX];
     atomic_uint pushed, written;
-    /* Queue of edits from the growth lab. Each edit becomes a text file (graph_file.h). */
+    /* Queue of edits of the growth lab. Each edit becomes a text file (graph_file.h). */
     struct graph_edit_record edits[STORAGE_EDITS_MAX];
     atomic_uint edits_pushed, edits_written;
     uint32_t accepted_edit_id;
     atomic_uint stored_edit_id;
 
-    int hold;             /* Handle of the locked folder + 1, which excludes other kiosk processes;
-                             0: not locked. */
-    uint32_t accepted_id; /* Newest id that keep() accepted, so that a repeated call stores the
-                             entry once. */
+    int hold;             /* Descriptor of the locked folder plus 1. The lock excludes other kiosk
+                             processes. 0 means not locked. */
+    uint32_t accepted_id; /* Newest id that append() has accepted, so that a repeated call does not
+                             store an entry twice. */
     atomic_uint saved_id;
-    atomic_bool is_unproven; /* 1: the log that was read may not be on disk. Then saved_id() returns
-                                0 and the store is reported as unhealthy. */
+    atomic_bool is_unproven; /* True if the log that was read may not be on disk. saved_id() then
+                                returns 0 and the store counts as unhealthy. */
     uint32_t saved_boot, saved_tick; /* Boot and tick of the entry `saved_id`. Used by the thread
                                         only. */
     uint64_t sight;       /* Hash of the file attributes at the last attempt to open. Used by the
                              thread only. */
-    uint64_t room;        /* Free bytes on the card at the last attempt to open. Used by the
-                             thread only. */
-    int64_t look_due_ms;  /* Time of the next attempt, monotonic; 0: at once. Used by the thread
+    uint64_t room;        /* Free bytes on the card at the last attempt to open. Used by the thread
                              only. */
-    int64_t look_wait_ms; /* Interval to the next attempt. Used by the thread only. */
-    struct storage_place places[STORAGE_PLACES]; /* Used by the thread only. */
-    bool moved;  /* The open file is no longer at its path. Used by the thread only. */
-    bool prunes; /* Entries, rounds or replays may exceed their limits, and must be deleted
-                    (ledger_file_prune()). Used by the thread only. */
-    struct ledger_mirror tail;   /* Ledger mirror: a second copy of the newest entries. Used by
+    int64_t look_due_ms;  /* Time of the next attempt to open on the monotonic clock. 0 means
+                             immediately. Used by the thread only. */
+    int64_t look_wait_ms; /* Current interval between two attempts to open. Used by the thread
+                             only. */
+    struct storage_place places[STORAGE_PLACES]; /* Identities of the open files. Used by the thread
+                                                    only. */
+    bool moved;  /* True if the open database is no longer at its path. Used by the thread only. */
+    bool prunes; /* True if entries, rounds or replays may exceed their limits, so that
+                    ledger_file_prune() must delete some. Used by the thread only. */
+    struct ledger_mirror tail;   /* Ledger mirror, the second copy of the newest entries. Used by
                                     the thread only. */
-    uint32_t tail_from;          /* First entry id that the mirror lacks; 0: none. Used by the
-                                    thread only. */
-    atomic_int tail_error;       /* errno of the last mirror write; 0: the write succeeded. */
+    uint32_t tail_from;          /* First entry id that the mirror lacks. 0 means that the mirror is
+                                    complete. Used by the thread only. */
+    atomic_int tail_error;       /* errno of the last mirror write. 0 means that the write
+                                    succeeded. */
     struct ledger_backup backup; /* Backup in progress. Used by the thread only. */
-    uint32_t backup_id;          /* Newest entry id when the last backup started. */
+    uint32_t backup_id;          /* Newest entry id when the last backup was started. */
     int64_t backup_due_s;        /* Time of the next backup on the monotonic clock. */
 
     struct offline_credits late;
     struct storage_replay put, get;
-    int64_t put_since_ms; /* Time of the first rejection of the replay; 0: none. */
-    atomic_uint put_id;   /* Round id of the newest replay that was written or given up. */
-    atomic_int got;       /* Return value of replay_fetched(). */
-    atomic_uint sealed[STORAGE_RANKS]; /* Ranked rounds whose replay is on disk; 0: none. */
+    int64_t put_since_ms; /* Time when the card first rejected the current replay. 0 means that no
+                             write was rejected. */
+    atomic_uint put_id;   /* Round id of the newest replay that was written or abandoned. */
+    atomic_int got;       /* Value that replay_fetched() returns when the request is complete. */
+    atomic_uint sealed[STORAGE_RANKS]; /* Round ids of the ranking's rows whose replay is on disk. 0
+                                          means no replay. */
 };
 
-/* Returns the device of `storage`, which must outlive the device. open() may block on the disk
- * once, before the first frame. close() may block for about four seconds if another program locks
- * the file. */
+/* Returns the HAL device that uses `storage`. `storage` must outlive the returned device. open()
+ * may block on the disk once, before the first frame. close() may block for about four seconds if
+ * another program locks the database. */
 struct hal_storage storage_device(struct storage *storage);
 
-/* Does all pending work of the thread on the caller's thread. Call only if `by_hand` is set. */
+/* Does all pending work of the thread on the calling thread. The caller must have set `by_hand`. */
 void storage_work(struct storage *storage);
 
 #endif

@@ -1,8 +1,8 @@
-/* storage_card.c -- detects and reopens a card that was removed, replaced or full.
+/* storage_card.c -- detects a card that was removed, replaced or full, and reopens the database.
  *
- * An absent card is checked once a second because the check is cheap. An unusable file is read
- * completely at each attempt. The interval therefore grows from one second to one minute, unless an
- * attribute of the file or its card changes. */
+ * An absent card is checked once per second because the check is cheap. An unusable file is read
+ * completely at each attempt. The interval between attempts therefore grows from one second to one
+ * minute, unless an attribute of the file or its card changes. */
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -37,10 +37,10 @@ bool storage_needs_reopening(int code)
            code == SQLITE_CORRUPT || code == SQLITE_NOTADB;
 }
 
-/* ---- Retry schedule ------------------------------------------------------------------------- */
+/* ---- Retry schedule ------------------------------------------------------------------------ */
 
 /* Returns a hash of the attributes of the file and its card: identity, size, change time, access
- * rights, read-only mount. Returns 0 for a custom vfs, whose files are not visible here. */
+ * rights, read-only mount. Returns 0 for a custom vfs, whose files are not visible to stat(). */
 static uint64_t sight_of(const struct storage *storage)
 {
     struct stat file = { 0 };
@@ -75,7 +75,8 @@ static uint64_t room_of(const struct storage *storage)
                : 0u;
 }
 
-/* Returns true if a full card has gained free space. */
+/* Returns true if the last write failed because the card was full and the card has more free space
+ * now. */
 static bool has_more_room(const struct storage *storage)
 {
     return atomic_load(&storage->error) == SQLITE_FULL &&
@@ -89,7 +90,7 @@ static bool is_worth_a_look(const struct storage *storage)
            sight_of(storage) != storage->sight || has_more_room(storage);
 }
 
-/* Returns true if this result required a read of the whole file. */
+/* Returns true if the result `code` required reading the whole file. */
 static bool was_dear(int code)
 {
     return code == LEDGER_FILE_FOREIGN || code == LEDGER_FILE_NEWER || code == LEDGER_FILE_MOVED ||
@@ -113,11 +114,11 @@ static void note_look(struct storage *storage, int code)
     storage->look_due_ms = storage->look_wait_ms > 0 ? storage_now_ms() + storage->look_wait_ms : 0;
 }
 
-/* ---- Identity of the ledger ----------------------------------------------------------------- */
+/* ---- Identity of the ledger ---------------------------------------------------------------- */
 
 /* Returns true if the file contains a foreign ledger: from another card, or from a card that was
- * absent when the kiosk started. A fresh card or a backup has fewer entries and is accepted. The
- * file may also contain one batch more than was acknowledged. */
+ * absent at program start. A new card or a backup has fewer entries and is accepted. The file may
+ * also contain one batch of entries that was not acknowledged. */
 static bool is_anothers(struct storage *storage)
 {
     const unsigned pushed = atomic_load(&storage->pushed);
@@ -136,8 +137,8 @@ static bool is_anothers(struct storage *storage)
              entry.boot != storage->saved_boot || entry.tick != storage->saved_tick));
 }
 
-/* Locks the folder, because two kiosk processes on one ledger would assign the same ids. Returns
- * false only if another process holds the lock. A file system without locks counts as unlocked. */
+/* Locks the folder, because two kiosk processes with one ledger would assign the same ids. Returns
+ * false only if another process holds the lock. On a file system without locks, returns true. */
 static bool is_alone(struct storage *storage)
 {
     if (storage->hold == 0 && !storage->how.vfs) {
@@ -165,7 +166,7 @@ void storage_unlock(struct storage *storage)
     }
 }
 
-/* Returns true if the replacement of a moved file lacks acknowledged entries. */
+/* Returns true if the file that replaced a moved file lacks entries that were acknowledged. */
 static bool lacks_entries(const struct storage *storage)
 {
     return storage->file.content.memory.ledger.last_id < atomic_load(&storage->saved_id);
@@ -197,9 +198,9 @@ static int storage_card_probe(struct storage *storage)
     return code;
 }
 
-/* Returns true if the file at the path, if any, is to be opened in place of the file that moved.
- * The first call only raises the alarm, so that the status shows even a loss that the next call
- * repairs. During close() the first call already follows because there is no next call. */
+/* Returns true if the store may now open the file at the path in place of the file that moved. The
+ * first call only reports the loss, so that the status shows even a loss that the next call
+ * repairs. During close() the first call may also return true, because there is no next call. */
 static bool leave_moved(struct storage *storage)
 {
     const bool is_first = !storage->moved;
@@ -221,7 +222,7 @@ static bool leave_moved(struct storage *storage)
 bool storage_has_card(struct storage *storage)
 {
     if (storage->file.db && !storage->file.refusal && !storage_has_moved(storage)) {
-        if (storage->moved) { /* The file was put back. */
+        if (storage->moved) { /* The file is back at its path. */
             storage->moved = false;
             storage_note_result(storage, SQLITE_OK);
             storage_restore_log(storage);
@@ -239,8 +240,7 @@ bool storage_has_card(struct storage *storage)
     const int code = storage_card_probe(storage);
     note_look(storage, code);
     if (code != SQLITE_OK || storage_unwritten(storage) == 0) {
-        storage_note_result(storage, code); /* If entries wait, the next write sets the status
-                                               instead. */
+        storage_note_result(storage, code); /* If entries wait, the next write sets the status. */
     }
     return code == SQLITE_OK;
 }

@@ -1,7 +1,8 @@
 /* storage_mirror.c -- writes each new entry to the ledger mirror before the entry is acknowledged.
+ * The ledger mirror is a second copy of the newest entries.
  *
  * The mirror has no gap. After a failed write, the missing entries are copied from the database
- * before a newer entry is added. Until then no entry is acknowledged. */
+ * before a newer entry is added. No entry is acknowledged until the mirror is complete. */
 #include <errno.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,10 +11,10 @@
 
 #include "platform/store/storage_internal.h"
 
-#define BATCH 64u /* Entries between two syncs. */
+#define BATCH 64u /* Maximum number of entries between two syncs. */
 
-/* Returns true if the mirror belongs to a foreign ledger, for example after a card was copied
- * manually. Such a mirror must not be used. */
+/* Returns true if the mirror belongs to a foreign ledger, for example after a user copied a card. A
+ * foreign mirror must not be used. */
 static bool is_of_another_list(const struct storage *storage)
 {
     struct ledger_entry entry;
@@ -55,7 +56,7 @@ static bool is_removed(const struct storage *storage)
            about.st_nlink == 0;
 }
 
-/* Copies the missing entries up to `last_id` from the database. */
+/* Copies the missing entries up to the id `last_id` from the database. Returns 0 or -1. */
 static int storage_mirror_catch_up(struct storage *storage, uint32_t last_id)
 {
     struct ledger_entry entries[BATCH];
@@ -76,7 +77,7 @@ static int storage_mirror_catch_up(struct storage *storage, uint32_t last_id)
     return result;
 }
 
-/* Opens the mirror and completes it up to `last_id`. Returns 0 or -1. */
+/* Opens the mirror and copies missing entries up to the id `last_id`. Returns 0 or -1. */
 static int make_ready(struct storage *storage, uint32_t last_id)
 {
     if (is_removed(storage)) {
@@ -97,7 +98,7 @@ static void note_result(struct storage *storage, int result, uint32_t first_id)
     }
 }
 
-/* Erases revoked names from the mirror. Returns 0 or -1. */
+/* Erases revoked player names from the mirror. Returns 0 or -1. */
 static int forget_names(struct storage *storage, const struct ledger_entry *entries, uint32_t count)
 {
     int result = 0;
@@ -122,8 +123,8 @@ int storage_mirror_write(struct storage *storage, const struct ledger_entry *ent
     return result;
 }
 
-/* Completes the mirror. While entries wait, the next batch does this; until then the store must
- * stay unhealthy. */
+/* Completes the mirror. While entries wait, the next batch completes the mirror, and the store must
+ * stay unhealthy until then. */
 void storage_mirror_repair(struct storage *storage)
 {
     if (storage->tail_from > 0 && storage_unwritten(storage) == 0 && storage->file.db &&

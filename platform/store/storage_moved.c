@@ -1,10 +1,10 @@
-/* storage_moved.c -- detects that the open file has left its path.
+/* storage_moved.c -- detects that the open database is no longer at its path.
  *
- * The file or its folder may have been removed, renamed, replaced or mounted over, so that the next
- * start would not find it. Such a file can still be written and synced, but its content is lost or
- * hidden. Therefore no entry is acknowledged, which locks the coin slot. A folder that is put back
- * is used again. A deleted file stays open, and close() copies it to the path of the backup, where
- * the next start finds it. */
+ * The database or its folder may have been removed, renamed, replaced or mounted over, so that the
+ * next program start would not find it. Such a file can still be written and synced, but its
+ * content is lost or hidden. Therefore no entry is acknowledged, which locks the coin slot. A
+ * folder that is put back is used again. A deleted database stays open, and close() copies it to
+ * the path of the backup, where the next start finds it. */
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -15,8 +15,8 @@
 #include "platform/os/log.h"
 #include "platform/store/storage_internal.h"
 
-/* Suffixes of the monitored files. SQLite owns the handles of the log and its index, therefore
- * those files are identified by the inode seen first. */
+/* Suffixes of the monitored files. SQLite owns the descriptors of the log and its index. These
+ * files are therefore identified by the inode that was seen first. */
 static const char *const suffixes[STORAGE_PLACES] = { "", "-wal", "-shm" };
 
 static bool storage_moved_is_same(const struct stat *about, const struct storage_place *place)
@@ -30,8 +30,8 @@ void storage_note_place(struct storage *storage)
     storage->moved = false;
 }
 
-/* Returns true if the file is gone or replaced. A file that did not exist yet is recorded when it
- * is first seen. */
+/* Returns true if the file is absent or was replaced. The identity of a new file is stored when the
+ * file is first seen. */
 static bool has_left(struct storage *storage, size_t index)
 {
     struct storage_place *place = &storage->places[index];
@@ -67,8 +67,8 @@ bool storage_has_moved(struct storage *storage)
     return result;
 }
 
-/* Checks for a move before the entries are acknowledged, because no start would find entries in a
- * file that moved during the write. */
+/* Checks for a moved database before the entries are acknowledged. If the database moved during the
+ * write, no program start would find the entries. */
 int storage_write_entries(struct storage *storage, const struct ledger_entry *entries,
                           uint32_t count)
 {
@@ -76,9 +76,10 @@ int storage_write_entries(struct storage *storage, const struct ledger_entry *en
     return code == SQLITE_OK && storage_has_moved(storage) ? LEDGER_FILE_MOVED : code;
 }
 
-/* ---- Recovery ------------------------------------------------------------------------------- */
+/* ---- Recovery ------------------------------------------------------------------------------ */
 
-/* Returns true if the open file has no name left, so that closing it deletes the data. */
+/* Returns true if the open database has no name left. Closing a database without a name deletes its
+ * data. */
 static bool is_deleted(const struct storage *storage)
 {
     struct stat held, about;
@@ -86,7 +87,7 @@ static bool is_deleted(const struct storage *storage)
     if (storage->hold > 0 && fstat(storage->hold - 1, &held) == 0 && held.st_nlink == 0) {
         return true;
     }
-    /* A file in a folder that was renamed or mounted over still has its name. */
+    /* A database in a folder that was renamed or mounted over still has its name. */
     return !has_folder_left(storage) &&
            !(lstat(storage->path, &about) == 0 && storage_moved_is_same(&about, place));
 }
@@ -135,7 +136,8 @@ void storage_restore_log(const struct storage *storage)
               storage->file.content.memory.ledger.last_id);
 }
 
-/* Writes all queued entries, in at most two parts because the queue is a ring. */
+/* Writes all queued entries, in at most two parts because the queue is a ring buffer. Returns an
+ * SQLite code. */
 static int write_queue(struct storage *storage)
 {
     const unsigned pushed = atomic_load(&storage->pushed);

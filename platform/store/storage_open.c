@@ -1,8 +1,8 @@
-/* storage_open.c -- opens the database for writing, after any damage was handled.
+/* storage_open.c -- opens the database for writing, and first handles any damage.
  *
- * A damaged file is kept and never repaired in place; storage_rebuild.c makes its replacement. Two
- * files belong to the same ledger if their newest common entry is equal. A file of a foreign ledger
- * is renamed and never read. */
+ * A damaged database is kept and never repaired in place; storage_rebuild.c makes its replacement.
+ * Two files belong to the same ledger if their newest common entry is equal. A file of a foreign
+ * ledger is renamed and never read. */
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -38,8 +38,8 @@ struct ledger_mirror storage_inspect_mirror(const struct storage *storage)
     return ledger_mirror_inspect(path);
 }
 
-/* Returns true if the path exists. An I/O error counts as existing, so that no file is replaced by
- * mistake. */
+/* Returns true if the path exists. After an I/O error also returns true, so that no file is
+ * replaced by mistake. */
 bool storage_has_path(const char *path)
 {
     return access(path, F_OK) == 0 || (errno != ENOENT && errno != ENOTDIR);
@@ -70,12 +70,13 @@ static bool has_backup(const struct storage *storage)
     return storage_has_path(backup);
 }
 
-/* ---- Comparison with the backup and the mirror ---------------------------------------------- */
+/* ---- Comparison with the backup and the mirror --------------------------------------------- */
 
 enum others {
-    OTHERS_NOT = 0, /* Absent, or no newer entries than the file. */
-    OTHERS_NEWER,   /* Same ledger with newer entries: the file has lost entries. */
-    OTHERS_STRANGE, /* Foreign ledger. */
+    OTHERS_NOT = 0, /* The backup or mirror is absent, or has no newer entries than the database. */
+    OTHERS_NEWER,   /* The backup or mirror belongs to the same ledger and has newer entries, so
+                       that the database has lost entries. */
+    OTHERS_STRANGE, /* The backup or mirror belongs to a foreign ledger. */
 };
 
 static enum others backup_is(struct storage *storage)
@@ -99,8 +100,8 @@ static enum others backup_is(struct storage *storage)
     return result;
 }
 
-/* Compares the mirror with the file. A mirror that begins after the end of an intact file belongs
- * to an earlier ledger. */
+/* Compares the mirror with the database. If the database is intact and the mirror starts after its
+ * end, the mirror belongs to a foreign ledger. */
 static enum others tail_is(struct storage *storage)
 {
     const uint32_t last_id = storage->file.content.memory.ledger.last_id;
@@ -121,11 +122,11 @@ bool storage_is_behind_backup(struct storage *storage)
     return backup_is(storage) == OTHERS_NEWER;
 }
 
-/* ---- Lost content ---------------------------------------------------------------------------- */
+/* ---- Lost content -------------------------------------------------------------------------- */
 
-/* Returns true if the file is empty but a log, a backup or a mirror has content. A power cut or a
- * file system repair often leaves an empty file. SQLite would treat an empty file as new and
- * discard its log. */
+/* Returns true if the database file is empty but the log, the backup or the mirror has content. A
+ * power cut or a file system repair often leaves an empty file. SQLite would treat an empty file as
+ * a new database and discard its log. */
 static bool is_emptied(const struct storage *storage)
 {
     char backup[LEDGER_PATH_SIZE], log[LEDGER_PATH_SIZE];
@@ -136,9 +137,9 @@ static bool is_emptied(const struct storage *storage)
            (has_bytes(backup) || has_bytes(log) || has_tail(storage));
 }
 
-/* Accepts a copy that the operator put in place of the database. Newer entries in the backup are
- * intended to be dropped; the backup is renamed and kept. The mirror belongs to the replaced file
- * and is deleted. */
+/* Accepts a copy that the operator put in place of the database. The operator intends to drop newer
+ * entries of the backup; the backup is renamed and kept. The mirror belongs to the replaced
+ * database and is deleted. Returns an SQLite code. */
 static int take_copy(struct storage *storage)
 {
     char backup[LEDGER_PATH_SIZE], before[LEDGER_PATH_SIZE], tail[LEDGER_PATH_SIZE];
@@ -155,16 +156,16 @@ static int take_copy(struct storage *storage)
     return ledger_unmark(&storage->file);
 }
 
-/* Returns true for a symbolic link. The link may lead to a card that is not mounted yet, so that it
- * is neither removed nor followed. */
+/* Returns true if the database path is a symbolic link. The link may lead to a card that is not
+ * mounted yet, so that the link is neither removed nor followed. */
 static bool is_link(const struct storage *storage)
 {
     struct stat about;
     return lstat(storage->path, &about) == 0 && S_ISLNK(about.st_mode);
 }
 
-/* Renames each FIFO, device, link or folder in place of a file that belongs to the database, so
- * that the start continues without it. On a read-only card the object stays and is not opened. */
+/* Renames each FIFO, device, link or folder that has the name of a file of the database, so that
+ * the start continues without it. On a read-only card the object stays and is not opened. */
 static void set_strange_aside(struct storage *storage)
 {
     for (unsigned i = 0; i < STORAGE_SIBLING_COUNT; i++) {
@@ -177,9 +178,9 @@ static void set_strange_aside(struct storage *storage)
     }
 }
 
-/* Compares the file with its backup and mirror, and renames a backup or mirror of a foreign ledger.
- * Nothing is renamed beside a read-only file, because such a file gets no new entries that would
- * need them. */
+/* Compares the database with its backup and mirror, and renames a backup or mirror of a foreign
+ * ledger. If the database is read-only, nothing is renamed, because no new backup or mirror is
+ * written. Returns SQLITE_CORRUPT if the database has lost entries. */
 static int compare(struct storage *storage)
 {
     const enum others backup = backup_is(storage), tail = tail_is(storage);
@@ -216,10 +217,10 @@ static int open_whole(struct storage *storage)
     return code;
 }
 
-/* ---- Opening -------------------------------------------------------------------------------- */
+/* ---- Opening ------------------------------------------------------------------------------- */
 
-/* Opens the database. Starts a new database only if there is no file, backup or mirror. A custom
- * vfs has only the one file. */
+/* Opens the database. Creates a new database only if there is no database, backup or mirror. A
+ * custom vfs has no other files than the database. */
 int storage_open_file(struct storage *storage)
 {
     if (storage->how.vfs) {

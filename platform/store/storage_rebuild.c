@@ -1,13 +1,13 @@
 /* storage_rebuild.c -- makes the replacement of a database that is damaged or missing.
  *
- * The replacement contains the last valid backup and all newer entries of the damaged file and the
- * mirror. A temporary file is written and synced completely, and then renamed to
- * STORAGE_NEW_SUFFIX. Only then is the damaged file renamed, and after that the new file. After a
- * power cut at any point, the next start repeats or completes the procedure. A card without enough
- * space is left unchanged.
+ * The replacement contains the last valid backup and all newer entries of the damaged database and
+ * the mirror. It is first written and synced completely under a temporary name, and then renamed to
+ * STORAGE_NEW_SUFFIX. Only then is the damaged database renamed, and after that the replacement.
+ * After a power cut at any point, the next start repeats or completes the procedure. A card without
+ * enough space is left unchanged.
  *
  * If the newest entry is unknown, its id may be assigned again. Ids rise by one (core/ledger.h),
- * and quarantined files differ in their boot numbers. */
+ * and the entries of a quarantined file differ in their boot numbers. */
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -24,12 +24,13 @@
 #include "platform/store/sqlite/sql.h"
 #include "platform/store/storage_internal.h"
 
-#define PART_SUFFIX STORAGE_NEW_SUFFIX LEDGER_PART_SUFFIX /* Name of the incomplete replacement. */
+#define PART_SUFFIX                                                                                \
+    STORAGE_NEW_SUFFIX LEDGER_PART_SUFFIX /* Suffix of the incomplete replacement. */
 
 static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
 #define SUFFIX_COUNT (sizeof suffixes / sizeof suffixes[0])
 
-/* ---- Quarantine ----------------------------------------------------------------------------- */
+/* ---- Quarantine ---------------------------------------------------------------------------- */
 
 static unsigned number_in(const char *name, const char *suffix)
 {
@@ -38,8 +39,9 @@ static unsigned number_in(const char *name, const char *suffix)
     return at ? (unsigned)strtoul(at + strlen(suffix), NULL, 10) : 0u;
 }
 
-/* Returns one more than the highest number in use. A file that was acknowledged and removed has
- * left a marker with its number, which would hide a new file of the same number. */
+/* Returns one more than the highest number of all quarantined files and markers. The operator may
+ * have deleted an acknowledged file. Its marker remains, and would hide a new file with the same
+ * number. */
 static unsigned next_number(const struct storage *storage)
 {
     static const char *const kinds[] = { STORAGE_QUARANTINE_SUFFIX, STORAGE_MISSING_SUFFIX,
@@ -68,8 +70,8 @@ int storage_quarantine_other(struct storage *storage, const char *suffix)
     return rename(from, to) == 0 ? ledger_sync_folder(to) : -1;
 }
 
-/* Renames the file first and then its log and journal. A journal left behind would be applied to
- * the new file. */
+/* Renames the damaged database first and then its log and journal. A journal that remained would be
+ * applied to the new database. Returns true on success. */
 static bool set_aside(struct storage *storage, unsigned number)
 {
     char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE], suffix[40];
@@ -88,7 +90,8 @@ static bool set_aside(struct storage *storage, unsigned number)
     return true;
 }
 
-/* Creates an empty marker for a missing file, which stays until the operator acknowledges it. */
+/* Creates an empty marker for a missing database. The marker stays until the operator acknowledges
+ * it. Returns true if the marker is on disk. */
 static bool leave_note(struct storage *storage, unsigned number)
 {
     char path[LEDGER_PATH_SIZE], suffix[40];
@@ -98,7 +101,7 @@ static bool leave_note(struct storage *storage, unsigned number)
     return handle >= 0 && close(handle) == 0 && ledger_sync_folder(path) == 0;
 }
 
-/* ---- The replacement ------------------------------------------------------------------------- */
+/* ---- Replacement --------------------------------------------------------------------------- */
 
 static void remove_all(const struct storage *storage, const char *suffix)
 {
@@ -111,7 +114,7 @@ static void remove_all(const struct storage *storage, const char *suffix)
     }
 }
 
-/* Opens the backup read-only. Returns true if the backup is valid, also with an older schema. */
+/* Opens the backup read-only. Returns true if the backup is valid. An older schema is accepted. */
 static bool open_backup(struct ledger_file *file, const char *backup)
 {
     *file = (struct ledger_file){ .refusal = SQLITE_READONLY };
@@ -124,7 +127,8 @@ static bool open_backup(struct ledger_file *file, const char *backup)
     return is_good;
 }
 
-/* Copies entries that `to` lacks from the old file and the mirror into `to`. */
+/* Copies entries that `to` lacks from the damaged database and the mirror into `to`. Returns an
+ * SQLite code. */
 static int salvage_into(struct storage *storage, struct ledger_file *to)
 {
     struct stat about;
@@ -147,8 +151,8 @@ static int sync_file(const char *path)
     return result;
 }
 
-/* Makes the temporary file. Its writes are not synced one by one, because no process reads the file
- * before it is complete. One sync at the end saves time on a slow card. */
+/* Makes the replacement under its temporary name. The single writes are not synced because no
+ * process reads the file before it is complete. One sync at the end saves time on a slow card. */
 static int make_part(struct storage *storage, const char *part)
 {
     static const struct ledger_file_options unsynced = { .journal = "MEMORY OFF" };
@@ -161,7 +165,8 @@ static int make_part(struct storage *storage, const char *part)
         ledger_file_close(&file);
     }
     code = code == SQLITE_OK ? ledger_file_open(&file, part, &unsynced) : code;
-    if (code == SQLITE_CORRUPT) { /* The backup is intact, but its aggregates are out of range. */
+    if (code == SQLITE_CORRUPT) { /* The pages of the backup are intact, but its aggregates are out
+                                     of range. */
         remove_all(storage, PART_SUFFIX);
         code = ledger_file_open(&file, part, &unsynced);
     }
@@ -173,8 +178,8 @@ static int make_part(struct storage *storage, const char *part)
     return code == SQLITE_OK && sync_file(part) != 0 ? SQLITE_IOERR : code;
 }
 
-/* Makes the replacement. The final name is given after the marker exists, so that a power cut
- * between the two steps still reports the loss. */
+/* Makes the replacement and renames it to STORAGE_NEW_SUFFIX. The rename follows the creation of
+ * the marker, so that the loss is reported even after a power cut between the two steps. */
 static int make_new(struct storage *storage, bool is_missing, unsigned number)
 {
     char part[LEDGER_PATH_SIZE], fresh[LEDGER_PATH_SIZE];
@@ -192,8 +197,8 @@ static int make_new(struct storage *storage, bool is_missing, unsigned number)
     return code;
 }
 
-/* Renames the replacement to the database path: the last step, which the next start repeats after a
- * power cut. */
+/* Renames the replacement to the database path. This rename is the last step of the procedure,
+ * which the next start repeats after a power cut. */
 static bool put_new(struct storage *storage)
 {
     char fresh[LEDGER_PATH_SIZE];
@@ -221,8 +226,8 @@ int storage_rebuild(struct storage *storage, bool is_missing)
     return SQLITE_OK;
 }
 
-/* Completes an interrupted replacement if the database is absent. If the database exists, an old
- * replacement is obsolete and is deleted. */
+/* Completes an interrupted replacement if the database is absent. If the database exists, deletes
+ * an obsolete replacement. */
 int storage_end_rebuilding(struct storage *storage)
 {
     char fresh[LEDGER_PATH_SIZE];
@@ -231,12 +236,13 @@ int storage_end_rebuilding(struct storage *storage)
         remove_all(storage, STORAGE_NEW_SUFFIX);
     } else if (storage_has_path(fresh) &&
                !(set_aside(storage, next_number(storage)) && put_new(storage))) {
-        return SQLITE_IOERR; /* No other file may take the path without the replacement. */
+        return SQLITE_IOERR; /* No new database may be created at the path while the replacement
+                                cannot be renamed. */
     }
     return SQLITE_OK;
 }
 
-/* ---- Read-only fallback ---------------------------------------------------------------------- */
+/* ---- Reading without a replacement --------------------------------------------------------- */
 
 bool storage_read_remnants(struct storage *storage, int refusal)
 {

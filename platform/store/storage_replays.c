@@ -1,9 +1,10 @@
-/* storage_replays.c -- writes and reads replays of ranked rounds, one of each kind at a time. */
+/* storage_replays.c -- writes and reads replays of ranked rounds. At most one write and one read
+ * are pending at a time. */
 #include <sqlite3.h>
 
 #include "platform/store/storage_internal.h"
 
-/* ---- Called by the frame loop --------------------------------------------------------------- */
+/* ---- Functions for the frame loop ---------------------------------------------------------- */
 
 int storage_store_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
 {
@@ -65,9 +66,9 @@ int storage_has_replay(void *self, uint32_t round_id)
     return 0;
 }
 
-/* ---- Called by the thread ------------------------------------------------------------------- */
+/* ---- Functions for the thread -------------------------------------------------------------- */
 
-/* Returns true if the round is on disk and still ranked. */
+/* Returns true if the round is on disk and has a place in the ranking. */
 static bool is_ranked(const struct storage *storage, uint32_t round_id)
 {
     const struct ranking *ranking = &storage->file.content.memory.ranking;
@@ -100,7 +101,7 @@ static bool gives_up(struct storage *storage)
 void storage_update_sealed(struct storage *storage)
 {
     if (!storage->file.db) {
-        return; /* A failed write has just closed the file. */
+        return; /* A failed write has just closed the database. */
     }
     const struct rank_row *rows = &storage->file.content.memory.ranking.row[0][0][0];
     for (uint32_t i = 0; i < STORAGE_RANKS; i++) {
@@ -110,8 +111,8 @@ void storage_update_sealed(struct storage *storage)
     }
 }
 
-/* Writes the requested replay after the entry of its round. The replay is given up if the card
- * rejects it for too long. */
+/* Writes the requested replay after the ledger entry of its round. Abandons a replay that the card
+ * has rejected for STORAGE_REPLAY_MS. */
 void storage_put_replay(struct storage *storage)
 {
     const struct storage_replay *put = &storage->put;

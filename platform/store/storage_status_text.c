@@ -1,4 +1,5 @@
-/* storage_status_text.c -- describes the store in one line for the menu, the status and the log. */
+/* storage_status_text.c -- describes the state of the store in one line for the operator's menu,
+ * the status file and the log. */
 #include <stdio.h>
 #include <string.h>
 

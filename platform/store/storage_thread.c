@@ -1,4 +1,4 @@
-/* storage_thread.c -- the thread of the store, which writes while frames are drawn. */
+/* storage_thread.c -- the thread of the store, which writes while the frame loop draws. */
 #include <semaphore.h>
 #include <time.h>
 
@@ -7,9 +7,11 @@
 #include "platform/store/graph_file.h"
 #include "platform/store/storage_internal.h"
 
-#define RETRY_MS 1000 /* Interval between two attempts to write to a card that failed. */
-/* Interval between two checks that the open file is still at its path. The status file is written
- * at once after such a change, so that a loss is reported within a second. */
+#define RETRY_MS                                                                                   \
+    1000 /* Interval between two attempts to write to a card after a failure, in milliseconds. */
+/* Interval in milliseconds between two checks that the open database is still at its path. The
+ * status file is written immediately after a change, so that a loss is reported within one
+ * second. */
 #define CHECK_MS 200
 
 uint32_t storage_unwritten(const struct storage *storage)
@@ -43,7 +45,7 @@ int64_t storage_now_ms(void)
     return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000 + 1;
 }
 
-/* ---- Entries -------------------------------------------------------------------------------- */
+/* ---- Entries ------------------------------------------------------------------------------- */
 
 static void note_saved(struct storage *storage, const struct ledger_entry *newest)
 {
@@ -52,8 +54,9 @@ static void note_saved(struct storage *storage, const struct ledger_entry *newes
     atomic_store(&storage->saved_id, newest->id);
 }
 
-/* Writes the contiguous entries of the queue in one transaction. Returns 0, and acknowledges
- * nothing, unless both the database and the mirror have synced the entries. */
+/* Writes the oldest contiguous entries of the queue in one transaction. Returns 1 if both the
+ * database and the mirror have synced the entries. Otherwise acknowledges no entry and returns
+ * 0. */
 static int write_batch(struct storage *storage, unsigned written, unsigned pushed)
 {
     const unsigned first = written % STORAGE_QUEUE_MAX;
@@ -96,7 +99,7 @@ static void drain(struct storage *storage)
     }
 }
 
-/* ---- The backup ----------------------------------------------------------------------------- */
+/* ---- Backup -------------------------------------------------------------------------------- */
 
 static int64_t now_s(void)
 {
@@ -115,8 +118,7 @@ static bool is_backup_due(const struct storage *storage, uint32_t last_id)
            last_id - storage->backup_id >= STORAGE_BACKUP_ENTRIES;
 }
 
-/* Advances the backup in steps, only while no entry waits. A backup that fails is retried after an
- * hour. */
+/* Advances the backup in steps while no entry waits. A failed backup is retried after one hour. */
 static void back_up(struct storage *storage)
 {
     char path[LEDGER_PATH_SIZE];
@@ -131,7 +133,8 @@ static void back_up(struct storage *storage)
         storage->backup_id = last_id;
         storage_backup_path(storage, path);
         code = storage_is_behind_backup(storage)
-                   ? SQLITE_CORRUPT /* A backup with more entries is not overwritten by fewer. */
+                   ? SQLITE_CORRUPT /* A backup must not be replaced by a database with fewer
+                                       entries. */
                    : ledger_backup_begin(&storage->backup, &storage->file, path);
     }
     while (code == SQLITE_OK && storage->backup.copy && storage_unwritten(storage) == 0 &&
@@ -143,8 +146,7 @@ static void back_up(struct storage *storage)
     }
 }
 
-/* ---- Edits
- * ------------------------------------------------------------------------------------ */
+/* ---- Edits --------------------------------------------------------------------------------- */
 
 static void drain_edits(struct storage *storage)
 {
@@ -162,10 +164,10 @@ static void drain_edits(struct storage *storage)
     }
 }
 
-/* ---- The log -------------------------------------------------------------------------------- */
+/* ---- Log ----------------------------------------------------------------------------------- */
 
-/* Syncs a log that the opening could not rewrite because another program held a lock. If the lock
- * persists, the next call retries. */
+/* Syncs a log that could not be rewritten when the database was opened, because another program
+ * held a lock. If the lock remains, the next call retries. */
 static void prove_log(struct storage *storage)
 {
     if (!atomic_load(&storage->is_unproven) || !storage_has_card(storage)) {
@@ -178,8 +180,7 @@ static void prove_log(struct storage *storage)
     }
 }
 
-/* ---- Background work
- * -------------------------------------------------------------------------- */
+/* ---- Background work ----------------------------------------------------------------------- */
 
 static bool has_chore(const struct storage *storage)
 {
@@ -202,7 +203,7 @@ static void do_chore(struct storage *storage)
     }
 }
 
-/* ---- The thread ----------------------------------------------------------------------------- */
+/* ---- Thread -------------------------------------------------------------------------------- */
 
 void storage_work(struct storage *storage)
 {
@@ -218,7 +219,7 @@ void storage_work(struct storage *storage)
     do_chore(storage);
 }
 
-/* Blocks until new work arrives, at most CHECK_MS. Returns true if there is new work. */
+/* Blocks until new work arrives, for at most CHECK_MS. Returns true if there is new work. */
 static bool wait_for_work(struct storage *storage)
 {
     struct timespec until;
@@ -229,7 +230,7 @@ static bool wait_for_work(struct storage *storage)
     return sem_clockwait(&storage->wake, CLOCK_MONOTONIC, &until) == 0;
 }
 
-/* Returns true if the open file left its path or returned to it since the last call of
+/* Returns true if the open database left its path, or returned to its path, after the last call of
  * storage_has_card(). */
 static bool has_place_changed(struct storage *storage)
 {
@@ -237,8 +238,8 @@ static bool has_place_changed(struct storage *storage)
            storage_has_moved(storage) != storage->moved;
 }
 
-/* Thread function. Calls storage_work() at new work, and at least once a second because a failed
- * card is retried and a backup may be due. */
+/* Thread function. Calls storage_work() when there is new work, and at least once per second,
+ * because a failed card is retried and a backup may be due. */
 void *storage_thread(void *context)
 {
     struct storage *storage = context;

@@ -1,11 +1,11 @@
-/* day.c -- converts day numbers to dates, in eras of years that begin in March, so that the leap
- * day is the last day of a year. */
+/* day.c -- converts between day numbers and dates; see day.h. The calculation starts the year in
+ * March, so that the leap day is the last day of a year. */
 #include "platform/store/sqlite/day.h"
 
 #include <stdio.h>
 #include <time.h>
 
-#define DAYS_TO_2000 730425 /* Days from 0000-03-01 of the Gregorian calendar to 2000-01-01. */
+#define DAYS_TO_2000 730425 /* Days from 0000-03-01 to 2000-01-01 in the Gregorian calendar. */
 
 static int64_t day_number(int64_t year, int64_t month, int64_t day)
 {

@@ -1,7 +1,8 @@
-/* ledger_aggregates.c -- the aggregates of the entries: settings, audits and ranking.
+/* ledger_aggregates.c -- updates, writes and reads the aggregates of the ledger's entries:
+ * settings, audits and ranking.
  *
- * The aggregates have rows of their own, so that the kiosk starts without reading years of
- * entries. */
+ * The aggregates have rows of their own, so that the kiosk starts without reading the entries of
+ * years. */
 #include <string.h>
 
 #include <sqlite3.h>
@@ -11,7 +12,8 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-/* A new field also needs a column (ledger_schema.c) and code in put_ranks() and read_ranks(). */
+/* A new field of a rank also needs a column (ledger_schema.c) and code in put_ranks() and
+ * read_ranks(). */
 _Static_assert(sizeof(struct rank_row) == 12 + LEDGER_NAME_SIZE, "a field of a rank is not kept");
 _Static_assert(sizeof(struct ranking) ==
                    12 + sizeof(struct rank_row) * MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS,
@@ -19,7 +21,7 @@ _Static_assert(sizeof(struct ranking) ==
 
 #define RANKS (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
 
-/* ---- Adding --------------------------------------------------------------------------------- */
+/* ---- Updating from an entry ---------------------------------------------------------------- */
 
 static void note_setting(struct ledger_content *content, const struct ledger_entry *entry)
 {
@@ -48,9 +50,9 @@ void ledger_aggregates_note(struct ledger_content *content, const struct ledger_
     ranking_note(&memory->ranking, entry);
 }
 
-/* ---- Writing -------------------------------------------------------------------------------- */
+/* ---- Writing ------------------------------------------------------------------------------- */
 
-/* Writes one number under a name. */
+/* Writes the value of the row `name` with the statement `which`. Returns an SQLite code. */
 static int put_named(struct ledger_file *file, enum ledger_statement which, const char *name,
                      int64_t value)
 {
@@ -63,7 +65,8 @@ static int put_named(struct ledger_file *file, enum ledger_statement which, cons
     return sql_put_one(put, &value, 1);
 }
 
-/* Writes the changed settings. A setting is deleted only together with all others. */
+/* Writes the changed settings. If a setting must be deleted, deletes all settings and writes the
+ * remaining ones again. */
 static int put_settings(struct ledger_file *file, const struct ledger_content *before,
                         const struct ledger_content *after)
 {
@@ -164,7 +167,7 @@ int ledger_aggregates_put(struct ledger_file *file, const struct ledger_content 
     return code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
 }
 
-/* ---- Reading: rows that are unknown to this version stay in the file and are ignored -------- */
+/* ---- Reading (rows that this version does not know stay in the file and are ignored) ------- */
 
 typedef void take_row(struct ledger_content *content, sqlite3_stmt *row);
 

@@ -1,5 +1,5 @@
 /* ledger_backup.c -- copies the database with SQLite's backup API, validates the copy and renames
- * it. */
+ * it; see ledger_backup.h. */
 #include "platform/store/sqlite/ledger_backup.h"
 
 #include <fcntl.h>
@@ -33,7 +33,7 @@ int ledger_sync_folder(const char *path)
     return result;
 }
 
-/* ---- Copying -------------------------------------------------------------------------------- */
+/* ---- Copying ------------------------------------------------------------------------------- */
 
 void ledger_backup_drop(struct ledger_backup *backup)
 {
@@ -87,8 +87,9 @@ int ledger_unmark(struct ledger_file *file)
     return ledger_backup_set_mark(file->db, false);
 }
 
-/* Completes the copy as a file that needs no log to be read. The copy is validated like the
- * database itself, because a damaged copy must not replace the last backup. */
+/* Completes the copy as a file that can be read without a log. The copy is validated like a
+ * database, because a damaged copy must not replace the last backup. Returns SQLITE_DONE or an
+ * SQLite error code. */
 static int end_copy(struct ledger_backup *backup)
 {
     char part[LEDGER_PATH_SIZE];

@@ -1,15 +1,16 @@
-/* ledger_checksum.c -- a checksum of each aggregate table.
+/* ledger_checksum.c -- writes and verifies a checksum of each aggregate table.
  *
- * An entry has its own checksum. SQLite would not detect a flipped bit in a setting, an audit or a
- * score. */
+ * Without these checksums, a flipped bit in a setting, an audit or a score would not be detected,
+ * because SQLite has no checksums. Each ledger entry has its own checksum. */
 #include <sqlite3.h>
 
 #include "core/base/hash.h"
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-/* SQL of each checksum and of the rows it covers. The checksum of the audits is one of the audits'
- * rows, because both change with nearly every entry; this saves one page per write. */
+/* SQL text for reading and writing each checksum, and for reading the rows that it covers. The
+ * checksum of the audits is stored in the table of the audits, because both change with nearly
+ * every entry. Writing one table saves one page per write. */
 #define STATE_TALLY "SELECT value FROM state WHERE name = "
 static const struct tally {
     const char *get, *put;
@@ -53,7 +54,8 @@ static int hash_rows(sqlite3 *db, const char *text, uint64_t *hash)
     return sql_end(row, code);
 }
 
-/* Computes the checksum, which is never 0, because 0 means that none is stored. */
+/* Computes the checksum of a table. The result is never 0, because 0 means that no checksum is
+ * stored. */
 static int add_up(sqlite3 *db, const struct tally *tally, int64_t *out)
 {
     uint64_t hash = HASH_START;
@@ -88,7 +90,7 @@ int ledger_checksum_put(sqlite3 *db)
     return code;
 }
 
-/* Verifies one checksum. A file last written by a version without checksums has none and is
+/* Verifies one checksum. A file that a version without checksums wrote last has no checksum and is
  * accepted. */
 static int ledger_checksum_compare(sqlite3 *db, const struct tally *tally)
 {
@@ -100,8 +102,8 @@ static int ledger_checksum_compare(sqlite3 *db, const struct tally *tally)
 
 int ledger_checksum_check(sqlite3 *db)
 {
-    int code = sql_run(db, "BEGIN"); /* No other program writes between reading a checksum and its
-                                        rows. */
+    int code = sql_run(db, "BEGIN"); /* The transaction prevents that another program writes between
+                                        the checksum and its rows. */
     for (size_t i = 0; code == SQLITE_OK && i < TALLY_COUNT; i++) {
         code = ledger_checksum_compare(db, &tallies[i]);
     }

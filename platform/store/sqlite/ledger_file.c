@@ -1,5 +1,5 @@
 /* ledger_file.c -- writes entries to the open database in transactions; ledger_open.c opens the
- * file. */
+ * database. */
 #include "platform/store/sqlite/ledger_file.h"
 
 #include <sqlite3.h>
@@ -28,7 +28,7 @@ void ledger_file_close(struct ledger_file *file)
     *file = (struct ledger_file){ 0 };
 }
 
-/* ---- Writing -------------------------------------------------------------------------------- */
+/* ---- Writing ------------------------------------------------------------------------------- */
 
 static int put_entries(struct ledger_file *file, const struct ledger_entry *entries, uint32_t count,
                        struct ledger_content *after)
@@ -44,8 +44,8 @@ static int put_entries(struct ledger_file *file, const struct ledger_entry *entr
 }
 
 /* Rolls back and reads the content again, because the entries may have been written in spite of the
- * error or by another program. The content of this connection never includes a transaction whose
- * sync failed. */
+ * error, or by another program. The content that this connection reads never includes a transaction
+ * whose sync failed. */
 static int undo(struct ledger_file *file, int code)
 {
     sql_run(file->db, "ROLLBACK");
@@ -73,7 +73,7 @@ int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entri
     return ledger_log_result(file, SQLITE_OK);
 }
 
-/* ---- Content and errors --------------------------------------------------------------------- */
+/* ---- Content and errors -------------------------------------------------------------------- */
 
 void ledger_content_load(const struct ledger_content *content, struct persistent_state *out)
 {

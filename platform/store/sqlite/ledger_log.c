@@ -1,17 +1,17 @@
 /* ledger_log.c -- makes the write-ahead log durable before its content is used, and copies the log
  * into the database.
  *
- * After a failed fsync() Linux marks the pages clean. A read then returns the new bytes, the disk
- * keeps the old bytes, and a later fsync() writes nothing and returns 0. A log that is opened may
- * contain such pages, from this process or from a process that was killed. Therefore each byte of
- * the log is written again and synced before SQLite may copy it into the database, and before an
- * entry read from the log counts as stored. Writing equal bytes in place is safe at every moment,
- * because each sector contains either its old bytes or the bytes that a reader saw.
+ * After a failed fsync() Linux marks the pages clean. A read then returns the new bytes while the
+ * disk keeps the old bytes, and a later fsync() writes nothing and returns 0. A log that is opened
+ * may contain such pages, from this process or from a process that was killed. Therefore each byte
+ * of the log is written again and synced before SQLite may copy the log into the database, and
+ * before an entry from the log counts as stored. Writing equal bytes in place is always safe,
+ * because each sector contains either its old bytes or the bytes that were read.
  *
  * The database file needs no such treatment. SQLite restarts the log only after a checkpoint whose
- * sync succeeded; until then the log contains every page that the checkpoint copied. A checkpoint
- * that failed is not repeated in the same connection. `is_suspect` stays set until the file was
- * closed, opened and made durable again. */
+ * sync succeeded. Until then the log contains every page that the checkpoint copied. A failed
+ * checkpoint is not repeated in the same connection. `is_suspect` stays true until the file is
+ * closed, opened again and made durable. */
 #include <sqlite3.h>
 #include <stdint.h>
 
@@ -19,12 +19,13 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-/* Log pages after which the log is copied into the database. With this limit a transaction copies
- * at most half a MiB. */
+/* Number of log pages after which the log is copied into the database. With this limit one
+ * transaction copies at most half a MiB. */
 #define CHECKPOINT_PAGES 128
 #define CHUNK 4096
 
-/* SQLite calls this after each commit. The default hook of SQLite ignores a failed checkpoint. */
+/* Commit hook, which SQLite calls after each commit. SQLite's default hook ignores a failed
+ * checkpoint; this hook sets `is_suspect`. */
 static int after_commit(void *context, sqlite3 *db, const char *name, int page_count)
 {
     struct ledger_file *file = context;
@@ -61,15 +62,16 @@ static int rewrite(sqlite3_file *log)
     return code == SQLITE_OK && size > 0 ? log->pMethods->xSync(log, SQLITE_SYNC_NORMAL) : code;
 }
 
-/* Syncs the folder. SQLite creates the log but ignores an error when it syncs the folder for the
- * new name. */
+/* Syncs the folder, because SQLite ignores an error when it syncs the folder for a new log. Returns
+ * an SQLite code. */
 static int sync_names(struct ledger_file *file)
 {
     const char *path = sqlite3_db_filename(file->db, "main");
     return !path || !path[0] || ledger_sync_folder(path) == 0 ? SQLITE_OK : SQLITE_IOERR;
 }
 
-/* Rewrites the log under the write lock, so that no other program restarts the log meanwhile. */
+/* Writes the log again. The write lock prevents that another program restarts the log during the
+ * rewrite. */
 int ledger_log_secure(struct ledger_file *file)
 {
     sqlite3_file *log = NULL;
@@ -83,7 +85,7 @@ int ledger_log_secure(struct ledger_file *file)
     code = code == SQLITE_OK ? sync_names(file) : code;
     sql_run(file->db, "ROLLBACK");
     file->is_suspect = code != SQLITE_OK;
-    return code & 0xff; /* Without SQLite's extended code. */
+    return code & 0xff; /* The low byte is the primary code without SQLite's extended code. */
 }
 
 int ledger_log_result(const struct ledger_file *file, int code)

@@ -1,4 +1,5 @@
-/* ledger_mirror.c -- the ledger mirror: a ring of entries in a file, one sector each. */
+/* ledger_mirror.c -- writes and reads the ledger mirror, a file with one sector per entry; see
+ * ledger_mirror.h. */
 #include "platform/store/sqlite/ledger_mirror.h"
 
 #include <fcntl.h>
@@ -16,17 +17,17 @@
 
 #define FILE_SIZE ((off_t)LEDGER_MIRROR_SLOTS * LEDGER_MIRROR_SLOT_SIZE)
 
-/* Version of a slot. Slots of version 4 have padding in place of the balance's `returned` and
- * `tickets`, and are read with 0 there. The number 100 leaves room for versions of the database. */
+/* Version of a slot. A slot of version 4 has padding in place of the balance's `returned` and
+ * `tickets`, which are read as 0. The number 100 is higher than any version of the database. */
 #define SLOT_VERSION 100u
 #define SLOT_VERSION_4 4u
 
-/* An entry with the memory layout of this machine, because only this machine reads it. An entry of
- * another version is detected by its size and version. */
+/* Content of a slot. The entry has the memory layout of this machine, because only this machine
+ * reads it. Entries of another version are detected by `version` and `size`. */
 struct slot {
     uint32_t version, size;
     struct ledger_entry entry;
-    uint64_t sum; /* Checksum of all fields before it. */
+    uint64_t sum; /* Checksum of all preceding fields. */
 };
 _Static_assert(sizeof(struct slot) <= LEDGER_MIRROR_SLOT_SIZE, "an entry fits into a sector");
 
@@ -55,7 +56,8 @@ static bool read_slot_as_is(const struct ledger_mirror *tail, uint32_t index, st
     return ledger_entry_is_valid(&slot->entry);
 }
 
-/* Hides a PIN that an older version wrote as plain digits. Returns true if there was one. */
+/* Hides a PIN that an older version wrote as plain digits. Returns true if the entry contained a
+ * plain PIN. */
 static bool hide_pin(struct ledger_entry *entry)
 {
     const bool is_plain = entry->kind == LEDGER_SETTING && entry->detail == SET_PIN &&
@@ -73,10 +75,10 @@ static bool read_slot(const struct ledger_mirror *tail, uint32_t index, struct s
     return is_good;
 }
 
-/* ---- Opening -------------------------------------------------------------------------------- */
+/* ---- Opening ------------------------------------------------------------------------------- */
 
-/* Writes the whole file before the first entry, so that all blocks are allocated. A later write
- * changes only its sector and cannot fail because of a full card. */
+/* Writes the whole file before the first entry, so that all blocks are allocated. Later writes
+ * change only their sectors and cannot fail because of a full card. Returns 0 or -1. */
 static int ledger_mirror_allocate(int handle)
 {
     static const uint8_t nothing[64 * LEDGER_MIRROR_SLOT_SIZE];
@@ -88,8 +90,8 @@ static int ledger_mirror_allocate(int handle)
     return fsync(handle);
 }
 
-/* Writes each byte again. After a failed sync, possibly of a process that was killed, a slot may be
- * readable without being on disk. */
+/* Writes each byte of the file again. After a failed sync, possibly of a process that was killed, a
+ * slot may be readable without being on disk. Returns 0 or -1. */
 static int rewrite(int handle)
 {
     uint8_t bytes[64 * LEDGER_MIRROR_SLOT_SIZE];
@@ -117,7 +119,8 @@ int ledger_mirror_open(struct ledger_mirror *tail, const char *path)
         return -1;
     }
     const bool is_whole = fstat(tail->handle, &about) == 0 && about.st_size == FILE_SIZE;
-    fchmod(tail->handle, S_IRUSR | S_IWUSR); /* Older versions created the file readable for all. */
+    fchmod(tail->handle, S_IRUSR | S_IWUSR); /* Older versions created the file readable for all
+                                                users. */
     int result = is_whole ? rewrite(tail->handle) : ledger_mirror_allocate(tail->handle);
     result = result == 0 && is_whole ? hide_pins(tail) : result;
     if (result != 0 || ledger_sync_folder(path) != 0) {
@@ -140,7 +143,7 @@ void ledger_mirror_close(struct ledger_mirror *tail)
     *tail = (struct ledger_mirror){ 0 };
 }
 
-/* ---- Entries -------------------------------------------------------------------------------- */
+/* ---- Entries ------------------------------------------------------------------------------- */
 
 static int write_slot(struct ledger_mirror *tail, const struct ledger_entry *entry)
 {
@@ -156,7 +159,7 @@ static int write_slot(struct ledger_mirror *tail, const struct ledger_entry *ent
     return done == (ssize_t)sizeof sector ? 0 : -1;
 }
 
-/* Rewrites the slots that contain a PIN as plain digits. */
+/* Writes the slots again that contain a PIN as plain digits. Returns 0 or -1. */
 static int hide_pins(struct ledger_mirror *tail)
 {
     struct slot slot;
@@ -187,7 +190,8 @@ int ledger_mirror_erase_name(struct ledger_mirror *tail, uint32_t round_id, uint
     int result = 0;
     for (uint32_t i = 0; result == 0 && i < LEDGER_MIRROR_SLOTS; i++) {
         struct ledger_entry *entry = &slot.entry;
-        /* A slot without a name is also written because its earlier sync may have failed. */
+        /* A slot whose name is already empty is also written, because its earlier sync may have
+         * failed. */
         if (read_slot(tail, i, &slot) && entry->kind == LEDGER_NAME && entry->count == round_id &&
             entry->detail == seat) {
             memset(entry->name, 0, sizeof entry->name);

@@ -1,4 +1,5 @@
-/* ledger_omit.c -- makes a copy, and then deletes data in one transaction. */
+/* ledger_omit.c -- copies the database and then deletes data in one transaction; see
+ * ledger_omit.h. */
 #include "platform/store/sqlite/ledger_omit.h"
 
 #include <errno.h>
@@ -13,8 +14,8 @@
 #include "platform/store/sqlite/sql.h"
 #include "platform/store/storage.h"
 
-/* Returns 1 if the setting may be deleted. The PIN and the money settings do not affect a round,
- * and without them the menu would be open or the game free. */
+/* Returns 1 if the setting may be deleted, otherwise 0. The PIN and the money settings stay because
+ * they do not affect a round. Without them the menu would be open or the game free. */
 static int may_go(uint32_t id)
 {
     return settings_entry(id)->group != GROUP_MONEY && id != SET_PIN;
@@ -61,7 +62,8 @@ static int ledger_leave_delete_rows(struct ledger_file *file, enum panics_left l
     return ledger_log_result(file, code);
 }
 
-/* Returns the first unused number of a copy, or 0 if all numbers are used. */
+/* Writes the path of the first unused copy to `copy` and returns its number. Returns 0 if all
+ * numbers are used. */
 static uint32_t free_number(const char *path, char copy[LEDGER_PATH_SIZE])
 {
     struct stat about;
@@ -74,7 +76,8 @@ static uint32_t free_number(const char *path, char copy[LEDGER_PATH_SIZE])
     return 0;
 }
 
-/* Returns an SQLite code, or LEDGER_FILE_FOREIGN if no number is free. */
+/* Copies the database and deletes the data. Returns an SQLite code; SQLITE_FULL also means that no
+ * number is free. */
 static int leave(struct ledger_file *file, const char *path, enum panics_left left,
                  uint32_t *number)
 {

@@ -1,4 +1,5 @@
-/* ledger_open.c -- opens, validates, migrates and reads the database, with read-only fallbacks. */
+/* ledger_open.c -- opens, validates, migrates and reads the database. A database that cannot be
+ * written is opened read-only. */
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,13 +10,14 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-/* Time in ms for which another program (kingyoctl, a backup) may lock the file. */
+/* Maximum time in milliseconds that a call waits while another program (kingyoctl, a backup) locks
+ * the file. */
 #define BUSY_MS 2000
 
-/* A write-ahead log, the cheapest of all journals that lose nothing in a power cut (`make
- * bench-journals`). This journal needs the fewest writes and the fewest syncs, a third of a
- * rollback journal at EXTRA. ledger_log.c copies the log into the file. The cache size is what a
- * transaction needs, in KiB. */
+/* Journal mode and synchronous mode: a write-ahead log. It is the cheapest journal that loses no
+ * data in a power cut (`make bench-journals`), with the fewest writes and syncs. A rollback journal
+ * at EXTRA needs three times as many syncs. ledger_log.c copies the log into the database.
+ * cache_size is what one transaction needs, in KiB. */
 #define JOURNAL "WAL FULL"
 static const char settings[] = "PRAGMA cache_size = -1024";
 
@@ -31,9 +33,9 @@ static int set_up(sqlite3 *db, const struct ledger_file_options *how)
     return code == SQLITE_OK ? sql_run(db, settings) : code;
 }
 
-/* Checks the journal mode and makes the log durable. If SQLite cannot create a write-ahead log, it
- * keeps another journal without an error. A caller that selects another journal gets no durability
- * guarantee. */
+/* Checks the journal mode and makes the log durable. SQLite keeps another journal without an error
+ * if it cannot create a write-ahead log. If the caller has selected another journal, durability is
+ * not guaranteed. Returns an SQLite code. */
 static int secure(struct ledger_file *file, const struct ledger_file_options *how)
 {
     sqlite3_stmt *ask = NULL;
@@ -49,13 +51,14 @@ static int secure(struct ledger_file *file, const struct ledger_file_options *ho
     }
     sqlite3_finalize(ask);
     code = code == SQLITE_OK ? ledger_log_secure(file) : code;
-    return code == SQLITE_BUSY ? SQLITE_OK : code; /* `is_suspect` stays set for the caller. */
+    return code == SQLITE_BUSY ? SQLITE_OK : code; /* If another program holds the write lock,
+                                                      `is_suspect` stays true for the caller. */
 }
 
-/* ---- Validation ----------------------------------------------------------------------------- */
+/* ---- Validation ---------------------------------------------------------------------------- */
 
-/* Maps errors of a damaged schema to SQLITE_CORRUPT. A flipped bit in the schema may be valid SQL
- * that fails later. The caller has excluded causes such as a full card. */
+/* Converts errors of a damaged schema to SQLITE_CORRUPT. A flipped bit in the schema may give valid
+ * SQL that fails later. The caller has excluded other causes, such as a full card. */
 static int as_damage(int code)
 {
     return code == SQLITE_ERROR || code == SQLITE_SCHEMA || code == SQLITE_MISMATCH ||
@@ -64,7 +67,8 @@ static int as_damage(int code)
                : code;
 }
 
-/* Runs SQLite's integrity check, because SQLite finds most damage only in this check. */
+/* Runs SQLite's integrity check, which finds most damage. Returns SQLITE_CORRUPT if the check
+ * fails. */
 static int check_pages(sqlite3 *db)
 {
     sqlite3_stmt *check = NULL;
@@ -81,7 +85,7 @@ static int check_pages(sqlite3 *db)
     return code;
 }
 
-/* Validates the schema first because the page check evaluates expressions of the schema. */
+/* The schema is validated first, because the page check evaluates expressions of the schema. */
 int ledger_check(sqlite3 *db)
 {
     int64_t version = 0;
@@ -97,10 +101,10 @@ int ledger_check(sqlite3 *db)
     return as_damage(code);
 }
 
-/* ---- Opening -------------------------------------------------------------------------------- */
+/* ---- Opening ------------------------------------------------------------------------------- */
 
-/* Prepares all statements at once, so that a file in which a statement would fail is detected at
- * the opening. */
+/* Prepares all statements, so that a file in which a statement fails is detected when it is opened.
+ * Returns an SQLite code. */
 static int prepare_all(struct ledger_file *file)
 {
     sqlite3_stmt *statement;
@@ -117,8 +121,8 @@ static int read_version(struct ledger_file *file, int64_t *version)
     return sql_number(file->db, "PRAGMA user_version", version);
 }
 
-/* Migrates the file in one transaction. If two programs open an old file, the second one finds the
- * migration done. */
+/* Migrates the file in one transaction. If two programs open an old file, the second program finds
+ * the migration done. Returns an SQLite code. */
 static int bring_up_to_date(struct ledger_file *file)
 {
     int64_t version;
@@ -148,15 +152,16 @@ static int raise_version(struct ledger_file *file, int64_t version)
     return file->refusal ? file->refusal : bring_up_to_date(file);
 }
 
-/* Hides the PIN. A card without enough space is retried at the next start; until then the PIN opens
- * the menu as before. */
+/* Hides the PIN. If the card has no space, the next start tries again, and the plain PIN opens the
+ * menu until then. */
 static int hide_pin(struct ledger_file *file)
 {
     const int code = file->refusal ? SQLITE_OK : ledger_pin_hide(file);
     return code == SQLITE_CORRUPT || code == SQLITE_NOTADB ? code : SQLITE_OK;
 }
 
-/* Validates and reads an open connection. A file that is damaged or newer is not changed. */
+/* Validates and reads an open connection. A damaged file or a file of a newer version is not
+ * changed. Returns an SQLite code or an error code of ledger_file.h. */
 static int ledger_open_begin(struct ledger_file *file, const struct ledger_file_options *how)
 {
     int64_t version = 0;
@@ -190,8 +195,8 @@ static bool has_log(const char *path)
     return strlen(path) >= PATH_MAX || (stat(log, &about) == 0 && about.st_size > 0);
 }
 
-/* Opens a file that cannot be written. SQLite can read a log only if its index can be written. A
- * file without a log, as a closed kiosk leaves it, is read without any lock because no process can
+/* Opens a file that cannot be written. SQLite can read a log only if it can write the log's index.
+ * A file without a log, which a closed kiosk leaves, is read without a lock because no process can
  * write it. */
 static int open_unwritable(struct ledger_file *file, const char *path)
 {
@@ -201,13 +206,13 @@ static int open_unwritable(struct ledger_file *file, const char *path)
     return sql_open_unwritable(path, &file->db);
 }
 
-/* Returns true if the permissions of the file or folder are the cause. */
+/* Returns true if missing permissions of the file or folder may be the cause of the error. */
 static bool is_unwritable(int code)
 {
     return code == SQLITE_CANTOPEN || code == SQLITE_READONLY;
 }
 
-/* Returns true if the card is full. SQLite reports only a general error when it cannot create the
+/* Returns true if the card is full. SQLite returns only a general I/O error if it cannot create the
  * index of the log. */
 static bool is_full(struct ledger_file *file, int code)
 {
@@ -216,8 +221,8 @@ static bool is_full(struct ledger_file *file, int code)
 }
 
 /* Opens a file on a full card, with the index of the log in memory. Only one program at a time may
- * do this, therefore readers must wait until the file is closed. Entries of an existing log stay
- * suspect because the log cannot be rewritten. */
+ * do so, therefore other programs must wait until the file is closed. If the file had a log,
+ * `is_suspect` stays true because the log cannot be written again. */
 static int open_full(struct ledger_file *file, const char *path,
                      const struct ledger_file_options *how)
 {

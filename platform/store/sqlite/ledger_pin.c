@@ -1,10 +1,10 @@
 /* ledger_pin.c -- hides a PIN that an older version stored as plain digits.
  *
- * The digits are in the setting and in each entry that records its change. Both are rewritten with
- * one salt, so that settings rebuilt from the entries are equal. Old bytes of a database stay in
- * free pages and in gaps of pages. VACUUM rewrites the file, and the checkpoint that follows
- * empties the log. Either step may fail after the rows were committed, so that a row of `state`
- * marks the file until both have succeeded. */
+ * The digits are in the setting and in each entry that records a change of the setting. All of them
+ * are rewritten with the same salt, so that settings that are rebuilt from the entries are equal.
+ * Old bytes remain in free pages and in gaps of pages. VACUUM rewrites the file, and the following
+ * checkpoint empties the log. Each of the two steps may fail after the rows were committed.
+ * Therefore a row of `state` marks the file until both steps have succeeded. */
 #include <sqlite3.h>
 #include <stdio.h>
 
@@ -12,10 +12,13 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-#define MARK "'pin-vacuum'" /* Name of the `state` row while old bytes may be left in the file. */
+#define MARK                                                                                       \
+    "'pin-vacuum'" /* Name of the `state` row that exists while old bytes of a PIN may be in the
+                      file. */
 #define PLAIN_ENTRIES "FROM entries WHERE kind = %d AND detail = %d AND count = 0 AND value > 0"
 
-/* Hides the PIN in its entries. There are few: one for each PIN that was ever set. */
+/* Hides the PIN in its entries. The entries are few: one for each PIN that was ever set. Returns an
+ * SQLite code. */
 static int hide_entries(struct ledger_file *file, uint32_t salt)
 {
     struct ledger_entry entry;
@@ -50,7 +53,7 @@ static int hide_setting(struct ledger_file *file, uint32_t salt)
     return code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
 }
 
-/* Counts the rows that require a rewrite of the file. */
+/* Counts the rows that require a rewrite of the file. Returns an SQLite code. */
 static int count_reasons(struct ledger_file *file, int64_t *count)
 {
     char text[320];
@@ -88,8 +91,8 @@ static int hide_all(struct ledger_file *file, uint32_t salt)
     return end_transaction(file, code);
 }
 
-/* Runs VACUUM, which attaches its new file. sql_open() forbids this by a limit, which is raised
- * here. */
+/* Rewrites the file with VACUUM. VACUUM attaches its new file, which a limit of sql_open() forbids.
+ * The limit is raised for this call. Returns an SQLite code. */
 static int write_anew(struct ledger_file *file)
 {
     sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 1);

@@ -1,5 +1,5 @@
-/* ledger_recovery.c -- recovers entries one by one, by id, so that damage at one entry does not
- * affect the next. */
+/* ledger_recovery.c -- recovers each entry separately by its id, so that a damaged entry does not
+ * affect the next one. */
 #include "platform/store/sqlite/ledger_recovery.h"
 
 #include <sqlite3.h>
@@ -7,10 +7,10 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-#define BATCH 64u /* Entries in one transaction. */
+#define BATCH 64u /* Maximum number of entries in one transaction. */
 
-/* One more than the largest number of entries in a file; ids beyond this range do not belong to the
- * ledger. */
+/* Maximum number of ids that are searched, slightly more than a file can contain. Ids beyond this
+ * range do not belong to the ledger. */
 #define SALVAGE_MAX (LEDGER_FILE_ENTRIES + 512u)
 
 struct salvage {
@@ -18,15 +18,15 @@ struct salvage {
     struct ledger_file *to;
     const struct ledger_mirror *tail;
     struct ledger_entry entries[BATCH];
-    uint32_t count;       /* Entries in `entries` that are not yet written. */
-    uint32_t first, last; /* Range of ids to read. */
+    uint32_t count;       /* Number of entries in `entries` that are not yet written. */
+    uint32_t first, last; /* First and last id to read. */
     uint32_t newest_id;   /* Newest id that is known to have existed. */
-    bool has_from;        /* 1: the damaged file has readable entries. */
-    bool knows_last;      /* 1: `last` is the true end of the ledger. */
+    bool has_from;        /* True if the damaged file has a readable table of entries. */
+    bool knows_last;      /* True if `last` is the true end of the ledger. */
     struct ledger_recovered done;
 };
 
-/* ---- Comparing two ledgers ------------------------------------------------------------------ */
+/* ---- Comparison of two ledgers ------------------------------------------------------------- */
 
 static enum ledger_relation kin_of(const struct ledger_entry *one, const struct ledger_entry *other)
 {
@@ -63,8 +63,8 @@ enum ledger_relation ledger_recovery_relation_of_file(struct ledger_file *file, 
     return find_kin(file, last_id, NULL, other);
 }
 
-/* Returns true if the mirror is newer. Two files without a common entry must at least be in
- * order. */
+/* Returns true if the mirror is newer than `content`, or if the mirror is empty. Used if the two
+ * have no common entry. */
 static bool comes_later(const struct ledger_content *content, const struct ledger_mirror *tail)
 {
     struct ledger_entry newest;
@@ -89,7 +89,7 @@ static bool has_others_tail(struct salvage *salvage)
            (kin == LEDGER_RELATION_UNKNOWN && !comes_later(content, salvage->tail));
 }
 
-/* ---- Range of ids ---------------------------------------------------------------------------- */
+/* ---- Range of ids -------------------------------------------------------------------------- */
 
 static bool reads_well(struct salvage *salvage, int64_t id)
 {
@@ -98,7 +98,8 @@ static bool reads_well(struct salvage *salvage, int64_t id)
            ledger_file_entry(&salvage->from, (uint32_t)id, &entry) == SQLITE_OK;
 }
 
-/* Reads the smallest and largest id of the damaged file, limited to plausible values. */
+/* Reads the smallest and the largest id of the damaged file, and limits the range to plausible
+ * values. */
 static void find_ends(struct salvage *salvage)
 {
     int64_t min = 0, max = 0;
@@ -117,9 +118,9 @@ static void find_ends(struct salvage *salvage)
     salvage->last = salvage->knows_last ? (uint32_t)max : salvage->first + SALVAGE_MAX;
 }
 
-/* Extends the range to the end of the mirror. The mirror is written before an entry is
- * acknowledged. A mirror that reaches the end of the backup therefore contains the newest id. A
- * shorter mirror was not written completely. */
+/* Extends the range of ids to the end of the mirror. The mirror is written before an entry is
+ * acknowledged. If the mirror reaches at least the end of the backup, its last id is therefore the
+ * newest id. Otherwise the mirror was not written completely. */
 static void reach_to_tail(struct salvage *salvage)
 {
     const uint32_t last_id = ledger_mirror_last_id(salvage->tail);
@@ -136,7 +137,7 @@ static void reach_to_tail(struct salvage *salvage)
     salvage->newest_id = salvage->knows_last ? salvage->last : last_id;
 }
 
-/* ---- Entries -------------------------------------------------------------------------------- */
+/* ---- Recovery of entries ------------------------------------------------------------------- */
 
 static bool read_either(struct salvage *salvage, uint32_t id, struct ledger_entry *out)
 {

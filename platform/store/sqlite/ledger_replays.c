@@ -1,4 +1,4 @@
-/* ledger_replays.c -- stores replays of ranked rounds, and deletes old data. */
+/* ledger_replays.c -- stores the replays of ranked rounds and deletes old data. */
 #include <stdio.h>
 #include <string.h>
 
@@ -7,7 +7,8 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-/* Deletes old data. Entries are deleted in large groups, so that most calls write nothing. */
+/* SQL text that deletes old data. Entries are deleted in large groups, so that most calls write
+ * nothing. */
 static const char prune[] =
     "BEGIN IMMEDIATE;"
     "DELETE FROM replays WHERE round NOT IN (SELECT round FROM ranking WHERE caught > 0);"

@@ -1,4 +1,4 @@
-/* ledger_rows.c -- writes one entry of the ledger to rows and reads it back. */
+/* ledger_rows.c -- writes one ledger entry to rows and reads it back. */
 #include <string.h>
 
 #include <sqlite3.h>
@@ -9,7 +9,7 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-/* A new field also needs a column (ledger_schema.c), code in this file, and a term in
+/* A new field also needs a column (ledger_tables.c), code in this file, and a term in
  * entry_sum(). */
 _Static_assert(sizeof(struct balance) == 24, "a field of the purse is not kept");
 _Static_assert(sizeof(struct health) == 12, "a field of the health is not kept");
@@ -17,12 +17,9 @@ _Static_assert(sizeof(struct player_record) == 24, "a field of the player's reco
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof(array)[0]))
 
-/* The column `open` holds three fields of the balance: open
- *
- * returned << 8
- *
- * tickets << 16. Older files have 0 in the upper two fields, so that their rows and checksums
- * remain valid. */
+/* The column `open` contains three fields of the balance: `open` in the low 8 bits, `returned`
+ * shifted by RETURNED_SHIFT, and `tickets` shifted by TICKETS_SHIFT. Older files have 0 in the
+ * upper two fields, so that their rows and checksums remain valid. */
 #define RETURNED_SHIFT 8u
 #define TICKETS_SHIFT 16u
 
@@ -32,7 +29,7 @@ static uint32_t pack_open(const struct balance *balance)
            (uint32_t)balance->tickets << TICKETS_SHIFT;
 }
 
-/* ---- Checksum ------------------------------------------------------------------------------- */
+/* ---- Checksum ------------------------------------------------------------------------------ */
 
 static uint64_t hash_words(uint64_t hash, const uint32_t *words, int count)
 {
@@ -59,7 +56,8 @@ static uint64_t round_sum(uint64_t sum, const struct round_record *round)
     return sum;
 }
 
-/* Returns the checksum of an entry. SQLite detects a torn page, but not a flipped bit. */
+/* Returns the checksum of an entry. The checksum is needed because SQLite detects a torn page, but
+ * not a flipped bit. */
 static int64_t entry_sum(const struct ledger_entry *entry)
 {
     const struct balance *balance = &entry->balance;
@@ -76,7 +74,7 @@ static int64_t entry_sum(const struct ledger_entry *entry)
     return (int64_t)(entry->kind == LEDGER_ROUND ? round_sum(sum, &entry->round) : sum);
 }
 
-/* ---- Writing -------------------------------------------------------------------------------- */
+/* ---- Writing ------------------------------------------------------------------------------- */
 
 static int put_entry(struct ledger_file *file, const struct ledger_entry *entry)
 {
@@ -134,8 +132,8 @@ static int put_players(struct ledger_file *file, const struct ledger_entry *entr
     return code;
 }
 
-/* Stores a name. An empty name revokes earlier names of that player, which are also erased in the
- * ledger's entries. */
+/* Stores a player's name. An empty name revokes the player's earlier names, which are then also
+ * erased in the ledger's entries. Returns an SQLite code. */
 static int put_name(struct ledger_file *file, const struct ledger_entry *entry)
 {
     const int64_t whose[] = { entry->count, entry->detail, LEDGER_NAME };
@@ -176,7 +174,7 @@ int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry)
     return code;
 }
 
-/* ---- Reading -------------------------------------------------------------------------------- */
+/* ---- Reading ------------------------------------------------------------------------------- */
 
 static uint32_t word(sqlite3_stmt *row, int column)
 {
@@ -233,7 +231,8 @@ static int read_players(struct ledger_file *file, uint32_t id, struct round_reco
     "SELECT seed, start_tick, end_tick, caught, by_bot, mode, grade, players, unscored, "
 #define ROUND_OF " FROM rounds WHERE entry = ?"
 
-/* Reads a round. A recovered file may be of version 3, which lacks the last three columns. */
+/* Reads a round. A recovered file may have version 3, which lacks the columns fish_count, round_s
+ * and preset. */
 static int read_round(struct ledger_file *file, uint32_t id, struct round_record *round)
 {
     sqlite3_stmt *row = NULL;
@@ -304,7 +303,7 @@ int ledger_rows_newest(struct ledger_file *file, struct ledger_entry *out)
     return find_entry(file, ENTRY_COLUMNS "WHERE id >= ?1 ORDER BY id DESC LIMIT 1", 0, out);
 }
 
-/* Reads the newest of an open round's beginning and its states. */
+/* Reads the newest entry that records the start or the state of an open round. */
 int ledger_rows_state(struct ledger_file *file, struct ledger_stand *out)
 {
     _Static_assert(LEDGER_BEGIN == 4 && LEDGER_STAND == 17, "the kinds of the statement");

@@ -1,5 +1,5 @@
-/* ledger_schema.c -- the SQL statements, and the migrations from older versions. The tables are in
- * ledger_tables.c. */
+/* ledger_schema.c -- the SQL statements, and the migrations from older file versions.
+ * ledger_tables.c has the tables. */
 #include <stddef.h>
 #include <stdio.h>
 
@@ -9,18 +9,20 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-/* ---- The versions --------------------------------------------------------------------------- */
+/* ---- Versions ------------------------------------------------------------------------------ */
 
-/* Version 1 had one mode, the festival with paper No. 6, and one player. The number of scoops and
- * the paper's damage were not recorded. */
+/* Migrates a file of version 1. Version 1 had one mode (the festival with paper No. 6) and one
+ * player. It did not record the number of scoops and the paper's damage. */
 static const char to_2[] =
-    "ALTER TABLE rounds ADD COLUMN mode INTEGER NOT NULL DEFAULT 0;" /* enum game_mode */
+    "ALTER TABLE rounds ADD COLUMN mode INTEGER NOT NULL DEFAULT 0;" /* Game mode of the round (enum
+                                                                        game_mode). */
     "ALTER TABLE rounds ADD COLUMN grade INTEGER NOT NULL DEFAULT 6;"
-    "ALTER TABLE rounds ADD COLUMN players INTEGER NOT NULL DEFAULT 1;"; /* Number of players. */
+    "ALTER TABLE rounds ADD COLUMN players INTEGER NOT NULL DEFAULT 1;"; /* Number of players in the
+                                                                            round. */
 static const char fill_2[] = "INSERT INTO round_players (round, player, caught, fouls)"
                              " SELECT number, 0, caught, 0 FROM rounds;";
 
-/* The tank of a round that version 3 recorded is unknown. */
+/* Migrates rounds of version 3, whose tank is unknown. */
 static const char set_rounds_aside[] = "ALTER TABLE rounds RENAME TO old_rounds;";
 static const char fill_4[] = "INSERT INTO rounds SELECT *, 0, 0, 0 FROM old_rounds;"
                              "DROP TABLE old_rounds;";
@@ -28,8 +30,8 @@ static const char fill_4[] = "INSERT INTO rounds SELECT *, 0, 0, 0 FROM old_roun
 static const char set_old_aside[] = "ALTER TABLE rounds RENAME TO old_rounds;"
                                     "ALTER TABLE round_players RENAME TO old_round_players;";
 
-/* Sets values that the old file did not record to NULL. `entry` follows the order in which the
- * rounds were read, which is by number. */
+/* Sets values that the old file did not record to NULL. `entry` counts the old rounds in the order
+ * of their numbers. */
 static const char forget_unknown[] =
     "UPDATE round_players SET sheets = NULL;"
     "UPDATE round_players SET scoops = NULL, hole_area_mm2 = NULL, torn_tick = NULL"
@@ -39,7 +41,7 @@ static const char forget_unknown[] =
     "DROP TABLE old_round_players;"
     "DROP TABLE old_rounds;";
 
-/* ---- The statements ------------------------------------------------------------------------- */
+/* ---- Statements ---------------------------------------------------------------------------- */
 
 static const char *const texts[LEDGER_STATEMENT_COUNT] = {
     [PUT_ENTRY] = "INSERT INTO entries VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12,"
@@ -68,7 +70,7 @@ const char *ledger_statement_text(enum ledger_statement which)
     return texts[which];
 }
 
-/* ---- From 1 and 2: rounds become entries ---------------------------------------------------- */
+/* ---- Migration from versions 1 and 2, in which rounds become entries ----------------------- */
 
 static const char select_old[] =
     "SELECT number, seed, start_tick, end_tick, caught, by_bot, ended_at, mode, grade"
@@ -98,8 +100,8 @@ static int read_old_players(sqlite3_stmt *players, int64_t number, struct round_
     return code == SQLITE_DONE ? SQLITE_OK : code;
 }
 
-/* Converts an old round to an entry. A round of an unknown mode gets no score that could be
- * ranked. */
+/* Converts an old round to an entry. A round of an unknown mode is marked as unscored, so that it
+ * is not ranked. */
 static struct ledger_entry old_entry(sqlite3_stmt *old, uint32_t id)
 {
     const struct day_minute ended = day_minute_of(sqlite3_column_int64(old, 6));
@@ -123,8 +125,8 @@ static struct ledger_entry old_entry(sqlite3_stmt *old, uint32_t id)
     };
 }
 
-/* Writes an entry for each old round, as if this version had recorded it, so that the same
- * functions compute the aggregates. */
+/* Writes an entry for each old round, as if the current version had recorded it. The aggregates are
+ * then computed by the same functions. Returns an SQLite code. */
 static int carry_over(struct ledger_file *file, sqlite3_stmt *old, sqlite3_stmt *players)
 {
     struct ledger_content *content = &file->content;
@@ -184,7 +186,7 @@ static int raise_3_to_4(sqlite3 *db)
 
 int ledger_schema_raise(struct ledger_file *file, int version)
 {
-    if (version >= 3) { /* From 4 to 5 the tables do not change. */
+    if (version >= 3) { /* The tables are the same in versions 4 and 5. */
         const int raised = version == 3 ? raise_3_to_4(file->db) : SQLITE_OK;
         return raised == SQLITE_OK ? put_version(file->db) : raised;
     }

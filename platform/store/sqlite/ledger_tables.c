@@ -1,11 +1,11 @@
 /* ledger_tables.c -- the exact SQL text of every table in every version of the file.
  *
- * A new file is created from these texts, and each file that is opened is compared with them. A
- * file with another text or any other schema object (a trigger, a view, an index, another table) is
- * treated as damaged. The reason is that a trigger could drop acknowledged rows.
+ * A new file is created from these texts, and each opened file is compared with them. A file with
+ * another text or any other schema object (a trigger, a view, an index, another table) is treated
+ * as damaged, because a trigger could delete acknowledged rows.
  *
- * To add a version: raise LEDGER_FILE_VERSION and give each table that changes its last version
- * here. Then add a row with the new text, exactly as SQLite stores it after the migration. */
+ * To add a version: increase LEDGER_FILE_VERSION and set the last version of each table that
+ * changes. Then add a row with the new text, exactly as SQLite stores it after the migration. */
 #include <string.h>
 
 #include <sqlite3.h>
@@ -15,23 +15,24 @@
 
 #define NOW LEDGER_FILE_VERSION
 
-/* Columns have the names of core/ledger.h; a zero takes no byte. NULL in a player's column means
- * that an earlier version did not record the number. */
+/* Tables of all versions. Columns have the names of core/ledger.h. A zero takes no byte. NULL in a
+ * player's column means that an earlier version did not record the number. */
 static const struct table {
-    uint8_t first, last; /* First and last `user_version` with this table. */
+    uint8_t first, last; /* First and last `user_version` that have this table. */
     const char *name, *text;
 } tables[] = {
     { 1, 1, "rounds",
       "CREATE TABLE rounds ("
-      " number INTEGER PRIMARY KEY," /* Counted over all runs of the kiosk. */
-      " id INTEGER NOT NULL,"        /* Counted within one run. */
+      " number INTEGER PRIMARY KEY," /* Number of the round, counted over all program runs. */
+      " id INTEGER NOT NULL,"        /* Number of the round, counted within one program run. */
       " seed INTEGER NOT NULL,"
       " start_tick INTEGER NOT NULL,"
       " end_tick INTEGER NOT NULL,"
-      " caught INTEGER NOT NULL," /* Total of all players. */
+      " caught INTEGER NOT NULL," /* Total of all players' caught fish. */
       " by_bot INTEGER NOT NULL,"
-      " ended_at INTEGER NOT NULL)" }, /* Unix time, seconds. */
-    { 2, 2, "rounds",                  /* As version 1, with columns appended by ALTER TABLE. */
+      " ended_at INTEGER NOT NULL)" }, /* Unix time in seconds. */
+    { 2, 2, "rounds",                  /* The table of version 1 with columns appended by ALTER
+                                          TABLE. */
       "CREATE TABLE rounds ("
       " number INTEGER PRIMARY KEY, id INTEGER NOT NULL, seed INTEGER NOT NULL,"
       " start_tick INTEGER NOT NULL, end_tick INTEGER NOT NULL, caught INTEGER NOT NULL,"
@@ -41,7 +42,7 @@ static const struct table {
     { 2, 2, "round_players",
       "CREATE TABLE round_players ("
       " round INTEGER NOT NULL REFERENCES rounds (number) ON DELETE CASCADE,"
-      " player INTEGER NOT NULL," /* Counted from 0. */
+      " player INTEGER NOT NULL," /* Number of the player, counted from 0. */
       " caught INTEGER NOT NULL, scoops INTEGER, hole_area_mm2 INTEGER, torn_tick INTEGER,"
       " fouls INTEGER NOT NULL,"
       " PRIMARY KEY (round, player)) WITHOUT ROWID" },
@@ -54,7 +55,7 @@ static const struct table {
       " service INTEGER NOT NULL, untold INTEGER NOT NULL, open INTEGER NOT NULL,"
       " up_s INTEGER NOT NULL, dropped_ticks INTEGER NOT NULL, device_faults INTEGER NOT NULL,"
       " name TEXT NOT NULL,"
-      " sum INTEGER NOT NULL)" }, /* Checksum of all columns except the name, which may be
+      " sum INTEGER NOT NULL)" }, /* Checksum of all columns except the name, because a name may be
                                      revoked. */
     { 3, 3, "rounds",
       "CREATE TABLE rounds ("
@@ -62,7 +63,7 @@ static const struct table {
       " minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,"
       " end_tick INTEGER NOT NULL, caught INTEGER NOT NULL, by_bot INTEGER NOT NULL,"
       " mode INTEGER NOT NULL, grade INTEGER NOT NULL,"
-      " players INTEGER NOT NULL," /* One bit for each player. */
+      " players INTEGER NOT NULL," /* Players of the round, one bit each. */
       " unscored INTEGER NOT NULL)" },
     { 4, NOW, "rounds",
       "CREATE TABLE rounds ("
@@ -70,9 +71,10 @@ static const struct table {
       " minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,"
       " end_tick INTEGER NOT NULL, caught INTEGER NOT NULL, by_bot INTEGER NOT NULL,"
       " mode INTEGER NOT NULL, grade INTEGER NOT NULL,"
-      " players INTEGER NOT NULL," /* One bit for each player. */
+      " players INTEGER NOT NULL," /* Players of the round, one bit each. */
       " unscored INTEGER NOT NULL,"
-      " fish_count INTEGER NOT NULL," /* 0: this column and the next two are unknown. */
+      " fish_count INTEGER NOT NULL," /* Number of fish. 0 means that fish_count, round_s and preset
+                                         are unknown. */
       " round_s INTEGER NOT NULL, preset INTEGER NOT NULL)" },
     { 3, NOW, "round_players",
       "CREATE TABLE round_players ("
@@ -112,7 +114,7 @@ int ledger_tables_make(sqlite3 *db, int version, const char *name)
     return code;
 }
 
-/* ---- Comparing ------------------------------------------------------------------------------ */
+/* ---- Comparison ---------------------------------------------------------------------------- */
 
 static bool is_text(sqlite3_stmt *row, int column, const char *text)
 {
@@ -123,7 +125,8 @@ static bool is_text(sqlite3_stmt *row, int column, const char *text)
 
 #define SELECT_SCHEMA "SELECT type, name, tbl_name, sql FROM sqlite_schema"
 
-/* Returns the index of the table that a row of the schema describes, or TABLE_COUNT. */
+/* Returns the index of the table that a row of the schema describes, or TABLE_COUNT if no table
+ * matches. */
 static size_t find_table(sqlite3_stmt *row, int version)
 {
     for (size_t i = 0; i < TABLE_COUNT; i++) {
@@ -146,8 +149,8 @@ static uint32_t all_of(int version)
 }
 _Static_assert(TABLE_COUNT < 32u, "a bit for each table");
 
-/* Compares the schema. Version 1 did not set `user_version`; a new file has no version and no
- * tables. */
+/* Compares the schema with the tables of `user_version`. Version 1 did not set `user_version`,
+ * which is then 0. A new file also has 0, but no tables. */
 int ledger_schema_check(sqlite3 *db, int64_t user_version)
 {
     const int version = user_version == 0 ? 1 : (int)user_version;

@@ -1,4 +1,4 @@
-/* sql.c -- small helpers around SQLite. */
+/* sql.c -- SQL helper functions; see sql.h. */
 #include "platform/store/sqlite/sql.h"
 
 #include <stdbool.h>

@@ -1,4 +1,5 @@
-/* sql.h -- SQL helpers for the store. All functions that return int return SQLite result codes. */
+/* sql.h -- SQL helper functions for the store. All functions that return int return SQLite result
+ * codes. */
 #ifndef KINGYO_PLATFORM_STORE_SQLITE_SQL_H
 #define KINGYO_PLATFORM_STORE_SQLITE_SQL_H
 
@@ -7,39 +8,39 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-/* Opens a database with SQLite's defensive options: its schema is not trusted, triggers and views
- * never run, and only regular files are opened, including the log and the journal. `flags` are
- * SQLITE_OPEN_READONLY, or _READWRITE and possibly _CREATE; `vfs` may be null. Returns
- * SQLITE_CANTOPEN for a symbolic link in place of the file. The caller closes `*out`, also after an
- * error. */
+/* Opens a database with SQLite's defensive options: the schema is not trusted, triggers and views
+ * never run, and only regular files are opened, including the log and the journal. `flags` is
+ * SQLITE_OPEN_READONLY, or SQLITE_OPEN_READWRITE with an optional SQLITE_OPEN_CREATE. `vfs` may be
+ * null. Returns SQLITE_CANTOPEN if the file is a symbolic link. The caller closes `*out`, also
+ * after an error. */
 int sql_open(const char *path, int flags, const char *vfs, struct sqlite3 **out);
 
-/* Opens a file that no process can write, for reading without its log. */
+/* Opens a database for reading that no process can write. The log is not read. */
 int sql_open_unwritable(const char *path, struct sqlite3 **out);
 
-/* Runs statements without results. */
+/* Runs one or more statements that have no results. */
 int sql_run(struct sqlite3 *db, const char *text);
 
-/* Reads the first column of the first row. `out` is unchanged if there is no row. */
+/* Reads the first column of the first row of a query. Leaves `out` unchanged if there is no row. */
 int sql_number(struct sqlite3 *db, const char *text, int64_t *out);
 
-/* Binds the values to ?1, ?2, ... and runs the statement once. The caller binds any other
- * parameters first. */
+/* Binds `values` to the parameters ?1, ?2 and so on, and runs the statement once. The caller binds
+ * all other parameters first. */
 int sql_put(struct sqlite3_stmt *statement, const int64_t *values, int count);
 
-/* Runs a statement that inserts or replaces one row, as sql_put(). Returns SQLITE_CORRUPT if no row
- * was stored. */
+/* Runs a statement that inserts or replaces one row, otherwise as sql_put(). Returns SQLITE_CORRUPT
+ * if no row was stored. */
 int sql_put_one(struct sqlite3_stmt *statement, const int64_t *values, int count);
 
-/* Returns the value of a column if it is in 0 .. `max`, else 0, because a file may contain
- * anything. */
+/* Returns the value of a column if it is in 0 .. `max`, otherwise 0, because a file may contain any
+ * value. */
 uint32_t sql_uint(struct sqlite3_stmt *statement, int column, uint32_t max);
 
-/* Copies a text column: at most `size` - 1 bytes, the rest of `out` zero. */
+/* Copies a text column: at most `size` - 1 bytes. Fills the rest of `out` with zeros. */
 void sql_text(struct sqlite3_stmt *statement, int column, char *out, int size);
 
-/* Finalizes a statement after its row loop. Returns SQLITE_OK if `code` is SQLITE_DONE, else the
- * error. */
+/* Finalizes a statement after a loop over its rows. Returns SQLITE_OK if `code` is SQLITE_DONE,
+ * otherwise `code`. */
 int sql_end(struct sqlite3_stmt *statement, int code);
 
 #endif

@@ -1,4 +1,4 @@
-/* sql_open.c -- opens a database that may have been written by an attacker, as
+/* sql_open.c -- opens a database that an attacker may have written, as
  * https://sqlite.org/security.html recommends. */
 #include <errno.h>
 #include <fcntl.h>
@@ -15,12 +15,13 @@
 
 #include "platform/store/sqlite/sql.h"
 
-/* Limits well above the needs of Kingyo's own statements. */
+/* Limits of SQLite that are well above the needs of Kingyo's own statements. */
 static const struct {
     int id, max;
 } limits[] = {
     { SQLITE_LIMIT_LENGTH,
-      4 * 1024 * 1024 }, /* A replay has at most 3 MiB (SESSION_RECORDER_SIZE). */
+      4 * 1024 * 1024 }, /* Maximum length of a value. A replay has at most 3 MiB
+                            (SESSION_RECORDER_SIZE). */
     { SQLITE_LIMIT_SQL_LENGTH, 100000 },
     { SQLITE_LIMIT_COLUMN, 100 },
     { SQLITE_LIMIT_EXPR_DEPTH, 32 },
@@ -42,14 +43,15 @@ static const struct {
     { SQLITE_DBCONFIG_DQS_DML, 0 },         { SQLITE_DBCONFIG_DQS_DDL, 0 },
 };
 
-/* ---- Files ---------------------------------------------------------------------------------- */
+/* ---- Files --------------------------------------------------------------------------------- */
 
-/* Default mode of SQLite for a new database, which its other files copy. */
+/* SQLite's default mode for a new database. SQLite gives its other files the mode of the
+ * database. */
 #define SQLITE_NEW_FILE 0644
 
 /* Returns the mode for a new file. Databases, logs and copies contain the hash of the operator's
- * PIN and all takings, therefore only the owner may read a new file. An older file that everybody
- * may read is closed to others, but not to its group. */
+ * PIN and all takings, therefore only the owner may read a new file. If an older file is readable
+ * for all users, only its owner and group may read its new companion files. */
 static mode_t private_mode(int mode)
 {
     return mode == SQLITE_NEW_FILE ? S_IRUSR | S_IWUSR : (mode_t)mode & 0770;
@@ -58,14 +60,13 @@ static mode_t private_mode(int mode)
 static void close_to_others(int handle, mode_t mode, int flags)
 {
     if ((mode & 0007) != 0 && (flags & O_ACCMODE) == O_RDWR) {
-        fchmod(handle, mode & 0770); /* Fails for users other than the owner; the error is
-                                        ignored. */
+        fchmod(handle, mode & 0770); /* The error for users other than the owner is ignored. */
     }
 }
 
-/* Replaces SQLite's open(2) for the database, its log, the log's index and the journal. Only
- * regular files are opened. Exceptions are the folder, which SQLite syncs, and SQLite's source of
- * random numbers. */
+/* Replaces SQLite's open(2) for the database, the log, the log's index and the journal. Only
+ * regular files are opened, with two exceptions: the folder, which SQLite syncs, and SQLite's
+ * source of random numbers. */
 static int open_regular(const char *path, int flags, int mode)
 {
     const int added = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
@@ -87,8 +88,8 @@ static int open_regular(const char *path, int flags, int mode)
     return is_good ? handle : -1;
 }
 
-/* Installs the open function in the default file system layer. This affects every connection of the
- * process. */
+/* Installs open_regular() in SQLite's default file system layer. The change affects every
+ * connection of the process. */
 static void take_over_open(void)
 {
     sqlite3_vfs *vfs = sqlite3_vfs_find(NULL);
@@ -97,8 +98,9 @@ static void take_over_open(void)
     }
 }
 
-/* Resolves links in the folder's path only. SQLITE_OPEN_NOFOLLOW would also reject links among the
- * folders. */
+/* Resolves symbolic links in the folder part of `path`, but not in the file name.
+ * SQLITE_OPEN_NOFOLLOW rejects all links, including those in the folder part. Returns true on
+ * success. */
 static bool resolve(const char *path, char out[PATH_MAX])
 {
     char folder[PATH_MAX], whole[PATH_MAX];
@@ -113,7 +115,7 @@ static bool resolve(const char *path, char out[PATH_MAX])
     return size > 0 && size < PATH_MAX;
 }
 
-/* ---- Opening -------------------------------------------------------------------------------- */
+/* ---- Opening ------------------------------------------------------------------------------- */
 
 static int harden(sqlite3 *db)
 {
