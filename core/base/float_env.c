@@ -12,10 +12,10 @@
 static const volatile struct {
     uint32_t x, y, z, sum;
 } cases[CASE_COUNT] = {
-    { 0x00000001, 0x4b800000, 0x00000000, 0x01000000 }, /* The smallest denormal number as an
-                                                           operand must not count as 0. */
-    { 0x00800000, 0x3f000000, 0x00000000, 0x00400000 }, /* A product that is denormal must not
-                                                           become 0. */
+    { 0x00000001, 0x4b800000, 0x00000000, 0x01000000 }, /* Operand x is the smallest denormal number
+                                                           and must not be treated as 0. */
+    { 0x00800000, 0x3f000000, 0x00000000, 0x00400000 }, /* The product x * y is a denormal number
+                                                           and must not become 0. */
     { 0x80000001, 0x4b800000, 0x80000000, 0x81000000 }, /* The two denormal tests with negative
                                                            numbers. */
     { 0x80800000, 0x3f000000, 0x80000000, 0x80400000 },

@@ -34,7 +34,7 @@ enum rng_purpose {
     RNG_FISH_AVOID_SIDE,
     RNG_FISH_ESCAPE,
     RNG_FISH_DEPTH,
-    RNG_SHEET_STRENGTH = 15, /* Value 14 is unused. The purposes behind it keep their values and
+    RNG_SHEET_STRENGTH = 15, /* Value 14 is unused. All later purposes keep their values and
                                 therefore their random numbers. */
     RNG_SHEET_SLAP,
     RNG_SHEET_SPOT,

@@ -15,8 +15,8 @@ struct behavior_params {
 
     /* Personal space beyond the body on every side, in body lengths (section 3.4). */
     float space_per_length;
-    float space_fill_max; /* Largest share of the water volume that all personal spaces may fill. If
-                             they would fill more, the spaces shrink. */
+    float space_fill_max; /* Largest share of the water volume that all personal spaces may fill
+                             together. The spaces shrink if necessary. */
 
     /* Speeds at full stamina, in body lengths per second (sections 2.1 and 3.3). At zero stamina a
      * fish reaches 0.8 of the speeds. `drift_speed` is the upper limit for a resting fish. */

@@ -85,8 +85,8 @@ struct fish {
     float room;        /* Share [0, 1] of its turning rate that the fish may use because of fish
                           beside it. */
 
-    /* The next members are goals that the last decision of the fish set. Like `heading_rad`, they
-     * are followed in every tick. */
+    /* The next members and `heading_rad` are goals. Each decision of the fish sets them, and every
+     * tick follows them. */
     float speed_goal_m_s; /* Goal of `speed_m_s`, before `brake` reduces it. */
     float speed_up_keep;  /* Share [0, 1) of a speed deficit that remains after one tick. 0 means
                              not yet computed. */

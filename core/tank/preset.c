@@ -119,8 +119,8 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .params = THESIS_LAW,
         .view = {
             .eye_m = { 0.0f, 1.622f, 0.448f }, /* The view is steeper than in the festival preset,
-                                                  because this tank is twice as wide (x) as it is
-                                                  long (z). */
+                                                  because the thesis' tank is twice as wide (x) as
+                                                  it is long (z). */
             .target_m = { 0.0f, -0.02f, 0.008f },
             .half_height_tan = 0.258f,
             .aspect_min = 16.0f / 9.0f,

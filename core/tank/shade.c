@@ -8,11 +8,11 @@
 #define EDGE_TAU_S 0.10f
 /* Eq. 3.5 of the 2013 thesis: S = 0.01 per frame at 60 frames per second. */
 #define PULL_PER_S 0.60f
-/* If the sum of course and attraction is slower than this, the sum has no usable direction and the
- * fish keeps its yaw. */
+/* Smallest sum of course and attraction whose direction is usable. With a smaller sum the fish
+ * keeps its yaw. */
 #define HARDLY_M_S 0.005f
-/* A push of this speed by near fish, against the attraction, cancels the attraction completely. In
- * body lengths per second. */
+/* Push by near fish that cancels the attraction completely, in body lengths per second against the
+ * attraction. */
 #define FULL_LENGTHS_PER_S 0.1f
 /* Distance outside a shade's edge at which a fish already sees the shade approach. */
 #define FRIGHT_RIM_M 0.02f

@@ -97,8 +97,8 @@ static void think_in_turn(struct tank *tank, struct perception around)
             around.dt_s = fish_behavior_dt_s(fish, around.tick);
             fish_behavior_tick(fish, i, &around);
             ring(tank, fish, &around);
-            if (fell && fish->falls) { /* Reentry separates the fish from the fish on which it
-                                          fell. */
+            if (fell && fish->falls) { /* Reentry (reentry.h) separates the fallen fish from the
+                                          fish below it. */
                 fish->alarm = 1.0f;
                 reentry_begin(tank, fish, fish->velocity_m_s);
             }

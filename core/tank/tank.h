@@ -25,12 +25,12 @@ _Static_assert(TANK_OBSTACLE_MAX == 2u * POI_MAX, "a poi and a bowl of each play
 struct tank {
     uint32_t seed;
     uint8_t preset;        /* Preset of the tank (enum tank_preset_id). */
-    uint8_t lanes, search; /* Same values as in struct tank_config. The state hashes do not cover
-                              `lanes` and `search`. */
+    uint8_t lanes, search; /* Number of SIMD lanes and pair search, copied from struct tank_config.
+                              The state hashes do not cover `lanes` and `search`. */
     vec3 size_m;
     float wall_height_m;
-    float wall_follow;   /* Same value as in struct tank_config. */
-    uint8_t ball_spaces; /* Same value as in struct tank_config. */
+    float wall_follow;   /* Strength [0, 1] of the attraction of walls. */
+    uint8_t ball_spaces; /* 1 if personal spaces are balls instead of boxes, otherwise 0. */
     uint32_t fish_count;
     struct fish fish[TANK_FISH_MAX];
     float space; /* Personal space of a fish beyond its body, in body lengths. The value is computed

@@ -134,9 +134,10 @@ struct plot {
     float x, z, width, breadth;
 };
 
-/* Returns the plot of a fish. Each fish has its own, nearly square plot; the plots are numbered row
- * by row. Therefore fish that are near each other at the start are also near each other in memory.
- * A tank of 100,000 fish is a third faster while this order lasts, which is about ten minutes. */
+/* Returns the plot of a fish. Each fish has its own, nearly square plot, and the plots are numbered
+ * row by row. Therefore fish that are near each other at the start are also near each other in
+ * memory. A tank of 100,000 fish is a third faster while the fish keep about this order, which
+ * lasts about ten minutes. */
 static struct plot plot_of(const struct tank *tank, uint32_t index)
 {
     const float wide = f_sqrt((float)tank->fish_count * tank->size_m.x / tank->size_m.z);
@@ -222,7 +223,7 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     return fish;
 }
 
-/* Pushes the fish apart until none overlap. This is faster than drawing new places until none
+/* Pushes the fish apart until none overlap. Pushing is faster than drawing new places until none
  * overlap. Returns 1 on success, otherwise 0. */
 static int spread_out(struct tank *tank)
 {

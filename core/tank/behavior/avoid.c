@@ -7,14 +7,14 @@
 
 #define COS_20_DEG 0.93969262f
 #define COS_45_DEG 0.70710678f
-/* Probability that the fish that hits passes behind the struck fish (section 3.4 of the 2013
+/* Probability that the hitting fish passes behind the struck fish (section 3.4 of the 2013
  * thesis). */
 #define STRAIGHT_CHANCE 0.9f
 /* Longest avoidance by yaw; afterwards the fish avoids by pitch (section 3.4). */
 #define YAW_TIME_S 0.5f
 #define PITCH_TIME_S 0.5f
-/* Time in which a fish keeps its depth after avoiding by pitch. Its preferred depth would lead it
- * back to the other fish. */
+/* Time for which a fish keeps its depth after it avoided another fish by pitch. The preferred depth
+ * would lead the fish back to the other fish. */
 #define HOLD_DEPTH_S 0.5f
 /* Closing speed below which fish do not avoid each other. Two resting fish drift together at this
  * speed, and repulsion separates them. */

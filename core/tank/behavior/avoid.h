@@ -89,13 +89,13 @@ struct avoid_pair {
 };
 
 /* Returns the advice for both fish of a pair. `gap_m` is the gap between their bodies. One random
- * number decides the whole encounter. Its key is the tick in which the first fish began to avoid,
- * so that the second fish gets the same number later. */
+ * number decides the whole encounter. The key of the random number is the tick in which the first
+ * fish began to avoid, so the second fish gets the same number later. */
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
                              const struct behavior_params *params, uint32_t seed, uint32_t tick);
 
-/* Returns 1 if the fish keeps its present depth, otherwise 0. A fish keeps its depth for 0.5 s
- * after it avoided by pitch, whatever depth it prefers. */
+/* Returns 1 if the fish keeps its present depth instead of its preferred depth, otherwise 0. A fish
+ * does so for 0.5 s after it avoided by pitch. */
 int avoid_holds_depth(const struct fish *fish);
 
 /* Advances the avoidance of a fish by `around->dt_s`. `advice` is the advice for the soonest

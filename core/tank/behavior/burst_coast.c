@@ -86,8 +86,9 @@ float burst_coast_share(const struct fish *fish, float mean_m_s)
     const float beat_s = (float)beat * CORE_TICK_S;
     const float glide_s = (float)(cycle - beat) * CORE_TICK_S;
     float share = 1.25f;
-    for (int round = 0; round < 3; round++) { /* The share depends only weakly on its previous
-                                                 estimate, so three rounds suffice. */
+    for (int round = 0; round < 3; round++) { /* Each round computes `share` from its previous
+                                                 estimate. The dependence is weak, so three rounds
+                                                 suffice. */
         const float x = share * mean_m_s * glide_s / glide_m;
         const float lost = x / (1.0f + x); /* Share of the top speed that the fish loses in the
                                               glide. */

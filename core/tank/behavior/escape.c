@@ -13,8 +13,8 @@
 #define TURN_MIN_RAD (60.0f * F_DEG)
 #define TURN_MAX_RAD (120.0f * F_DEG)
 #define STRAY_RAD (45.0f * F_DEG)
-/* Course of a fish that errs, measured from the direction away from the danger. The fish swims past
- * the danger, not into it. */
+/* Angle between the direction away from the danger and the course of a fish that first turned
+ * toward the danger. The fish swims past the danger, not into it. */
 #define PAST_RAD (100.0f * F_DEG)
 #define FLIP_BACK_RAD (45.0f * F_DEG) /* Largest angle by which the return flip reduces the turn. */
 /* Largest angle by which the return flip reduces the turn if a wall blocks the way ahead. */
@@ -102,8 +102,8 @@ static float open_m(const struct fish *fish, vec3 course, vec3 size_m)
                  room_m(fish->position_m.z, course.z, 0.5f * size_m.z));
 }
 
-/* Returns the yaw of a course. If a wall blocks the course, the course is bent along the wall and a
- * little away from it. */
+/* Returns `yaw_rad`, or a yaw along the wall and slightly away from the wall if a wall blocks the
+ * course. */
 static float unbarred_rad(const struct fish *fish, float yaw_rad, vec3 size_m)
 {
     const float felt_m = WALL_FELT_LENGTHS * fish->length_m;

@@ -25,8 +25,8 @@ enum escape_stage escape_stage(const struct fish *fish);
 int escape_on_path(const struct fish *fish);
 
 /* Returns the duration of stage 1 for a fish of this length, s; stage 2 lasts equally long. The
- * duration is 20 ms at 5 cm and proportional to the square root of the length. Rounding to ticks
- * makes it 16.7 ms, or 25 ms from 5.5 cm on. */
+ * duration is 20 ms at 5 cm and proportional to the square root of the length. The result is
+ * rounded to ticks: 16.7 ms, or 25 ms from 5.5 cm on. */
 float escape_stage_s(float length_m);
 
 /* Begins a C-start away from a stimulus at `from_m`. Side, angle and course are random. Near a wall

@@ -1,4 +1,4 @@
-/* fish_behavior.c -- the decision of a fish: it senses, avoids and chooses goals in order of
+/* fish_behavior.c -- the decision of a fish. A fish senses, avoids and chooses goals in order of
  * urgency. */
 #include "core/tank/behavior/fish_behavior.h"
 
@@ -17,7 +17,7 @@
 #define DRAWN_TAU_S 0.5f
 /* Decay rate of pushes. A lasting push of the water moves the fish at the push's full speed. */
 #define PUSH_PER_S 12.0f
-/* A fish whose back is deeper than this below a bowl need not turn away from the bowl. */
+/* Distance below a bowl. A fish whose back is deeper than this need not turn away from the bowl. */
 #define HULL_SHUN_DEPTH_M 0.01f
 
 int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct perception *around)

@@ -172,8 +172,8 @@ static float able_m_s(const struct fish *fish)
     return fish->length_m * (0.8f + 0.2f * fish->stamina);
 }
 
-/* Returns the speed goal of a swimming fish. A fish that alternates between beats and glides must
- * exceed the mean speed during a beat. The goal during a glide is 0. */
+/* Returns the speed goal of a fish in GAIT_SWIM. If the fish alternates between beats and glides,
+ * the goal during a beat is above the mean speed, and the goal during a glide is 0. */
 static float cruise_m_s(const struct fish *fish, const struct perception *around)
 {
     const float mean_m_s = able_m_s(fish) * around->params->swim_speed;

@@ -13,7 +13,8 @@ struct perception {
     const struct behavior_params *params;
     vec3 size_m;         /* Inner width, water depth and length of the tank. */
     float wall_follow;   /* Strength [0, 1] of the attraction of walls. */
-    uint8_t ball_spaces; /* Same value as in struct tank_config. */
+    uint8_t ball_spaces; /* 1 if personal spaces are balls instead of boxes, otherwise 0; see struct
+                            tank_config. */
     uint32_t seed, tick;
     float dt_s;        /* Time since the last decision of the deciding fish. */
     float oxygen_mg_l; /* Oxygen dissolved in the water. */

@@ -17,23 +17,25 @@
 #define SEEN_SPREAD_RAD (10.0f * F_DEG)
 #define GROWTH_RAD_S 4.5f
 #define GROWTH_SPAN_RAD_S 6.5f
-/* Factor on a stimulus that the fish sees through the rippled surface. */
+/* Factor on the strength of a visual stimulus that the fish sees through the rippled surface. */
 #define IN_AIR_SHARE 0.25f
 
-/* Threshold of the pressure. A paper that rises at 0.1 m/s under a fish stays below it. */
+/* Smallest pressure that fish feel. A paper that rises at 0.1 m/s under a fish causes less
+ * pressure. */
 #define PUSH_M2_S2 0.005f
-/* Pressure above the threshold that makes a stimulus of strength 1. A paper that rises at 0.15 m/s
- * reaches it. */
+/* Excess of the pressure over PUSH_M2_S2 that is a stimulus of strength 1. A paper that rises at
+ * 0.15 m/s causes this excess. */
 #define PUSH_SPAN_M2_S2 0.016f
 #define WAKE_SHARE 0.5f
 /* Length of a fish whose sensitivity to pressure is 1. Smaller fish are more sensitive: fish of
  * 1.6 g hear sounds that are 15 dB fainter than fish of 23.6 g do (Asa et al.). Their threshold
  * pressure is 5.6 times lower at a length that is 2.5 times smaller. */
 #define LENGTH_M 0.05f
-/* Height of the image of an edge-on disc per diameter. The ring of the disc causes this height. */
+/* Smallest apparent height of a disc as a share of its apparent width. A disc seen edge-on has the
+ * height of its ring. */
 #define LINE_THICKNESS 0.07f
 
-#define GULPING_LATE 1.5f /* Factor on the latency of a gulping fish. */
+#define GULPING_LATE 1.5f /* Factor on the startle latency of a gulping fish, which reacts late. */
 
 /* Alarm threshold of the most timid fish. The boldest fish has twice this threshold. */
 #define THRESHOLD 0.45f
@@ -124,8 +126,8 @@ static float latency_s(const struct fish *fish, enum startle_cause cause, uint32
     return late * nerves_s(cause, key);
 }
 
-/* Begins the latency of a startle. If the latency of an earlier stimulus has not ended, the earlier
- * end applies: a pressure stimulus overtakes a visual stimulus. */
+/* Begins the latency of a startle. If the latency of an earlier stimulus has not ended, the latency
+ * that ends first is kept. A pressure stimulus therefore overtakes a visual stimulus. */
 static void startle(struct fish *fish, enum startle_cause cause, vec3 from_m, uint32_t index,
                     const struct perception *around)
 {

@@ -53,8 +53,8 @@ void startle_alarm(struct fish *fish, enum startle_cause cause, vec3 from_m, flo
  * around->params->escapes is 0. */
 void startle_tick(struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Returns 1 if the fish must decide in every tick, otherwise 0. The fish must do so while it is
- * alarmed or escapes, and while a disc moves near it. */
+/* Returns 1 if the fish must decide in every tick, because it is alarmed or escapes, or because a
+ * disc moves near it. Otherwise returns 0. */
 int startle_alert(const struct fish *fish, const struct perception *around);
 
 #endif

@@ -19,10 +19,10 @@
 #define TIRED_BELOW 0.25f
 
 #define NOSE_OUT_M 0.002f
-#define FILM_M 0.003f /* The mouth is in the surface film if it is not deeper than this depth. */
-/* The fish pitches up if its snout is within this depth, in body lengths. */
+#define FILM_M 0.003f /* Depth of the surface film. A mouth that is not deeper is in the film. */
+/* Depth in body lengths. A rising fish pitches up while its snout is within this depth. */
 #define NEAR_LENGTHS 0.45f
-/* The fish counts as at the surface if the top of its body is within this depth. */
+/* Depth of the top of the body at which a rising fish counts as at the surface. */
 #define SNOUT_M 0.003f
 #define PITCH_MIN (35.0f * F_DEG)
 #define PITCH_SPREAD (15.0f * F_DEG)

@@ -63,8 +63,8 @@ void swim_avoid_walls(struct swim_avoidance *avoidance, const struct fish *fish,
     swim_avoid_add(avoidance, fish, params, v3(0.0f, 0.0f, p.z < 0.0f ? -1.0f : 1.0f), near_z);
 }
 
-/* Turns the heading away from near surfaces. The component into the surfaces decreases until the
- * heading points slightly away from them. */
+/* Turns the heading away from near walls and bowls. The heading's component into the surface
+ * decreases until the heading points slightly away from the surface. */
 void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, float dt_s)
 {
     if (avoidance->weight <= 0.0f) {
@@ -88,15 +88,15 @@ void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, 
     fish->heading_rad = f_wrap_angle(fish->heading_rad + (1.0f - kept(dt_s, SHUN_TAU_S)) * off_rad);
 }
 
-/* Returns 1 if a C-start turns at its full rate. With other fish beside it, a fish turns more
- * slowly. */
+/* Returns 1 if the fish turns at the full rate of a C-start, otherwise 0. A fish with other fish
+ * beside it turns more slowly. */
 static int starts_freely(const struct fish *fish)
 {
     return fish->room >= 1.0f && escape_on_path(fish);
 }
 
-/* Returns 1 if the fish turns at the rate of a kick. With other fish beside it, a fish turns more
- * slowly, so that they can move away. */
+/* Returns 1 if the fish turns at the rate of a kick, otherwise 0. A fish with other fish beside it
+ * turns more slowly, so that the other fish can move away. */
 static int kicks(const struct fish *fish, const struct perception *around)
 {
     return around->params->kick_rad > 0.0f && fish->gait == GAIT_SWIM &&
@@ -149,7 +149,8 @@ static float slow_keep(const struct fish *fish, const struct behavior_params *pa
     const int runs_out =
         fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, params);
     if (params->glides && fish->gait == GAIT_SWIM &&
-        !runs_out) { /* Drag: dv/dt = -v^2 / distance of the glide. */
+        !runs_out) { /* The drag of a glide is dv/dt = -v^2 / D, where D is
+                        burst_coast_glide_m(). */
         return kept(DT, burst_coast_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
     }
     return runs_out ? kept(DT, RUN_OUT_TAU_S) : kept(DT, SWIM_GLIDE_TAU_S);

@@ -11,16 +11,17 @@
  * while its tail beats. */
 #define SWIM_GLIDE_TAU_S 0.55f
 
-/* Walls and bowls in front of a fish. Every near surface adds to one sum. A fish therefore leaves a
- * corner as one obstacle and does not turn back and forth between two walls. All zeros mean open
- * water. */
+/* Sum over the walls and bowls (surfaces) near a fish. Because of the sum, a fish leaves a corner
+ * as one obstacle and does not turn back and forth between two walls. All zeros mean that no
+ * surface is near. */
 struct swim_avoidance {
-    vec3 into;    /* Weighted sum of the horizontal unit normals that point into the surfaces. */
-    float weight; /* Weight [0, 1] of the nearest surface. */
+    vec3 into;    /* Weighted sum of the horizontal unit normals that point into the walls and
+                     bowls. */
+    float weight; /* Weight [0, 1] of the nearest wall or bowl. */
 };
 
-/* Adds a surface to `avoidance`. `normal` (unit, horizontal) points into the surface. `gap_m` is
- * the distance of the surface from the fish's centre. */
+/* Adds the surface of a wall or bowl to `avoidance`. `normal` (unit, horizontal) points into the
+ * surface. `gap_m` is the distance of the surface from the fish's centre. */
 void swim_avoid_add(struct swim_avoidance *avoidance, const struct fish *fish,
                     const struct behavior_params *params, vec3 normal, float gap_m);
 
@@ -28,8 +29,8 @@ void swim_avoid_add(struct swim_avoidance *avoidance, const struct fish *fish,
 void swim_avoid_walls(struct swim_avoidance *avoidance, const struct fish *fish,
                       const struct behavior_params *params, vec3 size_m);
 
-/* Turns the fish's heading along the near surfaces and a little away from them. `dt_s` is the time
- * since the last call. */
+/* Turns the fish's heading along the walls and bowls of `avoidance` and a little away from them.
+ * `dt_s` is the time since the last call. */
 void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, float dt_s);
 
 /* Converts the decisions of the fish (gait, depth, avoidance) into the goals in struct fish. */
@@ -70,8 +71,8 @@ struct shoal {
 };
 
 /* Calls swim_move() for all swimming fish and updates their bodies. `lanes` is 0, 4 or 8. SIMD code
- * processes `lanes` fish at a time if all of them swim. A falling fish does not move here: only its
- * body is updated, and SWIM_FAR_M is added to its `way_m`. */
+ * processes a block of `lanes` fish if the whole block swims. For a falling fish the function only
+ * updates the body and adds SWIM_FAR_M to `way_m`. */
 void swim_move_all(const struct shoal *shoal, uint32_t lanes);
 
 /* Moves every swimming fish to the position of its body, adds the distance to `way_m`, and calls

@@ -24,8 +24,8 @@ static void turn_fish(struct fish *fish, const struct behavior_params *params)
 {
     const float error_rad =
         f_wrap_angle(fish->heading_rad + fish->drawn_rad - fish->angles.yaw_rad);
-    /* The limit by `room` also applies to a C-start, because the long tail would otherwise swing
-     * through fish beside it. */
+    /* The limit `rate_max` also applies to a C-start, because the long tail of the fish would
+     * otherwise swing through fish beside it. */
     const float rate_max = fish->turn_rate_max_rad_s * fish->room;
     const float wanted = f_clamp(TURN_GAIN_PER_S * fish->haste * error_rad, -rate_max, rate_max);
     fish->yaw_rate_rad_s = f_lerp(fish->yaw_rate_rad_s, wanted, hasten(fish, TURN_TAU_S));

@@ -44,6 +44,7 @@
 #define STROKE_SLOW 0.25f /* Stroke width at the lowest frequency. */
 #define STROKE_FULL_HZ 5.0f
 #define STROKE_GLIDE 0.15f
-#define STROKE_TRAIL 0.35f /* Factor on the stroke width above STROKE_SLOW in a glide. */
+/* In a glide, this share of the stroke width above STROKE_SLOW remains. */
+#define STROKE_TRAIL 0.35f
 
 #endif

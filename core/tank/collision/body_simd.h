@@ -38,7 +38,8 @@ static inline void body_simd_quads(flanes column[4], const struct body *body, co
               body_simd_row(body, fish + 2, quad), body_simd_row(body, fish + 3, quad));
 }
 
-/* Loads the bodies of the SIMD_LANES fish in the list `fish`, wherever they are in memory. */
+/* Loads the bodies of the SIMD_LANES fish in the list `fish`. The bodies need not be consecutive in
+ * memory. */
 static inline void body_simd_load(struct body_simd *all, const struct body *body,
                                   const uint32_t *fish)
 {

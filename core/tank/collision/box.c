@@ -21,10 +21,11 @@ static struct frame frame_of(const struct box *box)
     };
 }
 
-/* The axis with the largest gap among the axes tried so far. */
+/* The largest gaps of the boxes (`gap_m`) and of their spaces (`space_m`) over the axes tried so
+ * far. */
 struct verdict {
     float gap_m, space_m;
-    int axis; /* Index of the axis, as in box_axis(). */
+    int axis; /* Index of the axis with the largest `gap_m`, as in box_axis(). */
 };
 
 static inline void try_axis(struct verdict *verdict, float gap_m, float margins_m, int axis)
@@ -36,8 +37,8 @@ static inline void try_axis(struct verdict *verdict, float gap_m, float margins_
     }
 }
 
-/* Box b relative to box a. A row of `cosine` and `size` is computed when an axis needs it for the
- * first time. */
+/* Box b relative to box a. Row i of `cosine` and `size` is computed when axis i of box a is
+ * tried. */
 struct view_of_b {
     const struct box *a, *b;
     vec3 way; /* Vector from the centre of a to the centre of b. */
@@ -122,8 +123,8 @@ vec3 box_axis(const struct basis *a, const struct basis *b, vec3 way, uint8_t wh
     return v3_dot(along, way) < 0.0f ? v3_scale(along, -1.0f) : along;
 }
 
-/* Tries axis 0 (right), then 2 (back), then 1 (up) of each box, because this order separates most
- * near fish soonest. Returns 1 if an axis separates the spaces, otherwise 0. */
+/* Tries all axes until one separates the spaces. Returns 1 if an axis separates them, otherwise 0.
+ * The order right, back, up separates most near fish soonest. */
 static int are_apart(struct verdict *verdict, struct view_of_b *view)
 {
     static const int order[3] = { 0, 2, 1 };

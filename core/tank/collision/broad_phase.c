@@ -50,8 +50,8 @@ void broad_phase_mark(struct broad_phase *broad_phase, const struct fish *fish, 
         broad_phase->flags[i] = 0;
         broad_phase->play_m[i] = 0.5f * BROAD_PHASE_CONTACT_M;
         if (!fish_swims(&fish[i])) {
-            broad_phase->way_m[i] = SWIM_FAR_M; /* The value forces a query before the contacts of
-                                                   this fish are used again. */
+            broad_phase->way_m[i] = SWIM_FAR_M; /* SWIM_FAR_M forces a new query as soon as the fish
+                                                   swims again. */
         } else {
             broad_phase->flags[i] = BODY_SWIMMING;
             broad_phase->flags[i] |=

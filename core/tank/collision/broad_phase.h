@@ -28,7 +28,7 @@ enum body_flag {
 /* Results of a query for one fish about its neighbours; valid until the next query. */
 struct neighbours {
     struct avoid_advice advice; /* Advice for the encounter with the soonest contact. */
-    vec3 push_m_s;              /* Sum of the repulsion by near fish. */
+    vec3 push_m_s;              /* Sum of the velocities by which near fish repel the fish. */
     float brake, room;          /* New values for the members `brake` and `room` of struct fish. */
 };
 
@@ -54,8 +54,8 @@ struct broad_phase {
     /* The next members are results of a query and stay valid until the next query. They are state,
      * so broad_phase_hash() covers them. */
     uint32_t near_count;    /* Number of contacts in the list. */
-    uint32_t contact_count; /* Number of contacts that could touch in this tick; they are at the
-                               front of the list. */
+    uint32_t contact_count; /* Number of contacts that could touch in this tick. These contacts are
+                               at the front of the list. */
     struct contact contact[BROAD_PHASE_CONTACT_MAX];
     float way_m[TANK_FISH_MAX];   /* Sum of the largest distances that any point of a body moved
                                      since the query. */

@@ -9,7 +9,8 @@
 #include "core/tank/collision/contact_solver_simd.h"
 
 #define SKIN_M 0.0001f /* Gap that the solver leaves between two bodies. */
-/* Most ticks need two rounds. A dense group of fish that a poi pushes needs all rounds. */
+/* Largest number of rounds of pushes in a substep. Most ticks need two rounds. A dense group of
+ * fish that a poi pushes needs all rounds. */
 #define PART_ROUNDS_MAX 12
 /* Round from which vertical pushes are tilted. Pairs that earlier rounds could not separate are
  * jammed. */
@@ -80,8 +81,8 @@ static vec3 shove(const struct solver_step *all, uint32_t index, vec3 move)
     return left;
 }
 
-/* Returns a tilted axis. A stack of fish that fills the water from floor to surface cannot be
- * separated vertically, so it must topple. */
+/* Returns a tilted separation axis for a pair that lies on top of each other. A stack of fish from
+ * floor to surface cannot be separated vertically, so the stack must topple. */
 static vec3 topple(const struct body *a, const struct body *b, vec3 axis)
 {
     vec3 aside = v3_sub(b->centre_m, a->centre_m);
@@ -136,8 +137,8 @@ static vec3 push_off(const struct solver_step *all, uint32_t index, const struct
     return v3_dot(hard, hard) > 0.0f ? hard : paper;
 }
 
-/* Moves a body off an obstacle. Pushes suffice nearly always. In the corner between paper and ring,
- * a push by one of them undoes the push by the other. A fish in that corner moves along with the
+/* Moves a body off an obstacle. Pushes nearly always suffice. In the corner between paper and ring,
+ * the push by the ring undoes the push by the paper. A fish in that corner moves along with the
  * poi. */
 static void clear_obstacle(const struct solver_step *all, uint32_t index, uint32_t o)
 {

@@ -72,8 +72,8 @@ struct contact_solver {
                                             that moved the fish. 0 means that no round moved the
                                             fish. */
     uint16_t reaction_round[TANK_OBSTACLE_MAX]; /* One more than the last round of the penetration
-                                                   check in which the obstacle reacted. 0 means that
-                                                   the obstacle did not react. */
+                                                   check in which the obstacle gave up motion. 0
+                                                   means that the obstacle gave up no motion. */
     uint32_t beside_count;
     fish_index beside[TANK_FISH_MAX]; /* Fish that could touch an obstacle in this substep. */
     struct course {                   /* Intended motion of an obstacle in the whole tick. */
@@ -115,8 +115,8 @@ void contact_solver_relax(struct contact_solver *solver, struct broad_phase *bro
 void contact_solver_finish(struct contact_solver *solver, struct broad_phase *broad_phase,
                            const struct solver_context *place);
 
-/* Ends a tick. Reverted fish get their previous angles and stop turning. An obstacle that reacted
- * loses the part of its speed that fish blocked. */
+/* Ends a tick. Reverted fish get their previous angles and stop turning. An obstacle that gave up
+ * motion loses that part of its velocity. */
 void contact_solver_end(struct contact_solver *solver, const struct broad_phase *broad_phase,
                         const struct solver_context *place);
 

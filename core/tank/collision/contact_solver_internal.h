@@ -73,8 +73,8 @@ static inline float contact_sweep_m(const struct solver_step *all, uint32_t inde
 vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const struct body *body);
 
 /* Runs the penetration check after the pushes, until no fish is too deep in another fish or in an
- * obstacle. A fish that is too deep reverts or moves along with the obstacle, or the obstacle
- * reacts. `is_parted` is 1 if no two fish overlap after the pushes, otherwise 0. Defined in
+ * obstacle. A fish that is too deep reverts or moves along with the obstacle, or the obstacle gives
+ * up motion. `is_parted` is 1 if no two fish overlap after the pushes, otherwise 0. Defined in
  * penetration_check.c. */
 void penetration_check(const struct solver_step *all, int is_parted);
 

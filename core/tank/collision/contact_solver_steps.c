@@ -33,7 +33,7 @@ uint32_t contact_solver_substep_count(struct contact_solver *solver,
     return solver->substep_count;
 }
 
-/* All rotation takes place in the first substep. */
+/* Obstacles rotate only in the first substep (station 0). */
 void contact_solver_substep(struct contact_solver *solver, struct broad_phase *broad_phase,
                             const struct solver_context *place, uint32_t station)
 {
@@ -67,7 +67,8 @@ void contact_solver_write_back(const struct broad_phase *broad_phase, struct fis
 }
 
 /* Sets the obstacle's step to the motion of the whole tick, because reentry.c computes the
- * obstacle's previous position from the step. Reduces the velocity of an obstacle that reacted. */
+ * obstacle's previous position from the step. Reduces the velocity of an obstacle that gave up
+ * motion. */
 static void lose_blocked_step(struct obstacle *obstacle, const struct course *course)
 {
     obstacle->step_m = v3_sub(obstacle->centre_m, course->from_m);

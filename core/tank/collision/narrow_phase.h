@@ -34,14 +34,14 @@ struct narrow_phase_query {
     const struct body *body;
     const uint8_t *flags; /* Flags of each fish. A fish with at least one of the bits of `which` is
                              searched. */
-    const float *reach_m; /* Distance beyond the skin of the body at which the body is still
-                             found. */
+    const float *reach_m; /* Reach of each body: distance beyond its skin at which the search still
+                             finds the body. */
     uint32_t count;
     uint8_t which;
     uint8_t search;           /* Pair search (enum pair_search). */
     uint8_t lanes;            /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
-    uint8_t bodies_only;      /* 1 if the search may omit pairs that are near only by their personal
-                                 spaces, otherwise 0. */
+    uint8_t bodies_only;      /* 1 if the search may omit pairs whose bodies are not near and whose
+                                 personal spaces overlap, otherwise 0. */
     float width_m, breadth_m; /* Size of the floor plan. Bodies outside the plan are also
                                  searched. */
 };

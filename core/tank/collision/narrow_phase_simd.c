@@ -32,8 +32,8 @@ static inline flanes length_of(flanes x, flanes y, flanes z)
     return simd_sqrt(x * x + y * y + z * z);
 }
 
-/* Returns the radius of the ball that contains the personal space, and the body enlarged by its
- * reach. */
+/* Returns the radius of the ball that contains the personal space, and also the body enlarged by
+ * its reach. */
 static inline flanes ball_of(const struct body_simd *all, flanes reach)
 {
     const flanes x = all->centre[3], y = all->right[3], z = all->up[3], margin = all->back[3];
@@ -114,8 +114,8 @@ NARROW_PHASE_COLUMNS(SIMD_NAME(narrow_phase_columns))
 
 typedef uint32_t uquad __attribute__((vector_size(16)));
 
-/* Writes the positions of the set bits of a four-bit mask, plus `from`, to `to`. Returns the number
- * of set bits. */
+/* Writes `from` + n for each set bit n of the four-bit mask `bits` to `to`. Returns the number of
+ * set bits. */
 static inline uint32_t keep_four(uint32_t *to, uint32_t from, uint32_t bits)
 {
     static const uquad place[16] = {

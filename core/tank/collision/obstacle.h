@@ -47,7 +47,7 @@ struct obstacle {
     float paper_radius_m;
     float open; /* Share [0, 1] of a disc through which water flows because its paper is torn. */
 
-    /* `reaction` and `reaction_count` are output of the contact solver. */
+    /* The contact solver writes `reaction` and `reaction_count`. */
     uint8_t reaction; /* Bits of enum obstacle_reaction. */
     uint8_t reaction_count;
 };
@@ -67,7 +67,7 @@ static inline vec3 obstacle_goes_m_s(const struct obstacle *obstacle)
 struct touch obstacle_touch(const struct obstacle *obstacle, const struct box *box);
 
 /* Returns the shortest translation that moves the box of a fish off the ring or hull, or zero if
- * the box does not touch them. */
+ * the box does not touch the obstacle. */
 vec3 obstacle_clear(const struct obstacle *obstacle, const struct box *box);
 
 /* Margin of obstacle_in_reach(). The margin covers the motion in one tick of a poi at 1.5 m/s, and
@@ -81,7 +81,7 @@ int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box);
 float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m);
 
 /* Returns the horizontal velocity at which a fish at `position_m` steps aside, m/s. Fish beside a
- * moving disc drift away from it. Fish over or under its paper do not. */
+ * moving disc drift away from the disc. For fish over or under the disc's paper, returns zero. */
 vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m);
 
 #endif

@@ -3,11 +3,11 @@
 #include "core/base/panic.h"
 #include "core/tank/collision/contact_solver_internal.h"
 
-/* Number of overlaps per fish that only a staged scene reaches. Fish that did not overlap never
- * reach this number within a tick. */
+/* Limit of overlaps per fish. Only a staged scene, whose fish overlap at the start, exceeds the
+ * limit. */
 #define PILE 2u
-/* Largest number of rounds in which only pois react: at most eight reactions of each of eight
- * obstacles, and the last check. */
+/* Limit of rounds in which only obstacles react (give up motion): eight reactions of each of eight
+ * obstacles, and the last check, with a reserve. */
 #define ROUNDS_SPARE 256u
 
 static int points_are_equal(vec3 a, vec3 b)
@@ -32,8 +32,8 @@ static float pair_allowed_m(const struct solver_step *all, uint32_t a, uint32_t 
     return f_max(SOLVER_FREE_M, pair_depth_m(&was_a, &was_b));
 }
 
-/* Marks a fish that turns back to its previous angles. Only the first substep rotates fish; in
- * later substeps a revert undoes only a push. */
+/* Records that a fish returns to its previous angles. Only the first substep rotates fish; in a
+ * later substep a revert undoes only a push. */
 static void note_turned_back(const struct solver_step *all, uint32_t index)
 {
     if (all->solver->station == 0) {
@@ -227,9 +227,9 @@ static uint32_t judge_obstacles(const struct solver_step *all, uint32_t round)
     return changes;
 }
 
-/* In each round, a fish is carried, a fish reverts, or a poi reacts. Each fish is carried at most
- * once and reverts at most once, even after it was carried. Each poi reacts a limited number of
- * times. Therefore the loop ends. */
+/* In each round, a fish moves along with an obstacle, a fish reverts, or a poi gives up motion.
+ * Each fish moves along at most once and reverts at most once, even after it moved along. Each poi
+ * gives up motion a limited number of times. Therefore the loop ends. */
 void penetration_check(const struct solver_step *all, int is_parted)
 {
     const int is_known = hold_unlisted(all) == 0 && is_parted;

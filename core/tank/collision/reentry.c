@@ -15,7 +15,7 @@
 #define FALL_MAX_M 0.010f
 /* Speed at which a fish slides off paper that would otherwise lift it. */
 #define SLIDE_M_S 0.3f
-#define ASIDE_M_S 0.06f /* Speed at which other fish move aside. */
+#define ASIDE_M_S 0.06f /* Speed at which swimming fish move aside for a fish in reentry. */
 #define HURRY_ALARM 0.5f
 #define BURST_S 0.6f
 /* Initial speed of a fish that bursts away, in body lengths per second. */
@@ -27,8 +27,8 @@
 #define PUT_TICKS 48u  /* Ticks after which the fish is placed into the nearest gap. */
 #define AGAIN_TICKS 8u /* Ticks between two searches for a gap. */
 #define SEEK_M_S 0.3f
-/* Largest distance of a gap, about one body length. ring_contact.c detects paper on the way within
- * 6 cm. */
+/* Largest distance from the fish to a gap, about one body length. ring_contact.c detects paper on
+ * the way within 6 cm. */
 #define SEEK_M 0.05f
 #define SEEK_SHELLS 14u
 
@@ -93,8 +93,8 @@ static void come_down(const struct tank *tank, struct fish *fish)
     fish->position_m.y = f_max(fish->position_m.y, high_m);
 }
 
-/* Adds the pushes that move the fish out of swimming fish to `push_m`, and pushes those fish in the
- * opposite direction. Returns 1 if the fish overlaps no swimming fish, otherwise 0. */
+/* Adds the pushes that separate the fish from swimming fish to `push_m`, and pushes the swimming
+ * fish in the opposite direction. Returns 1 if the fish overlaps no swimming fish, otherwise 0. */
 static int part_from_fish(struct tank *tank, uint32_t index, vec3 *push_m)
 {
     struct fish *fish = &tank->fish[index];

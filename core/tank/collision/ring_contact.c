@@ -4,14 +4,15 @@
 
 #include "core/input.h"
 
-/* Largest number of partial reactions of a poi in one tick; afterwards the poi stops. */
+/* Largest number of times that a poi gives up a part of its motion in one tick; afterwards the poi
+ * stops. */
 #define GIVE_MAX 8u
-/* Extra distance of a reaction, so that rounding does not cause another reaction. */
+/* Extra distance by which a poi gives up motion, so that rounding does not leave a penetration. */
 #define GIVE_MIN_M 0.00002f
 #define SIDE_GAP_M 0.0005f /* Least distance of a fish's centre from the paper. */
 /* Speed per tick at which a body that came over the ring into the paper is pushed out. */
 #define PAPER_PUSH_M 0.0025f
-/* Speed of the paper at which a fish on it moves along at half of that speed. */
+/* Speed of the paper at which a fish on the paper moves along at half of the paper's speed. */
 #define PIN_M_S 0.12f
 /* Slope at which a fish slides off a ring at half the body's height: 37 degrees. */
 #define GLIDE 1.5f
@@ -77,8 +78,8 @@ static struct side disc_side_of(const struct obstacle *disc, const struct body *
     const vec3 q1 = vec_basis_to_body(&disc->axes, away);
     const vec3 q0 = vec_basis_to_body(&old.axes, v3_sub(before_m, old.centre_m));
     const float side = q0.y < 0.0f ? -1.0f : 1.0f;
-    /* Share of the path at which the fish crossed the plane of the paper. 1 means that it did not
-     * cross, so its present place counts. */
+    /* Share of the path at which the fish crossed the plane of the paper. 1 means that the fish did
+     * not cross the plane, so its present place is tested. */
     const float t = side * q1.y < 0.0f ? q0.y / (q0.y - q1.y) : 1.0f;
     if (!paper_holds(disc, f_lerp(q0.x, q1.x, t), f_lerp(q0.z, q1.z, t)) ||
         f_abs(q1.y) > NEAR_PLANE_M) {

@@ -18,8 +18,8 @@ struct obstacle ring_before(const struct obstacle *obstacle);
 
 /* Returns the penetration of a fish into ring, hull or paper minus the allowed penetration, m. A
  * result > 0 is too deep. `out` receives the direction in which the fish must move. `before` is the
- * body in the previous tick. Its penetration is allowed if it is larger than `free_m`. Paper keeps
- * a fish on the side on which `before` is. */
+ * body in the previous tick. The allowed penetration is `free_m`, or the penetration of `before` if
+ * that is larger. Paper keeps a fish on the side on which `before` is. */
 float ring_excess_m(const struct obstacle *obstacle, const struct body *now,
                     const struct body *before, float free_m, vec3 *out);
 
@@ -41,8 +41,8 @@ vec3 ring_paper_hold(const struct obstacle *disc, const struct body *now, vec3 b
 vec3 ring_carry_m(const struct obstacle *obstacle, vec3 before_m);
 
 /* Reduces the obstacle's step by `excess_m` against the direction `out`. If that is impossible,
- * undoes the obstacle's rotation, or finally its whole step. Returns 1 if the obstacle changed, or
- * 0 if it has no motion left to give up. */
+ * undoes the obstacle's rotation, or finally the whole step. Returns 1 if the obstacle changed, or
+ * 0 if the obstacle has no motion left to give up. */
 int ring_apply_reaction(struct obstacle *obstacle, vec3 out, float excess_m);
 
 #endif

@@ -2,8 +2,8 @@
  * over the box. */
 #include "core/tank/collision/shape_tests.h"
 
-/* Number of coarse points on a ring. On the ring of a poi they are 4 mm apart, so that no corner of
- * a fish fits between two points. */
+/* Number of coarse points on a ring. The points are 4 mm apart on the ring of a poi, so that no
+ * corner of a fish fits between two points. */
 #define RING_POINTS 64
 /* Number of halvings that refine a point to a thirtieth of a millimetre along the ring. */
 #define RING_HALVINGS 7
@@ -17,7 +17,7 @@ static float sign_of(float value)
 }
 
 /* Returns the normal of the box face nearest to a point inside the box. `p` is the point in the
- * coordinates of the box, and `q` its signed distance to the faces, <= 0. */
+ * coordinates of the box. `q` is the signed distance of the point to the faces, <= 0. */
 static vec3 nearest_face(vec3 p, vec3 q)
 {
     if (q.x >= q.y && q.x >= q.z) {
@@ -59,7 +59,7 @@ static const float ring_cos[RING_POINTS / 2 + 1] = {
     -0.98078528f,  -0.995184727f, -1.0f,
 };
 
-/* Cosines and sines of successive halvings of the angle between two points. */
+/* Cosines and sines of 1/2, 1/4, 1/8, .. of the angle between two coarse points. */
 static const struct turn ring_halving[RING_HALVINGS] = {
     { 0.998795456f, 0.0490676743f },   { 0.999698819f, 0.0245412285f },
     { 0.999924702f, 0.0122715383f },   { 0.999981175f, 0.00613588465f },
@@ -171,7 +171,7 @@ static struct nearest nearest_on(const struct circle *circle, int window, float 
 }
 
 /* Handles a ring whose centre line passes through the box. Only a move perpendicular to the ring
- * separates them, and a straight rod approximates the ring there. */
+ * separates ring and box. Near the box, a straight rod approximates the ring. */
 static struct touch pierced(const struct ring *ring, const struct box *box, vec3 point_m, vec3 out)
 {
     const vec3 along =
