@@ -13,7 +13,7 @@
 /* Limit of the rotation rate. Game pads measure at most 2,000 degrees/s (35 rad/s); larger values
  * are noise. */
 #define RATE_MAX_RAD_S 40.0f
-#define STEP_MAX_S 0.25f /* Longest time for which a measured rotation rate is used. */
+#define STEP_MAX_S 0.25f /* Longest time over which a measured rotation rate is extrapolated. */
 
 static float seconds_between(uint64_t from_ns, uint64_t to_ns)
 {

@@ -313,7 +313,8 @@ int gamepads_open(struct gamepads *gamepads, const char *database)
         return HAL_ERR_ABSENT;
     }
     if (database) {
-        SDL_GameControllerAddMappingsFromFile(database); /* A missing file is not an error. */
+        SDL_GameControllerAddMappingsFromFile(database); /* The result is ignored, because the file
+                                                            may be missing. */
     }
     gamepads->is_open = 1;
     gamepads->pumped_ns = gamepads_now_ns(gamepads);

@@ -27,15 +27,15 @@ enum coin_state {
 struct coin_mech {
     uint64_t width_min_ns, width_max_ns; /* Shortest and longest width of a coin pulse; these two
                                             widths are valid too. */
-    uint64_t begin_ns, end_ns;           /* Start and end of the current pulse. */
+    uint64_t begin_ns, end_ns;           /* Times at which the current pulse started and ended. */
     uint8_t state;                       /* State of the current pulse (enum coin_state). */
     bool spoilt;       /* True if the pulse does not count, because its start was not seen. */
     bool sticks;       /* True if the pulse is too long and was counted in `stuck`. */
     uint64_t width_ns; /* Width of the last coin's pulse; 0 means no coin yet. */
-    uint32_t coins, too_short, stuck; /* Number of coins, of too short pulses, and of too long
-                                         pulses, each since coin_mech_begin(). */
-    uint32_t cut;                     /* Number of pulses whose end was not seen, since
-                                         coin_mech_begin(). */
+    uint32_t coins, too_short, stuck; /* Numbers of coins, of too short pulses, and of too long
+                                         pulses. The caller may set them to 0 after reading them. */
+    uint32_t cut;                     /* Number of pulses whose end was not seen. The caller may set
+                                         it to 0 after reading it. */
 };
 
 /* Returns the initial state. If `active` is true, a coin already covers the sensor; that coin is

@@ -15,9 +15,10 @@
  *     window=15ms-250ms  the width of a coin pulse
  *     pulse=100ms/100ms  the pulse of an output and the pause after it.
  *
- * coin-lockout drives a coil that admits coins while it has current. When the kiosk ends for any
- * reason, most chips turn the released line into an input. Only the bias then drives it, so a
- * lock that rests open would accept uncounted coins. Pure. */
+ * coin-lockout drives the coil of a coin lock, which admits coins only while the coil has current.
+ * When the kiosk ends for any reason, most chips turn the released line into an input. Only the
+ * bias then drives the line. A lock that is open in this state would accept uncounted coins.
+ * Pure: uses no device and no clock. */
 #ifndef KINGYO_DRIVERS_GPIO_GPIO_CONFIG_H
 #define KINGYO_DRIVERS_GPIO_GPIO_CONFIG_H
 

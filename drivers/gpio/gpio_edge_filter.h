@@ -49,14 +49,14 @@ struct gpio_edge_filter {
     /* Edges up to this time are ignored, because a polled level replaced them. */
     uint64_t believed_ns;
     struct gpio_poll_edges other;
-    uint32_t blinks; /* Number of null edges, since gpio_edge_filter_begin(). */
-    uint32_t late;   /* Number of late edges that a polled level corrected, since
+    uint32_t blinks; /* Number of null edges since gpio_edge_filter_begin(). */
+    uint32_t late;   /* Number of late edges that a polled level corrected since
                         gpio_edge_filter_begin(). */
-    /* Number of null-edge pairs that are either two glitches or a missed pulse, since
-     * gpio_edge_filter_begin(). */
+    /* Number of null-edge pairs that are either two glitches or a missed pulse. The caller may set
+     * it to 0 after reading it. */
     uint32_t doubtful;
-    uint32_t lost; /* Number of edges that were lost or arrived too late, since
-                      gpio_edge_filter_begin(). */
+    uint32_t lost; /* Number of edges that were lost or arrived too late. The caller may set it to 0
+                      after reading it. */
 };
 
 /* Returns the state of a line whose level has been `active` since the time `now_ns`. */

@@ -268,7 +268,8 @@ static void *gpio_thread_read_lines(void *context)
     return NULL;
 }
 
-/* Signals that a fault inside the thread raises. */
+/* Signals that the kernel sends to a thread because of its own fault, such as an invalid memory
+ * access. */
 static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
 
 /* Starts the thread with all signals blocked except `panics`, because the main thread handles all

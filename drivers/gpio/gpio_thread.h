@@ -33,7 +33,8 @@ struct gpio_total {
 struct gpio_thread {
     struct gpio_lines lines;
     struct hal_clock clock;
-    struct gpio_wire wires[GPIO_ROLE_COUNT]; /* Wiring in which all default times are filled in. */
+    struct gpio_wire wires[GPIO_ROLE_COUNT]; /* Wiring of each role, with the default times filled
+                                                in. */
 
     /* Only the GPIO thread uses the fields from `had` to `total`. */
     uint32_t had;                           /* Held lines, one bit for each role. */

@@ -10,7 +10,7 @@
 
 struct pulse_train {
     uint64_t on_ns, off_ns;
-    uint64_t until_ns; /* End of the current pulse or pause. */
+    uint64_t until_ns; /* Time at which the current pulse or pause ends. */
     uint32_t left;     /* Number of pulses that have not started. */
     bool on;
 };

@@ -208,7 +208,8 @@ static int controller_manager_release(struct controller_manager *manager, uint32
 {
     if (manager->learn.step != LEARN_NONE && manager->learn_row == row) {
         stop_learning(manager, NULL);
-        manager->gives_back = 0; /* The row is released below in any case. */
+        manager->gives_back = 0; /* No other release is needed, because this function releases the
+                                    row below. */
     }
     if (manager->row[row].state != CONTROLLER_NONE) {
         manager->forget_identity = manager->row[row].identity;

@@ -23,12 +23,12 @@ struct learn_field {
     uint16_t group, index;
     uint8_t heard, rested;         /* 1 if the field was reported in any step (`heard`), and 1 if it
                                       was reported in LEARN_REST (`rested`). */
-    int64_t rest_low, rest_high;   /* Lowest and highest value in LEARN_REST. */
+    int64_t rest_low, rest_high;   /* Lowest and highest value of the field in LEARN_REST. */
     int64_t now;                   /* Newest value, or newest sum of a relative field. */
-    int64_t low[LEARN_STEP_COUNT]; /* Lowest value in each step; `high` has the highest value in
-                                      each step. */
+    int64_t low[LEARN_STEP_COUNT]; /* Lowest value of the field in each step; `high` has the highest
+                                      value in each step. */
     int64_t high[LEARN_STEP_COUNT];
-    int64_t end[LEARN_STEP_COUNT]; /* Value at the end of each step. */
+    int64_t end[LEARN_STEP_COUNT]; /* Value of the field at the end of each step. */
 };
 
 /* Recording of one key of an array field. */

@@ -18,14 +18,15 @@
  * and buttons. */
 #define HID_BINDING_MAX 32u
 
-#define HID_VALUE_MAX 4294967295ll /* Largest size of a signed or unsigned 32-bit value. */
+#define HID_VALUE_MAX                                                                              \
+    4294967295ll /* Largest absolute value of a signed or unsigned 32-bit field. */
 
 /* Largest number of elements of an array whose keys may be bound. Keyboards report 6 keys at a
  * time, and one reports 14. Each element costs time in every report, and a malicious descriptor can
  * declare 65,536 elements. */
 #define HID_ARRAY_MAX 16u
 
-/* Quantity that a field controls. */
+/* Role of a field: the quantity that the field controls. */
 enum hid_role {
     HID_ROLE_NONE = 0,
     HID_ROLE_X, /* Position along X, positive to the player's right and to the right in the
@@ -86,7 +87,7 @@ struct hid_binding {
     int64_t dead;
 };
 
-/* Kind of controller that the bindings form together. */
+/* Kind of controller, such as a pointer or a stick, that the bindings of a mapping form. */
 enum hid_style {
     HID_STYLE_NONE = 0,
     HID_STYLE_POSE,    /* Six absolute axes, as of Kingyo's poi controller. */

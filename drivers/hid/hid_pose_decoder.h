@@ -31,7 +31,8 @@ struct hid_pose_decoder {
     /* Newest value of each binding. An axis is -1 to 1, a displacement is in counts, and a key is 0
      * or 1. A hat has its direction 0 to 7, or -1 if it is released. */
     float value[HID_BINDING_MAX];
-    uint16_t array[HID_BINDING_MAX]; /* Indexes of the array groups that have bindings. */
+    uint16_t array[HID_BINDING_MAX]; /* Indexes in descriptor.group of the array groups that have
+                                        bindings. */
     uint32_t array_count;
     /* Stick bindings that were near their rest position at least once, one bit for each binding.
      * The values of all other sticks are ignored, because such a stick may be missing or broken. */

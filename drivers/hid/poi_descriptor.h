@@ -20,7 +20,8 @@
 
 enum poi_usage { /* Usages of POI_PAGE. */
                  POI_USAGE_SEQUENCE = 0x01,
-                 POI_USAGE_FEEL = 0x02,     /* Collection of the force feedback report. */
+                 POI_USAGE_FEEL = 0x02,     /* Usage of the collection that is the force feedback
+                                               report. */
                  POI_USAGE_FORCE_X = 0x10,  /* First of three force usages, 0x10 to 0x12: X, Y,
                                                Z. */
                  POI_USAGE_TORQUE_X = 0x13, /* First of three torque usages, 0x13 to 0x15: X, Y,

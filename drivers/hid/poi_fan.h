@@ -21,7 +21,7 @@ struct poi_fan {
                          controller's position. */
     float back;       /* Progress of the poi's return: 0 means at `waits`, 1 means at the
                          controller's position. */
-    uint64_t time_ns; /* Time to which `swing` and `back` were computed. */
+    uint64_t time_ns; /* Time for which `swing` and `back` were computed last. */
 };
 
 /* Initializes the state with the poi at the controller's position. */

@@ -186,7 +186,8 @@ static void poi_hid_set_view(void *self, const struct view *view,
                              const struct display_settings *display_settings)
 {
     struct poi_hid *poi = self;
-    (void)display_settings; /* The pose refers to the water, not to the screen. */
+    (void)display_settings; /* Unused, because the pose refers to the water and not to the
+                               screen. */
     poi->view = *view;
     hid_pose_decoder_set_view(&poi->hand, view);
 }

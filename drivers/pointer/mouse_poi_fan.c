@@ -6,7 +6,8 @@
 static int mouse_poi_fan_open(void *self)
 {
     (void)self;
-    /* Everything else was initialized by open() of the poi device. */
+    /* Only SDL's video subsystem is checked, because open() of the poi device has initialized
+     * everything else. */
     return SDL_WasInit(SDL_INIT_VIDEO) ? HAL_OK : HAL_ERR_ABSENT;
 }
 

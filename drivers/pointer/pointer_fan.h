@@ -20,7 +20,7 @@ struct pointer_fan {
     uint8_t held;
     float swing;      /* Progress of the fan's way in: 0 means out of sight, 1 means under the
                          pointer. */
-    uint64_t time_ns; /* Time to which `swing` was computed. */
+    uint64_t time_ns; /* Time for which `swing` was computed last. */
 };
 
 /* Initializes a fan that is out of sight. `view` is copied. */

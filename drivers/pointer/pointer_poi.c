@@ -52,7 +52,7 @@ static void pointer_poi_update_speed(struct pointer_poi *pointer, vec3 hand_m)
         const vec3 along = v3(speed.x, 0.0f, speed.z);
         pointer->hand_m_s = v3_lerp(pointer->hand_m_s, along, dt / (dt + LEAN_TAU_S));
     } else {
-        return; /* No time has passed since the last sample. */
+        return; /* No time has passed, so no velocity can be computed. */
     }
     pointer->hand_m = hand_m;
     pointer->hand_ns = pointer->time_ns;

@@ -234,7 +234,8 @@ void gpio_lines_sim_init(struct gpio_lines_sim *sim, struct gpio_sim_script scri
     memset(sim, 0, sizeof *sim);
     sim->queue_size = GPIO_SIM_QUEUE_MAX;
     sim->is_numbered = 1;
-    sim->seed = seed ? seed : 1u; /* A xorshift generator with the state 0 would always return 0. */
+    sim->seed = seed ? seed : 1u; /* An xorshift generator with the state 0 would always return
+                                     0. */
     sim->script = script;
     sim->now_ns = 1u; /* The time starts at 1, because a busy_until_ns of 0 means that the kernel is
                          idle. */

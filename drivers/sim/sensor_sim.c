@@ -157,7 +157,8 @@ static void sensor_sim_set_view(void *self, const struct view *view,
                                 const struct display_settings *display_settings)
 {
     struct sensor_sim *sim = self;
-    (void)display_settings; /* The pose refers to the water, not to the screen. */
+    (void)display_settings; /* Unused, because the pose refers to the water and not to the
+                               screen. */
     sim->view = *view;
 }
 

@@ -10,13 +10,13 @@ struct storage_sim {
     struct ledger_entry entry;     /* Last accepted ledger entry. */
     struct round_record record;    /* Record of the last round. */
     struct ledger_entry round;     /* Ledger entry of the last round. */
-    struct graph_edit_record edit; /* Last accepted edit. */
+    struct graph_edit_record edit; /* Last accepted edit of a growth graph. */
     uint32_t accepted_count;
     uint32_t refused_count;
     /* Result of refused_count(): the number of entries that could not be written to disk. */
     uint32_t write_refused_count;
     uint32_t busy_left;   /* Number of further writes that return HAL_ERR_BUSY. */
-    int edit_failed;      /* 1 if the last edit failed, otherwise 0. */
+    int edit_failed;      /* 1 if the last edit could not be stored, otherwise 0. */
     uint32_t fail_left;   /* Number of writes that return HAL_ERR_IO, after the busy writes. */
     uint32_t delay_polls; /* Number of saved_id() calls before an accepted entry counts as on
                              disk. */

@@ -86,13 +86,13 @@ enum usb_kind {
     USB_KIND_OWN,       /* The descriptor is exactly that of Kingyo's poi controller. */
 };
 
-/* HID interface of a device that may be claimed. */
+/* Candidate for claiming: a HID interface of a device. */
 struct usb_candidate {
     const struct hid_identity *identity;
     uint8_t is_boot_keyboard; /* 1 if the interface descriptor declares a boot keyboard (HID 1.11,
                                  section 4.2), otherwise 0. */
     uint8_t kind;             /* Kind of the interface (enum usb_kind). */
-    uint8_t worth;            /* Score by hid_mapping_score(). */
+    uint8_t worth;            /* Score of the mapping, from hid_mapping_score(). */
 };
 
 /* Sets the kind and the score of `subject` from the `size` bytes of its report descriptor. A size

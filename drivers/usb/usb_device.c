@@ -6,9 +6,13 @@
 
 #include "drivers/usb/usb_sysfs.h"
 
-#define HID_BOOT 1u                /* Value of bInterfaceSubClass (HID 1.11, section 4.2). */
-#define HID_BOOT_KEYBOARD 1u       /* Value of bInterfaceProtocol (HID 1.11, section 4.3). */
-#define HID_CLASS_DESCRIPTOR 0x21u /* Descriptor type (HID 1.11, section 7.1). */
+#define HID_BOOT                                                                                   \
+    1u /* Value of bInterfaceSubClass for interfaces with a boot protocol (HID 1.11, section
+          4.2). */
+#define HID_BOOT_KEYBOARD                                                                          \
+    1u                             /* Value of bInterfaceProtocol for a boot keyboard (HID 1.11,
+                                      section 4.3). */
+#define HID_CLASS_DESCRIPTOR 0x21u /* Type of the HID class descriptor (HID 1.11, section 7.1). */
 #define HID_REPORT_DESCRIPTOR 0x22u
 #define PORT_DEPTH_MAX 7 /* Deepest nesting of hubs (USB 3.1, section 10.1). */
 
@@ -166,7 +170,8 @@ static int usb_device_read_descriptors(struct usb_device *device,
 void usb_device_refresh(struct usb_device *device, const struct usb_evaluation *judge)
 {
     if (usb_device_read_descriptors(device, judge)) {
-        /* The configuration changed, or the device is being unplugged. */
+        /* A device that cannot be read is barred. Its configuration changed, or it is being
+         * unplugged. */
         device->verdict = USB_BARRED;
     }
 }

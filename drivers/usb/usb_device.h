@@ -19,7 +19,7 @@ enum usb_device_fault {
     USB_DENIED, /* The kiosk has no permission to open the device. */
     USB_HELD,   /* Another program has claimed the interface. */
     USB_BROKEN, /* The device does not respond. */
-    USB_AWAY,   /* The device was unplugged meanwhile. */
+    USB_AWAY,   /* The device was unplugged before it could be opened. */
 };
 
 struct usb_device {
@@ -37,7 +37,7 @@ struct usb_device {
                         from /sys. */
     uint8_t verdict; /* Whether the interface may be claimed (enum usb_verdict). */
     uint8_t kind;    /* Kind of the interface (enum usb_kind). */
-    uint8_t worth;   /* Score by hid_mapping_score(). */
+    uint8_t worth;   /* Score of the mapping, from hid_mapping_score(). */
     struct usb_pipe pipe;
     struct hid_device_info face; /* Identity and report descriptor. A descriptor_size of 0 means
                                     that the descriptor is not known yet. */

@@ -167,7 +167,7 @@ static void close_all(struct usb_event_thread *usb_thread)
 static void hurry(void)
 {
     const struct sched_param first = { .sched_priority = 1 };
-    /* Without the permission the thread keeps its normal priority. */
+    /* If the call fails, the thread keeps its normal priority. */
     pthread_setschedparam(pthread_self(), SCHED_RR, &first);
 }
 
@@ -225,7 +225,8 @@ static void init(struct usb_event_thread *usb_thread)
     usb_thread->rows_changed = 1;
 }
 
-/* Signals that a fault inside the thread raises. */
+/* Signals that the kernel sends to a thread because of its own fault, such as an invalid memory
+ * access. */
 static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
 
 /* Starts the thread with all signals blocked except `panics`, because the main thread handles all

@@ -6,8 +6,8 @@
 #include "drivers/usb/usb_device.h"
 #include "drivers/usb/usb_sysfs.h"
 
-#define HID_REPORT_DESCRIPTOR 0x22u /* Descriptor type (HID 1.11, section 7.1). */
-#define HID_SET_IDLE 0x0au          /* Request code (HID 1.11, section 7.2). */
+#define HID_REPORT_DESCRIPTOR 0x22u /* Type of a report descriptor (HID 1.11, section 7.1). */
+#define HID_SET_IDLE 0x0au          /* Code of the request SET_IDLE (HID 1.11, section 7.2). */
 #define HID_SET_PROTOCOL 0x0bu
 #define DESCRIPTOR_MS 1000u
 #define REQUEST_MS 250u

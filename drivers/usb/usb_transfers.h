@@ -59,7 +59,7 @@ struct usb_transfers {
     uint8_t is_gone;      /* 1 if the device was unplugged and accepts no requests, otherwise 0. */
     uint8_t has_halted;   /* 1 if the input endpoint stalled and must be cleared, otherwise 0. */
     uint8_t has_left;     /* 1 if the slot was detached, otherwise 0. */
-    uint32_t error_count; /* Number of consecutive errors. */
+    uint32_t error_count; /* Number of consecutive transfer errors. */
     uint64_t retry_ns;    /* Earliest time at which transfers are submitted again. */
     uint64_t leave_ns;    /* Time at which the slot is detached even if some transfers have not
                              returned. */

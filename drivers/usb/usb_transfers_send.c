@@ -3,7 +3,7 @@
 
 #include "drivers/usb/usb_transfers.h"
 
-#define HID_SET_REPORT 0x09u      /* Request code (HID 1.11, section 7.2.2). */
+#define HID_SET_REPORT 0x09u      /* Code of the request SET_REPORT (HID 1.11, section 7.2.2). */
 #define HID_OUTPUT_REPORT 0x0200u /* Report type "output" in the upper byte of wValue. */
 
 static void LIBUSB_CALL on_sent(struct libusb_transfer *transfer)
