@@ -3,6 +3,7 @@
 #
 # Outside tables and code blocks no line has more than 160 characters, and no sentence more than 30 words.
 # Every relative link names an existing file, and every anchor names a heading of the page that it points into.
+# In a text of the form "`function()` in [file](path)", the file contains the function's name.
 # An inline code span counts as one word. Prints one line for each breach. Exits 1 on any.
 set -u
 [ $# -gt 0 ] || mapfile -t pages < <(git ls-files -co --exclude-standard '*.md')
@@ -70,6 +71,20 @@ sub check_links {
     }
 }
 
+sub check_functions {
+    my ($page, $number, $line) = @_;
+    (my $folder = $page) =~ s{[^/]*$}{};
+    while ($line =~ /((?:`\w+\(\)`,? )+)in \[[^\]]*\]\(([^)#]+)\)/g) {
+        my ($functions, $path) = ($1, $2);
+        my $source = join("\n", read_lines($folder . $path));
+        while ($functions =~ /(\w+)\(\)/g) {
+            next if $source =~ /\b$1\(/;
+            print "$page:$number: $path has no $1()\n";
+            $failed = 1;
+        }
+    }
+}
+
 # Returns the sentences of over 30 words in a paragraph, each by its first words.
 sub long_sentences {
     my ($text) = @_;
@@ -93,6 +108,7 @@ for my $page (@ARGV) {
     for my $line (@lines) {
         $number++;
         check_links($page, $number, $line);
+        check_functions($page, $number, $line);
         my $is_table = $line =~ /^\s*\|/;
         push @breaches, "$page:$number: over 160 columns" if !$is_table && length($line) > 160;
         $end_paragraph->() if $is_table || $line =~ /^\s*$|^#|^\s*([-*]|\d+\.)\s/;

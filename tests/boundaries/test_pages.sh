@@ -7,6 +7,7 @@ trap 'rm -rf "$work"' EXIT
 count=0
 cd "$work" || exit 1
 printf '# One page\n\n## What is kept, where\n' >other.md
+echo 'int here(void);' >code.h
 
 ok() { # STATUS TEXT
     count=$((count + 1))
@@ -45,4 +46,6 @@ refuses 'the link gone.md does not resolve' '[gone](gone.md)' 'a link may not na
 refuses 'the link gone.png does not resolve' '| ![gone](gone.png) |' 'nor may a picture in a table'
 refuses 'the link other.md#gone does not resolve' '[gone](other.md#gone)' 'nor may an anchor name a missing heading'
 allows '# A page\n[1](other.md) [2](other.md#what-is-kept-where) [3](#a-page) [4](https://example.org)' 'other links are allowed'
+refuses 'code.h has no gone()' '| 1 | `here()`, `gone()` in [code.h](code.h) |' 'a function must be in the linked file'
+allows '| 1 | `here()` in [code.h](code.h) |' 'a function that is there is allowed'
 echo "1..$count"
