@@ -1,6 +1,7 @@
 /* blend_pick.c -- calls the blend with the number of SIMD lanes that the caller requests.
  *
- * The caller detects the processor, because the core does not. */
+ * The caller must request a number that the processor supports, because code of the core does not
+ * detect the processor. */
 #include "core/base/panic.h"
 #include "core/morph/blend_simd.h"
 

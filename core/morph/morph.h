@@ -2,7 +2,7 @@
  *
  * A key shape (key) is one modelled growth stage. The shape is computed in this order: age ->
  * progress through the keys -> weights of the keys (one deformation graph per curve) -> pose ->
- * shape. The length is computed from the age alone.
+ * shape. The length is a separate function of the age or of the progress.
  *
  * Progress is in [0, 1], and key i of n is at progress i / (n - 1). All functions are pure, and the
  * caller owns all memory. core/morph/README.md describes the method. */
@@ -74,7 +74,8 @@ struct graph_verdict {
     float value;
 };
 
-/* Returns the first fault of a graph, or GRAPH_GOOD. */
+/* Returns the first fault of a graph with its knot, key and value. The fault is GRAPH_GOOD if the
+ * graph is valid. */
 struct graph_verdict graph_check(const struct graph *graph, uint32_t key_count);
 
 /* Writes the weights of all keys at `progress` in [0, 1]. Each weight is at least 0, and the
@@ -105,7 +106,8 @@ enum graph_template {
     TEMPLATE_COUNT,
 };
 
-#define SIMULTANEOUS_PEAK 0.70f /* Peak weight of the hirame in section 4.2 of the thesis. */
+/* Peak weight of the species hirame in section 4.2 of the thesis. */
+#define SIMULTANEOUS_PEAK 0.70f
 
 /* Writes a standard graph. Asserts that `template_id` is not TEMPLATE_OWN and that `peak` is in
  * (0.5, 1]. `peak` affects only TEMPLATE_SIMULTANEOUS. */

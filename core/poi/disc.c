@@ -59,15 +59,15 @@ float disc_edge_n_s_m(float radius_m, float plane_m_s)
     return friction * 0.5f * WATER_KG_M3 * 2.0f * F_PI * radius_m * radius_m * speed;
 }
 
-/* The added inertia of rotation is (16/45) rho a^5 and the added mass is (8/3) rho a^3. The ratio
- * of the two is (2/15) a^2. */
+/* The result is the ratio of the added inertia of rotation, (16/45) rho a^5, to the added mass,
+ * (8/3) rho a^3, times `added_kg`. */
 float disc_turn_added_kg_m2(float radius_m, float added_kg)
 {
     return 2.0f / 15.0f * added_kg * radius_m * radius_m;
 }
 
-/* The torque integrates the drag at each point, and the integral of |x|^3 over a disc of radius a
- * is (8/15) a^5. */
+/* The torque is the integral of the drag over the disc, and the integral of |x|^3 over a disc of
+ * radius a is (8/15) a^5. */
 float disc_turn_n_m_s(float radius_m, float rate_rad_s)
 {
     const float square = radius_m * radius_m;
@@ -75,7 +75,8 @@ float disc_turn_n_m_s(float radius_m, float rate_rad_s)
     return 0.5f * WATER_KG_M3 * CN_BROADSIDE * integral * f_abs(rate_rad_s);
 }
 
-/* The mean of x^2 over a disc of radius a is a^2 / 4. */
+/* The pressure follows from the mean square of the speed, and the mean of x^2 over a disc of radius
+ * a is a^2 / 4. */
 float disc_turn_pa(float radius_m, float rate_rad_s)
 {
     const float square_m2_s2 = 0.25f * radius_m * radius_m * rate_rad_s * rate_rad_s;

@@ -13,7 +13,7 @@
 float disc_immersed(float radius_m, float centre_y_m, float up_y);
 
 /* Returns the added mass of water for motion along the disc's normal. The added mass is (8/3) rho
- * a^3 in deep water and half of that at the surface. */
+ * a^3 in deep water and half as large at the surface. */
 float disc_added_mass_kg(float radius_m, float centre_y_m, float immersed);
 
 /* Returns the force along the normal divided by the speed along the normal, in N s/m, for a fully
@@ -21,8 +21,8 @@ float disc_added_mass_kg(float radius_m, float centre_y_m, float immersed);
  * between the disc's plane and its velocity. Both speeds are relative to the water. */
 float disc_normal_n_s_m(float radius_m, float normal_m_s, float plane_m_s);
 
-/* Returns the skin friction divided by the speed along the disc's plane, in N s/m. The formula is
- * the formula of a laminar plate and counts both faces. */
+/* Returns the skin friction divided by the speed along the disc's plane, in N s/m. Uses the
+ * friction formula of a laminar plate, and counts both faces. */
 float disc_edge_n_s_m(float radius_m, float plane_m_s);
 
 /* Coefficients of a disc that rotates about one of its diameters. The added inertia (kg m^2)

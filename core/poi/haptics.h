@@ -2,9 +2,9 @@
  *
  * The force comes from the physics that moves the ring. A freely moving ring pulls at the hand with
  * its drag, added mass, weight, meniscus and fish. A ring that is blocked by walls, floor, bowl or
- * fish pulls with the stretched hand spring. The torque about the grip counts the point at which
- * each force acts. catch_tick() gathers the slaps of the fish in one tick. In the next tick, each
- * slap loads the paper, moves the ring and acts on the hand. */
+ * fish pulls with the stretched hand spring. The torque about the grip depends on the point at
+ * which each force acts. catch_tick() gathers the slaps of the fish in one tick. In the next tick,
+ * each slap loads the paper, moves the ring and acts on the hand. */
 #ifndef KINGYO_CORE_POI_HAPTICS_H
 #define KINGYO_CORE_POI_HAPTICS_H
 

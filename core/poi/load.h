@@ -6,8 +6,8 @@
 
 #include "core/poi/poi.h"
 
-/* Returns the weight of the ring, the water on it and its fish, reduced by the share of the disc
- * that is immersed. */
+/* Returns the weight of the ring, its water and its fish, multiplied by the share of the disc that
+ * is above the water. */
 vec3 load_weight_n(const struct poi *poi);
 
 /* Returns the sum of drag, friction and slam of this tick at the present velocity of the ring.

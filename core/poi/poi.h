@@ -65,8 +65,8 @@ struct poi {
     uint8_t clings; /* 1 if the ring was in the water and the meniscus may still cling to its edge,
                        otherwise 0. */
     vec3 angular_velocity_rad_s; /* Rates of the yaw, pitch and roll angles, as x, y and z. */
-    vec3 spin_rad_s;             /* Rotation vector of the poi's normal in world axes, without the
-                                    rotation about the normal. */
+    vec3 spin_rad_s;             /* Rate at which the poi's normal rotates, as a vector in world
+                                    axes. The rotation about the normal itself is not included. */
     vec3 acceleration_m_s2;      /* Low-pass filtered acceleration of the ring, which acts on the
                                     carried water and fish. */
     vec3 jolt_m_s2;              /* Output of the first of the two filter stages of
@@ -79,7 +79,8 @@ struct poi {
     float immersed;              /* Share [0, 1] of the disc that is below the water surface. */
     float splash_m_s;            /* Speed at which the ring entered the water (> 0) or left the
                                     water (< 0) in this tick; 0 if it did neither. */
-    float water_kg;              /* Water on the paper, which weighs only on the part in air. */
+    float water_kg;              /* Mass of the water on the paper. Only the share of the disc in
+                                    air carries its weight. */
     float film_kg, pool_kg;      /* The two parts of `water_kg`: the film on both faces and the pool
                                     in the sag. */
     float drip_kg;               /* Drained water that hangs below the paper until it forms a
@@ -118,9 +119,10 @@ void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed);
 
 /* Advances the ring by one tick. The hand spring pulls the ring, and water, floor, walls and the
  * player's own bowl hold the ring back. Without wrist input, a poi that carries fish over the
- * bowl's mouth rises and tips toward the bowl. A ring that a blockage releases exceeds the recent
- * speed of the hand by at most 1 m/s. Asserts that the target is finite. haptics.h computes the
- * force feedback, and surface_disturbance.h computes the effect on the water surface. */
+ * bowl's mouth rises and tips toward the bowl. When a blocked ring becomes free, its speed
+ * exceeds the recent speed of the hand by at most 1 m/s. Asserts that the target is finite.
+ * haptics.h computes the force feedback, and surface_disturbance.h computes the effect on the
+ * water surface. */
 void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
               const struct bowl *bowl);
 
@@ -133,8 +135,8 @@ struct obstacle poi_obstacle(const struct poi *poi);
  * the fish loads from the last catch_tick(). */
 void poi_apply_reaction(struct poi *poi, const struct obstacle *ring);
 
-/* Returns the share of the water force along the normal that still acts on the poi. A torn poi
- * keeps only the share of its ring. */
+/* Returns the share of the water force along the normal that still acts on the poi. A poi without
+ * paper keeps 15 %, which act on the bare ring. */
 static inline float poi_whole(const struct poi *poi)
 {
     return 0.15f + 0.85f * sheet_left(&poi->sheet);

@@ -14,15 +14,15 @@
 /* Largest automatic tip, steep enough for a fish to roll over the ring. */
 #define TIP_RAD (55.0f * F_DEG)
 #define TIP_PER_S 3.0f
-/* Distance between the centres of ring and bowl mouth at which the ring tips fully, per sum of
- * their radii. */
+/* Distance between the centres of ring and bowl mouth, divided by the sum of their radii, up to
+ * which the ring tips fully. */
 #define TIP_NEAR 0.45f
-/* Distance between the centres of ring and bowl mouth, per sum of their radii, from which the ring
- * does not tip. */
+/* Distance between the centres of ring and bowl mouth, divided by the sum of their radii, from
+ * which the ring does not tip. */
 #define TIP_FAR 0.95f
 #define TIP_FALL_M 0.040f /* Distance from the ring's centre at which a fish leaves the ring. */
-/* Distance of the fish's landing point from the centre of the bowl's mouth, per mouth radius, up to
- * which the ring tips fully. */
+/* Distance of the fish's landing point from the centre of the bowl's mouth, divided by the radius
+ * of the mouth, up to which the ring tips fully. */
 #define TIP_HIT 0.65f
 #define TIP_BACK_SHARE 0.4f
 /* Ticks for which the poi stays tipped after its last fish left, so that a fish still rolling over

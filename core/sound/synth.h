@@ -16,8 +16,10 @@
 /* Number of voices. More simultaneous sounds would be indistinct, so that a new sound replaces the
  * oldest sound if all voices are active. */
 #define SYNTH_VOICE_MAX 16u
-#define SYNTH_LAYER_MAX 4u   /* Largest number of layers (noise bursts and tones) of a sound. */
-#define SYNTH_PLUCK_MAX 256u /* Longest delay line of a string in frames: 48000 / 256 = 188 Hz. */
+#define SYNTH_LAYER_MAX 4u /* Largest number of layers (noise bursts and tones) of a sound. */
+/* Longest delay line of a string in frames, which limits the pitch to at least 48000 / 256 = 188
+ * Hz. */
+#define SYNTH_PLUCK_MAX 256u
 
 /* State of one active layer. */
 struct synth_layer {

@@ -67,7 +67,8 @@ float bowl_hull_radius_m(float below_m);
  * clamped to the hull. */
 float bowl_room_m3(float below_m);
 
-/* Returns the depth under the mouth of the water level in the bowl, which the fish raise. */
+/* Returns the distance from the bowl's mouth down to the water level in the bowl. The fish in the
+ * bowl raise the level. */
 float bowl_level_m(const struct bowl *bowl);
 
 /* Returns the bowl as an obstacle for the fish of the tank, with its motion in this tick. */

@@ -28,7 +28,7 @@
 #define HEEL_RAD_S 13.0f /* Natural frequency of the tilt: the bowl rocks at 2 Hz. */
 /* Damping ratio of the tilt, with which the bowl is still after a few swings. */
 #define HEEL_DAMP 0.22f
-/* Largest tilt of 8 degrees, because water would flow into the mouth at a larger one. */
+/* Largest tilt (8 degrees), because water would flow into the mouth at a larger tilt. */
 #define HEEL_MAX 0.14f
 /* Tilt due to a horizontal push, as a share of push divided by weight. */
 #define HEEL_SHARE 0.25f

@@ -7,8 +7,8 @@
 /* Distance between the test points along the body, in body lengths. The points reach from 0.36 in
  * front of the centre to 0.36 behind it. */
 #define ALONG_STEP 0.18f
-/* Distance of the outer test points from the body's midline, as a share of its girth; less than
- * half, because a body tapers. */
+/* Distance of the outer test points from the body's midline, as a share of the body's girth. The
+ * share is less than half, because a body tapers. */
 #define ACROSS 0.30f
 
 static int is_borne(const struct sheet *sheet, float x_m, float z_m)

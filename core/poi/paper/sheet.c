@@ -7,8 +7,8 @@
 #include "core/poi/paper/strain.h"
 #include "core/poi/paper/wetting.h"
 
-/* Share of its ultimate tension at which paper lasts for half a day, so that lower tensions are
- * ignored. */
+/* Share of the ultimate tension below which damage is ignored, because paper lasts for half a day
+ * at this share. */
 #define LOAD_RATIO_MIN 0.25f
 /* Stress concentration at the line between wet and dry paper, which swell differently. */
 #define WET_LINE_FACTOR 2.5f

@@ -29,8 +29,9 @@ struct strain {
     uint32_t load_count;
     struct footprint footprints[SHEET_LOAD_MAX];
     struct tear_map map;
-    float load[SHEET_CELL_COUNT];  /* Tension divided by strength; 0 where there is no paper. */
-    float ratio[SHEET_CELL_COUNT]; /* `load` multiplied by the stress concentration. */
+    float load[SHEET_CELL_COUNT];  /* Tension of each cell divided by its strength; 0 where there is
+                                      no paper. */
+    float ratio[SHEET_CELL_COUNT]; /* `load` of each cell multiplied by the stress concentration. */
 };
 
 SIMD_BEGIN

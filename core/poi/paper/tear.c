@@ -94,8 +94,8 @@ float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_
 
 /* ---- Removal of loose paper ----------------------------------------------------------------- */
 
-/* Returns the bits of an adjacent row, shifted so that each bit lies over its neighbour in
- * direction `column` (-1, 0 or 1). */
+/* Returns the bits of an adjacent row shifted by `column` (-1, 0 or 1), so that bit i of the result
+ * is bit i + column of the row. */
 static uint32_t aside(uint32_t bits, int32_t column)
 {
     return column > 0 ? bits >> 1 : column < 0 ? bits << 1 : bits;

@@ -119,7 +119,7 @@ static inline void start_with_a_hand(void)
     press(INPUT_START);
 }
 
-/* Runs ticks from the start to the first tick of the round. */
+/* Starts a round and runs ticks until the first tick of the round. */
 static inline void play_into_round(void)
 {
     start_with_a_hand();
@@ -127,7 +127,7 @@ static inline void play_into_round(void)
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }
 
-/* Runs ticks from the start to the first tick of the result. */
+/* Starts a round and runs ticks until the first tick of its result. */
 static inline void play_into_result(void)
 {
     play_into_round();

@@ -126,7 +126,7 @@ struct usb_bench {
     char folder[64], sysfs[96], choices[96];
     struct usb_seats *seats;
     char why[HAL_TEXT_SIZE];
-    pthread_mutex_t lock; /* Lock of the members that follow, which the USB thread writes. */
+    pthread_mutex_t lock; /* Lock of `told_count` and `told`, which the USB thread writes. */
     uint32_t told_count;
     char told[HAL_TEXT_SIZE];
 };
