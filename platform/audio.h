@@ -19,8 +19,8 @@
 /* Interval in seconds between two searches for a device. The start of a sound server causes no
  * event, therefore a timer is needed. A search takes 5 ms. */
 #define AUDIO_TRY_S 10u
-#define AUDIO_FRAME_COUNT                                                                          \
-    512u /* Samples per audio callback: 11 ms, which is less than one displayed frame. */
+/* Samples per audio callback: 11 ms, which is less than one displayed frame. */
+#define AUDIO_FRAME_COUNT 512u
 
 /* State of the audio output. The caller owns the structure and initializes it to zero. Its address
  * must not change while the device is open. */

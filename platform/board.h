@@ -27,11 +27,10 @@ enum board_keyboard {
 /* Maximum number of controllers that can be named, equal to the number of rows in struct
  * controller_status. */
 #define BOARD_USB_MAX 8u
-#define BOARD_USB_SIZE                                                                             \
-    74u /* Size in bytes of "VVVV:PPPP:" and a serial number of 63 bytes, with the terminating
-           zero. */
-#define BOARD_LINE_MAX                                                                             \
-    32u /* Maximum number of GPIO line options. Each role may appear once and be overridden once. */
+/* Size in bytes of "VVVV:PPPP:" and a serial number of 63 bytes, with the terminating zero. */
+#define BOARD_USB_SIZE 74u
+/* Maximum number of GPIO line options. Each role may appear once and be overridden once. */
+#define BOARD_LINE_MAX 32u
 /* Size in bytes of a GPIO line option, for example
  * "coin-counter=LABEL:OFFSET,low,up,pulse=100ms/100ms", with a reserve. */
 #define BOARD_LINE_SIZE 128u

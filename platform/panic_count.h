@@ -18,12 +18,12 @@
  * leave a partly written file. */
 #define PANICS_SIZE 80u
 #define PANICS_RECENT 3u /* Number of the newest panics that the file stores. */
-#define PANICS_WITHIN_S                                                                            \
-    600u /* Period in seconds. PANICS_RECENT panics within this period cause data to be left out. */
-#define PANICS_OTHER_MAX                                                                           \
-    100u /* Number of file names that are tried to rename an object that is not a regular file. */
-#define PANICS_FILES                                                                               \
-    10u /* Number of replays of panics that are stored, in panic-0.kgr to panic-9.kgr. */
+/* Period in seconds. PANICS_RECENT panics within this period cause data to be left out. */
+#define PANICS_WITHIN_S 600u
+/* Number of file names that are tried to rename an object that is not a regular file. */
+#define PANICS_OTHER_MAX 100u
+/* Number of replays of panics that are stored, in panic-0.kgr to panic-9.kgr. */
+#define PANICS_FILES 10u
 
 enum panics_left { LEFT_NOTHING = 0, LEFT_SETTINGS, LEFT_REPLAYS, LEFT_NAMES, LEFT_COUNT };
 

@@ -11,9 +11,8 @@
 
 #include "core/settings.h"
 
-#define SETTING_TEXT_MAX                                                                           \
-    64u                        /* Size in bytes of a value's text. The longest text is the list of
-                                  all mode names. */
+/* Size in bytes of a value's text. The longest text is the list of all mode names. */
+#define SETTING_TEXT_MAX 64u
 #define SETTING_RANGE_MAX 128u /* Size in bytes of the text for a value's range. */
 
 /* Returns the section of kingyo.conf for a group of settings, or null if the group exists only

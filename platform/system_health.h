@@ -19,8 +19,8 @@
 /* Tolerance in seconds for file times in the future. A smaller difference may come from daylight
  * saving time. */
 #define SYSTEM_HEALTH_CLOCK_SLACK_S 7200
-#define SYSTEM_HEALTH_QUARANTINE_MAX                                                               \
-    64u /* Maximum number of quarantined files that are counted. Additional files are ignored. */
+/* Maximum number of quarantined files that are counted. Additional files are ignored. */
+#define SYSTEM_HEALTH_QUARANTINE_MAX 64u
 
 /* State of the health monitor. The caller owns the structure, sets `data`, `checked` and `heat`,
  * and clears the other fields. The address must not change while the thread runs. */

@@ -14,8 +14,8 @@
 /* Default temperature limit in thousandths of a degree Celsius, for a zone without a limit of its
  * own. Typical boards slow down above this temperature. */
 #define THERMAL_LIMIT_MDEG 80000
-#define THERMAL_UNKNOWN_MDEG                                                                       \
-    999000 /* Margin in thousandths of a degree that means no sensor was found. */
+/* Margin in thousandths of a degree that means no sensor was found. */
+#define THERMAL_UNKNOWN_MDEG 999000
 
 /* Returns the smallest margin of all thermal zones under `root`, a folder like /sys/class/thermal.
  * The margin is the zone's limit minus its temperature in thousandths of a degree. Returns

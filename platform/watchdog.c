@@ -9,8 +9,8 @@
 #include <unistd.h>
 
 #define PERIOD_DEFAULT_NS 1000000000u
-#define KICKS_PER_DEADLINE                                                                         \
-    4u /* Notifications sent per time limit. Three of four notifications may be lost or late. */
+/* Notifications sent per time limit. Three of four notifications may be lost or late. */
+#define KICKS_PER_DEADLINE 4u
 
 static int notify_address(struct sockaddr_un *address, socklen_t *size, const char *path)
 {

@@ -14,8 +14,8 @@
 #include "platform/config/options.h"
 
 #define CONFIG_FILE_DEFAULT "/etc/kingyo/kingyo.conf"
-#define CONFIG_WARNINGS_MAX                                                                        \
-    20u /* Maximum number of warnings for one file. Additional warnings are only counted. */
+/* Maximum number of warnings for one file. Additional warnings are only counted. */
+#define CONFIG_WARNINGS_MAX 20u
 /* Maximum file size in bytes. All keys with their comments take 5 KiB. */
 #define CONFIG_SIZE_MAX (1u << 20)
 /* Maximum length of a line in bytes. A longer line is skipped with a warning. */

@@ -7,9 +7,8 @@
 
 #include "platform/config/options.h"
 
-#define OPTION_TEXT_MAX                                                                            \
-    160 /* Size in bytes of an option's text. At least HAL_TEXT_SIZE because a board may write
-           the text. */
+/* Size in bytes of an option's text. At least HAL_TEXT_SIZE because a board may write the text. */
+#define OPTION_TEXT_MAX 160
 
 struct option {
     const char *name;

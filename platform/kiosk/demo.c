@@ -20,16 +20,16 @@
 #define FRAME_NS 50000000ull
 #define NS_PER_S 1000000000ull
 #define START_NS FRAME_NS /* Simulated time at which START is pressed. */
-#define PRELUDE_NS                                                                                 \
-    100000000ull /* Simulated time of one frame before the round. These frames are not shown. */
+/* Simulated time of one frame before the round. These frames are not shown. */
+#define PRELUDE_NS 100000000ull
 #define PRELUDE_TICKS_MAX (60u * CORE_TICK_HZ)
 #define IN_ROUND_TICKS                                                                             \
     (3u * CORE_TICK_HZ / 4u) /* Ticks after the start of the round until each poi is over its
                                 part of the water. */
 /* Seconds after the round: time to move the last fish to the bowl and to show the result. */
 #define AFTER_ROUND_S 5u
-#define ROUND_S_MIN                                                                                \
-    25u /* Minimum length of the round in seconds. A shorter demonstration ends during the round. */
+/* Minimum length of the round in seconds. A shorter demonstration ends during the round. */
+#define ROUND_S_MIN 25u
 #define FOLDER_DEFAULT "out/demo"
 #define PATH_SIZE (OPTIONS_PATH_MAX + 32u)
 

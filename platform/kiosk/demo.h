@@ -8,9 +8,8 @@
 
 #include "platform/kiosk/run_common.h"
 
-#define DEMO_SEED                                                                                  \
-    2013u /* Default seed of the random number generator, so that two users see the same
-             demonstration. */
+/* Default seed of the random number generator, so that two users see the same demonstration. */
+#define DEMO_SEED 2013u
 
 /* Runs the demonstration. Returns an exit code. Reports all errors before it returns. */
 enum exit_code demo_run(struct run_common *session);

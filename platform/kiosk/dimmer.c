@@ -4,12 +4,11 @@
 #define NS_PER_S 1000000000ull
 #define NS_PER_MS 1000000ull
 #define FADE_DOWN_S 4.0f /* Duration of dimming in seconds, slow enough to be unnoticed. */
-#define FADE_UP_S                                                                                  \
-    0.3f /* Duration of brightening in seconds. Brightening is fast because an arriving player
-            needs light. */
-#define STEP_MS_MAX                                                                                \
-    100u /* Maximum time step in milliseconds. Limits the change of brightness after a delayed
-            frame. */
+/* Duration of brightening in seconds. Brightening is fast because an arriving player needs
+ * light. */
+#define FADE_UP_S 0.3f
+/* Maximum time step in milliseconds. Limits the change of brightness after a delayed frame. */
+#define STEP_MS_MAX 100u
 
 /* Periods of the horizontal and vertical movement in milliseconds. The periods have no common
  * divisor, so that within a day the picture reaches every position in its range. The picture moves

@@ -6,22 +6,22 @@
 #define NS_PER_S 1000000000ull
 #define FRAME_TICKS 2u
 #define FRAME_NS (NS_PER_S * FRAME_TICKS / CORE_TICK_HZ)
-#define LIKE_60_HZ_NS                                                                              \
-    3500000ull /* Maximum difference from FRAME_NS of a frame that may belong to a 60 Hz display
-                  with jitter: 50 .. 76 Hz. */
-#define SURE_60_HZ_NS                                                                              \
-    1500000ull /* Maximum difference from FRAME_NS of a frame that certainly belongs to a 60 Hz
-                  display: 55 .. 66 Hz. */
+/* Maximum difference from FRAME_NS of a frame that may belong to a 60 Hz display with jitter: 50 ..
+ * 76 Hz. */
+#define LIKE_60_HZ_NS 3500000ull
+/* Maximum difference from FRAME_NS of a frame that certainly belongs to a 60 Hz display: 55 ..
+ * 66 Hz. */
+#define SURE_60_HZ_NS 1500000ull
 /* Maximum error of the due time: jitter of 3 ms at the starts of two frames. */
 #define SNAP_NS 6000000ll
-#define DRIFT_SHARE                                                                                \
-    8 /* Share of the due time that each frame corrects, because no display has exactly 60 Hz. */
+/* Share of the due time that each frame corrects, because no display has exactly 60 Hz. */
+#define DRIFT_SHARE 8
 
 /* Minimum frame time of a screen that paces the loop with its vertical synchronization (62 Hz or
  * less). */
 #define WAITS_NS 16000000ull
-#define REST_SHARE                                                                                 \
-    16 /* Number of frames over which the mean frame time is computed: a quarter of a second. */
+/* Number of frames over which the mean frame time is computed: a quarter of a second. */
+#define REST_SHARE 16
 
 static uint64_t distance(uint64_t a, uint64_t b)
 {

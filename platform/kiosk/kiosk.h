@@ -102,8 +102,8 @@ struct kiosk {
                                   the display is open. */
     struct dimmer dimmer;
     struct view view; /* Camera view that was last sent to the display and the pois. */
-    struct display_settings
-        display_settings; /* Display transform that was last sent to the display and the pois. */
+    /* Display transform that was last sent to the display and the pois. */
+    struct display_settings display_settings;
     struct saving saving;
     struct offline_flush late;
     struct audio_output voice;

@@ -2,9 +2,9 @@
  * offline_flush.h. */
 #include "platform/kiosk/offline_flush.h"
 
-#define BATCH_MAX                                                                                  \
-    16u /* Maximum number of entries in one call of merge_offline(). Additional entries follow in
-           the next transaction. */
+/* Maximum number of entries in one call of merge_offline(). Additional entries follow in the next
+ * transaction. */
+#define BATCH_MAX 16u
 
 struct batch {
     const struct core *core;

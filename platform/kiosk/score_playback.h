@@ -12,8 +12,8 @@
 #include "platform/kiosk/replay_verifier.h"
 #include "platform/kiosk/session_recorder.h"
 
-#define SCORE_PLAYBACK_END_TICKS                                                                   \
-    (10u * CORE_TICK_HZ) /* Ticks for which the result of the verification is shown. */
+/* Ticks for which the result of the verification is shown. */
+#define SCORE_PLAYBACK_END_TICKS (10u * CORE_TICK_HZ)
 /* Maximum time per frame for seeking. A desktop computer runs at least 40 ticks in this time. */
 #define SCORE_PLAYBACK_SEEK_NS 10000000ull
 /* Maximum number of seconds or ticks processed per frame. Ends the loop if the clock stops. */

@@ -51,8 +51,8 @@ struct session_recorder {
     uint32_t missed;         /* Number of ranked rounds whose replay could not be stored. */
     struct input begun;      /* Input of the current tick. Valid while is_in_tick is 1. */
     atomic_uchar is_in_tick; /* 1 while core_tick() runs. */
-    atomic_uchar
-        is_busy; /* 1 from session_recorder_before() to the end of session_recorder_tick(). */
+    /* 1 from session_recorder_before() to the end of session_recorder_tick(). */
+    atomic_uchar is_busy;
     atomic_uchar is_frozen; /* 1 if a panic reads the recording. The thread that runs the ticks then
                                blocks before it changes the recording. */
     uint8_t memory[SESSION_RECORDER_MEMORY];

@@ -3,8 +3,8 @@
 
 #include <time.h>
 
-#define DAYS_TO_MARCH_2000                                                                         \
-    60 /* Days from 2000-01-01 to 2000-03-01: January and a February with a leap day. */
+/* Days from 2000-01-01 to 2000-03-01: January and a February with a leap day. */
+#define DAYS_TO_MARCH_2000 60
 
 static uint64_t clock_now_ns(void *self)
 {

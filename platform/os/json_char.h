@@ -5,8 +5,8 @@
 #ifndef KINGYO_PLATFORM_OS_JSON_CHAR_H
 #define KINGYO_PLATFORM_OS_JSON_CHAR_H
 
-#define JSON_CHAR_SIZE                                                                             \
-    7u /* Size of one escaped character: at most six bytes and a terminating zero. */
+/* Size of one escaped character: at most six bytes and a terminating zero. */
+#define JSON_CHAR_SIZE 7u
 
 /* Writes the first character of `words` in escaped form to `out`. The caller guarantees that
  * `words` is not empty. Returns the rest of `words`. */

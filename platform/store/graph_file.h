@@ -29,8 +29,8 @@
 #define GRAPH_FILE_FOLDER "graphs"
 #define GRAPH_FILE_SUFFIX ".graph"
 #define GRAPH_FILE_WHY_SIZE 160u
-#define GRAPH_FILE_TEXT_MAX                                                                        \
-    4096u /* Maximum size of a file in bytes. The longest graph takes 2.2 KB. */
+/* Maximum size of a file in bytes. The longest graph takes 2.2 KB. */
+#define GRAPH_FILE_TEXT_MAX 4096u
 
 /* ---- Functions of graph_text.c ------------------------------------------------------------- */
 

@@ -86,8 +86,8 @@
 /* Capacity of the queue of edits. The operator's menu permits far less than four edits per
  * second. */
 #define STORAGE_EDITS_MAX 4u
-#define STORAGE_REPLAY_MS                                                                          \
-    10000 /* Time after which the store abandons a replay that the card rejects. */
+/* Time after which the store abandons a replay that the card rejects. */
+#define STORAGE_REPLAY_MS 10000
 /* Maximum memory of SQLite in bytes. The highest measured use was 4.2 MiB, with 100,000 entries, a
  * backup, and a replay of maximum length (SESSION_RECORDER_SIZE) for each ranked round. */
 #define STORAGE_HEAP_MAX (8 * 1024 * 1024)
@@ -108,13 +108,12 @@ struct storage_replay {
     atomic_int state;           /* State of the request (enum storage_replay_state). */
 };
 
-#define OFFLINE_CREDITS_MAX                                                                        \
-    16u /* Maximum number of entries in one transfer: one for each coin line and each kind of
-           credit. */
+/* Maximum number of entries in one transfer: one for each coin line and each kind of credit. */
+#define OFFLINE_CREDITS_MAX 16u
 
-#define STORAGE_PLACES                                                                             \
-    3u /* Number of monitored files: the database, its write-ahead log (-wal) and the index of
-          the log (-shm). */
+/* Number of monitored files: the database, its write-ahead log (-wal) and the index of the log
+ * (-shm). */
+#define STORAGE_PLACES 3u
 
 /* Identity of a file when it was first seen. Zeros mean that the file did not exist yet. */
 struct storage_place {
@@ -147,8 +146,8 @@ struct storage_chore {
     void *self;
 };
 #define STORAGE_CHORE_MS 10
-#define STORAGE_CHORE_WAIT_MS                                                                      \
-    40 /* Interval between two periods of background work, in milliseconds. */
+/* Interval between two periods of background work, in milliseconds. */
+#define STORAGE_CHORE_WAIT_MS 40
 
 /* State of the store. The caller owns the structure, sets `dir`, `how`, `by_hand` and `chore`, and
  * clears the other fields. The address must not change while the store is open. */

@@ -24,8 +24,8 @@
 #include "platform/store/sqlite/sql.h"
 #include "platform/store/storage_internal.h"
 
-#define PART_SUFFIX                                                                                \
-    STORAGE_NEW_SUFFIX LEDGER_PART_SUFFIX /* Suffix of the incomplete replacement. */
+/* Suffix of the incomplete replacement. */
+#define PART_SUFFIX STORAGE_NEW_SUFFIX LEDGER_PART_SUFFIX
 
 static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
 #define SUFFIX_COUNT (sizeof suffixes / sizeof suffixes[0])

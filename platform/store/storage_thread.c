@@ -7,8 +7,8 @@
 #include "platform/store/graph_file.h"
 #include "platform/store/storage_internal.h"
 
-#define RETRY_MS                                                                                   \
-    1000 /* Interval between two attempts to write to a card after a failure, in milliseconds. */
+/* Interval between two attempts to write to a card after a failure, in milliseconds. */
+#define RETRY_MS 1000
 /* Interval in milliseconds between two checks that the open database is still at its path. The
  * status file is written immediately after a change, so that a loss is reported within one
  * second. */

@@ -36,9 +36,8 @@ struct sqlite3_stmt;
 /* Error codes of this module. All other codes are SQLite result codes; SQLITE_OK (0) means
  * success. */
 #define LEDGER_FILE_NEWER (-1) /* A newer version wrote the file. The file stays unchanged. */
-#define LEDGER_FILE_FOREIGN                                                                        \
-    (-2)                        /* The file is valid, but contains the entries of a foreign
-                                   kiosk. */
+/* The file is valid, but contains the entries of a foreign kiosk. */
+#define LEDGER_FILE_FOREIGN (-2)
 #define LEDGER_FILE_LOCKED (-3) /* Another process holds the lock of the folder. */
 #define LEDGER_FILE_MOVED (-4)  /* The file or its folder was removed, renamed or replaced. */
 #define LEDGER_FILE_LINK (-5)   /* The path of the file is a symbolic link. */

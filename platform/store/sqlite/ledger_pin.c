@@ -12,9 +12,8 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-#define MARK                                                                                       \
-    "'pin-vacuum'" /* Name of the `state` row that exists while old bytes of a PIN may be in the
-                      file. */
+/* Name of the `state` row that exists while old bytes of a PIN may be in the file. */
+#define MARK "'pin-vacuum'"
 #define PLAIN_ENTRIES "FROM entries WHERE kind = %d AND detail = %d AND count = 0 AND value > 0"
 
 /* Hides the PIN in its entries. The entries are few: one for each PIN that was ever set. Returns an
