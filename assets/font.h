@@ -13,14 +13,15 @@
 struct font_glyph {
     uint32_t code;          /* Unicode code point. */
     uint16_t x, y;          /* Top left corner in the atlas, in atlas pixels. */
-    uint16_t width, height; /* Atlas pixels; 0 for a glyph without ink, such as the space. */
+    uint16_t width, height; /* Size in atlas pixels. 0 means a glyph without ink, such as the
+                               space. */
     float left_em, top_em;  /* Offset from the pen on the baseline to the top left corner. */
     float advance_em;       /* Advance of the pen. */
 };
 
 struct font {
     const char *name;
-    const struct font_glyph *glyphs; /* Ordered by `code`. */
+    const struct font_glyph *glyphs; /* Glyphs in ascending order of `code`. */
     uint32_t glyph_count;
     float em_px;                 /* Atlas pixels of one em. */
     float ascent_em, descent_em; /* Both positive; their sum is a line's height. */

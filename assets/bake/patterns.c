@@ -89,7 +89,7 @@ static float patch_depth(const struct design *design, float u, float v)
         const float dv = round_distance(v, patch->v) / patch->width;
         sum += expf(-1.6f * (du * du + dv * dv));
     }
-    return sum - 0.202f; /* The constant is exp(-1.6), with which a single patch ends at its half
+    return sum - 0.202f; /* The constant is exp(-1.6), so that a single patch ends at its half
                             length and half width. */
 }
 

@@ -38,8 +38,8 @@ static uint64_t hash_of(const char *name)
     return hash;
 }
 
-/* The hashes of the names are added because the kernel may list the directory in a different order
- * each time. */
+/* Sums the hashes of the connectors' names. A sum is used because the kernel may list the directory
+ * in a different order each time. */
 struct connectors connectors_read(const char *root)
 {
     struct connectors found = { 0 };

@@ -75,8 +75,9 @@ static void describe_vertex(uint32_t key_count)
     const size_t rest = key_count * KEY_SIZE;
     const GLsizei stride = (GLsizei)(rest + REST_SIZE);
     for (uint32_t key = key_count; key < MORPH_KEY_MAX; key++) {
-        glDisableVertexAttribArray(key); /* The shader reads a disabled attribute as a constant, and
-                                            its key has a weight of 0. */
+        glDisableVertexAttribArray(key); /* The species has no shape for this key. A disabled
+                                            attribute is read as a constant, which has a weight of 0
+                                            in the blend. */
     }
     for (uint32_t key = 0; key < key_count; key++) {
         glEnableVertexAttribArray(key);

@@ -12,7 +12,7 @@
 
 /* Maximum number of texels of one pose. A texel holds four floats. */
 #define POSE_TEXELS_MAX (2u * MORPH_CURVE_MAX + 2u * ANCHOR_MAX)
-#define POSE_RUN 16u /* Number of rows that are uploaded together. */
+#define POSE_RUN 16u /* Number of texture rows (poses) that are uploaded together. */
 
 /* Writes a pose in the layout that morph.glsl reads: two texels for each curve, then two for each
  * anchor. Returns the number of texels. `curve_count` is the shader's constant CURVES, and

@@ -38,8 +38,8 @@ struct specimen {
                         invisible. */
     uint32_t tint;   /* Colour 0xRRGGBBAA that is mixed over the fish's paint with the weight of its
                         alpha. 0 shows only the paint. */
-    uint32_t look;   /* Appearance of a goldfish: its pattern, as in struct scene_fish. Unused for
-                        other species. */
+    uint32_t look;   /* Number from which the pattern of a goldfish is selected, as in struct
+                        scene_fish. Unused for other species. */
     float ripe;      /* Fraction of the juvenile coat that the pattern of a goldfish has replaced,
                         [0, 1]. Unused for other species. */
     float maturity;  /* Fraction of the juvenile grey of a goldfish that has turned into colour, as

@@ -67,13 +67,13 @@ struct key_text {
                        that the age is computed from the length. */
     float gill;     /* Position x of the end of the gill cover. 0 means that the text has no gill
                        line. */
-    bool confluent; /* Copy of the species' `confluent`. */
+    bool confluent; /* Copy of the field `confluent` of struct species_text. */
     uint32_t substep_count;
     struct station stations[STATION_MAX];
     struct eye eyes[2];          /* Right eye, then left eye. */
     struct fin fins[PART_COUNT]; /* Fins, indexed by enum species_part. A fin without rays is not
                                     drawn. */
-    struct finlets finlets[2];   /* Upper row, then lower row. */
+    struct finlets finlets[2];   /* Upper row of finlets, then lower row. */
     struct species_coat coat;
 };
 

@@ -128,7 +128,7 @@ void library_fill(struct library *library, const char *data)
     library->unread_count = listing.beyond;
 }
 
-/* ---- Faults --------------------------------------------------------------------------------- */
+/* ---- Faults that the operator's screens show ------------------------------------------------ */
 
 void library_note_graph(struct library *library, const char *line)
 {

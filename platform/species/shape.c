@@ -80,7 +80,7 @@ double shape_body_u(const struct key_text *key, double x)
     return 0.5 * (low + high);
 }
 
-/* ---- Vectors -------------------------------------------------------------------------------- */
+/* ---- Vector functions ----------------------------------------------------------------------- */
 
 v3d v3d_sub(v3d a, v3d b)
 {

@@ -10,10 +10,11 @@
 #define SHOWN_MIN 0.004
 #define SINK_SHARE 0.3  /* Maximum depth of fin roots, as a fraction of a thin body's thickness. */
 #define TAIL_SINK 0.035 /* Distance from the last ring forward to the start of the tail's rays. */
-/* Maximum of TAIL_SINK for a thin stalk, as a factor of the stalk's depth at its end. */
+/* Upper limit of TAIL_SINK in a fish with a thin tail stalk, as a multiple of the stalk's depth. */
 #define STALK_SINK 1.2
-#define END_MAX 0.03   /* Distance from the last ring backward to the body's closing point. */
-#define END_SHARE 0.25 /* Maximum of END_MAX, as a factor of the stalk's depth at its end. */
+#define END_MAX 0.03 /* Distance from the last ring backward to the body's closing point. */
+/* Upper limit of END_MAX in a fish with a thin tail stalk, as a multiple of the stalk's depth. */
+#define END_SHARE 0.25
 /* Fraction of a median ray's sideways turn that the ray has at its root. The remainder grows along
  * the ray. */
 #define SIDE_AT_ROOT 0.4
@@ -30,7 +31,7 @@
 /* Position along the base of an eel's dorsal and anal fin, [0, 1], from which the fin merges with
  * the tail. */
 #define JOIN_FROM 0.8
-/* Distance from the axis, relative to the skin, of a fin that is folded against the flank. */
+/* Distance of a folded fin from the body's axis, as a multiple of the skin's distance. */
 #define CLEAR_OF 1.02
 
 static struct ray ray_at(const struct fin *fin, double at)

@@ -3,7 +3,8 @@
 
 #include <string.h>
 
-/* Parses `coat BACK FLANK BELLY FIN IRIS CLEAR SHINE`. */
+/* Parses `coat BACK FLANK BELLY FIN IRIS CLEAR SHINE`: five colours, then transparency and
+ * reflectance. */
 bool text_read_coat(struct species_reader *r)
 {
     struct species_coat *coat = &r->key->coat;

@@ -21,8 +21,8 @@
 #define HANDLE_COLUMNS 13u
 #define PAPER_COLUMNS 49u
 #define PAPER_ROWS 11u
-/* Maximum number of fish that darken the paper, equal to the constant in poi_paper.frag.glsl. The
- * shade of these fish hides further fish. */
+/* Maximum number of fish that darken the paper. Must equal the array size of `rests` in
+ * poi_paper.frag.glsl. Further fish would be hidden by the shade of these fish. */
 #define RESTS_MAX 2
 #define REACH 3.8f /* Distance from the centre to the handle's end, in ring radii. */
 
@@ -69,8 +69,9 @@ static struct shape_vertex paper_point(float u, float v, const void *context)
 {
     (void)context;
     const float around = -u * F_TAU;
-    const float r = f_sqrt(v) * 1.01f; /* The vertex rings of the paper have equal area. The
-                                          outermost vertex ring lies inside the plastic of the poi's
+    const float r = f_sqrt(v) * 1.01f; /* The square root gives the areas between the rings of
+                                          vertices the same size. The factor 1.01 places the
+                                          outermost vertices inside the plastic of the poi's
                                           ring. */
     return (struct shape_vertex){ .position = v3(r * f_cos(around), r * f_sin(around), 0.0f) };
 }

@@ -50,7 +50,7 @@ static struct ui_box ui_album_place_of(const struct spatial_grid *grid, uint32_t
                             grid->height };
 }
 
-/* ---- One fish ------------------------------------------------------------------------------- */
+/* ---- Picture of one fish -------------------------------------------------------------------- */
 
 /* Returns the visibility of the fish's own pattern, [0, 1]. The coats of the last two keys are red,
  * and the pattern appears during them. For a fish that was caught at a younger age, the pattern is
@@ -172,7 +172,7 @@ static void picture(const struct ui_frame *frame, const struct scene *scene, uin
     }
 }
 
-/* ---- The page ------------------------------------------------------------------------------- */
+/* ---- Whole page of the album ---------------------------------------------------------------- */
 
 static void head(const struct ui_frame *frame, const struct scene *scene)
 {

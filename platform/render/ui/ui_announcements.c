@@ -91,7 +91,8 @@ static float foul_flag(const struct ui_frame *frame, const struct scene *scene, 
 
 static void fouls(const struct ui_frame *frame, const struct scene *scene)
 {
-    /* The flags are below the countdown's digits. Later flags overlap the first flag. */
+    /* During the countdown the first flag is below the digits, and further flags are above the
+     * first flag. */
     const int counts_down = scene->phase == PHASE_READY;
     float y = (counts_down ? 0.72f : 0.47f) * frame->height;
     for (uint32_t i = 0; i < POI_MAX; i++) {

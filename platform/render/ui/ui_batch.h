@@ -15,31 +15,35 @@
  * test measures the largest screen. */
 #define UI_QUADS_MAX 2048u
 
-/* Kind of a quad. The comment of each kind lists the meaning of `shape` in order; lengths are
- * pixels. */
+/* Kind of a quad, and the meaning of `shape` for each kind. Lengths in `shape` are pixels. */
 enum ui_kind {
-    UI_GLYPH = 0,   /* Thickening, outline, softness (all in atlas pixels), screen pixels per atlas
-                       pixel. */
-    UI_PANEL = 1,   /* Half width, half height, corner radius, border. */
-    UI_WASHI = 2,   /* Same values as UI_PANEL, drawn as paper with fibres. */
-    UI_WAVES = 3,   /* Same values as UI_PANEL, drawn as cloth with a faint pattern of waves. */
-    UI_RING = 4,    /* Outer radius, width, fraction [0, 1] of the ring that has the colour `fill`,
-                       clockwise from the top. The rest of the ring has the colour `line`. */
-    UI_GLOW = 5,    /* Half width, half height, 1 to add light or 0 to cover. */
-    UI_LANTERN = 6, /* Half width, half height, brightness [0, 1]. */
-    UI_FISH = 7,    /* Half width, half height, deflection of the tail [-1, 1]. */
-    UI_POI = 8,     /* Radius of the ring, fraction of the paper that is left [0, 1]. */
-    UI_WOOD = 9,    /* Same values as UI_PANEL, drawn as planed wood. */
-    UI_HEAT = 10,   /* Same values as UI_PANEL, drawn in the colours of the paper's stress, from
-                       left to right. */
-    UI_WATER = 11,  /* An aquarium at night: half width, half height, corner radius, time in
-                       seconds. */
+    UI_GLYPH = 0,   /* A letter. `shape` is: thickening, outline, softness (all in atlas pixels),
+                       screen pixels per atlas pixel. */
+    UI_PANEL = 1,   /* A plain panel. `shape` is: half width, half height, corner radius, border
+                       width. */
+    UI_WASHI = 2,   /* Paper with fibres. `shape` is the same as for UI_PANEL. */
+    UI_WAVES = 3,   /* Cloth with a faint pattern of waves. `shape` is the same as for UI_PANEL. */
+    UI_RING = 4,    /* A ring. `shape` is: outer radius, width, fraction [0, 1] of the ring that has
+                       the colour `fill`, clockwise from the top. The rest of the ring has the
+                       colour `line`. */
+    UI_GLOW = 5,    /* A glow. `shape` is: half width, half height, 1 to add light or 0 to cover. */
+    UI_LANTERN = 6, /* A paper lantern. `shape` is: half width, half height, brightness [0, 1]. */
+    UI_FISH = 7,    /* A goldfish. `shape` is: half width, half height, deflection of the tail [-1,
+                       1]. */
+    UI_POI = 8,     /* A poi (paper scoop). `shape` is: radius of the ring, fraction of the paper
+                       that is left [0, 1]. */
+    UI_WOOD = 9,    /* Planed wood. `shape` is the same as for UI_PANEL. */
+    UI_HEAT = 10,   /* The colours of the paper's stress, from left to right. `shape` is the same as
+                       for UI_PANEL. */
+    UI_WATER = 11,  /* An aquarium at night. `shape` is: half width, half height, corner radius,
+                       time in seconds. */
     UI_KIND_COUNT,
 };
 
 struct ui_vertex {
     float x, y; /* Position in pixels. */
-    float u, v; /* Atlas texels for a glyph. Pixels from the shape's centre for any other kind. */
+    float u, v; /* Texture coordinates in atlas texels for a letter. Position relative to the
+                   shape's centre, in pixels, for any other kind. */
     float shape[4];
     uint8_t fill[4]; /* Main colour, with straight alpha. */
     uint8_t line[4]; /* Colour of the outline or border, or a second colour. */

@@ -1,10 +1,10 @@
-/* ui_leaderboard.h -- the leaderboard as a sheet of paper over the tank. */
+/* ui_leaderboard.h -- draws the leaderboard as a sheet of paper over the tank. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_UI_LEADERBOARD_H
 #define KINGYO_PLATFORM_RENDER_UI_UI_LEADERBOARD_H
 
 #include "platform/render/ui/ui_widgets.h"
 
-/* Returns how far the leaderboard has appeared, [0, 1]. 0 means that it is not shown. */
+/* Returns how far the leaderboard has appeared, [0, 1]. 0 means hidden, 1 completely visible. */
 float ui_leaderboard_in(const struct scene_leaderboard *board);
 
 /* Draws the leaderboard, vertically centred between `top` and `bottom` in pixels. Draws nothing

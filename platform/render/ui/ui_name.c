@@ -48,7 +48,7 @@ static void veil(const struct slate *slate)
              &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = 0x090d24b4u });
 }
 
-/* ---- Player, place and time ----------------------------------------------------------------- */
+/* ---- Player, leaderboard place and remaining time ------------------------------------------- */
 
 static void place_words(const struct slate *slate, const struct scene *scene, char *out,
                         size_t out_size)
@@ -122,7 +122,7 @@ static void seconds(const struct slate *slate, const struct scene *scene)
     ui_text(slate->frame.batch, &digits, at.x, ui_text_middle(&digits, at.y), number);
 }
 
-/* ---- Name line ------------------------------------------------------------------------------ */
+/* ---- Line with the letters of the name ------------------------------------------------------ */
 
 static void one_letter(const struct slate *slate, struct ui_box box, uint16_t letter, float size,
                        uint32_t ink)
@@ -161,7 +161,7 @@ static void line(const struct slate *slate)
     }
 }
 
-/* ---- The keyboard --------------------------------------------------------------------------- */
+/* ---- Keyboard ------------------------------------------------------------------------------- */
 
 /* Returns a key's box, which is slightly lower while the key is pressed. */
 static struct ui_box key_paper(const struct slate *slate, uint32_t key)

@@ -18,7 +18,7 @@ void ui_score_playback_fade(const struct ui_frame *frame, const struct scene *sc
 }
 
 struct verdict_paint {
-    uint16_t words; /* Text of the verdict (enum text_key). */
+    uint16_t words; /* Text key of the verification result (enum text_key). */
     uint32_t fill;
 };
 

@@ -1,4 +1,4 @@
-/* ui_widgets.c -- small widgets that several screens share. */
+/* ui_widgets.c -- drawing functions that several screens share: plates, hints and small signs. */
 #include "platform/render/ui/ui_widgets.h"
 
 #include <math.h>

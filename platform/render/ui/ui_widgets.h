@@ -1,4 +1,5 @@
-/* ui_widgets.h -- small widgets that several screens share. */
+/* ui_widgets.h -- drawing functions that several screens share, such as plates, hints, signs and
+ * player marks, and one function for each whole screen. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_UI_WIDGETS_H
 #define KINGYO_PLATFORM_RENDER_UI_UI_WIDGETS_H
 

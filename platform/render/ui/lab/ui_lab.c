@@ -178,7 +178,7 @@ static void buttons(const struct lab_page *page)
     save_button(page);
 }
 
-/* ---- The title ------------------------------------------------------------------------------ */
+/* ---- Title and help line -------------------------------------------------------------------- */
 
 static void name_plate(const struct lab_page *page)
 {
@@ -260,7 +260,7 @@ static void help_line(const struct lab_page *page)
     }
 }
 
-/* ---- The cursor ----------------------------------------------------------------------------- */
+/* ---- Cursor --------------------------------------------------------------------------------- */
 
 static void hand(const struct lab_page *page)
 {
@@ -281,7 +281,7 @@ static void hand(const struct lab_page *page)
     ui_poi_sign(&page->frame, x, y, radius, 0.0f, ui_player_colours[0]);
 }
 
-/* ---- The page ------------------------------------------------------------------------------- */
+/* ---- Whole page of the growth lab ----------------------------------------------------------- */
 
 static struct lab_page open_page(const struct ui_frame *frame, const struct scene *scene,
                                  struct ui_lab_preview *bench)

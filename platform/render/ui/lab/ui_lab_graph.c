@@ -259,7 +259,7 @@ void lab_graph(const struct lab_page *page)
     tool(page, LAB_REMOVE, TEXT_LAB_REMOVE, 0, LAB_INK_SOFT);
 }
 
-/* ---- Growth curve --------------------------------------------------------------------------- */
+/* ---- Growth curve: length over age ---------------------------------------------------------- */
 
 static void chart_axes(const struct lab_page *page, struct ui_box field, float most_days,
                        float most_m)

@@ -11,7 +11,7 @@ static enum lab_part part_of_key(uint32_t key)
     return (enum lab_part)(LAB_KEY + key);
 }
 
-/* ---- Key shapes ----------------------------------------------------------------------------- */
+/* ---- Pictures of the key shapes ------------------------------------------------------------- */
 
 static void portrait(const struct lab_page *page, struct ui_box box, uint32_t key)
 {
@@ -88,7 +88,7 @@ static void key_card(const struct lab_page *page, uint32_t key)
                key);
 }
 
-/* ---- Lifeline ------------------------------------------------------------------------------- */
+/* ---- Lifeline: progress from hatching to adult ---------------------------------------------- */
 
 static void notch(const struct lab_page *page, uint32_t key, float y)
 {

@@ -187,7 +187,7 @@ static void ruler(const struct lab_page *page, const struct tank_room *room,
     bracket(page, zero, fish->length_px, rule.y);
 }
 
-/* ---- Texts ---------------------------------------------------------------------------------- */
+/* ---- Texts on the stage --------------------------------------------------------------------- */
 
 static void ui_lab_stage_draw_words(const struct lab_page *page, const struct tank_room *room)
 {
@@ -240,7 +240,7 @@ static void caption(const struct lab_page *page, const struct tank_room *room, e
     ui_ribbon(&page->frame, &ribbon, words);
 }
 
-/* ---- Trajectories --------------------------------------------------------------------------- */
+/* ---- Trajectories of points of the fish ----------------------------------------------------- */
 
 static void ui_lab_stage_put(const struct specimen *fish, vec3 point, float out[2])
 {
@@ -350,7 +350,7 @@ static void ways(const struct lab_page *page, const struct specimen *fish)
     one_way(page, fish, &page->bench->ways[LAB_PREVIEW_EYE], WAY_PINK);
 }
 
-/* ---- Stage ---------------------------------------------------------------------------------- */
+/* ---- Whole stage ---------------------------------------------------------------------------- */
 
 static void water(const struct lab_page *page)
 {

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* ---- Positions and texts -------------------------------------------------------------------- */
+/* ---- Functions that all pages share: positions and texts ------------------------------------ */
 
 struct ui_box menu_place(const struct menu_view *view, struct layout_box box)
 {
@@ -48,7 +48,7 @@ void menu_words_at(const struct menu_view *view, float x, float y, float room, f
     ui_text(view->frame.batch, &fitted, x, ui_text_middle(&fitted, y), words);
 }
 
-/* ---- Tags ----------------------------------------------------------------------------------- */
+/* ---- Wooden tags of the menu ---------------------------------------------------------------- */
 
 struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag)
 {
@@ -174,7 +174,7 @@ static void tags(const struct menu_view *view)
     }
 }
 
-/* ---- Page ----------------------------------------------------------------------------------- */
+/* ---- Whole page of the menu ----------------------------------------------------------------- */
 
 /* Darkens the tank, so that text stands out from the tank's lights. */
 static void veil(const struct menu_view *view)

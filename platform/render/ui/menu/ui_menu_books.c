@@ -18,7 +18,7 @@ struct book_line {
                           division. */
 };
 
-/* ---- Paper and numbers ---------------------------------------------------------------------- */
+/* ---- Sheets of paper and numbers ------------------------------------------------------------ */
 
 static struct ui_box sheet(const struct menu_view *view, struct layout_box place)
 {
@@ -99,7 +99,7 @@ static void lines(const struct menu_view *view, struct ui_box box, uint32_t colu
     }
 }
 
-/* ---- Earnings and faults -------------------------------------------------------------------- */
+/* ---- Pages of earnings and faults ----------------------------------------------------------- */
 
 static struct layout_box whole(const struct menu_view *view)
 {
@@ -147,7 +147,7 @@ void menu_machine(const struct menu_view *view)
           sizeof book / sizeof book[0]);
 }
 
-/* ---- Plays ---------------------------------------------------------------------------------- */
+/* ---- Page of the numbers of plays ----------------------------------------------------------- */
 
 /* Draws a table with a row for each mode and a column for each paper. */
 static void by_mode(const struct menu_view *view, struct ui_box box)
@@ -208,7 +208,7 @@ void menu_plays(const struct menu_view *view)
     }
 }
 
-/* ---- Hours ---------------------------------------------------------------------------------- */
+/* ---- Page of plays by hour and weekday ------------------------------------------------------ */
 
 /* Draws a bar chart with names below the bars. The highest bar has the full height. */
 static void bars(const struct menu_view *view, struct ui_box box, enum text_key title,

@@ -29,7 +29,7 @@ static int is_corner(uint8_t step)
     return step >= CALIBRATE_CORNER && step < CALIBRATE_WATER;
 }
 
-/* ---- Texts ---------------------------------------------------------------------------------- */
+/* ---- Texts of the calibration steps --------------------------------------------------------- */
 
 static enum text_key name_of(uint8_t step)
 {
@@ -86,7 +86,7 @@ static void paragraph(const struct menu_view *view, struct ui_box box, const str
     }
 }
 
-/* ---- Tank ----------------------------------------------------------------------------------- */
+/* ---- Tank seen from above ------------------------------------------------------------------- */
 
 static struct ui_box pool_of(const struct menu_view *view, struct ui_box box)
 {

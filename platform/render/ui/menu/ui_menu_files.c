@@ -50,7 +50,7 @@ static const struct state_look looks[FILE_STATE_COUNT] = {
     [FILE_SEEN] = { TEXT_FILE_SEEN, 0x5b6172ffu },
 };
 
-/* ---- Texts ---------------------------------------------------------------------------------- */
+/* ---- Texts of the slips --------------------------------------------------------------------- */
 
 size_t menu_fill_line(const struct ui_text *style, const char *words, float room_px)
 {
@@ -87,7 +87,7 @@ static void wrap(const struct menu_view *view, const struct ui_box *box, const c
     }
 }
 
-/* ---- Slips ---------------------------------------------------------------------------------- */
+/* ---- Paper slips, one for each file --------------------------------------------------------- */
 
 static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t state)
 {

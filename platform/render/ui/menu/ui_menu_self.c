@@ -1,5 +1,5 @@
-/* ui_menu_self.c -- the self-test page: a row for each check with its result or the remedy, and a
- * summary. */
+/* ui_menu_self.c -- draws the self-test page: a row for each check, with its result and, if the
+ * check failed, the remedy. A summary follows. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -54,7 +54,7 @@ struct said {
     uint32_t number;
 };
 
-/* ---- Texts ---------------------------------------------------------------------------------- */
+/* ---- Texts of the checks -------------------------------------------------------------------- */
 
 static const enum text_key names[SELF_CHECKS] = {
     [SELF_STORE] = TEXT_CHECK_STORE,     [SELF_BACKUP] = TEXT_CHECK_BACKUP,
@@ -196,7 +196,7 @@ static void row_words(const struct menu_view *view, uint32_t self_test_check_row
     }
 }
 
-/* ---- Rows ----------------------------------------------------------------------------------- */
+/* ---- Rows, one for each check --------------------------------------------------------------- */
 
 static uint32_t ui_menu_self_paint_of(uint8_t state)
 {
@@ -300,7 +300,7 @@ static void self_test_check_row(const struct menu_view *view, const struct place
          &line, words);
 }
 
-/* ---- Summary -------------------------------------------------------------------------------- */
+/* ---- Summary of all checks ------------------------------------------------------------------ */
 
 static void verdict_words(const struct menu_view *view, uint32_t next,
                           const uint8_t state[SELF_CHECKS], char *out, size_t out_size)

@@ -47,7 +47,7 @@ static const struct places upright_places = {
     .saved = { 27.0f, 152.0f, 300.0f, 40.0f },
 };
 
-/* ---- Values as text ------------------------------------------------------------------------- */
+/* ---- Texts of values and ranges ------------------------------------------------------------- */
 
 static int count_bits(int32_t value)
 {
@@ -146,7 +146,7 @@ void menu_range_words(const struct menu_view *view, uint32_t id, char *out, size
              menu_text(view, TEXT_SET_STANDARD), standard);
 }
 
-/* ---- Boards --------------------------------------------------------------------------------- */
+/* ---- Boards, one for each setting ----------------------------------------------------------- */
 
 static struct ui_text sized(const struct menu_view *view, const struct ui_box *box, float size,
                             uint32_t fill)
