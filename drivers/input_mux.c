@@ -200,7 +200,7 @@ static void listen(struct input_mux *mux, uint32_t index)
 }
 
 /* Polls the sources that have no slot. A stand-in is polled even while is_there() returns 0,
- * because its motion is what shows that a person uses it. */
+ * because its motion shows that a person uses it. */
 static void listen_to_idle(struct input_mux *mux, uint32_t there)
 {
     uint32_t heard = there;

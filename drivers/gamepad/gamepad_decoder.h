@@ -74,8 +74,8 @@ struct gamepad_decoder {
                                   STICK_MOTION_TILT_MAX_RAD. */
     uint64_t time_ns;          /* Time of the newest report or sample. */
     uint8_t trigger_down;
-    uint32_t held, pressed; /* Pressed buttons, and buttons pressed since the last read, as bits of
-                               enum input_button. */
+    uint32_t held, pressed; /* Pressed buttons, and buttons pressed since the last call of
+                               gamepad_decoder_buttons(), as bits of enum input_button. */
 };
 
 /* Initializes the decoder with the poi over the middle of the water. `view` is copied. */

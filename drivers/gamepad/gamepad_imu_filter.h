@@ -1,8 +1,8 @@
 /* gamepad_imu_filter.h -- estimates the tilt of a game pad from its gyroscope and accelerometer.
  *
  * The gyroscope measures rotation without delay but drifts. The accelerometer measures the
- * direction of gravity without drift, but slowly, and shaking disturbs it. Together they determine
- * pitch and roll.
+ * direction of gravity without drift, but slowly, and shaking disturbs it. The two sensors together
+ * determine pitch and roll.
  *
  * Players do not hold a game pad level, so the result is the tilt relative to a rest attitude.
  * gamepad_imu_filter_level() sets the rest attitude, which also follows slowly while the poi

@@ -10,9 +10,9 @@
  * - If two polls saw the opposite level before a null edge arrived, the kernel was late. The null
  *   edge is then treated as the edge to the polled level. A coin pulse that ended before the
  *   kernel read the level is therefore still counted.
- * - Two null edges without a polled level between them are never counted as a pulse. They may be a
- *   coin while the kernel was late, or two glitches of a relay or a lighter, and are counted as
- *   doubtful.
+ * - Two null edges without a polled level between them are never counted as a pulse. Two such edges
+ *   may be a coin while the kernel was late, or two glitches of a relay or a lighter. The pair is
+ *   counted as doubtful.
  * - If the polled level differs from the edges for longer than an edge event can be delayed, edges
  *   were lost. The polled level is then accepted, and edges with earlier time stamps are ignored.
  *

@@ -51,9 +51,9 @@ static inline bool gpio_role_is_coin(enum gpio_role role)
 
 _Static_assert(GPIO_COIN3 - GPIO_COIN + 1u == COIN_LINE_COUNT, "a role each coin line");
 
-/* Returns true if the output `role` is active when it is requested and after it is closed. This is
- * the coin lockout, so that coins are rejected while the kiosk does not run. All other outputs
- * start inactive. */
+/* Returns true if the output `role` is active when it is requested and after it is closed. Only the
+ * coin lockout is such an output, so that coins are rejected while the kiosk does not run. All
+ * other outputs start inactive. */
 static inline bool gpio_role_begins_active(enum gpio_role role)
 {
     return role == GPIO_COIN_LOCKOUT;
@@ -94,7 +94,7 @@ struct gpio_edge {
      * after the interrupt, so it can be wrong. */
     uint8_t active;
     uint32_t lost_before; /* Number of earlier edges of the line that the kernel's full queue
-                             dropped directly before this edge. */
+                             dropped directly before the current edge. */
     /* Time at which the GPIO thread received the edge. The GPIO thread sets this field; the backend
      * leaves it 0. */
     uint64_t taken_ns;

@@ -61,8 +61,8 @@ static void give_back(struct controller_manager *manager)
             HAL_ERR_BUSY;
 }
 
-/* Ends learning. The controller continues to play with `map`. If `map` is null, it plays with the
- * mapping that it has without learning. */
+/* Ends learning. The controller continues to play with `map`. If `map` is null, the controller
+ * plays with the mapping that it has without learning. */
 static void stop_learning(struct controller_manager *manager, const struct hid_mapping *map)
 {
     struct poi_hid *seat = learning_seat(manager);
@@ -120,7 +120,7 @@ static int controller_manager_is_same(const struct hid_identity *one,
     return is_kind(one, other) && strcmp(one->port, other->port) == 0;
 }
 
-/* Starts recording once the frame loop has opened the controller's slot, which takes up to one
+/* Starts recording when the frame loop has opened the controller's slot. Opening takes up to one
  * second. */
 static void sit_down(struct controller_manager *manager)
 {

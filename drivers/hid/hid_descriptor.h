@@ -36,8 +36,8 @@ typedef uint32_t hid_usage;
 
 struct hid_range {
     hid_usage first, last; /* First and last usage of the range; both usages belong to the range. */
-    uint32_t place;        /* Number of usages of the same group before this range, at most 2047
-                              * 65536. */
+    /* Number of usages of the same group before this range, at most 2,047 times 65,536. */
+    uint32_t place;
 };
 
 /* The fields of one Input item: `count` consecutive fields of `bit_size` bits. */

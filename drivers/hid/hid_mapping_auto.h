@@ -64,7 +64,8 @@ struct hid_field_location hid_mapping_auto_find(const struct hid_descriptor *des
 
 /* Adds a binding of the field `spot` to `map`. Returns 1, or 0 if `spot` is empty or unsuitable or
  * if the mapping is full. The binding ranges from the logical minimum of the field to its maximum.
- * For HID_BINDING_RATE it ranges from the middle. If `turned` is 1 the direction is reversed. */
+ * A HID_BINDING_RATE binding ranges from the middle of the field to its maximum. If `turned` is 1
+ * the direction is reversed. */
 int hid_mapping_auto_bind(struct hid_mapping *map, struct hid_field_location spot,
                           enum hid_role role, enum hid_binding_kind manner, int turned);
 

@@ -283,8 +283,8 @@ static int never_said(const struct hid_learn *learn, const struct hid_binding *b
     return 1;
 }
 
-/* Adds the bindings of the mapping without learning that were not demonstrated, such as menu
- * buttons and the rotations of a second stick. */
+/* Adds bindings of controls that were not demonstrated, such as menu buttons and the rotations of a
+ * second stick. The bindings are those of the mapping without learning. */
 static void keep_offered(struct hid_learn *learn)
 {
     for (uint32_t i = 0; i < learn->offered.count; i++) {

@@ -40,8 +40,8 @@ struct hid_pose_decoder {
     uint64_t time_ns;  /* Time of arrival of the newest report. */
     uint64_t range_ns; /* Last time at which the pen was in range. */
     uint32_t held;     /* Buttons that are pressed, as bits of enum input_button. */
-    uint32_t pressed;  /* Buttons that were pressed since the last read, as bits of enum
-                          input_button. */
+    uint32_t pressed;  /* Buttons that were pressed since the last call of
+                          hid_pose_decoder_buttons(), as bits of enum input_button. */
     uint8_t sequence, has_sequence;
     uint8_t present; /* 1 after the first position was decoded, otherwise 0. */
     uint32_t report_count, refused_count;

@@ -32,7 +32,7 @@ enum poi_button {
     POI_BUTTON_START = 1u << 1,
     POI_BUTTON_LEFT = 1u << 2,
     POI_BUTTON_RIGHT = 1u << 3,
-    POI_BUTTON_FAN = 1u << 4, /* Key that lets the controller move the fan while it is pressed. */
+    POI_BUTTON_FAN = 1u << 4, /* FAN key: while the key is pressed, the controller moves the fan. */
 };
 
 /* Content of an input report. Angles are within +-pi, as in struct angles. */

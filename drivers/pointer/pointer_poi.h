@@ -7,8 +7,8 @@
  * A pointer has two axes and a pose has six. Pressing the left button lowers the ring along a
  * smooth stroke, and releasing lifts it. The wheel tilts the ring, and the right button levels it.
  * Fast motion leans the ring into its direction. The center of the ring stays under the pointer at
- * every height, because the line of sight through the pointer is intersected with the plane at the
- * ring's height.
+ * every height. For this purpose the line of sight through the pointer is intersected with the
+ * plane at the ring's height.
  *
  * While the pointer moves the fan (pointer_fan.h), the poi stands still, and afterwards glides back
  * under the pointer. The buttons and the wheel still control the poi, so one player can fan and

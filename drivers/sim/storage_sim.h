@@ -10,7 +10,7 @@ struct storage_sim {
     struct ledger_entry entry;     /* Last accepted ledger entry. */
     struct round_record record;    /* Record of the last round. */
     struct ledger_entry round;     /* Ledger entry of the last round. */
-    struct graph_edit_record edit; /* Last accepted edit of a growth graph. */
+    struct graph_edit_record edit; /* Last accepted edit of a species. */
     uint32_t accepted_count;
     uint32_t refused_count;
     /* Result of refused_count(): the number of entries that could not be written to disk. */

@@ -265,7 +265,7 @@ uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_id
         return same_port ? 4u : 3u; /* Several cheap devices can have the same serial number. */
     }
     if (same_port) {
-        return 2u; /* Another device of the same product was plugged into the same port. */
+        return 2u; /* A different device of the same product was plugged into the same port. */
     }
     return same_serial ? 1u : 0u; /* The device has the same product and no serial number, but
                                      another port. */

@@ -6,8 +6,8 @@
 
 #define NS_PER_S 1000000000ull
 #define SOON_NS (NS_PER_S / 10u)
-/* Interval of opening attempts. The operator may change permissions or end another program
- * meanwhile. */
+/* Interval of opening attempts. Between two attempts the operator may change permissions or end
+ * another program. */
 #define RETRY_NS (2u * NS_PER_S)
 /* Longest interval of opening attempts. The interval doubles with each failure, because an attempt
  * blocks the thread for seconds and delays other devices. */
@@ -174,8 +174,7 @@ static void open_it(struct usb_event_thread *usb_thread, struct usb_device_entry
 }
 
 /* Returns the time at which the device is examined again. /sys has no report descriptor until a
- * kernel driver binds the device. A driver that has not bound it after SETTLE_NS is not expected
- * any more. */
+ * kernel driver binds the device. After SETTLE_NS no driver is expected to bind the device. */
 static uint64_t next_look_ns(const struct usb_event_thread *usb_thread,
                              const struct usb_device_entry *entry)
 {
