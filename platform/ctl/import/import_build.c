@@ -1,9 +1,10 @@
-/* import_build.c -- builds the mesh tables of the core from oriented key shapes.
+/* import_build.c -- builds the mesh tables of a species from oriented key shapes.
  *
- * Vertices that are equal in every key shape are merged. A fin that is a single sheet gets a second
- * side. Body coordinates (u along the body, v around it) are computed from the vertex positions,
- * because paint and the trailing of fins need them. Imported meshes use no anchors, so that each
- * vertex position comes only from the key shapes. */
+ * Vertices that are equal in every key shape are merged. A fin that is a single sheet of triangles
+ * gets a second side. The body coordinates (u along the body, v around the body) are computed from
+ * the vertex positions. The skin pattern and the trailing of fins in the water depend on these
+ * coordinates. Imported meshes have no anchors, so each vertex position depends only on the key
+ * shapes. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,16 +12,16 @@
 #include "core/morph/morph.h"
 #include "platform/ctl/import/import_options.h"
 
-#define BUCKETS 262144u /* Size of the hash table: four times the number of vertices. */
+#define BUCKETS 262144u /* Number of buckets of the hash table, four times IMPORT_VERTEX_MAX. */
 #define PI 3.14159265f
 
-/* A triangle corner of the new mesh. Corners with equal content become one vertex. */
+/* A corner of a triangle in the new mesh. Corners with equal content become one vertex. */
 struct corner {
     int16_t at[MORPH_KEY_MAX][3];
     float u, v;
     uint8_t part, side;
-    uint8_t unused[2]; /* Always zero. Corners are compared as bytes, so that the struct must have
-                          no padding. */
+    uint8_t unused[2]; /* Always zero. The struct must have no padding, because corners are compared
+                          as bytes. */
 };
 _Static_assert(sizeof(struct corner) == 6 * MORPH_KEY_MAX + 12, "corners have no padding");
 
@@ -30,11 +31,12 @@ struct builder {
     struct species_mesh *out;
     char *why;
     float reach;
-    uint32_t key; /* Key shape from which body coordinates are computed: the last one. */
+    uint32_t key; /* Index of the last key shape, from which the body coordinates are computed. */
     struct corner corners[MESH_VERTEX_MAX];
-    uint32_t place[MESH_VERTEX_MAX]; /* Index of the first vertex of the same part at the same
-                                        position. */
-    uint32_t buckets[BUCKETS];       /* Vertex index + 1, or 0 for an empty bucket. */
+    uint32_t place[MESH_VERTEX_MAX]; /* For each vertex, the first vertex of the same part at the
+                                        same position. */
+    uint32_t buckets[BUCKETS];       /* Hash table of the vertices. An entry is a vertex index + 1,
+                                        or 0 if the bucket is empty. */
     struct part_box {
         vec3 low, high;
         bool used;
@@ -50,8 +52,9 @@ static enum species_side import_build_side_of(const struct builder *b, enum spec
         return SIDE_MIDDLE;
     }
     for (uint32_t k = 0; k < 3; k++) {
-        x += m->positions[0][m->triangles[t][k]].x; /* In key shape 0, both eyes of a flatfish are
-                                                       still on their own sides. */
+        x += m->positions[0][m->triangles[t][k]].x; /* Key shape 0 is used, because the eyes of a
+                                                       young flatfish are still on both sides of its
+                                                       head. */
     }
     return x >= 0.0f ? SIDE_RIGHT : SIDE_LEFT;
 }
@@ -84,7 +87,7 @@ static float share(float x, float low, float high)
     return high > low ? f_clamp((x - low) / (high - low), 0.0f, 1.0f) : 0.0f;
 }
 
-/* Computes the body coordinates u and v (core/morph/species.h) from a position alone. */
+/* Computes the body coordinates u and v (core/morph/species.h) of the position `p`. */
 static void coordinates(const struct builder *b, enum species_part part, enum species_side side,
                         vec3 p, struct corner *out)
 {
@@ -136,8 +139,8 @@ static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
     return corner;
 }
 
-/* Unwraps v of a body triangle that crosses the seam at v = 1. The corners after the seam get v
- * above 1. */
+/* Corrects the coordinates v of a body triangle that crosses the seam between v = 1 and v = 0. 1 is
+ * added to each v after the seam. */
 static void unwrap(struct corner corner[3])
 {
     float low = 1.0f, high = 0.0f;
@@ -192,7 +195,8 @@ static bool vertex_of(struct builder *b, const struct corner *corner, uint32_t *
 static bool add_triangle(struct builder *b, uint32_t x, uint32_t y, uint32_t z)
 {
     if (x == y || y == z || z == x) {
-        return true; /* The triangle is degenerate because two of its corners were merged. */
+        return true; /* The triangle is omitted because two of its corners became the same
+                        vertex. */
     }
     if (b->out->index_count + 3 > MESH_INDEX_MAX) {
         snprintf(b->why, IMPORT_WHY_SIZE, "triangles: more than %u; reduce the model",
@@ -230,8 +234,8 @@ static bool add_triangles(struct builder *b)
     return true;
 }
 
-/* Finds the vertices at equal positions. A texture seam separates vertices, but the surface is
- * continuous there. */
+/* Finds the vertices that have the same position. The surface is continuous at a texture seam,
+ * although different vertices lie on its two sides. */
 static void find_places(struct builder *b)
 {
     for (uint32_t i = 0; i < b->out->vertex_count; i++) {
@@ -258,8 +262,8 @@ static bool has_edge(const struct builder *b, uint32_t from, uint32_t to)
     return false;
 }
 
-/* Gives each fin that is an open sheet a second side. An open sheet has an edge that no triangle
- * traverses in the opposite direction. Closed fins are not changed. */
+/* Adds a second side to each fin that is an open sheet. A sheet is open if it has an edge that only
+ * one triangle has. Closed fins are not changed. */
 static bool give_sheets_a_second_side(struct builder *b)
 {
     bool open[PART_COUNT] = { false };
@@ -280,8 +284,8 @@ static bool give_sheets_a_second_side(struct builder *b)
     return true;
 }
 
-/* Computes vertex normals, weighted by triangle area. If the two sides of a sheet disagree, the
- * side added first determines the direction. */
+/* Computes the vertex normals as means of the triangle normals, weighted by area. If the two sides
+ * of a sheet have opposite normals, the first triangle determines the direction. */
 static void make_normals(struct builder *b, uint32_t index_count)
 {
     static vec3 sums[MESH_VERTEX_MAX];

@@ -1,4 +1,4 @@
-/* import_flat.c -- opens a scene with assimp and reads the metadata of the file. */
+/* import_flat.c -- opens a scene with the library assimp, and reads the metadata of the file. */
 #include "platform/ctl/import/import_flat.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 
 #include "platform/ctl/import/import_flat_internal.h"
 
-/* Library names to load, in order. The first is the soname of the version whose headers this
+/* Names of the library file, tried in this order. The first name is the version whose headers this
  * program was built with. */
 static const char *const libraries[] = { "libassimp.so.5", "libassimp.so" };
 
@@ -26,8 +26,9 @@ struct assimp {
     void (*detach)(void);
 };
 
-/* Loads a function of the library. The bytes are copied because C does not convert an object
- * pointer to a function pointer, and POSIX guarantees equal representations. */
+/* Loads a function from the library. The pointer is copied as bytes, because C does not allow the
+ * conversion of an object pointer to a function pointer. POSIX guarantees that the two have the
+ * same representation. */
 static bool import_flat_load_symbol(void *library, const char *name, void *function)
 {
     void *const symbol = dlsym(library, name);
@@ -87,7 +88,7 @@ static bool made_by_us(const struct aiScene *scene)
     return false;
 }
 
-/* ---- Metadata of key shapes in our own files ------------------------------------------------- */
+/* ---- Metadata of key shapes in files that kingyoctl wrote ------------------------------------ */
 
 static const struct aiMetadataEntry *entry_of(const struct aiMetadata *data, const char *key)
 {
@@ -99,8 +100,8 @@ static const struct aiMetadataEntry *entry_of(const struct aiMetadata *data, con
     return NULL;
 }
 
-/* Returns a number of the metadata, or 0 if the key is absent. The importer stores a whole number
- * as an integer, even if the number is a real value. */
+/* Returns a number of the metadata, or 0 if the key is absent. The importer stores a real number
+ * without a fraction as an integer, so both types are accepted. */
 static float number_of(const struct aiMetadata *data, const char *key)
 {
     const struct aiMetadataEntry *entry = entry_of(data, key);
@@ -112,7 +113,7 @@ static float number_of(const struct aiMetadata *data, const char *key)
                                        : 0.0f;
 }
 
-/* Returns the metadata entry of the first node that has the key, or null. */
+/* Returns the metadata entry `key` of the first node that has such an entry, or null. */
 static const struct aiMetadataEntry *find_extra(const struct flattening *f, const char *key)
 {
     const struct aiMetadataEntry *entry = NULL;
@@ -134,7 +135,7 @@ static uint8_t measure_of(const struct flattening *f)
     return MEASURE_TOTAL;
 }
 
-/* Returns a whole number of the metadata, clamped to [0, max]. A missing entry gives 0. */
+/* Returns a metadata number as an integer, clamped to [0, max]. Returns 0 if the key is absent. */
 static uint32_t whole_of(const struct aiMetadata *data, const char *key, float max)
 {
     return (uint32_t)fminf(fmaxf(number_of(data, key), 0.0f), max);
@@ -142,7 +143,7 @@ static uint32_t whole_of(const struct aiMetadata *data, const char *key, float m
 
 static void read_coat(const struct aiMetadata *data, struct species_coat *coat)
 {
-    const float colour = 16777215.0f; /* 0xffffff. */
+    const float colour = 16777215.0f; /* Largest colour value, 0xffffff. */
     *coat = (struct species_coat){ .back = whole_of(data, "back", colour),
                                    .flank = whole_of(data, "flank", colour),
                                    .belly = whole_of(data, "belly", colour),
@@ -182,14 +183,14 @@ static bool refuse_scene(struct flattening *f, const char *text)
 {
     snprintf(f->why, IMPORT_WHY_SIZE, "%.110s", text);
     for (char *c = f->why; *c; c++) {
-        *c = *c >= ' ' && *c < 127 ? *c : ' '; /* The message quotes the file, so that unprintable
-                                                  characters are possible. */
+        *c = *c >= ' ' && *c < 127 ? *c : ' '; /* The message may quote the file, so unprintable
+                                                  characters are replaced. */
     }
     return false;
 }
 
-/* Log callback. assimp drops faces whose vertex indices are out of range and reports them only in
- * its log. */
+/* Callback for assimp's log messages. assimp drops faces with invalid vertex indices and reports
+ * the loss only in its log. */
 static void listen(const char *line, char *heard)
 {
     if (strstr(line, "out-of-range indices")) {
@@ -241,7 +242,7 @@ bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_
     return good;
 }
 
-#else /* Built without assimp. */
+#else /* Replacements for a build without assimp follow. */
 
 bool import_flat_is_available(void)
 {

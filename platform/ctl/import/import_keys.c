@@ -1,4 +1,5 @@
-/* import_keys.c -- selects the key shapes of a scene, their order and their graph. */
+/* import_keys.c -- selects the key shapes of a scene, sorts them by age, and reads their
+ * deformation graph. */
 #include <stddef.h> /* Without assimp, the file would be empty, which C does not allow. */
 
 #ifdef HAS_ASSIMP
@@ -9,7 +10,8 @@
 
 #include "platform/ctl/import/import_flat_internal.h"
 
-/* Tolerance in file units. A target that moves no vertex farther equals the base. */
+/* Distance in the unit of the file. If a morph target moves no vertex farther than this distance,
+ * the target equals the base shape. */
 #define SAME 1e-7f
 
 static vec3 vector(const struct aiVector3D *a)
@@ -45,7 +47,7 @@ void import_keys_weights_at(const struct flattening *f, const struct aiMeshMorph
     }
 }
 
-/* Returns the mesh with the fewest morph targets, or null if no mesh has targets. This mesh
+/* Returns the mesh with the fewest morph targets, or null if no mesh has morph targets. The mesh
  * determines the number and the names of the key shapes. */
 static const struct aiMesh *plainest(const struct flattening *f)
 {
@@ -59,8 +61,8 @@ static const struct aiMesh *plainest(const struct flattening *f)
     return plain;
 }
 
-/* Returns whether the key shapes must be sampled from the animation. Sampling is needed if joints
- * or moving nodes change the shapes, or if meshes have different numbers of targets. */
+/* Returns true if the key shapes must be sampled from the animation. Sampling is required if joints
+ * or moving nodes change the shape, or if meshes have different numbers of morph targets. */
 static bool needs_sampling(const struct flattening *f)
 {
     bool more = import_nodes_moves(f->scene);
@@ -87,7 +89,7 @@ static bool is_base(const struct aiMesh *mesh, const struct aiAnimMesh *target)
     return true;
 }
 
-/* Returns whether the first morph target repeats the base shape in every mesh. Some programs write
+/* Returns true if the first morph target equals the base shape in every mesh. Some programs write
  * such files. */
 static bool base_comes_twice(const struct flattening *f)
 {
@@ -108,8 +110,8 @@ static const struct aiMeshMorphAnim *first_weights(const struct flattening *f)
                                                              : NULL;
 }
 
-/* Returns the weight of a target at a keyframe. The weight of the base is 1 minus the sum of the
- * target weights. */
+/* Returns the weight of a morph target at a keyframe. The weight of the base shape is 1 minus the
+ * sum of the weights of all morph targets. */
 static double weight_of(const struct aiMeshMorphKey *moment, uint32_t target)
 {
     double sum = 0.0, own = 0.0;
@@ -117,11 +119,11 @@ static double weight_of(const struct aiMeshMorphKey *moment, uint32_t target)
         sum += moment->mWeights[i];
         own += moment->mValues[i] == target ? moment->mWeights[i] : 0.0;
     }
-    /* Rounding may make the weight of the base slightly negative. */
+    /* A slightly negative weight of the base shape is a rounding error and becomes 0. */
     return target != KEY_BASE ? own : sum > 1.0 && sum < 1.0 + 1e-5 ? 0.0 : 1.0 - sum;
 }
 
-/* Returns the mean animation time of a shape, weighted by the shape's weight. */
+/* Returns the mean animation time of a morph target, weighted by its weight. */
 static double season_of(const struct aiMeshMorphAnim *channel, uint32_t target)
 {
     double sum = 0.0, when = 0.0;
@@ -136,8 +138,8 @@ static double season_of(const struct aiMeshMorphAnim *channel, uint32_t target)
     return sum > 0.0 ? when / sum : 0.0;
 }
 
-/* Sorts the key shapes by their mean animation time. Without an animation, the base is the youngest
- * key shape. */
+/* Sorts the key shapes by their mean animation time. Without an animation, the base shape is the
+ * youngest key shape. */
 static void order_keys(struct flattening *f)
 {
     const struct aiMeshMorphAnim *channel = first_weights(f);
@@ -165,7 +167,8 @@ static void name_key(struct flattening *f, const struct aiMesh *plain, uint32_t 
                                 : "base");
 }
 
-/* Returns the target with the greatest weight at the time of a key shape, or KEY_BASE. */
+/* Returns the morph target with the greatest weight at the time of a key shape, or KEY_BASE if the
+ * base shape has the greatest weight. */
 static uint32_t most_shown(const struct flattening *f, uint32_t key)
 {
     const struct aiMeshMorphAnim *channel = first_weights(f);
@@ -212,8 +215,8 @@ bool import_keys_choose(struct flattening *f)
     return true;
 }
 
-/* Copies the animation of the weights, which becomes the graph, if key shapes are morph targets.
- * Returns false after import_flat_error(). */
+/* Copies the animation of the weights, which becomes the deformation graph. Nothing is copied if
+ * the key shapes are not morph targets. Returns false after import_flat_error(). */
 bool import_keys_read_weights(struct flattening *f)
 {
     struct import_mesh *m = f->mesh;
@@ -242,6 +245,7 @@ bool import_keys_read_weights(struct flattening *f)
 
 #else
 
-typedef int import_keys_without_assimp; /* An empty translation unit is not valid C. */
+typedef int import_keys_without_assimp; /* Declaration for a build without assimp, because an empty
+                                           source file is not valid C. */
 
 #endif

@@ -1,4 +1,5 @@
-/* import_life.c -- sets names, ages, lengths, growth curves and colours of an imported species. */
+/* import_life.c -- sets the names, ages, lengths, growth curve, deformation graph and colours of an
+ * imported species. */
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -8,13 +9,16 @@
 #include "platform/ctl/import/import_options.h"
 
 #define DAYS_PER_YEAR 365.25
-#define KEY_DAYS 30.0 /* Days between two key shapes if no age is given. */
+#define KEY_DAYS                                                                                   \
+    30.0 /* Days between two key shapes if neither the options nor the file contain ages. */
 
-/* Asymptotic length relative to the length of the last key shape, if no growth is given. */
+/* Ratio of the asymptotic length to the length of the last key shape, if no growth parameters are
+ * given. */
 #define GROWN 1.05
 #define FADE_YEAR 0.3f
 
-/* Largest growth coefficient per year, for a fish that is fully grown within one year. */
+/* Largest growth coefficient in 1/year. A fish with this coefficient is fully grown within one
+ * year. */
 #define K_MAX 5.0
 #define SAME_SIZE 0.01f
 #define UNSET 255u
@@ -25,7 +29,7 @@ static enum exit_code import_life_error(char why[IMPORT_WHY_SIZE], const char *t
     return EXIT_BAD_DATA;
 }
 
-/* Converts a name of another program to a valid species name: "Shape Key.001" becomes
+/* Converts a name of another program to a valid species name. For example, "Shape Key.001" becomes
  * shape_key_001. */
 static void tame(const char *from, uint32_t key, char out[SPECIES_NAME_SIZE])
 {
@@ -63,9 +67,9 @@ static void name_keys(const struct import_mesh *mesh, const struct import_option
     }
 }
 
-/* Sets the lengths of the key shapes. The first available source is used: the plan, the file,
- * `like`, the sizes of the shapes. Returns false if only the sizes are available and all sizes are
- * equal. */
+/* Sets the lengths of the key shapes from the first available source. The sources are the options,
+ * the file, the species `like`, and the sizes of the shapes, in this order. Returns false if only
+ * the sizes are available and all sizes are equal. */
 static bool set_lengths(const struct import_mesh *mesh, const struct import_options *plan,
                         const struct import_report *report, struct species_card *card)
 {
@@ -97,14 +101,15 @@ static void set_growth(const struct import_options *plan, struct species_card *c
                               .points = { { 0.0f, (float)(1e-3 * plan->growth[3]) } } };
         return;
     }
-    /* The growth curve passes through the measured key shapes and continues smoothly after the last
-     * one. */
+    /* Sets a growth curve that passes through the lengths of the key shapes and continues smoothly
+     * after the last key shape. */
     *g = (struct growth){ .length_inf_m = (float)(GROWN * (double)card->key_length_m[last]),
                           .fade_year = FADE_YEAR };
     const double grown_years = (double)card->key_age_days[last] / DAYS_PER_YEAR;
-    const double k_years = -log(1.0 - 1.0 / GROWN); /* Product of K and the years between t0 and the
-                                                       age at which the fish has the length of the
-                                                       last key shape. */
+    const double k_years = -log(1.0 - 1.0 / GROWN); /* Product of the growth coefficient K and the
+                                                       time in years from t0 to the age of the last
+                                                       key shape, at which the fish has the length
+                                                       of the last key shape. */
     g->k_per_year = (float)fmin(k_years / fmax(grown_years, 0.01), K_MAX);
     g->t0_year = (float)(grown_years - k_years / (double)g->k_per_year);
     if (card->key_age_days[0] > 0.0f) {
@@ -116,9 +121,9 @@ static void set_growth(const struct import_options *plan, struct species_card *c
     }
 }
 
-/* Sets the ages of the key shapes and the growth that agrees with them. The first available source
- * is used: ages of the plan, growth of the plan, the file, `like`, a default of one month between
- * key shapes. */
+/* Sets the ages of the key shapes and the growth curve from the first available source. The sources
+ * are the ages of the options, the growth parameters of the options, the file, and the species
+ * `like`, in this order. Without any source, the key shapes are one month apart. */
 static void set_ages(const struct import_mesh *mesh, const struct import_options *plan,
                      struct species_card *card)
 {
@@ -135,15 +140,15 @@ static void set_ages(const struct import_mesh *mesh, const struct import_options
     }
 }
 
-/* Returns whether ages or lengths come from a source other than `like`. */
+/* Returns true if ages or lengths come from a source other than the species `like`. */
 static bool has_own_life(const struct import_mesh *mesh, const struct import_options *plan)
 {
     return !plan->like || (mesh && mesh->has_life) || plan->length_count > 0 ||
            plan->age_count > 0 || plan->growth_count > 0;
 }
 
-/* Returns the greatest difference between the animation and the straight line between two of its
- * keyframes. `*at` is the keyframe with that difference. */
+/* Returns the greatest difference between the animated weights and a straight line between the
+ * keyframes `from` and `to`. Sets `*at` to the keyframe with the greatest difference. */
 static float farthest(const struct import_mesh *mesh, uint32_t from, uint32_t to, uint32_t *at)
 {
     float worst = 0.0f;
@@ -162,8 +167,8 @@ static float farthest(const struct import_mesh *mesh, uint32_t from, uint32_t to
     return worst;
 }
 
-/* Copies the weights of a keyframe and scales their sum to 1. Files contain rounded weights, but a
- * graph needs exact ones. */
+/* Copies the weights of a keyframe and scales their sum to 1. Files contain rounded weights, but
+ * the deformation graph requires a sum of exactly 1. */
 static void take_weights(const float from[MORPH_KEY_MAX], float to[MORPH_KEY_MAX])
 {
     double sum = 0.0;
@@ -175,8 +180,8 @@ static void take_weights(const float from[MORPH_KEY_MAX], float to[MORPH_KEY_MAX
     }
 }
 
-/* Approximates the animation by knots of the graph. Starts with both ends and repeatedly adds the
- * keyframe with the greatest error. */
+/* Approximates the animation by knots of the deformation graph. The first knots are the two ends.
+ * Then the keyframe with the greatest error is repeatedly added as a knot. */
 static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
                        struct import_report *report)
 {
@@ -232,8 +237,9 @@ static void set_graph(const struct import_mesh *mesh, const struct import_option
     }
 }
 
-/* Computes the mean colour of a part's vertices at a height: 0 is the lowest third, 1 the middle, 2
- * the highest. */
+/* Computes the mean colour of the vertices of a part at one height. `third` is 0 for the lowest
+ * third of the part, 1 for the middle and 2 for the highest. Returns false if there are no such
+ * vertices. */
 static bool mean_colour(const struct import_mesh *mesh, enum species_part part, int third,
                         uint32_t *out)
 {
@@ -337,8 +343,8 @@ enum exit_code import_fitted_life(const struct import_options *plan, struct spec
     }
     if (has_own_life(NULL, plan)) {
         set_ages(NULL, plan, card);
-        card->scale_knot_count = 0; /* The knots of the template's growth scale are valid only for
-                                       the template's lengths. */
+        card->scale_knot_count = 0; /* The knots of the template's growth scale apply only to the
+                                       lengths of the template. */
     }
     return EXIT_OK;
 }
@@ -371,8 +377,8 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_o
     }
     if (has_own_life(mesh, plan)) {
         set_ages(mesh, plan, card);
-        card->scale_knot_count = 0; /* The knots of the growth scale of `like` are valid only for
-                                       the lengths of `like`. */
+        card->scale_knot_count = 0; /* The growth scale of the species `like` applies only to the
+                                       lengths of `like`, so its knots are removed. */
     }
     set_graph(mesh, plan, card, report);
     set_coats(mesh, plan, &slot->species);

@@ -38,8 +38,9 @@ vec3 import_nodes_apply(const struct place *p, vec3 a)
     return v3(out[0], out[1], out[2]);
 }
 
-/* Finds the keyframe interval that contains `time`, among `count` rising times. Sets `*i` to the
- * start of the interval and returns the share [0, 1] of the interval that has passed. */
+/* Finds the interval between two keyframes that contains `time`. `keys` contains `count` keyframes
+ * with rising times. Sets `*i` to the first keyframe of the interval. Returns the share, in [0, 1],
+ * of the interval that has passed at `time`. */
 static float between(const char *keys, size_t stride, uint32_t count, double time, uint32_t *i)
 {
     double low = 0.0, high = 0.0;
@@ -106,8 +107,8 @@ double import_nodes_time(const struct import_nodes *s, uint32_t key)
     return s->begin + (s->end - s->begin) * (double)key / last;
 }
 
-/* Returns the transform of an animated node at a key shape. A uniform scale that is animated
- * represents growth. Such a scale is stored as the size of the key shape and not applied. */
+/* Returns the transform of an animated node at a key shape. An animated uniform scale represents
+ * the growth of the fish. The scale is stored as the size of the key shape and is not applied. */
 static struct place moved(struct import_nodes *s, const struct aiNodeAnim *motion, uint32_t key)
 {
     const double time = import_nodes_time(s, key);
@@ -142,7 +143,8 @@ static void stand(struct import_nodes *s, const struct aiScene *scene, const str
     }
 }
 
-/* Traverses the node tree in breadth-first order. The array of nodes is also the queue. */
+/* Visits the tree of nodes in breadth-first order. The array of nodes is also the queue of the
+ * traversal. */
 bool import_nodes_fill(struct import_nodes *s, const struct aiScene *scene)
 {
     s->node_count = 0;
@@ -185,6 +187,7 @@ bool import_nodes_moves(const struct aiScene *scene)
 
 #else
 
-typedef int import_nodes_without_assimp; /* An empty translation unit is not valid C. */
+typedef int import_nodes_without_assimp; /* Declaration for a build without assimp, because an empty
+                                            source file is not valid C. */
 
 #endif

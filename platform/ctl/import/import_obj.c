@@ -1,8 +1,8 @@
-/* import_obj.c -- a strict parser of Wavefront OBJ: vertices, texture coordinates, faces and group
- * names.
+/* import_obj.c -- a strict parser of Wavefront OBJ files, which reads vertices, texture
+ * coordinates, faces and group names.
  *
- * The parser skips normals because they are recomputed. Materials, smoothing groups, lines and
- * points are skipped because they do not change the shape. */
+ * Normals are skipped because they are computed from the positions. Materials, smoothing groups,
+ * lines and points are skipped because they do not change the shape. */
 #include "platform/ctl/import/import_mesh.h"
 
 #include <errno.h>
@@ -15,7 +15,7 @@
 #include "core/base/printable.h"
 #include "platform/species/text_file.h"
 
-#define LINE_SIZE 4096 /* Longest line in characters. A face with 300 corners fits. */
+#define LINE_SIZE 4096 /* Longest line in characters. A face with 300 corners fits on one line. */
 #define CORNER_MAX 256
 
 struct obj {
@@ -42,7 +42,7 @@ __attribute__((format(printf, 2, 3))) static bool import_obj_error(struct obj *o
     return false;
 }
 
-/* Parses up to `count` numbers at `text`. Returns how many numbers were found, or -1 after
+/* Parses up to `count` numbers in `text`. Returns the number of parsed numbers, or -1 after
  * import_obj_error(). */
 static int numbers(struct obj *o, const char *text, float *out, int count)
 {
@@ -109,8 +109,8 @@ static bool read_uv(struct obj *o, const char *text)
     return true;
 }
 
-/* Converts an index of OBJ, which counts from 1, or backward from the newest element if negative.
- * Returns false if no such element exists. */
+/* Converts an index of an OBJ file to an index counted from 0. OBJ counts from 1, and a negative
+ * index counts backward from the newest element. Returns false if there is no such element. */
 static bool index_of(long number, uint32_t count, uint32_t *out)
 {
     const long index = number > 0 ? number - 1 : (long)count + number;
@@ -118,7 +118,7 @@ static bool index_of(long number, uint32_t count, uint32_t *out)
     return number != 0 && index >= 0 && index < (long)count;
 }
 
-/* Parses one corner: "v", "v/vt", "v//vn" or "v/vt/vn". */
+/* Parses one corner of a face, which has the form "v", "v/vt", "v//vn" or "v/vt/vn". */
 static bool read_corner(struct obj *o, const char *word, uint32_t *out)
 {
     char *end = NULL;
@@ -184,8 +184,8 @@ static bool read_face(struct obj *o, char *text)
     return true;
 }
 
-/* Parses a group name. Only the groups of the first key shape are used. The group names of further
- * key shapes may differ. */
+/* Parses the name of a group of faces. Only the groups of key shape 0 are used, and further key
+ * shapes may have other group names. */
 static bool read_group(struct obj *o, char *text)
 {
     struct import_mesh *m = o->mesh;
@@ -262,15 +262,15 @@ static bool read_all(struct obj *o, FILE *file)
     return ferror(file) ? import_obj_error(o, "cannot be read further") : check_whole(o);
 }
 
-/* Clears the data that all key shapes share. Called for the first key shape. */
+/* Clears the data that all key shapes share. Called before key shape 0 is read. */
 static void import_obj_begin(struct import_mesh *mesh)
 {
     mesh->vertex_count = mesh->triangle_count = mesh->time_count = 0;
     memset(mesh->uv, 0, sizeof mesh->uv);
     mesh->has_uv = mesh->has_colours = mesh->is_ours = false;
     mesh->has_life = mesh->has_coats = false;
-    mesh->group_count = 1; /* Faces before the first group line belong to a group with an empty
-                              name. */
+    mesh->group_count = 1; /* Faces before the first group line belong to group 0, whose name is
+                              empty. */
     mesh->group_names[0][0] = '\0';
 }
 

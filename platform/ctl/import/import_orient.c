@@ -1,5 +1,5 @@
-/* import_orient.c -- finds the direction of the head, the up axis and the length of an imported
- * fish. */
+/* import_orient.c -- detects the direction of the head and the length of an imported fish, and
+ * rotates and scales its mesh. */
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -7,20 +7,20 @@
 
 #include "platform/ctl/import/import_options.h"
 
-/* Share of the length. If the body's centre is nearer than this to the middle of its extent,
- * head and tail are indistinguishable. */
+/* Distance between the body's centre and the middle of its extent, as a share of the length. Below
+ * this distance, head and tail cannot be distinguished. */
 #define UNCLEAR_SHARE 0.015
 
-/* Ratio of length to width. Below this ratio the front axis is ambiguous, as for a ray seen from
- * above. */
+/* Ratio of the length to the width. Below this ratio, the direction of the head is ambiguous, for
+ * example for a ray seen from above. */
 #define SQUARE_RATIO 1.15
 
-/* Share of the body's height around the body's middle that contains the shortest rays of a
- * forked tail. */
+/* Range around the middle height of the body, as a share of the body's height. The shortest rays of
+ * a forked tail fin lie in this range. */
 #define MIDDLE_SHARE 0.1f
 
-/* Tolerance of the size of our own meshes. Their rings and rays only approximate the exact
- * measure. */
+/* Tolerance for the size of a mesh that kingyoctl wrote, because its polygons only approximate the
+ * exact length measure. */
 #define OURS_OFF 0.1f
 
 const char *const import_axis_names[AXIS_NONE] = { "+x", "+y", "+z", "-x", "-y", "-z" };
@@ -71,8 +71,8 @@ struct extent {
     float low, high;
 };
 
-/* Returns the extent along `axis` of the vertices that triangles use. If `body` is true, only
- * triangles of the body count. */
+/* Returns the extent along `axis` of the vertices that belong to triangles. If `body` is true, only
+ * the triangles of the body are used. */
 static struct extent extent_of(const struct import_mesh *mesh, uint32_t key, uint32_t axis,
                                bool body)
 {
@@ -90,8 +90,8 @@ static struct extent extent_of(const struct import_mesh *mesh, uint32_t key, uin
     return e;
 }
 
-/* Returns the mean of the triangle centres along `axis`, weighted by area. Uses only the eyes if
- * the file names them, and then sets `*eyes`. */
+/* Returns the mean of the triangle centres along `axis`, weighted by area. If the file names the
+ * eyes, uses only the triangles of the eyes and sets `*eyes` to true. */
 static double middle_along(const struct import_mesh *mesh, uint32_t axis, bool *eyes)
 {
     const uint32_t key = mesh->key_count - 1;
@@ -115,8 +115,9 @@ static double middle_along(const struct import_mesh *mesh, uint32_t axis, bool *
     return area[*eyes] > 0.0 ? sum[*eyes] / area[*eyes] : 0.0;
 }
 
-/* Finds the axis that the snout points along. The head is found by the eyes, or by the thicker half
- * of the body: fish are thicker before their middle than behind it. */
+/* Finds the direction of the snout and writes it to `front`. The head is at the end that is nearer
+ * to the eyes. Without named eyes, the head is the thicker half of the body. Returns false and
+ * writes the reason to `why` if the direction is ambiguous. */
 static bool find_front(const struct import_mesh *mesh, uint32_t up, uint8_t *front,
                        char why[IMPORT_WHY_SIZE])
 {
@@ -161,8 +162,8 @@ static void import_orient_rotate(struct import_mesh *mesh, uint32_t front, uint3
     }
 }
 
-/* Returns the z coordinate of the tail's fork: the farthest point of the body and of the tail's
- * middle rays. */
+/* Returns the z coordinate of the fork of the tail fin. The fork is the rearmost point of the body
+ * and of the middle rays of the tail fin. */
 static float fork_of(const struct import_mesh *mesh, uint32_t key)
 {
     const struct extent y = extent_of(mesh, key, AXIS_Y, true);
@@ -186,7 +187,8 @@ static float size_of(const struct import_mesh *mesh, uint32_t key, uint8_t measu
     return (measure == MEASURE_FORK ? fork_of(mesh, key) : e.high) - e.low;
 }
 
-/* Moves the snout to z = -0.5 and the body's middle to x = y = 0, and scales `size` to 1. */
+/* Moves the snout to z = -0.5 and the middle of the body to x = y = 0, and scales the mesh so that
+ * `size` becomes 1. */
 static void import_orient_normalize(struct import_mesh *mesh, uint32_t key, float size)
 {
     const struct extent x = extent_of(mesh, key, AXIS_X, true);
@@ -213,8 +215,8 @@ enum exit_code import_orient(struct import_mesh *mesh, const struct import_optio
         return EXIT_BAD_DATA;
     }
     import_orient_rotate(mesh, report->front, plan->up);
-    bool is_settled = mesh->is_ours; /* A mesh that kingyoctl wrote already has our size and
-                                        position. */
+    bool is_settled = mesh->is_ours; /* True if no scaling is needed, because kingyoctl wrote the
+                                        mesh with the size and the position of Kingyo. */
     for (uint32_t key = 0; key < mesh->key_count; key++) {
         report->size[key] = size_of(mesh, key, plan->measure);
         if (!(report->size[key] > 1e-6f)) {

@@ -1,10 +1,10 @@
-/* import_scene.c -- reads glTF and other scene formats with assimp in a child process.
+/* import_scene.c -- reads glTF and other scene formats with the library assimp in a child process.
  *
- * Importers of many formats are large, and hostile files may crash them. Therefore this program
- * does not link assimp. A child process with limited memory and CPU time loads it and writes the
- * mesh to shared memory. The parent then validates the mesh like any untrusted file. A crash of
- * the child costs only one error line. A build without assimp's headers refuses scenes with a
- * message. */
+ * An importer for many formats is large, and a hostile file may crash it. Therefore this program is
+ * not linked with assimp. A child process with limited memory and CPU time loads assimp and writes
+ * the mesh to shared memory. The parent process then validates the mesh like any untrusted data. If
+ * the child crashes, the parent only prints an error line. A build without assimp's headers rejects
+ * scenes with a message. */
 #include <errno.h>
 #include <math.h>
 #include <signal.h>
@@ -26,7 +26,8 @@
 #define WAIT_MAX_MS 30000
 #define WAIT_STEP_MS 5
 
-/* The address sanitizer reserves terabytes of address space, so that no memory limit can be set. */
+/* The address sanitizer reserves terabytes of address space, so a sanitized build cannot set a
+ * memory limit. */
 #if defined(__has_feature)
 #define SANITIZED __has_feature(address_sanitizer)
 #elif defined(__SANITIZE_ADDRESS__)
@@ -38,19 +39,20 @@
 struct shared {
     struct import_mesh mesh;
     char why[IMPORT_WHY_SIZE];
-    int done; /* 1 after a successful import. 0 means that `why` is the reason, which may be
-                 empty. */
+    int done; /* 1 after a successful import. 0 means that the import failed. `why` is then the
+                 reason, or "" if the child process ended early. */
 };
 
-/* Reads the scene in the child process and never returns. The parent sees only the shared memory
- * and the exit status. */
+/* Reads the scene in the child process and never returns. The parent process receives only the
+ * shared memory and the exit status. */
 static _Noreturn void read_in_child(struct shared *shared, const char *path)
 {
     const struct rlimit time = { CPU_MAX_S, CPU_MAX_S }, cores = { 0, 0 };
     static const int fatal[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU };
     for (size_t i = 0; i < sizeof fatal / sizeof fatal[0]; i++) {
-        signal(fatal[i], SIG_DFL); /* The default action ends the child, and the parent reports the
-                                      failure. Inherited handlers must not run. */
+        signal(fatal[i], SIG_DFL); /* Restores the default action, which ends the child process,
+                                      because an inherited signal handler must not run. The parent
+                                      process reports the failure. */
     }
     setrlimit(RLIMIT_CPU, &time);
     setrlimit(RLIMIT_CORE, &cores);
@@ -128,8 +130,9 @@ static bool vet_triangles(const struct import_mesh *m)
     return true;
 }
 
-/* Checks that times rise and that the weights at each keyframe are >= 0 and sum to 1, as the graph
- * requires. `*where` is the last keyframe checked. */
+/* Returns true if the times of the keyframes increase, and if the weights at each keyframe are at
+ * least 0 and have the sum 1, as the deformation graph requires. Sets `*where` to the last checked
+ * keyframe. */
 static bool vet_weights(const struct import_mesh *m, uint32_t *where)
 {
     for (uint32_t i = 0; i < m->time_count; i++) {
@@ -190,15 +193,17 @@ static enum exit_code import_scene_read_file(struct import_mesh *mesh, struct sh
                  told ? shared->why : "damaged: the importer gave up on it");
         return EXIT_BAD_DATA;
     }
-    memcpy(mesh, &shared->mesh, sizeof *mesh); /* The mesh is copied before validation, so that no
-                                                  other process can change it afterwards. */
+    memcpy(mesh, &shared->mesh, sizeof *mesh); /* The mesh is copied before the validation, so that
+                                                  the child process cannot change the validated
+                                                  data. */
     const char *fault = import_validate(mesh, room);
     if (fault) {
         snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, fault);
         return EXIT_BAD_DATA;
     }
     for (uint32_t key = 0; key < mesh->key_count; key++) {
-        printable(mesh->key_names[key]); /* Error messages quote the name of a key shape. */
+        printable(mesh->key_names[key]); /* The names of key shapes are made printable, because
+                                            error messages quote them. */
     }
     return EXIT_OK;
 }

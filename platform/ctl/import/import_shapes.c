@@ -1,5 +1,5 @@
-/* import_shapes.c -- adds the meshes of a scene in every key shape, transformed by nodes and
- * joints. */
+/* import_shapes.c -- adds the meshes of a scene to the result in every key shape, transformed by
+ * nodes and joints. */
 #include <stddef.h> /* Without assimp, the file would be empty, which C does not allow. */
 
 #ifdef HAS_ASSIMP
@@ -22,7 +22,7 @@ static const struct aiMeshMorphAnim *weights_of(const struct flattening *f, cons
     return NULL;
 }
 
-/* Computes the weight of each morph target of `mesh` under `node` at a key shape. */
+/* Computes the weight of each morph target of `mesh` under the node `node` at key shape `key`. */
 static void target_weights(const struct flattening *f, const struct aiMesh *mesh, const char *node,
                            uint32_t key, float out[TARGET_MAX])
 {
@@ -57,8 +57,9 @@ static vec3 shape_at(const struct aiMesh *mesh, const float weights[TARGET_MAX],
     return p;
 }
 
-/* Adds the vertices of a skinned mesh, transformed by its joints. `sums` is scratch space for the
- * sum of the joint weights of each vertex. Returns false after import_flat_error(). */
+/* Adds the vertices of a skinned mesh, transformed by its joints, in key shape `key`. `sums` is
+ * scratch memory for the sum of the joint weights of each vertex. Returns false after
+ * import_flat_error(). */
 static bool add_skinned(struct flattening *f, const struct aiMesh *mesh, uint32_t key,
                         const float weights[TARGET_MAX], float *sums)
 {
@@ -112,7 +113,7 @@ static bool add_shapes(struct flattening *f, const struct import_nodes_node *nod
     return true;
 }
 
-/* Converts a linear colour of glTF to sRGB, as 0xRRGGBB. */
+/* Converts a linear colour of glTF to an sRGB colour 0xRRGGBB. */
 static uint32_t colour_of(const struct aiColor4D *colour)
 {
     const float linear[3] = { colour->r, colour->g, colour->b };
@@ -160,8 +161,10 @@ static bool add_vertices(struct flattening *f, const struct import_nodes_node *n
         m->uv[at][0] = m->uv[at][1] = 0.0f;
         if (mesh->mTextureCoords[0]) {
             m->uv[at][0] = mesh->mTextureCoords[0][i].x;
-            m->uv[at][1] = 1.0f - mesh->mTextureCoords[0][i].y; /* The flip restores the orientation
-                                                                   of the file. */
+            m->uv[at][1] = 1.0f - mesh->mTextureCoords[0][i].y; /* assimp flips the vertical
+                                                                   texture coordinate. The second
+                                                                   flip restores the value in the
+                                                                   file. */
         }
         m->colours[at] = mesh->mColors[0] ? colour_of(&mesh->mColors[0][i]) : 0x808080u;
     }
@@ -176,7 +179,7 @@ static bool add_triangles(struct flattening *f, const struct aiMesh *mesh)
     for (uint32_t i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *face = &mesh->mFaces[i];
         if (face->mNumIndices != 3) {
-            continue; /* Points and lines are not part of the surface. */
+            continue; /* Points and lines are skipped, because they are not part of the surface. */
         }
         if (m->triangle_count == IMPORT_TRIANGLE_MAX) {
             return import_flat_error(f, "more than 131072 triangles");
@@ -230,6 +233,7 @@ bool import_shapes_add_meshes(struct flattening *f)
 
 #else
 
-typedef int import_shapes_without_assimp; /* An empty translation unit is not valid C. */
+typedef int import_shapes_without_assimp; /* Declaration for a build without assimp, because an
+                                             empty source file is not valid C. */
 
 #endif

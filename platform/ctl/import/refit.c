@@ -1,5 +1,5 @@
-/* refit.c -- fits one key to a mesh: the warp, the attraction to the surface, and the
- * relaxation. */
+/* refit.c -- fits one key of the template to a mesh (see refit.h). The steps are the warp by
+ * landmarks, the pull to the surface of the mesh, and the relaxation of the edges. */
 #include <math.h>
 #include <string.h>
 
@@ -8,31 +8,36 @@
 #include "platform/ctl/import/refit.h"
 
 #define ROUNDS 24u
-/* Gauss-Seidel sweeps for each round. Neighbours then agree to a thousandth. */
+/* Number of Gauss-Seidel sweeps in each round. After 30 sweeps, neighbouring vertices are in
+ * balance to a thousandth. */
 #define SWEEPS 30u
-/* Weight of an edge relative to the pull of a vertex in the first round. */
+/* Stiffness of an edge relative to the pull of a vertex, in the first round. */
 #define STIFF_FIRST 20.0f
-/* Weight of an edge relative to the pull of a vertex in the last round. */
+/* Stiffness of an edge relative to the pull of a vertex, in the last round. */
 #define STIFF_LAST 0.15f
-/* Weight of the pull from a vertex of the mesh on the nearest vertex of the template. */
+/* Weight with which a vertex of the mesh pulls the nearest vertex of the template. */
 #define BACK_PULL 0.5f
-/* Maximum number of mesh vertices that pull. A larger mesh is sampled evenly. */
+/* Maximum number of vertices of the mesh that pull the template. A larger mesh is sampled
+ * evenly. */
 #define BACK_MAX 6000u
 #define EDGE_MAX (3u * MESH_INDEX_MAX)
-/* Greatest pull distance as a share of the length. A vertex is not attracted to a surface farther
- * away. */
+/* Greatest distance of a pull, as a share of the fish's length. A vertex is not pulled to a surface
+ * that is farther away. */
 #define FAR_SHARE 0.30f
 
-/* One level of detail during the fit. Coinciding vertices of a part share one place. */
+/* State of the fit of one level of detail. Vertices of a part that have the same position share one
+ * place. */
 struct fitting {
     const struct species_mesh *mesh;
     const struct refit_tree *tree;
-    bool parted; /* True if the mesh names its parts as the template does. */
+    bool parted; /* True if the mesh has groups with the names of parts. Each part of the template
+                    is then pulled only to the same part of the mesh. */
     uint32_t place[MESH_VERTEX_MAX];
     vec3 rest[MESH_VERTEX_MAX], now[MESH_VERTEX_MAX];
     vec3 pull[MESH_VERTEX_MAX];
     float weight[MESH_VERTEX_MAX];
-    /* Neighbours of each place: the index of the first neighbour, and the list of neighbours. */
+    /* Neighbours of each place. The neighbours of place i are other[first[i]] .. other[first[i + 1]
+     * - 1]. */
     uint32_t first[MESH_VERTEX_MAX + 1], other[EDGE_MAX];
 };
 
@@ -53,8 +58,8 @@ static void find_places(const vec3 *positions)
     }
 }
 
-/* Lists the edges of each place, from both ends. An edge occurs once for each triangle that has the
- * edge. */
+/* Lists the neighbours of each place along the edges. A neighbour is listed once for each triangle
+ * that has the edge. */
 static void find_edges(void)
 {
     static uint32_t fill[MESH_VERTEX_MAX];
@@ -96,8 +101,8 @@ static void draw_to_surface(void)
     }
 }
 
-/* Adds the pull of the mesh's own vertices on the nearest template vertices. Without this pull,
- * rims and tips of a sheet would stay too short. */
+/* Adds the pull of the mesh's vertices on the nearest vertices of the template. Without this pull,
+ * the rims and the tips of fins would be too short. */
 static void draw_from_mesh(const struct import_mesh *mesh)
 {
     const uint32_t step = mesh->triangle_count / BACK_MAX + 1u;
@@ -118,7 +123,8 @@ static void draw_from_mesh(const struct import_mesh *mesh)
             refit_draw(nearest, q, BACK_PULL);
         }
     }
-    /* Limits the weight so that many mesh vertices at one place count as one vertex. */
+    /* Limits the sum of the pull weights, so that many vertices of the mesh at one position pull
+     * like a single vertex. */
     for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
         if (fit.weight[i] > 1.0f + BACK_PULL) {
             const float less = (1.0f + BACK_PULL) / fit.weight[i];
@@ -128,8 +134,8 @@ static void draw_from_mesh(const struct import_mesh *mesh)
     }
 }
 
-/* Moves each place to the balance of its pull and its edges, which resist any change from their
- * rest shape. */
+/* Moves each place to the balance between its pull and the edges to its neighbours. An edge resists
+ * any change from its rest shape. */
 static void refit_relax(float stiff)
 {
     for (uint32_t sweep = 0; sweep < SWEEPS; sweep++) {
@@ -167,11 +173,12 @@ static void run_rounds(const struct import_mesh *mesh)
         draw_from_mesh(mesh);
         refit_relax(STIFF_FIRST * powf(STIFF_LAST / STIFF_FIRST, t));
         share_places();
-        memcpy(fit.rest, fit.now, sizeof fit.rest); /* The bent shape becomes the new rest shape. */
+        memcpy(fit.rest, fit.now, sizeof fit.rest); /* The new shape becomes the rest shape of the
+                                                       next round. */
     }
 }
 
-/* ---- Writing to the tables ------------------------------------------------------------------ */
+/* ---- Writing to the mesh tables -------------------------------------------------------------- */
 
 static void make_normals(vec3 *normals)
 {
@@ -200,7 +207,7 @@ static void put_point(struct species_slot *slot, uint32_t lod, uint32_t key, uin
                                 morph_count(position.z, reach), morph_fold_normal(normal) };
 }
 
-/* Writes the skin first, because parts that follow the skin need its final place. */
+/* Writes the body's skin first, because the position of an anchored part depends on the skin. */
 static void write_points(struct species_slot *slot, uint32_t lod, uint32_t key)
 {
     static vec3 normals[MESH_VERTEX_MAX];
@@ -247,7 +254,8 @@ static struct refit_error error_of(const struct tally *tally)
                                  tally->max };
 }
 
-/* Measures the distance at every vertex of both surfaces that a triangle uses. */
+/* Measures the distance from each vertex of the fitted template to the mesh, and from each used
+ * vertex of the mesh to the fitted template. */
 static void refit_measure_error(const struct import_mesh *mesh, struct refit_result *result)
 {
     static bool seen[IMPORT_VERTEX_MAX];
@@ -276,8 +284,8 @@ static void refit_measure_error(const struct import_mesh *mesh, struct refit_res
     result->from_mesh = error_of(&from);
 }
 
-/* Pairs the mesh's landmarks with the same landmarks of the template. `from` receives the places on
- * the template and `to` the places on the mesh. Returns the number of pairs. */
+/* Pairs each landmark of the mesh with the same landmark of the template. `from` receives the
+ * positions on the template, and `to` the positions on the mesh. Returns the number of pairs. */
 static uint32_t pair_marks(const struct refit_marks *marks, const vec3 *positions, vec3 *from,
                            vec3 *to)
 {
@@ -306,8 +314,9 @@ static void refit_begin(const struct species_slot *slot, uint32_t lod, uint32_t 
     find_edges();
 }
 
-/* Stretches the far mesh from the snout to its measured length. The far mesh has few vertices, and
- * each vertex is moved to the mean of its pulls, so the fit ends slightly short of the tips. */
+/* Scales the far mesh to the fish's measured length. The fit of the far mesh ends slightly
+ * before the tips, because the mesh has few vertices and each vertex moves to the mean of
+ * several pulls. */
 static void stretch_to_measure(uint8_t refit_measure_error)
 {
     const bool across = refit_measure_error == MEASURE_DISC;
@@ -354,7 +363,7 @@ static void fit_lod(struct species_slot *slot, uint32_t lod, uint32_t key,
     }
 }
 
-/* Finds the landmark that lies farthest from the mesh. */
+/* Finds the landmark with the greatest distance from the surface of the mesh. */
 static void find_stray(const struct refit_marks *marks, struct refit_result *result)
 {
     result->stray = "";

@@ -1,5 +1,5 @@
-/* refit_files.c -- reads meshes and landmarks from files, converts them to Kingyo's axes and fits
- * each key. */
+/* refit_files.c -- reads meshes and landmarks from files, rotates them to the axes of Kingyo, and
+ * fits each key of the template. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,8 +8,8 @@
 #include "platform/ctl/import/refit.h"
 #include "platform/os/print.h"
 
-/* Greatest distance of a landmark from the surface, as a share of the length. A landmark may lie
- * inside the body. */
+/* Greatest distance of a landmark from the surface of the mesh, as a share of the fish's length.
+ * Landmarks may lie inside the body. */
 #define STRAY_MAX 0.1f
 
 static const struct refit_landmark *mark_of(const struct refit_marks *marks, const char *name)
@@ -22,8 +22,8 @@ static const struct refit_landmark *mark_of(const struct refit_marks *marks, con
     return NULL;
 }
 
-/* Sets `axis` to the axis nearest to the direction from one landmark to another, if the file has
- * both landmarks. */
+/* Sets `axis` to the coordinate axis nearest to the direction from the landmark `from` to the
+ * landmark `to`. If either landmark is missing, `axis` is unchanged. */
 static void axis_from(const struct refit_marks *marks, const char *to, const char *from,
                       uint8_t *axis)
 {
@@ -47,8 +47,9 @@ static enum exit_code read_mesh(struct import_mesh *mesh, const char *path,
     return is_obj ? import_obj(mesh, 0, path, why) : import_scene(mesh, path, why);
 }
 
-/* Orients a mesh and its landmarks. The landmarks are appended to the mesh as vertices that no
- * triangle uses. */
+/* Rotates and scales a mesh together with its landmarks. For this, the landmarks are appended to
+ * the mesh as vertices without triangles. Returns false and writes the reason to `why` after an
+ * error. */
 static bool orient(struct import_mesh *mesh, struct refit_marks *marks,
                    const struct import_options *plan, char why[IMPORT_WHY_SIZE])
 {
@@ -63,7 +64,7 @@ static bool orient(struct import_mesh *mesh, struct refit_marks *marks,
         mesh->positions[0][first + i] = marks->marks[i].place;
     }
     mesh->vertex_count += marks->count;
-    mesh->key_count = 1; /* Uses only the first shape of a scene. */
+    mesh->key_count = 1; /* Only the first key shape of a scene is used. */
     axis_from(marks, "back", "belly", &own.up);
     axis_from(marks, "snout", "tail_root", &own.front);
     const bool good = import_orient(mesh, &own, &report, why) == EXIT_OK;

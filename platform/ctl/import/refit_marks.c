@@ -1,5 +1,5 @@
-/* refit_marks.c -- reads landmarks, finds them on the template, and computes the warp from one set
- * of landmarks to another. */
+/* refit_marks.c -- reads landmark files, finds landmarks on the template, and computes the warp
+ * that moves one set of landmarks to another. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,8 +28,8 @@ static const struct {
 static const char *const singles[] = { "snout",     "tail_root", "back",     "belly",
                                        "eye_right", "eye_left",  "tail_top", "tail_bottom" };
 
-/* Returns the index of the fin that a landmark's name begins with, and sets `end` to the rest of
- * the name. Returns COUNT(fins) if the name has no fin. */
+/* Returns the index of the fin whose name starts the name of the landmark, and sets `end` to the
+ * rest of the landmark's name. Returns COUNT(fins) if the landmark is not on a fin. */
 static size_t fin_of(const char *name, const char **end)
 {
     size_t i = 0;
@@ -126,9 +126,10 @@ enum exit_code refit_marks_read(const char *path, struct refit_marks *list,
     return broken ? EXIT_IO : good ? EXIT_OK : EXIT_BAD_DATA;
 }
 
-/* ---- On the template ------------------------------------------------------------------------- */
+/* ---- Landmarks of the template --------------------------------------------------------------- */
 
-/* Finds the vertex of a part whose coordinates are nearest to (u, v). */
+/* Finds the vertex of a part whose body coordinates are nearest to (u, v). Returns false if the
+ * fish does not have the part. */
 static bool vertex_near(const struct species_mesh *mesh, const vec3 *positions, uint8_t part,
                         uint8_t side, float u, float v, vec3 *out)
 {
@@ -147,7 +148,7 @@ static bool vertex_near(const struct species_mesh *mesh, const vec3 *positions, 
     return best < INFINITY;
 }
 
-/* Finds the highest (`sign` 1) or the lowest point of the body. */
+/* Finds the highest point of the body if `sign` is 1, or the lowest point if `sign` is -1. */
 static bool extreme(const struct species_mesh *mesh, const vec3 *positions, float sign, vec3 *out)
 {
     float best = -INFINITY;
@@ -201,13 +202,15 @@ bool refit_marks_of_template(const struct species_mesh *mesh, const vec3 *positi
                        end[0] == 't' ? 1.0f : 0.0f, out);
 }
 
-/* ---- The warp -------------------------------------------------------------------------------- */
+/* ---- Warp between two sets of landmarks ------------------------------------------------------ */
 
 #define SYSTEM_MAX REFIT_MARKS_MAX
-#define RIDGE 0.0005 /* Regularization of the affine fit, in squared lengths for one landmark. */
-#define REACH 0.8    /* Radius of the bump around a landmark, in lengths. */
-/* Smoothing of the bumps. Landmarks that nearly coincide may keep this share of the difference of
- * their displacements. */
+#define RIDGE                                                                                      \
+    0.0005        /* Regularization of the affine transform, in squared body lengths for each
+                     landmark. */
+#define REACH 0.8 /* Radius of the displacement around a landmark, in body lengths. */
+/* Regularization of the displacements. Two landmarks that nearly coincide may keep this share of
+ * the difference between their displacements as an error. */
 #define SLACK 1e-4
 
 static double gap(vec3 a, vec3 b)
@@ -215,9 +218,9 @@ static double gap(vec3 a, vec3 b)
     return (double)v3_length(v3_sub(a, b));
 }
 
-/* Solves the rows [A
- *
- * B] with three right sides. The unknowns of singular columns are 0. */
+/* Solves `n` linear equations with three right-hand sides by elimination. Each row of `m` contains
+ * the coefficients and then the right-hand sides. Unknown i is m[i][n + k] / m[i][i] for the
+ * right-hand side k. The unknowns of singular columns are 0. */
 static void solve(double m[SYSTEM_MAX][SYSTEM_MAX + 3], uint32_t n)
 {
     for (uint32_t column = 0; column < n; column++) {
@@ -243,8 +246,9 @@ static void solve(double m[SYSTEM_MAX][SYSTEM_MAX + 3], uint32_t n)
     }
 }
 
-/* Returns Wendland's function: 1 at a landmark, and 0 with a smooth end at REACH. The function
- * never gives a singular system. */
+/* Returns Wendland's function at the distance `r` from a landmark. The value is 1 at the
+ * landmark and decreases smoothly to 0 at the distance REACH. The resulting linear system is
+ * never singular. */
 static double bump(double r)
 {
     const double t = fmax(1.0 - r / REACH, 0.0);
@@ -260,9 +264,11 @@ static vec3 mean_of(const vec3 *points, uint32_t n)
     return v3_scale(sum, 1.0f / (float)n);
 }
 
-/* Computes the best stretch and shear, regularized toward none, because landmarks in a plane do not
- * determine the deformation perpendicular to the plane. `m` becomes the 3 x 3 matrix that maps an
- * offset from `middle` to its displacement. */
+/* Computes the best linear transform from the offsets of `from` to the offsets of `to`. The result
+ * is a 3 x 3 matrix in `m` that converts an offset from the centre of `from` to a displacement.
+ *
+ * The transform is regularized toward the identity. If all landmarks lie in a plane, they do not
+ * determine the deformation perpendicular to the plane. */
 static void fit_stretch(const vec3 *from, const vec3 *to, uint32_t n,
                         double m[SYSTEM_MAX][SYSTEM_MAX + 3])
 {
@@ -297,7 +303,8 @@ static vec3 stretched(double m[SYSTEM_MAX][SYSTEM_MAX + 3], vec3 p, vec3 middle,
     return v3_add(v3_add(at, goal), v3((float)way[0], (float)way[1], (float)way[2]));
 }
 
-/* Computes the weights of the bumps, which together move `from` by the rest of the displacement. */
+/* Computes the weights of the displacements around the landmarks. Together, the displacements move
+ * `from` by the rest that the affine transform leaves. */
 static void fit_bumps(const vec3 *from, const vec3 *to, uint32_t n,
                       double m[SYSTEM_MAX][SYSTEM_MAX + 3])
 {

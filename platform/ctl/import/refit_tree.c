@@ -1,11 +1,12 @@
-/* refit_tree.c -- a tree of bounding boxes around the triangles of a surface. */
+/* refit_tree.c -- a tree of bounding boxes around the triangles of a surface, for the search for
+ * the nearest point. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "platform/ctl/import/refit.h"
 
 #define LEAF_MAX 4u
-/* Maximum depth of the search stack. A binary tree of 131,072 triangles is about 18 levels deep. */
+/* Size of the search stack. A binary tree of 131,072 triangles has only about 18 levels. */
 #define DEPTH_MAX 64u
 
 void refit_tree_add(struct refit_tree *tree, vec3 a, vec3 b, vec3 c, uint8_t part)
@@ -61,8 +62,8 @@ static void bound(const struct refit_tree *tree, struct refit_tree_node *node)
     }
 }
 
-/* A range of triangles that is still to be split, and the branch whose second child the range
- * becomes. */
+/* A range of triangles that must still be split. `parent` is the branch whose second child the
+ * range will be. */
 struct range {
     uint32_t first, count, parent;
 };
@@ -96,8 +97,8 @@ void refit_tree_build(struct refit_tree *tree)
     }
 }
 
-/* Returns the point of a triangle nearest to `p`, by the region of the triangle's plane in which
- * `p` projects. */
+/* Returns the point of a triangle that is nearest to `p`. The projection of `p` to the plane of the
+ * triangle decides whether the point is a corner, on an edge, or inside the triangle. */
 static vec3 on_triangle(const struct refit_tree_triangle *t, vec3 p)
 {
     const vec3 a = t->corner[0], b = t->corner[1], c = t->corner[2];
