@@ -1,13 +1,14 @@
 /* printable.h -- makes text from outside the program safe for a terminal, a log and a page.
  *
  * Names, USB strings, file contents, file names and arguments may contain any byte. A control
- * character moves the cursor of a terminal or breaks a line of a log, and a bidirectional control
+ * character moves the cursor of a terminal or breaks a line of a log. A bidirectional control
  * character changes the displayed order of a text. Every text from outside passes printable()
  * before it is displayed.
  *
- * Rejected: C0 controls and DEL (U+0000..U+001F, U+007F), C1 controls (U+0080..U+009F), line and
- * paragraph separators (U+2028, U+2029), bidirectional controls (U+061C, U+200E, U+200F,
- * U+202A..U+202E, U+2066..U+2069), and every byte that is not UTF-8 as RFC 3629 defines it. */
+ * The following characters are rejected: C0 controls and DEL (U+0000..U+001F, U+007F), C1 controls
+ * (U+0080..U+009F), line and paragraph separators (U+2028, U+2029), and bidirectional controls
+ * (U+061C, U+200E, U+200F, U+202A..U+202E, U+2066..U+2069). Every byte that is not UTF-8 as RFC
+ * 3629 defines it is also rejected. */
 #ifndef KINGYO_CORE_BASE_PRINTABLE_H
 #define KINGYO_CORE_BASE_PRINTABLE_H
 

@@ -50,10 +50,8 @@ static inline int simd_is_built(uint32_t lanes)
 }
 
 typedef float flanes __attribute__((vector_size(4 * SIMD_LANES)));
-typedef int32_t ilanes
-    __attribute__((vector_size(4 * SIMD_LANES))); /* Integer vector or mask. A mask holds -1 in a
-                                                     lane where the condition is true, otherwise
-                                                     0. */
+/* Integer vector or mask. A mask holds -1 in a lane where the condition is true, otherwise 0. */
+typedef int32_t ilanes __attribute__((vector_size(4 * SIMD_LANES)));
 typedef float fquad __attribute__((vector_size(16)));
 
 static inline flanes simd_splat(float x)

@@ -4,8 +4,8 @@
 
 /* Speed of the water at the ring as a share of the disc's speed along its plane. */
 #define EDGE_SHARE 0.16f
-/* Smallest distance from the sharp edge in disc radii at which the flow is computed, because a fish
- * is larger than a point. */
+/* Smallest distance from the disc's sharp edge at which the flow is computed, in disc radii. The
+ * flow acts on a fish, which is larger than a point. */
 #define BODY_SHARE 0.3f
 /* A level disc passes from dry to submerged over twice this distance. */
 #define ENTRY_HALF_M 0.005f

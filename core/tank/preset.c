@@ -49,10 +49,12 @@
 
 /* A living wakin (a goldfish variety): the speeds and choices of the 2013 thesis with additions.
  *
- * A fish of 5 cm weighs 2.3 to 2.9 g, but the thesis' box of 5 x 2 x 1 cm holds 10 g, so this body
- * is slimmer. The thesis' personal spaces of 1,000 fish would fill 95 % of the water of the
- * official tank; those of 4 cm fish fill 46 %. Therefore the spaces shrink if they would fill more
- * than 35 %.
+ * The thesis' box of 5 x 2 x 1 cm holds 10 g, but a fish of 5 cm weighs 2.3 to 2.9 g. Therefore the
+ * body of the wakin is slimmer.
+ *
+ * With the personal spaces of the thesis, 1,000 fish of 5 cm would fill 95 % of the water of the
+ * official tank, and 1,000 fish of 4 cm would fill 46 %. Therefore the spaces shrink if they would
+ * fill more than 35 %.
  *
  * Braking 0.25 s instead of 0.15 s before contact would cost a tenth of the speed in that tank and
  * would not reduce the number of contacts. */

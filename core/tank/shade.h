@@ -81,10 +81,10 @@ struct shade_course {
 };
 
 /* Changes the course of a fish by the attraction of all shades. Course and attraction are added as
- * velocities. The sum is limited to the top swimming speed (section 3.3 of the 2013 thesis), or to
- * the fish's own speed if that is higher, as in a burst. The fish turns toward the sum and does not
- * move sideways. Pushes by near fish reduce the attraction. Returns 1 if a shade attracts the fish.
- * Otherwise returns 0 and leaves `course` unchanged. */
+ * velocities. The sum is limited to the top swimming speed (section 3.3 of the 2013 thesis). A fish
+ * that is already faster, as in a burst, is limited to its own speed. The fish turns toward the sum
+ * and does not move sideways. Pushes by near fish reduce the attraction. Returns 1 if a shade
+ * attracts the fish. Otherwise returns 0 and leaves `course` unchanged. */
 int shade_draw(const struct shade *shades, uint32_t count, const struct behavior_params *params,
                const struct fish *fish, struct shade_course *course);
 

@@ -28,9 +28,9 @@ void water_init(struct water *water)
     memset(water, 0, sizeof *water);
 }
 
-/* Returns the depth of a push at the squared relative distance `s`: 1 at the centre, below 0 in a
- * raised rim, and 0 from the radius outward. The volume of the push is zero, because water is
- * incompressible. */
+/* Returns the depth of a push relative to its depth at the centre. `s` is the squared distance from
+ * the centre, where 1 is the squared radius. The depth is < 0 in a raised rim and 0 from the radius
+ * outward. The volume of the push is zero, because water is incompressible. */
 static float press_profile(float s)
 {
     return s < 1.0f ? (1.0f - s) * (1.0f - s) * (1.0f - 4.0f * s) : 0.0f;
@@ -59,8 +59,8 @@ void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m,
         return;
     }
     const float dx = size_m.x / (float)RIPPLE_X, dz = size_m.z / (float)RIPPLE_Z;
-    const float reach_m =
-        f_max(radius_m, 1.5f * f_max(dx, dz)); /* The grid cannot resolve a smaller radius. */
+    /* Enlarges a radius that is too small for the cells of the grid. */
+    const float reach_m = f_max(radius_m, 1.5f * f_max(dx, dz));
     const float at_x = (point_m.x + 0.5f * size_m.x) / dx - 0.5f;
     const float at_z = (point_m.z + 0.5f * size_m.z) / dz - 0.5f;
     const struct span columns = span_of(at_x, reach_m / dx, (int32_t)RIPPLE_X);

@@ -100,9 +100,8 @@ static uint32_t pair_draw(const struct avoid_party *a, const struct avoid_party 
 
 static void meet_head_on(struct avoid_pair *pair, uint32_t draw)
 {
-    const float side =
-        draw & 1u ? 1.0f : -1.0f; /* Both fish turn to their own left, or both turn to their own
-                                     right. */
+    /* Both fish turn to their own left, or both turn to their own right. */
+    const float side = draw & 1u ? 1.0f : -1.0f;
     pair->a.turn = side;
     pair->b.turn = side;
 }

@@ -19,7 +19,8 @@
  * glide lasts 0.7 to 1.2 s, depending on the fish. */
 int burst_coast_beats(const struct fish *fish, uint32_t tick);
 
-/* Returns 1 at the beginning of a beat, during the kick that turns the fish, otherwise 0. */
+/* Returns 1 during the kick at the beginning of a beat, otherwise 0. The fish turns during the
+ * kick. */
 int burst_coast_kicks(const struct fish *fish, uint32_t tick);
 
 /* Turns the heading of a swimming fish once per kick by a random angle. The standard deviation of

@@ -148,9 +148,8 @@ static float slow_keep(const struct fish *fish, const struct behavior_params *pa
     }
     const int runs_out =
         fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, params);
-    if (params->glides && fish->gait == GAIT_SWIM &&
-        !runs_out) { /* The drag of a glide is dv/dt = -v^2 / D, where D is
-                        burst_coast_glide_m(). */
+    /* The drag of a glide is dv/dt = -v^2 / D, where D is burst_coast_glide_m(). */
+    if (params->glides && fish->gait == GAIT_SWIM && !runs_out) {
         return kept(DT, burst_coast_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
     }
     return runs_out ? kept(DT, RUN_OUT_TAU_S) : kept(DT, SWIM_GLIDE_TAU_S);

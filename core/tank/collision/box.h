@@ -1,8 +1,9 @@
 /* box.h -- oriented boxes: the gap or the penetration depth of two boxes.
  *
- * The functions use the separating-axis theorem. Two boxes are apart exactly if an axis shows a gap
- * between their projections. The fifteen axes to be tested are the face normals of each box and the
- * cross products of an edge of one box and an edge of the other box. */
+ * The functions use the separating-axis theorem. Two boxes are apart exactly if an axis shows a
+ * gap between their projections. Fifteen axes are tested. Six of them are the face normals of
+ * the boxes. The other nine are the cross products of an edge of one box and an edge of the
+ * other box. */
 #ifndef KINGYO_CORE_TANK_COLLISION_BOX_H
 #define KINGYO_CORE_TANK_COLLISION_BOX_H
 

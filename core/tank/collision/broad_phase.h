@@ -1,8 +1,9 @@
 /* broad_phase.h -- the broad phase: finds near fish, advises fish that meet, and lists the fish
  * that could touch.
  *
- * Every array is indexed by fish. A fish that does not swim (on a poi, in a bowl or in reentry) has
- * an element in each array but takes no part in a query. */
+ * Every array is indexed by fish. A fish that does not swim has an element in each array but takes
+ * no part in a query. Such a fish is on a poi (the paper scoop), in a bowl or in reentry
+ * (reentry.h). */
 #ifndef KINGYO_CORE_TANK_COLLISION_BROAD_PHASE_H
 #define KINGYO_CORE_TANK_COLLISION_BROAD_PHASE_H
 
@@ -35,8 +36,8 @@ struct neighbours {
 /* Ticks between full queries, 33 ms, which is also the time between two decisions of a fish. A fish
  * that moves farther than expected causes an earlier query. */
 #define BROAD_PHASE_UPDATE_TICKS 4u
-/* Pairs of fish with a smaller gap could touch while the contact solver moves bodies. By default
- * each body may move by half of this distance. */
+/* Gap below which two fish could touch because the contact solver moves their bodies. By default
+ * the solver may move each body by half of the gap. */
 #define BROAD_PHASE_CONTACT_M 0.002f
 
 /* Two fish whose bodies could touch before the next query. */

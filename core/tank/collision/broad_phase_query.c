@@ -40,8 +40,8 @@ static struct avoid_party party_of(const struct body *body, const struct fish *f
     };
 }
 
-/* Adds a push. The component across the body has its full size and the component along the body
- * half its size, so that a fish pushed from behind does not shoot ahead. */
+/* Adds a push of a fish. The component across the body has its full size. The component along the
+ * body has half its size, so that a fish pushed from behind does not shoot ahead. */
 static void push_apart(struct neighbours *neighbours, vec3 forward, vec3 axis, float speed_m_s)
 {
     const float along = v3_dot(axis, forward);
@@ -214,10 +214,9 @@ void broad_phase_update(struct broad_phase *broad_phase, const struct fish *fish
         .breadth_m = around->size_m.z,
     };
     seek(&look, &of, 1);
-    if (broad_phase->touch_count >
-        broad_phase_contact_max(broad_phase)) { /* The list overflowed. The second search lists only
-                                                   the nearest contacts, and a new query is due
-                                                   soon. */
+    /* The list overflowed. The second search lists only the nearest contacts, and a new query is
+     * due soon. */
+    if (broad_phase->touch_count > broad_phase_contact_max(broad_phase)) {
         seek(&look, &of, 0);
     }
     if (around->ball_spaces && !how.contacts_only) {

@@ -12,8 +12,8 @@
 /* Largest number of rounds of pushes in a substep. Most ticks need two rounds. A dense group of
  * fish that a poi pushes needs all rounds. */
 #define PART_ROUNDS_MAX 12
-/* Round from which vertical pushes are tilted. Pairs that earlier rounds could not separate are
- * jammed. */
+/* Round of the solver from which vertical pushes are tilted, because pairs that earlier rounds
+ * could not separate are jammed. */
 #define TOPPLE_ROUND 5
 #define PART_STEP_MAX_M 0.002f /* Largest push in a round. */
 #define CLEAR_ROUNDS 4u

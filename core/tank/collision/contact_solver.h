@@ -91,8 +91,8 @@ void contact_solver_begin(struct contact_solver *solver, const struct fish *fish
                           uint32_t fish_count);
 
 /* Returns the number of substeps of this tick; called after the fish moved. The number is 1 unless
- * a poi is fast. With more substeps, a fast poi pushes a group of fish at its own speed, and no
- * fish is on the other side of the poi before contact. */
+ * a poi is fast. With more substeps, a fast poi pushes a group of fish at its own speed. With a
+ * single substep, a fast poi could pass a fish without contact. */
 uint32_t contact_solver_substep_count(struct contact_solver *solver,
                                       const struct solver_context *place);
 

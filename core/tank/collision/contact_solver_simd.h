@@ -7,8 +7,8 @@
 #include "core/tank/collision/contact_solver.h"
 
 /* Keeps the bodies of the block that begins at fish `first` within the tank, and sets their
- * `step_max_m` and `play_m`. The caller guarantees that all fish of the block swim, that none gulps
- * or is in the air, and that the substep is the first of the tick. Returns one bit for each fish
+ * `step_max_m` and `play_m`. The caller guarantees that all fish of the block swim and that none
+ * gulps or is in the air. The substep must be the first of the tick. Returns one bit for each fish
  * that an obstacle could touch. The bodies of these fish are unchanged and need the full
  * contact_solver_project(). */
 #define CONTACT_SOLVER_PROJECT(name)                                                               \

@@ -2,11 +2,11 @@
  * number.
  *
  * Bodies are sorted into square cells of the floor plan. The reach of a body is the distance at
- * which it is still found. The cell side is the largest sum of two reaches, so a near body lies in
- * the same cell or in one of the eight cells around it. The side is 8.602 cm for pitching fish of
- * 5 cm with spaces of 7 x 4 x 3 cm (cells of 3.5 cm, as in the 2013 thesis, lose a quarter of the
- * pairs). Searching half of the nine cells suffices, because each pair needs to be found from only
- * one of its fish.
+ * which the search still finds it. The cell side is the largest sum of two reaches. Therefore a
+ * near body lies in the same cell or in one of the eight cells around it. The side is 8.602 cm for
+ * pitching fish of 5 cm with personal spaces of 7 x 4 x 3 cm. The cells of 3.5 cm in the 2013
+ * thesis lose a quarter of the pairs. Half of the nine cells suffices, because each pair needs to
+ * be found from only one of its fish.
  *
  * The search has two steps, both with SIMD. At the density of the 2013 thesis, a fish has 22
  * candidates in the cells. The first step tests balls, heights and sides and leaves 2.9 pairs per

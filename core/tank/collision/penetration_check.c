@@ -82,8 +82,8 @@ static int is_fresh(const struct contact_solver *solver, uint32_t index, uint32_
 
 /* Moves a fish along with an obstacle from its pose at the start of the substep. Fish that move
  * along with an obstacle cannot come nearer to that obstacle. Returns 1 if the fish moved. Returns
- * 0 and leaves the fish unchanged if it was already carried or reverted, if a wall leaves no room,
- * or if the motion exceeds the limit that the query covers. */
+ * 0 and leaves the fish unchanged if the fish already moved along or reverted, or if a wall leaves
+ * no room. Also returns 0 if the motion exceeds the limit that the broad-phase query covers. */
 static int carry(const struct solver_step *all, uint32_t index, uint32_t o, uint32_t round)
 {
     struct contact_solver *solver = all->solver;

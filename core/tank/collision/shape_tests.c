@@ -130,8 +130,9 @@ static struct nearest close_in(struct nearest best, const struct circle *circle)
  * ring's centre, in total `away_m` from it. `middle_m` is the radius of the circle. */
 static int window_of(float in_plane_m, float away_m, float middle_m, float reach_m)
 {
-    const float least =
-        away_m * away_m + middle_m * middle_m - reach_m * reach_m; /* Law of cosines. */
+    /* A point of the circle is within `reach_m` if 2 * middle_m * in_plane_m * cos(angle) > least
+     * (law of cosines). */
+    const float least = away_m * away_m + middle_m * middle_m - reach_m * reach_m;
     int steps = 1;
     while (steps < RING_POINTS / 2 && 2.0f * middle_m * in_plane_m * ring_cos[steps] > least) {
         steps++;
@@ -227,8 +228,8 @@ static float part_of(vec3 v, int i)
 }
 
 /* Returns the point of the box that lies deepest in an ellipsoid. At that point |S (c + R u)| is
- * least, where S holds the inverse half axes, c and R are the centre and axes of the box, and u is
- * within the half sizes. Each of the three coordinates of u is optimised in turn. */
+ * least. S holds the inverse half axes of the ellipsoid, c and R are the centre and axes of the
+ * box, and u is within the half sizes. Each of the three coordinates of u is optimised in turn. */
 static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
 {
     const vec3 axis[3] = { box->axes.right, box->axes.up, box->axes.back };

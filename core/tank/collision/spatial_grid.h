@@ -23,9 +23,8 @@ struct spatial_grid {
     uint32_t columns, rows; /* Number of cells along x and z. columns * rows is at most
                                SPATIAL_GRID_CELL_MAX. */
     uint32_t count;         /* Number of items. */
-    fish_index start[SPATIAL_GRID_CELL_MAX +
-                     1u]; /* First item of each cell. The items of cell c are item[start[c]] to
-                             item[start[c + 1] - 1]. */
+    /* First item of each cell. The items of cell c are item[start[c]] to item[start[c + 1] - 1]. */
+    fish_index start[SPATIAL_GRID_CELL_MAX + 1u];
     fish_index item[TANK_FISH_MAX + SIMD_LANES_MAX];
     fish_index cell_of[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Cell of each member that
                                                            spatial_grid_sort() will sort. */
