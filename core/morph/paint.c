@@ -114,7 +114,7 @@ static void mix_mark(struct mark_mean *mean, const struct species_mark *m, float
 }
 
 /* Paints the marks at index `slot` of the coats over `paint`. A mark that keys share is painted
- * once, between its places in these keys. A mark that the keys do not share fades. */
+ * once, at the mean of its places in these keys. A mark that the keys do not share fades. */
 static void lay_marks(const struct species *species, const float *share, uint32_t slot,
                       const struct mark_point *at, struct paint *paint)
 {

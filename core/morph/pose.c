@@ -22,8 +22,9 @@ vec3 pose_rotate_inverse(struct quat q, vec3 a)
 
 /* Returns the quaternion that rotates the body's axes to the axes x, y and z. The axes are
  * orthogonal unit vectors with y = z cross x. The caller guarantees that z is as close to the
- * body's backward axis as x allows. z.z is then not negative, and w or z is the largest component
- * of the quaternion. The division is therefore never by a small number. */
+ * body's backward axis as x allows, so that z.z is not negative. The largest component of the
+ * quaternion is then w or z, and the code divides by that component. The division is never by a
+ * small number. */
 static struct quat quat_of_axes(vec3 x, vec3 y, vec3 z)
 {
     const float w4 = 1.0f + x.x + y.y + z.z, z4 = 1.0f - x.x - y.y + z.z;

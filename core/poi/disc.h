@@ -25,12 +25,16 @@ float disc_normal_n_s_m(float radius_m, float normal_m_s, float plane_m_s);
  * friction formula of a laminar plate, and counts both faces. */
 float disc_edge_n_s_m(float radius_m, float plane_m_s);
 
-/* Coefficients of a disc that rotates about one of its diameters. The added inertia (kg m^2)
- * belongs to the added mass `added_kg` along the normal. The drag coefficient under water is torque
- * divided by rate (N m s). The pressure (Pa) follows from the mean square of the speed over the
- * disc. Each point of the disc has the C_N of a disc that moves along its normal. */
+/* Returns the added inertia (kg m^2) of a disc that rotates about one of its diameters. `added_kg`
+ * is the added mass of the disc along its normal. */
 float disc_turn_added_kg_m2(float radius_m, float added_kg);
+
+/* Returns the drag torque divided by the rate (N m s) of an immersed disc that rotates about one of
+ * its diameters. Each point of the disc has the C_N of a disc that moves along its normal. */
 float disc_turn_n_m_s(float radius_m, float rate_rad_s);
+
+/* Returns the water pressure (Pa) on an immersed disc that rotates about one of its diameters, from
+ * the mean square of the speed over the disc. */
 float disc_turn_pa(float radius_m, float rate_rad_s);
 
 #endif

@@ -15,7 +15,8 @@
 #include "core/scene.h"
 #include "core/tank/tank.h"
 
-/* Inner radius of the ring; the federation's rules prescribe 80 mm diameter. */
+/* Inner radius of the ring. The rules of the goldfish-scooping federation prescribe a diameter of
+ * 80 mm. */
 #define POI_RADIUS_M 0.040f
 #define POI_OUTER_RADIUS_M 0.0465f
 #define POI_THICKNESS_M 0.003f
@@ -150,7 +151,10 @@ float carried_water_m(const struct poi *poi);
  * water. */
 struct shade_cast poi_shade(const struct poi *poi);
 
+/* Adds all members of the poi that influence the game to `hash`. */
 uint64_t poi_hash(uint64_t hash, const struct poi *poi);
+
+/* Adds the most important members of the poi to `hash`, which is faster than poi_hash(). */
 uint64_t poi_hash_quick(uint64_t hash, const struct poi *poi);
 
 #endif

@@ -11,7 +11,8 @@
 #include "core/scene.h"
 #include "core/tank/tank.h"
 
-/* Radius of the mouth; the federation's rules allow a diameter of at most 160 mm. */
+/* Radius of the mouth. The rules of the goldfish-scooping federation allow a diameter of at most
+ * 160 mm. */
 #define BOWL_RADIUS_M 0.080f
 #define BOWL_DEPTH_M 0.059f
 #define BOWL_HULL_KG 0.030f

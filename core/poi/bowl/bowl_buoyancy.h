@@ -1,9 +1,10 @@
 /* bowl_buoyancy.h -- motion of the bowls under weight, buoyancy, ripples and soft moorings.
  *
  * A bowl sinks by a tenth of a millimetre with each fish and rocks when a fish drops in. A bowl
- * tilts with the slope of the water and drifts back after a push. The federation's rules forbid
- * touching a bowl with the free hand, so that only the ring of a poi (paper scoop) can push a bowl.
- * The ring of any player can push any bowl. Tank walls and other bowls stop a bowl. */
+ * tilts with the slope of the water and drifts back after a push. The rules of the
+ * goldfish-scooping federation forbid players to touch a bowl with the free hand. Therefore only
+ * the ring of a poi (paper scoop) can push a bowl. The ring of any player can push any bowl. Tank
+ * walls and other bowls stop a bowl. */
 #ifndef KINGYO_CORE_POI_BOWL_BOWL_BUOYANCY_H
 #define KINGYO_CORE_POI_BOWL_BOWL_BUOYANCY_H
 

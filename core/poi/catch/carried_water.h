@@ -1,8 +1,8 @@
 /* carried_water.h -- the water that a poi (paper scoop) carries out of the tank, and its drainage.
  *
  * A film clings to both faces of the paper. A pool lies in the sag of the paper. On an upside-down
- * poi, the pool lies in the ring, which is 3 mm high. Only the tank supplies water, so that the
- * mass never rises in air. */
+ * poi, the pool lies in the ring, which is 3 mm high. Only the tank supplies water. The mass of the
+ * carried water therefore never rises in air. */
 #ifndef KINGYO_CORE_POI_CATCH_CARRIED_WATER_H
 #define KINGYO_CORE_POI_CATCH_CARRIED_WATER_H
 

@@ -5,7 +5,7 @@
 #include "core/input.h"
 #include "core/tank/collision/reentry.h"
 
-/* Highest horizontal speed at which a fish that fell beyond a wall is moved back. */
+/* Highest horizontal speed at which a fish that fell beyond a wall moves back over the tank. */
 #define FALL_HOME_M_S 1.5f
 #define PLOP_M 0.004f /* Depth of the dent in the water surface where a fish falls in. */
 

@@ -104,11 +104,14 @@ static inline float sheet_line_m(const struct sheet *sheet, uint32_t line)
 /* Returns the properties of a grade. Asserts that SHEET_GRADE_MIN <= `grade` <= SHEET_GRADE_MAX. */
 const struct paper_grade *sheet_grade(uint8_t grade);
 
-/* Values of a clamped circular membrane under the magnitude of a pressure (Hencky, Poisson's ratio
- * 0.3): the line tension at the centre (N/m), the line tension at the edge (N/m), and the depth of
- * the sag (m). */
+/* Returns the line tension (N/m) at the centre of a clamped circular membrane under the magnitude
+ * of a pressure (Hencky's solution for Poisson's ratio 0.3). */
 float sheet_tension_centre(const struct paper_grade *grade, float pressure_pa, float radius_m);
+
+/* Returns the line tension (N/m) at the edge of the membrane of sheet_tension_centre(). */
 float sheet_tension_edge(const struct paper_grade *grade, float pressure_pa, float radius_m);
+
+/* Returns the depth (m) of the sag at the centre of the membrane of sheet_tension_centre(). */
 float sheet_belly(const struct paper_grade *grade, float pressure_pa, float radius_m);
 
 /* Initializes a dry, whole sheet. `seed` selects the weak spots, the fibre direction and the

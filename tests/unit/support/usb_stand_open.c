@@ -199,7 +199,7 @@ struct libusb_transfer *libusb_alloc_transfer(int packets)
 }
 
 /* Frees a transfer; a submitted transfer is a breach. `num_iso_packets` is 1 while a transfer is
- * submitted, because no interrupt transfer needs it otherwise. */
+ * submitted, because interrupt transfers do not use this field. */
 void libusb_free_transfer(struct libusb_transfer *transfer)
 {
     if (!transfer) {
