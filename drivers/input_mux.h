@@ -21,7 +21,7 @@
 #define INPUT_SOURCE_MAX (3u * POI_MAX)
 #define SLOT_NONE UINT8_MAX
 
-/* Kinds of sources, ordered from best to worst. */
+/* Kinds of sources (controllers), ordered from best to worst. */
 enum input_kind {
     INPUT_KIND_USB = 0, /* A hand-held USB poi, or a USB controller that the operator selected. */
     INPUT_KIND_GAMEPAD,

@@ -1,4 +1,5 @@
-/* debounce.c -- implements the debouncing: accepts a level that was stable for the period. */
+/* debounce.c -- implements the debouncing: accepts a level that was stable for the debounce
+ * period. */
 #include "drivers/gpio/debounce.h"
 
 struct debounce debounce_begin(uint64_t period_ns, bool active, uint64_t now_ns)

@@ -58,7 +58,8 @@ static bool take_late(struct gpio_edge_filter *input, uint64_t time_ns,
     return turned || back_ns == NEVER ? turned : debounce_edge(debounce, back_ns, before, out);
 }
 
-/* Processes a null edge: the line changed and changed back, so the debounce period starts again. */
+/* Processes a null edge (an event without a change of the level). The line changed and changed
+ * back, so the debounce period starts again. */
 static bool take_blink(struct gpio_edge_filter *input, const struct gpio_edge *edge,
                        struct debounce_edge_time *out)
 {

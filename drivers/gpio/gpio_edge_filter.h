@@ -45,11 +45,12 @@ struct gpio_edge_filter {
     /* Time stamp of the last edge if that edge was a null edge on an idle line, otherwise
      * UINT64_MAX. */
     uint64_t blinked_ns;
-    uint64_t told_ns; /* Time at which the null edge of `blinked_ns` was received. */
+    uint64_t told_ns; /* Time at which the GPIO thread received the last null edge. */
     /* Edges up to this time are ignored, because a polled level replaced them. */
     uint64_t believed_ns;
     struct gpio_poll_edges other;
-    uint32_t blinks; /* Number of null edges since gpio_edge_filter_begin(). */
+    uint32_t blinks; /* Number of null edges, which are edge events without a change of the level,
+                        since gpio_edge_filter_begin(). */
     uint32_t late;   /* Number of late edges that a polled level corrected since
                         gpio_edge_filter_begin(). */
     /* Number of null-edge pairs that are either two glitches or a missed pulse. The caller may set

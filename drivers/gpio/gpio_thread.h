@@ -25,7 +25,8 @@ struct gpio_total {
     uint32_t coins[COIN_LINE_COUNT];
     uint32_t too_short, stuck, cut; /* Sums over all coin lines of the counts that coin_mech.h
                                        defines. */
-    /* Pairs of null edges (gpio_edge_filter.h), each either two glitches or a missed coin. */
+    /* Number of pairs of null edges (gpio_edge_filter.h). Each pair is either two glitches or a
+     * missed coin. */
     uint32_t doubtful;
     uint32_t lost_edges, lost_chips;
 };
@@ -54,22 +55,23 @@ struct gpio_thread {
     /* Debounced buttons that are pressed, and buttons that were pressed since the frame loop's last
      * read, one bit for each role. */
     _Atomic uint32_t held, pressed;
-    _Atomic uint32_t coins[COIN_LINE_COUNT];  /* Coins of each line since the frame loop's last
-                                                 read. */
+    _Atomic uint32_t coins[COIN_LINE_COUNT];  /* Number of coins of each line since the frame loop's
+                                                 last read. */
     _Atomic uint32_t faults;                  /* Number of faults since the frame loop's last
                                                  read. */
     _Atomic uint32_t raw;                     /* Levels before debouncing, one bit for each role. */
-    _Atomic uint32_t edges[GPIO_INPUT_COUNT]; /* Edges of each line since the frame loop's last
-                                                 read, including bounces. */
-    _Atomic uint32_t line_faults[GPIO_INPUT_COUNT]; /* Faults of each line since the frame loop's
-                                                       last read. */
+    _Atomic uint32_t edges[GPIO_INPUT_COUNT]; /* Number of edges of each line since the frame loop's
+                                                 last read, including bounces. */
+    _Atomic uint32_t line_faults[GPIO_INPUT_COUNT]; /* Number of faults of each line since the frame
+                                                       loop's last read. */
     _Atomic uint32_t missing; /* Wired lines that are not held, one bit for each role. */
     _Atomic uint32_t wanted;  /* Outputs that the frame loop has set active, one bit for each
                                  role. */
-    /* Pulses of each output that are requested and not yet taken over by the GPIO thread. */
+    /* Number of pulses of each output that are requested and not yet taken over by the GPIO
+     * thread. */
     _Atomic uint32_t pulses[GPIO_OUTPUT_COUNT];
     _Atomic uint32_t owed; /* Sum of the unfinished pulses of all held outputs. */
-    /* Unfinished pulses of each output, whether the output is held or missing. */
+    /* Number of unfinished pulses of each output, whether the output is held or missing. */
     _Atomic uint32_t pending[GPIO_OUTPUT_COUNT];
     _Atomic int stop;
     pthread_t thread;

@@ -18,7 +18,7 @@ struct controller_manager {
     struct hid_mapping_store *book;     /* Mapping store, owned by the caller. */
     struct poi_hid *seat[POI_MAX];      /* Controller of each slot, owned by the caller; null if
                                            the transport has fewer slots. */
-    struct hid_row row[CONTROLLER_MAX]; /* Device list at the last poll. */
+    struct hid_row row[CONTROLLER_MAX]; /* Copy of the device list from the last poll. */
     struct hid_learn learn;
     uint8_t learn_row;
     uint8_t learn_seat;     /* Slot of the controller that is being learned, or POI_MAX if no such

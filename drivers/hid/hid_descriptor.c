@@ -25,9 +25,9 @@ struct reader {
                              start. */
     hid_usage usage_min;
     uint8_t has_usage_min;
-    uint8_t in_delimiter, alternatives; /* 1 between the Delimiter items of a set, and the number of
-                                           usages in the set. Only the first usage of a delimited
-                                           set is used. */
+    /* 1 between the Delimiter items of a set, and the number of usages in the set. Only the first
+     * usage of a delimited set is used. */
+    uint8_t in_delimiter, alternatives;
 };
 
 /* ---- Usages (Local items) ------------------------------------------------------------------- */

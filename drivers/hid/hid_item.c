@@ -1,5 +1,5 @@
-/* hid_item.c -- parses one item: a prefix byte with the size and the type, and little-endian
- * data. */
+/* hid_item.c -- parses one item of a HID report descriptor: a prefix byte with the size and the
+ * type, and little-endian data. */
 #include "drivers/hid/hid_item.h"
 
 /* Prefix of a long item. A size byte, a tag byte and data follow (HID 1.11, section 6.2.2.3). */

@@ -75,9 +75,8 @@ static int is_bare_button(const struct hid_group *group)
 static void set_ends(struct hid_binding *binding, const struct hid_group *group, int turned)
 {
     const uint32_t bits = group->bit_size - (group->logical_min < 0);
-    const int64_t most = ((int64_t)1 << bits) - 1; /* Largest value that fits into the field.
-                                                      Some descriptors declare a larger logical
-                                                      maximum. */
+    /* Largest value that fits into the field. Some descriptors declare a larger logical maximum. */
+    const int64_t most = ((int64_t)1 << bits) - 1;
     const int64_t low = group->logical_min;
     const int64_t high =
         group->logical_max < most && !is_bare_button(group) ? group->logical_max : most;

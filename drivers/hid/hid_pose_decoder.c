@@ -217,7 +217,8 @@ static int lead(struct hid_pose_decoder *hand, const struct hid_raw *raw, struct
         return 0;
     }
     if (!hid_axis_decoder_read(hand, id, report)) {
-        return 0; /* The mapping binds no field of the report, for example of a battery report. */
+        return 0; /* The mapping binds no field of the report. For example, the report has only the
+                     state of a battery. */
     }
     if (hand->map.style == HID_STYLE_POINTER) {
         point(hand);

@@ -76,11 +76,11 @@ struct gpio_lines_sim {
         uint64_t stamp_ns;      /* Time stamp of the edge that the kernel serves. */
         uint32_t number;        /* Number of edges so far, including dropped edges. */
         uint32_t seen;          /* Number of the last edge that was read. */
-        uint8_t was_full, last; /* 1 if the last read found a full queue (`was_full`), and level
-                                   after the last edge that was read (`last`). Losses are inferred
-                                   from these fields as in gpio_lines1.c. */
-        uint32_t first, count;  /* Position of the oldest edge in `queue`, and number of edges in
-                                   `queue`. */
+        /* 1 if the last read found a full queue (`was_full`), and level after the last edge that
+         * was read (`last`). Losses are inferred from these fields as in gpio_lines1.c. */
+        uint8_t was_full, last;
+        uint32_t first, count; /* Position of the oldest edge in `queue`, and number of edges in
+                                  `queue`. */
         struct {
             uint64_t time_ns;
             uint32_t number;

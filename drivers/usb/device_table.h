@@ -11,24 +11,26 @@
 struct device_table {
     struct hid_row row[CONTROLLER_MAX];
     char text[HAL_TEXT_SIZE]; /* Text that hid_device_list_ops.describe() returns. */
-    uint32_t wanted_count;    /* Number of keys (usb_choice.h) that are selected to play, whether
-                                 their controllers are present or not. */
+    /* Number of keys in `wanted`. Each key (usb_choice.h) names a controller that is selected to
+     * play, whether the controller is present or not. */
+    uint32_t wanted_count;
     struct usb_key wanted[USB_REQUEST_MAX];
 };
 
 void device_table_init(struct device_table *rows);
 
 /* Assigns a row to a new controller, with the state CONTROLLER_FREE, or CONTROLLER_UNSUPPORTED if
- * `is_barred` is 1. Returns the row, or CONTROLLER_MAX if there is none.
+ * `is_barred` is 1. `is_barred` means that the kiosk must not use the controller, for example a
+ * keyboard. Returns the row, or CONTROLLER_MAX if there is none.
  *
- * The row of the same lost controller is preferred, then an empty row, then a row with
- * CONTROLLER_UNSUPPORTED, then the row of a different lost controller. A barred controller gets an
- * empty row only while more than POI_MAX rows are empty. */
+ * The row of the same controller is preferred if the controller was lost, then an empty row, then a
+ * row with CONTROLLER_UNSUPPORTED, then the row of a different lost controller. If `is_barred` is
+ * 1, the controller gets an empty row only while more than POI_MAX rows are empty. */
 uint32_t device_table_enter(struct device_table *rows, const struct hid_identity *identity,
                             int is_barred);
 
-/* Returns the row of exactly this controller, whether present or lost, or CONTROLLER_MAX if there
- * is none. */
+/* Returns the row of the controller with exactly this identity, whether present or lost, or
+ * CONTROLLER_MAX if there is none. */
 uint32_t device_table_find(const struct device_table *rows, const struct hid_identity *identity);
 
 /* Empties a row. */

@@ -170,8 +170,8 @@ static int usb_device_read_descriptors(struct usb_device *device,
 void usb_device_refresh(struct usb_device *device, const struct usb_evaluation *judge)
 {
     if (usb_device_read_descriptors(device, judge)) {
-        /* A device that cannot be read is barred. Its configuration changed, or it is being
-         * unplugged. */
+        /* A device that cannot be read must not be claimed. Its configuration changed, or it is
+         * being unplugged. */
         device->verdict = USB_BARRED;
     }
 }

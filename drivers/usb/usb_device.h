@@ -13,7 +13,7 @@
 #include "drivers/usb/usb_choice.h"
 #include "drivers/usb/usb_transfers.h"
 
-/* Reason why a controller that may play cannot play. */
+/* Fault that keeps a selected controller from playing. */
 enum usb_device_fault {
     USB_FINE = 0,
     USB_DENIED, /* The kiosk has no permission to open the device. */

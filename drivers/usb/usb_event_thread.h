@@ -127,7 +127,8 @@ uint64_t usb_event_thread_due_ns(const struct usb_event_thread *usb_thread);
 void usb_event_thread_report_fault(struct usb_event_thread *usb_thread,
                                    struct usb_device_entry *entry);
 
-/* Publishes the rows and the keys of the selected controllers if they changed. */
+/* Publishes the rows of the device list and the keys of the selected controllers, if they
+ * changed. */
 void usb_event_thread_publish(struct usb_event_thread *usb_thread);
 
 #endif

@@ -53,8 +53,8 @@ static struct usb_device_entry *find_room(struct usb_event_thread *usb_thread,
     return room;
 }
 
-/* Assigns a row to the entry. If another entry had the row because its controller was lost, that
- * entry gets a new row later. */
+/* Assigns a row to the entry. The row may have belonged to the lost controller of another entry.
+ * Such an entry gets a new row later. */
 static void give_row(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
     entry->row = device_table_enter(&usb_thread->rows, &entry->device.face.identity,
