@@ -22,7 +22,7 @@ static void glow(struct colour *at, struct colour light, float amount)
     at->b += light.b * amount;
 }
 
-/* Adds two strings of lanterns across the far side and one above the player's head. */
+/* Adds two strings of lanterns at the far side of the stall and one above the player's head. */
 static void add_lanterns(struct colour *at, float x, float y, float z)
 {
     static const struct colour paper = { 1.0f, 0.56f, 0.22f }, red = { 1.0f, 0.26f, 0.12f };
@@ -59,7 +59,7 @@ static struct colour sky(float x, float y, float z)
     return at;
 }
 
-/* Adds the beam and the edge of the striped awning over the far side of the stall. */
+/* Adds the striped awning at the far side of the stall: its beam and its edge. */
 static void add_awning(struct colour *at, float x, float y, float z)
 {
     const float up = y / fmaxf(-z, 0.02f); /* Tangent of the elevation angle in the direction -z. */

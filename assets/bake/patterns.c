@@ -35,7 +35,7 @@ struct design {
 static const struct design designs[PATTERN_LAYERS] = {
     /* All red, the most common pattern of a wakin (common goldfish). */
     { .base = 1.0f },
-    /* Red back, pale belly. */
+    /* Red back and pale belly. */
     { .base = 1.0f, .belly = 0.36f, .ragged = 0.10f },
     /* Red with a white saddle around the middle of the body. */
     { 0.0f, 0.22f, 0.15f, { { 0.12f, 0.0f, 0.25f, 0.60f }, { 0.80f, 0.0f, 0.26f, 0.60f } } },

@@ -15,8 +15,8 @@ struct connectors {
     uint64_t which;     /* Hash of the set of connectors with a screen. 0 means the empty set. */
 };
 
-/* Returns the connectors below `root`, a directory like /sys/class/drm. Returns no connectors if
- * the directory cannot be read. */
+/* Reads the connectors from `root`, a directory like /sys/class/drm. Returns 0 connectors if the
+ * directory cannot be read. */
 struct connectors connectors_read(const char *root);
 
 #endif

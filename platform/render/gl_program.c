@@ -31,7 +31,7 @@ GLuint gl_compile(struct gl_status *status, const char *name, GLenum stage,
 GLuint gl_link(struct gl_status *status, const char *name, GLuint vertex, GLuint fragment)
 {
     if (!vertex || !fragment) {
-        return 0; /* The status already names the failed shader. */
+        return 0; /* gl_compile() has already stored the name of the failed shader in the status. */
     }
     const GLuint program = glCreateProgram();
     glAttachShader(program, vertex);

@@ -1,4 +1,4 @@
-/* gl_util.c -- error status, textures, buffers and render targets. */
+/* gl_util.c -- implementation of gl_util.h: error status, textures, buffers and render targets. */
 #include "platform/render/gl_util.h"
 
 #include <stdarg.h>

@@ -78,7 +78,7 @@ struct gl_target {
     GLuint depth;   /* Depth renderbuffer. 0 means no depth. */
     GLuint resolve; /* Framebuffer of `texture`, which gl_target_resolve() fills. 0 means no
                        multisampling. */
-    GLuint texture; /* Texture that later passes sample. */
+    GLuint texture; /* Texture of the drawn picture, from which later passes read. */
 };
 
 struct gl_target_desc {

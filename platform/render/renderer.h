@@ -38,10 +38,10 @@ struct renderer_config {
 
 /* The steps of drawing a frame, for measurements of their duration. */
 enum render_step {
-    STEP_PREPARE = 0, /* Sorting and uploads. */
+    STEP_PREPARE = 0, /* Sorting of the fish, and uploads. */
     STEP_LIGHT,       /* Caustics and shadows. */
     STEP_GROUND,      /* Floor and walls. */
-    STEP_LIFE,        /* Fish, and the parts of poi and bowl under water. */
+    STEP_LIFE,        /* Fish, and the parts of pois and bowls that are below the water surface. */
     STEP_SURFACE,     /* Water surface. */
     STEP_ABOVE,       /* Bowls, rim, counter, and the pois and fish that are above the water. */
     STEP_UI,
@@ -75,7 +75,8 @@ struct renderer {
     struct gl_target ground, life;
     struct gl_target screen; /* Multisampled target of the screen. Without multisampling, its
                                 framebuffer is 0, the default framebuffer. */
-    uint8_t row[RENDERER_WIDTH_MAX * 4u]; /* Row buffer for reading back a captured image. */
+    uint8_t row[RENDERER_WIDTH_MAX * 4u]; /* Buffer of one pixel row, used to read back a captured
+                                             image. */
     /* Optional callback after each step. A benchmark calls glFinish() in the callback and reads a
      * clock. */
     void (*on_step)(void *context, enum render_step step);

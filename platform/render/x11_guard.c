@@ -58,7 +58,7 @@ void x11_guard(SDL_Window *window, void (*on_broken)(void *context), void *conte
     if (library) {
         guard = (struct guard){ .on_broken = on_broken, .context = context };
         install(library, info.info.x11.display);
-        dlclose(library); /* SDL keeps the library open. */
+        dlclose(library); /* SDL also has the library open, so that the functions remain loaded. */
     }
 }
 #else

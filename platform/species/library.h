@@ -19,7 +19,7 @@
 #define LIBRARY_SLOT_NONE 255u
 
 struct library_line {
-    char file[LIBRARY_FILE_SIZE]; /* File name without the folder. */
+    char file[LIBRARY_FILE_SIZE]; /* Name of the file, without its folder. */
     uint8_t slot;                 /* Slot of the species. LIBRARY_SLOT_NONE means that the file was
                                      rejected. */
     char why[VALIDATE_WHY_SIZE];  /* Reason of the rejection. "" means that the file was

@@ -8,7 +8,8 @@
 #define FIN_SINK 0.014 /* Depth of fin roots below the skin, so that no gap is visible. */
 /* Minimum visible length of a ray, because a shorter ray has no usable normal. */
 #define SHOWN_MIN 0.004
-#define SINK_SHARE 0.3  /* Maximum depth of fin roots, as a fraction of a thin body's thickness. */
+/* Upper limit of FIN_SINK in a thin body, as a fraction of the body's thickness. */
+#define SINK_SHARE 0.3
 #define TAIL_SINK 0.035 /* Distance from the last ring forward to the start of the tail's rays. */
 /* Upper limit of TAIL_SINK in a fish with a thin tail stalk, as a multiple of the stalk's depth. */
 #define STALK_SINK 1.2
@@ -215,7 +216,8 @@ static v3d on_flank(const struct key_text *key, v3d p)
     return (v3d){ p.x * k, middle + (p.y - middle) * k, p.z };
 }
 
-/* Returns the root of a ray, or a point of its visible part. */
+/* Returns the root of a ray (along = 0), or a point of the ray's visible part. Ignores the merging
+ * of an eel's fins. */
 static v3d own_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     if (along <= 0.0) {
@@ -228,8 +230,8 @@ static v3d own_point(const struct key_text *key, enum species_part part, double 
     return ray_point(key, part, at, exit + (1.0 - exit) * along);
 }
 
-/* Returns the fraction by which an eel's dorsal or anal fin has merged with its tail fin, [0,
- * 1]. */
+/* Returns the fraction by which an eel's dorsal or anal fin has merged with its tail fin,
+ * [0, 1]. */
 static double joined(const struct key_text *key, enum species_part part, double at)
 {
     if (!key->confluent || (part != PART_DORSAL && part != PART_ANAL)) {

@@ -1,4 +1,5 @@
-/* text_check.c -- checks that a whole species can be lofted. */
+/* text_check.c -- checks that a species text is complete and consistent, so that the species can be
+ * lofted. */
 #include "platform/species/reader.h"
 
 #include "core/morph/morph.h"

@@ -122,7 +122,7 @@ static bool read_bearer(const struct species_reader *r, struct species_mark *m)
     return true;
 }
 
-/* Parses `mark KIND PART COLOUR [SETTING NUMBER] ..`. */
+/* Parses `mark KIND PART COLOUR [SETTING NUMBER] ..`: a mark on a part of the fish. */
 bool text_read_mark(struct species_reader *r)
 {
     struct species_coat *coat = &r->key->coat;

@@ -86,7 +86,7 @@ static bool graph_open(const struct species_reader *r, bool from_knot)
     return true;
 }
 
-/* Parses `knot PROGRESS W1 W2 ..`. */
+/* Parses `knot PROGRESS W1 W2 ..`: the weight of each key at a progress through life. */
 bool text_read_knot(struct species_reader *r)
 {
     struct graph *graph = &newest(r)->graph;

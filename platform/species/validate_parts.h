@@ -9,7 +9,7 @@
 
 struct vetting {
     const struct species *species;
-    char *why; /* Buffer of VALIDATE_WHY_SIZE bytes. */
+    char *why; /* Buffer of VALIDATE_WHY_SIZE bytes for the reason of a rejection. */
 };
 
 /* Writes the reason to `why` and returns false. */

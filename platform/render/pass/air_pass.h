@@ -1,4 +1,5 @@
-/* air_pass.h -- the air stone on the tank's floor, and its bubbles while the air pump runs. */
+/* air_pass.h -- draws the air stone on the tank's floor, and its bubbles while the air pump
+ * runs. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_AIR_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_AIR_PASS_H
 

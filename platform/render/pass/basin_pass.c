@@ -14,7 +14,7 @@ struct corner {
 };
 
 struct face {
-    float a[3], b[3], c[3], d[3]; /* Corners in order around the face. */
+    float a[3], b[3], c[3], d[3]; /* Corners of the face, in order around the face. */
     float normal[3];
 };
 

@@ -30,7 +30,7 @@ struct fish_instance {
 
 struct fish_program {
     GLuint name;
-    GLint reach; /* Location of the uniform `reach`. */
+    GLint reach; /* Location of the shader uniform `reach`, the unit of the packed positions. */
 };
 
 struct fish_pass {
@@ -39,7 +39,7 @@ struct fish_pass {
     GLuint instance_buffer;
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
     struct fish_poses poses[SPECIES_LOD_COUNT];
-    struct morph_rig rig; /* Rig with the species' own curves. */
+    struct morph_rig rig; /* Prepared deformation graphs of the species. */
     uint32_t first[FISH_GROUP_COUNT], count[FISH_GROUP_COUNT];
     uint16_t order[SCENE_FISH_MAX]; /* Scene indices of the fish, in ascending order of height. */
     uint8_t group[SCENE_FISH_MAX];

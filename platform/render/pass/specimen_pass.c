@@ -10,7 +10,7 @@
 
 #define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"
 #define SAMPLERS "paints shines patterns"
-#define NEAR_PX 150.0f /* A fish shorter than this is drawn from the far mesh. */
+#define NEAR_PX 150.0f /* Length in pixels below which a fish is drawn with the far mesh. */
 /* Maximum distance, in body lengths, by which swimming moves a vertex out of the mesh's reach. */
 #define SWAY_LENGTHS 0.3f
 #define WORK_NS 10000000u /* Time in ns for painting per frame while a visible texture is coarse. */

@@ -20,7 +20,8 @@
 #define SPECIMEN_OTHERS 2u
 #define SPECIMEN_SLOTS (SPECIES_BUILT_IN + SPECIMEN_OTHERS)
 
-/* Uniform locations of the display geometry. */
+/* Locations of the shader uniforms for the screen size and for the rotation and position of the
+ * picture. */
 struct specimen_screen {
     GLint size, turn, move;
 };
@@ -40,7 +41,7 @@ struct specimen_slot {
     struct fish_texture *worn; /* Texture with which the species is drawn: the slot's own texture,
                                   or the texture of a built-in species with identical paint. */
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
-    struct morph_rig rig; /* Rig with the species' own curves. */
+    struct morph_rig rig; /* Prepared deformation graphs of the species. */
     struct fish_texture skin;
 };
 

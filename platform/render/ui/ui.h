@@ -24,10 +24,11 @@ struct ui {
     struct ui_memory memory;
     uint32_t programs[UI_KIND_COUNT];                 /* OpenGL programs, one for each enum
                                                          ui_kind. */
-    int32_t to_clip[UI_KIND_COUNT];                   /* Uniform locations of the factors from
-                                                         pixels to clip space. */
-    int32_t turn[UI_KIND_COUNT], move[UI_KIND_COUNT]; /* Uniform locations of the display
-                                                         geometry. */
+    int32_t to_clip[UI_KIND_COUNT];                   /* Locations of the shader uniforms for the
+                                                         factors from pixels to clip space. */
+    int32_t turn[UI_KIND_COUNT], move[UI_KIND_COUNT]; /* Locations of the shader uniforms for the
+                                                         rotation and the position of the
+                                                         picture. */
     uint32_t vertex_array, vertex_buffer, index_buffer;
     uint32_t font_texture, paper_texture;
 };

@@ -80,7 +80,8 @@ static void mode_tag(const struct ui_frame *frame, const struct scene *scene, fl
     frame->batch->opacity = 1.0f;
 }
 
-/* Raises the curtain, then counts three seconds down in a ring over the water. */
+/* Draws the start of a round: the curtain rises, then a ring over the water counts down three
+ * seconds. */
 void ui_ready(const struct ui_frame *frame, const struct scene *scene,
               const struct ui_memory *memory)
 {

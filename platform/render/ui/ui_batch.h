@@ -28,8 +28,8 @@ enum ui_kind {
                        colour `line`. */
     UI_GLOW = 5,    /* A glow. `shape` is: half width, half height, 1 to add light or 0 to cover. */
     UI_LANTERN = 6, /* A paper lantern. `shape` is: half width, half height, brightness [0, 1]. */
-    UI_FISH = 7,    /* A goldfish. `shape` is: half width, half height, deflection of the tail [-1,
-                       1]. */
+    UI_FISH = 7,    /* A goldfish. `shape` is: half width, half height, deflection of the tail
+                       [-1, 1]. */
     UI_POI = 8,     /* A poi (paper scoop). `shape` is: radius of the ring, fraction of the paper
                        that is left [0, 1]. */
     UI_WOOD = 9,    /* Planed wood. `shape` is the same as for UI_PANEL. */

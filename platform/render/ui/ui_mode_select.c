@@ -1,4 +1,4 @@
-/* ui_mode_select.c -- the mode selection: wooden tags that hang side by side from a pole. */
+/* ui_mode_select.c -- draws the mode selection: wooden tags that hang side by side from a pole. */
 #include <math.h>
 
 #include "core/game/game.h"

@@ -1,4 +1,4 @@
-/* ui_result.c -- the result screen: the catch and the stallkeeper's comment. */
+/* ui_result.c -- draws the result screen: the catch and the stallkeeper's comment. */
 #include <math.h>
 #include <stdio.h>
 

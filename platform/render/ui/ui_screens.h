@@ -1,4 +1,5 @@
-/* ui_screens.h -- the screen layouts of each phase of the game. Uses no OpenGL. */
+/* ui_screens.h -- fills the batch of quads with the screen of each phase of the game. Uses no
+ * OpenGL. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_UI_SCREENS_H
 #define KINGYO_PLATFORM_RENDER_UI_UI_SCREENS_H
 
@@ -12,13 +13,14 @@
 /* Last values shown by the screens, so that a change can fade in. Zero is a valid initial value. */
 struct ui_memory {
     uint32_t hint_tick;            /* Tick of the last change of the hint. */
-    uint32_t caught_tick[POI_MAX]; /* Tick of the last change of each player's catch. */
+    uint32_t caught_tick[POI_MAX]; /* Tick of the last change of each player's number of caught
+                                      fish. */
     uint32_t caught[POI_MAX];
     uint32_t pointed_tick;           /* Tick of the last change of the selected mode. */
     uint8_t pointed, pointed_before; /* Selected mode, and the mode that was selected before it. */
     uint8_t hint;
     const struct library *library; /* Library of the makers' species. Null means none. */
-    struct ui_lab_preview bench;   /* State of the growth lab's picture. */
+    struct ui_lab_preview bench;   /* State of the growth lab between frames. */
 };
 
 /* Records the values of `scene` without drawing them, so that the next picture fades in from

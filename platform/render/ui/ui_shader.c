@@ -65,7 +65,7 @@ const char *const ui_fragment_head =
 
 #define PANEL "void main() { colour = framed(inner); }\n"
 
-/* Paper cards have a second, finer line inside their border. */
+/* Paper. A card has a second, finer line inside its border. */
 #define WASHI                                                                                      \
     "void main() {\n"                                                                              \
     "    float f = fibre(at * 0.0034) - 0.5;\n"                                                    \
@@ -142,7 +142,7 @@ const char *const ui_fragment_head =
     "    colour = vec4(light.rgb, light.a * (1.0 - s.z));\n"                                       \
     "}\n"
 
-/* Lantern: bamboo ribs under paper, brightest at the candle. */
+/* Lantern: paper over bamboo ribs, brightest at the candle. */
 #define LANTERN                                                                                    \
     "void main() {\n"                                                                              \
     "    vec2 q = at / s.xy;\n"                                                                    \

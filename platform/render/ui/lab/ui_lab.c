@@ -1,4 +1,5 @@
-/* ui_lab.c -- the growth lab: an aquarium at night beside a sheet of paper with graphs. */
+/* ui_lab.c -- draws the screen of the growth lab: an aquarium at night beside a sheet of paper with
+ * graphs. */
 #include "platform/render/ui/lab/ui_lab.h"
 
 #include <math.h>

@@ -31,7 +31,7 @@ struct ui_lab_preview {
     uint32_t edition;              /* Number that increases with each selection of a species. */
     struct species_card card;      /* Copy of the species card from which the other fields were
                                       computed. */
-    struct morph_rig rig;          /* Rig with the edited graphs. */
+    struct morph_rig rig;          /* Prepared deformation graphs with the player's edits. */
     struct morph_rig ordinary_rig;
     struct species ordinary;
     struct straight_memory memory;

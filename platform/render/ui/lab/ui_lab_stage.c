@@ -1,5 +1,5 @@
-/* ui_lab_stage.c -- the aquarium: the fish at its age, its ruler, its comparison fish, and the
- * trajectories of points. */
+/* ui_lab_stage.c -- draws the aquarium of the growth lab (its stage): the fish at its age, its
+ * ruler, its comparison fish, and the trajectories of points of the fish. */
 #include <math.h>
 #include <stdio.h>
 
@@ -25,7 +25,8 @@
 
 /* ---- Area of a fish ------------------------------------------------------------------------- */
 
-/* Area of one fish: the whole stage or half of it. */
+/* Area of one fish on the screen: the whole stage, or half of the stage beside a comparison
+ * fish. */
 struct tank_room {
     struct ui_box box;
     float ruler_y;

@@ -1,5 +1,5 @@
-/* ui_menu_axes.c -- the six axes of each slot's controller as reported: position over the tank,
- * rotation, report rate and longest silence. */
+/* ui_menu_axes.c -- draws, for the controller of each slot, its reported position over the tank,
+ * its rotation, its report rate and its longest silence. */
 #include <math.h>
 #include <stdio.h>
 

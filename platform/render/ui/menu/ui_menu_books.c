@@ -1,4 +1,5 @@
-/* ui_menu_books.c -- the account books on paper: earnings, plays and faults. */
+/* ui_menu_books.c -- draws the pages of the account books: earnings, plays, plays by hour, and
+ * faults. */
 #include <math.h>
 #include <stdio.h>
 
@@ -149,7 +150,7 @@ void menu_machine(const struct menu_view *view)
 
 /* ---- Page of the numbers of plays ----------------------------------------------------------- */
 
-/* Draws a table with a row for each mode and a column for each paper. */
+/* Draws a table of plays with a row for each mode and a column for each paper grade. */
 static void by_mode(const struct menu_view *view, struct ui_box box)
 {
     static const enum text_key modes[MODE_COUNT] = { TEXT_FESTIVAL, TEXT_CHAMPIONSHIP,

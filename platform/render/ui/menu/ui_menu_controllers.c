@@ -1,4 +1,4 @@
-/* ui_menu_controllers.c -- the list of controllers, and the page of one controller. */
+/* ui_menu_controllers.c -- draws the list of controllers, and the page of one controller. */
 #include <stdio.h>
 
 #include "platform/render/ui/menu/ui_menu.h"

@@ -27,7 +27,7 @@ static const struct step_words steps[LEARN_STEP_COUNT] = {
     [LEARN_NOT_SAVED] = { TEXT_LEARN_UNKEPT, TEXT_LEARN_UNKEPT_WORDS, 0.0f, 0.0f },
 };
 
-/* Positions of the page's parts. */
+/* Positions of the parts of the page, on the canvas. */
 struct places {
     struct layout_box basin, name, words, dots;
 };
@@ -96,7 +96,7 @@ static void water(const struct menu_view *view, struct ui_box box, int from_the_
                                  .shape = { 0, 0, 10.0f * u, view->frame.time_s } });
 }
 
-/* Draws the step's progress, [0, 1], as a ring round the demonstrating poi. */
+/* Draws the progress of the current step, [0, 1], as a ring round the demonstrating poi. */
 static void progress_ring(const struct menu_view *view, float x, float y, float part)
 {
     const float u = view->frame.unit, radius = 78.0f * u;

@@ -82,7 +82,7 @@ void menu_ranking(const struct menu_view *view)
     }
 }
 
-/* Draws one score above the tags of its actions. */
+/* Draws one score. The tags below it are the operator's actions on the score. */
 void menu_score(const struct menu_view *view)
 {
     const int upright = view->menu->upright;

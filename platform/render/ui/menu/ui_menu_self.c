@@ -48,7 +48,7 @@ static const struct places upright_places = {
 };
 _Static_assert(SELF_CHECKS == 14u, "both sheets have a row for each check");
 
-/* A text and the number that replaces its {}. */
+/* A text key and the number that replaces the {} in its text. */
 struct said {
     enum text_key key;
     uint32_t number;
