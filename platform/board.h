@@ -38,7 +38,7 @@ enum board_keyboard {
 struct library;
 
 struct board_options {
-    uint8_t poi;        /* Controller to use (enum board_poi). */
+    uint8_t poi;        /* Controller that plays (enum board_poi). */
     uint32_t usb_count; /* Number of USB controllers that may play without being selected in the
                            menu. */
     const char (*usb)[BOARD_USB_SIZE];

@@ -7,8 +7,9 @@
  * continues. An absent device gets a null driver (drivers/null.c). No function pointer is null,
  * unless its comment permits null.
  *
- * poi = the paper scoop and the controller that moves it; slot = the place of one of up to four
- * controllers; tick = 1/120 s; ledger = the append-only list of money events and rounds. */
+ * A poi is the paper scoop and the controller that moves it. A slot is the place of one of up to
+ * four controllers. A tick is 1/120 s. The ledger is the append-only list of money events and
+ * rounds. */
 #ifndef KINGYO_PLATFORM_HAL_H
 #define KINGYO_PLATFORM_HAL_H
 
@@ -58,7 +59,7 @@ struct hal_image {
 
 /* Events of the windowing system since the last poll. */
 struct display_events {
-    uint8_t quit;    /* 1 if the user closed the window or the session ends. */
+    uint8_t quit;    /* 1 if the user closed the window or the desktop session ends, otherwise 0. */
     uint8_t lost;    /* 1 in every poll after the display was lost permanently, otherwise 0. */
     uint8_t upright; /* 1 while width / height of the window is less than POINTER_UPRIGHT_ASPECT,
                         otherwise 0. */
@@ -78,8 +79,8 @@ struct hal_display_ops {
                                                             invalid. */
     /* Draws `scene` and presents the frame. May wait for the screen's vertical synchronization. */
     int (*present)(void *self, const struct scene *scene);
-    /* Sets the transform from the picture to the screen for all later frames. Copies
-     * `display_settings`. */
+    /* Sets the rotation, margins and brightness of the picture on the screen for all later frames.
+     * Copies `display_settings`. */
     void (*set_transform)(void *self, const struct display_settings *display_settings);
     /* Switches between window mode and full-screen mode. */
     int (*toggle_full_screen)(void *self);
@@ -93,7 +94,7 @@ struct hal_display_ops {
 
 /* One decoded controller report: a pose and its arrival time. */
 struct poi_sample {
-    uint64_t time_ns;    /* Arrival time on the clock of hal_clock_ops. */
+    uint64_t time_ns;    /* Arrival time in nanoseconds on the clock of hal_clock_ops. */
     uint8_t was_stamped; /* 1 if a report arrived at `time_ns`; 0 if the driver synthesized the
                             sample between two reports or for a controller at rest. */
     uint8_t has_wrist;
@@ -114,7 +115,7 @@ struct hal_poi_ops {
     /* Sets the force feedback. The kiosk calls set_force() once per frame, with the strongest force
      * of all ticks in the frame (output_merge_force()). */
     int (*set_force)(void *self, const struct poi_force *force);
-    /* Sets the camera view and the display transform for all later samples. A pointer device uses
+    /* Sets the camera view and the display settings for all later samples. A pointer device uses
      * both to convert a screen position to a tank position. Copies both structures. */
     void (*set_view)(void *self, const struct view *view,
                      const struct display_settings *display_settings);
@@ -179,8 +180,8 @@ struct hal_seats_ops {
 enum hal_switch {
     HAL_START_LAMP = 0,
     HAL_COIN_LOCKOUT, /* Coin lockout. The driver rejects coins until the first call of set(). */
-    HAL_TICKET,       /* One pulse issues one ticket. */
-    HAL_COIN_COUNTER, /* One pulse advances the meter by one. */
+    HAL_TICKET,       /* Ticket dispenser. One pulse issues one ticket. */
+    HAL_COIN_COUNTER, /* Coin counter. One pulse advances the counter by one. */
     HAL_SWITCH_COUNT,
 };
 
@@ -203,13 +204,13 @@ struct hal_switches_ops {
  * which the operator selects the controllers that may play. */
 #define HAL_CONTROLLER_TEXT 48u
 struct hal_controllers_ops {
-    /* Writes the connected controllers and the current state of mapping learning. The kiosk calls
-     * poll() once per frame. */
+    /* Writes the connected controllers and the state of the learn wizard, which learns the mapping
+     * of an unknown controller. The kiosk calls poll() once per frame. */
     int (*poll)(void *self, struct controller_status *out);
     /* Returns a UTF-8 name, for example "057e:2009 Pro Controller, port 3-1.2", or "" for an empty
      * row. */
     const char *(*name)(void *self, uint32_t row);
-    /* Executes an operator command on a controller. */
+    /* Executes a command that the operator's menu sends to a controller. */
     int (*command)(void *self, const struct controller_command *command);
     const char *(*describe)(void *self);
 };
@@ -257,15 +258,14 @@ struct hal_storage_ops {
     int (*replay_fetched)(void *self);
     int (*has_replay)(void *self, uint32_t round_id); /* Returns 1 if the replay of the ranked round
                                                          `round_id` is on disk, otherwise 0. */
-    int (*store_edit)(void *self, const struct graph_edit_record *edit); /* Queues an edit
-                                                                            record; otherwise as
-                                                                            append(). */
-    uint32_t (*stored_edit_id)(void *self);                              /* Returns the id of the
-                                                                            newest edit on disk. */
-    int (*edits_failed)(void *self);       /* Returns 1 if edits cannot be stored, or if the last
-                                              write of an edit failed, otherwise 0. */
-    uint32_t (*refused_count)(void *self); /* Returns the number of writes that failed since
-                                              open(). */
+    /* Queues an edit of the growth lab. Copies `edit`. Returns HAL_ERR_BUSY if the queue is full;
+     * the caller retries in the next frame. */
+    int (*store_edit)(void *self, const struct graph_edit_record *edit);
+    uint32_t (*stored_edit_id)(void *self); /* Returns the id of the newest edit that is on disk. */
+    int (*edits_failed)(void *self);        /* Returns 1 if edits cannot be stored, or if the
+                                               last write of an edit failed, otherwise 0. */
+    uint32_t (*refused_count)(void *self);  /* Returns the number of writes that failed since
+                                               open(). */
     int (*is_healthy)(
         void *self); /* Returns 1 if entries are stored and the last write succeeded, otherwise
                         0. */

@@ -8,10 +8,10 @@
 #include <signal.h>
 
 /* Installs the signal handlers. The calling thread gets a separate signal stack, because its own
- * stack may have overflowed. `last_wish` is the panic handler. It gets `self` and the reason:
- * "FILE:LINE: not so: CONDITION" or the signal's name. The handler must report the reason and may
- * call async-signal-safe functions only. If `last_wish` is null, panic_report() writes one line to
- * standard error. */
+ * stack may have overflowed. `last_wish` is the panic handler, which is called with `self` and the
+ * reason: "FILE:LINE: not so: CONDITION" or the signal's name. The handler must report the reason
+ * and may call async-signal-safe functions only. If `last_wish` is null, panic_report() writes one
+ * line to standard error. */
 void panic_prepare(void (*last_wish)(void *self, const char *reason), void *self);
 
 /* Calls the panic handler of panic_prepare(), or writes one line if there is no handler. Only the

@@ -30,7 +30,7 @@ enum {
 _Static_assert(AT_ATTEMPT + 4 <= AT_SUM && AT_SUM + 8 == PANICS_SIZE,
                "all fields have their place");
 
-/* ---- Time ---------------------------------------------------------------------------------- */
+/* ---- Boot id and uptime -------------------------------------------------------------------- */
 
 uint64_t panics_boot(void)
 {
@@ -103,7 +103,7 @@ const char *panics_left_name(uint32_t left)
     return names[left < LEFT_COUNT ? left : 0];
 }
 
-/* ---- File ---------------------------------------------------------------------------------- */
+/* ---- Reading and writing the file ---------------------------------------------------------- */
 
 /* Returns a descriptor of a regular file, or a negative errno. Reads the file type from the
  * descriptor, so that the file cannot be exchanged between the check and the use. */

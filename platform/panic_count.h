@@ -1,11 +1,12 @@
 /* panic_count.h -- counts panics in a small file in the data folder, and selects the data that the
  * next program start leaves out.
  *
- * After three panics within ten minutes, or after one panic before the first frame, the next start
- * leaves out a part of the stored data. The parts grow with each attempt: first settings, then also
- * replays, then also names. The ledger is never left out. Times are seconds since power-on because
- * a board may have no clock. Panics from before the last power-on count in the total. Such panics
- * cause data to be left out only if no frame was shown.
+ * A panic is a failed assertion or a fatal signal. After three panics within ten minutes, or after
+ * one panic before the first frame, the next start leaves out a part of the stored data. The parts
+ * grow with each attempt: first settings, then also replays, then also names. The ledger (the list
+ * of money events) is never left out. Times are seconds since power-on because a board may have no
+ * clock. Panics from before the last power-on count in the total. An old panic causes data to be
+ * left out only if it came before the first frame.
  *
  * The module has no side effects except that it reads and writes the file. */
 #ifndef KINGYO_PLATFORM_PANIC_COUNT_H

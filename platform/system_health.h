@@ -25,7 +25,7 @@
 /* State of the health monitor. The caller owns the structure, sets `data`, `checked` and `heat`,
  * and clears the other fields. The address must not change while the thread runs. */
 struct system_health {
-    const char *data;    /* Folder of the store. Null or "" means no store. */
+    const char *data;    /* Folder of the store. Null or "" means that there is no store. */
     const char *checked; /* File with the result of check-data. Null means
                             SYSTEM_HEALTH_CHECK_PATH. */
     const char *heat;    /* Folder of the thermal zones. Null means /sys/class/thermal. */
@@ -38,14 +38,15 @@ struct system_health {
     bool ends, acknowledges;
     struct scene_machine newest;
 
-    /* The thread alone uses the following fields. */
+    /* Only the thread uses the following fields. */
     int64_t written_s; /* Modification time of the newest store file at the first check. 0 means no
                           file. */
     struct {
         uint64_t inode;
         int64_t mtime_s;
         long mtime_ns;
-    } backup;         /* Identity of the backup file at the last check. */
+    } backup;         /* Identity of the backup file at the last check (inode and modification
+                         time). */
     int64_t backup_s; /* Time on the monotonic clock at which the backup was made. */
     bool has_begun;
 };

@@ -35,7 +35,7 @@ __attribute__((format(printf, 2, 3))) static int object(struct reading *reading,
     return -1;
 }
 
-/* ---- Lines --------------------------------------------------------------------------------- */
+/* ---- Lines of a file ----------------------------------------------------------------------- */
 
 /* Removes leading and trailing white space from `text`, in place. Returns the start of the trimmed
  * text. */

@@ -249,7 +249,7 @@ static int set_version(struct options *options, const char *value)
     return 1;
 }
 
-/* ---- Table --------------------------------------------------------------------------------- */
+/* ---- Table of options ---------------------------------------------------------------------- */
 
 static const struct option table[] = {
     { "demo", "[SECONDS]", "let the bot play off screen and write pictures (20 s)",

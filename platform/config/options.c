@@ -94,7 +94,7 @@ int options_parse(struct options *options, int argc, const char *const *argv,
     return 0;
 }
 
-/* ---- Help ---------------------------------------------------------------------------------- */
+/* ---- Text of --help ------------------------------------------------------------------------ */
 
 void options_print_help(void)
 {
@@ -126,7 +126,7 @@ void options_print_help(void)
          "kept.");
 }
 
-/* ---- Settings ------------------------------------------------------------------------------ */
+/* ---- Combination of the sources of settings ------------------------------------------------ */
 
 static void put_asked(const struct options_query_result *asked, struct settings *settings)
 {

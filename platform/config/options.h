@@ -38,7 +38,7 @@ struct options {
     uint8_t demo;           /* 1 if the kiosk plays off screen and writes pictures. */
     uint32_t demo_s;        /* Length of the demonstration in seconds. */
     uint32_t width, height; /* Window size in pixels. 0 means full screen. */
-    uint8_t poi;            /* Controller to use (enum board_poi). */
+    uint8_t poi;            /* Controller that plays (enum board_poi). */
     uint8_t has_seed;
     uint32_t seed;
     uint8_t tank;                        /* Tank to use (enum tank_preset_id). */

@@ -77,7 +77,7 @@ static float toward(float from, float to, float step_down, float step_up)
     return from > to ? f_max(from - step_down, to) : f_min(from + step_up, to);
 }
 
-/* ---- Position ------------------------------------------------------------------------------ */
+/* ---- Position of the picture --------------------------------------------------------------- */
 
 static float swing(uint32_t ms, uint32_t period_ms)
 {

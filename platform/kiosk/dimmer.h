@@ -36,9 +36,9 @@ struct dimmer {
 /* Detects input: a pressed button, a coin or a running game. Call before the ticks of the frame. */
 void dimmer_notice(struct dimmer *dimmer, const struct input *input, int is_attract);
 
-/* Detects movements of the pois and returns the display transform of the frame. Call after the
- * ticks of the frame. `now_ns` is monotonic. The caller guarantees that `settings` are valid. Night
- * is determined from input->minute, and there is no night while input->day is 0. */
+/* Detects movements of the pois and returns the display settings of the frame. Call after the ticks
+ * of the frame. `now_ns` is monotonic. The caller guarantees that `settings` are valid. Night is
+ * determined from input->minute, and there is no night while input->day is 0. */
 struct display_settings dimmer_step(struct dimmer *dimmer, const struct settings *settings,
                                     const struct input *input, int is_attract, uint64_t now_ns);
 

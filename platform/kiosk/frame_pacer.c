@@ -28,8 +28,8 @@ static uint64_t distance(uint64_t a, uint64_t b)
     return a > b ? a - b : b - a;
 }
 
-/* Returns 1 if the frame runs exactly two ticks, otherwise 0. This applies to a frame of about 1/60
- * s while the due time stays near two ticks. */
+/* Returns 1 if the frame runs exactly two ticks, otherwise 0. A frame runs exactly two ticks if it
+ * lasts about 1/60 s and the due time is near two ticks. */
 static int snap(struct frame_pacer *pace, uint64_t elapsed_ns)
 {
     const int64_t left = pace->owed - (int64_t)(FRAME_TICKS * NS_PER_S);

@@ -20,9 +20,9 @@ struct frame_pacer {
 
 /* Returns the number of ticks to run in the frame that starts at `now_ns`. The first frame runs two
  * ticks. A frame of about 1/60 s also runs exactly two ticks, so that timing jitter causes no
- * visible judder. This applies while the sum of these frames is within 6 ms of the simulated time.
- * Other frames run all whole ticks that are due, and the rest is carried over. If the clock stops
- * or goes back, no ticks are due. */
+ * visible judder, while the sum of these frames is within 6 ms of the simulated time. Other frames
+ * run all whole ticks that are due, and the rest is carried over. If the clock stops or goes back,
+ * no ticks are due. */
 uint32_t frame_pacer_ticks_due(struct frame_pacer *pace, uint64_t now_ns);
 
 /* Frame limiter for a display that has no vertical synchronization or is much faster than 60 Hz. */

@@ -18,7 +18,8 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     memset(kiosk, 0, sizeof *kiosk);
     cpu_set_float();
     kiosk->config = *config;
-    kiosk->switches.active = 1u << HAL_COIN_LOCKOUT; /* Initial state of the outputs. */
+    kiosk->switches.active = 1u << HAL_COIN_LOCKOUT; /* Initially the coin lockout is on and all
+                                                        other outputs are off. */
     kiosk->saving.accepted_id = kiosk->output.entry_id = config->core.persistent.ledger.last_id;
     const enum core_error error = core_init(&kiosk->core, &config->core);
     if (error != CORE_OK) {

@@ -4,9 +4,9 @@
  * kiosk_init(). No function blocks, except that the display waits for the screen and
  * kiosk_close_store() waits for the store.
  *
- * poi = the paper scoop and the controller that moves it; slot = the place of one of up to four
- * controllers; tick = 1/120 s; scene = the data that the renderer draws; ledger = the append-only
- * list of money events and rounds. */
+ * A poi is the paper scoop and the controller that moves it. A slot is the place of one of up to
+ * four controllers. A tick is 1/120 s. The scene is the data that the renderer draws. The ledger is
+ * the append-only list of money events and rounds. */
 #ifndef KINGYO_PLATFORM_KIOSK_KIOSK_H
 #define KINGYO_PLATFORM_KIOSK_KIOSK_H
 
@@ -97,12 +97,13 @@ struct kiosk {
     struct frame_pacer pace;
     struct poi_sampler hands[POI_MAX];
     struct fan_sampler shades[SHADE_MAX];
-    uint64_t sampled_ns;       /* Time of the last device poll. */
+    uint64_t sampled_ns;       /* Time of the last device poll in nanoseconds. */
     uint64_t display_retry_ns; /* Time of the next attempt to reopen a lost display. 0 means that
                                   the display is open. */
     struct dimmer dimmer;
     struct view view; /* Camera view that was last sent to the display and the pois. */
-    /* Display transform that was last sent to the display and the pois. */
+    /* Display settings (rotation, margins, brightness) that were last sent to the display and the
+     * pois. */
     struct display_settings display_settings;
     struct saving saving;
     struct offline_flush late;
@@ -112,7 +113,8 @@ struct kiosk {
                                means no request. */
     uint64_t quit_until_ns; /* Time until which a second press of the quit key ends the kiosk. 0
                                means no first press. */
-    uint32_t told_orders;   /* Value of output.command_count after the newest executed command. */
+    uint32_t told_orders;   /* Number of commands in `output` that were already executed. Compared
+                               with output.command_count. */
     uint32_t wanted_replay_id;    /* Id of the round whose replay the operator wants to see. 0 means
                                      no request. */
     uint8_t has_acknowledged;     /* 1 if the operator has acknowledged the quarantined files and
@@ -130,7 +132,8 @@ struct kiosk {
                                          stopwatch. */
     struct timing report_wait;        /* Time from the arrival of a poi's report to the tick that
                                          uses the report. */
-    uint64_t core_ns;                 /* Total time of ticks and of filling the scene. */
+    uint64_t core_ns;                 /* Total time in nanoseconds that was spent in ticks and in
+                                         filling the scene. */
     uint64_t frame_begin_ns;
 };
 

@@ -122,7 +122,7 @@ int offline_flush_step(struct offline_flush *flush, const struct hal_storage *st
     }
     if (batch.count == 0) {
         offline_flush_add_entry(&batch, LEDGER_HEALTH, 0, 0,
-                                0); /* A health entry without counts, which only carries the changed
+                                0); /* A health entry without counts, which only stores the changed
                                        balance. */
     }
     if (storage->ops->merge_offline(storage->self, &step, batch.entries, batch.count) == HAL_OK) {

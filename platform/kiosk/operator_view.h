@@ -13,12 +13,12 @@ uint8_t operator_view_file_count(const struct file_notes *notes);
 
 /* State of all button and coin lines, with counts since program start. */
 struct operator_view_lines {
-    uint32_t raw, missing; /* Levels and missing lines of the newest button_sample. */
+    uint32_t raw, missing; /* Levels and missing lines in the newest struct button_sample. */
     struct line_sample line[HAL_LINE_COUNT];
     uint32_t coins[COIN_LINE_COUNT];
 };
 
-/* Adds the counts of one sample to `book`. */
+/* Adds the counts of one sample to the totals in `book`. */
 void operator_view_lines_add(struct operator_view_lines *book, const struct button_sample *sample);
 
 /* Input data of operator_view_fill(). */

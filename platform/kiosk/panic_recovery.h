@@ -29,7 +29,7 @@ struct evidence {
     pid_t thread; /* Id of the thread that runs the core's ticks. */
     uint64_t boot;
     uint32_t begun_s;          /* Program start in seconds, in the units of panics_up_s(). */
-    struct panics panics;      /* Content of the file of panic_count.h. */
+    struct panics panics;      /* Count of panics, as in the file of panic_count.h. */
     atomic_uchar has_frame;    /* 1 if the first frame was shown, otherwise 0. */
     atomic_uchar has_panicked; /* 1 if evidence_write() has started. From then on only
                                   evidence_write() uses `panics`. */

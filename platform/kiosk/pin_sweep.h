@@ -30,7 +30,7 @@ struct pin_sweep {
     uint32_t left;     /* Number of replays that still contain a PIN. */
     struct replay_verifier judge;
     struct replay_writer writer;
-    struct ledger_entry kept;              /* Ledger entry of the round. */
+    struct ledger_entry kept;              /* Ledger entry of the round whose replay is examined. */
     size_t size;                           /* Size of `replay` in bytes. */
     uint8_t replay[SESSION_RECORDER_SIZE]; /* Recording from the store. */
     uint8_t made[SESSION_RECORDER_SIZE];   /* New recording without the PIN. */

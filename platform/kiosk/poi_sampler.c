@@ -130,8 +130,9 @@ static int was_unseen(const struct poi_sampler *hand, uint32_t tick_count)
     return span_ns > tick_count * TICK_NS + UNSEEN_NS;
 }
 
-/* Passes the motion of a delay to the core as late reports. The first tick repeats the old pose
- * with an age below the limit of input loss. The following ticks have the newest pose. */
+/* Gives the core the motion during a delay as late reports. The first tick repeats the old pose
+ * with the age INPUT_SILENT_TICKS, which is below the limit of input loss. All later ticks have the
+ * newest pose. */
 static void pass_over(const struct poi_sampler *hand, uint32_t index, struct poi_input *out)
 {
     const struct resampler *path = &hand->path;

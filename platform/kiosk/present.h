@@ -4,7 +4,7 @@
 
 #include "platform/kiosk/kiosk.h"
 
-/* Sends the camera view and the display transform to the display and to the pointer devices if one
+/* Sends the camera view and the display settings to the display and to the pointer devices if one
  * of them has changed. */
 void present_view(struct kiosk *kiosk, const struct hal *hal);
 

@@ -35,7 +35,7 @@ struct replay_verifier {
     struct core core;
     struct input input;
     struct output output;
-    struct replay_totals said; /* Totals that the replay states. */
+    struct replay_totals said; /* Totals that are stored in the replay. */
     uint32_t round_tick;       /* Number of recorded ticks when the last round was first counted.
                                   The round starts in the same second. */
     struct ledger_entry round; /* Newest round entry of the simulated game. The id is 0 before the

@@ -4,8 +4,8 @@
  * drag force grows with the square of the speed and would be four times too large. Therefore the
  * reports of a frame are distributed over the frame's ticks. The last tick gets the newest report,
  * so that no latency is added. The earlier ticks get points on the path from the end of the
- * previous frame, linear between reports. Invalid numbers and jumps are not interpolated. They
- * appear in the tick to which they belong. */
+ * previous frame, linear between reports. Invalid numbers and jumps are not interpolated but appear
+ * in the tick to which they belong. */
 #ifndef KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 #define KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 

@@ -23,7 +23,7 @@ struct run_common {
     struct kiosk kiosk;
     struct recorder recorder;
     struct replayer replayer;
-    struct score_playback playback;   /* Score playback. */
+    struct score_playback playback;   /* Playback of a score's replay on the screen. */
     struct session_recorder chapters; /* Session recorder for the replays of scores and panics. */
     struct evidence evidence;         /* Panic handler, which writes the replay and the count of a
                                          panic. */

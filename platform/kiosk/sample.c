@@ -109,8 +109,8 @@ static void sample_store(struct kiosk *kiosk, const struct hal_storage *storage)
 
 void sample_devices(struct kiosk *kiosk, const struct hal *hal)
 {
-    sample_display(kiosk, hal); /* The display is first because its poll fills the event queue from
-                                   which mouse and keyboard are read. */
+    sample_display(kiosk, hal); /* The display is polled first, because its poll() fills the event
+                                   queue from which mouse and keyboard are read. */
     hal->controllers.ops->poll(hal->controllers.self, &kiosk->input.controllers);
     kiosk->input.controllers.file_count = operator_view_file_count(kiosk->config.notes);
     const uint64_t now_ns = kiosk->sampled_ns = hal_now_ns(hal->clock);
@@ -121,8 +121,8 @@ void sample_devices(struct kiosk *kiosk, const struct hal *hal)
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         kiosk->faults.shade += fan_sampler_sample(&kiosk->shades[i], &hal->fan[i], now_ns);
     }
-    sample_buttons(kiosk, hal); /* The buttons follow the pois, because polling a poi also reads the
-                                   buttons of its controller. */
+    sample_buttons(kiosk, hal); /* The buttons are polled after the pois, because polling a poi also
+                                   reads the buttons of its controller. */
     sample_store(kiosk, &hal->storage);
     kiosk->input.tickets_done = output_lines_are_done(&kiosk->switches, &hal->switches, HAL_TICKET);
     read_wall(kiosk, hal);

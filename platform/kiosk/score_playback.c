@@ -9,7 +9,7 @@
 void score_playback_request(struct score_playback *playback, uint32_t round_id)
 {
     if (playback->is_asked) {
-        return; /* The store is still writing to `bytes`. */
+        return; /* The store is still writing the previously requested replay to `bytes`. */
     }
     playback->state = ENCORE_SEEKS;
     playback->is_open = playback->has_play = 0;

@@ -5,10 +5,10 @@
  * The memory therefore always holds a snapshot and all later inputs. The caller owns `struct
  * session_recorder` (20 MiB: static storage) and initializes it to zero.
  *
- * A ranked round has no replay in three cases, which are counted: the session is larger than
- * SESSION_RECORDER_SIZE, the store is still writing an earlier replay, or digits of the PIN were
- * typed during the session. The recording of a session ends when it exceeds
- * SESSION_RECORDER_MEMORY. A panic then writes the session up to this point. */
+ * Ranked rounds without a replay are counted. A round has no replay if the session is larger than
+ * SESSION_RECORDER_SIZE or if the store is still writing an earlier replay. A round also has no
+ * replay if digits of the PIN were typed during the session. The recording of a session ends when
+ * it exceeds SESSION_RECORDER_MEMORY. A panic then writes the session up to this point. */
 #ifndef KINGYO_PLATFORM_KIOSK_SESSION_RECORDER_H
 #define KINGYO_PLATFORM_KIOSK_SESSION_RECORDER_H
 

@@ -14,7 +14,7 @@
 
 #define NS_PER_MS 1000000ull
 
-/* ---- Report -------------------------------------------------------------------------------- */
+/* ---- Making the report --------------------------------------------------------------------- */
 
 static void take_device(struct status_report *report, const char *part, const char *text)
 {
@@ -70,7 +70,7 @@ void status_take(struct status_report *report, const struct kiosk *kiosk, const 
     take_devices(report, hal);
 }
 
-/* ---- File ---------------------------------------------------------------------------------- */
+/* ---- Writing the file ---------------------------------------------------------------------- */
 
 static int write_all(int fd, const char *text, size_t size)
 {

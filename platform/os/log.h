@@ -12,10 +12,10 @@
 
 /* Priorities with the numbers of syslog(3). */
 enum log_level {
-    LOG_LEVEL_CRITICAL = 2, /* The program must end. */
-    LOG_LEVEL_ERROR = 3,    /* A requested action failed. */
-    LOG_LEVEL_WARNING = 4,  /* An input was skipped, or the program continues with fewer
-                               functions. */
+    LOG_LEVEL_CRITICAL = 2, /* Priority of an error that ends the program. */
+    LOG_LEVEL_ERROR = 3,    /* Priority of a requested action that failed. */
+    LOG_LEVEL_WARNING = 4,  /* Priority of a skipped input, or of an error after which the program
+                               continues with fewer functions. */
 };
 
 /* Returns 1 if the file descriptor `fd` is the journal, otherwise 0. `journal` is the value of

@@ -43,8 +43,9 @@
 /* Format version that the writer writes. Version 8 added the rules of tickets and refunds. */
 #define REPLAY_VERSION 8u
 /* Oldest format version that the reader accepts. A recording of version 7 is simulated under the
- * rules of version 7. Older versions are rejected because they lack data: 1 lacks shadows, 2 game
- * modes, 3 the growth lab, 4 credits and the operator's controllers, 5 the ledger, 6 wrong PINs. */
+ * rules of version 7. Older versions are rejected because they lack data. Version 1 lacks shadows,
+ * version 2 game modes, version 3 the growth lab, version 4 credits and the operator's controllers,
+ * version 5 the ledger, and version 6 wrong PINs. */
 #define REPLAY_VERSION_MIN 7u
 #define REPLAY_HEADER_SIZE 52u
 #define REPLAY_CHUNK_HEAD_SIZE 40u
@@ -56,7 +57,7 @@
 #define REPLAY_DESK_BYTES (CONTROLLER_MAX + 4u)
 
 /* Maximum size in bytes of the machine's state in one tick: a mask, two ids of saved data, the
- * level bits, day and minute, dropped ticks, faults and completed tickets. */
+ * level bits, day, minute, dropped ticks, faults and completed tickets. */
 #define REPLAY_MACHINE_BYTES (1u + 2u * 4u + 1u + 2u * 2u + 3u * 4u)
 
 /* Maximum size in bytes of one tick: mask, held and pressed buttons, coins of each line, the
@@ -244,8 +245,8 @@ int replay_next(struct replay_reader *reader, struct input *input);
 void replay_close(struct replay_reader *reader);
 
 /* replay_scan() reads and validates a whole file. replay_scan_on() reads and validates the rest of
- * an open recording. Both return 0 and set `totals` of the whole recording, or return -1 and set
- * reader->problem. Afterwards `reader` is closed, but its header remains valid. */
+ * an open recording. Each function returns 0 and sets `totals` of the whole recording, or returns
+ * -1 and sets reader->problem. Afterwards `reader` is closed, but its header remains valid. */
 int replay_scan(struct replay_reader *reader, const char *path, struct replay_totals *totals);
 int replay_scan_on(struct replay_reader *reader, struct replay_totals *totals);
 

@@ -12,8 +12,8 @@ uint64_t replay_get_u64(const uint8_t *bytes);
 void replay_put_u32(uint8_t *bytes, uint32_t value);
 void replay_put_u64(uint8_t *bytes, uint64_t value);
 
-/* replay_put_optional() writes `value` as 4 bytes if `wanted` is not 0. replay_put_u16() writes 2
- * bytes. Both return the number of written bytes. */
+/* Each function returns the number of written bytes. replay_put_optional() writes `value` as 4
+ * bytes if `wanted` is not 0, otherwise nothing. replay_put_u16() writes 2 bytes. */
 size_t replay_put_optional(int wanted, uint32_t value, uint8_t *out);
 size_t replay_put_u16(uint16_t value, uint8_t *out);
 

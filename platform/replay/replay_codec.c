@@ -35,7 +35,7 @@ enum {
     MACHINE_MINUTE = 1u << 4,
     MACHINE_DROPPED = 1u << 5,
     MACHINE_FAULTS = 1u << 6,
-    MACHINE_TICKETS = 1u << 7, /* Only in format 8 and later. */
+    MACHINE_TICKETS = 1u << 7, /* This bit exists only in format 8 and later. */
 };
 
 enum {
@@ -46,7 +46,7 @@ enum {
 };
 
 enum {
-    DESK_STEP = CONTROLLER_MAX, /* Index of the learning step, after one state byte for each
+    DESK_STEP = CONTROLLER_MAX, /* Index of the learn wizard's step, after one state byte for each
                                    controller. */
     DESK_ROW,
     DESK_PROGRESS,

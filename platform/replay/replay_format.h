@@ -3,8 +3,8 @@
 #ifndef KINGYO_PLATFORM_REPLAY_REPLAY_FORMAT_H
 #define KINGYO_PLATFORM_REPLAY_REPLAY_FORMAT_H
 
-/* First bytes of a recording. They include control and non-ASCII characters, so that a text
- * conversion changes them and the reader rejects the file. */
+/* First bytes of a recording, which include control and non-ASCII characters. A text conversion
+ * changes these bytes, so that the reader rejects the file. */
 #define REPLAY_MAGIC "KGR\x1a\r\n\x89\n"
 #define REPLAY_CHUNK_TAG "SECS"
 #define REPLAY_END_TAG "ENDS"

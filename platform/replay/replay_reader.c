@@ -176,7 +176,7 @@ int replay_open(struct replay_reader *reader, const char *path)
 {
     struct stat status;
     memset(reader, 0, sizeof *reader);
-    /* O_NONBLOCK prevents that a pipe without a writer blocks. */
+    /* With O_NONBLOCK, opening a pipe without a writer does not block. */
     reader->fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (reader->fd < 0) {
         return replay_reader_error(reader, 1, 0, "cannot open: %s", strerror(errno));

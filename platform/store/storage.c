@@ -126,7 +126,7 @@ static int storage_load(void *self, struct persistent_state *out)
     return HAL_OK;
 }
 
-/* ---- Entries and graphs -------------------------------------------------------------------- */
+/* ---- Queueing entries and edits ------------------------------------------------------------ */
 
 static int storage_append(void *self, const struct ledger_entry *entry)
 {

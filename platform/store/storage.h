@@ -131,7 +131,7 @@ struct offline_credits {
     struct ledger_entry entries[OFFLINE_CREDITS_MAX];
     uint32_t count;
     uint32_t boot; /* Boot number of the entries in the database. 0 means not yet assigned. */
-    struct balance_change step; /* Change of the database's balance. */
+    struct balance_change step; /* Change that the transfer makes to the database's balance. */
     atomic_int state;           /* State of the transfer (enum offline_credits_state). The thread
                                    handles NEW immediately. */
 };

@@ -103,7 +103,7 @@ int storage_mirror_write(struct storage *storage, const struct ledger_entry *ent
 /* Completes the mirror from the database after a failed write, if no entry waits. */
 void storage_mirror_repair(struct storage *storage);
 
-/* storage_thread.c: closes the database and aborts its backup. */
+/* storage_thread.c: closes the database and aborts a backup in progress. */
 void storage_close_file(struct storage *storage);
 /* Closes a database that was opened on a full card, because other programs cannot read such a
  * database while it is open. */

@@ -1,7 +1,7 @@
 /* storage_moved.c -- detects that the open database is no longer at its path.
  *
  * The database or its folder may have been removed, renamed, replaced or mounted over, so that the
- * next program start would not find it. Such a file can still be written and synced, but its
+ * next program start would not find it. The open file can still be written and synced, but its
  * content is lost or hidden. Therefore no entry is acknowledged, which locks the coin slot. A
  * folder that is put back is used again. A deleted database stays open, and close() copies it to
  * the path of the backup, where the next start finds it. */

@@ -1,10 +1,10 @@
 /* storage_rebuild.c -- makes the replacement of a database that is damaged or missing.
  *
  * The replacement contains the last valid backup and all newer entries of the damaged database and
- * the mirror. It is first written and synced completely under a temporary name, and then renamed to
- * STORAGE_NEW_SUFFIX. Only then is the damaged database renamed, and after that the replacement.
- * After a power cut at any point, the next start repeats or completes the procedure. A card without
- * enough space is left unchanged.
+ * the mirror. The replacement is first written and synced completely under a temporary name, and
+ * then renamed to STORAGE_NEW_SUFFIX. Only then is the damaged database renamed, and after that the
+ * replacement gets its final name. After a power cut at any point, the next start repeats or
+ * completes the procedure. A card without enough space is left unchanged.
  *
  * If the newest entry is unknown, its id may be assigned again. Ids rise by one (core/ledger.h),
  * and the entries of a quarantined file differ in their boot numbers. */
@@ -197,8 +197,8 @@ static int make_new(struct storage *storage, bool is_missing, unsigned number)
     return code;
 }
 
-/* Renames the replacement to the database path. This rename is the last step of the procedure,
- * which the next start repeats after a power cut. */
+/* Renames the replacement to the database path, which is the last step of the procedure. After a
+ * power cut the next start repeats this step. */
 static bool put_new(struct storage *storage)
 {
     char fresh[LEDGER_PATH_SIZE];

@@ -101,7 +101,7 @@ static bool gives_up(struct storage *storage)
 void storage_update_sealed(struct storage *storage)
 {
     if (!storage->file.db) {
-        return; /* A failed write has just closed the database. */
+        return; /* A failed write has closed the database, so that no replay can be looked up. */
     }
     const struct rank_row *rows = &storage->file.content.memory.ranking.row[0][0][0];
     for (uint32_t i = 0; i < STORAGE_RANKS; i++) {

@@ -45,7 +45,7 @@ int64_t storage_now_ms(void)
     return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000 + 1;
 }
 
-/* ---- Entries ------------------------------------------------------------------------------- */
+/* ---- Writing entries ----------------------------------------------------------------------- */
 
 static void note_saved(struct storage *storage, const struct ledger_entry *newest)
 {
@@ -146,7 +146,7 @@ static void back_up(struct storage *storage)
     }
 }
 
-/* ---- Edits --------------------------------------------------------------------------------- */
+/* ---- Writing edits of the growth lab ------------------------------------------------------- */
 
 static void drain_edits(struct storage *storage)
 {
@@ -164,7 +164,7 @@ static void drain_edits(struct storage *storage)
     }
 }
 
-/* ---- Log ----------------------------------------------------------------------------------- */
+/* ---- Write-ahead log ----------------------------------------------------------------------- */
 
 /* Syncs a log that could not be rewritten when the database was opened, because another program
  * held a lock. If the lock remains, the next call retries. */

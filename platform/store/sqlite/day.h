@@ -6,8 +6,8 @@
 
 #define DAY_TEXT_SIZE 11u
 
-/* Local date and time in the units of input.day (days since 2000-01-01) and input.minute. Both
- * fields are 0 for an earlier or invalid time. */
+/* Local date and time in the units of input.day (days since 2000-01-01) and input.minute. `day` and
+ * `minute` are 0 for an earlier or invalid time. */
 struct day_minute {
     uint16_t day, minute;
 };

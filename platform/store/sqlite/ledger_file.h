@@ -21,16 +21,17 @@ struct sqlite3_stmt;
 
 /* Schema version in `user_version`. Version 1 (stored as 0) has one row per round. Version 2 added
  * modes, grades and players. Version 3 added the ledger. Version 4 added the tank of each round.
- * Version 5 has the same tables, but the column `open` also contains a returned credit and tickets,
- * entries have the kinds 17 to 19, and a PIN is stored as a negative number. A program that
- * supports only version 4 would report such rows as damage. */
+ * Version 5 has the same tables with additional values. In version 5 the column `open` also
+ * contains a returned credit and tickets, entries have the kinds 17 to 19, and a PIN is a negative
+ * number. A program that supports only version 4 would report such rows as damage. */
 #define LEDGER_FILE_VERSION 5
 
-/* Maximum number of stored entries, about 60 bytes each. This is enough for a month with 500 coins
- * and 300 rounds per day. When older entries are deleted, their aggregates and rounds remain. */
+/* Maximum number of stored entries, about 60 bytes each. The number is enough for a month with
+ * 500 coins and 300 rounds per day. When older entries are deleted, their aggregates and rounds
+ * remain. */
 #define LEDGER_FILE_ENTRIES 32768u
-/* Maximum number of stored rounds, about 100 bytes each. This is enough for half a year. Ranked
- * rounds are stored in addition. */
+/* Maximum number of stored rounds, about 100 bytes each. The number is enough for half a year.
+ * Ranked rounds are stored in addition. */
 #define LEDGER_FILE_ROUNDS 65536u
 
 /* Error codes of this module. All other codes are SQLite result codes; SQLITE_OK (0) means
@@ -61,8 +62,8 @@ enum ledger_statement {
 
 /* Content of the file that is on disk. */
 struct ledger_content {
-    struct persistent_state memory;     /* Persistent state. ledger.boots is the boot number of the
-                                           newest entry. */
+    struct persistent_state memory;     /* Persistent state of the core. ledger.boots is the boot
+                                           number of the newest entry. */
     uint32_t tick;                      /* Tick of the newest entry. */
     uint8_t has_setting[SETTING_COUNT]; /* 1 if the operator has changed the setting, otherwise
                                            0. */
@@ -81,7 +82,7 @@ struct ledger_file {
                     log, or the reason why a damaged file could not be replaced. */
 };
 
-/* Options for opening a file. Null pointers mean the defaults. */
+/* Options for opening a file. A null pointer means the default. */
 struct ledger_file_options {
     const char *vfs;     /* SQLite's name of a file system layer (vfs). */
     const char *journal; /* Values of journal_mode and synchronous, for example "WAL FULL". Used to

@@ -85,7 +85,7 @@ int ledger_log_secure(struct ledger_file *file)
     code = code == SQLITE_OK ? sync_names(file) : code;
     sql_run(file->db, "ROLLBACK");
     file->is_suspect = code != SQLITE_OK;
-    return code & 0xff; /* The low byte is the primary code without SQLite's extended code. */
+    return code & 0xff; /* The low byte is SQLite's primary code. The extended code is dropped. */
 }
 
 int ledger_log_result(const struct ledger_file *file, int code)

@@ -143,7 +143,7 @@ void ledger_mirror_close(struct ledger_mirror *tail)
     *tail = (struct ledger_mirror){ 0 };
 }
 
-/* ---- Entries ------------------------------------------------------------------------------- */
+/* ---- Reading and writing entries ----------------------------------------------------------- */
 
 static int write_slot(struct ledger_mirror *tail, const struct ledger_entry *entry)
 {

@@ -12,7 +12,7 @@
 /* Maximum number of copies. When all numbers are used, no more data are deleted. */
 #define LEDGER_LEFT_MAX 99u
 #define LEDGER_LEAVE_WORDS 160u
-#define LEDGER_LEAVE_NONE 1 /* Result if there is no database. */
+#define LEDGER_LEAVE_NONE 1 /* Result of ledger_leave_out() if there is no database. */
 
 /* Opens kingyo.db in the folder `data` and deletes the data of `left`. The caller must have locked
  * the folder (directory_lock()). Writes the result as text to `words`. Returns 0, or

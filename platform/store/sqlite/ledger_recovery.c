@@ -19,7 +19,7 @@ struct salvage {
     const struct ledger_mirror *tail;
     struct ledger_entry entries[BATCH];
     uint32_t count;       /* Number of entries in `entries` that are not yet written. */
-    uint32_t first, last; /* First and last id to read. */
+    uint32_t first, last; /* First and last id that the recovery reads. */
     uint32_t newest_id;   /* Newest id that is known to have existed. */
     bool has_from;        /* True if the damaged file has a readable table of entries. */
     bool knows_last;      /* True if `last` is the true end of the ledger. */

@@ -9,10 +9,10 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-/* ---- Versions ------------------------------------------------------------------------------ */
+/* ---- SQL text of the migrations ------------------------------------------------------------ */
 
-/* Migrates a file of version 1. Version 1 had one mode (the festival with paper No. 6) and one
- * player. It did not record the number of scoops and the paper's damage. */
+/* Migrates a file of version 1, which had one mode (the festival with paper No. 6) and one player.
+ * Version 1 did not record the number of scoops and the paper's damage. */
 static const char to_2[] =
     "ALTER TABLE rounds ADD COLUMN mode INTEGER NOT NULL DEFAULT 0;" /* Game mode of the round (enum
                                                                         game_mode). */
@@ -22,7 +22,7 @@ static const char to_2[] =
 static const char fill_2[] = "INSERT INTO round_players (round, player, caught, fouls)"
                              " SELECT number, 0, caught, 0 FROM rounds;";
 
-/* Migrates rounds of version 3, whose tank is unknown. */
+/* Migrates rounds of version 3, which did not record the tank. */
 static const char set_rounds_aside[] = "ALTER TABLE rounds RENAME TO old_rounds;";
 static const char fill_4[] = "INSERT INTO rounds SELECT *, 0, 0, 0 FROM old_rounds;"
                              "DROP TABLE old_rounds;";
@@ -41,7 +41,7 @@ static const char forget_unknown[] =
     "DROP TABLE old_round_players;"
     "DROP TABLE old_rounds;";
 
-/* ---- Statements ---------------------------------------------------------------------------- */
+/* ---- SQL text of the prepared statements --------------------------------------------------- */
 
 static const char *const texts[LEDGER_STATEMENT_COUNT] = {
     [PUT_ENTRY] = "INSERT INTO entries VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12,"

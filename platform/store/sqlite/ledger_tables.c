@@ -114,7 +114,7 @@ int ledger_tables_make(sqlite3 *db, int version, const char *name)
     return code;
 }
 
-/* ---- Comparison ---------------------------------------------------------------------------- */
+/* ---- Comparison with a file's schema ------------------------------------------------------- */
 
 static bool is_text(sqlite3_stmt *row, int column, const char *text)
 {

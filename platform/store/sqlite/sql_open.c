@@ -60,7 +60,8 @@ static mode_t private_mode(int mode)
 static void close_to_others(int handle, mode_t mode, int flags)
 {
     if ((mode & 0007) != 0 && (flags & O_ACCMODE) == O_RDWR) {
-        fchmod(handle, mode & 0770); /* The error for users other than the owner is ignored. */
+        fchmod(handle, mode & 0770); /* fchmod() fails for users other than the owner. The error is
+                                        ignored. */
     }
 }
 
