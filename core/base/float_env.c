@@ -16,15 +16,17 @@ static const volatile struct {
                                                            and must not be treated as 0. */
     { 0x00800000, 0x3f000000, 0x00000000, 0x00400000 }, /* The product x * y is a denormal number
                                                            and must not become 0. */
-    { 0x80000001, 0x4b800000, 0x80000000, 0x81000000 }, /* The two denormal tests with negative
-                                                           numbers. */
+    { 0x80000001, 0x4b800000, 0x80000000, 0x81000000 }, /* Negative numbers: the smallest denormal
+                                                           operand, and in the next line a denormal
+                                                           product. */
     { 0x80800000, 0x3f000000, 0x80000000, 0x80400000 },
     { 0x3f800000, 0x3f800000, 0x33800000, 0x3f800000 }, /* 1 plus half a unit in the last place: the
                                                            tie must round to the even 1. */
     { 0x3f800000, 0x3f800000, 0x33c00000, 0x3f800001 }, /* 1 plus three quarters of a unit in the
                                                            last place must round up. */
-    { 0xbf800000, 0x3f800000, 0xb3800000, 0xbf800000 }, /* The two rounding tests with negative
-                                                           numbers. */
+    { 0xbf800000, 0x3f800000, 0xb3800000, 0xbf800000 }, /* Negative numbers: -1 minus half a unit in
+                                                           the last place, and in the next line -1
+                                                           minus three quarters of a unit. */
     { 0xbf800000, 0x3f800000, 0xb3c00000, 0xbf800001 },
 };
 

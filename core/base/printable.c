@@ -15,7 +15,7 @@ static const struct span refused[] = {
 #define REFUSED_COUNT (sizeof refused / sizeof refused[0])
 
 /* Rejects overlong forms, surrogates and code points above U+10FFFF, as RFC 3629 requires. The zero
- * byte at the end of `text` is not a continuation byte, so no byte behind the zero byte is read. */
+ * byte at the end of `text` is not a continuation byte, so no byte after the zero byte is read. */
 uint32_t printable_utf8_size(const char *text)
 {
     const unsigned char *c = (const unsigned char *)text;

@@ -66,9 +66,9 @@ enum fish_air {
     AIR_DUCKS = 4, /* The fish was startled at the surface and goes under water. */
 };
 
-/* State of a fish. The members that every tick uses stand first, in groups of four floats (quads),
- * because SIMD code transposes a quad of several fish into columns (core/base/simd.h). New members
- * must stand behind the quads. */
+/* State of a fish. The members that every tick uses stand first, in groups of four floats (quads).
+ * SIMD code transposes a quad of several fish into columns (core/base/simd.h). New members must
+ * follow the quads. */
 struct fish {
     vec3 position_m; /* Centre of the body box in world coordinates. */
     float speed_m_s; /* Speed >= 0 along the fish's forward axis by its own fins. */

@@ -106,15 +106,15 @@ static void meet_head_on(struct avoid_pair *pair, uint32_t draw)
     pair->b.turn = side;
 }
 
-/* Advises a rear-end encounter, in which only the follower avoids. */
+/* Sets the advice for a rear-end encounter, in which only the follower avoids. */
 static void meet_rear_end(struct avoid_advice *follower, struct avoid_advice *leader, uint32_t draw)
 {
     follower->turn = draw & 1u ? 1.0f : -1.0f;
     leader->kind = MEET_NONE;
 }
 
-/* Advises an encounter from the side. The hitter passes behind the struck fish, which turns away a
- * little. In one of ten encounters the hitter passes in front of the struck fish. */
+/* Sets the advice for an encounter from the side. The hitter passes behind the struck fish, which
+ * turns away a little. In one of ten encounters the hitter passes in front of the struck fish. */
 static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct avoid_advice *struck,
                       vec3 struck_forward, vec3 to_struck, uint32_t draw)
 {

@@ -94,8 +94,8 @@ struct avoid_pair {
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
                              const struct behavior_params *params, uint32_t seed, uint32_t tick);
 
-/* Returns 1 if the fish keeps its present depth instead of its preferred depth, otherwise 0. A fish
- * does so for 0.5 s after it avoided by pitch. */
+/* Returns 1 if the fish keeps its present depth instead of its preferred depth, otherwise 0. The
+ * result is 1 for 0.5 s after the fish avoided by pitch. */
 int avoid_holds_depth(const struct fish *fish);
 
 /* Advances the avoidance of a fish by `around->dt_s`. `advice` is the advice for the soonest

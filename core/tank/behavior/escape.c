@@ -16,10 +16,13 @@
 /* Angle between the direction away from the danger and the course of a fish that first turned
  * toward the danger. The fish swims past the danger, not into it. */
 #define PAST_RAD (100.0f * F_DEG)
-#define FLIP_BACK_RAD (45.0f * F_DEG) /* Largest angle by which the return flip reduces the turn. */
-/* Largest angle by which the return flip reduces the turn if a wall blocks the way ahead. */
+/* Largest angle by which the flip of stage 2 reduces the turn of stage 1. */
+#define FLIP_BACK_RAD (45.0f * F_DEG)
+/* Largest angle by which the flip of stage 2 reduces the turn of stage 1 if a wall blocks the way
+ * ahead. */
 #define FLIP_BARRED_RAD (110.0f * F_DEG)
-#define FLIP_ON_RAD (90.0f * F_DEG) /* Largest angle by which the return flip increases the turn. */
+/* Largest angle by which the flip of stage 2 increases the turn of stage 1. */
+#define FLIP_ON_RAD (90.0f * F_DEG)
 
 /* Probability of a start away from the danger in open water (Mirjany et al. 2011). */
 #define AWAY_CHANCE 0.77f
@@ -123,7 +126,8 @@ static float nearer(float to_rad, float a_rad, float b_rad)
                                                                                      : b_rad;
 }
 
-/* Draws the side and the angle of the first turn, and the final course of the C-start. */
+/* Chooses the side and the angle of the first turn, and the final course of the C-start, at
+ * random. */
 static void aim(struct fish *fish, vec3 from_m, uint32_t index, const struct perception *around)
 {
     const float yaw_rad = fish->angles.yaw_rad;

@@ -31,8 +31,8 @@ int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct p
 
 float fish_behavior_dt_s(const struct fish *fish, uint32_t tick)
 {
-    /* Low 8 bits of the ticks since the last decision. The clamp limits the value for a fish that
-     * was carried meanwhile. */
+    /* Ticks since the last decision, modulo 256. The upper limit below is for a fish that did not
+     * decide for a long time, because a poi or bowl carried it. */
     const uint32_t ticks = (uint8_t)(tick - fish->thought_tick);
     return CORE_TICK_S * f_clamp((float)ticks, 1.0f, (float)FISH_BEHAVIOR_TICKS);
 }

@@ -41,8 +41,8 @@ struct gait_chance gait_chance(float stamina);
  * mean durations. */
 struct gait_chance gait_shares(float stamina);
 
-/* Enters a gait: draws its duration, a new heading around the old heading, and a new depth offset.
- * `index` is the index of the fish, which is a part of the random key. */
+/* Enters a gait and chooses its duration, a new heading around the old heading, and a new depth
+ * offset at random. `index` is the index of the fish, which is a part of the random key. */
 void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
                 const struct perception *around);
 

@@ -77,8 +77,8 @@ struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m)
     };
 }
 
-/* Returns the pressure of the water at a point, m^2/s^2. The water behind a disc follows more
- * slowly than the water that the disc pushes ahead, so its pressure is lower. */
+/* Returns the pressure of the water at a point, m^2/s^2. Behind a disc the water follows more
+ * slowly than the disc pushes it ahead, so the pressure behind the disc is lower. */
 static float push_m2_s2(const struct obstacle *disc, vec3 point_m)
 {
     const float ahead = v3_dot(disc->velocity_m_s, v3_sub(point_m, disc->centre_m));

@@ -190,8 +190,9 @@ static void leave_surface(struct fish *fish, uint32_t index, const struct percep
 int surface_tick(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const int was_up = fish->air != AIR_ENOUGH && fish->air != AIR_RISES;
-    if (was_up && fish->gait != GAIT_SURFACE) { /* A poi lifted the fish out of the water meanwhile,
-                                                   and the fish is back in the water. */
+    if (was_up && fish->gait != GAIT_SURFACE) { /* A poi lifted the fish out of the water during its
+                                                   surface breathing, and the fish is now back in
+                                                   the water. */
         fish->air = AIR_ENOUGH;
     }
     breathe(fish, around);

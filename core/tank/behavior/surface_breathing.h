@@ -26,8 +26,8 @@ int surface_calls(const struct fish *fish, uint32_t index, const struct percepti
  * a resting fish would never reach the surface. */
 void surface_rise(struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Places a gulping fish in a staged scene. The longest bout begins immediately if the top of the
- * body is at the surface; otherwise the fish rises first. */
+/* Sets the state of a gulping fish that tank_stage_all() places. The longest bout begins
+ * immediately if the top of the body is at the surface; otherwise the fish rises first. */
 void surface_stage(struct fish *fish, const struct behavior_params *params);
 
 /* Advances surface breathing by `around->dt_s`: the loss of stamina in water with little oxygen,

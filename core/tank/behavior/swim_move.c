@@ -52,8 +52,9 @@ static float radius_m(const struct fish *fish)
 }
 
 /* Returns the speed limit of the fish including climb and pushes (section 3.3 of the 2013 thesis).
- * Only the rest of a burst, or a startled fish that dives from the surface, may be faster than the
- * top swimming speed. */
+ * The limit is the top swimming speed, or the fish's own speed or climb speed if that is higher.
+ * Examples are a fish that slows down after a burst, and a startled fish that dives from the
+ * surface. */
 static float speed_max_m_s(const struct fish *fish, const struct behavior_params *params)
 {
     return f_max(gait_speed_max_m_s(fish, params), f_max(fish->speed_m_s, f_abs(fish->climb_m_s)));

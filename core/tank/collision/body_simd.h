@@ -8,8 +8,9 @@
 /* Columns of SIMD_LANES bodies; the names are those of struct body. */
 struct body_simd {
     flanes centre[4], right[4], up[4], back[4]; /* Columns 0 to 2 are x, y and z of the vector.
-                                                   Column 3 is the float behind the vector:
-                                                   half_x_m, half_y_m, half_z_m or margin_m. */
+                                                   Column 3 is the float that follows the vector in
+                                                   struct body: half_x_m, half_y_m, half_z_m or
+                                                   margin_m. */
 };
 
 /* Loads SIMD_LANES bodies that are consecutive in memory. */

@@ -21,8 +21,8 @@ static struct frame frame_of(const struct box *box)
     };
 }
 
-/* The largest gaps of the boxes (`gap_m`) and of their spaces (`space_m`) over the axes tried so
- * far. */
+/* The largest gap of the boxes (`gap_m`), and of the boxes enlarged by their margins (`space_m`),
+ * over the axes tried so far. */
 struct verdict {
     float gap_m, space_m;
     int axis; /* Index of the axis with the largest `gap_m`, as in box_axis(). */

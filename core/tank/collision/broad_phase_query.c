@@ -40,8 +40,9 @@ static struct avoid_party party_of(const struct body *body, const struct fish *f
     };
 }
 
-/* Adds a push of a fish. The component across the body has its full size. The component along the
- * body has half its size, so that a fish pushed from behind does not shoot ahead. */
+/* Adds the push by a neighbour to the pushes of a fish. The component across the fish's body has
+ * its full size. The component along the body has half its size, so that a fish pushed from behind
+ * is not too fast. */
 static void push_apart(struct neighbours *neighbours, vec3 forward, vec3 axis, float speed_m_s)
 {
     const float along = v3_dot(axis, forward);

@@ -217,7 +217,7 @@ struct close {
     float gap_m[CLOSE_MAX + SIMD_LANES_MAX];
 };
 
-/* Adds contact number `c` to the contacts to be measured. */
+/* Adds a contact to the contacts to be measured. `c` is its index in the contact list. */
 static void note_close(struct close *close, const struct contact *contact, uint32_t c)
 {
     close->contact[close->count] = c;

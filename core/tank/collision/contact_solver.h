@@ -25,7 +25,7 @@
 #define TANK_OBSTACLE_MAX 8u
 
 #define SOLVER_FREE_M 0.0003f /* Largest penetration that still counts as apart. */
-/* Usual value of `push_max_m` in struct solver_context. A larger push would look like a jump. */
+/* Usual value of `push_max_m` in struct solver_context. A larger push would appear as a jump. */
 #define SOLVER_PUSH_M 0.002f
 /* Value of `push_max_m` in struct solver_context while no poi moves the water: 6 cm/s. */
 #define SOLVER_CALM_PUSH_M 0.0005f

@@ -6,7 +6,8 @@
 #include "core/tank/collision/contact_solver.h"
 #include "core/tank/collision/ring_contact.h"
 
-#define SOLVER_ROUNDING_M 1e-6f /* Rounding error by which an unchanged pose may seem deeper. */
+/* Rounding error by which a penetration may appear deeper although no body moved. */
+#define SOLVER_ROUNDING_M 1e-6f
 
 /* Context of one substep of a tick. */
 struct solver_step {

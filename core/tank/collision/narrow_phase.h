@@ -62,9 +62,9 @@ struct narrow_phase {
     fish_index member[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Fish to be searched. */
     uint32_t cell, item, other; /* Position of the search in the order of the cells. */
     uint8_t search;
-    /* Arrays in the order of the cells: the centre, the radius of a ball and half of a height. Ball
-     * and height enclose the volume in which a body is found. SIMD code reads SIMD_LANES_MAX
-     * elements beyond the last item. */
+    /* Search volumes in the order of the cells. A body is found within the ball of radius `ball_m`
+     * around its centre, and within the height `slab_m` above and below the centre. SIMD code reads
+     * SIMD_LANES_MAX elements beyond the last item. */
     float x_m[TANK_FISH_MAX + SIMD_LANES_MAX], y_m[TANK_FISH_MAX + SIMD_LANES_MAX],
         z_m[TANK_FISH_MAX + SIMD_LANES_MAX], ball_m[TANK_FISH_MAX + SIMD_LANES_MAX],
         slab_m[TANK_FISH_MAX + SIMD_LANES_MAX];

@@ -12,7 +12,7 @@ static inline float spaces_of(const struct narrow_phase_query *of)
     return of->bodies_only ? 0.0f : 1.0f;
 }
 
-/* Loads the bodies of SIMD_LANES members and returns their reaches. */
+/* Loads the bodies of SIMD_LANES fish, whose indices are in `member`, and returns their reaches. */
 static inline flanes load_members(struct body_simd *all, const struct narrow_phase_query *of,
                                   const fish_index *member)
 {
@@ -128,8 +128,8 @@ static inline uint32_t keep_four(uint32_t *to, uint32_t from, uint32_t bits)
     return count[bits];
 }
 
-/* The item whose near items are searched: centre, ball, height, and reach to the side, where the
- * body is thinnest. */
+/* The item (fish) whose near items are searched. `ball_m` and `slab_m` are the radius and half the
+ * height of its search volume. `side_m` is its reach along `right`, where the body is thinnest. */
 struct seeker {
     float x_m, y_m, z_m, ball_m, slab_m;
     vec3 right;

@@ -5,7 +5,7 @@
 
 #define SIDESTEP_RANGE_M 0.05f
 #define SIDESTEP_M_S 0.012f
-#define STILL_M_S 0.01f /* A slower disc causes no sidestep. */
+#define STILL_M_S 0.01f /* Speed of a disc below which fish do not step aside. */
 
 struct touch obstacle_touch(const struct obstacle *obstacle, const struct box *box)
 {

@@ -3,8 +3,8 @@
 #include "core/base/panic.h"
 #include "core/tank/collision/contact_solver_internal.h"
 
-/* Limit of overlaps per fish. Only a staged scene, whose fish overlap at the start, exceeds the
- * limit. */
+/* Limit of overlaps per fish. More overlaps occur only if tank_stage_all() placed fish that
+ * overlap. */
 #define PILE 2u
 /* Limit of rounds in which only obstacles react (give up motion): eight reactions of each of eight
  * obstacles, and the last check, with a reserve. */
@@ -103,8 +103,8 @@ static int carry(const struct solver_step *all, uint32_t index, uint32_t o, uint
     return 1;
 }
 
-/* Moves a fish along with the obstacle that presses it into another fish, because the obstacle
- * would press a reverted fish again. Returns 1 if the fish moved, otherwise 0. */
+/* Moves a fish along with the obstacle that presses it into another fish. A revert would not help,
+ * because the obstacle would press the fish again. Returns 1 if the fish moved, otherwise 0. */
 static int carry_pressed(const struct solver_step *all, uint32_t index, uint32_t round)
 {
     const uint8_t result = all->solver->result[index];
@@ -178,8 +178,8 @@ static uint32_t judge_pairs(const struct solver_step *all, uint32_t round)
 
 /* Resolves the penetration of a fish and an obstacle. A fish that ran into the obstacle reverts. If
  * the obstacle ran into the fish, a revert would not help, so the fish moves along with the
- * obstacle. If the fish has no room, the obstacle reacts, unless it has no motion left to give up.
- * Returns 1 if a position changed, otherwise 0. */
+ * obstacle. If the fish has no room, the obstacle gives up motion, or the fish reverts if the
+ * obstacle has no motion left. Returns 1 if a position changed, otherwise 0. */
 static int settle_with(const struct solver_step *all, uint32_t index, uint32_t o, vec3 out,
                        float excess_m, uint32_t round)
 {

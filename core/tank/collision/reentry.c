@@ -8,7 +8,7 @@
 /* Largest initial speed in the water, which absorbs any higher speed immediately. */
 #define SPEED_MAX_M_S 0.5f
 #define DRAG_PER_S 6.0f
-#define SINK_M_S 0.03f /* Speed at which a stunned fish sinks. */
+#define SINK_M_S 0.03f /* Speed at which a fish in reentry sinks. */
 /* Largest push per tick: 0.3 m/s, like a fish that slips between other fish. */
 #define PUSH_MAX_M 0.0025f
 /* Largest fall per tick of a fish that slides off paper over the water. */

@@ -24,8 +24,8 @@ float ring_excess_m(const struct obstacle *obstacle, const struct body *now,
                     const struct body *before, float free_m, vec3 *out);
 
 /* Returns the shortest translation that moves the body off the ring or hull, or zero if the body
- * does not touch them. At a ring a small move along the ring's normal is added, because a fish is
- * round where its box has corners. */
+ * does not touch the obstacle. At a ring a small move along the ring's normal is added, because a
+ * fish is round where its box has corners. */
 vec3 ring_hard_push(const struct obstacle *obstacle, const struct body *now);
 
 /* Returns the move that the paper requires of the fish in this tick, or zero if the fish does not

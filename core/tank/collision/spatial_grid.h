@@ -43,13 +43,14 @@ uint32_t spatial_grid_cell(const struct spatial_grid *grid, vec3 point_m);
  * keep their order. Asserts that `count` is at most TANK_FISH_MAX. */
 void spatial_grid_sort(struct spatial_grid *grid, const fish_index *member, uint32_t count);
 
-/* The items from `from` to `to` - 1. The cells of a row are consecutive, so their items are too. */
+/* A range of items, from item `from` to item `to` - 1. The cells of a row are consecutive, so the
+ * items of these cells form one range. */
 struct spatial_grid_range {
     uint32_t from, to;
 };
 
-/* Returns the cell of `item`. The search begins at `cell`, which must not be behind the cell of
- * `item`. */
+/* Returns the cell of `item`. The search begins at `cell`, which must not be greater than the cell
+ * of `item`. */
 static inline uint32_t spatial_grid_cell_of_item(const struct spatial_grid *grid, uint32_t item,
                                                  uint32_t cell)
 {
