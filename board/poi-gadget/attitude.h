@@ -28,7 +28,7 @@ struct attitude {
     struct quaternion turn;
     vec3 bias_rad_s; /* Bias of the gyroscope in rad/s, in the axes of the poi. */
     float still_s;   /* Time in seconds for which the poi has been still. */
-    float ahead_rad; /* Heading in rad that counts as straight ahead. */
+    float ahead_rad; /* Heading in rad that is reported as 0, straight ahead. */
     uint8_t has_ahead;
 };
 

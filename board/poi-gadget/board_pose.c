@@ -4,8 +4,8 @@
 
 #include <assert.h>
 
-/* Converts a rotation matrix to a quaternion. The division uses the largest of the four components,
- * because it is never near 0 (Shepperd 1978). */
+/* Converts a rotation matrix to a quaternion. The computation divides by the largest of the four
+ * components, because the largest component is never near 0 (Shepperd 1978). */
 struct quaternion board_pose_quaternion_of_rows(const vec3 row[3])
 {
     const float xx = row[0].x, yy = row[1].y, zz = row[2].z;
@@ -63,9 +63,9 @@ static void feel_attitude(struct board_pose *pose, const struct readings *readin
                                       attitude_quaternion_product(upright, readings->turn), back));
 }
 
-/* Computes the position of the eye from the draw wires. A broken or released wire is pulled to the
- * end stop of its potentiometer, and a wire that is not connected gives no reading. In these cases
- * the length is invalid. */
+/* Computes the position of the eye, where the draw wires meet, from the lengths of the wires. A
+ * broken or released wire is pulled to the end stop of its potentiometer. A wire that is not
+ * connected gives no reading. In these two cases, the length of the wire is invalid. */
 static enum draw_wires_result feel_wires(struct board_pose *pose, const struct readings *readings)
 {
     const struct poi_config *config = pose->config;

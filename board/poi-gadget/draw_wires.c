@@ -1,5 +1,6 @@
-/* draw_wires.c -- computes the point at which three draw wires meet. In coordinates along the
- * spools, two of the three unknowns are linear. */
+/* draw_wires.c -- computes the point at which three draw wires meet. The computation uses
+ * coordinate axes along the spools, because the equations for two of the three coordinates are then
+ * linear. */
 #include "board/poi-gadget/draw_wires.h"
 
 #include <assert.h>

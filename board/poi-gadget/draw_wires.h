@@ -34,7 +34,7 @@ enum draw_wires_result {
 /* Returns a static text that describes the result, without a full stop. */
 const char *draw_wires_text(enum draw_wires_result result);
 
-/* Returns 1 if three spools at these positions determine the position of the eye, otherwise 0. Two
+/* Returns 1 if spools at these positions determine where the three wires meet, otherwise 0. Two
  * spools must be at least 10 cm apart, and the three spools must not lie on one line. */
 int draw_wires_is_determined(const vec3 spool_m[DRAW_WIRE_COUNT]);
 

@@ -15,7 +15,7 @@ struct hid_gadget {
      * feedback is received. */
     const char *path;
     int fd;              /* File descriptor, or -1 if the device is not open. */
-    uint8_t sequence;    /* Sequence number of the next report. */
+    uint8_t sequence;    /* Sequence number of the next report to the host. */
     uint32_t shut_count; /* Number of consecutive writes that failed because no host is
                             connected. */
     uint32_t sent_count;
@@ -42,7 +42,7 @@ int hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report);
  * `out`, or returns 0 if no report arrived. */
 int hid_gadget_feel(struct hid_gadget *gadget, struct poi_force *out);
 
-/* Closes the device. */
+/* Closes the device /dev/hidgN. */
 void hid_gadget_close(struct hid_gadget *gadget);
 
 #endif

@@ -8,9 +8,10 @@
 
 #define IIO_PATH_SIZE 256u
 
-/* Finds the folder of the IIO device whose kernel name is `name`, and writes it to `path`. `root`
- * is the prefix of all paths: "" for this machine, or a test folder. If several devices have the
- * name, the device with the lowest number is used. Returns 1, or 0 if there is no such device. */
+/* Finds the folder of the IIO device whose kernel name is `name`, and writes the folder's path to
+ * `path`. `root` is the prefix of all paths: "" for this machine, or a test folder. If several
+ * devices have the name, the device with the lowest number is used. Returns 1, or 0 if there is no
+ * such device. */
 int iio_find(char path[IIO_PATH_SIZE], const char *root, const char *name);
 
 /* Opens an attribute of a device for repeated reads. Returns the file descriptor, or -1 after an

@@ -1,7 +1,7 @@
-/* pose_line.h -- one pose of the poi as a line of text. Scripts contain such lines, and `kingyo-poi
- * watch` prints them.
+/* pose_line.h -- one pose of the poi (a paper scoop) as a line of text. Scripts consist of pose
+ * lines, and `kingyo-poi watch` prints pose lines.
  *
- * A line has one of two forms:
+ * A pose line has one of two forms:
  *
  * [+MS] X Y Z PITCH YAW ROLL [KEY...], for example "+400 120 -50 30 -25 0 0 OK"
  *

@@ -20,7 +20,7 @@ enum exit_code {
  * millisecond. */
 #define RUN_RATE_MAX_HZ 1000u
 
-/* Receiver of force feedback, for example the motor. */
+/* Receiver of the host's force feedback, for example the motor. */
 struct feel_sink {
     /* Handles force feedback. `newest` is the newest report, or null if no report has arrived since
      * the last call. `seconds` is the time since the last call. */

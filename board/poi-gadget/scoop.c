@@ -31,11 +31,13 @@ static const struct stroke {
     { 0, 0, 1.2f, 0.00f, 0.045f, 0.06f, -38.0f, 0.0f },
     /* Moves the poi into the water in the direction of the paper's plane. */
     { 0, 0, 0.6f, 0.00f, -0.070f, -0.06f, -38.0f, 0.0f },
-    { 0, 0, 0.5f, 0.00f, -0.070f, -0.10f, 0.0f, 0.0f }, /* Moves the poi under the fish. */
+    { 0, 0, 0.5f, 0.00f, -0.070f, -0.10f, 0.0f, 0.0f }, /* Moves the poi forward under the fish. */
     /* Lifts the poi level, so that the water drains from the paper. */
     { 0, 0, 0.9f, 0.00f, 0.060f, -0.09f, 2.0f, 0.0f },
     { 1, 0, 1.1f, 0.00f, 0.020f, 0.00f, 2.0f, 0.0f },
-    { 1, POI_BUTTON_OK, 0.5f, 0.00f, 0.000f, 0.00f, 0.0f, 58.0f }, /* Tips the poi to the right. */
+    { 1, POI_BUTTON_OK, 0.5f, 0.00f, 0.000f, 0.00f, 0.0f, 58.0f }, /* Tips the poi to the right over
+                                                                      the bowl, so that the fish
+                                                                      slides off the paper. */
     { 1, 0, 0.6f, -0.03f, 0.030f, 0.00f, 0.0f, 0.0f },
 };
 

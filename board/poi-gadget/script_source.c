@@ -1,4 +1,5 @@
-/* script_source.c -- reads lines of poses from an input and appends them to a pose_tape. */
+/* script_source.c -- reads lines of poses from an input, and appends the lines to a text buffer
+ * (pose_tape.h). */
 #include "board/poi-gadget/script_source.h"
 
 #include <errno.h>

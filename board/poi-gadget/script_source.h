@@ -10,7 +10,7 @@ struct script_source {
     int fd;
     const char *name; /* Name of the input for error messages. */
     float beat_s;     /* Duration in seconds of a line that has no duration of its own. */
-    uint32_t step;    /* Number of reports since the start. */
+    uint32_t step;    /* Number of poses that the source has returned. */
     struct pose_tape tape;
 };
 

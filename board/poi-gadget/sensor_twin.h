@@ -15,7 +15,7 @@ struct sensor_twin {
     float noise_steps;
     vec3 gyro_bias_rad_s; /* Simulated bias of the gyroscope in rad/s. */
     uint8_t fuses;        /* 1 if the simulated chip computes a quaternion, as a BNO055 does. 0 if
-                             it gives rotation rates and accelerations. */
+                             the simulated chip gives rotation rates and accelerations. */
     uint8_t begun;
     uint32_t step;
     struct quaternion before;

@@ -23,7 +23,8 @@ struct wire_fit {
     float step[8], length_m[8];
     float zero_m, step_m; /* Results in metres. `zero_m` is the length at step 0, and `step_m` is
                              the length of one step. */
-    float miss_m;         /* Greatest error of a mark in metres. */
+    float miss_m;         /* Greatest difference in metres between the measured and the fitted
+                             length of a mark. */
 };
 
 /* Adds a mark with its converter steps and its wire length in metres. Asserts that the arrays have

@@ -69,7 +69,7 @@ enum exit_code hid_file_print_error(const char *path)
 }
 
 /* Returns the index of the first character that is neither a hex digit nor white space. Returns
- * `size` if there is no such character, or if the bytes are not text. */
+ * `size` if every character is valid, or if the bytes are not text. */
 static size_t first_odd_letter(const uint8_t *bytes, size_t size)
 {
     size_t odd = size;

@@ -43,8 +43,8 @@ enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t 
  * file cannot be read, prints the error and returns EXIT_IO. */
 enum exit_code hid_file_read(struct hid_descriptor *out, const char *path);
 
-/* Writes the base name of `path` without its last suffix to `id`. The printed rows of a descriptor
- * and of its reports contain the same id. */
+/* Writes the base name of `path` without its last suffix to `id`. The id connects the printed rows
+ * of a descriptor with the rows of its reports. */
 void hid_file_id(const char *path, char id[HID_ID_SIZE]);
 
 /* Prints a line on standard error with `path` and the meaning of `errno`. Returns EXIT_IO. */

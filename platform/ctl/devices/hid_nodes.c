@@ -1,6 +1,7 @@
-/* hid_nodes.c -- lists the device nodes in /sys/class/hidraw.
+/* hid_nodes.c -- lists the HID device nodes of Linux from /sys/class/hidraw.
  *
- * Each node has a folder there, and the file device/uevent in the folder describes the device. */
+ * Each device node has a folder in /sys/class/hidraw. The file device/uevent in the folder
+ * describes the device. */
 #include "platform/ctl/devices/hid_nodes.h"
 
 #include <dirent.h>

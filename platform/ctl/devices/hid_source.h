@@ -23,9 +23,9 @@ struct hid_source {
     uint8_t is_node;
     uint8_t at_end; /* 1 after the end of the file, or after every writer of the pipe has closed the
                        pipe. Otherwise 0. */
-    size_t size;    /* Number of valid bytes in `bytes`. */
+    size_t size;    /* Number of valid bytes in the buffer `bytes`. */
     size_t given;   /* Length in bytes of the report that was returned last. The next call of
-                       hid_source_pull() removes these bytes. */
+                       hid_source_pull() removes the report from the buffer. */
     uint64_t taken; /* Position in the stream of the first byte in `bytes`. */
     uint8_t bytes[HID_SOURCE_BYTES];
 };

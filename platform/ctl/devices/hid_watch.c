@@ -38,10 +38,10 @@
 struct watch_options {
     const char *path, *descriptor_path;
     uint32_t seconds; /* Duration in seconds. 0 means that the command runs until the source ends or
-                         the user stops it. */
+                         the user stops the command. */
 };
 
-/* State of a display of one device's reports. */
+/* State of `kingyoctl hid watch` for one device. */
 struct watch {
     struct hid_descriptor descriptor;
     struct hid_source source;

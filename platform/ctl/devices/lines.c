@@ -24,13 +24,13 @@ static const char name[] = "lines";
 static struct buttons_gpio gpio;
 static volatile sig_atomic_t is_stopped;
 
-/* Arguments of a subcommand. */
+/* Arguments of a subcommand of `kingyoctl lines`. */
 struct request {
     struct gpio_wire wires[GPIO_ROLE_COUNT];
     enum gpio_role role; /* Role of the last line that the command line configures. */
     uint32_t seconds;    /* Duration in seconds. 0 means that --seconds was not given. */
-    const char *word;    /* Last argument: "on", "off" or a number of pulses. Null if there is no
-                            such argument. */
+    const char *word;    /* Last argument: "on", "off" or a number of pulses. Null means that the
+                            argument is absent. */
 };
 
 static void stop(int signal_number)

@@ -77,9 +77,9 @@ static void doctor_warn(const char *line)
                          "lists the keys");
 }
 
-/* Reads the options in the order in which the kiosk's main() reads them. The configuration file is
- * read first, and the command line overrides the file. Returns EXIT_OK. After an error, prints one
- * line and returns another exit code. */
+/* Reads the options of the kiosk as the kiosk's main() does. The configuration file is read first,
+ * and the command line overrides the file. Returns EXIT_OK. After an error, prints one line and
+ * returns another exit code. */
 static enum exit_code read_config(int argc, const char *const *argv)
 {
     char path[OPTIONS_PATH_MAX], error[OPTIONS_ERROR_MAX];

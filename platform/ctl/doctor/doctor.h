@@ -19,7 +19,7 @@
 #define DOCTOR_PATH 512u
 #define DOCTOR_GROUPS_MAX 64u
 
-/* Severity of a finding. */
+/* Severity of a finding. DOCTOR_FINE means that the component works. */
 enum doctor_level {
     DOCTOR_FINE = 0,
     DOCTOR_LOOK,  /* The component works or is optional, but the operator should check the
@@ -33,7 +33,7 @@ struct doctor_finding {
                                 string. */
     uint8_t level;           /* Severity of the finding (enum doctor_level). */
     char what[DOCTOR_TEXT];  /* Name of the component, for example a device name or a path. */
-    char state[DOCTOR_TEXT]; /* State of the component. */
+    char state[DOCTOR_TEXT]; /* State of the component as one sentence or phrase. */
     char todo[2u * DOCTOR_TEXT]; /* Action that the operator should take. "" means that no action is
                                     needed. */
 };
@@ -59,8 +59,9 @@ struct doctor {
     struct doctor_finding finding[DOCTOR_FINDINGS_MAX];
 };
 
-/* Adds a finding and returns it, so that the caller can fill in the state and the action. Never
- * returns null. If the list is full, increments `more` and returns a scratch finding. */
+/* Adds a finding to the list and returns the finding, so that the caller can fill in the state and
+ * the action. Never returns null. If the list is full, increments `more` and returns a scratch
+ * finding. */
 __attribute__((format(printf, 4, 5))) struct doctor_finding *doctor_find(struct doctor *doctor,
                                                                          const char *part,
                                                                          enum doctor_level level,
@@ -91,7 +92,7 @@ void doctor_gpio(struct doctor *doctor);
 /* Returns true if a desktop session controls the input devices and the screen. */
 bool doctor_under_a_desktop(const struct doctor *doctor);
 
-/* Checks the graphics cards and the screens connected to them. */
+/* Checks the graphics cards, and the screens that are connected to the graphics cards. */
 void doctor_screen(struct doctor *doctor);
 
 /* Checks the sound cards and their sound outputs. */

@@ -46,9 +46,9 @@ int doctor_may_use(const struct doctor *doctor, const char *path)
         return errno;
     }
     if (doctor->user.id == geteuid() && access(whole, R_OK | W_OK) == 0) {
-        return 0; /* An access control list may allow more than the mode bits. For example, the
-                     logged-in user at the machine has access to many devices through such a
-                     list. */
+        return 0; /* The user may have access through an access control list, even if the mode bits
+                     allow no access. For example, the logged-in user at the machine has access to
+                     many devices through access control lists. */
     }
     return by_mode(&doctor->user, &about);
 }

@@ -13,7 +13,7 @@
 
 /* State of one GPIO line, as the kernel reports it. */
 struct gpio_seen {
-    char chip[GPIO_TEXT_SIZE]; /* Label of the GPIO chip. */
+    char chip[GPIO_TEXT_SIZE]; /* Label of the GPIO chip to which the line belongs. */
     char name[GPIO_TEXT_SIZE];
     char consumer[GPIO_TEXT_SIZE];
     uint32_t offset;

@@ -1,7 +1,7 @@
 /* doctor_usb.c -- checks every USB device except hubs.
  *
- * The check reports whether the kiosk accepts the device, whether the kiosk can open it, whether
- * another program has claimed it, and whether autosuspend is disabled. */
+ * The check reports whether the kiosk accepts the device, whether the kiosk can open the device,
+ * whether another program has claimed the device, and whether autosuspend is disabled. */
 #include "platform/ctl/doctor/doctor_usb.h"
 
 #include <dirent.h>
@@ -130,7 +130,7 @@ static bool is_asked_for(const struct doctor *doctor, const struct hid_identity 
 }
 
 /* Adds a finding for a device that is not a usable controller, with the reason `why`. If an option
- * names the device, the finding has a higher severity, so that the operator notices it. */
+ * names the device, the finding has a higher severity, so that the operator notices the finding. */
 static void say_no_hand(struct doctor *doctor, const struct usb_device *device, const char *why)
 {
     const bool is_asked = is_asked_for(doctor, &device->identity);

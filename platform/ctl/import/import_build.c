@@ -33,8 +33,8 @@ struct builder {
     float reach;
     uint32_t key; /* Index of the last key shape, from which the body coordinates are computed. */
     struct corner corners[MESH_VERTEX_MAX];
-    uint32_t place[MESH_VERTEX_MAX]; /* For each vertex, the first vertex of the same part at the
-                                        same position. */
+    uint32_t place[MESH_VERTEX_MAX]; /* For each vertex, the index of the first vertex of the same
+                                        part that has the same position. */
     uint32_t buckets[BUCKETS];       /* Hash table of the vertices. An entry is a vertex index + 1,
                                         or 0 if the bucket is empty. */
     struct part_box {
@@ -195,7 +195,7 @@ static bool vertex_of(struct builder *b, const struct corner *corner, uint32_t *
 static bool add_triangle(struct builder *b, uint32_t x, uint32_t y, uint32_t z)
 {
     if (x == y || y == z || z == x) {
-        return true; /* The triangle is omitted because two of its corners became the same
+        return true; /* The triangle is omitted because two corners of the triangle became the same
                         vertex. */
     }
     if (b->out->index_count + 3 > MESH_INDEX_MAX) {
@@ -262,8 +262,8 @@ static bool has_edge(const struct builder *b, uint32_t from, uint32_t to)
     return false;
 }
 
-/* Adds a second side to each fin that is an open sheet. A sheet is open if it has an edge that only
- * one triangle has. Closed fins are not changed. */
+/* Adds a second side to each fin that is an open sheet. A sheet is open if any edge belongs to only
+ * one triangle. Closed fins are not changed. */
 static bool give_sheets_a_second_side(struct builder *b)
 {
     bool open[PART_COUNT] = { false };

@@ -113,7 +113,8 @@ static float number_of(const struct aiMetadata *data, const char *key)
                                        : 0.0f;
 }
 
-/* Returns the metadata entry `key` of the first node that has such an entry, or null. */
+/* Returns the metadata entry `key` of the first node with this key, or null if no node has the
+ * key. */
 static const struct aiMetadataEntry *find_extra(const struct flattening *f, const char *key)
 {
     const struct aiMetadataEntry *entry = NULL;
@@ -143,7 +144,7 @@ static uint32_t whole_of(const struct aiMetadata *data, const char *key, float m
 
 static void read_coat(const struct aiMetadata *data, struct species_coat *coat)
 {
-    const float colour = 16777215.0f; /* Largest colour value, 0xffffff. */
+    const float colour = 16777215.0f; /* Largest valid colour, 0xffffff (white). */
     *coat = (struct species_coat){ .back = whole_of(data, "back", colour),
                                    .flank = whole_of(data, "flank", colour),
                                    .belly = whole_of(data, "belly", colour),

@@ -1,6 +1,7 @@
 /* import_keys.c -- selects the key shapes of a scene, sorts them by age, and reads their
  * deformation graph. */
-#include <stddef.h> /* Without assimp, the file would be empty, which C does not allow. */
+#include <stddef.h> /* This header is included so that the file is not empty without assimp. An
+                       empty source file is not valid C. */
 
 #ifdef HAS_ASSIMP
 
@@ -90,7 +91,7 @@ static bool is_base(const struct aiMesh *mesh, const struct aiAnimMesh *target)
 }
 
 /* Returns true if the first morph target equals the base shape in every mesh. Some programs write
- * such files. */
+ * the base shape twice. */
 static bool base_comes_twice(const struct flattening *f)
 {
     for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {

@@ -48,7 +48,7 @@ struct import_mesh {
     bool is_ours;        /* True if kingyoctl wrote the file. The texture coordinates are then the
                             body coordinates u and v. */
     uint32_t time_count; /* Number of keyframes in the animation of the weights. 0 means that the
-                            file has no such animation. */
+                            file does not animate the weights. */
     float times[IMPORT_TIME_MAX];
     float weights[IMPORT_TIME_MAX][MORPH_KEY_MAX]; /* Weight of each key shape, including key shape
                                                       0, at each keyframe. */

@@ -1,5 +1,6 @@
 /* import_nodes.c -- computes the transforms of nested scene nodes at the time of each key shape. */
-#include <stddef.h> /* Without assimp, the file would be empty, which C does not allow. */
+#include <stddef.h> /* This header is included so that the file is not empty without assimp. An
+                       empty source file is not valid C. */
 
 #ifdef HAS_ASSIMP
 

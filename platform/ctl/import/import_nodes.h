@@ -6,7 +6,8 @@
 #ifndef KINGYO_PLATFORM_CTL_IMPORT_IMPORT_NODES_H
 #define KINGYO_PLATFORM_CTL_IMPORT_IMPORT_NODES_H
 
-#include <assimp/types.h> /* Included first because other assimp headers need its types. */
+#include <assimp/types.h> /* This header must precede the other headers of assimp, because they need
+                             its types. */
 
 #include <assimp/anim.h>
 #include <assimp/scene.h>
@@ -16,7 +17,7 @@
 
 #define NODE_MAX 4096u
 
-/* An affine transform. */
+/* An affine transform of positions. */
 struct place {
     float m[3][4]; /* Rows of the transform's matrix. The fourth column is the translation. */
 };
@@ -62,7 +63,7 @@ struct place import_nodes_place_of(const struct aiMatrix4x4 *matrix);
 /* Returns the product outer * inner, which applies `inner` first and then `outer`. */
 struct place import_nodes_place_within(const struct place *outer, const struct place *inner);
 
-/* Returns the point `a` after the transform. */
+/* Applies a transform to the point `a` and returns the result. */
 vec3 import_nodes_apply(const struct place *place, vec3 a);
 
 #endif

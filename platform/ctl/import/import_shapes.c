@@ -1,6 +1,7 @@
 /* import_shapes.c -- adds the meshes of a scene to the result in every key shape, transformed by
  * nodes and joints. */
-#include <stddef.h> /* Without assimp, the file would be empty, which C does not allow. */
+#include <stddef.h> /* This header is included so that the file is not empty without assimp. An
+                       empty source file is not valid C. */
 
 #ifdef HAS_ASSIMP
 

@@ -137,8 +137,8 @@ static float distance_at(const struct font_glyph *glyph, float x, float y)
 static void draw_glyph(struct canvas *canvas, const struct font_glyph *glyph, float pen_x,
                        float pen_y, float size_px, vec3 ink)
 {
-    const float fine = asset_fonts[FONT_BODY].em_px / size_px; /* Font atlas pixels per canvas
-                                                                  pixel. */
+    const float fine = asset_fonts[FONT_BODY].em_px / size_px; /* Number of font atlas pixels per
+                                                                  canvas pixel. */
     const struct canvas_box box = { pen_x + glyph->left_em * size_px,
                                     pen_y + glyph->top_em * size_px, (float)glyph->width / fine,
                                     (float)glyph->height / fine };

@@ -21,7 +21,7 @@
 /* Largest file size in bytes. A file with 131,072 fish for --place needs about 16 MiB. */
 #define CSV_SIZE_MAX (64u << 20)
 
-/* Definition of a column that a file may have. */
+/* Definition of one column that a CSV file may contain. */
 struct csv_column {
     const char *name;
     double min, max;          /* Allowed range of the numbers. Not used if `words` is set. */
@@ -69,7 +69,7 @@ int csv_has(const struct csv *csv, uint32_t index);
 __attribute__((format(printf, 3, 4))) enum exit_code
 csv_error(const struct csv *csv, uint32_t index, const char *format, ...);
 
-/* Closes the file. */
+/* Closes the CSV file. */
 void csv_close(struct csv *csv);
 
 #endif

@@ -9,7 +9,7 @@
 
 #include "platform/config/options.h"
 
-/* Description of a command of kingyoctl. */
+/* Description of one command of `kingyoctl`, for example `kingyoctl hid`. */
 struct ctl_command {
     const char *name;
     const char *summary;

@@ -37,7 +37,7 @@ struct piecewise_fit {
 bool piecewise_fit_fit(struct piecewise_fit *track, const struct piecewise_fit_function *function,
                        const float *marks, uint32_t mark_count, float tolerance);
 
-/* Frees the sample arrays of a track. */
+/* Frees the arrays of the samples. */
 void piecewise_fit_free(struct piecewise_fit *track);
 
 #endif

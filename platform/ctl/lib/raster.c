@@ -97,7 +97,8 @@ static float edge_at(const struct edge *e, float x, float y)
 }
 
 struct triangle {
-    struct edge edges[3]; /* edges[i] is the edge opposite corner i. */
+    struct edge edges[3]; /* Edge functions of the triangle. edges[i] belongs to the edge opposite
+                             corner i. */
     float double_area;
     float depth_dx, depth_dy, depth_at; /* Coefficients of the depth plane through the three
                                            corners. */

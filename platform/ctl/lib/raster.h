@@ -14,7 +14,7 @@
 
 struct raster_layer {
     vec3 colour; /* Colour in linear light. */
-    float hides; /* Opacity in [0, 1]. 1 means opaque. */
+    float hides; /* Opacity in [0, 1]. 0 means invisible, and 1 means opaque. */
     /* `depth` is the depth at the centre of the pixel. A larger depth is nearer. `depth_dx` and
      * `depth_dy` are the changes of the depth per pixel to the right and per pixel down. */
     float depth, depth_dx, depth_dy;

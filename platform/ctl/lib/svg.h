@@ -15,7 +15,7 @@
 #define SVG_FAINT "#e4dfd8"
 
 struct svg {
-    FILE *file; /* Stream that writes to `out`. */
+    FILE *file; /* Output stream of the picture. The stream writes to the file `out`. */
     struct atomic_file out;
 };
 

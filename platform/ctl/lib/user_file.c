@@ -1,4 +1,4 @@
-/* user_file.c -- implements user_file.h. */
+/* user_file.c -- opens files that the user names on the command line. */
 #include "platform/ctl/lib/user_file.h"
 
 #include <errno.h>

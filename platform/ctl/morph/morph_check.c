@@ -31,7 +31,7 @@ struct row {
     /* Factor by which the measured value is multiplied for printing. 100 prints a share in
      * percent. */
     double scale;
-    double limit; /* Limit for the printed value. */
+    double limit; /* Limit in the unit of the printed value. */
     enum { AT_MOST, AT_LEAST, TOLD_ONLY } rule;
 };
 

@@ -32,7 +32,8 @@ struct morph_glb {
     struct morph_pose adult; /* Pose of the fish at progress 1. A viewer shows this pose if no
                                 animation runs. */
     struct morph_mesh cut;
-    struct paint paints[MORPH_KEY_MAX][MESH_VERTEX_MAX]; /* Colour of each vertex for each key. */
+    struct paint paints[MORPH_KEY_MAX][MESH_VERTEX_MAX]; /* Colour of each vertex for each key,
+                                                            indexed by key and vertex. */
     struct target_list targets[PIECE_MAX];
     bool skinned[PIECE_MAX]; /* True if at least one vertex of the piece has an anchor on the body's
                                 surface. */

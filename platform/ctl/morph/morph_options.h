@@ -33,7 +33,8 @@ enum morph_requirement {
 };
 
 struct morph_options {
-    const char *word;            /* SPECIES|FILE as written by the user. */
+    const char *word;            /* Argument SPECIES|FILE as the user wrote it: the name of a
+                                    built-in species or the path of a species file. */
     const struct species *drawn; /* Species as its author drew it, with all keys (growth stages),
                                     parts and anchors. */
     const struct species *fish;  /* Species after --thesis and --template ordinary were applied to

@@ -80,9 +80,10 @@ static enum layer layer_of(uint8_t part, float toward)
     }
 }
 
-/* Returns true if the view hides a layer at the depth `toward`. Eyes behind the body are hidden. In
- * the side view, these are the eyes beyond the middle plane of the fish. The front view also hides
- * the median fins, because they are seen edge-on. */
+/* Returns true if the view hides a layer. `toward` is the depth of the layer, positive toward the
+ * viewer. Eyes behind the body are hidden. In the side view, an eye beyond the middle plane of the
+ * fish is hidden. The front view also hides the median fins, because the front view shows only
+ * their edges. */
 static bool is_hidden(const struct morph_outline *outline, enum layer layer, float toward)
 {
     if (outline->view == MORPH_OUTLINE_FRONT) {

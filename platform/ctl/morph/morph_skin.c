@@ -58,8 +58,9 @@ static void fill_bins(struct morph_skin *skin)
     for (uint32_t bin = 1; bin <= MORPH_SKIN_BINS; bin++) {
         skin->bin_first[bin] += skin->bin_first[bin - 1];
     }
-    /* Converts each count to the first index of its bin in `binned`. The second call of walk_bins()
-     * increments each first index until it is the end of its bin. */
+    /* Converts each count to the first index of its bin in `binned`. The second call of
+     * walk_bins() increments the first index of a bin for each triangle, until the index is the
+     * end of the bin. */
     memmove(&skin->bin_first[1], &skin->bin_first[0], MORPH_SKIN_BINS * sizeof skin->bin_first[0]);
     walk_bins(skin, true);
 }

@@ -34,8 +34,9 @@ struct morph_survey {
     /* `drawn_sum_error` and `drawn_weight_min` are the corresponding values for the factors with
      * which the drawn shapes are blended. If shapes are solved, some factors are negative. */
     float drawn_sum_error, drawn_weight_min;
-    /* `key_error` is the distance between the fish and a drawn key at moments when all curves give
-     * this key the weight 1. `keys_alone` is the number of such keys. */
+    /* `key_error` is the greatest distance between the fish and a drawn key, at moments when all
+     * curves give the key the weight 1. `keys_alone` is the number of keys for which there is such
+     * a moment. */
     struct finding key_error;
     uint32_t keys_alone;
     /* Number of triangles that are flipped at any moment. A triangle of the body or of an eye is
@@ -46,7 +47,7 @@ struct morph_survey {
     /* Number of moments at which the body's surface has a hole. Penetration depths are not measured
      * at these moments. */
     uint32_t moments_open;
-    /* Penetration depths follow. */
+    /* The following findings are penetration depths. */
     struct finding body_in_body;  /* Depth of a body point inside the body, where the skin has
                                      folded. */
     struct finding fin_in_body;   /* Depth of a fin point below the skin, minus the depth of the

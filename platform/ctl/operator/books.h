@@ -25,7 +25,7 @@ struct books_words {
     "  --data DIR   where the stall keeps it: else /var/lib/kingyo, else your own data folder\n"   \
     "  --json       for programs\n"
 
-/* Parses argv[*at] if it is an option of BOOKS_USAGE, with the value that follows the option.
+/* Parses argv[*at] and its value if argv[*at] is an option of BOOKS_USAGE.
  *
  * Returns 1 and advances `*at` past the value. Returns 0 if argv[*at] is not an option of
  * BOOKS_USAGE. */
@@ -34,7 +34,7 @@ int books_take(struct books_words *words, int argc, const char *const *argv, int
 /* Writes the path of the kiosk's ledger database to `out`. The file may not exist. */
 void books_path(const struct books_words *words, char out[BOOKS_PATH_SIZE]);
 
-/* Returns 1 if both paths lead to the same file (same device and inode), otherwise 0. */
+/* Returns 1 if the two paths lead to the same file (same device and inode), otherwise 0. */
 int books_is_same(const char *one, const char *other);
 
 /* Checks whether the file at `path` is a ledger database that Kingyo wrote.
@@ -49,7 +49,8 @@ int books_check_copy(const char *path, struct ledger_start *out);
  * then `advice`. Returns 1 if a foreign object was found, otherwise 0. */
 int books_tell_foreign(const char *command, const char *path, const char *advice);
 
-/* Opens the ledger database for reading, also while a kiosk is running with it.
+/* Opens the ledger database for reading. A kiosk that is running may have the database open at the
+ * same time.
  *
  * Returns EXIT_OK. Returns EXIT_IO if there is no database or an I/O error occurs, and
  * EXIT_BAD_DATA if the content of the database is invalid. Prints each error on standard error with

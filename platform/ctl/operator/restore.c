@@ -34,7 +34,8 @@
 
 static const char command[] = "backup --restore";
 
-/* Paths and state of a restore. */
+/* State of the replacement of the database: the paths of the files, and the start record of the
+ * copy. */
 struct swap {
     char own[BOOKS_PATH_SIZE];     /* Path of the kiosk's ledger database. */
     char fresh[LEDGER_PATH_SIZE];  /* Path of the copy that will replace the database. */

@@ -1,5 +1,4 @@
-/* scores.c -- `kingyoctl scores`, which prints the leaderboard of each game mode as the kiosk shows
- * it. */
+/* scores.c -- `kingyoctl scores`, which prints the kiosk's leaderboard of each game mode. */
 #include <stdio.h>
 #include <string.h>
 

@@ -196,8 +196,8 @@ int bot_file_parse(const char *text, size_t size, struct technique *out,
                    struct bot_file_problem *problem)
 {
     static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Byte-order mark U+FEFF in UTF-8. Some
-                                                             editors write it at the start of a
-                                                             file. */
+                                                             editors write the mark at the start of
+                                                             a file. */
     struct parser parser = { .technique = technique_expert, .problem = problem };
     if (size >= 3 && memcmp(text, byte_order_mark, 3) == 0) {
         text += 3;

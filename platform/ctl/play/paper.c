@@ -1,5 +1,6 @@
-/* paper.c -- `kingyoctl paper`. The command moves one poi (a paper scoop) through water or air, or
- * computes the strength of paper from weights that tore it. */
+/* paper.c -- `kingyoctl paper`, which tests the paper of a poi (a paper scoop). The command moves
+ * one poi through water or air, or computes the strength of paper from the weights under which the
+ * paper tore. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -84,8 +85,8 @@ static void paper_measure_all(const struct paper_options *plan)
 
 /* ---- Strength from weights ------------------------------------------------------------------- */
 
-/* Returns the tension in N/m that the core's sheet model computes for a paper under the weight. As
- * for a fish, the load is a pressure of the whole weight on its footprint. */
+/* Returns the tension in N/m that the core's sheet model computes for a paper under a weight of
+ * `weight_kg`. As for a fish, the load is a pressure of the whole weight on its footprint. */
 static double tension_n_m(const struct paper_options *plan, double weight_kg)
 {
     static struct sheet sheet;
@@ -98,9 +99,9 @@ static double tension_n_m(const struct paper_options *plan, double weight_kg)
     return (double)sheet_tick(&sheet, -force_n / area_m2, in_air, &foot, 1).tension_max_n_m;
 }
 
-/* Returns the strength of the paper for a short load, in N/m. Paper tears after a long time under a
- * load that it resists for a short time. The strength is therefore the measured tension multiplied
- * by (time / tau)^(1/m). */
+/* Returns the strength of the paper for a short load, in N/m. A paper resists a greater load for a
+ * short time than for a long time. The strength is therefore the measured tension multiplied by
+ * (time / tau)^(1/m). */
 static double strength_n_m(const struct paper_options *plan, double weight_kg)
 {
     const double longer = plan->hang_s / (double)SHEET_DAMAGE_TAU_S;

@@ -20,7 +20,7 @@ struct paper_lab {
     float wetness[SHEET_CELL_COUNT]; /* Wetness of each cell of the sheet, in [0, 1]. The wetness is
                                         held constant. */
     uint32_t tick;
-    /* Results of the ticks so far follow. */
+    /* The following fields are the results of the ticks so far. */
     /* Greatest force on the paper in N, greatest tension in N/m, and greatest mass of carried water
      * in kg so far. */
     float force_n, tension_n_m, water_kg;

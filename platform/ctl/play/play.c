@@ -28,7 +28,7 @@ struct play_options {
     int as_json;
 };
 
-/* State of one execution of the command. */
+/* State of one run of `kingyoctl play`. */
 struct evening {
     const struct play_options *options;
     struct round_plan *plans;

@@ -1,5 +1,5 @@
-/* rounds.c -- plays rounds in worker threads. Each worker plays the next plan as soon as it has
- * finished its last round. */
+/* rounds.c -- plays rounds in worker threads. Each worker starts the next round as soon as its
+ * previous round has ended. */
 #include "platform/ctl/play/rounds.h"
 
 #include <pthread.h>

@@ -1,6 +1,6 @@
 /* overlap.c -- finds overlapping bodies of fish with a grid. A cell is as wide as the largest
- * bounding sphere, so that only the 3 x 3 cells around a body can contain bodies that overlap
- * it. */
+ * bounding sphere. Only the 3 x 3 cells around a body can therefore contain bodies that overlap the
+ * body. */
 #include "platform/ctl/tank/overlap.h"
 
 #include <math.h>
@@ -45,8 +45,9 @@ static double shadow_m(const struct overlap_box *box, const double axis[3])
            box->half_m[2] * fabs(dot(box->axis[2], axis));
 }
 
-/* Projects both boxes onto the unit vector `axis`, and reduces `*least_m` to the overlap of the
- * projections if that is less. Returns 1 if the axis separates the boxes, otherwise 0. */
+/* Projects the two boxes onto the unit vector `axis`. Sets `*least_m` to the overlap of the
+ * projections if the overlap is less than `*least_m`. Returns 1 if the axis separates the boxes,
+ * otherwise 0. */
 static int parted_along(const struct overlap_box *a, const struct overlap_box *b, const double d[3],
                         const double axis[3], double *least_m)
 {

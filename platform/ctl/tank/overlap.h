@@ -1,9 +1,10 @@
 /* overlap.h -- measures how deep the bodies of fish penetrate each other, as an independent check
  * of the tank.
  *
- * The tank has its own collision detection. This module shares no code with it, uses double
- * precision, tests all fifteen separating axes, and tests every pair of boxes whose bounding
- * spheres overlap. The penetration depth is the least translation that separates two boxes. */
+ * The tank has its own collision detection, and overlap.c shares no code with the tank. overlap.c
+ * uses double precision, tests all fifteen separating axes, and tests every pair of boxes whose
+ * bounding spheres overlap. The penetration depth is the least translation that separates two
+ * boxes. */
 #ifndef KINGYO_PLATFORM_CTL_TANK_OVERLAP_H
 #define KINGYO_PLATFORM_CTL_TANK_OVERLAP_H
 

@@ -18,8 +18,8 @@
 
 #define POI_GRADE 5u /* Paper grade of the poi, the grade of the championship mode. */
 /* Default number of ticks between two observations for a tank with more fish than a kiosk has. 24
- * ticks give 5 observations per second. An observation of 100,000 fish takes longer than their
- * tick. */
+ * ticks give 5 observations per second. For 100,000 fish, one observation takes more computing time
+ * than one tick. */
 #define OBSERVE_MANY_TICKS 24u
 
 static const char path_speaker[] = "kingyoctl tank: --poi-path";

@@ -37,7 +37,7 @@ struct tank_lab {
                          fields are zero. */
     struct output output;
     struct tank_path path;
-    uint32_t tick; /* Number of completed ticks. */
+    uint32_t tick; /* Number of ticks that were completed. */
 
     struct overlap overlap;
     struct overlap_count overlaps;

@@ -66,7 +66,7 @@ struct words {
     uint8_t preset;
     uint8_t pump;   /* Setting of the water pump (enum pump). */
     uint8_t search; /* Method of the pair search (enum pair_search). */
-    uint8_t balls;  /* 1 if --spaces ball was given, otherwise 0. */
+    uint8_t balls;  /* 1 if the option --spaces ball was given, otherwise 0. */
     /* Size of the tank in cm along x, y and z. The size along y is the depth of the water. 0
      * selects the size of the tank preset. */
     double size_cm[3];

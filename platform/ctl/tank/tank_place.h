@@ -9,7 +9,7 @@
 struct tank_place {
     uint32_t count;
     struct tank_stage stage[TANK_FISH_MAX];
-    uint32_t line[TANK_FISH_MAX]; /* Line number in the file for each fish. */
+    uint32_t line[TANK_FISH_MAX]; /* Line number of each fish in the file, for error messages. */
     double tick;                  /* Number of the tick whose rows are used, if the file has a tick
                                      column. */
     uint32_t rows_left_out;       /* Number of rows that were skipped because they belong to another
