@@ -22,6 +22,7 @@ struct buttons_mux {
  * are BUTTONS_MUX_MAX parts already; the new part is then ignored. */
 int buttons_mux_add(struct buttons_mux *join, struct hal_buttons part);
 
+/* Returns the merged button device. */
 struct hal_buttons buttons_mux_device(struct buttons_mux *join);
 
 #endif

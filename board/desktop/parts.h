@@ -23,9 +23,9 @@ void screen_ignore(const uint32_t *types, size_t count);
  * devices that the USB driver claims. */
 void usb_open(struct hal *hal, const struct board_options *options);
 
-/* Adds the USB controllers to the slots. usb_add_buttons() adds their buttons to the merged
- * buttons. */
+/* Adds the USB controllers to the slots. */
 void usb_add_seats(struct input_mux *seats);
+/* Adds the buttons of the USB controllers to the merged buttons. */
 void usb_add_buttons(struct buttons_mux *join);
 
 /* Copies the USB devices, present or selected, that no other driver may open. Returns their

@@ -103,6 +103,7 @@ void gamepad_decoder_set_view(struct gamepad_decoder *hand, const struct view *v
 struct gamepad_rumble {
     uint16_t slow, fast;
 };
+/* Returns the motor levels for the force feedback `force`. */
 struct gamepad_rumble gamepad_decoder_rumble(const struct poi_force *force);
 
 #endif

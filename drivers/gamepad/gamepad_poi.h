@@ -6,9 +6,9 @@
 #include "drivers/gamepad/gamepads.h"
 #include "platform/hal.h"
 
-/* Returns the poi device of game pad `index` (0 to GAMEPADS_MAX - 1). gamepad_poi_fan() returns its
- * fan device. */
+/* Returns the poi device of game pad `index` (0 to GAMEPADS_MAX - 1). */
 struct hal_poi gamepad_poi_device(struct gamepads *gamepads, uint32_t index);
+/* Returns the fan device of game pad `index` (0 to GAMEPADS_MAX - 1). */
 struct hal_fan gamepad_poi_fan(struct gamepads *gamepads, uint32_t index);
 /* Returns 1 if the game pad `pad` (a struct gamepad) is plugged in, otherwise 0. Processes pending
  * events first. */

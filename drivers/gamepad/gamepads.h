@@ -93,6 +93,7 @@ void gamepads_close(struct gamepads *gamepads);
 
 /* Processes SDL's pending game pad events. */
 void gamepads_poll(struct gamepads *gamepads);
+/* Returns the current time of gamepads->clock. */
 uint64_t gamepads_now_ns(const struct gamepads *gamepads);
 
 #endif

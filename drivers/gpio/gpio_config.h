@@ -47,9 +47,9 @@ bool gpio_config_agrees(const struct gpio_wire wires[GPIO_ROLE_COUNT], char why[
 /* Returns the number of wired roles. */
 uint32_t gpio_config_count(const struct gpio_wire wires[GPIO_ROLE_COUNT]);
 
-/* Size of the buffer for gpio_wire_text(), which writes the name of a line for messages, such as
- * "BTN_START" or "gpio-sim.0:4". */
+/* Size of the buffer for gpio_wire_text(). */
 #define GPIO_WIRE_TEXT_SIZE (2u * GPIO_TEXT_SIZE + 12u)
+/* Writes the name of a line for messages, such as "BTN_START" or "gpio-sim.0:4". */
 void gpio_wire_text(const struct gpio_wire *wire, char out[GPIO_WIRE_TEXT_SIZE]);
 
 /* Returns a copy of `wire` with default times in place of times of 0. */

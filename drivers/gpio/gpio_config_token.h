@@ -13,6 +13,7 @@ struct gpio_config_token {
     size_t length;
 };
 
+/* Returns true if `word` equals `text`. */
 bool gpio_config_token_is(struct gpio_config_token word, const char *text);
 
 /* Returns true and removes `prefix` from `word` if `word` starts with `prefix`, otherwise returns
@@ -27,10 +28,11 @@ struct gpio_config_token gpio_config_token_split(struct gpio_config_token *rest,
  * digits or if the value exceeds `max`. */
 bool gpio_config_token_parse_number(struct gpio_config_token *word, uint32_t max, uint32_t *out);
 
-/* Parses two times that are separated by `mark`. gpio_config_token_parse_time() parses a single
- * time. Each function returns false unless every time is 1 us to GPIO_TIME_US_MAX. */
+/* Parses two times that are separated by `mark`. Returns false unless each time is 1 us to
+ * GPIO_TIME_US_MAX. */
 bool gpio_config_token_parse_times(struct gpio_config_token word, char mark, uint32_t *first_us,
                                    uint32_t *second_us);
+/* Parses a single time. Returns false unless the time is 1 us to GPIO_TIME_US_MAX. */
 bool gpio_config_token_parse_time(struct gpio_config_token word, uint32_t *out_us);
 
 #endif

@@ -30,11 +30,12 @@ void gpio_dev_end(struct gpio_dev_walk *walk);
 void gpio_dev_text(char out[GPIO_TEXT_SIZE], const char *text);
 
 /* Result of gpio_dev_wait(): one bit in `readable` for each role with events, and one bit in `gone`
- * for each role whose chip was removed. gpio_dev_wait() waits at most `timeout_ms` for events on
- * the file descriptors `fds` of the input lines. A descriptor of -1 is ignored. */
+ * for each role whose chip was removed. */
 struct gpio_dev_ready {
     uint32_t readable, gone;
 };
+/* Waits at most `timeout_ms` for events on the file descriptors `fds` of the input lines. A
+ * descriptor of -1 is ignored. */
 struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t timeout_ms);
 
 /* Polling interval of lines without interrupts, such as lines of a port expander whose INT pin is

@@ -42,6 +42,7 @@ struct controller_manager {
 void controller_manager_init(struct controller_manager *manager, struct hid_device_list device_list,
                              struct hid_mapping_store *book, struct poi_hid *const seats[POI_MAX]);
 
+/* Returns the device for the operator's menu. */
 struct hal_controllers controller_manager_device(struct controller_manager *manager);
 
 #endif

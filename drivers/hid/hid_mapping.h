@@ -148,12 +148,14 @@ int hid_mapping_is_array_of(const struct hid_group *group, const struct hid_bind
  * binding lies inside its declared report, and every number is in range. Otherwise returns 0. */
 int hid_mapping_is_sound(const struct hid_mapping *map, const struct hid_descriptor *descriptor);
 
-/* Size of the buffer for hid_mapping_write(), which writes a mapping as one line of text without a
- * newline. hid_mapping_read() parses such a line. Each function returns 0, or -1 on an error.
- * hid_mapping_read() then describes the error in `error`. hid_mapping_store.h stores the line with
- * its vendor:product:serial. */
-#define HID_MAPPING_TEXT_SIZE 3072u /* Holds HID_BINDING_MAX bindings of the longest text. */
+/* Size of the buffer for hid_mapping_write(). */
+#define HID_MAPPING_TEXT_SIZE                                                                      \
+    3072u /* The size is enough for HID_BINDING_MAX bindings of the longest text. */
+/* Writes a mapping as one line of text without a newline. Returns 0, or -1 if the mapping cannot be
+ * written. hid_mapping_store.h stores the line with its vendor:product:serial. */
 int hid_mapping_write(const struct hid_mapping *map, char text[HID_MAPPING_TEXT_SIZE]);
+/* Parses a line of hid_mapping_write(). Returns 0, or -1 with a description of the error in
+ * `error`. */
 int hid_mapping_read(struct hid_mapping *out, const char *text, char error[HAL_TEXT_SIZE]);
 
 #endif

@@ -57,12 +57,14 @@ uint32_t hid_mapping_store_open(struct hid_mapping_store *store, const char *dat
 const struct hid_mapping *hid_mapping_store_find(const struct hid_mapping_store *store,
                                                  const struct hid_identity *identity);
 
-/* Stores the mapping of a controller; hid_mapping_store_forget() deletes it. Each function returns
- * HAL_OK, or HAL_ERR_BUSY while the previous job is being written; the caller then retries in a
- * later frame. Returns HAL_ERR_IO if the store is full, if the mapping cannot be written as text,
- * or if the writer thread did not start. */
+/* Stores the mapping of a controller. Returns HAL_OK, or HAL_ERR_BUSY while the previous job is
+ * being written; the caller then retries in a later frame. Returns HAL_ERR_IO if the store is full,
+ * if the mapping cannot be written as text, or if the writer thread did not start. */
 int hid_mapping_store_put(struct hid_mapping_store *store, const struct hid_identity *identity,
                           const struct hid_mapping *map);
+/* Deletes the mapping of a controller. Returns HAL_OK, also if there is no such mapping. Returns
+ * HAL_ERR_BUSY while the previous job is being written, or HAL_ERR_IO if the writer thread did not
+ * start. */
 int hid_mapping_store_forget(struct hid_mapping_store *store, const struct hid_identity *identity);
 
 /* Returns a mapper for the decoders. The mapper returns the learned mapping if it is valid for the

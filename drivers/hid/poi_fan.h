@@ -31,8 +31,9 @@ void poi_fan_init(struct poi_fan *fan);
  * key is pressed. */
 void poi_fan_move(struct poi_fan *fan, const struct poi_target *hand, int held, uint64_t time_ns);
 
-/* Returns the pose of the poi. poi_fan_shade() returns the shadow of the fan at `time_ns`. */
+/* Returns the pose of the poi. */
 struct poi_target poi_fan_pose(const struct poi_fan *fan);
+/* Returns the shadow of the fan on the water at `time_ns`. */
 struct shade_input poi_fan_shade(struct poi_fan *fan, uint64_t time_ns);
 
 #endif

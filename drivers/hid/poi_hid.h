@@ -50,7 +50,9 @@ void poi_hid_set_observer(struct poi_hid *poi, struct hid_watch watch);
  * controller can play with the mapping, otherwise 0. */
 int poi_hid_remap(struct poi_hid *poi, const struct hid_mapping *map);
 
+/* Returns the poi device of the slot. */
 struct hal_poi poi_hid_device(struct poi_hid *poi);
+/* Returns the fan device of the slot. */
 struct hal_fan poi_hid_fan(struct poi_hid *poi);
 
 /* Returns the device with START, LEFT, RIGHT and OK of the controller. The poi device must be

@@ -13,6 +13,7 @@ struct buttons_keyboard {
     uint32_t held; /* Pressed buttons, as bits of enum input_button. */
 };
 
+/* Returns the button device of the keyboard. */
 struct hal_buttons buttons_keyboard_device(struct buttons_keyboard *keyboard);
 
 #endif

@@ -44,15 +44,17 @@ struct mouse_poi {
 void mouse_poi_init(struct mouse_poi *mouse, struct hal_clock clock, const struct view *view,
                     uint32_t width, uint32_t height, uint32_t heeds);
 
+/* Returns the poi device of the mouse or touch screen. */
 struct hal_poi mouse_poi_device(struct mouse_poi *mouse);
 
 /* Returns the fan that the same mouse controls while key F is pressed. */
 struct hal_fan mouse_poi_fan(struct mouse_poi *mouse);
 
-/* Time without use after which mouse_poi_is_used() returns 0. The function returns 1 if a person
- * moved, pressed or touched the device within that time. The motion event of a window that opens
- * under the pointer does not count. `mouse` is a struct mouse_poi. */
+/* Time without use after which mouse_poi_is_used() returns 0. */
 #define POINTER_USED_NS 120000000000ull
+/* Returns 1 if a person moved, pressed or touched the device within POINTER_USED_NS, otherwise 0.
+ * The motion event of a window that opens under the pointer does not count. `mouse` is a struct
+ * mouse_poi. */
 int mouse_poi_is_used(void *mouse);
 
 /* Returns a button device that reports START while three fingers touch the screen. */

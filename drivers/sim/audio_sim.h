@@ -13,6 +13,7 @@ struct audio_sim {
     uint32_t open_count;
 };
 
+/* Returns the simulated audio device. */
 struct hal_audio audio_sim_device(struct audio_sim *sim);
 
 #endif

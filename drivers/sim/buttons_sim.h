@@ -21,6 +21,7 @@ struct buttons_sim {
     uint32_t held;
 };
 
+/* Returns the simulated button device. */
 struct hal_buttons buttons_sim_device(struct buttons_sim *sim);
 
 #endif

@@ -8,6 +8,7 @@ struct clock_sim {
     uint64_t now_ns; /* Current time. The owner may increase it and must not decrease it. */
 };
 
+/* Returns the simulated clock. */
 struct hal_clock clock_sim_device(struct clock_sim *sim);
 
 #endif

@@ -25,6 +25,7 @@ struct display_sim {
     uint8_t opened;
 };
 
+/* Returns the simulated display. */
 struct hal_display display_sim_device(struct display_sim *sim);
 
 #endif

@@ -103,11 +103,13 @@ struct gpio_sim_events {
     const struct gpio_sim_event *events;
     uint32_t count, next;
 };
+/* Returns a script that plays `events`. */
 struct gpio_sim_script gpio_lines_sim_events_script(struct gpio_sim_events *events);
 
 /* Advances the time by `ns` without reading edges, as if the GPIO thread did not run. */
 void gpio_lines_sim_pass(struct gpio_lines_sim *sim, uint64_t ns);
 
+/* Returns the simulated GPIO backend. */
 struct gpio_lines gpio_lines_sim_device(struct gpio_lines_sim *sim);
 
 /* Returns the simulated clock. */

@@ -36,6 +36,7 @@ void hid_device_list_sim_init(struct hid_device_list_sim *sim,
 void hid_device_list_sim_plug(struct hid_device_list_sim *sim, uint32_t row,
                               const struct hid_device_info *face);
 
+/* Returns the simulated device list. */
 struct hid_device_list hid_device_list_sim_device(struct hid_device_list_sim *sim);
 
 #endif

@@ -39,6 +39,7 @@ struct pointer_sim {
 /* Initializes a mouse without reports and faults. */
 void pointer_sim_init(struct pointer_sim *sim, struct hal_clock clock, const struct view *view);
 
+/* Returns the poi device of the simulated mouse. */
 struct hal_poi pointer_sim_device(struct pointer_sim *sim);
 
 /* Returns the fan that the simulated mouse controls. The fan is unplugged together with the

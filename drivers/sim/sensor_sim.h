@@ -48,6 +48,7 @@ struct sensor_sim {
  * more) reports per second. */
 void sensor_sim_init(struct sensor_sim *sim, struct hal_clock clock, uint32_t rate_hz);
 
+/* Returns the poi device of the simulated sensor. */
 struct hal_poi sensor_sim_device(struct sensor_sim *sim);
 
 #endif

@@ -40,6 +40,7 @@ struct storage_sim {
                                        are on disk. */
 };
 
+/* Returns the simulated store. */
 struct hal_storage storage_sim_device(struct storage_sim *sim);
 
 #endif

@@ -41,6 +41,7 @@ struct touch_sim {
 void touch_sim_init(struct touch_sim *sim, struct hal_clock clock, const struct view *view,
                     uint32_t width, uint32_t height);
 
+/* Returns the poi device of the simulated touch screen. */
 struct hal_poi touch_sim_device(struct touch_sim *sim);
 
 #endif

@@ -17,6 +17,7 @@ struct device_table {
     struct usb_key wanted[USB_REQUEST_MAX];
 };
 
+/* Initializes the table with empty rows and no selected controllers. */
 void device_table_init(struct device_table *rows);
 
 /* Assigns a row to a new controller, with the state CONTROLLER_FREE, or CONTROLLER_UNSUPPORTED if

@@ -39,6 +39,7 @@ struct report_ring {
     _Alignas(REPORT_RING_LINE_SIZE) struct report_ring_slot slot[HID_REPORTS_MAX];
 };
 
+/* Initializes an empty queue. Must be called before a thread uses the queue. */
 void report_ring_init(struct report_ring *ring);
 
 /* For the writer: copies a report of `size` bytes, 1 to HID_REPORT_MAX. Returns 1 if the report was

@@ -67,9 +67,10 @@ uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[U
  * '#'. Returns 0, or -1 with one sentence in `error`. */
 int usb_choice_read_line(struct usb_choice *choice, const char *line, char error[USB_ERROR_SIZE]);
 
-/* Size of the buffer for usb_choice_line(), which writes line `index` of the file of rules without
- * a newline. The function returns 1, or 0 if there is no such line. */
+/* Size of the buffer for usb_choice_line(). */
 #define USB_CHOICE_LINE_SIZE (USB_KEY_TEXT_SIZE + 8u)
+/* Writes line `index` (from 0) of the file of rules without a newline. Returns 1, or 0 if there is
+ * no such line. */
 int usb_choice_line(const struct usb_choice *choice, uint32_t index,
                     char line[USB_CHOICE_LINE_SIZE]);
 
