@@ -178,8 +178,8 @@ static void paint_coarse_points(const struct painting *painting)
     }
 }
 
-/* Writes the two coarse points beside texel `at` that are both within its cell of `size` texels.
- * Returns the weight of the second point. */
+/* Writes the indices of the two coarse points between which texel `at` lies. Both points are within
+ * the texel's atlas cell of `size` texels. Returns the weight of the second point. */
 static float beside(uint32_t at, uint32_t size, uint32_t points[2])
 {
     const float first = (float)(at - at % size) / (float)FISH_TEXTURE_COARSE;

@@ -77,8 +77,10 @@ bool fish_texture_is_done(const struct fish_texture *skin);
  * the screen's resolution, as mark_cover() does for MARK_BANDS. */
 #define FISH_TEXTURE_LINES 2u
 struct fish_texture_lines {
-    float place[4]; /* Position of the first line, spacing, number of lines, slant. */
-    float shape[4]; /* Half of a line's width, lower and upper height, coverage. */
+    float place[4]; /* Placement of the lines: position of the first line, spacing, number of lines,
+                       slant. */
+    float shape[4]; /* Shape of a line: half of its width, lower and upper height on the body,
+                       coverage. */
     float colour[3];
 };
 /* Writes the line sets that the shader draws for the given key weights. */

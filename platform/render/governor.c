@@ -11,7 +11,7 @@
 /* Limit of the mean frame duration, in per cent of a refresh period. At the limit one frame in nine
  * is one period late. */
 #define LATE_PERCENT 111u
-#define HELD_S 60u /* Seconds on time after which a finer step is no longer on trial. */
+#define HELD_S 60u /* Seconds with frames on time after which a finer step is no longer on trial. */
 
 void governor_begin(struct governor *governor, uint32_t refresh_hz)
 {

@@ -13,8 +13,8 @@ struct quality {
                           detail. */
     uint32_t samples;  /* Multisampling samples of the scene and the screen. 1 means no
                           multisampling. */
-    float lod_near_px; /* Length in pixels on the render target from which a fish is drawn with the
-                          near mesh. */
+    float lod_near_px; /* Minimum length in pixels of a fish that is drawn with the near mesh.
+                          Pixels are those of the render target. */
 };
 
 struct quality_wish {

@@ -133,8 +133,8 @@ static void draw_pois(const struct renderer *renderer, const struct scene *scene
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_above(&scene->poi[i])) {
             poi_pass_paper(&renderer->poi, scene, i, &renderer->textures);
-            /* The frame is drawn after the paper because the ring's outline fades over the
-             * paper. */
+            /* The ring and the handle are drawn after the paper because the ring's outline fades
+             * over the paper. */
             poi_pass_frame(&renderer->poi, &scene->poi[i]);
         }
     }

@@ -24,8 +24,8 @@ struct specimen {
     const struct morph_rig *rig;   /* Rig, which must be valid until the frame is drawn. Null means
                                       the species' own curves. */
     float progress;                /* Progress through life, [0, 1]. */
-    float x_px, y_px;              /* Screen position of the body's centre (z = 0 of the body's
-                                      frame). */
+    float x_px, y_px;              /* Screen position in pixels of the body's centre, which is the
+                                      point z = 0 of the body's coordinate system. */
     float length_px;               /* Length in pixels that stands for one body length of the
                                       species, > 0. */
     /* Rotation. Zero shows the left side with the nose to the left. Yaw turns the nose toward the
@@ -52,8 +52,8 @@ struct specimen_axes {
 };
 struct specimen_axes specimen_axes(const struct specimen *specimen);
 
-/* Projects a point of the body's frame to pixels. `point` is in body lengths, as returned by
- * morph_shape(), without the swimming motion. */
+/* Projects a point of the body's coordinate system to pixels. `point` is in body lengths, as
+ * returned by morph_shape(), without the swimming motion. */
 void specimen_project(const struct specimen *specimen, vec3 point, float *x_px, float *y_px);
 
 /* Maximum distances from the body's centre over all key shapes, in body lengths. A box with these
@@ -70,7 +70,7 @@ void specimen_fit(struct specimen *specimen, float x_px, float y_px, float width
                   float height_px);
 
 /* Sets yaw and pitch to the usual view of an illustration: most species from the left, an eel from
- * slightly above so that its wave is visible, a ray from high above. Leaves all other fields
+ * slightly above so that its wave is visible, a stingray from high above. Leaves all other fields
  * unchanged. */
 void specimen_portrait(struct specimen *specimen);
 

@@ -100,7 +100,8 @@ struct curve_text {
 
 struct species_text {
     char id[SPECIES_NAME_SIZE];
-    uint8_t measure, motion, form; /* Same values as in struct species_card. */
+    uint8_t measure, motion, form; /* Measure, kind of swimming motion, and body form, with the
+                                      values of struct species_card. */
     bool confluent;                /* True if the dorsal and anal fins merge with the tail fin, as
                                       in an eel. */
     uint32_t without;              /* Set of parts that the species lacks, with one bit for each
@@ -132,9 +133,9 @@ struct loft {
                                                      meaning as in struct species_mesh. */
     float reach;
     struct species_vertex vertices[MESH_VERTEX_MAX];
-    vec3 positions[MORPH_KEY_MAX][MESH_VERTEX_MAX]; /* Position of each vertex in each key, relative
-                                                       to the vertex' anchor if the vertex has an
-                                                       anchor. */
+    vec3 positions[MORPH_KEY_MAX][MESH_VERTEX_MAX]; /* Position of each vertex in each key. The
+                                                       position of a vertex with an anchor is
+                                                       relative to the anchor. */
     vec3 normals[MORPH_KEY_MAX][MESH_VERTEX_MAX];
     struct species_anchor anchors[ANCHOR_MAX];
     uint16_t indices[MESH_INDEX_MAX];

@@ -12,7 +12,7 @@
 /* Position of the ring that rounds off the tail root. 0 is the last ring, 1 is the closing
  * point. */
 #define CAP_AT 0.6
-/* Backward component of the end ring's normals, relative to their outward component. */
+/* Ratio of the backward component to the outward component of the end ring's normals. */
 #define CAP_FACES 0.8
 
 /* clang-format off */
@@ -156,7 +156,8 @@ static void add_body(struct lofting *l)
     l->loft->grid_spokes = spokes;
 }
 
-/* Returns 1, 2 or 4: the smallest reach that contains every vertex. */
+/* Returns the reach of the mesh: the smallest of 1, 2 and 4 that is at least as large as every
+ * coordinate. */
 static float reach_of(const struct loft *loft, uint32_t key_count)
 {
     float farthest = 0.0f;

@@ -12,8 +12,8 @@
 /* Distance behind the stalk at which the tail's visible part begins, as a fraction of the tail's
  * length. */
 #define TAIL_LEAVES 0.05
-/* Minimum number of rows for the short second row of row_at(). A tail with fewer rows needs all
- * rows for its bend. */
+/* Minimum number of rows of a tail whose second row is close behind the stalk, see row_at(). A tail
+ * with fewer rows needs all rows for its bend. */
 #define TAIL_ROWS 4
 
 static const struct species_vertex on_nothing = { .anchor = ANCHOR_NONE };
@@ -60,8 +60,8 @@ static uint8_t add_root(struct lofting *l, enum species_part part, int side, dou
     return (uint8_t)(l->loft->anchor_count - 1);
 }
 
-/* Sets the position of the newest vertex to the drawing's point `p`, relative to the vertex' anchor
- * if the vertex has an anchor. */
+/* Sets the position of the newest vertex to the drawing's point `p`. The position of a vertex with
+ * an anchor is stored relative to the anchor. */
 static void ride(struct lofting *l, uint32_t key, v3d p, v3d normal)
 {
     const uint8_t index = l->loft->vertices[l->loft->vertex_count - 1].anchor;

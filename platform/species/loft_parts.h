@@ -15,7 +15,7 @@ struct lofting {
 };
 
 /* Adds a vertex, which becomes the newest vertex, and returns its index. loft_paint_masks()
- * computes the vertex' masks. */
+ * computes the masks of all vertices later. */
 uint16_t loft_next_vertex(struct lofting *l, struct species_vertex vertex);
 
 /* Sets the newest vertex's position in one key, as a point of the drawing. */

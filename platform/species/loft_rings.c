@@ -15,7 +15,8 @@
  * attention. */
 #define HEAD_FAVOUR 1.9
 
-/* Writes the back, belly and flank of a key at `u`, as fractions of the key's length. */
+/* Writes the outlines of back, belly and flank of a key at `u`, as fractions of the key's
+ * length. */
 static void outline(const struct key_text *key, double u, double out[3])
 {
     const struct station s = shape_section(key, shape_body_x(key, u));

@@ -67,7 +67,8 @@ v3d shape_fin_point(const struct key_text *key, enum species_part part, double a
 /* Returns the normal of a fin, with the ranges of shape_fin_point(). */
 v3d shape_fin_normal(const struct key_text *key, enum species_part part, double at, double along);
 
-#define FINLET_BASE 0.6 /* Length of a finlet's base, as a fraction of the step between finlets. */
+/* Length of a finlet's base, as a fraction of the distance from one finlet to the next. */
+#define FINLET_BASE 0.6
 
 /* Returns a corner of the finlet that starts at position `at` of its row. Corner 0 is the front end
  * of the base, 1 the rear end of the base, 2 the tip. */

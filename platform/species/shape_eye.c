@@ -7,8 +7,8 @@
 #define PI 3.14159265358979323846
 /* Maximum height of an eye's centre, as a fraction of half the cross section's height. */
 #define HIGHEST 0.97
-/* Maximum of skin_drop(), as a fraction of the ball's radius. A sharper ridge is treated as if it
- * had this value. */
+/* Upper limit of skin_drop(), as a fraction of the ball's radius. The skin at a sharper ridge is
+ * treated as if it dropped by this limit. */
 #define DROP_MAX 0.35
 /* Maximum depth of the ball's centre, as a fraction of the head's half thickness at the eye. */
 #define SUNK_MAX 0.6

@@ -27,7 +27,7 @@
 /* Maximum fraction of a ray that is treated as inside the body. The remainder of the ray is always
  * visible. */
 #define EXIT_MAX 0.85
-/* Distance behind the stalk at which a tail has the full width of its rays. */
+/* Distance behind the stalk from which a cupped tail has its full sideways width. */
 #define CUP_OPENS 0.05
 /* Position along the base of an eel's dorsal and anal fin, [0, 1], from which the fin merges with
  * the tail. */

@@ -72,8 +72,8 @@ bool text_read_area(struct species_reader *r)
             species_reader_error(r, "the area ends before it starts"));
 }
 
-/* Checks that the newest graph may receive weights. Graphs must follow all keys, because their
- * number of weights is the number of keys. */
+/* Checks that the newest graph may receive weights. A graph has one weight for each key, so that
+ * all graphs must follow all keys. */
 static bool graph_open(const struct species_reader *r, bool from_knot)
 {
     const struct graph *graph = &newest(r)->graph;

@@ -11,8 +11,8 @@
 struct light_pass {
     GLuint caustics_program, fish_program, disc_program;
     GLint disc_pose, disc_softness, disc_slant;
-    GLuint no_attributes, casters; /* Vertex arrays without attributes, and with the shadow casters'
-                                      attributes. */
+    GLuint no_attributes, casters; /* Vertex array without attributes, and vertex array with the
+                                      attributes of the shadow casters. */
     struct gl_target caustics;     /* One tile of caustics, which is repeated over the floor. */
     struct gl_target shadows;      /* Shadow map of the floor from above. A value of 0 means fully
                                       lit. */

@@ -65,8 +65,8 @@ void lab_words_in(const struct lab_page *page, struct ui_box box, const struct u
 struct button {
     enum lab_part part;
     const char *words;
-    int is_on, is_idle; /* 1 if the button is selected, and 1 if the button has no effect at
-                           present. */
+    int is_on, is_idle; /* `is_on` is 1 if the button is selected. `is_idle` is 1 if the button has
+                           no effect at present. */
 };
 
 static uint32_t button_fill(const struct lab_page *page, const struct button *button)

@@ -17,8 +17,8 @@ enum lab_preview_point { LAB_PREVIEW_DORSAL = 0, LAB_PREVIEW_EYE, LAB_PREVIEW_PO
 struct lab_preview_path {
     bool is_there; /* True if the species has the point. A stingray, for example, has no dorsal
                       fin. */
-    vec3 at[LAB_PREVIEW_STEPS + 1u]; /* Positions of the point from hatching on, in body lengths in
-                                        the body's frame. */
+    vec3 at[LAB_PREVIEW_STEPS + 1u]; /* Positions of the point from hatching on, in body lengths, in
+                                        the body's coordinate system. */
     vec3 ordinary[LAB_PREVIEW_STEPS + 1u]; /* Positions of the point in the ordinary morph. */
     float bow; /* Largest distance of the trajectory from the straight line between its ends, in
                   body lengths. */

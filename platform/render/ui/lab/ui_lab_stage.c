@@ -311,7 +311,7 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
     way_dot(page, fish, way->at[now], 12.0f, 0x00000000u, colour);
 }
 
-/* Returns the name of a traced point. A ray has a sting instead of a dorsal fin. */
+/* Returns the name of a traced point. A stingray has a sting instead of a dorsal fin. */
 static enum text_key way_name(const struct lab_page *page, uint32_t point)
 {
     const int stings = page->lab->card.motion == MOTION_WING;
