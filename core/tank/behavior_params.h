@@ -42,8 +42,8 @@ struct behavior_params {
     float wall_within_s;   /* Second part of the distance, as a time at the fish's present speed. */
 
     /* The next parameters describe living fish and have no source in the thesis. */
-    float kick_rad;      /* Standard deviation of the turn at each kick of the tail. With 0, a fish
-                            keeps its course until its gait changes. */
+    float kick_rad;      /* Standard deviation of a random turn at each kick of the tail. 0 means
+                            that a fish keeps its course until its gait changes. */
     uint8_t glides;      /* 1 if a swimming fish alternates between tail beats and glides, otherwise
                             0. */
     uint8_t banks;       /* 1 if the fish rolls into its turns, otherwise 0. */

@@ -110,8 +110,8 @@ struct fish {
     float age_days;
 
     uint32_t look;        /* Random bits that select the fish's appearance and individual traits. */
-    uint8_t gait;         /* Value of enum fish_gait. */
-    uint8_t avoiding;     /* Value of enum fish_avoiding. */
+    uint8_t gait;         /* Present gait (enum fish_gait). */
+    uint8_t avoiding;     /* Present avoidance of another fish (enum fish_avoiding). */
     uint8_t holder;       /* Index of the poi in GAIT_HELD or of the bowl in GAIT_BOWL.
                              FISH_HOLDER_WATER means reentry. */
     uint8_t thought_tick; /* Low 8 bits of the tick in which the fish last decided. */
@@ -127,7 +127,7 @@ struct fish {
                            meeting_kind). */
     uint8_t falls;      /* 1 while the fish falls through the air and only gravity and water
                            resistance move it, otherwise 0. */
-    uint8_t air;        /* Value of enum fish_air. */
+    uint8_t air;        /* Stage of surface breathing (enum fish_air). */
     uint8_t startle;    /* Cause of a startle whose latency has not yet ended (enum startle_cause);
                            0 means none. */
     float depth_goal_m; /* Preferred y coordinate, < 0. */

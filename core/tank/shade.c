@@ -8,11 +8,11 @@
 #define EDGE_TAU_S 0.10f
 /* Eq. 3.5 of the 2013 thesis: S = 0.01 per frame at 60 frames per second. */
 #define PULL_PER_S 0.60f
-/* Smallest sum of course and attraction whose direction is usable. With a smaller sum the fish
- * keeps its yaw. */
+/* Smallest speed at which the sum of course and attraction has a usable direction. Below that speed
+ * the fish keeps its yaw. */
 #define HARDLY_M_S 0.005f
-/* Push by near fish that cancels the attraction completely, in body lengths per second against the
- * attraction. */
+/* Speed of the push by near fish that cancels the attraction completely. The speed is measured
+ * against the attraction, in body lengths per second. */
 #define FULL_LENGTHS_PER_S 0.1f
 /* Distance outside a shade's edge at which a fish already sees the shade approach. */
 #define FRIGHT_RIM_M 0.02f

@@ -29,8 +29,8 @@ struct startle_view {
 
 struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m);
 
-/* Alarm per second that a disc causes in a fish, and the sense that detects the disc more
- * strongly. */
+/* Alarm per second that a disc causes in a fish, and the sense (vision or pressure) with the
+ * stronger stimulus. */
 struct startle_stimulus {
     uint8_t cause; /* Sense with the stronger stimulus (enum startle_cause). */
     float alarm_per_s;

@@ -12,9 +12,9 @@
 #include "core/tank/behavior/perception.h"
 #include "core/tank/fish.h"
 
-/* Returns the probability that a fish rises, or stays at the surface, at one choice: 1 / (1 +
- * exp((C - H) / 0.25)), with the oxygen concentration C in mg/L. H is 1.8 mg/L at a stamina of 0.5,
- * 2.0 mg/L at stamina 0 and 1.6 mg/L at stamina 1. */
+/* Returns the probability that a fish rises, or stays at the surface, at one choice. The
+ * probability is 1 / (1 + exp((C - M) / 0.25)) for an oxygen concentration of C mg/L. M is 2.0 at
+ * stamina 0, 1.8 at stamina 0.5 and 1.6 at stamina 1. */
 float surface_chance(float oxygen_mg_l, float stamina);
 
 /* Returns 1 if the fish chooses to rise, otherwise 0; called when the fish chooses its gait. The

@@ -13,7 +13,7 @@
 #include "core/tank/fish.h"
 
 /* Capacity of the contact list. At the density of the 2013 thesis, 1.4 overlaps per fish occur. If
- * the list is full, further contacts are chosen at random in each tick. */
+ * the list is full, a random selection of the contacts is listed in each tick. */
 #define BROAD_PHASE_CONTACT_MAX (4u * TANK_FISH_MAX)
 
 enum body_flag {
@@ -50,7 +50,7 @@ struct contact {
 struct broad_phase {
     uint32_t count; /* Number of all fish, whether they swim or not. */
     struct body body[TANK_FISH_MAX];
-    uint8_t flags[TANK_FISH_MAX]; /* Bits of enum body_flag. */
+    uint8_t flags[TANK_FISH_MAX]; /* State of each fish: bits of enum body_flag. */
     struct neighbours neighbours[TANK_FISH_MAX];
     /* The next members are results of a query and stay valid until the next query. They are state,
      * so broad_phase_hash() covers them. */

@@ -67,7 +67,7 @@ NARROW_PHASE_MEASURE(SIMD_NAME(narrow_phase_measure))
     return farthest_m;
 }
 
-/* Computes the cells of members as spatial_grid_cell() does. */
+/* Computes the cell of each fish to be searched, as spatial_grid_cell() does. */
 NARROW_PHASE_CELLS(SIMD_NAME(narrow_phase_cells))
 {
     struct spatial_grid *grid = &narrow_phase->grid;

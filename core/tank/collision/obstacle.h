@@ -28,10 +28,10 @@ struct obstacle {
     uint8_t kind; /* Kind of the obstacle (enum obstacle_kind). */
     vec3 centre_m;
     vec3 normal;       /* Unit normal of a disc's plane, pointing to the disc's upper side. */
-    vec3 velocity_m_s; /* Intended velocity. */
+    vec3 velocity_m_s; /* Velocity of the obstacle if no fish blocks it. */
     float stalled;     /* Share [0, 1] of the intended motion that fish blocked at the last
                           attempt. */
-    float radius_m;    /* Outer radius. */
+    float radius_m;    /* Outer radius of the ring or of the bowl's mouth. */
     float depth_m;     /* Depth of a bowl's hull below its mouth. */
 
     /* Motion in this tick; zero if the obstacle did not move. */
@@ -48,7 +48,7 @@ struct obstacle {
     float open; /* Share [0, 1] of a disc through which water flows because its paper is torn. */
 
     /* The contact solver writes `reaction` and `reaction_count`. */
-    uint8_t reaction; /* Bits of enum obstacle_reaction. */
+    uint8_t reaction; /* Motion that the obstacle gave up: bits of enum obstacle_reaction. */
     uint8_t reaction_count;
 };
 

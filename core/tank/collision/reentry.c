@@ -93,8 +93,9 @@ static void come_down(const struct tank *tank, struct fish *fish)
     fish->position_m.y = f_max(fish->position_m.y, high_m);
 }
 
-/* Adds the pushes that separate the fish from swimming fish to `push_m`, and pushes the swimming
- * fish in the opposite direction. Returns 1 if the fish overlaps no swimming fish, otherwise 0. */
+/* Separates the fish from the swimming fish that it overlaps: adds the necessary pushes to
+ * `push_m`, and pushes the swimming fish in the opposite direction. Returns 1 if the fish overlaps
+ * no swimming fish, otherwise 0. */
 static int part_from_fish(struct tank *tank, uint32_t index, vec3 *push_m)
 {
     struct fish *fish = &tank->fish[index];

@@ -10,7 +10,7 @@
 /* Extra distance by which a poi gives up motion, so that rounding does not leave a penetration. */
 #define GIVE_MIN_M 0.00002f
 #define SIDE_GAP_M 0.0005f /* Least distance of a fish's centre from the paper. */
-/* Speed per tick at which a body that came over the ring into the paper is pushed out. */
+/* Distance per tick by which the paper pushes out a body that came into it over the ring. */
 #define PAPER_PUSH_M 0.0025f
 /* Speed of the paper at which a fish on the paper moves along at half of the paper's speed. */
 #define PIN_M_S 0.12f

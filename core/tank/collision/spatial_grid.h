@@ -22,7 +22,7 @@ struct spatial_grid {
     float origin_x_m, origin_z_m;
     uint32_t columns, rows; /* Number of cells along x and z. columns * rows is at most
                                SPATIAL_GRID_CELL_MAX. */
-    uint32_t count;         /* Number of items. */
+    uint32_t count;         /* Number of fish in the cells; a fish in a cell is an item. */
     /* First item of each cell. The items of cell c are item[start[c]] to item[start[c + 1] - 1]. */
     fish_index start[SPATIAL_GRID_CELL_MAX + 1u];
     fish_index item[TANK_FISH_MAX + SIMD_LANES_MAX];
@@ -60,8 +60,8 @@ static inline uint32_t spatial_grid_cell_of_item(const struct spatial_grid *grid
     return cell;
 }
 
-/* Returns the items of `cell` and of the next cell to the right. Together with
- * spatial_grid_below(), these items are the only later items that may be near an item of `cell`. */
+/* Returns the items of `cell` and of the next cell to the right. A search over these items and the
+ * items of spatial_grid_below() finds every near pair once, if it is repeated for each cell. */
 static inline struct spatial_grid_range spatial_grid_beside(const struct spatial_grid *grid,
                                                             uint32_t cell)
 {
