@@ -94,7 +94,7 @@ void carry(int row, inout vec3 p, inout vec3 n)
 }
 #endif
 
-// Computes the position `p` and normal `n` of the vertex in the fish's own frame and unit. `n` is
+// Computes the position `p` and normal `n` of the vertex in the fish's coordinate system. `n` is
 // not normalized.
 void morph(int row, out vec3 p, out vec3 n)
 {

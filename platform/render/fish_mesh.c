@@ -7,9 +7,10 @@
 #include "platform/render/paint_atlas.h"
 
 #define KEY_SIZE sizeof(struct species_point)
-#define SURFACE_SIZE 4u     /* Bytes of u, v, part and flexibility. */
-#define RIDES_SIZE 4u       /* Bytes of the anchor, the side, and two bytes of padding. */
-#define PAINT_SIZE_BYTES 4u /* Bytes of two 16-bit fractions. */
+#define SURFACE_SIZE 4u /* Size in bytes of u, v, part and flexibility. */
+#define RIDES_SIZE 4u   /* Size in bytes of the anchor, the side, and two bytes of padding. */
+/* Size in bytes of the paint coordinates, which are two 16-bit fractions. */
+#define PAINT_SIZE_BYTES 4u
 #define BYTES_SIZE (SURFACE_SIZE + MORPH_CURVE_MAX + RIDES_SIZE)
 #define REST_SIZE (BYTES_SIZE + PAINT_SIZE_BYTES)
 _Static_assert(MORPH_KEY_MAX *KEY_SIZE + REST_SIZE == FISH_VERTEX_SIZE_MAX, "as fish_mesh.h");

@@ -82,7 +82,7 @@ struct gl_target {
 };
 
 struct gl_target_desc {
-    GLenum internal_format; /* For example GL_RGBA8 or GL_R8. */
+    GLenum internal_format; /* OpenGL format of the target, for example GL_RGBA8 or GL_R8. */
     uint32_t width, height;
     uint32_t samples; /* Samples per pixel. 0 and 1 mean no multisampling. */
     bool depth;

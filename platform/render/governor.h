@@ -50,7 +50,7 @@ void governor_begin(struct governor *governor, uint32_t refresh_hz);
  * least the third stall in a row. Returns the step of quality_lower() for the next frame. */
 uint32_t governor_frame(struct governor *governor, uint64_t now_ns, bool may_refine);
 
-/* Updates the quality step `heat`. Call every few seconds. `margin_mdeg` is the distance in m°C to
+/* Updates the quality step `heat`. Call every few seconds. `margin_mdeg` is the margin in m°C below
  * the temperature at which the machine throttles itself. */
 void governor_set_temperature(struct governor *governor, int32_t margin_mdeg);
 

@@ -19,7 +19,8 @@ static const struct cell {
 #define CELL_COUNT ((uint32_t)(sizeof cells / sizeof *cells))
 
 struct place {
-    uint32_t x, y, width, height; /* Texels from the corner of the atlas, and size in texels. */
+    uint32_t x, y, width, height; /* Position in texels from the upper left corner of the atlas, and
+                                     size in texels. */
 };
 
 static struct place paint_atlas_place_of(uint32_t cell)

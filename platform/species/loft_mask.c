@@ -73,8 +73,8 @@ static void vertex_share(const struct species_text *species, const struct specie
                          double share[MORPH_CURVE_MAX])
 {
     const uint8_t own = loft_curve_of(species, vertex->part);
-    double rooted = 0.0; /* Weight of the vertex' own part. The remainder is the weight of the
-                            skin. */
+    double rooted = 0.0; /* Weight of the body part to which the vertex belongs. The remainder is
+                            the weight of the skin. */
     if (vertex->part == PART_TAIL) {
         skin_share(species, TAIL_ROOT_U, 0.25, share);
         rooted = ramp(0.0, TAIL_SOFT, (double)vertex->v);

@@ -41,7 +41,8 @@ struct fish_pass {
     struct fish_poses poses[SPECIES_LOD_COUNT];
     struct morph_rig rig; /* Prepared deformation graphs of the species. */
     uint32_t first[FISH_GROUP_COUNT], count[FISH_GROUP_COUNT];
-    uint16_t order[SCENE_FISH_MAX]; /* Scene indices of the fish, in ascending order of height. */
+    uint16_t order[SCENE_FISH_MAX]; /* Indices of the fish in the scene, in ascending order of
+                                       height. */
     uint8_t group[SCENE_FISH_MAX];
     struct fish_instance instances[SCENE_FISH_MAX];
 };

@@ -151,7 +151,8 @@ void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
         y += 58.0f * frame->unit;
     }
     if (in_round) {
-        shown &= ~(uint32_t)WARN_NO_POI; /* The pause sign shows this warning in larger letters. */
+        shown &= ~(uint32_t)WARN_NO_POI; /* During a round, the pause sign shows the warning
+                                            WARN_NO_POI in larger letters. */
     }
     for (uint32_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
         if (shown >> i & 1u) {

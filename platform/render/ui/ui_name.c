@@ -16,7 +16,7 @@ _Static_assert(SCENE_NAME_LETTERS == NAME_LETTERS_MAX, "every letter can be show
 struct slate {
     struct ui_frame frame; /* Drawing context whose `unit` is one canvas unit. */
     const struct scene_name *name;
-    float x, y; /* Screen position of the canvas' corner. */
+    float x, y; /* Position of the upper left corner of the canvas on the screen, in pixels. */
     uint32_t colour;
 };
 

@@ -82,7 +82,8 @@ static void player_state(const struct ui_frame *frame, const struct scene *scene
 {
     const float u = frame->unit;
     const struct scene_player *state = &scene->player[player];
-    if (state->out) { /* `out` is also set for a player whose wait has timed out. */
+    if (state->out) { /* `out` is set for a player who is out of the round, and also for a player
+                         whose wait has timed out. */
         const struct ui_text stamp = { .font = FONT_STALL,
                                        .size_px = 28.0f * u,
                                        .align = 0.5f,

@@ -46,7 +46,7 @@ void ui_wooden_tag(const struct ui_frame *frame, struct ui_box box, int pointed)
 /* Draws a large card of paper with a shadow. */
 void ui_card(const struct ui_frame *frame, struct ui_box box);
 
-/* Draws a line of text that is centred in a box and shrunk to the box' width. */
+/* Draws a line of text that is centred in a box and shrunk to the width of the box. */
 void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct ui_text *style,
                  const char *words);
 

@@ -24,7 +24,7 @@ struct lab_page {
                                      species. */
     const struct library
         *library; /* Species library with the rejected makers' files. Null means no library. */
-    float x, y;   /* Screen position of the canvas' corner, in pixels. */
+    float x, y;   /* Position of the upper left corner of the canvas on the screen, in pixels. */
 };
 
 /* Returns the screen position of a part of the lab. */
@@ -44,7 +44,7 @@ int lab_is_pointed(const struct lab_page *page, enum lab_part part);
  * can read. */
 struct ui_text lab_text(const struct lab_page *page, float size, uint32_t fill);
 
-/* Draws a line of text that is centred in a box and shrunk to the box' width. */
+/* Draws a line of text that is centred in a box and shrunk to the width of the box. */
 void lab_words_in(const struct lab_page *page, struct ui_box box, const struct ui_text *style,
                   const char *words);
 

@@ -18,7 +18,7 @@ struct menu_view {
     const struct scene *scene;
     const struct scene_menu *menu; /* The menu of `scene`. */
     const struct scene_devices *devices;
-    float x, y; /* Screen position of the canvas' corner, in pixels. */
+    float x, y; /* Position of the upper left corner of the canvas on the screen, in pixels. */
 };
 
 /* Texts of a page and of its tags, and the function that draws the page. */
@@ -41,8 +41,8 @@ const struct menu_words *menu_words_of(uint8_t page);
  * which no setting uses. */
 struct setting_words {
     enum text_key name, help;
-    enum text_key unit, zero, one; /* Pattern such as "{} min", and texts that replace the values 0
-                                      and 1. */
+    enum text_key unit, zero, one; /* `unit` is a pattern such as "{} min". `zero` and `one` are
+                                      texts that replace the values 0 and 1. */
     enum text_key choices[SETTING_CHOICES_MAX];
 };
 const struct setting_words *menu_setting_words_of(uint32_t id);
@@ -64,7 +64,7 @@ struct ui_box menu_tag_place(const struct menu_view *view, uint32_t tag);
  * pressed. */
 struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag);
 
-/* Returns the text of a key in the screen's language. */
+/* Returns the text with the key `key` in the screen's language. */
 const char *menu_text(const struct menu_view *view, enum text_key key);
 
 /* Returns a text style of `size` canvas units in the common font. 22 is the smallest size that is
