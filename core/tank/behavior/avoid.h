@@ -52,8 +52,8 @@
 enum meeting_kind {
     MEET_NONE = 0, /* No encounter: the fish do not approach, or approach no faster than resting
                       fish drift. */
-    MEET_HEAD_ON,  /* The headings are within 20 degrees of opposite. */
-    MEET_REAR_END, /* The headings are within 20 degrees of equal, and the other fish is ahead. */
+    MEET_HEAD_ON,  /* The headings differ by more than 160 degrees. */
+    MEET_REAR_END, /* The headings differ by less than 20 degrees, and the other fish is ahead. */
     MEET_SIDE,     /* The fish runs into the side of the other fish. */
     MEET_STRUCK,   /* The other fish runs into the side of the fish. */
 };

@@ -24,9 +24,9 @@
 /* Largest angle by which the flip of stage 2 increases the turn of stage 1. */
 #define FLIP_ON_RAD (90.0f * F_DEG)
 
-/* Probability of a start away from the danger in open water (Mirjany et al. 2011). */
+/* Probability of a C-start away from the danger in open water (Mirjany et al. 2011). */
 #define AWAY_CHANCE 0.77f
-/* Probability of a start away from the danger if a wall blocks that way (design value). */
+/* Probability of a C-start away from the danger if a wall blocks that way (design value). */
 #define AWAY_CHANCE_WALL 0.45f
 #define WALL_FELT_LENGTHS 2.0f /* Distance in body lengths within which a wall blocks the way. */
 
@@ -41,12 +41,13 @@
 /* Range of the peak speed of individual fish, in body lengths per second. */
 #define PEAK_LENGTHS_MIN 8.0f
 #define PEAK_LENGTHS_MAX 10.0f
-#define PEAK_TIME_S 0.12f /* Time from the beginning of the start to the glide. */
+#define PEAK_TIME_S 0.12f /* Time from the beginning of the C-start to the glide. */
 #define DASH_LENGTHS 2.0f /* Speed at the end of the glide, in body lengths per second. */
 #define DASH_BEAT_MIN_S 0.70f
 #define DASH_SPREAD_S 0.08f
-#define COST 0.010f       /* Stamina cost of the start, equal to the cost of one second of burst. */
-#define REFRACTORY_S 0.5f /* Time after a dash in which the fish cannot start again. */
+/* Stamina cost of the C-start, equal to the cost of one second of burst. */
+#define COST 0.010f
+#define REFRACTORY_S 0.5f /* Time after a dash in which the fish cannot begin another C-start. */
 
 static struct rng_key key(uint32_t index, const struct perception *around, enum rng_purpose purpose)
 {

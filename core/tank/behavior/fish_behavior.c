@@ -15,7 +15,7 @@
 /* Time constant with which `drawn_rad` follows the attraction of a shade. A fish then does not turn
  * at every small change. */
 #define DRAWN_TAU_S 0.5f
-/* Decay rate of pushes. A lasting push of the water moves the fish at the push's full speed. */
+/* Rate at which a push decays. A lasting push moves the fish at the speed of the push. */
 #define PUSH_PER_S 12.0f
 /* Distance below a bowl. A fish whose back is deeper than this need not turn away from the bowl. */
 #define HULL_SHUN_DEPTH_M 0.01f

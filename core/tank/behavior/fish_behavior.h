@@ -18,8 +18,8 @@
  * after 8 to 15 ms, so a startled fish cannot wait for its turn. */
 int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Returns the time since the fish's last decision for `around->dt_s`: 1 to FISH_BEHAVIOR_TICKS
- * ticks, in seconds. */
+/* Returns the time since the fish's last decision, 1 to FISH_BEHAVIOR_TICKS ticks, in seconds. The
+ * result is the value for `around->dt_s`. */
 float fish_behavior_dt_s(const struct fish *fish, uint32_t tick);
 
 /* Makes one decision of the fish and sets its goals. A fish in the air only falls: `falls` is set

@@ -38,8 +38,9 @@ struct startle_stimulus {
 
 struct startle_stimulus startle_of_disc(const struct obstacle *disc, const struct fish *fish);
 
-/* Returns the alarm above which the fish starts: 0.45 for the most timid fish, 0.9 for the boldest
- * fish, and more after habituation or while the fish gulps; at most 0.95. */
+/* Returns the alarm above which the fish begins a C-start: 0.45 for the most timid fish, 0.9 for
+ * the boldest fish. The threshold is higher after habituation or while the fish gulps, but at most
+ * 0.95. */
 float startle_threshold(const struct fish *fish);
 
 /* Adds `alarm` >= 0 from a stimulus at `from_m`. If the sum exceeds the fish's threshold, the
