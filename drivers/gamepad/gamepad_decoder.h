@@ -67,15 +67,16 @@ struct gamepad_report {
 };
 
 struct gamepad_decoder {
-    struct stick_motion fly;
-    struct gamepad_imu_filter tilt;
-    struct gamepad_report now; /* The newest report. */
-    vec3 stick_twist;          /* Pitch, yaw and roll from the right stick, as shares of
-                                  STICK_MOTION_TILT_MAX_RAD. */
-    uint64_t time_ns;          /* Time of the newest report or sample. */
-    uint8_t trigger_down;
-    uint32_t held, pressed; /* Pressed buttons, and buttons pressed since the last call of
-                               gamepad_decoder_buttons(), as bits of enum input_button. */
+    struct stick_motion fly;        /* Motion of the ring by the sticks. */
+    struct gamepad_imu_filter tilt; /* Tilt by the motion sensors. */
+    struct gamepad_report now;      /* The newest report. */
+    vec3 stick_twist;               /* Pitch, yaw and roll from the right stick, as shares of
+                                       STICK_MOTION_TILT_MAX_RAD. */
+    uint64_t time_ns;               /* Time of the newest report or sample. */
+    uint8_t trigger_down;           /* 1 while a trigger is pressed, otherwise 0. */
+    uint32_t held, pressed;         /* Pressed buttons, and buttons pressed since the last call
+                                       of gamepad_decoder_buttons(), as bits of enum
+                                       input_button. */
 };
 
 /* Initializes the decoder with the poi over the middle of the water. `view` is copied. */

@@ -11,11 +11,11 @@
 #define GAMEPAD_REPORTS_MAX 64u /* Capacity of the queue, equal to HAL_POI_SAMPLES_MAX. */
 
 struct gamepad_queue {
-    struct gamepad_decoder hand;
+    struct gamepad_decoder hand;                       /* State after all decoded reports. */
     struct gamepad_report report[GAMEPAD_REPORTS_MAX]; /* Reports that are not decoded yet, oldest
                                                           first. */
     uint32_t report_count;
-    uint64_t sampled_ns;
+    uint64_t sampled_ns; /* Time of the newest sample. */
 };
 
 /* Initializes `track` with the poi over the middle of the water at `time_ns`. */

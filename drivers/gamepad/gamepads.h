@@ -38,12 +38,12 @@ struct gamepad {
     char serial[32];                        /* Serial number from SDL, or "" if unknown. */
     uint16_t vendor, product;               /* USB vendor id and product id. */
     char usb_serial[HID_TEXT_SIZE];         /* Serial number from /sys, or "" if unknown. */
-    uint8_t was_here;
-    struct gamepad_report now;
-    struct gamepad_queue track;
-    struct gamepad_rumble rumble; /* Motor levels that were sent last. */
-    uint64_t rumble_ns;           /* Time at which `rumble` was sent. */
-    uint8_t cannot_rumble;
+    uint8_t was_here;                       /* 1 if the element was used before, otherwise 0. */
+    struct gamepad_report now;              /* State of the pad after the newest event. */
+    struct gamepad_queue track;             /* Reports that are not decoded yet. */
+    struct gamepad_rumble rumble;           /* Motor levels that were sent last. */
+    uint64_t rumble_ns;                     /* Time at which `rumble` was sent. */
+    uint8_t cannot_rumble;                  /* 1 if the pad has no motors, otherwise 0. */
     char text[HAL_TEXT_SIZE];
 };
 
@@ -58,10 +58,10 @@ struct gamepads {
     struct hal_clock clock;
     struct view view;
     struct gamepad pad[GAMEPADS_MAX];
-    struct gamepad_exclusion bar[GAMEPADS_EXCLUSION_MAX];
+    struct gamepad_exclusion bar[GAMEPADS_EXCLUSION_MAX]; /* Excluded devices. */
     uint32_t bar_count;
     uint8_t is_open;
-    uint64_t pumped_ns;
+    uint64_t pumped_ns; /* Time up to which events were processed. */
     char text[HAL_TEXT_SIZE];
 };
 

@@ -48,7 +48,7 @@ struct gpio_edge_filter {
     uint64_t told_ns; /* Time at which the GPIO thread received the last null edge. */
     /* Edges up to this time are ignored, because a polled level replaced them. */
     uint64_t believed_ns;
-    struct gpio_poll_edges other;
+    struct gpio_poll_edges other; /* Polls whose level differs from the edges. */
     uint32_t blinks; /* Number of null edges, which are edge events without a change of the level,
                         since gpio_edge_filter_begin(). */
     uint32_t late;   /* Number of late edges that a polled level corrected since

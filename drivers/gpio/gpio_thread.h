@@ -28,7 +28,7 @@ struct gpio_total {
     /* Number of pairs of null edges (gpio_edge_filter.h). Each pair is either two glitches or a
      * missed coin. */
     uint32_t doubtful;
-    uint32_t lost_edges, lost_chips;
+    uint32_t lost_edges, lost_chips; /* Number of lost edges, and of removals of a chip. */
 };
 
 struct gpio_thread {
@@ -73,13 +73,13 @@ struct gpio_thread {
     _Atomic uint32_t owed; /* Sum of the unfinished pulses of all held outputs. */
     /* Number of unfinished pulses of each output, whether the output is held or missing. */
     _Atomic uint32_t pending[GPIO_OUTPUT_COUNT];
-    _Atomic int stop;
+    _Atomic int stop; /* 1 if the thread must end. */
     pthread_t thread;
-    int runs;
+    int runs; /* 1 while the thread exists, otherwise 0. */
 
     pthread_mutex_t mutex; /* Protects `why` and `text`. */
     char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE];
-    char text[HAL_TEXT_SIZE];
+    char text[HAL_TEXT_SIZE]; /* Description of held and missing lines. */
 };
 
 /* Initializes `reader` and requests the lines once, without starting a thread. A caller without a

@@ -9,10 +9,10 @@
 #include <stdint.h>
 
 struct pulse_train {
-    uint64_t on_ns, off_ns;
-    uint64_t until_ns; /* Time at which the current pulse or pause ends. */
-    uint32_t left;     /* Number of pulses that have not started. */
-    bool on;
+    uint64_t on_ns, off_ns; /* Nominal length of a pulse, and of the pause after it. */
+    uint64_t until_ns;      /* Time at which the current pulse or pause ends. */
+    uint32_t left;          /* Number of pulses that have not started. */
+    bool on;                /* True during a pulse. */
 };
 
 /* Adds `count` pulses. The sum saturates at UINT32_MAX. */

@@ -20,7 +20,7 @@ struct controller_manager {
                                            the transport has fewer slots. */
     struct hid_row row[CONTROLLER_MAX]; /* Copy of the device list from the last poll. */
     struct hid_learn learn;
-    uint8_t learn_row;
+    uint8_t learn_row;      /* Row of the controller that is being learned. */
     uint8_t learn_seat;     /* Slot of the controller that is being learned, or POI_MAX if no such
                                controller is attached. */
     uint8_t learn_waits;    /* 1 while the controller to learn is selected but not attached yet,

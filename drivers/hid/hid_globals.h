@@ -23,7 +23,7 @@ struct hid_globals {
 
 struct hid_global_stack {
     struct hid_globals now, pushed[HID_PUSH_MAX];
-    uint32_t pushed_count;
+    uint32_t pushed_count; /* Number of Push items without a Pop item. */
 };
 
 /* Applies one Global item. Returns HID_OK, or an error if a Push, Pop or Report ID item is

@@ -35,7 +35,7 @@ struct hid_mapping_store {
 
     pthread_t thread;
     pthread_mutex_t lock;
-    pthread_cond_t changed;
+    pthread_cond_t changed; /* Signals a change of has_job or stops. */
     /* `lock` protects has_job, stops and all fields below. */
     uint8_t has_thread, has_job, stops;
     struct hid_mapping_store_job job;

@@ -25,9 +25,9 @@ struct hid_pose_decoder {
     struct hid_mapping map;
     struct pointer_poi pointer; /* State of the pointer, used by HID_STYLE_POINTER. */
     struct pointer_fan fan;
-    struct pointer_report report;
-    struct stick_motion fly; /* State of the stick motion, used by HID_STYLE_FLY. */
-    struct poi_fan pose;     /* Pose of the newest report, used by HID_STYLE_POSE. */
+    struct pointer_report report; /* Last state of the pointer, used by HID_STYLE_POINTER. */
+    struct stick_motion fly;      /* State of the stick motion, used by HID_STYLE_FLY. */
+    struct poi_fan pose;          /* Pose of the newest report, used by HID_STYLE_POSE. */
     /* Newest value of each binding. An axis is -1 to 1, a displacement is in counts, and a key is 0
      * or 1. A hat has its direction 0 to 7, or -1 if it is released. */
     float value[HID_BINDING_MAX];
@@ -43,8 +43,8 @@ struct hid_pose_decoder {
     uint32_t pressed;  /* Buttons that were pressed since the last call of
                           hid_pose_decoder_buttons(), as bits of enum input_button. */
     uint8_t sequence, has_sequence;
-    uint8_t present; /* 1 after the first position was decoded, otherwise 0. */
-    uint32_t report_count, refused_count;
+    uint8_t present;                      /* 1 after the first position was decoded, otherwise 0. */
+    uint32_t report_count, refused_count; /* Number of all reports, and of rejected reports. */
     uint32_t gap_count; /* Number of reports that are missing according to the sequence numbers. */
 };
 

@@ -16,12 +16,12 @@ struct poi_fan {
     struct poi_target hand;  /* Newest pose of the controller. */
     struct poi_target waits; /* Pose at which the poi stands still, or from which it returns to the
                                 controller. */
-    uint8_t held;
-    float swing;      /* Progress of the fan's way in: 0 means out of sight, 1 means at the
-                         controller's position. */
-    float back;       /* Progress of the poi's return: 0 means at `waits`, 1 means at the
-                         controller's position. */
-    uint64_t time_ns; /* Time for which `swing` and `back` were computed last. */
+    uint8_t held;            /* 1 while the FAN key is pressed, otherwise 0. */
+    float swing;             /* Progress of the fan's way in: 0 means out of sight, 1 means at
+                                the controller's position. */
+    float back;              /* Progress of the poi's return: 0 means at `waits`, 1 means at the
+                                controller's position. */
+    uint64_t time_ns;        /* Time for which `swing` and `back` were computed last. */
 };
 
 /* Initializes the state with the poi at the controller's position. */

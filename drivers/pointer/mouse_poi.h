@@ -35,7 +35,7 @@ struct mouse_poi {
     struct display_settings display_settings;
     /* Last state of the pointer. The wheel is reset for each event. */
     struct pointer_report report;
-    uint64_t last_poll_ns;
+    uint64_t last_poll_ns; /* Time of the last poll. */
     char text[HAL_TEXT_SIZE];
 };
 

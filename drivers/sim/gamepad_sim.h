@@ -27,7 +27,7 @@ struct gamepad_sim {
                                               after the last such report. */
     uint64_t silent_from_ns, silent_to_ns; /* Start and end of the silence. Reports of that time
                                               arrive together at its end. */
-    uint8_t gone;
+    uint8_t gone;                          /* 1 while the game pad is unplugged, otherwise 0. */
     uint32_t open_count;
     struct gamepad_rumble felt; /* Motor levels that were set last. */
     struct gamepad_queue track;

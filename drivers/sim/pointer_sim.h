@@ -29,7 +29,7 @@ struct pointer_sim {
     uint32_t spoil_count;          /* Number of reports with random numbers so far. */
     uint64_t silent_from_ns, silent_to_ns; /* Start and end of the silence. Reports of that time
                                               arrive together at its end. */
-    uint8_t gone;
+    uint8_t gone;                          /* 1 while the mouse is unplugged, otherwise 0. */
     uint32_t open_count;
     struct poi_force felt; /* Force feedback that was set last. */
     struct pointer_poi pointer;

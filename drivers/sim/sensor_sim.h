@@ -33,9 +33,9 @@ struct sensor_sim {
     uint8_t fault;           /* The selected fault (enum sensor_fault). */
     uint64_t from_ns, to_ns; /* The fault is active from `from_ns` until before `to_ns`. */
 
-    uint64_t next_ns; /* Time of the next report. */
-    uint32_t count;   /* Number of reports so far, which also selects the noise. */
-    uint32_t open_count;
+    uint64_t next_ns;       /* Time of the next report. */
+    uint32_t count;         /* Number of reports so far, which also selects the noise. */
+    uint32_t open_count;    /* Number of open() calls. */
     struct poi_target last; /* Pose of the last report. */
     /* Reports that SENSOR_HELD_BACK delays, oldest first. */
     struct poi_target held[SENSOR_SIM_HELD_MAX];

@@ -20,9 +20,9 @@ struct storage_sim {
     uint32_t fail_left;   /* Number of writes that return HAL_ERR_IO, after the busy writes. */
     uint32_t delay_polls; /* Number of saved_id() calls before an accepted entry counts as on
                              disk. */
-    uint32_t polls_since;
-    uint8_t *replay; /* Buffer of the caller for one replay; null means that replays are not
-                        stored. */
+    uint32_t polls_since; /* Number of saved_id() calls after the last accepted entry. */
+    uint8_t *replay;      /* Buffer of the caller for one replay; null means that replays are not
+                             stored. */
     size_t replay_room;
     uint32_t replay_id; /* Id of the round whose replay is stored; 0 means none. */
     size_t replay_size;

@@ -29,7 +29,7 @@ struct touch_sim {
                                       last such event. */
     uint64_t silent_from_ns, silent_to_ns; /* Start and end of the silence. Events of that time
                                               arrive together at its end. */
-    uint8_t gone;
+    uint8_t gone;                          /* 1 while the screen is unplugged, otherwise 0. */
     uint32_t open_count;
     struct touch_fingers fingers;
     struct pointer_report report;
