@@ -1,16 +1,17 @@
-# poi-gadget.mk -- kingyo-poi, the program of a poi's own board: no library but libc and libm, so that it
-# is built where it runs or crossed in seconds: make poi-gadget CC=aarch64-linux-gnu-gcc BUILD=build-arm64
+# poi-gadget.mk -- builds kingyo-poi, the program on the board of a poi. The program needs only libc and
+# libm, so it is built on the board itself, or cross-compiled:
+# make poi-gadget CC=aarch64-linux-gnu-gcc BUILD=build-arm64
 
 GADGET_DIR := board/poi-gadget
 GADGET_SRC := $(wildcard $(GADGET_DIR)/*.c)
 GADGET_SHARED := core/base/fmath.c core/base/vec.c core/base/rng.c core/base/printable.c \
     drivers/hid/poi_descriptor.c drivers/hid/poi_report.c platform/os/regular_file.c platform/os/print.c \
     platform/os/standard_streams.c
-# Static: the board's Debian may be older than the one that compiles.
+# The program is linked statically, because the board's Debian may be older than the build machine's.
 GADGET_LDFLAGS ?= -static
 GADGET_OBJ := $(patsubst %.c,$(BUILD)/poi-gadget/%.o,$(GADGET_SRC) $(GADGET_SHARED))
 
-# Tests take its parts from the archive that all tests link.
+# The tests link the parts of the program from the archive that all tests link.
 BOARD_OBJ += $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/main.c,$(GADGET_SRC)))
 
 ## build/poi-gadget: Build kingyo-poi, the program on the board inside a poi

@@ -80,10 +80,9 @@ static enum layer layer_of(uint8_t part, float toward)
     }
 }
 
-/* Returns true if the view hides a layer. `toward` is the depth of the layer, positive toward the
- * viewer. Eyes behind the body are hidden. In the side view, an eye beyond the middle plane of the
- * fish is hidden. The front view also hides the median fins, because the front view shows only
- * their edges. */
+/* Returns true if the view hides a triangle of a layer. `toward` is positive if the triangle is on
+ * the viewer's side of the fish's middle plane. The side view hides the eye on the far side. The
+ * front view hides the median fins, because only their edges are visible. */
 static bool is_hidden(const struct morph_outline *outline, enum layer layer, float toward)
 {
     if (outline->view == MORPH_OUTLINE_FRONT) {
