@@ -4,7 +4,7 @@
 
 #include "core/base/panic.h"
 
-/* ---- Assignment ----------------------------------------------------------------------------- */
+/* ---- Assignment of sources to slots --------------------------------------------------------- */
 
 /* Selects at most POI_MAX available sources, best kinds first. Within a kind, sources that already
  * have a slot are selected first. Returns one bit for each selected source. */
@@ -76,7 +76,7 @@ void input_mux_assign(uint8_t seat[POI_MAX], const uint8_t *kind, uint32_t count
     }
 }
 
-/* ---- Slots ---------------------------------------------------------------------------------- */
+/* ---- Slots and the devices of each slot ----------------------------------------------------- */
 
 void input_mux_init(struct input_mux *mux, const char *empty_line)
 {

@@ -68,7 +68,7 @@ struct gamepad_report {
 
 struct gamepad_decoder {
     struct stick_motion fly;        /* Motion of the ring by the sticks. */
-    struct gamepad_imu_filter tilt; /* Tilt by the motion sensors. */
+    struct gamepad_imu_filter tilt; /* Tilt from the motion sensors. */
     struct gamepad_report now;      /* The newest report. */
     vec3 stick_twist;               /* Pitch, yaw and roll from the right stick, as shares of
                                        STICK_MOTION_TILT_MAX_RAD. */

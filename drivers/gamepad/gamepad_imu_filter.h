@@ -23,7 +23,7 @@ struct gamepad_imu_filter {
     vec3 up;            /* Upward direction in the axes of the pad, a unit vector. */
     uint8_t knows_down; /* 1 after the first valid acceleration, otherwise 0. */
     uint8_t knows_rest; /* 1 after the rest attitude was set, otherwise 0. */
-    float rest_pitch_rad, rest_roll_rad; /* Rest attitude. */
+    float rest_pitch_rad, rest_roll_rad; /* Pitch and roll of the rest attitude. */
     uint64_t turn_ns;                    /* Time to which `up` was rotated. */
     uint64_t weigh_ns;                   /* Time of the newest acceleration. */
     uint64_t rest_ns;                    /* Time to which the rest attitude was updated. */

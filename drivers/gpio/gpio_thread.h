@@ -73,9 +73,9 @@ struct gpio_thread {
     _Atomic uint32_t owed; /* Sum of the unfinished pulses of all held outputs. */
     /* Number of unfinished pulses of each output, whether the output is held or missing. */
     _Atomic uint32_t pending[GPIO_OUTPUT_COUNT];
-    _Atomic int stop; /* 1 if the thread must end. */
+    _Atomic int stop; /* 1 if the GPIO thread must end, otherwise 0. */
     pthread_t thread;
-    int runs; /* 1 while the thread exists, otherwise 0. */
+    int runs; /* 1 while the GPIO thread exists, otherwise 0. */
 
     pthread_mutex_t mutex; /* Protects `why` and `text`. */
     char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE];

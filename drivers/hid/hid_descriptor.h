@@ -10,8 +10,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define HID_DESCRIPTOR_SIZE_MAX                                                                    \
-    65535u /* Largest descriptor in bytes; wDescriptorLength has 16 bits. */
+/* Largest descriptor in bytes; wDescriptorLength has 16 bits. */
+#define HID_DESCRIPTOR_SIZE_MAX 65535u
 /* Largest number of Input items; the largest of 72 examined devices has 209. */
 #define HID_GROUP_MAX 512u
 #define HID_RANGE_MAX 2048u /* Largest number of usages and usage ranges of all groups together. */

@@ -18,8 +18,8 @@
  * and buttons. */
 #define HID_BINDING_MAX 32u
 
-#define HID_VALUE_MAX                                                                              \
-    4294967295ll /* Largest absolute value of a signed or unsigned 32-bit field. */
+/* Largest absolute value of a signed or unsigned 32-bit field. */
+#define HID_VALUE_MAX 4294967295ll
 
 /* Largest number of elements of an array whose keys may be bound. Keyboards report 6 keys at a
  * time, and one reports 14. Each element costs time in every report, and a malicious descriptor can
@@ -148,9 +148,9 @@ int hid_mapping_is_array_of(const struct hid_group *group, const struct hid_bind
  * binding lies inside its declared report, and every number is in range. Otherwise returns 0. */
 int hid_mapping_is_sound(const struct hid_mapping *map, const struct hid_descriptor *descriptor);
 
-/* Size of the buffer for hid_mapping_write(). */
-#define HID_MAPPING_TEXT_SIZE                                                                      \
-    3072u /* The size is enough for HID_BINDING_MAX bindings of the longest text. */
+/* Size of the buffer for hid_mapping_write(), enough for HID_BINDING_MAX bindings of the longest
+ * text. */
+#define HID_MAPPING_TEXT_SIZE 3072u
 /* Writes a mapping as one line of text without a newline. Returns 0, or -1 if the mapping cannot be
  * written. hid_mapping_store.h stores the line with its vendor:product:serial. */
 int hid_mapping_write(const struct hid_mapping *map, char text[HID_MAPPING_TEXT_SIZE]);

@@ -35,7 +35,7 @@ struct touch_fingers {
     int64_t leader;
     uint8_t has_leader;    /* 1 while the leader touches the screen, otherwise 0. */
     float x, y;            /* Last position of the leader, 0 to 1. */
-    uint8_t has_place;     /* 1 after the first touch, otherwise 0. */
+    uint8_t has_place;     /* 1 after the first touch of the screen, otherwise 0. */
     uint8_t dips;          /* 1 while two or more fingers touch the screen, otherwise 0. */
     uint8_t start_pressed; /* 1 from the touch of a third finger until touch_fingers_start() is
                               called, otherwise 0. */

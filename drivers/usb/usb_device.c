@@ -6,12 +6,10 @@
 
 #include "drivers/usb/usb_sysfs.h"
 
-#define HID_BOOT                                                                                   \
-    1u /* Value of bInterfaceSubClass for interfaces with a boot protocol (HID 1.11, section
-          4.2). */
-#define HID_BOOT_KEYBOARD                                                                          \
-    1u                             /* Value of bInterfaceProtocol for a boot keyboard (HID 1.11,
-                                      section 4.3). */
+/* Value of bInterfaceSubClass for interfaces with a boot protocol (HID 1.11, section 4.2). */
+#define HID_BOOT 1u
+/* Value of bInterfaceProtocol for a boot keyboard (HID 1.11, section 4.3). */
+#define HID_BOOT_KEYBOARD 1u
 #define HID_CLASS_DESCRIPTOR 0x21u /* Type of the HID class descriptor (HID 1.11, section 7.1). */
 #define HID_REPORT_DESCRIPTOR 0x22u
 #define PORT_DEPTH_MAX 7 /* Deepest nesting of hubs (USB 3.1, section 10.1). */
