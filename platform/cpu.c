@@ -5,8 +5,9 @@
 
 #if defined(__x86_64__)
 
-/* Intel SDM volume 1, section 10.2.3 (MXCSR): all exceptions are masked, rounding is to nearest, FZ
- * and DAZ are off. The low six bits are status flags. */
+/* CONTROL_STANDARD is the default of MXCSR (Intel SDM volume 1, section 10.2.3): all exceptions are
+ * masked, rounding is to nearest, FZ and DAZ are off. CONTROL_MASK leaves out the status flags in
+ * the low six bits. */
 #define CONTROL_STANDARD 0x1f80u
 #define CONTROL_MASK 0xffc0u
 
@@ -22,8 +23,8 @@ static void control_set(uint32_t word)
 
 #elif defined(__aarch64__)
 
-/* Arm ARM, FPCR: zero means round to nearest, no FZ (bit 24), no FZ16 (bit 19), no DN (bit 25) and
- * no traps. FPCR has no status flags. */
+/* CONTROL_STANDARD is the default of FPCR (Arm ARM): round to nearest, no FZ (bit 24), no FZ16 (bit
+ * 19), no DN (bit 25) and no traps. FPCR has no status flags. */
 #define CONTROL_STANDARD 0u
 #define CONTROL_MASK 0xffffffffu
 
@@ -41,8 +42,8 @@ static void control_set(uint32_t word)
 
 #elif defined(__arm__) && defined(__ARM_FP)
 
-/* Arm ARM, FPSCR: the mode and trap bits are 8 to 12, 15 and 16 to 26. All other bits are status
- * flags. */
+/* CONTROL_STANDARD is the default of FPSCR (Arm ARM). CONTROL_MASK selects the mode and trap bits 8
+ * to 12, 15 and 16 to 26. All other bits are status flags. */
 #define CONTROL_STANDARD 0u
 #define CONTROL_MASK 0x07ff9f00u
 
@@ -60,8 +61,9 @@ static void control_set(uint32_t word)
 
 #elif defined(__riscv) && defined(__riscv_flen)
 
-/* RISC-V unprivileged ISA, fcsr: bits 5 to 7 are the rounding mode, where zero means to nearest.
- * The low five bits are status flags. RISC-V has no flush-to-zero mode. */
+/* CONTROL_STANDARD is the default of fcsr (RISC-V unprivileged ISA): round to nearest. CONTROL_MASK
+ * selects the rounding mode, bits 5 to 7. The low five bits are status flags. RISC-V has no
+ * flush-to-zero mode. */
 #define CONTROL_STANDARD 0u
 #define CONTROL_MASK 0xe0u
 

@@ -65,8 +65,9 @@ struct display_events {
                         otherwise 0. */
 };
 
-/* Smallest window size in points. Text is unreadable in a smaller window. A window manager may
- * ignore this minimum, therefore a display must support any window size. */
+/* Minimum and maximum size of a window in points (the coordinates of the windowing system). Text is
+ * unreadable in a window below the minimum. A window manager may ignore the minimum, therefore a
+ * display must support any window size. */
 #define HAL_WINDOW_WIDTH_MIN 320u
 #define HAL_WINDOW_HEIGHT_MIN 240u
 #define HAL_WINDOW_SIDE_MAX 8192u
@@ -134,6 +135,7 @@ struct hal_fan_ops {
 
 /* Bit of the first coin line in `missing` and `raw`. The bits of the other coin lines follow. */
 #define HAL_MISSING_COIN (1u << INPUT_BUTTON_COUNT)
+/* Number of lines with a bit in `missing` and `raw`: all buttons and all coin lines. */
 #define HAL_LINE_COUNT (INPUT_BUTTON_COUNT + COIN_LINE_COUNT)
 
 /* State of the buttons and coin lines. The edge counts are debounced and cover the time since the

@@ -22,6 +22,7 @@
 #define START_NS FRAME_NS /* Simulated time at which START is pressed. */
 /* Simulated time of one frame before the round. These frames are not shown. */
 #define PRELUDE_NS 100000000ull
+/* Maximum number of ticks before the round. */
 #define PRELUDE_TICKS_MAX (60u * CORE_TICK_HZ)
 #define IN_ROUND_TICKS                                                                             \
     (3u * CORE_TICK_HZ / 4u) /* Ticks after the start of the round until each poi is over its

@@ -28,6 +28,7 @@
  * for twenty minutes: attract mode and the longest round with its pauses. Pages that no session has
  * reached use no physical memory. */
 #define SESSION_RECORDER_MEMORY (17u * 1024u * 1024u)
+/* Maximum size of one recorded second in bytes. */
 #define SESSION_RECORDER_SECOND_MAX (REPLAY_CHUNK_HEAD_SIZE + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE)
 _Static_assert(REPLAY_HEADER_MAX + 600u * SESSION_RECORDER_SECOND_MAX + REPLAY_END_SIZE <=
                    SESSION_RECORDER_MEMORY,
@@ -35,8 +36,8 @@ _Static_assert(REPLAY_HEADER_MAX + 600u * SESSION_RECORDER_SECOND_MAX + REPLAY_E
 
 struct session_recorder {
     struct core_config start; /* Configuration at the start of the session, with the PIN withheld
-                                 (core/pin.h). It replaces the true configuration in each replay
-                                 that the store gets. */
+                                 (core/pin.h). Each replay that the store gets starts with this
+                                 configuration. */
     struct replay_writer writer;
     struct replay_totals totals;
     struct recorder_tally tally;

@@ -20,6 +20,7 @@
 /* Size of the file's text in bytes, enough for the numbers and every device text with each
  * character escaped (6 bytes). */
 #define STATUS_TEXT_MAX 24576u
+/* Maximum number of devices in a report. */
 #define STATUS_DEVICES_MAX (10u + POI_MAX + SHADE_MAX)
 
 /* One status report. A structure of zeros is the report of a kiosk that has just started. */

@@ -9,6 +9,7 @@
 #define TIMING_BIN_NS 50000u
 /* Number of fine bins, which reach up to 0.4 s. Coarse bins follow. */
 #define TIMING_BIN_COUNT 8000u
+/* Width of a coarse bin (20 ms). */
 #define TIMING_SLOW_NS 20000000u
 /* Number of coarse bins, which reach up to 10 s. Longer durations count in the last bin. */
 #define TIMING_SLOW_COUNT 500u

@@ -47,6 +47,8 @@
  * version 2 game modes, version 3 the growth lab, version 4 credits and the operator's controllers,
  * version 5 the ledger, and version 6 wrong PINs. */
 #define REPLAY_VERSION_MIN 7u
+
+/* Sizes in bytes of the header, the head of a chunk, the end mark and a checksum. */
 #define REPLAY_HEADER_SIZE 52u
 #define REPLAY_CHUNK_HEAD_SIZE 40u
 #define REPLAY_END_SIZE 40u
@@ -65,12 +67,13 @@
 #define REPLAY_TICK_SIZE_MAX                                                                       \
     (1u + (2u + COIN_LINE_COUNT) * 4u + REPLAY_MACHINE_BYTES + 2u + REPLAY_DESK_BYTES +            \
      REPLAY_POSE_DELTA_BYTES + 4u)
+/* Maximum size in bytes of a chunk's payload. */
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
 
-/* Size in bytes of a buffer for the largest chunk, or for the header with the largest initial state
- * and catalog, followed by an end mark. */
+/* Maximum size in bytes of the header with the initial state and the catalog. */
 #define REPLAY_HEADER_MAX                                                                          \
     (REPLAY_HEADER_SIZE + REPLAY_INITIAL_STATE_MAX + REPLAY_CATALOG_MAX + 2u * REPLAY_SUM_SIZE)
+/* Size in bytes of a buffer for the header or for any chunk, each followed by an end mark. */
 #define REPLAY_BUFFER_SIZE                                                                         \
     (REPLAY_HEADER_MAX + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE + REPLAY_END_SIZE)
 

@@ -79,6 +79,7 @@
 #define STORAGE_BACKUP_S 3600 /* Maximum interval between two backups in seconds. */
 /* Number of new entries after which a backup is made before the interval ends. */
 #define STORAGE_BACKUP_ENTRIES (LEDGER_MIRROR_SLOTS / 2u)
+/* Size in bytes of the database's path. */
 #define STORAGE_PATH_SIZE 512u
 /* Capacity of the queue: twice the number of entries that the core can hold unwritten. While the
  * card responds, the queue is therefore never full. */

@@ -22,6 +22,7 @@
 /* Number of log pages after which the log is copied into the database. With this limit one
  * transaction copies at most half a MiB. */
 #define CHECKPOINT_PAGES 128
+/* Number of bytes that are written again at a time. */
 #define CHUNK 4096
 
 /* Commit hook, which SQLite calls after each commit. SQLite's default hook ignores a failed

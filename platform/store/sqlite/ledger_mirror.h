@@ -19,6 +19,7 @@
 
 /* Number of slots (512 KiB). The next backup is made before half of the slots are used. */
 #define LEDGER_MIRROR_SLOTS 1024u
+/* Size of a slot in bytes, equal to one disk sector. */
 #define LEDGER_MIRROR_SLOT_SIZE 512u
 
 /* Open mirror. The caller owns the structure. Zeros mean that the mirror is closed. */

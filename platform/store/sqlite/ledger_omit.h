@@ -11,6 +11,7 @@
 
 /* Maximum number of copies. When all numbers are used, no more data are deleted. */
 #define LEDGER_LEFT_MAX 99u
+/* Size in bytes of the result text. */
 #define LEDGER_LEAVE_WORDS 160u
 #define LEDGER_LEAVE_NONE 1 /* Result of ledger_leave_out() if there is no database. */
 

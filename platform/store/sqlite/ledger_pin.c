@@ -14,6 +14,7 @@
 
 /* Name of the `state` row that exists while old bytes of a PIN may be in the file. */
 #define MARK "'pin-vacuum'"
+/* SQL text that selects the entries with a PIN as plain digits. */
 #define PLAIN_ENTRIES "FROM entries WHERE kind = %d AND detail = %d AND count = 0 AND value > 0"
 
 /* Hides the PIN in its entries. The entries are few: one for each PIN that was ever set. Returns an

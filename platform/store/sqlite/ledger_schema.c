@@ -11,8 +11,8 @@
 
 /* ---- SQL text of the migrations ------------------------------------------------------------ */
 
-/* Migrates a file of version 1, which had one mode (the festival with paper No. 6) and one player.
- * Version 1 did not record the number of scoops and the paper's damage. */
+/* SQL text that migrates a file of version 1. Version 1 had one mode (the festival with paper No.
+ * 6) and one player. Version 1 did not record the number of scoops and the paper's damage. */
 static const char to_2[] =
     "ALTER TABLE rounds ADD COLUMN mode INTEGER NOT NULL DEFAULT 0;" /* Game mode of the round (enum
                                                                         game_mode). */
@@ -22,7 +22,7 @@ static const char to_2[] =
 static const char fill_2[] = "INSERT INTO round_players (round, player, caught, fouls)"
                              " SELECT number, 0, caught, 0 FROM rounds;";
 
-/* Migrates rounds of version 3, which did not record the tank. */
+/* SQL text that migrates the rounds of version 3, which did not record the tank. */
 static const char set_rounds_aside[] = "ALTER TABLE rounds RENAME TO old_rounds;";
 static const char fill_4[] = "INSERT INTO rounds SELECT *, 0, 0, 0 FROM old_rounds;"
                              "DROP TABLE old_rounds;";
@@ -30,8 +30,8 @@ static const char fill_4[] = "INSERT INTO rounds SELECT *, 0, 0, 0 FROM old_roun
 static const char set_old_aside[] = "ALTER TABLE rounds RENAME TO old_rounds;"
                                     "ALTER TABLE round_players RENAME TO old_round_players;";
 
-/* Sets values that the old file did not record to NULL. `entry` counts the old rounds in the order
- * of their numbers. */
+/* SQL text that sets values that the old file did not record to NULL. The column `entry` counts the
+ * old rounds in the order of their numbers. */
 static const char forget_unknown[] =
     "UPDATE round_players SET sheets = NULL;"
     "UPDATE round_players SET scoops = NULL, hole_area_mm2 = NULL, torn_tick = NULL"
