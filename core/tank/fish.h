@@ -153,8 +153,8 @@ static inline float fish_emerges_m(const struct fish *fish)
     return (fish->gait == GAIT_SURFACE ? fish->height_m : 0.0f) + FISH_AIRBORNE_M;
 }
 
-/* Returns 1 if the fish moves by itself in the water or through the air. Returns 0 if a poi or bowl
- * carries the fish or if the fish is in reentry. */
+/* Returns 1 if the fish swims or falls freely. Returns 0 if a poi or bowl carries the fish or if
+ * the fish is in reentry. */
 static inline int fish_swims(const struct fish *fish)
 {
     return fish->gait != GAIT_HELD && fish->gait != GAIT_BOWL;

@@ -60,8 +60,9 @@ static inline uint32_t spatial_grid_cell_of_item(const struct spatial_grid *grid
     return cell;
 }
 
-/* Returns the items of `cell` and of the next cell to the right. A search over these items and the
- * items of spatial_grid_below() finds every near pair once, if it is repeated for each cell. */
+/* Returns the items of `cell` and of the next cell to the right. For an item of
+ * `cell`, only the later items of this range and the items of spatial_grid_below() are tested. The
+ * search finds all other near pairs from earlier items. */
 static inline struct spatial_grid_range spatial_grid_beside(const struct spatial_grid *grid,
                                                             uint32_t cell)
 {
