@@ -16,7 +16,7 @@ struct font_glyph {
     uint16_t width, height; /* Size in atlas pixels. 0 means a glyph without ink, such as the
                                space. */
     float left_em, top_em;  /* Offset from the pen on the baseline to the top left corner. */
-    float advance_em;       /* Advance of the pen. */
+    float advance_em;       /* Distance from the pen to the pen of the next glyph, in ems. */
 };
 
 struct font {

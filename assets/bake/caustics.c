@@ -20,9 +20,11 @@
 #define RAYS (CAUSTICS_SIZE * RAYS_PER_TEXEL)
 #define WAVE_NUMBER_MIN 1.9f /* Minimum wave number of a wave, in cycles per tile. */
 #define WAVE_NUMBER_MAX 6.6f
-/* Distance in tiles that a ray moves per unit of slope, which corresponds to the water depth. */
+/* Distance in tiles by which a ray is shifted per unit of surface slope. The distance is
+ * proportional to the water depth. */
 #define FOCUS 0.033f
-#define EXPOSURE 0.30f /* Exposure. A light of 1, as under flat water, becomes 1 - exp(-0.30). */
+/* Exposure: a brightness of 1, as under flat water, is stored as 1 - exp(-0.30). */
+#define EXPOSURE 0.30f
 
 struct wave {
     int32_t kx, ky; /* Wave number in cycles per tile, along x and y. */

@@ -12,7 +12,7 @@
 #include "assets/bake/noise.h"
 
 #define PATCHES_MAX 6u
-/* Girth in body lengths, with which round patches are round on the body. */
+/* Girth of the body in body lengths. The value makes round patches look round on the body. */
 #define GIRTH 0.85f
 #define SCALE_ROWS 22.0f /* Number of rows of scales from the gill cover to the tail root. */
 #define SCALES_ROUND 12.0f
@@ -33,39 +33,39 @@ struct design {
 
 /* clang-format off */
 static const struct design designs[PATTERN_LAYERS] = {
-    /* All red, the most common pattern of a wakin (common goldfish). */
+    /* Pattern "red": all red, the most common pattern of a wakin (common goldfish). */
     { .base = 1.0f },
-    /* Red back and pale belly. */
+    /* Pattern "pale belly": red back and pale belly. */
     { .base = 1.0f, .belly = 0.36f, .ragged = 0.10f },
-    /* Red with a white saddle around the middle of the body. */
+    /* Pattern "saddle": red, with white around the middle of the body. */
     { 0.0f, 0.22f, 0.15f, { { 0.12f, 0.0f, 0.25f, 0.60f }, { 0.80f, 0.0f, 0.26f, 0.60f } } },
-    /* Two steps: two red patches. */
+    /* Pattern "two steps": two red patches on white. */
     { 0.0f, 0.20f, 0.20f, { { 0.27f, 0.05f, 0.20f, 0.26f }, { 0.74f, 0.96f, 0.17f, 0.24f } } },
-    /* Three steps: three red patches. */
+    /* Pattern "three steps": three red patches on white. */
     { 0.0f, 0.18f, 0.27f,
       { { 0.12f, 0.0f, 0.12f, 0.20f }, { 0.45f, 0.06f, 0.14f, 0.26f },
         { 0.79f, 0.95f, 0.13f, 0.22f } } },
-    /* Lightning: one red band that alternates between the sides. */
+    /* Pattern "lightning": one red band that alternates between the sides. */
     { 0.0f, 0.12f, 0.24f,
       { { 0.16f, 0.93f, 0.13f, 0.15f }, { 0.31f, 0.09f, 0.13f, 0.16f },
         { 0.47f, 0.92f, 0.13f, 0.15f }, { 0.63f, 0.09f, 0.13f, 0.15f },
         { 0.80f, 0.95f, 0.14f, 0.15f } } },
-    /* Red hood: a red head. */
+    /* Pattern "hood": a red head and a small patch behind it. */
     { 0.0f, 0.10f, 0.24f, { { 0.06f, 0.0f, 0.24f, 0.60f }, { 0.70f, 0.13f, 0.09f, 0.12f } } },
-    /* A round spot on the head, and patches behind it. */
+    /* Pattern "spot": a round red spot on the head, and red patches behind it. */
     { 0.0f, 0.15f, 0.25f,
       { { 0.14f, 0.0f, 0.085f, 0.10f }, { 0.50f, 0.97f, 0.13f, 0.22f },
         { 0.81f, 0.05f, 0.11f, 0.18f } } },
-    /* Crane: white with one red spot on the head. */
+    /* Pattern "crane": white with one red spot on the head. */
     { 0.0f, 0.0f, 0.05f, { { 0.145f, 0.0f, 0.095f, 0.11f } } },
-    /* Red spots scattered over both flanks. */
+    /* Pattern "spots": red spots scattered over both flanks. */
     { 0.0f, 0.10f, 0.32f,
       { { 0.21f, 0.17f, 0.08f, 0.10f }, { 0.36f, 0.86f, 0.10f, 0.12f },
         { 0.52f, 0.12f, 0.08f, 0.11f }, { 0.64f, 0.83f, 0.07f, 0.09f },
         { 0.83f, 0.04f, 0.10f, 0.13f }, { 0.10f, 0.92f, 0.06f, 0.08f } } },
-    /* Mostly white, with a red area at the tail and one on a cheek. */
+    /* Pattern "mostly white": one red area at the tail and one on a cheek. */
     { 0.0f, 0.05f, 0.18f, { { 0.92f, 0.0f, 0.10f, 0.30f }, { 0.17f, 0.16f, 0.06f, 0.08f } } },
-    /* All white. */
+    /* Pattern "white": all white. */
     { .base = 0.0f },
 };
 /* clang-format on */
@@ -117,7 +117,7 @@ static float scale_light(float u, float v)
 {
     const float row = (u - GILL) / (1.0f - GILL) * SCALE_ROWS;
     float best = 0.0f;
-    /* Scales of three rows may cover a point. The frontmost row is visible. */
+    /* Scales of three rows may cover the point (u, v). The frontmost row is visible. */
     for (int32_t i = 0; i < 3; i++) {
         const float centre = floorf(row) - (float)i + 0.5f;
         const float odd = fmodf(centre - 0.5f + 64.0f, 2.0f) * 0.5f;
@@ -130,7 +130,8 @@ static float scale_light(float u, float v)
     }
     const float back = 0.5f + 0.5f * cosf(TAU * v);
     const float fade = noise_ramp(GILL - 0.01f, GILL + 0.06f, u) * noise_ramp(0.05f, 0.35f, back);
-    const float flank = 0.25f - fabsf(v - 0.5f); /* 0 in the middle of the right or left flank. */
+    const float flank = 0.25f - fabsf(v - 0.5f); /* Distance from the middle of a flank. 0 means the
+                                                    middle of the right or left flank. */
     const float gill = expf(-powf((u - GILL - 0.03f * (fabsf(flank) - 0.12f)) / 0.011f, 2.0f));
     return noise_mix(0.80f, 0.46f + 0.54f * best, fade) -
            0.26f * gill * noise_ramp(0.13f, 0.05f, fabsf(flank));

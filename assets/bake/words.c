@@ -1,8 +1,9 @@
 /* words.c -- the tool `bake_words assets/words/refused.txt OUT.c`, which converts the list of
  * rejected player names to a table of the core.
  *
- * A line of the list is `word` or `=word`. A line that begins with `#` is a comment. Each word is
- * normalized in the same way as a player's name. */
+ * A line `word` rejects every name that contains the word. A line `=word` rejects only the word as
+ * a whole name. A line that begins with `#` is a comment. Each word is normalized in the same way
+ * as a player's name. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

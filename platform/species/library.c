@@ -69,8 +69,8 @@ static bool is_taken(const struct library *library, const char *id)
     return false;
 }
 
-/* Reads one file into the next free slot. The slot stays free if the species is rejected. Returns
- * false and the reason in `why` then. */
+/* Reads one file into the next free slot. If the species is rejected, returns false with the reason
+ * in `why`, and the slot stays free. */
 static bool library_read_file(struct library *library, const char *path,
                               char why[VALIDATE_WHY_SIZE])
 {

@@ -26,8 +26,8 @@ void loft_place_from_anchor(struct lofting *l, uint32_t key, v3d offset, v3d nor
 /* Adds a triangle of the vertices `a`, `b` and `c`. */
 void loft_triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c);
 
-/* Adds an anchor with the same body coordinates in every key. The caller may change them
- * afterwards. */
+/* Adds an anchor and returns it. The anchor has the same body coordinates in every key until the
+ * caller changes them. */
 struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part part, uint8_t turns);
 
 /* Writes the body coordinate u of `count` rings. The last ring is at 1. Rings are denser where an

@@ -1,5 +1,5 @@
-/* pack.c -- serializer of a species. One function visits the fields, both for reading and for
- * writing. */
+/* pack.c -- serializes and parses a species file. One function visits the fields of a species, both
+ * for reading and for writing. */
 #include "platform/species/pack.h"
 
 #include <assert.h>

@@ -5,7 +5,9 @@
 #include <math.h>
 
 #define PI 3.14159265358979323846
-#define FIN_SINK 0.014 /* Depth of fin roots below the skin, so that no gap is visible. */
+/* Depth of fin roots below the skin, as a fraction of the fish's length. The depth hides gaps at
+ * the roots. */
+#define FIN_SINK 0.014
 /* Minimum visible length of a ray, because a shorter ray has no usable normal. */
 #define SHOWN_MIN 0.004
 /* Upper limit of FIN_SINK in a thin body, as a fraction of the body's thickness. */
@@ -178,8 +180,9 @@ static v3d ray_point(const struct key_text *key, enum species_part part, double 
     return p;
 }
 
-/* Returns the distance of `p` from the body's axis relative to the skin. 1 is on the skin, and
- * larger values are outside. Every point before or behind the body counts as outside. */
+/* Returns the ratio of the distance of `p` from the body's axis to the distance of the skin. 1 is
+ * on the skin, and larger values are outside. Every point before or behind the body counts as
+ * outside. */
 static double outness(const struct key_text *key, v3d p)
 {
     const double end = shape_body_end(key);

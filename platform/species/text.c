@@ -1,4 +1,4 @@
-/* text.c -- parses a species text. Each line has one keyword and its numbers. */
+/* text.c -- parses a species text. Each line consists of a keyword and its values. */
 #include "platform/species/reader.h"
 
 #include <string.h>

@@ -1,5 +1,5 @@
-/* ui_album.c -- the album of caught fish: a page of pictures. Each picture is a small aquarium in
- * which a fish grows up. */
+/* ui_album.c -- draws the album of caught fish: a page of pictures. Each picture is a small
+ * aquarium in which a fish grows up. */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,4 +1,4 @@
-/* ui_announcements.c -- the announcements over the tank: the remaining time, a foul, and the
+/* ui_announcements.c -- draws the announcements over the tank: the remaining time, a foul, and the
  * pause. */
 #include <math.h>
 

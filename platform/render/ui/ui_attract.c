@@ -1,5 +1,5 @@
-/* ui_attract.c -- the screens before a round: attract mode (the demonstration between rounds), then
- * the countdown. */
+/* ui_attract.c -- draws the screens before a round: attract mode (the demonstration between
+ * rounds), then the countdown. */
 #include <math.h>
 #include <stdio.h>
 

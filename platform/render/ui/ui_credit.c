@@ -1,4 +1,4 @@
-/* ui_credit.c -- the credits, the remaining price, and the warnings about the cabinet. */
+/* ui_credit.c -- draws the credits, the remaining price, and the warnings about the cabinet. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

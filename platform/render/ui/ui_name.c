@@ -1,5 +1,5 @@
-/* ui_name.c -- the name entry: the line, the letters and four function keys. Coordinates are on the
- * core's canvas. */
+/* ui_name.c -- draws the name entry: the line, the letters and four function keys. Coordinates are
+ * on the core's canvas. */
 #include <math.h>
 
 #include "core/game/ranking/name_keyboard.h"

@@ -1,4 +1,4 @@
-/* ui_players.c -- the players: their numbers, foul lamps, and plates if there are several
+/* ui_players.c -- draws the players: their numbers, foul lamps, and plates if there are several
  * players. */
 #include <math.h>
 

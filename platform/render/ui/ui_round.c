@@ -1,4 +1,4 @@
-/* ui_round.c -- the screen during a round: catch, paper, remaining time and hint. */
+/* ui_round.c -- draws the screen during a round: catch, paper, remaining time and hint. */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
-/* ui_lab_graph.c -- the deformation graph on paper, with one curve for each key and one for the
- * size, and the growth curve below the graph. */
+/* ui_lab_graph.c -- draws the deformation graph on paper, with one curve for each key and one for
+ * the size, and the growth curve below the graph. */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
-/* ui_lab_keys.c -- the key shapes (modelled growth stages) as drawn, their current weights, and the
- * lifeline. */
+/* ui_lab_keys.c -- draws the key shapes (modelled growth stages) as drawn, their current weights,
+ * and the lifeline. */
 #include <math.h>
 #include <stdio.h>
 

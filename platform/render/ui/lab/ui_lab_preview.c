@@ -1,4 +1,5 @@
-/* ui_lab_preview.c -- rigs and point trajectories of the species shown in the growth lab. */
+/* ui_lab_preview.c -- computes the prepared deformation graphs (rigs) and the point trajectories of
+ * the species shown in the growth lab. */
 #include "platform/render/ui/lab/ui_lab_preview.h"
 
 #include <string.h>

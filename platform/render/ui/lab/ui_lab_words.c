@@ -1,4 +1,4 @@
-/* ui_lab_words.c -- the growth lab's names of species and keys, in both languages. */
+/* ui_lab_words.c -- returns the names of species and keys for the growth lab, in both languages. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

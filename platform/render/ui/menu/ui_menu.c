@@ -1,4 +1,4 @@
-/* ui_menu.c -- the operator's menu, drawn as wooden tags over the darkened tank. */
+/* ui_menu.c -- draws the operator's menu as wooden tags over the darkened tank. */
 #include "platform/render/ui/menu/ui_menu.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* ui_menu_about.c -- the page about this machine: its version, its account books, and the status
- * line of each device. */
+/* ui_menu_about.c -- draws the page about this machine: its version, its account books, and the
+ * status line of each device. */
 #include <stdio.h>
 #include <string.h>
 

@@ -9,8 +9,8 @@
 #define AXIS_COUNT 6u
 #define NEGATIVE_PAINT 0x2b4c8cffu
 #define POSITIVE_PAINT 0x17754effu
-/* A controller is treated as unreliable if the gap between two reports is longer than this number
- * of ms, see core/game/control/input_validation.h. */
+/* A controller is treated as unreliable if the longest gap between two reports is at least this
+ * number of ms, see core/game/control/input_validation.h. */
 #define GAP_BAD_MS 100.0f
 
 struct axis {

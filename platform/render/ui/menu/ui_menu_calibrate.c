@@ -1,5 +1,5 @@
-/* ui_menu_calibrate.c -- the calibration page. The page shows the tank from above with its four
- * marks and the next instruction, then a side view of the water on which the operator lays the
+/* ui_menu_calibrate.c -- draws the calibration page. The page shows the tank from above with its
+ * four marks and the next instruction, then a side view of the water on which the operator lays the
  * poi. */
 #include <math.h>
 #include <stdio.h>

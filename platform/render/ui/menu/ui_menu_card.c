@@ -1,4 +1,4 @@
-/* ui_menu_card.c -- the test card, which makes a screen's faults visible.
+/* ui_menu_card.c -- draws the test card, which makes a screen's faults visible.
  *
  * A white line follows the picture's edge. If an edge is invisible, the operator must correct the
  * overscan setting. A grid of squares and a circle are undistorted on a screen of square pixels.

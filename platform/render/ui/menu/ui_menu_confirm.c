@@ -1,5 +1,5 @@
-/* ui_menu_confirm.c -- the confirmation page: a question on paper, and the consequences of the
- * answer yes. */
+/* ui_menu_confirm.c -- draws the confirmation page: a question on paper, and the consequences of
+ * the answer yes. */
 #include "platform/render/ui/menu/ui_menu.h"
 
 static enum text_key question(uint8_t page)

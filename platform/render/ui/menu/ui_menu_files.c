@@ -1,5 +1,5 @@
-/* ui_menu_files.c -- the page of files. A paper slip for each file shows whether the file is in
- * use, and otherwise the reason. */
+/* ui_menu_files.c -- draws the page of files. A paper slip for each file shows whether the file is
+ * in use, and otherwise the reason. */
 #include <stdio.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* ui_menu_learn.c -- the page on which the operator teaches the axes of a controller. A poi in a
- * basin shows the motion to make. */
+/* ui_menu_learn.c -- draws the page on which the operator teaches the axes of a controller. A poi
+ * in a basin shows the motion to make. */
 #include <math.h>
 
 #include "platform/render/ui/menu/ui_menu.h"

@@ -1,4 +1,4 @@
-/* ui_menu_lines.c -- the page of input lines: a lamp for each button, lit while the button is
+/* ui_menu_lines.c -- draws the page of input lines: a lamp for each button, lit while the button is
  * pressed, and the number of coins inserted. The corner of each cell shows the raw input line: its
  * level, its changes and its faults. */
 #include <stdio.h>

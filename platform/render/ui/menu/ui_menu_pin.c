@@ -1,4 +1,4 @@
-/* ui_menu_pin.c -- the PIN page: ten number keys, and a place for each digit. */
+/* ui_menu_pin.c -- draws the PIN page: ten number keys, and a place for each digit. */
 #include <math.h>
 
 #include "platform/render/ui/menu/ui_menu.h"

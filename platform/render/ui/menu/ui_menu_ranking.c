@@ -1,5 +1,5 @@
-/* ui_menu_ranking.c -- the leaderboard page for the operator, with a board for each score, and the
- * page of one score. */
+/* ui_menu_ranking.c -- draws the leaderboard page for the operator, with a board for each score,
+ * and the page of one score. */
 #include "core/game/ranking/ranking.h"
 #include "platform/render/ui/menu/ui_menu.h"
 #include "platform/render/ui/ui_leaderboard.h"

@@ -1,5 +1,5 @@
-/* ui_menu_settings.c -- the pages of settings. A board for each setting shows its name, range,
- * default and value. */
+/* ui_menu_settings.c -- draws the pages of settings. A board for each setting shows its name,
+ * range, default and value. */
 #include <stdio.h>
 #include <string.h>
 
