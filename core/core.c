@@ -35,10 +35,7 @@ _Static_assert(sizeof(struct scene) <= 1024u * 1024u, "the scene outgrew its bud
 static void open_world(struct core *core)
 {
     memset(&core->game, 0, sizeof core->game);
-    memset(core->poi, 0, sizeof core->poi);
-    memset(core->bowl, 0, sizeof core->bowl);
-    memset(&core->tank, 0, sizeof core->tank);
-    core->tick = core->config.session.tick;
+    memset(&core->world, 0, sizeof core->world);
     game_init(&core->game, &core->config);
     table_setup_open(core);
     if (table_setup_modes(&core->config) == 1u << CHOICE_LAB && core->config.credit_coins == 0 &&
@@ -84,10 +81,10 @@ static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TA
     uint32_t count = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (is_met(core, i)) {
-            out[count++] = poi_obstacle(&core->poi[i]);
+            out[count++] = poi_obstacle(&core->world.poi[i]);
         }
-        if (core->bowl[i].present) {
-            out[count++] = bowl_obstacle(&core->bowl[i]);
+        if (core->world.bowl[i].present) {
+            out[count++] = bowl_obstacle(&core->world.bowl[i]);
         }
     }
     return count;
@@ -98,7 +95,7 @@ static void keep_off_bowls(struct core *core, uint32_t index)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (i != index) {
-            poi_constrain_to_bowl(&core->poi[index], &core->bowl[i]);
+            poi_constrain_to_bowl(&core->world.poi[index], &core->world.bowl[i]);
         }
     }
 }
@@ -110,9 +107,9 @@ static void part_rings(struct core *core, const uint8_t live[POI_MAX])
     for (uint32_t k = 0; k < POI_MAX * POI_MAX; k++) {
         const uint32_t a = k / POI_MAX, b = k % POI_MAX;
         if (a < b && live[a] && live[b] && is_met(core, a) && is_met(core, b) &&
-            ring_pairs_separate(&core->poi[a], &core->poi[b])) {
-            poi_constrain_again(&core->poi[a], &core->tank, &core->bowl[a]);
-            poi_constrain_again(&core->poi[b], &core->tank, &core->bowl[b]);
+            ring_pairs_separate(&core->world.poi[a], &core->world.poi[b])) {
+            poi_constrain_again(&core->world.poi[a], &core->world.tank, &core->world.bowl[a]);
+            poi_constrain_again(&core->world.poi[b], &core->world.tank, &core->world.bowl[b]);
         }
     }
 }
@@ -124,29 +121,31 @@ static void tick_pois(struct core *core, const struct input *input,
         if (live[i]) {
             const struct poi_grip grip = {
                 .target = targets[i],
-                .has_wrist = core->poi[i].link == POI_SOURCE_BOT || parking_is_parked(core, i) ||
-                             core->poi[i].link == POI_SOURCE_LOST || /* A lost poi is not emptied
+                .has_wrist =
+                    core->world.poi[i].link == POI_SOURCE_BOT || parking_is_parked(core, i) ||
+                    core->world.poi[i].link == POI_SOURCE_LOST || /* A lost poi is not emptied
                                                                         into its bowl. */
-                             (core->poi[i].link == POI_SOURCE_LIVE && input->poi[i].has_wrist),
+                    (core->world.poi[i].link == POI_SOURCE_LIVE && input->poi[i].has_wrist),
             };
-            poi_tick(&core->poi[i], &grip, &core->tank, &core->bowl[i]);
+            poi_tick(&core->world.poi[i], &grip, &core->world.tank, &core->world.bowl[i]);
             keep_off_bowls(core, i);
         }
     }
     part_rings(core, live);
-    const struct stall stall = { &core->tank, core->bowl, POI_MAX };
-    bowl_buoyancy_tick(&stall, core->poi, live, POI_MAX);
+    const struct stall stall = { &core->world.tank, core->world.bowl, POI_MAX };
+    bowl_buoyancy_tick(&stall, core->world.poi, live, POI_MAX);
 }
 
 static void tick_water(struct core *core, const uint8_t live[POI_MAX])
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (live[i]) {
-            surface_disturbance_tick(&core->poi[i], &core->tank.water, core->tank.size_m);
+            surface_disturbance_tick(&core->world.poi[i], &core->world.tank.water,
+                                     core->world.tank.size_m);
         }
     }
-    if (core->tick % 2u == 0) {
-        water_step(&core->tank.water, core->tank.size_m);
+    if (core->game.tick % 2u == 0) {
+        water_step(&core->world.tank.water, core->world.tank.size_m);
     }
 }
 
@@ -161,8 +160,8 @@ static struct shade_cast fan_shade(const struct core *core, const struct shade_i
     CORE_ASSERT(f_is_finite(shade->z_m));
     CORE_ASSERT(f_is_finite(shade->radius_m));
     const float radius_m = f_clamp(shade->radius_m, SHADE_RADIUS_MIN_M, SHADE_RADIUS_MAX_M);
-    const float x_m = 0.5f * core->tank.size_m.x + FAN_REACH_M;
-    const float z_m = 0.5f * core->tank.size_m.z + FAN_REACH_M;
+    const float x_m = 0.5f * core->world.tank.size_m.x + FAN_REACH_M;
+    const float z_m = 0.5f * core->world.tank.size_m.z + FAN_REACH_M;
     return (struct shade_cast){
         .present = 1,
         .x_m = f_clamp(shade->x_m, -x_m, x_m),
@@ -180,12 +179,12 @@ static void gather_shades(struct core *core, const struct input *input)
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (controller_is_active(core, i)) {
-            casts[SHADE_MAX + i] = poi_shade(&core->poi[i]);
+            casts[SHADE_MAX + i] = poi_shade(&core->world.poi[i]);
             casts[SHADE_MAX + i].present &= parking_shade(core, i) > 0.0f;
             casts[SHADE_MAX + i].dark *= parking_shade(core, i);
         }
     }
-    tank_cast(&core->tank, casts);
+    tank_cast(&core->world.tank, casts);
 }
 
 /* Applies the reactions of the obstacles, in the order of gather_obstacles(). */
@@ -195,37 +194,37 @@ static void give_way(struct core *core, const struct obstacle *obstacles)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (controller_is_active(core, i)) {
             const struct obstacle nothing = { 0 };
-            poi_apply_reaction(&core->poi[i], is_met(core, i) ? &obstacles[at++] : &nothing);
+            poi_apply_reaction(&core->world.poi[i], is_met(core, i) ? &obstacles[at++] : &nothing);
         }
-        if (core->bowl[i].present) {
-            bowl_apply_reaction(&core->bowl[i], &obstacles[at++]);
+        if (core->world.bowl[i].present) {
+            bowl_apply_reaction(&core->world.bowl[i], &obstacles[at++]);
         }
     }
 }
 
 static void tick_fish(struct core *core, const struct input *input)
 {
-    const uint8_t has_pump = tank_preset(core->tank.preset)->pump;
-    core->tank.oxygen.pump = has_pump && game_pumps(&core->game, core->tick);
+    const uint8_t has_pump = tank_preset(core->world.tank.preset)->pump;
+    core->world.tank.oxygen.pump = has_pump && game_pumps(&core->game, core->game.tick);
     struct obstacle obstacles[TANK_OBSTACLE_MAX];
     const uint32_t count = gather_obstacles(core, obstacles);
     gather_shades(core, input);
-    tank_tick(&core->tank, core->tick, obstacles, count);
+    tank_tick(&core->world.tank, core->game.tick, obstacles, count);
     give_way(core, obstacles);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        bowl_fish_tick(&core->bowl[i], i, &core->tank);
+        bowl_fish_tick(&core->world.bowl[i], i, &core->world.tank);
     }
 }
 
 static void tick_catch(struct core *core, const uint8_t live[POI_MAX],
                        struct catch_result caught[POI_MAX], struct output *output)
 {
-    const struct stall stall = { &core->tank, core->bowl, POI_MAX };
+    const struct stall stall = { &core->world.tank, core->world.bowl, POI_MAX };
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (live[i] && !parking_is_parked(core, i)) {
-            catch_tick(&core->poi[i], i, &stall, core->tick, output, caught);
+            catch_tick(&core->world.poi[i], i, &stall, core->game.tick, output, caught);
         } else {
-            release_tick(&core->poi[i], i, &stall, caught);
+            release_tick(&core->world.poi[i], i, &stall, caught);
         }
     }
 }
@@ -236,16 +235,16 @@ static void feel_pois(const struct core *core, const uint8_t live[POI_MAX], stru
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         output->poi[i] = (struct poi_force){ 0 };
-        if (live[i] && !core->poi[i].damage_immune) { /* No force feedback unless the player
+        if (live[i] && !core->world.poi[i].damage_immune) { /* No force feedback unless the player
                                                          controls the poi. */
-            haptics_feel(&core->poi[i], &output->poi[i]);
+            haptics_feel(&core->world.poi[i], &output->poi[i]);
         }
     }
 }
 
 enum core_error core_tick(struct core *core, const struct input *input, struct output *output)
 {
-    if (core->tick % CORE_TICK_HZ == 0 && !float_env_is_standard()) {
+    if (core->game.tick % CORE_TICK_HZ == 0 && !float_env_is_standard()) {
         return CORE_ERR_FLOAT;
     }
     struct poi_target targets[POI_MAX];
@@ -259,7 +258,7 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
     feel_pois(core, live, output);
     tick_catch(core, live, caught, output);
     game_score(core, caught, output);
-    core->tick++;
+    core->game.tick++;
     if (session_is_over(core)) {
         session_restart(core);
         open_world(core);
@@ -269,18 +268,18 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
 
 int core_is_fresh(const struct core *core)
 {
-    return core->tick == core->config.session.tick;
+    return core->game.tick == core->config.session.tick;
 }
 
 uint64_t core_hash_quick(const struct core *core)
 {
-    uint64_t hash = hash_u32(HASH_START, core->tick);
+    uint64_t hash = hash_u32(HASH_START, core->game.tick);
     hash = game_hash(hash, &core->game);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        hash = poi_hash_quick(hash, &core->poi[i]);
-        hash = hash_u32(hash, core->bowl[i].fish_count);
+        hash = poi_hash_quick(hash, &core->world.poi[i]);
+        hash = hash_u32(hash, core->world.bowl[i].fish_count);
     }
-    return tank_hash_quick(hash, &core->tank);
+    return tank_hash_quick(hash, &core->world.tank);
 }
 
 static uint64_t config_hash(uint64_t hash, const struct core_config *config)
@@ -306,13 +305,13 @@ static uint64_t config_hash(uint64_t hash, const struct core_config *config)
 uint64_t core_hash(const struct core *core)
 {
     uint64_t hash = config_hash(core_hash_quick(core), &core->config);
-    hash = audits_hash(hash, &core->game.audits);
-    hash = ranking_hash(hash, &core->game.ranking);
+    hash = audits_hash(hash, &core->game.accounts.audits);
+    hash = ranking_hash(hash, &core->game.accounts.ranking);
     hash = settings_edit_hash(hash, &core->game.settings_edit, core->config.rules_7);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        hash = poi_hash(hash, &core->poi[i]);
-        hash = bowl_hash(hash, &core->bowl[i]);
+        hash = poi_hash(hash, &core->world.poi[i]);
+        hash = bowl_hash(hash, &core->world.bowl[i]);
     }
     hash = lab_hash(hash, &core->game.lab);
-    return tank_hash(hash, &core->tank);
+    return tank_hash(hash, &core->world.tank);
 }

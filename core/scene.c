@@ -62,7 +62,7 @@ static void show_sheet(const struct sheet *sheet, struct scene_poi *out)
 
 static void show_poi(const struct core *core, uint32_t index, struct scene_poi *out)
 {
-    const struct poi *poi = &core->poi[index];
+    const struct poi *poi = &core->world.poi[index];
     out->present = (uint8_t)controller_is_active(core, index);
     out->owner = (uint8_t)index;
     if (!out->present) {
@@ -73,7 +73,7 @@ static void show_poi(const struct core *core, uint32_t index, struct scene_poi *
     out->ring_radius_m = POI_RADIUS_M;
     out->sag_m = poi->sheet.sag_m;
     out->paper_left = sheet_left(&poi->sheet);
-    const struct shade_cast *cast = &core->tank.shade[SHADE_MAX + index].cast;
+    const struct shade_cast *cast = &core->world.tank.shade[SHADE_MAX + index].cast;
     out->shade_dark = cast->present ? cast->dark : 0.0f;
     out->water_m = carried_water_m(poi);
     out->shows_stress = core->game.phase == PHASE_ROUND && rules_of(core->game.mode)->shows_stress;
@@ -114,14 +114,14 @@ static void show_players(const struct core *core, struct scene *scene)
         const struct player *player = &core->game.player[i];
         const int in_round = core->game.phase == PHASE_ROUND;
         const struct leaderboard_place place = leaderboard_best_place(
-            &core->game.ranking, core->game.mode, core->game.name.round_id, (uint8_t)i);
+            &core->game.accounts.ranking, core->game.mode, core->game.name.round_id, (uint8_t)i);
         scene->caught[i] = player->caught;
         scene->player[i] = (struct scene_player){
             .plays = player->plays,
             .lost = in_round && player->plays && !pause_holds(core, i),
             .fouls = player->fouls,
             .foul = player->foul,
-            .foul_s = (float)(core->tick - player->foul_tick) * CORE_TICK_S,
+            .foul_s = (float)(core->game.tick - player->foul_tick) * CORE_TICK_S,
             .out = player->out,
             .place = place.place,
             .period = place.period,
@@ -143,10 +143,10 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->phase = game->phase;
     scene->language = game->language;
     scene->hint = game->hints.shown;
-    scene->phase_s = (float)(core->tick - game->phase_tick) * CORE_TICK_S;
+    scene->phase_s = (float)(core->game.tick - game->phase_tick) * CORE_TICK_S;
     scene->veil = session_fade(core);
-    scene->seconds_left = game_seconds_left(game, core->tick);
-    scene->best_today = game->ranking.row[game->mode][RANK_DAY][0].caught;
+    scene->seconds_left = game_seconds_left(game, core->game.tick);
+    scene->best_today = game->accounts.ranking.row[game->mode][RANK_DAY][0].caught;
     scene->by_bot = game->bot_played;
     scene->mode = game->mode;
     scene->choice = game->lab_chosen ? CHOICE_LAB : game->mode;
@@ -154,7 +154,7 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->grade = table_setup_grade(&core->config, game->mode);
     scene->paused = game->paused;
     scene->call = game->call;
-    scene->call_s = (float)(core->tick - game->call_tick) * CORE_TICK_S;
+    scene->call_s = (float)(core->game.tick - game->call_tick) * CORE_TICK_S;
     show_players(core, scene);
     for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
         show_offer(core, mode, &scene->offer[mode]);
@@ -172,19 +172,19 @@ static void show_game(const struct core *core, struct scene *scene)
 
 void core_scene(const struct core *core, struct scene *scene)
 {
-    const struct tank *tank = &core->tank;
+    const struct tank *tank = &core->world.tank;
     const struct tank_preset *preset = tank_preset(tank->preset);
-    scene->tick = core->tick;
+    scene->tick = core->game.tick;
     scene->view = preset->view;
     scene->tank_size_m = tank->size_m;
     scene->wall_height_m = tank->wall_height_m;
     scene->fish_count = tank->fish_count;
     for (uint32_t i = 0; i < tank->fish_count; i++) {
-        show_fish(&tank->fish[i], core->tick, &scene->fish[i]);
+        show_fish(&tank->fish[i], core->game.tick, &scene->fish[i]);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         show_poi(core, i, &scene->poi[i]);
-        show_bowl(&core->bowl[i], i, &scene->bowl[i]);
+        show_bowl(&core->world.bowl[i], i, &scene->bowl[i]);
     }
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         show_fan(&tank->shade[i], i, &scene->fan[i]);

@@ -33,17 +33,18 @@ void attract_tick(struct core *core, const struct input *input, struct output *o
         hints_init(&game->hints); /* Restart the hints for a new player. */
         return;
     }
-    if (core->tick - game->phase_tick >= SESSION_TICKS_MAX) {
+    if (core->game.tick - game->phase_tick >= SESSION_TICKS_MAX) {
         session_request(core);
     }
-    const int is_full = core->bowl[0].fish_count >= BOWL_MAX;
-    const int is_free = core->poi[0].immersed <= 0.0f && core->poi[0].carried_count == 0;
-    if (game->gone_tick == 0 && (is_full || !paper_can_hold(&core->poi[0].sheet))) {
-        game->gone_tick = core->tick;
+    const int is_full = core->world.bowl[0].fish_count >= BOWL_MAX;
+    const int is_free =
+        core->world.poi[0].immersed <= 0.0f && core->world.poi[0].carried_count == 0;
+    if (game->gone_tick == 0 && (is_full || !paper_can_hold(&core->world.poi[0].sheet))) {
+        game->gone_tick = core->game.tick;
     }
-    if (game->gone_tick != 0 && core->tick - game->gone_tick >= SWAP_TICKS && is_free) {
-        table_setup_replace_poi(core, 0, core->tick, GAME_SERIES_ATTRACT);
-        bowl_empty(&core->bowl[0], 0, &core->tank);
+    if (game->gone_tick != 0 && core->game.tick - game->gone_tick >= SWAP_TICKS && is_free) {
+        table_setup_replace_poi(core, 0, core->game.tick, GAME_SERIES_ATTRACT);
+        bowl_empty(&core->world.bowl[0], 0, &core->world.tank);
         game->gone_tick = 0;
     }
 }

@@ -7,14 +7,14 @@ void fouls_commit(struct core *core, uint32_t index, enum foul kind, struct outp
 {
     struct player *player = &core->game.player[index];
     const uint32_t last_tick = player->offence_tick[kind];
-    player->offence_tick[kind] = core->tick;
+    player->offence_tick[kind] = core->game.tick;
     if (!rules_of(core->game.mode)->judges || player->fouls >= FOUL_MAX ||
-        (last_tick != 0 && core->tick - last_tick < FOUL_APART_TICKS)) {
+        (last_tick != 0 && core->game.tick - last_tick < FOUL_APART_TICKS)) {
         return;
     }
     player->fouls++;
     player->foul = (uint8_t)kind;
-    player->foul_tick = core->tick;
+    player->foul_tick = core->game.tick;
     player->out |= player->fouls == FOUL_MAX;
     output_sound(output, SOUND_FOUL, 1.0f, 0.0f);
 }
@@ -24,9 +24,9 @@ void fouls_commit(struct core *core, uint32_t index, enum foul kind, struct outp
 /* A shadow that was present when READY began gets the same time as a new shadow. */
 static int is_held_over_fish(const struct core *core, const struct shade *shade)
 {
-    const float ready_s = (float)(core->tick - core->game.phase_tick) * CORE_TICK_S;
+    const float ready_s = (float)(core->game.tick - core->game.phase_tick) * CORE_TICK_S;
     return shade->cast.present && f_min(shade->still_s, ready_s) >= FOUL_SHADE_S &&
-           tank_shade_count(&core->tank, &shade->cast) > 0;
+           tank_shade_count(&core->world.tank, &shade->cast) > 0;
 }
 
 /* Tracks whether the player moved the controller. The input pose is checked, because a new tank or
@@ -46,12 +46,12 @@ static void watch_stance(struct player *player, vec3 hand_m, uint32_t ready_tick
 static int has_moved(struct core *core, uint32_t index)
 {
     struct player *player = &core->game.player[index];
-    const uint32_t ready_ticks = core->tick - core->game.phase_tick;
+    const uint32_t ready_ticks = core->game.tick - core->game.phase_tick;
     if (!pause_holds(core, index)) {
         player->stance = STANCE_UNSEEN; /* A broken cable is no foul. */
-    } else if (core->poi[index].link == POI_SOURCE_LIVE) {
+    } else if (core->world.poi[index].link == POI_SOURCE_LIVE) {
         watch_stance(player, core->game.validation[index].newest.position_m, ready_ticks);
-    } else if (core->poi[index].link == POI_SOURCE_BOT) {
+    } else if (core->world.poi[index].link == POI_SOURCE_BOT) {
         watch_stance(player, core->game.hand_pose[index].position_m, ready_ticks);
     }
     return player->stance == STANCE_MOVED;
@@ -59,12 +59,12 @@ static int has_moved(struct core *core, uint32_t index)
 
 void fouls_before_start(struct core *core, struct output *output)
 {
-    const struct tank *tank = &core->tank;
+    const struct tank *tank = &core->world.tank;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const int moved = has_moved(core, i);
         const int by_fan = is_held_over_fish(core, &tank->shade[i]);
         const int by_poi = moved && is_held_over_fish(core, &tank->shade[SHADE_MAX + i]);
-        if (core->bowl[i].present && (by_fan || by_poi)) {
+        if (core->world.bowl[i].present && (by_fan || by_poi)) {
             fouls_commit(core, i, FOUL_SHADE, output);
         }
     }

@@ -14,13 +14,13 @@
 void game_enter_phase(struct core *core, uint8_t phase)
 {
     core->game.phase = phase;
-    core->game.phase_tick = core->tick;
+    core->game.phase_tick = core->game.tick;
 }
 
 uint32_t game_dipped_player(const struct core *core, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (core->bowl[i].present && controller_dip_pressed(core, input, i)) {
+        if (core->world.bowl[i].present && controller_dip_pressed(core, input, i)) {
             return i;
         }
     }
@@ -66,14 +66,14 @@ static void tick_phase(struct core *core, const struct input *input, struct outp
 void game_init(struct game *game, const struct core_config *config)
 {
     memset(game, 0, sizeof *game);
+    game->tick = game->phase_tick = config->session.tick;
     game->phase = PHASE_ATTRACT;
-    game->phase_tick = config->session.tick;
     game->language = config->language;
     game->mode = table_setup_first_mode(config);
     game->round_s = table_setup_round_s(config, game->mode);
-    ledger_init(&game->ledger, config);
-    game->audits = config->persistent.audits;
-    game->ranking = config->persistent.ranking;
+    ledger_init(&game->accounts.ledger, config);
+    game->accounts.audits = config->persistent.audits;
+    game->accounts.ranking = config->persistent.ranking;
     settings_edit_init(&game->settings_edit, config);
     hints_init(&game->hints);
     lab_init(&game->lab, config);
@@ -92,7 +92,7 @@ static int start_lamp(const struct core *core)
         return menu_lights_start(core);
     }
     return (phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT) && credit_can_play(core) &&
-           core->tick % CORE_TICK_HZ < START_LAMP_TICKS;
+           core->game.tick % CORE_TICK_HZ < START_LAMP_TICKS;
 }
 
 void game_tick(struct core *core, const struct input *said, struct output *output,
@@ -126,7 +126,8 @@ void game_tick(struct core *core, const struct input *said, struct output *outpu
 int game_may_scoop(const struct core *core, uint32_t index)
 {
     const struct game *game = &core->game;
-    const int in_time = game->phase == PHASE_ROUND && game_seconds_left(game, core->tick) > 0.0f;
+    const int in_time =
+        game->phase == PHASE_ROUND && game_seconds_left(game, core->game.tick) > 0.0f;
     return game->phase == PHASE_ATTRACT || (in_time && !game->paused && !game->player[index].out);
 }
 
@@ -199,8 +200,8 @@ uint64_t game_hash(uint64_t hash, const struct game *game)
         hash = hash_u32(hash, game->rest_ticks[i]);
         hash = bot_hash(hash, &game->bot[i]);
     }
-    hash = ledger_hash(hash, &game->ledger);
-    hash = credit_hash(hash, &game->credit);
+    hash = ledger_hash(hash, &game->accounts.ledger);
+    hash = credit_hash(hash, &game->accounts.credit);
     hash = name_hash(hash, &game->name);
     hash = health_log_hash(hash, &game->health_log);
     hash = menu_hash(hash, &game->menu);

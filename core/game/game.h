@@ -10,9 +10,7 @@
 
 #include <stdint.h>
 
-#include "core/game/accounting/audits.h"
-#include "core/game/accounting/credit.h"
-#include "core/game/accounting/ledger_writer.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/bot/bot.h"
 #include "core/game/control/input_validation.h"
 #include "core/game/health_log.h"
@@ -25,7 +23,6 @@
 #include "core/game/pause.h"
 #include "core/game/player.h"
 #include "core/game/ranking/name.h"
-#include "core/game/ranking/ranking.h"
 #include "core/game/rules.h"
 #include "core/game/score.h"
 #include "core/game/table_setup.h"
@@ -58,6 +55,7 @@
 #define GAME_DIP_Y_M (-0.010f) /* Height that a pose must cross downward to count as a dip. */
 
 struct game {
+    uint32_t tick;       /* Number of the current tick, from 0 at the start of the kiosk. */
     uint8_t phase;       /* enum scene_phase */
     uint8_t language;    /* enum language */
     uint8_t mode;        /* enum game_mode of this round, or the selected mode. */
@@ -83,9 +81,7 @@ struct game {
     uint32_t turn_tick;      /* Tick at which a new session starts (session.h); 0: not requested. */
     uint32_t round_s;        /* Length of this round in seconds. */
     uint32_t round_count;    /* Number of started rounds; part of the seed of the next paper. */
-    struct ledger ledger;
-    struct audits audits;
-    struct ranking ranking;
+    struct accounts accounts;
     struct settings_edit settings_edit;
     struct name name;
     struct player player[POI_MAX];
@@ -108,7 +104,6 @@ struct game {
     uint32_t rest_ticks[POI_MAX];     /* Ticks for which the player has not used the poi. */
     struct hints hints;
     struct bot bot[POI_MAX];
-    struct credit credit;
     struct health_log health_log;
     struct menu menu;
     struct album album;

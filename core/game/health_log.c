@@ -9,7 +9,7 @@
 
 static void tell_boot(struct core *core, struct output *output)
 {
-    struct ledger *ledger = &core->game.ledger;
+    struct ledger *ledger = &core->game.accounts.ledger;
     const struct ledger_entry entry = { .kind = LEDGER_BOOT,
                                         .count = ledger->boot,
                                         .value = (int32_t)ledger->balance.unlogged };
@@ -18,7 +18,8 @@ static void tell_boot(struct core *core, struct output *output)
     const int counts = (ledger->balance.open & PAYMENT_SPENT) && stand_finish(core, output);
     if (!counts && ledger->balance.open != PAYMENT_NONE) {
         credit_refund(core, REFUND_RESTART, output);
-        core->game.credit.came_back = 0; /* The refunded round is from an earlier run, so no message
+        core->game.accounts.credit.came_back =
+            0; /* The refunded round is from an earlier run, so no message
                                             is shown. */
     }
 }
@@ -26,13 +27,13 @@ static void tell_boot(struct core *core, struct output *output)
 static struct ledger_entry health_of(const struct core *core, const struct input *input)
 {
     const struct health_log *health_log = &core->game.health_log;
-    const uint32_t shakes = core->game.credit.shakes;
+    const uint32_t shakes = core->game.accounts.credit.shakes;
     return (struct ledger_entry){
         .kind = LEDGER_HEALTH,
         .count = shakes - health_log->told_shakes,
-        .value = (int32_t)((core->tick - health_log->told_tick) / CORE_TICK_HZ),
+        .value = (int32_t)((core->game.tick - health_log->told_tick) / CORE_TICK_HZ),
         .health = {
-            .up_s = core->tick / CORE_TICK_HZ,
+            .up_s = core->game.tick / CORE_TICK_HZ,
             .dropped_ticks = input->dropped_ticks - health_log->dropped_ticks,
             .device_faults = input->device_faults - health_log->device_faults,
         },
@@ -47,17 +48,17 @@ void health_log_write(struct core *core, const struct input *input, struct outpu
         health_log->told_tick += (uint32_t)entry.value * CORE_TICK_HZ;
         health_log->dropped_ticks = input->dropped_ticks;
         health_log->device_faults = input->device_faults;
-        health_log->told_shakes = core->game.credit.shakes;
+        health_log->told_shakes = core->game.accounts.credit.shakes;
     }
 }
 
 int health_log_final(const struct core *core, const struct input *input, struct ledger_entry *out)
 {
-    const struct ledger *ledger = &core->game.ledger;
+    const struct ledger *ledger = &core->game.accounts.ledger;
     *out = health_of(core, input);
     out->id = ledger->last_id + 1u;
     out->boot = ledger->boot;
-    out->tick = core->tick;
+    out->tick = core->game.tick;
     out->day = ledger->day;
     out->minute = ledger->minute;
     out->balance = ledger->balance;
@@ -70,13 +71,13 @@ void health_log_tick(struct core *core, const struct input *input, struct output
     struct health_log *health_log = &core->game.health_log;
     if (!health_log->is_told) {
         health_log->is_told = 1;
-        if (core->game.ledger.boot > 0) { /* Without a store, starts are not counted. */
+        if (core->game.accounts.ledger.boot > 0) { /* Without a store, starts are not counted. */
             tell_boot(core, output);
         }
     }
-    const int is_due = core->tick - health_log->told_tick >= HEALTH_LOG_TICKS;
-    if ((is_due || ledger_needs_sync(&core->game.ledger)) &&
-        ledger_may_write(&core->game.ledger, LEDGER_HEALTH)) {
+    const int is_due = core->game.tick - health_log->told_tick >= HEALTH_LOG_TICKS;
+    if ((is_due || ledger_needs_sync(&core->game.accounts.ledger)) &&
+        ledger_may_write(&core->game.accounts.ledger, LEDGER_HEALTH)) {
         health_log_write(core, input, output);
     }
 }
@@ -87,10 +88,10 @@ static void note_loss(struct core *core, uint32_t seat, struct output *output)
 {
     uint32_t *last_tick = &core->game.health_log.loss_tick[seat];
     const struct ledger_entry entry = { .kind = LEDGER_LOSS, .detail = (uint8_t)seat, .count = 1 };
-    if (*last_tick != 0 && core->tick - *last_tick < HEALTH_LOG_LOSS_AGAIN_TICKS) {
+    if (*last_tick != 0 && core->game.tick - *last_tick < HEALTH_LOG_LOSS_AGAIN_TICKS) {
         ledger_write(core, &entry, output);
     }
-    *last_tick = core->tick;
+    *last_tick = core->game.tick;
 }
 
 void health_log_note_losses(struct core *core, struct output *output)

@@ -36,7 +36,7 @@ static int is_followed(uint8_t hint, const struct poi *poi)
 
 static const struct poi *poi_of(const struct hints *hints, const struct core *core)
 {
-    return &core->poi[hints->pupil];
+    return &core->world.poi[hints->pupil];
 }
 
 static const struct player *player_of(const struct hints *hints, const struct core *core)
@@ -54,7 +54,7 @@ static void turn_to_pupil(struct hints *hints, const struct core *core)
                 *hints = (struct hints){ .pupil = i,
                                          .shown = hints->shown,
                                          .shown_tick = hints->shown_tick,
-                                         .paper_cells = core->poi[i].sheet.paper_cells };
+                                         .paper_cells = core->world.poi[i].sheet.paper_cells };
             }
             return;
         }
@@ -70,8 +70,8 @@ static struct view_of_fish look_at_fish(const struct hints *hints, const struct 
 {
     struct view_of_fish view = { 0 };
     const vec3 centre = poi_of(hints, core)->position_m;
-    for (uint32_t i = 0; i < core->tank.fish_count; i++) {
-        const struct fish *fish = &core->tank.fish[i];
+    for (uint32_t i = 0; i < core->world.tank.fish_count; i++) {
+        const struct fish *fish = &core->world.tank.fish[i];
         const vec3 d = v3_sub(fish->position_m, centre);
         view.held |= fish->gait == GAIT_HELD && fish->holder == hints->pupil;
         const int near = d.x * d.x + d.z * d.z < ABOVE_M * ABOVE_M;
@@ -104,7 +104,7 @@ static void observe(struct hints *hints, const struct core *core, struct view_of
     hints->learned |=
         f_abs(core->game.hand_pose[hints->pupil].angles.pitch_rad) > TILT_RAD ? BIT(HINT_TILT) : 0u;
     if (hints->haste_cells >= HASTE_CELLS) {
-        hints->haste_tick = core->tick;
+        hints->haste_tick = core->game.tick;
     }
     hints->haste_cells = 0;
     count_dips(hints, core);
@@ -138,7 +138,7 @@ static int is_wet_in_part(const struct poi *poi)
 static int has_poured(const struct hints *hints, const struct core *core)
 {
     const uint32_t poured_tick = player_of(hints, core)->offence_tick[FOUL_POURED];
-    return poured_tick != 0 && core->tick - poured_tick < POURED_TICKS;
+    return poured_tick != 0 && core->game.tick - poured_tick < POURED_TICKS;
 }
 
 /* Returns the first hint of the lesson that the player has not followed and that fits the
@@ -146,7 +146,7 @@ static int has_poured(const struct hints *hints, const struct core *core)
 static uint8_t lesson(const struct hints *hints, const struct core *core, struct view_of_fish fish)
 {
     const uint32_t missing = ~hints->learned;
-    if (hints->haste_tick != 0 && core->tick - hints->haste_tick < HASTE_TICKS) {
+    if (hints->haste_tick != 0 && core->game.tick - hints->haste_tick < HASTE_TICKS) {
         return HINT_SLOWLY;
     }
     if (is_wet_in_part(poi_of(hints, core))) {
@@ -220,9 +220,9 @@ static uint8_t wanted(const struct hints *hints, const struct core *core, struct
     case PHASE_MENU:
         return HINT_NONE;
     case PHASE_RESULT:
-        return game->credit.came_back                                  ? HINT_PAID_BACK
-               : core->tick - game->phase_tick >= GAME_AGAIN_DIP_TICKS ? want_to_play(core)
-                                                                       : HINT_NONE;
+        return game->accounts.credit.came_back                              ? HINT_PAID_BACK
+               : core->game.tick - game->phase_tick >= GAME_AGAIN_DIP_TICKS ? want_to_play(core)
+                                                                            : HINT_NONE;
     default:
         break;
     }
@@ -244,9 +244,9 @@ void hints_tick(struct hints *hints, const struct core *core)
 {
     turn_to_pupil(hints, core);
     watch_haste(hints, poi_of(hints, core));
-    const int edge = core->tick == core->game.phase_tick; /* A new phase updates the hint at
+    const int edge = core->game.tick == core->game.phase_tick; /* A new phase updates the hint at
                                                              once. */
-    if (!edge && core->tick % LOOK_TICKS != 0) {
+    if (!edge && core->game.tick % LOOK_TICKS != 0) {
         return;
     }
     const struct view_of_fish fish = look_at_fish(hints, core);
@@ -254,9 +254,9 @@ void hints_tick(struct hints *hints, const struct core *core)
     const uint8_t next = wanted(hints, core, fish);
     if (next != hints->shown &&
         (edge || is_urgent(next) || is_followed(hints->shown, poi_of(hints, core)) ||
-         core->tick - hints->shown_tick >= HINT_TICKS_MIN)) {
+         core->game.tick - hints->shown_tick >= HINT_TICKS_MIN)) {
         hints->shown = next;
-        hints->shown_tick = core->tick;
+        hints->shown_tick = core->game.tick;
     }
 }
 

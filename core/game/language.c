@@ -16,12 +16,12 @@ void language_tick(struct core *core, const struct input *input)
 {
     struct game *game = &core->game;
     if (game->phase == PHASE_ATTRACT && game->language_until != 0 &&
-        core->tick >= game->language_until) {
+        core->game.tick >= game->language_until) {
         language_return(core);
     }
     if (input->pressed & INPUT_LANGUAGE) {
         game->language = (uint8_t)((game->language + 1u) % LANGUAGE_COUNT);
-        game->language_until = core->config.rules_7 ? 0u : core->tick + LANGUAGE_TICKS;
+        game->language_until = core->config.rules_7 ? 0u : core->game.tick + LANGUAGE_TICKS;
     }
 }
 

@@ -43,7 +43,7 @@ static void point_at_mode(struct core *core, uint32_t nth, struct output *output
 {
     const uint8_t mode = nth_mode(table_setup_modes(&core->config), nth);
     struct game *game = &core->game;
-    game->point_tick = core->tick;
+    game->point_tick = core->game.tick;
     if (mode != pointed_at(core)) {
         game->lab_chosen = mode == CHOICE_LAB;
         game->mode = game->lab_chosen ? game->mode : mode;
@@ -55,7 +55,7 @@ static void point_at_mode(struct core *core, uint32_t nth, struct output *output
  * outermost section. */
 static uint32_t share_under(const struct core *core, vec3 hand_m, uint32_t count)
 {
-    const float share = hand_m.x / core->tank.size_m.x + 0.5f;
+    const float share = hand_m.x / core->world.tank.size_m.x + 0.5f;
     return (uint32_t)f_clamp(share * (float)count, 0.0f, (float)count - 0.5f);
 }
 
@@ -72,7 +72,7 @@ static void point_at_mode_by_hand(struct core *core, uint32_t index, struct outp
     }
     if (player_stirs(player, hand_m)) {
         player_rests(player, hand_m);
-        core->game.point_tick = core->tick;
+        core->game.point_tick = core->game.tick;
     }
 }
 
@@ -80,7 +80,7 @@ static void point_at_mode_by_hand(struct core *core, uint32_t index, struct outp
 static void point_by_hands(struct core *core, struct output *output)
 {
     for (uint32_t i = POI_MAX; i-- > 0;) {
-        if (core->bowl[i].present && core->poi[i].link == POI_SOURCE_LIVE) {
+        if (core->world.bowl[i].present && core->world.poi[i].link == POI_SOURCE_LIVE) {
             point_at_mode_by_hand(core, i, output);
         } else {
             core->game.player[i].points = 0;
@@ -131,7 +131,7 @@ void mode_select_begin(struct core *core, struct output *output)
         return;
     }
     game_enter_phase(core, PHASE_MODE_SELECT);
-    game->point_tick = core->tick;
+    game->point_tick = core->game.tick;
     game->lab_chosen = (table_setup_modes(&core->config) >> game->mode & 1u) == 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->player[i].points = 0;
@@ -149,10 +149,10 @@ void mode_select_tick(struct core *core, const struct input *input, struct outpu
         point_at_mode(core, core->game.player[dipped].points - 1u, output);
     }
     point_by_buttons(core, input, output);
-    const int is_fresh = core->tick - core->game.phase_tick < GAME_MODE_SELECT_TICKS_MIN;
+    const int is_fresh = core->game.tick - core->game.phase_tick < GAME_MODE_SELECT_TICKS_MIN;
     if (!is_fresh && (dipped < POI_MAX || (input->pressed & (INPUT_START | INPUT_OK)))) {
         activate_mode(core, output);
-    } else if (game_seconds_left(&core->game, core->tick) <= 0.0f) {
+    } else if (game_seconds_left(&core->game, core->game.tick) <= 0.0f) {
         attract_begin(core);
     }
 }

@@ -54,7 +54,8 @@ void pause_tick(struct core *core)
 {
     struct game *game = &core->game;
     const int anybody_played = note_who_plays(core);
-    const int in_time = game_seconds_left(game, core->tick) > 0.0f; /* After time is up the round
+    const int in_time =
+        game_seconds_left(game, core->game.tick) > 0.0f; /* After time is up the round
                                                                        does not pause. */
     const uint32_t busy = count_in(core, 1);
     lose_patience(core, in_time && busy > 0);

@@ -43,8 +43,8 @@ struct layout_point pointer_project(const struct view *view, int upright, vec3 p
 static struct layout_point plan_point(const struct core *core, int upright, vec3 hand_m)
 {
     const struct layout_point canvas = pointer_layout_size(upright);
-    return (struct layout_point){ canvas.x * (0.5f + hand_m.x / core->tank.size_m.x),
-                                  canvas.y * (0.5f + hand_m.z / core->tank.size_m.z) };
+    return (struct layout_point){ canvas.x * (0.5f + hand_m.x / core->world.tank.size_m.x),
+                                  canvas.y * (0.5f + hand_m.z / core->world.tank.size_m.z) };
 }
 
 struct pointer_state pointer_of_player(const struct core *core, const struct input *input,
@@ -57,8 +57,9 @@ struct pointer_state pointer_of_player(const struct core *core, const struct inp
     const vec3 hand_m = says->target.position_m;
     const struct layout_point canvas = pointer_layout_size(upright);
     const struct layout_point at =
-        says->has_wrist ? plan_point(core, upright, hand_m)
-                        : pointer_project(&tank_preset(core->tank.preset)->view, upright, hand_m);
+        says->has_wrist
+            ? plan_point(core, upright, hand_m)
+            : pointer_project(&tank_preset(core->world.tank.preset)->view, upright, hand_m);
     return (struct pointer_state){
         .present = 1,
         .player = (uint8_t)player,
@@ -71,7 +72,7 @@ struct pointer_state pointer_first(const struct core *core, const struct input *
 {
     struct pointer_state hand = { 0 };
     for (uint32_t i = 0; i < POI_MAX && !hand.present; i++) {
-        if (core->bowl[i].present) {
+        if (core->world.bowl[i].present) {
             hand = pointer_of_player(core, input, upright, i);
         }
     }

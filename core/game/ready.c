@@ -32,7 +32,7 @@ static void hand_out_paper(struct core *core, uint32_t elapsed, uint32_t total)
 {
     struct game *game = &core->game;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const int clear = core->poi[i].immersed <= 0.0f || elapsed >= total / 2u;
+        const int clear = core->world.poi[i].immersed <= 0.0f || elapsed >= total / 2u;
         if (!game->player[i].handed && clear) {
             table_setup_replace_poi(core, i, game->round_count, GAME_SERIES_ROUND);
             game->player[i].handed = 1;
@@ -42,7 +42,7 @@ static void hand_out_paper(struct core *core, uint32_t elapsed, uint32_t total)
 
 void ready_tick(struct core *core, struct output *output)
 {
-    const uint32_t elapsed = core->tick - core->game.phase_tick;
+    const uint32_t elapsed = core->game.tick - core->game.phase_tick;
     const uint32_t total = rules_of(core->game.mode)->ready_s * CORE_TICK_HZ;
     hand_out_paper(core, elapsed, total);
     fouls_before_start(core, output);

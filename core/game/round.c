@@ -16,7 +16,7 @@ void round_begin(struct core *core, struct output *output)
     table_setup_empty_bowls(core); /* Fish that fell off an old poi since then would lie in the
                                       bowls without being counted. */
     game_enter_phase(core, PHASE_ROUND);
-    core->game.round_tick = core->tick;
+    core->game.round_tick = core->game.tick;
     core->game.paused_ticks = 0;
     output_sound(output, SOUND_START, 0.8f, 0.0f);
 }
@@ -27,12 +27,12 @@ void round_begin(struct core *core, struct output *output)
 static void renew_paper(struct core *core, uint32_t index)
 {
     struct player *player = &core->game.player[index];
-    const int was_seen = core->tick - player->torn_tick >= RENEW_TICKS;
-    if (was_seen && core->poi[index].immersed <= 0.0f) {
-        player->scoops += core->poi[index].dips;
+    const int was_seen = core->game.tick - player->torn_tick >= RENEW_TICKS;
+    if (was_seen && core->world.poi[index].immersed <= 0.0f) {
+        player->scoops += core->world.poi[index].dips;
         player->torn_tick = 0;
         player->sheets_before++;
-        table_setup_replace_poi(core, index, core->tick, GAME_SERIES_SPARE);
+        table_setup_replace_poi(core, index, core->game.tick, GAME_SERIES_SPARE);
     }
 }
 
@@ -41,14 +41,14 @@ static void watch_paper(struct core *core, struct output *output)
     const int renews = rules_of(core->game.mode)->renews_paper;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         struct player *player = &core->game.player[i];
-        if (!player->plays || paper_can_hold(&core->poi[i].sheet)) {
+        if (!player->plays || paper_can_hold(&core->world.poi[i].sheet)) {
             continue;
         }
         if (player->torn_tick == 0) {
-            player->torn_tick = core->tick;
+            player->torn_tick = core->game.tick;
             player->first_torn_tick = player->first_torn_tick
                                           ? player->first_torn_tick
-                                          : core->tick - core->game.paused_ticks;
+                                          : core->game.tick - core->game.paused_ticks;
             output_sound(output, SOUND_GONE, 1.0f, 0.0f);
         }
         if (renews) {
@@ -80,7 +80,7 @@ static int any_carries(const struct core *core)
 {
     uint32_t carried_fish = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        carried_fish += controller_is_active(core, i) ? core->poi[i].carried_count : 0;
+        carried_fish += controller_is_active(core, i) ? core->world.poi[i].carried_count : 0;
     }
     return carried_fish > 0;
 }
@@ -88,7 +88,7 @@ static int any_carries(const struct core *core)
 static int is_over(const struct core *core, uint32_t elapsed, uint32_t total)
 {
     const uint32_t gone_tick = core->game.gone_tick;
-    if (gone_tick != 0 && core->tick - gone_tick >= GAME_GONE_TICKS) {
+    if (gone_tick != 0 && core->game.tick - gone_tick >= GAME_GONE_TICKS) {
         return 1;
     }
     return elapsed >= total && (!any_carries(core) || elapsed >= total + GAME_CARRY_TICKS);
@@ -106,7 +106,7 @@ static void call_time(struct core *core, uint32_t elapsed, uint32_t total, struc
         return;
     }
     core->game.call = (uint8_t)call;
-    core->game.call_tick = core->tick;
+    core->game.call_tick = core->game.tick;
     if (call != CALL_COUNTDOWN) {
         output_sound(output, SOUND_CALL, 1.0f, 0.0f);
     }
@@ -120,7 +120,7 @@ static void note_who_plays(struct core *core)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         game->played |= game->player[i].plays;
         game->bot_played |=
-            (uint8_t)(controller_is_active(core, i) && core->poi[i].link == POI_SOURCE_BOT);
+            (uint8_t)(controller_is_active(core, i) && core->world.poi[i].link == POI_SOURCE_BOT);
     }
 }
 
@@ -140,10 +140,10 @@ void round_tick(struct core *core, struct output *output)
         return;
     }
     const uint32_t total = game->round_s * CORE_TICK_HZ;
-    const uint32_t elapsed = core->tick - game->phase_tick;
+    const uint32_t elapsed = core->game.tick - game->phase_tick;
     watch_paper(core, output);
     if (game->gone_tick == 0 && all_are_out(core)) {
-        game->gone_tick = core->tick;
+        game->gone_tick = core->game.tick;
     }
     call_time(core, elapsed, total, output);
     if (is_over(core, elapsed, total)) {

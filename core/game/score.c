@@ -41,10 +41,10 @@ struct round_record game_record(const struct core *core)
         .seed = core->config.seed,
         .start_tick = game->round_tick,
         .end_tick =
-            (game->phase == PHASE_RESULT ? game->phase_tick : core->tick) - game->paused_ticks,
-        .fish_count = (uint16_t)core->tank.fish_count,
+            (game->phase == PHASE_RESULT ? game->phase_tick : core->game.tick) - game->paused_ticks,
+        .fish_count = (uint16_t)core->world.tank.fish_count,
         .round_s = (uint16_t)game->round_s,
-        .preset = core->tank.preset,
+        .preset = core->world.tank.preset,
         .by_bot = game->bot_played,
         .mode = game->mode,
         .grade = table_setup_grade(&core->config, game->mode),
@@ -56,8 +56,8 @@ struct round_record game_record(const struct core *core)
             record.players |= (uint8_t)(1u << i);
             record.player[i] = (struct player_record){
                 .caught = player->caught,
-                .scoops = player->scoops + core->poi[i].dips,
-                .hole_area_mm2 = hole_area_mm2(&core->poi[i].sheet),
+                .scoops = player->scoops + core->world.poi[i].dips,
+                .hole_area_mm2 = hole_area_mm2(&core->world.poi[i].sheet),
                 .torn_tick = player->first_torn_tick,
                 .sheets = 1u + player->sheets_before,
                 .fouls = player->fouls,
@@ -77,9 +77,9 @@ void score_keep(struct core *core, uint32_t tickets, struct output *output)
     struct ledger_entry entry = { .kind = LEDGER_ROUND,
                                   .value = (int32_t)tickets,
                                   .round = game_record(core) };
-    entry.round.id = game->ledger.last_id + 1u;
+    entry.round.id = game->accounts.ledger.last_id + 1u;
     entry.round.unscored = (uint8_t)!is_scored;
-    game->ledger.balance.open = PAYMENT_NONE;
+    game->accounts.ledger.balance.open = PAYMENT_NONE;
     const uint32_t id = ledger_write(core, &entry, output);
     if (id != 0 && is_scored) {
         output->record = entry.round;

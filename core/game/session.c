@@ -9,39 +9,40 @@
 void session_request(struct core *core)
 {
     if (core->game.turn_tick == 0) {
-        core->game.turn_tick = core->tick + SESSION_FADE_TICKS;
+        core->game.turn_tick = core->game.tick + SESSION_FADE_TICKS;
     }
 }
 
-/* Call after `core->tick` was incremented. */
+/* Call after `core->game.tick` was incremented. */
 int session_is_over(const struct core *core)
 {
     const struct game *game = &core->game;
-    return game->phase == PHASE_ATTRACT && game->turn_tick != 0 && core->tick >= game->turn_tick;
+    return game->phase == PHASE_ATTRACT && game->turn_tick != 0 &&
+           core->game.tick >= game->turn_tick;
 }
 
 void session_restart(struct core *core)
 {
     struct core_config *config = &core->config;
     const struct game *game = &core->game;
-    config->seed = rng_u32((struct rng_key){ config->seed, core->tick, 0, RNG_SESSION });
+    config->seed = rng_u32((struct rng_key){ config->seed, core->game.tick, 0, RNG_SESSION });
     config->session = (struct game_session){
-        .tick = core->tick,
+        .tick = core->game.tick,
         .command_count = game->menu.command_count,
         .edit_save_id = game->lab.save_id,
         .edit_saved_id = game->lab.saved_id,
-        .ledger = game->ledger,
-        .credit = game->credit,
+        .ledger = game->accounts.ledger,
+        .credit = game->accounts.credit,
         .health_log = game->health_log,
         .settings_edit = game->settings_edit,
         .language = language_kept(core),
     };
-    config->persistent.ledger.last_id = game->ledger.last_id;
-    config->persistent.ledger.balance = game->ledger.balance;
+    config->persistent.ledger.last_id = game->accounts.ledger.last_id;
+    config->persistent.ledger.balance = game->accounts.ledger.balance;
     config->persistent.ledger.stand = (struct ledger_stand){ 0 }; /* No round is open in attract
                                                                      mode. */
-    config->persistent.audits = game->audits;
-    config->persistent.ranking = game->ranking;
+    config->persistent.audits = game->accounts.audits;
+    config->persistent.ranking = game->accounts.ranking;
     memcpy(config->book.has_edit, game->lab.has_edit, sizeof config->book.has_edit);
     memcpy(config->book.edits, game->lab.edits, sizeof config->book.edits);
 }
@@ -54,8 +55,8 @@ void session_restore(struct game *game, const struct game_session *session)
     game->menu.command_count = session->command_count;
     game->lab.save_id = session->edit_save_id;
     game->lab.saved_id = session->edit_saved_id;
-    game->ledger = session->ledger;
-    game->credit = session->credit;
+    game->accounts.ledger = session->ledger;
+    game->accounts.credit = session->credit;
     game->health_log = session->health_log;
     game->settings_edit = session->settings_edit;
     if (session->language.until_tick != 0) {
@@ -67,8 +68,8 @@ void session_restore(struct game *game, const struct game_session *session)
 float session_fade(const struct core *core)
 {
     const struct game *game = &core->game;
-    const uint32_t since = core->tick - core->config.session.tick;
-    const uint32_t ahead = game->turn_tick - core->tick;
+    const uint32_t since = core->game.tick - core->config.session.tick;
+    const uint32_t ahead = game->turn_tick - core->game.tick;
     uint32_t dark = since < SESSION_FADE_TICKS ? SESSION_FADE_TICKS - since : 0u;
     if (game->turn_tick != 0 && ahead < SESSION_FADE_TICKS && SESSION_FADE_TICKS - ahead > dark) {
         dark = SESSION_FADE_TICKS - ahead;

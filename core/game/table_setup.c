@@ -69,10 +69,10 @@ static uint32_t fish_count(const struct core_config *config, uint8_t preset)
  * number of fish or players. */
 static int is_set_up(const struct core *core, uint8_t preset)
 {
-    int is_so =
-        preset == core->tank.preset && core->tank.fish_count == fish_count(&core->config, preset);
+    int is_so = preset == core->world.tank.preset &&
+                core->world.tank.fish_count == fish_count(&core->config, preset);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        is_so = is_so && core->bowl[i].present == (i < player_count(&core->config));
+        is_so = is_so && core->world.bowl[i].present == (i < player_count(&core->config));
     }
     return is_so;
 }
@@ -82,17 +82,17 @@ static void place_all(struct core *core, const struct tank_preset *preset)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint32_t seed =
             game_poi_seed(core->config.seed, i, core->game.round_count, GAME_SERIES_ROUND);
-        const uint8_t link = core->poi[i].link;
-        poi_init(&core->poi[i], table_setup_grade(&core->config, core->game.mode),
+        const uint8_t link = core->world.poi[i].link;
+        poi_init(&core->world.poi[i], table_setup_grade(&core->config, core->game.mode),
                  parking_place(core, i).position_m, seed);
-        core->poi[i].link = link;
+        core->world.poi[i].link = link;
         core->game.hand_pose[i] = parking_place(core, i);
         core->game.holder[i] = POI_SOURCE_ABSENT; /* The controller takes the poi over from the
                                                      rest position. */
         controller_forget_path(&core->game, i);
-        core->bowl[i] = (struct bowl){ 0 };
+        core->world.bowl[i] = (struct bowl){ 0 };
         if (i < player_count(&core->config)) {
-            bowl_init(&core->bowl[i], preset->bowl_m[i]);
+            bowl_init(&core->world.bowl[i], preset->bowl_m[i]);
         }
     }
 }
@@ -104,10 +104,11 @@ static void open_tank(struct core *core, uint8_t preset, uint32_t seed)
     config.seed = seed;
     config.bowls = (uint8_t)player_count(&core->config);
     config.lanes = core->config.lanes;
-    const int opened = tank_open(&core->tank, &config);
+    const int opened = tank_open(&core->world.tank, &config);
     CORE_ASSERT(opened);
-    for (uint32_t i = 0; i < core->tank.fish_count; i++) {
-        core->tank.fish[i].thought_tick = (uint8_t)core->tick; /* The fish start with the current
+    for (uint32_t i = 0; i < core->world.tank.fish_count; i++) {
+        core->world.tank.fish[i].thought_tick =
+            (uint8_t)core->game.tick; /* The fish start with the current
                                                                   tick as their last behavior
                                                                   tick. */
     }
@@ -134,12 +135,12 @@ void table_setup_prepare(struct core *core, uint8_t preset)
 void table_setup_replace_poi(struct core *core, uint32_t index, uint32_t number,
                              enum game_series series)
 {
-    struct poi *poi = &core->poi[index];
+    struct poi *poi = &core->world.poi[index];
     const uint8_t link = poi->link;
     const struct angles angles = poi->angles;
     const uint32_t carried_count = poi->carried_count;
     struct carried_fish carried_fish[POI_CARRIED_MAX];
-    release_all(poi, &core->tank);
+    release_all(poi, &core->world.tank);
     memcpy(carried_fish, poi->carried_fish, sizeof carried_fish);
     poi_init(poi, table_setup_grade(&core->config, core->game.mode), poi->position_m,
              game_poi_seed(core->config.seed, index, number, series));
@@ -152,6 +153,6 @@ void table_setup_replace_poi(struct core *core, uint32_t index, uint32_t number,
 void table_setup_empty_bowls(struct core *core)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        bowl_empty(&core->bowl[i], i, &core->tank);
+        bowl_empty(&core->world.bowl[i], i, &core->world.tank);
     }
 }

@@ -143,7 +143,8 @@ static void write_sheet(struct demo *demo)
 
 static int round_is_under_way(const struct core *core)
 {
-    return core->game.phase == PHASE_ROUND && core->tick - core->game.round_tick >= IN_ROUND_TICKS;
+    return core->game.phase == PHASE_ROUND &&
+           core->game.tick - core->game.round_tick >= IN_ROUND_TICKS;
 }
 
 /* Runs frames without pictures until the round is in progress. Before the round, the bot's poi is
@@ -154,7 +155,7 @@ static enum kiosk_end skip_to_round(struct demo *demo)
     const struct core *core = &session->kiosk.core;
     enum kiosk_end end = KIOSK_RUNS;
     while (end == KIOSK_RUNS && !*session->stop && !round_is_under_way(core) &&
-           core->tick < PRELUDE_TICKS_MAX) {
+           core->game.tick < PRELUDE_TICKS_MAX) {
         end = kiosk_frame(&session->kiosk, &session->hal);
         board_rehearsal_advance(PRELUDE_NS);
     }
@@ -205,19 +206,19 @@ static void print_summary(const struct demo *demo)
     const struct run_common *session = demo->session;
     const struct kiosk *kiosk = &session->kiosk;
     const struct timing *frame = &kiosk->work_time;
-    const double ticks = kiosk->core.tick > 0 ? kiosk->core.tick : 1;
+    const double ticks = kiosk->core.game.tick > 0 ? kiosk->core.game.tick : 1;
     const double share = frame->sum_ns > 0 ? (double)kiosk->core_ns / (double)frame->sum_ns : 0.0;
     printf("Kingyo %s: %.0f s %s, seed %u, %u fish\n", KINGYO_VERSION,
            (double)demo->now_ns / (double)NS_PER_S,
            session->options.replay[0] ? "of a recording" : "played by the bot",
-           kiosk->core.config.seed, kiosk->core.tank.fish_count);
+           kiosk->core.config.seed, kiosk->core.world.tank.fish_count);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (kiosk->scene.bowl[i].present) {
             printf("  player %u      %u fish caught, %.0f %% of the paper left\n", i + 1u,
                    kiosk->scene.caught[i], 100.0 * (double)kiosk->scene.poi[i].paper_left);
         }
     }
-    printf("  ticks         %u, %llu dropped\n", kiosk->core.tick,
+    printf("  ticks         %u, %llu dropped\n", kiosk->core.game.tick,
            (unsigned long long)kiosk->pace.dropped);
     printf("  frames        %llu of %ux%u%s; frame time median %.1f ms, p99 %.1f ms\n",
            (unsigned long long)kiosk->frames, demo->width, demo->height,

@@ -176,8 +176,8 @@ static void show_encore(struct kiosk *kiosk, const struct hal *hal, uint32_t tic
         score_playback_request(playback, kiosk->wanted_replay_id);
         kiosk->wanted_replay_id = 0;
     }
-    score_playback_frame(playback, hal, &kiosk->config.stopwatch, &kiosk->core.game.ranking,
-                         tick_count);
+    score_playback_frame(playback, hal, &kiosk->config.stopwatch,
+                         &kiosk->core.game.accounts.ranking, tick_count);
     score_playback_show(playback, &kiosk->scene, &kiosk->output);
 }
 

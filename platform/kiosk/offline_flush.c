@@ -19,16 +19,16 @@ static uint32_t less(uint32_t from, uint32_t what)
 
 static uint32_t untold(const struct offline_flush *flush, const struct core *core, uint32_t audit)
 {
-    return less(core->game.audits.count[audit], flush->told.count[audit]);
+    return less(core->game.accounts.audits.count[audit], flush->told.count[audit]);
 }
 
 static void offline_flush_add_entry(struct batch *batch, uint8_t kind, uint32_t detail,
                                     uint32_t count, uint32_t value)
 {
-    const struct ledger *ledger = &batch->core->game.ledger;
+    const struct ledger *ledger = &batch->core->game.accounts.ledger;
     if (batch->count < BATCH_MAX) {
         batch->entries[batch->count++] = (struct ledger_entry){
-            .tick = batch->core->tick,
+            .tick = batch->core->game.tick,
             .day = ledger->day,
             .minute = ledger->minute,
             .kind = kind,
@@ -113,7 +113,7 @@ int offline_flush_step(struct offline_flush *flush, const struct hal_storage *st
     if (!is_written(flush, storage)) {
         return 0;
     }
-    const struct balance_change step = { flush->told_purse, core->game.ledger.balance };
+    const struct balance_change step = { flush->told_purse, core->game.accounts.ledger.balance };
     add_coins(&batch, flush);
     add_credits(&batch, flush);
     add_tickets(&batch, flush);

@@ -74,7 +74,8 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
 static int is_called_back(struct kiosk *kiosk, const struct hal *hal)
 {
     return kiosk->core.game.phase == PHASE_ATTRACT && !kiosk->config.source.next &&
-           !kiosk->config.tap.tick && kiosk->core.game.ledger.balance.open == PAYMENT_NONE &&
+           !kiosk->config.tap.tick &&
+           kiosk->core.game.accounts.ledger.balance.open == PAYMENT_NONE &&
            hal->storage.ops->wants_restart(hal->storage.self) &&
            offline_flush_step(&kiosk->late, &hal->storage, &kiosk->core);
 }

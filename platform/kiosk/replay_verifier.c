@@ -47,7 +47,7 @@ static int make_stall(struct replay_verifier *verifier)
     if (error != CORE_OK) {
         return verifier->is_refused ? -1 : no_such_stall(verifier);
     }
-    verifier->seen_id = verifier->core.game.ledger.last_id;
+    verifier->seen_id = verifier->core.game.accounts.ledger.last_id;
     verifier->is_read = 1;
     return 0;
 }
@@ -83,7 +83,7 @@ int replay_verifier_begin(struct replay_verifier *verifier, const uint8_t *bytes
 
 static void note_entries(struct replay_verifier *verifier)
 {
-    while (verifier->seen_id != verifier->core.game.ledger.last_id) {
+    while (verifier->seen_id != verifier->core.game.accounts.ledger.last_id) {
         const struct ledger_entry *entry =
             &verifier->output.entries[++verifier->seen_id % LEDGER_RING];
         if (entry->id == verifier->seen_id && entry->kind == LEDGER_ROUND) {

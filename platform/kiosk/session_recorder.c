@@ -49,7 +49,7 @@ void session_recorder_begin(struct session_recorder *chapters, const struct core
     memset(&chapters->totals, 0, sizeof chapters->totals);
     memset(&chapters->tally, 0, sizeof chapters->tally);
     chapters->totals.hash = core_hash(core);
-    chapters->seen_id = core->game.ledger.last_id;
+    chapters->seen_id = core->game.accounts.ledger.last_id;
     chapters->has_pin = 0;
     chapters->start = core->config;
     session_recorder_withhold_pin(&chapters->start, NULL);
@@ -80,8 +80,8 @@ static int is_ranked(const struct core *core, const struct ledger_entry *entry)
         return 0;
     }
     for (uint32_t i = 0; i < RANK_PERIOD_COUNT * POI_MAX && place == RANK_ROWS; i++) {
-        place = ranking_place(&core->game.ranking, round->mode, (enum rank_period)(i / POI_MAX),
-                              entry->id, (uint8_t)(i % POI_MAX));
+        place = ranking_place(&core->game.accounts.ranking, round->mode,
+                              (enum rank_period)(i / POI_MAX), entry->id, (uint8_t)(i % POI_MAX));
     }
     return place < RANK_ROWS;
 }
@@ -132,7 +132,7 @@ static void note_tick(struct session_recorder *chapters, const struct input *inp
     }
     chapters->has_pin = chapters->has_pin || session_recorder_types_pin(core);
     add_tick(chapters, input, core);
-    while (chapters->seen_id != core->game.ledger.last_id) {
+    while (chapters->seen_id != core->game.accounts.ledger.last_id) {
         const struct ledger_entry *entry = &output->entries[++chapters->seen_id % LEDGER_RING];
         if (entry->id == chapters->seen_id && is_ranked(core, entry)) {
             keep_round(chapters, entry->id, core);

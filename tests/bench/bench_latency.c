@@ -89,7 +89,7 @@ static void open_stall(uint64_t frame_ns)
         abort();
     }
     base.kiosk.input.pressed = INPUT_START;
-    while (base.kiosk.core.tick < 5 * CORE_TICK_HZ) {
+    while (base.kiosk.core.game.tick < 5 * CORE_TICK_HZ) {
         frame(&base, frame_ns);
     }
 }
@@ -128,11 +128,11 @@ static struct latency measure(const struct event *event, float phase)
     with.reports[1] = report_at(event_ns, event->x_px, event->buttons);
     with.poi.report_count = 2;
     do {
-        const uint32_t tick = with.kiosk.core.tick;
+        const uint32_t tick = with.kiosk.core.game.tick;
         frame(&with, event->frame_ns);
         frame(&without, event->frame_ns);
         latency.frames++;
-        latency.ticks += with.kiosk.core.tick - tick;
+        latency.ticks += with.kiosk.core.game.tick - tick;
     } while (moved_px(&with, &without) <= event->seen_px && latency.frames < FRAMES_MAX);
     latency.ms = (double)(with.clock.now_ns - event_ns) * 1e-6 + event->work_ms;
     return latency;

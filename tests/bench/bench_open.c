@@ -61,16 +61,16 @@ static int measure(uint32_t seed, double *open_ms, double *back_ms)
     if (core_init(&core, &config) != CORE_OK) {
         return -1;
     }
-    const uint8_t own = core.tank.preset;
+    const uint8_t own = core.world.tank.preset;
     tick_ms(0);
     *open_ms = tick_ms(INPUT_START);
-    if (core.tank.preset == own) {
+    if (core.world.tank.preset == own) {
         return -1;
     }
     const double began_ms = now_ms();
     attract_begin(&core);
     *back_ms = now_ms() - began_ms + tick_ms(0);
-    return core.tank.preset == own ? 0 : -1;
+    return core.world.tank.preset == own ? 0 : -1;
 }
 
 static int compare(const void *a, const void *b)

@@ -60,7 +60,7 @@ static void put_replay(const char *name, const struct core_config *config, uint3
         const struct input input = play_of(tick);
         output.sound_count = 0;
         core_tick(&core, &input, &output);
-        const struct replay_totals totals = { .ticks = core.tick, .hash = core_hash(&core) };
+        const struct replay_totals totals = { .ticks = core.game.tick, .hash = core_hash(&core) };
         replay_add(&writer, &input, (uint32_t)core_hash_quick(&core), &totals);
     }
     put(name, copy, replay_copy(&writer, core_hash(&core), copy, sizeof copy));

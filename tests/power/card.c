@@ -105,7 +105,8 @@ static void frame(struct seen *seen, uint64_t begin_ns, uint64_t *due_ns)
     const uint8_t was_closed = kiosk.output.coin_lockout;
     kiosk_frame(&kiosk, &hal);
     const uint64_t end_ns = clock.ops->now_ns(clock.self);
-    const uint32_t waiting = kiosk.core.game.ledger.last_id - kiosk.core.game.ledger.saved_id;
+    const uint32_t waiting =
+        kiosk.core.game.accounts.ledger.last_id - kiosk.core.game.accounts.ledger.saved_id;
     seen->longest_ns = end_ns - start_ns > seen->longest_ns ? end_ns - start_ns : seen->longest_ns;
     seen->waiting_max = waiting > seen->waiting_max ? waiting : seen->waiting_max;
     if (kiosk.output.coin_lockout && !was_closed && seen->closed_s < 0.0) {
@@ -122,7 +123,7 @@ static struct seen watch(const struct mood *mood, uint32_t mood_s)
 {
     const struct hal_clock clock = clock_device();
     const uint64_t begin_ns = clock.ops->now_ns(clock.self), dropped = kiosk.pace.dropped;
-    const uint32_t coins = kiosk.core.game.audits.count[AUDIT_COINS_1];
+    const uint32_t coins = kiosk.core.game.accounts.audits.count[AUDIT_COINS_1];
     struct seen seen = { .closed_s = -1.0, .open_s = -1.0 };
     uint64_t due_ns = begin_ns;
     tape_sync_us(mood->sync_us);
@@ -131,7 +132,7 @@ static struct seen watch(const struct mood *mood, uint32_t mood_s)
         frame(&seen, begin_ns, &due_ns);
     }
     seen.dropped = kiosk.pace.dropped - dropped;
-    seen.coins = kiosk.core.game.audits.count[AUDIT_COINS_1] - coins;
+    seen.coins = kiosk.core.game.accounts.audits.count[AUDIT_COINS_1] - coins;
     return seen;
 }
 
@@ -166,10 +167,11 @@ static int holds_all(const char *folder)
     device.ops->load(device.self, &memory);
     device.ops->close(device.self);
     const uint32_t is = memory.audits.count[AUDIT_COINS_1];
-    const uint32_t should = kiosk.core.game.audits.count[AUDIT_COINS_1];
+    const uint32_t should = kiosk.core.game.accounts.audits.count[AUDIT_COINS_1];
     printf("  %u coins were taken, %u are in the store; entry %u of %u\n", should, is,
-           memory.ledger.last_id, kiosk.core.game.ledger.last_id);
-    return should > 0 && is == should && memory.ledger.last_id == kiosk.core.game.ledger.last_id;
+           memory.ledger.last_id, kiosk.core.game.accounts.ledger.last_id);
+    return should > 0 && is == should &&
+           memory.ledger.last_id == kiosk.core.game.accounts.ledger.last_id;
 }
 
 static int run(const char *folder, uint32_t mood_s)

@@ -76,7 +76,7 @@ static int pays_tickets(const struct books *before, uint32_t last_id, char why[B
         owed += entry->kind == LEDGER_ROUND ? (uint32_t)entry->value : 0u;
         out += entry->kind == LEDGER_TICKET;
     }
-    const uint32_t left = morning.core.game.ledger.balance.tickets;
+    const uint32_t left = morning.core.game.accounts.ledger.balance.tickets;
     const int agrees = out >= before->balance.tickets && out + left == owed;
     return agrees ? 0 : refuse(why, "owed tickets did not come out, or more than were owed");
 }

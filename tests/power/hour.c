@@ -49,7 +49,7 @@ int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store)
 
 static uint32_t draw(const struct hour *hour, uint32_t what)
 {
-    return rng_u32((struct rng_key){ hour->seed, hour->core.tick, what, RNG_TEST });
+    return rng_u32((struct rng_key){ hour->seed, hour->core.game.tick, what, RNG_TEST });
 }
 
 /* Returns 1 at random, on average once in `seconds`. */
@@ -62,7 +62,7 @@ static int happens(const struct hour *hour, uint32_t what, uint32_t seconds)
 /* Moves the poi in a circle over the water, so that a player is present. */
 static void lead_hand(struct hour *hour)
 {
-    const float turn = 0.01f * (float)(hour->core.tick % 6283u);
+    const float turn = 0.01f * (float)(hour->core.game.tick % 6283u);
     hour->input.poi[0] = (struct poi_input){
         .link = POI_SOURCE_LIVE,
         .has_wrist = 1,
@@ -75,10 +75,11 @@ static void live(struct hour *hour)
     struct input *input = &hour->input;
     input->pressed = 0;
     memset(input->coin_count, 0, sizeof input->coin_count);
-    input->day = (uint16_t)(9800u + hour->core.tick / (900u * CORE_TICK_HZ)); /* The simulated hour
+    input->day =
+        (uint16_t)(9800u + hour->core.game.tick / (900u * CORE_TICK_HZ)); /* The simulated hour
                                                                                  covers four
                                                                                  calendar days. */
-    input->minute = (uint16_t)(hour->core.tick / CORE_TICK_HZ % 1440u);
+    input->minute = (uint16_t)(hour->core.game.tick / CORE_TICK_HZ % 1440u);
     if (happens(hour, DRAW_COIN, 9) && !hour->output.coin_lockout) {
         input->coin_count[0] = 1u + draw(hour, DRAW_COINS) % 3u;
         hour->coins += input->coin_count[0];
@@ -157,8 +158,8 @@ static void note(struct hour *hour, const struct ledger_entry *entry)
     hour->entries[entry->id] = *entry;
     hour->rounds += entry->kind == LEDGER_ROUND;
     if (entry->kind == LEDGER_ROUND && !entry->round.unscored &&
-        ranking_place(&hour->core.game.ranking, entry->round.mode, RANK_DAY, entry->id, 0) <
-            RANK_ROWS) {
+        ranking_place(&hour->core.game.accounts.ranking, entry->round.mode, RANK_DAY, entry->id,
+                      0) < RANK_ROWS) {
         hour->replay_id = entry->id;
     }
 }

@@ -46,8 +46,8 @@ static void stage(void)
     if (core_init(&core, &config) != CORE_OK) {
         exit(2);
     }
-    struct fish *const fish = &core.tank.fish[0];
-    fish_grow(fish, LENGTH_M, tank_behavior_params(&core.tank));
+    struct fish *const fish = &core.world.tank.fish[0];
+    fish_grow(fish, LENGTH_M, tank_behavior_params(&core.world.tank));
     fish->position_m = v3(0.0f, -0.04f, 0.03f);
     fish->angles = (struct angles){ 0.0f, 0.0f, 0.0f };
     fish->heading_rad = 0.0f;
@@ -73,7 +73,7 @@ static void look_straight_down(void)
 
 static void show(const struct hal_display *device, struct contact_sheet *sheet, uint32_t index)
 {
-    const struct fish *fish = &core.tank.fish[0];
+    const struct fish *fish = &core.world.tank.fish[0];
     struct hal_image image = { .rgb = pixels, .size = sizeof pixels };
     look_straight_down();
     device->ops->present(device->self, &scene);

@@ -83,7 +83,7 @@ static void adjust_some(struct core *core)
 /* Fills the audits with the values of a summer. */
 static void keep_books(struct core *core)
 {
-    uint32_t *count = core->game.audits.count;
+    uint32_t *count = core->game.accounts.audits.count;
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
         count[id] = 17u + id * id * 31u % 4999u;
     }
@@ -131,7 +131,7 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
     input.controllers.file_count = FILE_COUNT + 1u;
     core_tick(core, &input, &output);
     struct menu *menu = &core->game.menu;
-    rank_some(&core->game.ranking);
+    rank_some(&core->game.accounts.ranking);
     for (uint8_t i = 0; i < MENU_PAGE_COUNT; i++) {
         if (names[i] && strcmp(names[i], page) == 0) {
             menu_turn(core, (enum menu_page)i);

@@ -15,7 +15,7 @@ static void set_water(const struct shot_options *options)
 {
     struct tank_config config = tank_config_of(options->preset);
     config.seed = core.config.seed;
-    config.fish_count = core.tank.fish_count;
+    config.fish_count = core.world.tank.fish_count;
     if (options->stamina >= 0.0f) {
         config.stamina_min = config.stamina_max = 0.01f * options->stamina;
     }
@@ -23,7 +23,7 @@ static void set_water(const struct shot_options *options)
         config.oxygen_mg_l = options->oxygen_mg_l;
         config.time_compression = 0.0f;
     }
-    if (!tank_open(&core.tank, &config)) {
+    if (!tank_open(&core.world.tank, &config)) {
         exit(2);
     }
 }
@@ -63,13 +63,13 @@ static void open_album(const struct shot_options *options)
     struct album *album = &core.game.album;
     album_clear(album);
     for (uint32_t i = 0; i < options->album; i++) {
-        core.tank.fish[i].gait = GAIT_BOWL;
-        core.tank.fish[i].holder = 0;
+        core.world.tank.fish[i].gait = GAIT_BOWL;
+        core.world.tank.fish[i].holder = 0;
     }
     album_note(&core, 0, options->album);
     core.game.phase = PHASE_ALBUM;
     core.game.phase_tick =
-        core.tick - (uint32_t)(options->progress * (float)album_ticks(album->fish_count));
+        core.game.tick - (uint32_t)(options->progress * (float)album_ticks(album->fish_count));
 }
 
 static void play(const struct shot_options *options, struct output *output)

@@ -94,16 +94,16 @@ int main(int argc, char **argv)
                 "state_hash: the core refuses its preset, the lanes or this floating point\n");
         return 70;
     }
-    while (core.tick < END_TICK) {
-        const struct input input = input_at(core.tick);
+    while (core.game.tick < END_TICK) {
+        const struct input input = input_at(core.game.tick);
         output.sound_count = 0;
         if (core_tick(&core, &input, &output) != CORE_OK) {
             fprintf(stderr, "state_hash: floating point is not IEEE 754's default\n");
             return 70;
         }
-        if (core.tick % CORE_TICK_HZ == 0) {
-            printf("%2" PRIu32 " s  %016" PRIx64 "  caught %" PRIu32 "\n", core.tick / CORE_TICK_HZ,
-                   core_hash(&core), core.game.player[0].caught);
+        if (core.game.tick % CORE_TICK_HZ == 0) {
+            printf("%2" PRIu32 " s  %016" PRIx64 "  caught %" PRIu32 "\n",
+                   core.game.tick / CORE_TICK_HZ, core_hash(&core), core.game.player[0].caught);
         }
     }
     return 0;

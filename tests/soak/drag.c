@@ -35,7 +35,7 @@ void drag_init(struct drag *drag, uint8_t preset, uint32_t fish_count, uint32_t 
  * which the poi enters again. */
 static void next_stroke(struct drag *drag)
 {
-    const vec3 size = drag->core.tank.size_m;
+    const vec3 size = drag->core.world.tank.size_m;
     drag->stroke++;
     const float kind = draw(drag, 0, 0.0f, 1.0f);
     vec3 to = v3(draw(drag, 1, -0.5f, 0.5f) * size.x, -draw(drag, 2, 0.0f, 1.0f) * size.y,
@@ -89,7 +89,7 @@ void drag_begin(struct drag *drag)
 {
     cpu_set_float();
     while (drag->core.game.phase != PHASE_ROUND) {
-        drag->input.pressed = drag->core.tick % 60u == 0 ? INPUT_START : 0u;
+        drag->input.pressed = drag->core.game.tick % 60u == 0 ? INPUT_START : 0u;
         tick_core(drag);
     }
     next_stroke(drag);
@@ -107,23 +107,23 @@ void drag_tick(struct drag *drag)
 {
     struct core *core = &drag->core;
     move_hand(drag);
-    renew_paper(&core->poi[0]);
-    if (core->bowl[0].fish_count > BOWL_FULL) {
-        bowl_empty(&core->bowl[0], 0, &core->tank);
+    renew_paper(&core->world.poi[0]);
+    if (core->world.bowl[0].fish_count > BOWL_FULL) {
+        bowl_empty(&core->world.bowl[0], 0, &core->world.tank);
     }
-    if (core->tick - core->game.phase_tick > CORE_TICK_HZ) {
+    if (core->game.tick - core->game.phase_tick > CORE_TICK_HZ) {
         core->game.phase_tick++; /* The clock of the round stands still. */
     }
     tick_core(drag);
     const vec3 hand = drag->input.poi[0].target.position_m;
-    drag->lag_sum_m += (double)v3_length(v3_sub(hand, core->poi[0].position_m));
+    drag->lag_sum_m += (double)v3_length(v3_sub(hand, core->world.poi[0].position_m));
     drag->ticks++;
 }
 
 void drag_calm_tick(struct drag *drag)
 {
     struct core *core = &drag->core;
-    struct obstacle bowl = bowl_obstacle(&core->bowl[0]);
-    tank_tick(&core->tank, core->tick, &bowl, 1);
-    core->tick++;
+    struct obstacle bowl = bowl_obstacle(&core->world.bowl[0]);
+    tank_tick(&core->world.tank, core->game.tick, &bowl, 1);
+    core->game.tick++;
 }

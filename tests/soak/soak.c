@@ -55,10 +55,11 @@ static void run(const struct density *density, int dragged, uint32_t seconds, ui
         } else {
             drag_calm_tick(&drag);
         }
-        reverted_count += drag.core.tank.solver.reverted_count;
-        apart_look(&apart, &drag.core.tank, drag.core.poi, dragged ? 1u : 0u, drag.core.bowl, 1);
+        reverted_count += drag.core.world.tank.solver.reverted_count;
+        apart_look(&apart, &drag.core.world.tank, drag.core.world.poi, dragged ? 1u : 0u,
+                   drag.core.world.bowl, 1);
         if (tick % (5u * CORE_TICK_HZ) == 0) {
-            cells_missed |= apart_all_pairs_m(&drag.core.tank) > apart.pair_m;
+            cells_missed |= apart_all_pairs_m(&drag.core.world.tank) > apart.pair_m;
         }
     }
 }
@@ -69,7 +70,7 @@ static int is_well(void)
     return !cells_missed && apart_deepest_m(&apart) <= APART_DEEP_M &&
            apart_pace(&apart) > PACE_MIN && turns_s < REVERSALS_MAX_PER_S &&
            calm_rad_s < YAW_RATE_MAX_RAD_S &&
-           apart_wall_crowding(&apart, &drag.core.tank) < CROWDING_MAX &&
+           apart_wall_crowding(&apart, &drag.core.world.tank) < CROWDING_MAX &&
            apart.stuck_s < STUCK_MAX_S && apart.loose_s < LOOSE_MAX_S;
 }
 
@@ -87,7 +88,7 @@ static void print(const struct density *density, int dragged)
     const double fish_s = (double)apart.fish_ticks * (double)CORE_TICK_S;
     printf("  %4.2f %6.0f %5.2f %5.2f %5.1f %5.1f %5.1f %6.4f  %s\n", (double)apart_pace(&apart),
            (double)(apart.yaw_rate_max_rad_s / F_DEG), (double)apart_reversals_per_s(&apart),
-           (double)apart_wall_crowding(&apart, &drag.core.tank), (double)apart.stuck_s,
+           (double)apart_wall_crowding(&apart, &drag.core.world.tank), (double)apart.stuck_s,
            (double)apart.loose_s, drag.ticks > 0 ? 1000.0 * drag.lag_sum_m / drag.ticks : 0.0,
            (double)reverted_count / fish_s, is_well() ? "ok" : "NOT OK");
     fflush(stdout);

@@ -243,13 +243,13 @@ static struct sample look(void)
 
 static void tell(uint32_t hour, const struct sample *sample)
 {
-    const struct audits *audits = &kiosk.core.game.audits;
+    const struct audits *audits = &kiosk.core.game.accounts.audits;
     const uint32_t *count = audits->count;
     printf("  %4u h %7u %7u %7u %9.1f %9.1f %9.1f %9.1f %8llu\n", hour, count[AUDIT_COINS_1],
-           count[AUDIT_PLAYS_PAID] + count[AUDIT_PLAYS_SERVICE], kiosk.core.game.ledger.last_id,
-           (double)sample->ours / 1024.0, (double)sample->sqlites / 1024.0,
-           (double)sample->resident / 1048576.0, (double)sample->file / 1024.0,
-           (unsigned long long)kiosk.pace.dropped);
+           count[AUDIT_PLAYS_PAID] + count[AUDIT_PLAYS_SERVICE],
+           kiosk.core.game.accounts.ledger.last_id, (double)sample->ours / 1024.0,
+           (double)sample->sqlites / 1024.0, (double)sample->resident / 1048576.0,
+           (double)sample->file / 1024.0, (unsigned long long)kiosk.pace.dropped);
     fflush(stdout);
 }
 
@@ -259,7 +259,7 @@ static void tell(uint32_t hour, const struct sample *sample)
  * real time, while the crowd plays some hundred times as fast. */
 static void wait_for_store(void)
 {
-    const struct ledger *ledger = &kiosk.core.game.ledger;
+    const struct ledger *ledger = &kiosk.core.game.accounts.ledger;
     while (ledger->last_id - hal.storage.ops->saved_id(hal.storage.self) > LEDGER_RING / 2u) {
         nanosleep(&(struct timespec){ .tv_nsec = 100000 }, NULL);
     }

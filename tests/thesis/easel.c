@@ -108,8 +108,8 @@ static void show_shades(const struct tank_lab *lab)
 
 static void show(const struct tank_lab *lab, const struct view *view)
 {
-    core.tank = lab->tank;
-    core.tick = lab->tick;
+    core.world.tank = lab->tank;
+    core.game.tick = lab->tick;
     core_scene(&core, &scene);
     scene.phase = PHASE_WORDLESS;
     scene.bowl[0].present = 0;

@@ -24,7 +24,7 @@ static void tell(FILE *file, const struct twin *twin)
     static const char *const buttons[] = { "start", "left",    "right", "ok",  "language",
                                            "test",  "service", "tilt",  "door" };
     const struct core *core = &twin->core;
-    const struct balance *balance = &core->game.ledger.balance;
+    const struct balance *balance = &core->game.accounts.ledger.balance;
     fprintf(file, "ticks %u\ndiffers_at %u\n", twin->ticks, twin->differs_at);
     for (unsigned i = 0; i < sizeof buttons / sizeof buttons[0]; i++) {
         fprintf(file, "%s %u\n", buttons[i], twin->presses[i]);
@@ -33,7 +33,7 @@ static void tell(FILE *file, const struct twin *twin)
             core->game.round_count);
     const struct menu *menu = &core->game.menu;
     fprintf(file, "fallen %u\ngiven_back %u\nmetered %u\n", balance->units,
-            core->game.audits.count[AUDIT_REFUNDS], core->game.credit.metered);
+            core->game.accounts.audits.count[AUDIT_REFUNDS], core->game.accounts.credit.metered);
     fprintf(file, "on_top %d\non_devices %d\non_lines %d\non_upkeep %d\non_files %d\n",
             menu->page == MENU_TOP, menu->page == MENU_DEVICES, menu->page == MENU_LINES,
             menu->page == MENU_UPKEEP, menu->page == MENU_FILES);

@@ -29,19 +29,19 @@ static uint32_t less(uint32_t from, uint32_t what)
 
 static void fall(struct core *core, uint32_t line, uint32_t pulses)
 {
-    struct pending_coins *untold = &core->game.credit.pending_coins[line];
+    struct pending_coins *untold = &core->game.accounts.credit.pending_coins[line];
     const uint32_t units = capped((uint64_t)pulses * setting(core, SET_COIN_1 + line));
     const uint32_t owed = credit_price(core) > 0 ? units : 0u; /* In free play a coin adds no units
                                                                   to the balance. */
     add_saturated(&untold->pulses, pulses);
     add_saturated(&untold->units, units);
     add_saturated(&untold->owed, owed);
-    add_saturated(&core->game.ledger.balance.unlogged, owed);
+    add_saturated(&core->game.accounts.ledger.balance.unlogged, owed);
 }
 
 void coins_insert(struct core *core, const struct input *input, struct output *output)
 {
-    struct credit *credit = &core->game.credit;
+    struct credit *credit = &core->game.accounts.credit;
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
         if (input->coin_count[line] > 0) {
             fall(core, line, input->coin_count[line]);
@@ -49,7 +49,7 @@ void coins_insert(struct core *core, const struct input *input, struct output *o
     }
     if (input_coin_pulses(input) > 0) {
         credit->metered += input_coin_pulses(input);
-        credit->coin_tick = credit->act_tick = core->tick;
+        credit->coin_tick = credit->act_tick = core->game.tick;
         if (credit_price(core) > 0) {
             output_sound(output, SOUND_COIN, 0.9f, 0.0f);
         }
@@ -66,14 +66,14 @@ void coins_test(struct core *core, const struct input *input, struct output *out
             ledger_write(core, &entry, output);
         }
     }
-    core->game.credit.metered += input_coin_pulses(input);
+    core->game.accounts.credit.metered += input_coin_pulses(input);
 }
 
 /* Without a configured bonus the counter stays 0, so that old units do not count towards a bonus
  * that is enabled later. */
 static void note_for_bonus(struct core *core, uint32_t units)
 {
-    struct balance *balance = &core->game.ledger.balance;
+    struct balance *balance = &core->game.accounts.ledger.balance;
     const uint64_t sum = (uint64_t)balance->bonus_units + units;
     balance->bonus_units = setting(core, SET_BONUS_UNITS) > 0 ? capped(sum) : 0u;
 }
@@ -81,7 +81,7 @@ static void note_for_bonus(struct core *core, uint32_t units)
 /* Recordings of format 7 count these units towards a bonus even if no bonus is configured. */
 void coins_convert_pending(struct core *core)
 {
-    struct balance *balance = &core->game.ledger.balance;
+    struct balance *balance = &core->game.accounts.ledger.balance;
     const uint32_t units = balance->unlogged;
     balance->unlogged = 0;
     add_saturated(&balance->units, units);
@@ -94,8 +94,8 @@ void coins_convert_pending(struct core *core)
 
 static void append_coins_entry(struct core *core, uint32_t line, struct output *output)
 {
-    struct pending_coins *untold = &core->game.credit.pending_coins[line];
-    struct balance *balance = &core->game.ledger.balance;
+    struct pending_coins *untold = &core->game.accounts.credit.pending_coins[line];
+    struct balance *balance = &core->game.accounts.ledger.balance;
     const struct ledger_entry entry = { .kind = LEDGER_COINS,
                                         .detail = (uint8_t)line,
                                         .count = untold->pulses,
@@ -113,7 +113,7 @@ static void append_coins_entry(struct core *core, uint32_t line, struct output *
  * the count is computed by division. Remaining units stay in the balance. */
 static uint32_t buy(struct core *core)
 {
-    struct balance *balance = &core->game.ledger.balance;
+    struct balance *balance = &core->game.accounts.ledger.balance;
     const uint32_t price = credit_price(core);
     const uint32_t room = less(setting(core, SET_CREDIT_MAX), balance->paid + balance->service);
     const uint32_t bought = balance->units / price < room ? balance->units / price : room;
@@ -124,7 +124,7 @@ static uint32_t buy(struct core *core)
 
 static uint32_t give_bonus(struct core *core)
 {
-    struct balance *balance = &core->game.ledger.balance;
+    struct balance *balance = &core->game.accounts.ledger.balance;
     const uint32_t each = setting(core, SET_BONUS_UNITS);
     const uint32_t times = each > 0 ? balance->bonus_units / each : 0u;
     const uint32_t bonus = times * setting(core, SET_BONUS_CREDITS);
@@ -147,13 +147,13 @@ static void change(struct core *core, struct output *output)
 
 static int may_tell(const struct core *core)
 {
-    return ledger_may_write(&core->game.ledger, LEDGER_COINS);
+    return ledger_may_write(&core->game.accounts.ledger, LEDGER_COINS);
 }
 
 void coins_convert(struct core *core, struct output *output)
 {
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
-        if (core->game.credit.pending_coins[line].pulses > 0 && may_tell(core)) {
+        if (core->game.accounts.credit.pending_coins[line].pulses > 0 && may_tell(core)) {
             append_coins_entry(core, line, output);
         }
     }
@@ -167,14 +167,15 @@ void coins_convert(struct core *core, struct output *output)
 void coins_expire(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
-    struct balance *balance = &game->ledger.balance;
+    struct balance *balance = &game->accounts.ledger.balance;
     const uint32_t minutes = setting(core, SET_CREDIT_EXPIRY_MIN);
     const uint32_t credits = balance->paid + balance->service;
     if (game->phase != PHASE_ATTRACT) {
-        game->credit.act_tick = core->tick;
+        game->accounts.credit.act_tick = core->game.tick;
     }
-    if (minutes == 0 || core->tick - game->credit.act_tick < minutes * TICKS_PER_MIN ||
-        credits + balance->units == 0 || !ledger_is_flushed(&game->ledger) ||
+    if (minutes == 0 ||
+        core->game.tick - game->accounts.credit.act_tick < minutes * TICKS_PER_MIN ||
+        credits + balance->units == 0 || !ledger_is_flushed(&game->accounts.ledger) ||
         balance->unlogged > 0 || !may_tell(core)) {
         return;
     }

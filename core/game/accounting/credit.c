@@ -27,13 +27,13 @@ static uint32_t credits_of(const struct balance *balance)
 
 static uint32_t sure_credits(const struct core *core)
 {
-    const struct ledger_credits sure = ledger_committed_credits(&core->game.ledger);
+    const struct ledger_credits sure = ledger_committed_credits(&core->game.accounts.ledger);
     return sure.paid + sure.service;
 }
 
 uint32_t credit_coming(const struct core *core)
 {
-    return credits_of(&core->game.ledger.balance) - sure_credits(core);
+    return credits_of(&core->game.accounts.ledger.balance) - sure_credits(core);
 }
 
 /* ---- The tick ------------------------------------------------------------------------------- */
@@ -42,10 +42,10 @@ static void take_service(struct core *core, struct output *output)
 {
     struct game *game = &core->game;
     const struct ledger_entry entry = { .kind = LEDGER_SERVICE };
-    if (credit_price(core) > 0 && credits_of(&game->ledger.balance) < credits_max(core) &&
-        ledger_may_write(&game->ledger, LEDGER_SERVICE)) {
-        game->ledger.balance.service++;
-        game->credit.act_tick = core->tick;
+    if (credit_price(core) > 0 && credits_of(&game->accounts.ledger.balance) < credits_max(core) &&
+        ledger_may_write(&game->accounts.ledger, LEDGER_SERVICE)) {
+        game->accounts.ledger.balance.service++;
+        game->accounts.credit.act_tick = core->game.tick;
         ledger_write(core, &entry, output);
         output_sound(output, SOUND_COIN, 0.5f, 0.0f);
     }
@@ -56,7 +56,7 @@ static int has_poi(const struct core *core, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint8_t link = input->poi[i].link;
-        if (core->bowl[i].present && (link == POI_SOURCE_LIVE || link == POI_SOURCE_BOT)) {
+        if (core->world.bowl[i].present && (link == POI_SOURCE_LIVE || link == POI_SOURCE_BOT)) {
             return 1;
         }
     }
@@ -65,7 +65,7 @@ static int has_poi(const struct core *core, const struct input *input)
 
 static void note_tilt(struct core *core, const struct input *input, struct output *output)
 {
-    struct credit *credit = &core->game.credit;
+    struct credit *credit = &core->game.accounts.credit;
     if (!((input->held | input->pressed) & INPUT_TILT)) {
         return;
     }
@@ -73,16 +73,16 @@ static void note_tilt(struct core *core, const struct input *input, struct outpu
         credit->shakes++;
         output_sound(output, SOUND_FOUL, 0.8f, 0.0f);
     }
-    credit->tilt_tick = core->tick;
+    credit->tilt_tick = core->game.tick;
 }
 
 static uint8_t warnings(const struct core *core, const struct input *input)
 {
-    const struct credit *credit = &core->game.credit;
+    const struct credit *credit = &core->game.accounts.credit;
     const int is_tilted =
-        credit->tilt_tick != 0 && core->tick - credit->tilt_tick < CREDIT_TILT_TICKS;
+        credit->tilt_tick != 0 && core->game.tick - credit->tilt_tick < CREDIT_TILT_TICKS;
     const int is_open = ((input->held | input->pressed) & INPUT_DOOR) != 0;
-    const int is_unsafe = credit_price(core) > 0 && !ledger_is_safe(&core->game.ledger);
+    const int is_unsafe = credit_price(core) > 0 && !ledger_is_safe(&core->game.accounts.ledger);
     return (uint8_t)((is_tilted ? (uint32_t)WARN_TILT : 0u) | (is_open ? (uint32_t)WARN_DOOR : 0u) |
                      (is_unsafe ? (uint32_t)WARN_STORE : 0u) |
                      (has_poi(core, input) ? 0u : (uint32_t)WARN_NO_POI));
@@ -95,16 +95,16 @@ static void close_what_is_over(struct core *core, struct output *output)
     struct game *game = &core->game;
     const int runs =
         game->phase == PHASE_READY || game->phase == PHASE_ROUND || game->phase == PHASE_LAB;
-    if (game->ledger.balance.open != PAYMENT_NONE && !runs) {
+    if (game->accounts.ledger.balance.open != PAYMENT_NONE && !runs) {
         const struct ledger_entry entry = { .kind = LEDGER_LEFT };
-        game->ledger.balance.open = PAYMENT_NONE;
+        game->accounts.ledger.balance.open = PAYMENT_NONE;
         ledger_write(core, &entry, output);
     }
 }
 
 void credit_tick(struct core *core, const struct input *input, struct output *output)
 {
-    struct credit *credit = &core->game.credit;
+    struct credit *credit = &core->game.accounts.credit;
     close_what_is_over(core, output);
     if (core->game.phase == PHASE_MENU) {
         coins_test(core, input, output);
@@ -129,15 +129,15 @@ static int sends_coins_back(const struct core *core)
     if (game->phase == PHASE_MENU) {
         return !menu_tries_lines(core) || self_test_shows(core);
     }
-    return credit_price(core) == 0 || game->credit.warnings != 0 ||
-           credits_of(&game->ledger.balance) >= credits_max(core);
+    return credit_price(core) == 0 || game->accounts.credit.warnings != 0 ||
+           credits_of(&game->accounts.ledger.balance) >= credits_max(core);
 }
 
 void credit_show_outputs(const struct core *core, struct output *output)
 {
     output->coin_lockout = (uint8_t)sends_coins_back(core);
-    output->coins_counted = core->game.credit.metered;
-    output->tickets = core->game.credit.tickets;
+    output->coins_counted = core->game.accounts.credit.metered;
+    output->tickets = core->game.accounts.credit.tickets;
 }
 
 /* ---- Rounds --------------------------------------------------------------------------------- */
@@ -147,7 +147,7 @@ void credit_show_outputs(const struct core *core, struct output *output)
  * operator's test leaves paid credits unused. */
 static uint8_t next_credit(const struct core *core)
 {
-    const struct ledger *ledger = &core->game.ledger;
+    const struct ledger *ledger = &core->game.accounts.ledger;
     const struct ledger_credits sure = ledger_committed_credits(ledger);
     const struct balance *balance = &ledger->balance;
     if (balance->returned == PAYMENT_PAID && balance->paid > 0) {
@@ -163,30 +163,31 @@ static uint8_t next_credit(const struct core *core)
  * either. */
 int credit_can_play(const struct core *core)
 {
-    return credit_price(core) == 0 ||
-           (next_credit(core) != PAYMENT_NONE && ledger_has_room(&core->game.ledger, LEDGER_COINS));
+    return credit_price(core) == 0 || (next_credit(core) != PAYMENT_NONE &&
+                                       ledger_has_room(&core->game.accounts.ledger, LEDGER_COINS));
 }
 
 void credit_ask(struct core *core, struct output *output)
 {
-    struct credit *credit = &core->game.credit;
+    struct credit *credit = &core->game.accounts.credit;
     if (credit_coming(core) > 0) {
-        credit->await_tick = core->tick;
+        credit->await_tick = core->game.tick;
         return;
     }
-    credit->asked_tick = core->tick;
+    credit->asked_tick = core->game.tick;
     output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
 }
 
 int credit_is_awaited(const struct core *core)
 {
-    const uint32_t await_tick = core->game.credit.await_tick;
-    return await_tick != 0 && core->tick - await_tick < CREDIT_AWAIT_TICKS && credit_can_play(core);
+    const uint32_t await_tick = core->game.accounts.credit.await_tick;
+    return await_tick != 0 && core->game.tick - await_tick < CREDIT_AWAIT_TICKS &&
+           credit_can_play(core);
 }
 
 static uint8_t pay(struct core *core)
 {
-    struct balance *balance = &core->game.ledger.balance;
+    struct balance *balance = &core->game.accounts.ledger.balance;
     if (credit_price(core) == 0) {
         return PAYMENT_FREE;
     }
@@ -201,7 +202,7 @@ static uint8_t pay(struct core *core)
 
 void credit_take(struct core *core, uint8_t what, struct output *output)
 {
-    struct credit *credit = &core->game.credit;
+    struct credit *credit = &core->game.accounts.credit;
     CORE_ASSERT(credit_can_play(core));
     CORE_ASSERT(what < CHOICE_COUNT);
     close_what_is_over(core, output);
@@ -212,10 +213,10 @@ void credit_take(struct core *core, uint8_t what, struct output *output)
     };
     credit->came_back = 0;
     credit->await_tick = 0;
-    credit->act_tick = core->tick;
+    credit->act_tick = core->game.tick;
     credit->stand_id = 0;
     credit->stand = (struct ledger_stand){ 0 };
-    core->game.ledger.balance.open = pay(core);
+    core->game.accounts.ledger.balance.open = pay(core);
     ledger_write(core, &entry, output);
 }
 
@@ -224,12 +225,12 @@ void credit_take(struct core *core, uint8_t what, struct output *output)
  * count 0. */
 void credit_refund(struct core *core, enum refund_cause cause, struct output *output)
 {
-    struct balance *balance = &core->game.ledger.balance;
+    struct balance *balance = &core->game.accounts.ledger.balance;
     const uint8_t open = balance->open, kind = open & PAYMENT_KIND_MASK;
     const int is_spent = stand_is_spent(core);
     const int is_credit = kind == PAYMENT_PAID || kind == PAYMENT_SERVICE;
     const uint32_t count = is_credit && !is_spent;
-    core->game.credit.came_back = (uint8_t)count;
+    core->game.accounts.credit.came_back = (uint8_t)count;
     if (kind == PAYMENT_NONE || (kind == PAYMENT_FREE && cause == REFUND_NO_POI) ||
         (is_spent && cause != REFUND_RESTART)) {
         return;
@@ -269,13 +270,13 @@ uint32_t credit_award_tickets(struct core *core)
 
 static float since_s(const struct core *core, uint32_t tick)
 {
-    return tick != 0 ? (float)(core->tick - tick) * CORE_TICK_S : NEVER_S;
+    return tick != 0 ? (float)(core->game.tick - tick) * CORE_TICK_S : NEVER_S;
 }
 
 void credit_show(const struct core *core, struct scene_credit *out)
 {
-    const struct credit *credit = &core->game.credit;
-    const struct balance *balance = &core->game.ledger.balance;
+    const struct credit *credit = &core->game.accounts.credit;
+    const struct balance *balance = &core->game.accounts.ledger.balance;
     const uint32_t price = credit_price(core);
     const int is_event = core->config.persistent.settings.value[SET_PLAY] == PLAY_EVENT;
     *out = (struct scene_credit){

@@ -49,7 +49,7 @@ static void note_saved(struct ledger *ledger, uint32_t saved_id)
 
 void ledger_tick(struct core *core, const struct input *input)
 {
-    struct ledger *ledger = &core->game.ledger;
+    struct ledger *ledger = &core->game.accounts.ledger;
     note_store(ledger, input->store_well);
     note_saved(ledger, input->record_saved_id);
     ledger->wait_ticks = ledger_is_flushed(ledger)                     ? 0u
@@ -81,7 +81,7 @@ int ledger_may_write(const struct ledger *ledger, uint8_t kind)
 
 uint32_t ledger_write(struct core *core, const struct ledger_entry *what, struct output *output)
 {
-    struct ledger *ledger = &core->game.ledger;
+    struct ledger *ledger = &core->game.accounts.ledger;
     if (!ledger_may_write(ledger, what->kind)) {
         ledger->uncommitted++;
         return 0;
@@ -89,15 +89,15 @@ uint32_t ledger_write(struct core *core, const struct ledger_entry *what, struct
     struct ledger_entry entry = *what;
     entry.id = ++ledger->last_id;
     entry.boot = ledger->boot;
-    entry.tick = core->tick;
+    entry.tick = core->game.tick;
     entry.day = ledger->day;
     entry.minute = ledger->minute;
     entry.balance = ledger->balance;
     ledger->after[entry.id % LEDGER_RING] = ledger->balance;
     output->entries[entry.id % LEDGER_RING] = entry;
     output->entry_id = entry.id;
-    audits_note(&core->game.audits, &entry);
-    ranking_note(&core->game.ranking, &entry);
+    audits_note(&core->game.accounts.audits, &entry);
+    ranking_note(&core->game.accounts.ranking, &entry);
     return entry.id;
 }
 

@@ -23,21 +23,21 @@ static int is_mostly_played(const struct core *core)
     const struct game *game = &core->game;
     const uint32_t total = game->round_s * CORE_TICK_HZ;
     return game->phase == PHASE_ROUND &&
-           STAND_SHARE_DENOMINATOR * (core->tick - game->phase_tick) >=
+           STAND_SHARE_DENOMINATOR * (core->game.tick - game->phase_tick) >=
                STAND_SHARE_NUMERATOR * total;
 }
 
 int stand_is_spent(const struct core *core)
 {
     return !core->config.rules_7 &&
-           ((core->game.ledger.balance.open & PAYMENT_SPENT) || is_mostly_played(core));
+           ((core->game.accounts.ledger.balance.open & PAYMENT_SPENT) || is_mostly_played(core));
 }
 
 /* Returns 1 if a power cut could lose something of value. A free round without tickets is not
  * logged. */
 static int has_value(const struct core *core)
 {
-    const uint8_t kind = core->game.ledger.balance.open & PAYMENT_KIND_MASK;
+    const uint8_t kind = core->game.accounts.ledger.balance.open & PAYMENT_KIND_MASK;
     return kind == PAYMENT_PAID || kind == PAYMENT_SERVICE ||
            (kind == PAYMENT_FREE && core->config.ticket_fish > 0);
 }
@@ -70,8 +70,8 @@ static int stands_are_equal(const struct ledger_stand *a, const struct ledger_st
 
 void stand_tick(struct core *core, struct output *output)
 {
-    struct ledger *ledger = &core->game.ledger;
-    struct credit *credit = &core->game.credit;
+    struct ledger *ledger = &core->game.accounts.ledger;
+    struct credit *credit = &core->game.accounts.credit;
     const struct ledger_stand now = stand_of(core);
     const int is_told =
         (ledger->balance.open & PAYMENT_SPENT) && stands_are_equal(&now, &credit->stand);
@@ -113,7 +113,7 @@ static struct round_record record_of(const struct ledger_stand *stand)
 
 int stand_finish(struct core *core, struct output *output)
 {
-    struct ledger *ledger = &core->game.ledger;
+    struct ledger *ledger = &core->game.accounts.ledger;
     const struct ledger_stand *stand = &core->config.persistent.ledger.stand;
     struct ledger_entry entry = { .kind = LEDGER_ROUND,
                                   .detail = ROUND_CUT_OFF,

@@ -5,9 +5,9 @@
 
 void tickets_owe(struct core *core, uint32_t count)
 {
-    struct balance *balance = &core->game.ledger.balance;
+    struct balance *balance = &core->game.accounts.ledger.balance;
     if (core->config.rules_7) {
-        core->game.credit.tickets += count;
+        core->game.accounts.credit.tickets += count;
         return;
     }
     const uint32_t room = BALANCE_TICKETS_MAX - balance->tickets;
@@ -23,8 +23,8 @@ static uint32_t sure_tickets(const struct ledger *ledger)
 
 void tickets_tick(struct core *core, const struct input *input, struct output *output)
 {
-    struct ledger *ledger = &core->game.ledger;
-    struct credit *credit = &core->game.credit;
+    struct ledger *ledger = &core->game.accounts.ledger;
+    struct credit *credit = &core->game.accounts.credit;
     const struct ledger_entry entry = { .kind = LEDGER_TICKET, .count = 1 };
     if (credit->ticket_id != 0) {
         if (ledger_is_saved(ledger, credit->ticket_id)) {

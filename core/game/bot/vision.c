@@ -13,35 +13,35 @@ struct vision_game vision_game(const struct vision *vision)
     const struct core *core = vision->core;
     CORE_ASSERT(vision->player < POI_MAX);
     return (struct vision_game){
-        .tick = core->tick,
+        .tick = core->game.tick,
         .phase = core->game.phase,
         .mode = core->game.mode,
         .fouls = core->game.player[vision->player].fouls,
-        .seconds_left = game_seconds_left(&core->game, core->tick),
+        .seconds_left = game_seconds_left(&core->game, core->game.tick),
     };
 }
 
 vec3 vision_tank_m(const struct vision *vision)
 {
-    return vision->core->tank.size_m;
+    return vision->core->world.tank.size_m;
 }
 
 uint32_t vision_fish_count(const struct vision *vision)
 {
-    return vision->core->tank.fish_count;
+    return vision->core->world.tank.fish_count;
 }
 
 struct vision_fish vision_fish(const struct vision *vision, uint32_t fish)
 {
-    CORE_ASSERT(fish < vision->core->tank.fish_count);
-    const struct fish *seen = &vision->core->tank.fish[fish];
+    CORE_ASSERT(fish < vision->core->world.tank.fish_count);
+    const struct fish *seen = &vision->core->world.tank.fish[fish];
     return (struct vision_fish){
         .position_m = seen->position_m,
         .angles = seen->angles,
         .length_m = seen->length_m,
         .bend_rad = seen->bend_rad,
-        .gape = surface_gape(seen, vision->core->tick),
-        .gulp = surface_gulp(seen, vision->core->tick),
+        .gape = surface_gape(seen, vision->core->game.tick),
+        .gulp = surface_gulp(seen, vision->core->game.tick),
         .place = scene_place_of(seen->gait),
     };
 }
@@ -49,7 +49,7 @@ struct vision_fish vision_fish(const struct vision *vision, uint32_t fish)
 struct vision_poi vision_poi(const struct vision *vision, uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
-    const struct poi *poi = &vision->core->poi[index];
+    const struct poi *poi = &vision->core->world.poi[index];
     if (!controller_is_active(vision->core, index)) {
         return (struct vision_poi){ 0 };
     }
@@ -66,7 +66,7 @@ struct vision_poi vision_poi(const struct vision *vision, uint32_t index)
 struct vision_bowl vision_bowl(const struct vision *vision, uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
-    const struct bowl *bowl = &vision->core->bowl[index];
+    const struct bowl *bowl = &vision->core->world.bowl[index];
     if (!bowl->present) {
         return (struct vision_bowl){ 0 };
     }
@@ -78,7 +78,7 @@ struct vision_bowl vision_bowl(const struct vision *vision, uint32_t index)
 struct vision_fan vision_fan(const struct vision *vision, uint32_t index)
 {
     CORE_ASSERT(index < SHADE_MAX);
-    const struct shade *shade = &vision->core->tank.shade[index];
+    const struct shade *shade = &vision->core->world.tank.shade[index];
     if (!shade->cast.present) {
         return (struct vision_fan){ 0 };
     }
@@ -95,7 +95,7 @@ static const struct sheet *own_paper(const struct vision *vision, uint32_t cell)
 {
     CORE_ASSERT(cell < SHEET_CELL_COUNT);
     CORE_ASSERT(vision->player < POI_MAX);
-    return &vision->core->poi[vision->player].sheet;
+    return &vision->core->world.poi[vision->player].sheet;
 }
 
 uint8_t vision_integrity(const struct vision *vision, uint32_t cell)

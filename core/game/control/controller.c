@@ -25,12 +25,12 @@
 
 int controller_is_active(const struct core *core, uint32_t index)
 {
-    return core->bowl[index].present && core->poi[index].link != POI_SOURCE_ABSENT;
+    return core->world.bowl[index].present && core->world.poi[index].link != POI_SOURCE_ABSENT;
 }
 
 int controller_is_lost(const struct core *core, uint32_t index)
 {
-    return controller_is_active(core, index) && core->poi[index].link == POI_SOURCE_LOST;
+    return controller_is_active(core, index) && core->world.poi[index].link == POI_SOURCE_LOST;
 }
 
 struct input controller_calibrate(const struct core *core, const struct input *said)
@@ -80,14 +80,14 @@ static float direction(float angle_rad)
 /* Returns the lowest height for a controlled poi. */
 static float lowest_m(const struct core *core, uint32_t index)
 {
-    return game_may_scoop(core, index) ? -core->tank.size_m.y : CLEAR_Y_M;
+    return game_may_scoop(core, index) ? -core->world.tank.size_m.y : CLEAR_Y_M;
 }
 
 static struct poi_target within_reach(const struct core *core, struct poi_target target,
                                       float low_m)
 {
-    const float side_m = 0.5f * core->tank.size_m.x + REACH_SIDE_M;
-    const float depth_m = 0.5f * core->tank.size_m.z + REACH_SIDE_M;
+    const float side_m = 0.5f * core->world.tank.size_m.x + REACH_SIDE_M;
+    const float depth_m = 0.5f * core->world.tank.size_m.z + REACH_SIDE_M;
     CORE_ASSERT(v3_is_finite(target.position_m));
     target.position_m.x = f_clamp(target.position_m.x, -side_m, side_m);
     target.position_m.y = f_clamp(target.position_m.y, low_m, REACH_HEIGHT_M);
@@ -118,9 +118,9 @@ static void take_hold(struct core *core, uint32_t index, uint8_t link)
     if (link == POI_SOURCE_LIVE && game->holder[index] == POI_SOURCE_LOST) {
         game->return_ticks[index] = game->was_lost[index] = 1;
     } else if (link == POI_SOURCE_LOST) {
-        game->hand_pose[index] = failsafe_begin(&core->poi[index], game->hand_pose[index]);
+        game->hand_pose[index] = failsafe_begin(&core->world.poi[index], game->hand_pose[index]);
     } else {
-        game->grip_tick[index] = core->tick;
+        game->grip_tick[index] = core->game.tick;
     }
     game->holder[index] = link;
 }
@@ -131,12 +131,13 @@ static struct poi_target blend_to_holder(struct core *core, uint32_t index,
                                          struct poi_target wanted)
 {
     struct game *game = &core->game;
-    const int begins = game->phase == PHASE_ROUND && core->tick == game->phase_tick;
+    const int begins = game->phase == PHASE_ROUND && core->game.tick == game->phase_tick;
     if (begins && wanted.position_m.y < CLEAR_Y_M) {
-        game->grip_tick[index] = core->tick; /* A player who waits with the button held starts with
+        game->grip_tick[index] =
+            core->game.tick; /* A player who waits with the button held starts with
                                                 a gentle dip. */
     }
-    const float age = (float)(core->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
+    const float age = (float)(core->game.tick - game->grip_tick[index]) / (float)GRIP_TICKS;
     wanted = within_reach(core, wanted, lowest_m(core, index));
     return age < 1.0f ? pose_between(game->hand_pose[index], wanted, age * age * age) : wanted;
 }
@@ -144,7 +145,7 @@ static struct poi_target blend_to_holder(struct core *core, uint32_t index,
 /* Returns 1 if an outlier could damage the paper or lose a fish. */
 static int is_at_stake(const struct core *core, uint32_t index, vec3 next_m)
 {
-    const struct poi *poi = &core->poi[index];
+    const struct poi *poi = &core->world.poi[index];
     const float low_m = f_min(core->game.hand_pose[index].position_m.y, poi->position_m.y);
     return f_min(low_m, next_m.y) < WET_BELOW_M || poi->carried_count > 0;
 }
@@ -200,9 +201,10 @@ static struct poi_target return_to_hand(struct core *core, uint32_t index, struc
     wanted = within_reach(core, wanted, lowest_m(core, index));
     const struct poi_target hand = failsafe_return(game->hand_pose[index], wanted, ticks);
     const int is_back = failsafe_is_returned(hand, wanted, ticks);
-    core->poi[index].damage_immune = game->was_lost[index] && ticks < FAILSAFE_IMMUNITY_TICKS_MAX &&
-                                     game->immunity_ticks[index] < SPARE_TICKS_ALL;
-    game->immunity_ticks[index] += core->poi[index].damage_immune;
+    core->world.poi[index].damage_immune = game->was_lost[index] &&
+                                           ticks < FAILSAFE_IMMUNITY_TICKS_MAX &&
+                                           game->immunity_ticks[index] < SPARE_TICKS_ALL;
+    game->immunity_ticks[index] += core->world.poi[index].damage_immune;
     game->return_ticks[index] = is_back ? 0u : ticks + 1u;
     game->was_lost[index] &= !is_back;
     game->outlier_ticks[index] = 0;
@@ -217,7 +219,7 @@ static struct poi_target led_by_a_person(struct core *core, const struct input *
     if (game->return_ticks[index] > 0) {
         return return_to_hand(core, index, says->target);
     }
-    if (core->tick % REFILL_TICKS == 0 && game->immunity_ticks[index] > 0) {
+    if (core->game.tick % REFILL_TICKS == 0 && game->immunity_ticks[index] > 0) {
         game->immunity_ticks[index]--;
     }
     const float share = input_validation_blend(&game->validation[index]);
@@ -231,9 +233,10 @@ static struct poi_target led_by_a_person(struct core *core, const struct input *
 static void withdraw_hand(struct core *core, uint32_t index)
 {
     struct game *game = &core->game;
-    const struct poi_target out = failsafe_withdraw(&core->poi[index], game->hand_pose[index]);
-    game->hand_pose[index] = within_reach(core, out, -core->tank.size_m.y);
-    if (core->poi[index].link == POI_SOURCE_BOT) {
+    const struct poi_target out =
+        failsafe_withdraw(&core->world.poi[index], game->hand_pose[index]);
+    game->hand_pose[index] = within_reach(core, out, -core->world.tank.size_m.y);
+    if (core->world.poi[index].link == POI_SOURCE_BOT) {
         game->bot[index].hand.pose = game->hand_pose[index];
     } else {
         game->return_ticks[index] = game->was_lost[index] = 1;
@@ -246,14 +249,14 @@ static void put_away(struct core *core, uint32_t index)
 {
     struct game *game = &core->game;
     struct bot *bot = &game->bot[index];
-    core->poi[index].damage_immune = 1;
+    core->world.poi[index].damage_immune = 1;
     game->hand_pose[index] = parking_path(core, index, game->hand_pose[index]);
-    if (core->poi[index].link == POI_SOURCE_BOT) {
+    if (core->world.poi[index].link == POI_SOURCE_BOT) {
         const struct vision vision = { core, index };
         (void)bot_tick(bot, &vision);
         bot->hand = (struct bot_hand){ .pose = game->hand_pose[index] };
     } else {
-        game->grip_tick[index] = core->tick;
+        game->grip_tick[index] = core->game.tick;
         controller_forget_path(game, index);
     }
 }
@@ -262,7 +265,7 @@ static void put_away(struct core *core, uint32_t index)
 static void tick_hand(struct core *core, const struct input *input, uint32_t index)
 {
     struct game *game = &core->game;
-    struct poi *poi = &core->poi[index];
+    struct poi *poi = &core->world.poi[index];
     if (parking_tick(core, index)) {
         put_away(core, index);
         return;
@@ -284,7 +287,7 @@ void controller_tick_all(struct core *core, const struct input *input,
     for (uint32_t i = 0; i < POI_MAX; i++) {
         live[i] = (uint8_t)controller_is_active(core, i);
         if (live[i]) {
-            take_hold(core, i, core->poi[i].link);
+            take_hold(core, i, core->world.poi[i].link);
             tick_hand(core, input, i);
         } else {
             core->game.holder[i] = POI_SOURCE_ABSENT;
@@ -302,6 +305,6 @@ void controller_tick_all(struct core *core, const struct input *input,
 void controller_assign(struct core *core, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        core->poi[i].link = link_now(core, input, i);
+        core->world.poi[i].link = link_now(core, input, i);
     }
 }

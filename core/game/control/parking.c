@@ -23,14 +23,14 @@
 
 static float rim_m(const struct core *core)
 {
-    return core->tank.wall_height_m - core->tank.size_m.y;
+    return core->world.tank.wall_height_m - core->world.tank.size_m.y;
 }
 
 struct poi_target parking_place(const struct core *core, uint32_t index)
 {
-    const vec3 bowl_m = tank_preset(core->tank.preset)->bowl_m[index];
+    const vec3 bowl_m = tank_preset(core->world.tank.preset)->bowl_m[index];
     const float side = bowl_m.x < 0.0f ? -1.0f : 1.0f;
-    const float wall_m = 0.5f * core->tank.size_m.x;
+    const float wall_m = 0.5f * core->world.tank.size_m.x;
     return (struct poi_target){
         .position_m = v3(side * (wall_m - INSIDE_M), rim_m(core) + ON_RIM_M, bowl_m.z - ALONG_M),
     };
@@ -44,7 +44,7 @@ static int is_idle(const struct core *core, uint32_t index)
     const int in_play = game->phase == PHASE_ATTRACT || game->phase == PHASE_ROUND;
     const int is_out =
         game->player[index].out && game->phase >= PHASE_READY && game->phase <= PHASE_RESULT;
-    return is_out || (!in_play && core->poi[index].link == POI_SOURCE_BOT);
+    return is_out || (!in_play && core->world.poi[index].link == POI_SOURCE_BOT);
 }
 
 /* Returns the ticks since the poi was parked. */
@@ -79,7 +79,7 @@ static float turn_level(float angle_rad)
 static int is_under_a_bowl(const struct core *core, vec3 ring_m)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const struct bowl *bowl = &core->bowl[i];
+        const struct bowl *bowl = &core->world.bowl[i];
         const float x_m = ring_m.x - bowl->position_m.x, z_m = ring_m.z - bowl->position_m.z;
         const float clear_m = BOWL_RADIUS_M + POI_OUTER_RADIUS_M + CLEAR_M;
         if (bowl->present && ring_m.y < bowl->position_m.y &&
@@ -100,7 +100,7 @@ static float step_of(float way_m, float pace_m_s)
 static vec3 next_m(const struct core *core, uint32_t index, vec3 at_m, float begun)
 {
     const vec3 place_m = parking_place(core, index).position_m;
-    const vec3 ring_m = core->poi[index].position_m;
+    const vec3 ring_m = core->world.poi[index].position_m;
     const vec3 way_m = v3_sub(place_m, at_m);
     const vec3 aside_m = v3_scale(v3(way_m.x, 0.0f, way_m.z), AWAY_SHARE);
     if (is_under_a_bowl(core, ring_m)) {
@@ -130,7 +130,7 @@ struct poi_target parking_path(const struct core *core, uint32_t index, struct p
 
 int parking_collides(const struct core *core, uint32_t index)
 {
-    return !parking_is_parked(core, index) || core->poi[index].immersed > 0.0f;
+    return !parking_is_parked(core, index) || core->world.poi[index].immersed > 0.0f;
 }
 
 float parking_shade(const struct core *core, uint32_t index)

@@ -26,8 +26,8 @@ void album_note(struct core *core, uint32_t index, uint32_t count)
 {
     struct album *album = &core->game.album;
     album->caught += count;
-    for (uint32_t i = 0; i < core->tank.fish_count && count > 0; i++) {
-        const struct fish *fish = &core->tank.fish[i];
+    for (uint32_t i = 0; i < core->world.tank.fish_count && count > 0; i++) {
+        const struct fish *fish = &core->world.tank.fish[i];
         if (album->fish_count == ALBUM_FISH_MAX) {
             return;
         }
@@ -62,7 +62,7 @@ int album_begin(struct core *core)
 
 void album_tick(struct core *core, const struct input *input, struct output *output)
 {
-    const uint32_t elapsed = core->tick - core->game.phase_tick;
+    const uint32_t elapsed = core->game.tick - core->game.phase_tick;
     const int dipped = game_dipped_player(core, input) < POI_MAX;
     if (dipped || (input->pressed & INPUT_START)) {
         mode_select_begin(core, output);
@@ -118,7 +118,8 @@ void album_show(const struct core *core, struct scene_album *out)
     out->caught = album->caught;
     out->fish_count = album->fish_count;
     for (uint32_t i = 0; i < album->fish_count; i++) {
-        show_fish(&album->fish[i], lived(core->tick - core->game.phase_tick, i), &out->fish[i]);
+        show_fish(&album->fish[i], lived(core->game.tick - core->game.phase_tick, i),
+                  &out->fish[i]);
     }
 }
 

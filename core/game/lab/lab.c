@@ -24,7 +24,7 @@ void lab_begin(struct core *core, struct output *output)
     table_setup_empty_bowls(core);
     table_setup_prepare(core, core->config.preset);
     game_enter_phase(core, PHASE_LAB);
-    lab->stir_tick = lab->act_tick = core->tick;
+    lab->stir_tick = lab->act_tick = core->game.tick;
     lab->start_ticks = 0;
     lab->presses = 1; /* The dip that opened the lab presses nothing here. */
     lab_take(core, lab->species);
@@ -40,7 +40,7 @@ static void note_stir(struct core *core)
     if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
         lab->stir_x = lab->x;
         lab->stir_y = lab->y;
-        lab->stir_tick = core->tick;
+        lab->stir_tick = core->game.tick;
     }
 }
 
@@ -118,11 +118,11 @@ static void heed_buttons(struct core *core, const struct input *input, struct ou
     }
     const uint32_t guests = ~(uint32_t)INPUT_TEST;
     if ((input->pressed | input->held) & guests) {
-        lab->stir_tick = core->tick;
+        lab->stir_tick = core->game.tick;
     }
     if (input->pressed & guests) { /* A button held for minutes is stuck, so only new presses
                                       count. */
-        lab->act_tick = core->tick;
+        lab->act_tick = core->game.tick;
     }
 }
 
@@ -144,8 +144,8 @@ static void play_on(struct lab *lab)
 static int is_deserted(const struct core *core)
 {
     const struct lab *lab = &core->game.lab;
-    return core->tick - lab->stir_tick >= LAB_IDLE_TICKS ||
-           core->tick - lab->act_tick >= LAB_SWING_TICKS;
+    return core->game.tick - lab->stir_tick >= LAB_IDLE_TICKS ||
+           core->game.tick - lab->act_tick >= LAB_SWING_TICKS;
 }
 
 void lab_tick(struct core *core, const struct input *input, struct output *output)

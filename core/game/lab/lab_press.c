@@ -328,7 +328,7 @@ void lab_press(struct core *core, struct output *output)
     struct lab *lab = &core->game.lab;
     const struct species_card *card = edited_card(core);
     point(lab, card);
-    lab->act_tick = lab->stir_tick = core->tick;
+    lab->act_tick = lab->stir_tick = core->game.tick;
     lab->holds = HOLD_BUTTON;
     switch (lab->points) {
     case LAB_AGE:

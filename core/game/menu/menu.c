@@ -29,7 +29,7 @@ static int is_played(const struct core *core)
 int menu_is_asking(const struct core *core)
 {
     const uint32_t ask_tick = core->game.menu.ask_tick;
-    return is_played(core) && ask_tick != 0 && core->tick - ask_tick < MENU_ASK_TICKS;
+    return is_played(core) && ask_tick != 0 && core->game.tick - ask_tick < MENU_ASK_TICKS;
 }
 
 /* Records the pointers at the opening of the menu, so that a resting pointer highlights nothing. */
@@ -49,9 +49,9 @@ static void open_menu(struct core *core, const struct input *input, struct outpu
         .upright = input->upright != 0,
         .presses = 1, /* A poi that is down when the menu opens selects nothing. */
         .command_count = menu->command_count,
-        .take_tick = core->tick,
-        .act_tick = core->tick,
-        .use_tick = core->tick,
+        .take_tick = core->game.tick,
+        .act_tick = core->game.tick,
+        .use_tick = core->game.tick,
     };
     check_controllers(&input->controllers);
     note_hands(core, input);
@@ -64,7 +64,7 @@ static void open_menu(struct core *core, const struct input *input, struct outpu
                      output); /* Update the statistics that the menu is about to show. */
     core->game.paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        core->poi[i].carried_count = 0; /* The fish return to the water. */
+        core->world.poi[i].carried_count = 0; /* The fish return to the water. */
     }
     table_setup_empty_bowls(core);
     game_enter_phase(core, PHASE_MENU);
@@ -78,7 +78,7 @@ int menu_opens(struct core *core, const struct input *input, struct output *outp
     }
     output_sound(output, SOUND_CALL, 0.8f, 0.0f);
     if (is_played(core) && !menu_is_asking(core)) {
-        core->game.menu.ask_tick = core->tick;
+        core->game.menu.ask_tick = core->game.tick;
         return 0;
     }
     open_menu(core, input, output);
@@ -140,10 +140,10 @@ static void point_on(struct menu *menu, int forward, struct output *output)
 static void activate_pointed_tag(struct core *core, struct output *output)
 {
     struct menu *menu = &core->game.menu;
-    if (core->tick - menu->take_tick < MENU_TAKE_TICKS) {
+    if (core->game.tick - menu->take_tick < MENU_TAKE_TICKS) {
         return;
     }
-    menu->take_tick = menu->use_tick = core->tick;
+    menu->take_tick = menu->use_tick = core->game.tick;
     output_sound(output, SOUND_TICK, 0.7f, 0.0f);
     menu_activate(core, output);
 }
@@ -224,7 +224,7 @@ static struct pointer_state leading_hand(struct core *core, const struct input *
         const float x = hand.at.x - menu->rest[i].x, y = hand.at.y - menu->rest[i].y;
         if (hand.present && x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
             menu->rest[i] = hand.at;
-            menu->act_tick = core->tick;
+            menu->act_tick = core->game.tick;
             lead = hand;
             *stirs = 1;
         }
@@ -281,7 +281,7 @@ static void count_coins(struct core *core, uint32_t count, struct output *output
     if (count > 0) {
         const uint32_t room = MENU_COUNT_MAX - menu->test_coins;
         menu->test_coins += count < room ? count : room;
-        menu->coin_tick = core->tick;
+        menu->coin_tick = core->game.tick;
         output_sound(output, SOUND_COIN, 0.5f, 0.0f);
     }
 }
@@ -300,8 +300,8 @@ static void watch_input_test(struct core *core, const struct input *input, struc
     count_presses(menu, is_way_back(input) ? 0u : input->pressed);
     count_coins(core, input_coin_pulses(input), output);
     const int is_used = input->pressed != 0 || input_coin_pulses(input) > 0;
-    menu->use_tick = is_used ? core->tick : menu->use_tick;
-    menu->act_tick = is_used || has_changed ? core->tick : menu->act_tick;
+    menu->use_tick = is_used ? core->game.tick : menu->use_tick;
+    menu->act_tick = is_used || has_changed ? core->game.tick : menu->act_tick;
     if (is_unkept && menu->page != MENU_PIN) { /* Report the failed save to the operator who saved
                                                   the mapping. */
         menu->row = input->controllers.learn_row;
@@ -324,8 +324,8 @@ static int is_deserted(const struct core *core)
 {
     const struct menu *menu = &core->game.menu;
     const uint32_t span = menu->page == MENU_PIN ? MENU_PIN_IDLE_TICKS : MENU_IDLE_TICKS;
-    return core->tick - menu->act_tick >= span ||
-           core->tick - menu->use_tick >= MENU_SWING_SPANS * span;
+    return core->game.tick - menu->act_tick >= span ||
+           core->game.tick - menu->use_tick >= MENU_SWING_SPANS * span;
 }
 
 void menu_tick(struct core *core, const struct input *input, struct output *output)

@@ -29,7 +29,7 @@ void menu_reset_activate(struct core *core, uint32_t tag, struct output *output)
     const struct ledger_entry entry = {
         .kind = LEDGER_RESET,
         .detail = group,
-        .value = sum_of(&core->game.audits, (enum audit_group)group),
+        .value = sum_of(&core->game.accounts.audits, (enum audit_group)group),
     };
     (void)tag;
     if (ledger_write(core, &entry, output) != 0) {

@@ -150,7 +150,7 @@ static void finish(struct core *core, struct output *output)
 {
     struct calibrate *calibrate = &core->game.menu.calibrate;
     int32_t value[CALIBRATION_VALUES];
-    calibrate->fault = (uint8_t)calibration_solve(&calibrate->said, core->tank.size_m, value);
+    calibrate->fault = (uint8_t)calibration_solve(&calibrate->said, core->world.tank.size_m, value);
     if (calibrate->fault == CALIBRATION_GOOD) {
         swap_with(core, value);
     }
@@ -165,7 +165,7 @@ static void take_pose(struct core *core, const struct poi_input *poi, struct out
     const struct poi_target at = mean(calibrate);
     rest_at(calibrate, &poi->target);
     calibrate->must_move = 1;
-    core->game.menu.act_tick = core->tick;
+    core->game.menu.act_tick = core->game.tick;
     if (calibrate->step == CALIBRATE_WATER) {
         calibrate->said.water = at;
         calibrate->said.has_wrist = poi->has_wrist != 0;

@@ -19,7 +19,7 @@ static void note_typed(struct core *core, int is_right, struct output *output)
     }
     settings_edit->pin_wrong =
         is_right ? 0u : settings_edit->pin_wrong + (settings_edit->pin_wrong < UINT8_MAX);
-    settings_edit->pin_tick = core->tick;
+    settings_edit->pin_tick = core->game.tick;
 }
 
 uint32_t menu_pin_wait_ticks(const struct core *core)
@@ -31,7 +31,7 @@ uint32_t menu_pin_wait_ticks(const struct core *core)
     const uint32_t doublings = settings_edit->pin_wrong - 1u < DOUBLINGS_MAX
                                    ? settings_edit->pin_wrong - 1u
                                    : DOUBLINGS_MAX;
-    const uint32_t wait = WAIT_TICKS << doublings, gone = core->tick - settings_edit->pin_tick;
+    const uint32_t wait = WAIT_TICKS << doublings, gone = core->game.tick - settings_edit->pin_tick;
     return gone < wait ? wait - gone : 0u;
 }
 
@@ -77,7 +77,8 @@ void menu_pin_activate(struct core *core, uint32_t tag, struct output *output)
 /* Returns the stored form of the new PIN. Recordings of format 7 stored plain digits. */
 static int32_t kept_pin(const struct core *core)
 {
-    const uint32_t salt = rng_u32((struct rng_key){ core->config.seed, core->tick, 0, RNG_PIN });
+    const uint32_t salt =
+        rng_u32((struct rng_key){ core->config.seed, core->game.tick, 0, RNG_PIN });
     const uint32_t pin = core->game.menu.pin;
     return core->config.rules_7 ? (int32_t)pin : pin_hide(pin, salt);
 }

@@ -8,7 +8,7 @@
 static struct rank_row *rows_of(struct core *core)
 {
     const uint8_t board = core->game.menu.board;
-    return core->game.ranking.row[board / RANK_PERIOD_COUNT][board % RANK_PERIOD_COUNT];
+    return core->game.accounts.ranking.row[board / RANK_PERIOD_COUNT][board % RANK_PERIOD_COUNT];
 }
 
 static struct rank_row *score(struct core *core)

@@ -56,7 +56,7 @@ static void step_setting(struct core *core, uint32_t id)
 {
     struct menu *menu = &core->game.menu;
     const int is_at_end = settings_edit_step(core, id, menu->turns_down, stride(core, id));
-    menu->turn_tick = core->tick;
+    menu->turn_tick = core->game.tick;
     menu->turning = !is_at_end;
 }
 
@@ -83,7 +83,7 @@ void menu_settings_activate(struct core *core, uint32_t tag, struct output *outp
     } else {
         const uint32_t id = menu_setting_at(menu->page, menu->chosen);
         settings_edit_set(core, id, settings_entry(id)->standard);
-        menu->turn_tick = core->tick;
+        menu->turn_tick = core->game.tick;
     }
 }
 
@@ -95,7 +95,7 @@ void menu_bits_activate(struct core *core, uint32_t tag, struct output *output)
     (void)output;
     if (settings_allows(id, value)) {
         settings_edit_set(core, id, value);
-        core->game.menu.turn_tick = core->tick;
+        core->game.menu.turn_tick = core->game.tick;
     }
 }
 
@@ -109,7 +109,7 @@ void menu_settings_tick(struct core *core, int is_pressed, struct output *output
     }
     const uint32_t wait = menu->turn_count == 0 ? HOLD_TICKS : AGAIN_TICKS;
     menu->turning = menu->turning && is_pressed && tag == menu->chosen;
-    if (menu->turning && core->tick - menu->turn_tick >= wait) {
+    if (menu->turning && core->game.tick - menu->turn_tick >= wait) {
         menu->turn_count = (uint8_t)(menu->turn_count + (menu->turn_count < UINT8_MAX));
         step_setting(core, menu_setting_at(menu->page, tag));
         output_sound(output, SOUND_TICK, 0.4f, 0.0f);

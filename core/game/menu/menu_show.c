@@ -34,7 +34,7 @@ void menu_show(const struct core *core, struct scene_menu *out)
     out->test_coins = menu->test_coins;
     out->chosen = menu->chosen;
     out->turns_down = menu->turns_down;
-    out->has_turned = menu->turn_tick != 0 && core->tick - menu->turn_tick < SAVED_TICKS;
+    out->has_turned = menu->turn_tick != 0 && core->game.tick - menu->turn_tick < SAVED_TICKS;
     out->is_saved = (uint8_t)settings_edit_is_saved(core);
     out->fish_max = (uint32_t)settings_edit_max(core, SET_FISH);
     out->from = menu->from;
@@ -42,10 +42,10 @@ void menu_show(const struct core *core, struct scene_menu *out)
     out->pin_wait_s = (float)menu_pin_wait_ticks(core) * CORE_TICK_S;
     /* The PIN typed to open the menu must not be visible. */
     out->pin = menu->page == MENU_NEW_PIN ? menu->pin : 0;
-    memcpy(out->audit, core->game.audits.count, sizeof core->game.audits.count);
-    out->boot = core->game.ledger.boot;
-    out->last_id = core->game.ledger.last_id;
-    out->saved_id = core->game.ledger.saved_id;
+    memcpy(out->audit, core->game.accounts.audits.count, sizeof core->game.accounts.audits.count);
+    out->boot = core->game.accounts.ledger.boot;
+    out->last_id = core->game.accounts.ledger.last_id;
+    out->saved_id = core->game.accounts.ledger.saved_id;
     out->settings = core->config.persistent.settings;
     self_test_show(core, &out->self);
     out->seat = menu->calibrate.seat;
@@ -55,7 +55,7 @@ void menu_show(const struct core *core, struct scene_menu *out)
     out->menu_calibrate_progress = menu_calibrate_progress(&menu->calibrate);
     out->calibrated_m = core->game.validation[menu->calibrate.seat].newest.position_m;
     out->coin_s =
-        menu->test_coins > 0 ? (float)(core->tick - menu->coin_tick) * CORE_TICK_S : NEVER_S;
+        menu->test_coins > 0 ? (float)(core->game.tick - menu->coin_tick) * CORE_TICK_S : NEVER_S;
 }
 
 uint64_t menu_hash(uint64_t hash, const struct menu *menu)

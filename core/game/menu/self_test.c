@@ -26,7 +26,7 @@ uint16_t menu_self_enabled(const struct menu *menu)
 
 void menu_self_open(struct core *core)
 {
-    core->game.menu.self = (struct self_test){ .begin_tick = core->tick };
+    core->game.menu.self = (struct self_test){ .begin_tick = core->game.tick };
     core->game.menu.tag[MENU_SELF_TEST] = SELF_YES;
     core->game.menu.test_coins = 0;
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
@@ -91,14 +91,14 @@ void self_test_tick(struct core *core, const struct input *input, struct output 
     if (!self_test_is_open(core)) {
         return;
     }
-    if (core->tick == self->begin_tick + 1u) {
+    if (core->game.tick == self->begin_tick + 1u) {
         write_one(core, output);
     }
-    if ((core->tick - self->begin_tick) % CORE_TICK_HZ == 1u && self->heard == SELF_UNSAID) {
+    if ((core->game.tick - self->begin_tick) % CORE_TICK_HZ == 1u && self->heard == SELF_UNSAID) {
         output_sound(output, SOUND_CALL, 1.0f, 0.0f);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        watch_poi(self, &input->poi[i], i, core->tick - self->begin_tick > CORE_TICK_HZ);
+        watch_poi(self, &input->poi[i], i, core->game.tick - self->begin_tick > CORE_TICK_HZ);
     }
 }
 
@@ -106,7 +106,7 @@ int self_test_shows(const struct core *core)
 {
     const struct self_test *self = &core->game.menu.self;
     return self_test_is_open(core) && self->heard != SELF_UNSAID && self->moved == SELF_UNSAID &&
-           core->tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
+           core->game.tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
 }
 
 /* ---- Evaluation ----------------------------------------------------------------------------- */
@@ -114,8 +114,8 @@ int self_test_shows(const struct core *core)
 void self_test_show(const struct core *core, struct scene_self_test *out)
 {
     const struct self_test *self = &core->game.menu.self;
-    const struct ledger *ledger = &core->game.ledger;
-    const uint32_t age = core->tick - self->begin_tick;
+    const struct ledger *ledger = &core->game.accounts.ledger;
+    const uint32_t age = core->game.tick - self->begin_tick;
     const int is_late = age > SELF_TEST_STORE_TICKS;
     const uint32_t left = age < SELF_TEST_TICKS ? SELF_TEST_TICKS - age : 0u;
     const int is_saved = self->entry_id != 0 && ledger_is_saved(ledger, self->entry_id);

@@ -37,7 +37,7 @@ int32_t settings_edit_max(const struct core *core, uint32_t id)
 static void apply(struct core *core)
 {
     settings_apply(live_settings(core), &core->config);
-    core->game.settings_edit.turn_tick = core->tick;
+    core->game.settings_edit.turn_tick = core->game.tick;
 }
 
 void settings_edit_set(struct core *core, uint32_t id, int32_t value)
@@ -81,7 +81,7 @@ int settings_edit_step(struct core *core, uint32_t id, int is_down, uint32_t ste
 
 int settings_edit_factory_reset(struct core *core, struct output *output)
 {
-    struct ledger *ledger = &core->game.ledger;
+    struct ledger *ledger = &core->game.accounts.ledger;
     const struct balance balance = ledger->balance;
     const struct ledger_entry entry = { .kind = LEDGER_FACTORY,
                                         .count = balance.paid + balance.service,
@@ -107,7 +107,7 @@ static int append_setting_entry(struct core *core, uint32_t id, struct output *o
     if (value == settings_edit->told.value[id]) {
         return 1;
     }
-    if (!ledger_may_write(&core->game.ledger, LEDGER_SETTING)) {
+    if (!ledger_may_write(&core->game.accounts.ledger, LEDGER_SETTING)) {
         return 0; /* The next tick tries again, because no change of a setting may be lost. */
     }
     const struct ledger_entry entry = {
@@ -121,7 +121,7 @@ static int append_setting_entry(struct core *core, uint32_t id, struct output *o
 void settings_edit_tick(struct core *core, struct output *output)
 {
     const struct settings_edit *settings_edit = &core->game.settings_edit;
-    if (core->tick - settings_edit->turn_tick < SETTINGS_EDIT_REST_TICKS) {
+    if (core->game.tick - settings_edit->turn_tick < SETTINGS_EDIT_REST_TICKS) {
         return;
     }
     uint32_t id = 0;
@@ -135,7 +135,7 @@ int settings_edit_is_saved(const struct core *core)
     const struct settings_edit *settings_edit = &core->game.settings_edit;
     const struct settings *now = &core->config.persistent.settings;
     return memcmp(now, &settings_edit->told, sizeof *now) == 0 &&
-           ledger_is_saved(&core->game.ledger, settings_edit->entry_id);
+           ledger_is_saved(&core->game.accounts.ledger, settings_edit->entry_id);
 }
 
 uint64_t settings_edit_hash(uint64_t hash, const struct settings_edit *settings_edit, int rules_7)

@@ -32,7 +32,7 @@ struct pick {
 
 static int is_empty(const struct core *core, uint8_t mode, uint32_t period)
 {
-    return core->game.ranking.row[mode][period][0].caught == 0;
+    return core->game.accounts.ranking.row[mode][period][0].caught == 0;
 }
 
 static int is_offered(const struct core *core, uint8_t mode)
@@ -62,7 +62,7 @@ static struct pick nth_board(const struct core *core, uint32_t turn, uint32_t ti
  * see goldfish first. */
 static struct pick in_attract(const struct core *core)
 {
-    const uint32_t elapsed = core->tick - core->game.phase_tick;
+    const uint32_t elapsed = core->game.tick - core->game.phase_tick;
     const uint32_t within = elapsed % LEADERBOARD_EVERY_TICKS;
     if (within < LEADERBOARD_EVERY_TICKS - LEADERBOARD_TICKS) {
         return (struct pick){ 0 };
@@ -78,12 +78,13 @@ static struct pick after_round(const struct core *core)
     struct leaderboard_place best = { 0, 0 };
     for (uint8_t seat = 0; seat < POI_MAX; seat++) {
         const struct leaderboard_place place =
-            leaderboard_best_place(&game->ranking, game->mode, game->name.round_id, seat);
+            leaderboard_best_place(&game->accounts.ranking, game->mode, game->name.round_id, seat);
         if (place.place != 0 && (best.place == 0 || place.place < best.place)) {
             best = place;
         }
     }
-    return (struct pick){ best.place != 0, game->mode, best.period, core->tick - game->phase_tick };
+    return (struct pick){ best.place != 0, game->mode, best.period,
+                          core->game.tick - game->phase_tick };
 }
 
 /* Returns the leaderboard selected in the operator's menu. */
@@ -119,7 +120,7 @@ void leaderboard_begin(struct core *core)
 void leaderboard_tick(struct core *core, const struct input *input, struct output *output)
 {
     const int dipped = game_dipped_player(core, input) < POI_MAX;
-    const int is_read = core->tick - core->game.phase_tick >= LEADERBOARD_TICKS;
+    const int is_read = core->game.tick - core->game.phase_tick >= LEADERBOARD_TICKS;
     if (dipped || (input->pressed & INPUT_START)) {
         mode_select_begin(core, output);
     } else if (((input->pressed & INPUT_OK) || is_read) && !album_begin(core)) {
@@ -144,7 +145,7 @@ void leaderboard_show(const struct core *core, struct scene_leaderboard *out)
                       ? (float)(LEADERBOARD_TICKS - pick.ticks) * CORE_TICK_S
                       : 0.0f;
     for (uint32_t i = 0; i < RANK_ROWS; i++) {
-        const struct rank_row *row = &game->ranking.row[pick.mode][pick.period][i];
+        const struct rank_row *row = &game->accounts.ranking.row[pick.mode][pick.period][i];
         out->row[i].caught = row->caught;
         out->row[i].is_new =
             game->phase == PHASE_LEADERBOARD && row->round_id == game->name.round_id;

@@ -14,8 +14,8 @@
 static int round_is_ranked(const struct core *core, uint32_t round_id, uint8_t seat)
 {
     for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
-        if (ranking_place(&core->game.ranking, core->game.mode, (enum rank_period)period, round_id,
-                          seat) < RANK_ROWS) {
+        if (ranking_place(&core->game.accounts.ranking, core->game.mode, (enum rank_period)period,
+                          round_id, seat) < RANK_ROWS) {
             return 1;
         }
     }
@@ -29,7 +29,7 @@ void name_note_round(struct core *core, uint32_t round_id)
     for (uint8_t seat = 0; seat < POI_MAX && round_id != 0; seat++) {
         name->ranked |= (uint8_t)(round_is_ranked(core, round_id, seat) ? 1u << seat : 0u);
     }
-    const int is_kept = core->game.ledger.boot != 0;
+    const int is_kept = core->game.accounts.ledger.boot != 0;
     const int is_wanted = core->config.persistent.settings.value[SET_NAMES] != 0;
     name->waits = is_kept && is_wanted ? name->ranked : 0u;
 }
@@ -61,7 +61,7 @@ static void ask_for_name(struct core *core)
     name->points = 0;
     name->presses = 1; /* A poi under water presses nothing until it was above the water once. */
     name->held_ticks = 0;
-    name->seat_tick = name->act_tick = core->tick;
+    name->seat_tick = name->act_tick = core->game.tick;
 }
 
 /* Starts the entry of the next player. Returns 0 if no player is left. */
@@ -155,7 +155,7 @@ static void change_last(struct name *name)
 static void activate_key(struct core *core, struct output *output)
 {
     struct name *name = &core->game.name;
-    name->act_tick = core->tick;
+    name->act_tick = core->game.tick;
     output_sound(output, SOUND_TICK, 0.7f, 0.0f);
     switch (name->key) {
     case NAME_ALPHABET:
@@ -181,7 +181,7 @@ static void activate_key(struct core *core, struct output *output)
 static void point_at_key(struct core *core, uint32_t key, struct output *output)
 {
     struct name *name = &core->game.name;
-    name->act_tick = core->tick;
+    name->act_tick = core->game.tick;
     if (name->key != key) {
         name->key = (uint8_t)key;
         output_sound(output, SOUND_CHOOSE, 0.5f, 0.0f);
@@ -243,7 +243,7 @@ static void note_stir(struct core *core, struct layout_point at)
     if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
         name->rest_x = at.x;
         name->rest_y = at.y;
-        name->act_tick = core->tick;
+        name->act_tick = core->game.tick;
     }
 }
 
@@ -289,9 +289,9 @@ void name_tick(struct core *core, const struct input *input, struct output *outp
     struct name *name = &core->game.name;
     const uint8_t seat = name->seat;
     name->upright = input->upright != 0;
-    if (name_seconds_left(name, core->tick) <= 0.0f) {
+    if (name_seconds_left(name, core->game.tick) <= 0.0f) {
         finish(core, output);
-    } else if (core->tick - name->seat_tick >= NAME_SEEN_TICKS) {
+    } else if (core->game.tick - name->seat_tick >= NAME_SEEN_TICKS) {
         heed_buttons(core, input, output);
         if (core->game.phase == PHASE_NAME && name->seat == seat) {
             point_at_key_by_hand(core, input, output);

@@ -112,7 +112,7 @@ static void scores_verify_print_finding(const struct finding *found)
         printf("round %u: genuine: %.1f s in %.0f kB, played again in %.1f s; a round of %u s "
                "among %u fish\n",
                found->round_id, found->play_s, 1e-3 * (double)found->size, found->took_s,
-               judge.core.game.round_s, judge.core.tank.fish_count);
+               judge.core.game.round_s, judge.core.world.tank.fish_count);
     } else if (found->verdict == REPLAY_VERDICT_UNCHECKED) {
         printf("round %u: not checked: " CPU_FLOAT_WRONG "\n", found->round_id);
     } else if (found->verdict == REPLAY_VERDICT_DAMAGED) {

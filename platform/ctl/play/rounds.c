@@ -56,7 +56,7 @@ static void act(struct seat *seat)
     const uint8_t phase = seat->core.game.phase;
     const int idle = phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT;
     struct poi_input *poi = &seat->input.poi[0];
-    seat->input.pressed = idle && seat->core.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
+    seat->input.pressed = idle && seat->core.game.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
     poi->link = POI_SOURCE_LIVE;
     poi->has_wrist = 1;
     poi->trembles = seat->bot.technique.tremor_m > 0.0f;

@@ -28,6 +28,8 @@ static const struct table tables[] = {
     TABLE(core, core_fields, &core),
     TABLE(core_config, config_fields, &core.config),
     TABLE(game, game_fields, &core.game),
+    TABLE(accounts, accounts_fields, &core.game.accounts),
+    TABLE(world, world_fields, &core.world),
     TABLE(lab_book, book_fields, &core.config.book),
     TABLE(species_card, card_fields, &core.config.book.cards[0]),
     TABLE(species_card, card_fields, &core.config.book.cards[SPECIES_EXTRA_MAX - 1u]),
@@ -49,24 +51,25 @@ static const struct table tables[] = {
     TABLE(ledger_start, ledger_start_fields, &core.config.persistent.ledger),
     TABLE(balance, purse_fields, &core.config.persistent.ledger.balance),
     TABLE(ledger_stand, stand_fields, &core.config.persistent.ledger.stand),
-    TABLE(ledger_stand, stand_fields, &core.game.credit.stand),
+    TABLE(ledger_stand, stand_fields, &core.game.accounts.credit.stand),
     TABLE(game_session, chapter_fields, &core.config.session),
     TABLE(language_choice, language_choice_fields, &core.config.session.language),
     TABLE(ledger, ledger_fields, &core.config.session.ledger),
     TABLE(credit, credit_fields, &core.config.session.credit),
     TABLE(balance, purse_fields, &core.config.session.ledger.balance),
-    TABLE(ledger, ledger_fields, &core.game.ledger),
-    TABLE(balance, purse_fields, &core.game.ledger.committed),
-    TABLE(balance, purse_fields, &core.game.ledger.after[0]),
-    TABLE(balance, purse_fields, &core.game.ledger.after[LEDGER_RING - 1u]),
-    TABLE(balance, purse_fields, &core.game.ledger.balance),
-    TABLE(ranking, ranking_fields, &core.game.ranking),
+    TABLE(ledger, ledger_fields, &core.game.accounts.ledger),
+    TABLE(balance, purse_fields, &core.game.accounts.ledger.committed),
+    TABLE(balance, purse_fields, &core.game.accounts.ledger.after[0]),
+    TABLE(balance, purse_fields, &core.game.accounts.ledger.after[LEDGER_RING - 1u]),
+    TABLE(balance, purse_fields, &core.game.accounts.ledger.balance),
+    TABLE(ranking, ranking_fields, &core.game.accounts.ranking),
     TABLE(name, name_fields, &core.game.name),
-    TABLE(rank_row, rank_row_fields, &core.game.ranking.row[2][2][9]),
+    TABLE(rank_row, rank_row_fields, &core.game.accounts.ranking.row[2][2][9]),
     TABLE(rank_row, rank_row_fields, &core.config.persistent.ranking.row[0][0][0]),
-    TABLE(credit, credit_fields, &core.game.credit),
-    TABLE(pending_coins, untold_fields, &core.game.credit.pending_coins[0]),
-    TABLE(pending_coins, untold_fields, &core.game.credit.pending_coins[COIN_LINE_COUNT - 1u]),
+    TABLE(credit, credit_fields, &core.game.accounts.credit),
+    TABLE(pending_coins, untold_fields, &core.game.accounts.credit.pending_coins[0]),
+    TABLE(pending_coins, untold_fields,
+          &core.game.accounts.credit.pending_coins[COIN_LINE_COUNT - 1u]),
     TABLE(health_log, upkeep_fields, &core.game.health_log),
     TABLE(health_log, upkeep_fields, &core.config.session.health_log),
     TABLE(album, album_fields, &core.game.album),
@@ -87,22 +90,22 @@ static const struct table tables[] = {
     TABLE(vision_poi, sight_poi_fields, &core.game.bot[0].known.poi),
     TABLE(vision_bowl, sight_bowl_fields, &core.game.bot[0].known.bowl),
     TABLE(bot, bot_fields, &core.game.bot[3]),
-    TABLE(poi, poi_fields, &core.poi[0]),
-    TABLE(poi, poi_fields, &core.poi[3]),
-    TABLE(carried_fish, rider_fields, &core.poi[0].carried_fish[1]),
-    TABLE(sheet_load, load_fields, &core.poi[0].loads[1]),
-    TABLE(sheet, sheet_fields, &core.poi[0].sheet),
-    TABLE(sheet, sheet_fields, &core.poi[3].sheet),
-    TABLE(bowl, bowl_fields, &core.bowl[0]),
-    TABLE(bowl, bowl_fields, &core.bowl[3]),
-    TABLE(tank, tank_fields, &core.tank),
-    TABLE(water, water_fields, &core.tank.water),
-    TABLE(shade, shade_fields, &core.tank.shade[0]),
-    TABLE(shade, shade_fields, &core.tank.shade[TANK_SHADE_MAX - 1u]),
-    TABLE(shade_cast, cast_fields, &core.tank.shade[1].cast),
-    TABLE(oxygen, oxygen_fields, &core.tank.oxygen),
-    TABLE(fish, fish_fields, &core.tank.fish[0]),
-    TABLE(fish, fish_fields, &core.tank.fish[11]),
+    TABLE(poi, poi_fields, &core.world.poi[0]),
+    TABLE(poi, poi_fields, &core.world.poi[3]),
+    TABLE(carried_fish, rider_fields, &core.world.poi[0].carried_fish[1]),
+    TABLE(sheet_load, load_fields, &core.world.poi[0].loads[1]),
+    TABLE(sheet, sheet_fields, &core.world.poi[0].sheet),
+    TABLE(sheet, sheet_fields, &core.world.poi[3].sheet),
+    TABLE(bowl, bowl_fields, &core.world.bowl[0]),
+    TABLE(bowl, bowl_fields, &core.world.bowl[3]),
+    TABLE(tank, tank_fields, &core.world.tank),
+    TABLE(water, water_fields, &core.world.tank.water),
+    TABLE(shade, shade_fields, &core.world.tank.shade[0]),
+    TABLE(shade, shade_fields, &core.world.tank.shade[TANK_SHADE_MAX - 1u]),
+    TABLE(shade_cast, cast_fields, &core.world.tank.shade[1].cast),
+    TABLE(oxygen, oxygen_fields, &core.world.tank.oxygen),
+    TABLE(fish, fish_fields, &core.world.tank.fish[0]),
+    TABLE(fish, fish_fields, &core.world.tank.fish[11]),
 };
 #define TABLE_COUNT (sizeof tables / sizeof tables[0])
 
@@ -116,8 +119,8 @@ static int setup(void **state)
     for (uint32_t i = 0; i < 100; i++) {
         core_tick(&core, &input, &output);
     }
-    core.poi[0].carried_count = 2; /* As if two fish lay on it. */
-    core.poi[0].load_count = 2;
+    core.world.poi[0].carried_count = 2; /* As if two fish lay on it. */
+    core.world.poi[0].load_count = 2;
     return 0;
 }
 
@@ -176,8 +179,8 @@ static void test_the_hash_sees_the_first_and_the_last_byte_of_every_member(void 
 static void test_the_hash_sees_how_many_there_are(void **state)
 {
     (void)state;
-    uint32_t *const counts[] = { &core.poi[0].carried_count, &core.poi[0].load_count,
-                                 &core.tank.fish_count };
+    uint32_t *const counts[] = { &core.world.poi[0].carried_count, &core.world.poi[0].load_count,
+                                 &core.world.tank.fish_count };
     const uint64_t before = core_hash(&core);
     for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
         (*counts[i])--;
@@ -190,7 +193,7 @@ static void test_the_hash_sees_how_many_there_are(void **state)
 static void test_the_hash_sees_what_the_fish_last_saw(void **state)
 {
     (void)state;
-    struct broad_phase *broad_phase = &core.tank.broad_phase;
+    struct broad_phase *broad_phase = &core.world.tank.broad_phase;
     broad_phase->near_count = 2;
     broad_phase->contact[1] = (struct contact){ 1, 2, 0.001f };
     const uint64_t before = core_hash(&core);
@@ -209,11 +212,11 @@ static void test_scratch_that_is_overwritten_changes_nothing(void **state)
     (void)state;
     static struct output output;
     const struct input input = { .pressed = INPUT_START };
-    core.poi[0].carried_count = core.poi[0].load_count = 0;
+    core.world.poi[0].carried_count = core.world.poi[0].load_count = 0;
     twin = core;
-    assert_int_equal(core.tick % BROAD_PHASE_UPDATE_TICKS, 0); /* All look anew. */
-    memset(&twin.tank.broad_phase, 0x5a, sizeof twin.tank.broad_phase);
-    memset(&twin.tank.solver, 0x5a, sizeof twin.tank.solver);
+    assert_int_equal(core.game.tick % BROAD_PHASE_UPDATE_TICKS, 0); /* All look anew. */
+    memset(&twin.world.tank.broad_phase, 0x5a, sizeof twin.world.tank.broad_phase);
+    memset(&twin.world.tank.solver, 0x5a, sizeof twin.world.tank.solver);
     for (uint32_t i = 0; i < 100; i++) {
         core_tick(&core, &input, &output);
         core_tick(&twin, &input, &output);

@@ -146,7 +146,7 @@ static void stir_hand(struct poi_input *poi, struct wild_hand *hand)
  * pages, would hardly play: a visit lasts some seconds, and ends by the buttons that lead back. */
 static void heed_visits(struct input *input)
 {
-    const uint32_t stay_ticks = core.tick - core.game.phase_tick;
+    const uint32_t stay_ticks = core.game.tick - core.game.phase_tick;
     input->pressed &= draw(16) == 0 ? ~0u : ~(uint32_t)INPUT_TEST;
     if (core.game.phase == PHASE_MENU && stay_ticks >= VISIT_TICKS) {
         input->pressed = stay_ticks % (2u * MENU_TAKE_TICKS) == 0 ? MENU_WAY_BACK : 0u;
@@ -211,10 +211,10 @@ static void check_fish(const struct fish *fish)
     assert_true(v3_length(fish->position_m) < 3.0f);
     /* Nobody hangs in the air without a poi. */
     if (fish->gait == GAIT_HELD && fish->holder != FISH_HOLDER_WATER) {
-        const struct poi *poi = &core.poi[fish->holder];
+        const struct poi *poi = &core.world.poi[fish->holder];
         uint32_t found = 0;
         for (uint32_t i = 0; i < poi->carried_count; i++) {
-            found += &core.tank.fish[poi->carried_fish[i].fish] == fish;
+            found += &core.world.tank.fish[poi->carried_fish[i].fish] == fish;
         }
         assert_int_equal(found, core.game.phase == PHASE_ROUND ? 1 : found);
     }
@@ -246,14 +246,14 @@ static struct tally {
 static void count(void)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const struct poi *poi = &core.poi[i];
+        const struct poi *poi = &core.world.poi[i];
         tally.led += core.game.phase == PHASE_ROUND && poi->link == POI_SOURCE_LIVE;
         tally.lost += (uint32_t)controller_is_lost(&core, i);
         tally.dips += poi->splash_m_s > 0.0f;
         tally.torn += poi->strain.cells_torn;
     }
     /* A chapter counts its own rounds from zero. */
-    tally.rounds += core.game.phase == PHASE_ROUND && core.game.round_tick + 1u == core.tick;
+    tally.rounds += core.game.phase == PHASE_ROUND && core.game.round_tick + 1u == core.game.tick;
     tally.menu += core.game.phase == PHASE_MENU;
     tally.championships += core.game.phase == PHASE_ROUND && core.game.mode == MODE_CHAMPIONSHIP;
 }
@@ -289,12 +289,12 @@ static uint64_t play(const struct core_config *config, uint32_t ticks)
         const struct input now = said(&input);
         core_tick(&core, &now, &output);
         output.sound_count = 0;
-        for (uint32_t i = 0; i < core.tank.fish_count; i++) {
-            check_fish(&core.tank.fish[i]);
-            check_loose(&core.tank.fish[i], i);
+        for (uint32_t i = 0; i < core.world.tank.fish_count; i++) {
+            check_fish(&core.world.tank.fish[i]);
+            check_loose(&core.world.tank.fish[i], i);
         }
         for (uint32_t i = 0; i < POI_MAX; i++) {
-            check_poi(&core.poi[i]);
+            check_poi(&core.world.poi[i]);
             check_force(&output.poi[i]);
         }
         count();

@@ -39,14 +39,14 @@ static void tick(uint32_t count)
 static void test_every_fish_is_shaped_by_its_age(void **state)
 {
     (void)state;
-    core.tank.fish[0].age_days = 60.0f; /* A stunted one is as old as it is: ... */
-    core.tank.fish[0].length_m = 0.02f;
+    core.world.tank.fish[0].age_days = 60.0f; /* A stunted one is as old as it is: ... */
+    core.world.tank.fish[0].length_m = 0.02f;
     core_scene(&core, &scene);
-    assert_int_equal(scene.fish_count, core.tank.fish_count);
+    assert_int_equal(scene.fish_count, core.world.tank.fish_count);
     for (uint32_t i = 0; i < scene.fish_count; i++) {
         const struct scene_fish *fish = &scene.fish[i];
         const float length_m = life_length_m(&species_wakin.card, fish->progress);
-        assert_float_equal(fish->age_days, core.tank.fish[i].age_days, 0.0f);
+        assert_float_equal(fish->age_days, core.world.tank.fish[i].age_days, 0.0f);
         assert_float_equal(fish->progress, life_progress(&species_wakin.card, fish->age_days),
                            0.0f);
         if (i > 0) { /* ... this tank's others are as long as their age says. */
@@ -70,20 +70,21 @@ static void test_the_festivals_fish_are_of_many_ages(void **state)
 static void test_fish_are_where_the_tank_has_them(void **state)
 {
     (void)state;
-    core.tank.fish[3].gait = GAIT_HELD;
-    core.tank.fish[4].gait = GAIT_BOWL;
-    core.tank.fish[5].gait = GAIT_SWIM;
+    core.world.tank.fish[3].gait = GAIT_HELD;
+    core.world.tank.fish[4].gait = GAIT_BOWL;
+    core.world.tank.fish[5].gait = GAIT_SWIM;
     core_scene(&core, &scene);
     assert_int_equal(scene.fish[3].place, SCENE_ON_POI);
     assert_int_equal(scene.fish[4].place, SCENE_IN_BOWL);
     assert_int_equal(scene.fish[5].place, SCENE_IN_TANK);
-    assert_memory_equal(&scene.fish[5].position_m, &core.tank.fish[5].position_m, sizeof(vec3));
-    assert_float_equal(scene.fish[5].length_m, core.tank.fish[5].length_m, 0.0f);
+    assert_memory_equal(&scene.fish[5].position_m, &core.world.tank.fish[5].position_m,
+                        sizeof(vec3));
+    assert_float_equal(scene.fish[5].length_m, core.world.tank.fish[5].length_m, 0.0f);
 }
 
 static float maturity_at(float age_days)
 {
-    core.tank.fish[0].age_days = age_days;
+    core.world.tank.fish[0].age_days = age_days;
     core_scene(&core, &scene);
     return scene.fish[0].maturity;
 }
@@ -102,8 +103,8 @@ static void test_fish_redden_between_fifty_and_a_hundred_and_twenty_days(void **
 static void test_paper_shows_wetness_damage_and_holes(void **state)
 {
     (void)state;
-    core.poi[0].link = POI_SOURCE_BOT;
-    struct sheet *sheet = &core.poi[0].sheet;
+    core.world.poi[0].link = POI_SOURCE_BOT;
+    struct sheet *sheet = &core.world.poi[0].sheet;
     const uint32_t middle = SHEET_SIDE / 2u * SHEET_SIDE + SHEET_SIDE / 2u;
     sheet->wetness[middle] = 1.0f;
     sheet->damage[middle + 1u] = 0.999f;
@@ -120,7 +121,7 @@ static void test_paper_shows_wetness_damage_and_holes(void **state)
 static void test_a_poi_is_shown_where_it_is_with_its_belly_and_the_paper_that_is_left(void **state)
 {
     (void)state;
-    struct poi *poi = &core.poi[0];
+    struct poi *poi = &core.world.poi[0];
     poi->link = POI_SOURCE_BOT;
     poi->position_m = v3(0.11f, -0.02f, 0.07f);
     poi->angles = (struct angles){ .yaw_rad = 0.1f, .pitch_rad = 0.2f, .roll_rad = 0.3f };
@@ -141,18 +142,18 @@ static void test_a_poi_is_shown_where_it_is_with_its_belly_and_the_paper_that_is
 static void test_cells_beyond_the_ring_continue_the_paper_inside(void **state)
 {
     (void)state;
-    core.poi[0].link = POI_SOURCE_BOT;
+    core.world.poi[0].link = POI_SOURCE_BOT;
     core_scene(&core, &scene);
     const uint32_t row = SHEET_SIDE / 4u * SHEET_SIDE;
-    assert_int_equal(core.poi[0].sheet.state[row], CELL_OUTSIDE);
+    assert_int_equal(core.world.poi[0].sheet.state[row], CELL_OUTSIDE);
     assert_int_equal(scene.poi[0].integrity[row], 255);
 }
 
 static void test_paper_shows_its_stress_and_has_none_where_it_has_gone(void **state)
 {
     (void)state;
-    core.poi[0].link = POI_SOURCE_BOT;
-    struct sheet *sheet = &core.poi[0].sheet;
+    core.world.poi[0].link = POI_SOURCE_BOT;
+    struct sheet *sheet = &core.world.poi[0].sheet;
     const uint32_t middle = SHEET_SIDE / 2u * SHEET_SIDE + SHEET_SIDE / 2u;
     memset(sheet->stress, 40, sizeof sheet->stress);
     sheet->stress[middle] = 255;
@@ -168,7 +169,7 @@ static void test_paper_shows_its_stress_and_has_none_where_it_has_gone(void **st
 static void test_only_a_round_of_practice_colours_the_paper(void **state)
 {
     (void)state;
-    core.poi[0].link = POI_SOURCE_BOT;
+    core.world.poi[0].link = POI_SOURCE_BOT;
     for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
         for (uint8_t phase = PHASE_ATTRACT; phase <= PHASE_RESULT; phase++) {
             core.game.mode = mode;
@@ -199,9 +200,9 @@ static void test_every_mode_tells_its_time_and_paper(void **state)
 static void test_what_a_poi_carries_is_told_as_a_depth(void **state)
 {
     (void)state;
-    core.poi[0].link = POI_SOURCE_BOT;
-    core.poi[0].film_kg = 0.0f;
-    core.poi[0].water_kg = core.poi[0].pool_kg = 0.005f; /* 5 g on 50 cm2: 1 mm. */
+    core.world.poi[0].link = POI_SOURCE_BOT;
+    core.world.poi[0].film_kg = 0.0f;
+    core.world.poi[0].water_kg = core.world.poi[0].pool_kg = 0.005f; /* 5 g on 50 cm2: 1 mm. */
     core_scene(&core, &scene);
     assert_float_equal(scene.poi[0].water_m, 0.001f, 2e-5f);
 }
@@ -209,7 +210,7 @@ static void test_what_a_poi_carries_is_told_as_a_depth(void **state)
 static void test_players_calls_and_fouls_are_told_with_their_age(void **state)
 {
     (void)state;
-    core.tick = 1200;
+    core.game.tick = 1200;
     core.game.phase = PHASE_ROUND;
     core.game.call = CALL_ONE_MINUTE;
     core.game.call_tick = 1080;
@@ -240,15 +241,15 @@ static void test_an_absent_poi_and_bowl_are_not_shown(void **state)
 static void test_a_bowl_leans_as_it_heels_and_tells_where_its_water_stands(void **state)
 {
     (void)state;
-    core.bowl[0].heel_x = 0.10f;
-    core.bowl[0].heel_z = -0.05f;
+    core.world.bowl[0].heel_x = 0.10f;
+    core.world.bowl[0].heel_z = -0.05f;
     core_scene(&core, &scene);
     const vec3 up = vec_basis_from_angles(scene.bowl[0].angles).up;
     assert_float_equal(up.x, 0.10f, 2e-3f);
     assert_float_equal(up.z, -0.05f, 2e-3f);
     assert_true(scene.bowl[0].water_below_m > 0.0f);
     assert_true(scene.bowl[0].water_below_m < scene.bowl[0].depth_m);
-    core.bowl[0].water_kg *= 0.5f;
+    core.world.bowl[0].water_kg *= 0.5f;
     const float before_m = scene.bowl[0].water_below_m;
     core_scene(&core, &scene);
     assert_true(scene.bowl[0].water_below_m > before_m);
@@ -259,7 +260,7 @@ static void test_the_game_is_told_as_it_is(void **state)
     (void)state;
     core.game.phase = PHASE_ROUND;
     core.game.phase_tick = 240;
-    core.tick = 360;
+    core.game.tick = 360;
     core.game.player[0].caught = 5;
     core.game.hints.shown = HINT_BOWL;
     core_scene(&core, &scene);

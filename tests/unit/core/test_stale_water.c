@@ -55,7 +55,7 @@ static void test_who_looks_on_sees_fish_come_up_and_go_down_again(void **state)
     uint32_t most = 0, least_after = 300;
     for (uint32_t second = 0; second < 155; second += 5) {
         run(5);
-        const uint32_t count = tank_surfacing_count(&core.tank);
+        const uint32_t count = tank_surfacing_count(&core.world.tank);
         if (second < 80) {
             assert_true(count <= 1); /* At 4 mg/L one choice of gait in 4,000 sends a fish up. */
         }
@@ -63,31 +63,31 @@ static void test_who_looks_on_sees_fish_come_up_and_go_down_again(void **state)
         least_after = second >= 135 && count < least_after ? count : least_after;
     }
     print_message("at most %u of 300 gulped before the pump came on, %u after; %.2f mg/L\n", most,
-                  least_after, (double)core.tank.oxygen.dissolved_mg_l);
+                  least_after, (double)core.world.tank.oxygen.dissolved_mg_l);
     assert_in_range(most, 15, 200);
     assert_true(least_after <= 3);
-    assert_true(core.tank.oxygen.dissolved_mg_l > 6.0f);
+    assert_true(core.world.tank.oxygen.dissolved_mg_l > 6.0f);
 }
 
 static void test_a_round_that_begins_in_stale_water_ends_among_gulpers(void **state)
 {
     (void)state;
-    core.tank.oxygen.dissolved_mg_l = 2.0f;
+    core.world.tank.oxygen.dissolved_mg_l = 2.0f;
     run(5);
-    const float stale_mg_l = core.tank.oxygen.dissolved_mg_l;
+    const float stale_mg_l = core.world.tank.oxygen.dissolved_mg_l;
     /* A player who only holds the poi over a corner: paper lasts, and no fish is scooped. */
     input.poi[0].link = POI_SOURCE_LIVE;
     input.poi[0].target.position_m = v3(-0.35f, 0.15f, 0.2f);
     input.pressed = INPUT_START;
     run(4);
     assert_int_equal(core.game.phase, PHASE_ROUND);
-    assert_true(core.tank.oxygen.dissolved_mg_l > stale_mg_l + 0.5f);
+    assert_true(core.world.tank.oxygen.dissolved_mg_l > stale_mg_l + 0.5f);
     run(54);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     print_message("%.2f mg/L, after the call %.2f, %u at the surface near the end\n",
-                  (double)stale_mg_l, (double)core.tank.oxygen.dissolved_mg_l,
-                  tank_surfacing_count(&core.tank));
-    assert_true(tank_surfacing_count(&core.tank) >= 5);
+                  (double)stale_mg_l, (double)core.world.tank.oxygen.dissolved_mg_l,
+                  tank_surfacing_count(&core.world.tank));
+    assert_true(tank_surfacing_count(&core.world.tank) >= 5);
 }
 
 static void test_only_a_stall_with_a_pump_has_one(void **state)
@@ -95,18 +95,18 @@ static void test_only_a_stall_with_a_pump_has_one(void **state)
     (void)state;
     const struct core_config config = { .preset = TANK_PRESET_OFFICIAL, .fish_count = 20 };
     assert_int_equal(core_init(&core, &config), CORE_OK);
-    core.tick = GAME_STALE_TICKS + 5u;
+    core.game.tick = GAME_STALE_TICKS + 5u;
     run(1);
-    assert_false(core.tank.oxygen.pump);
+    assert_false(core.world.tank.oxygen.pump);
     core_scene(&core, &scene);
     assert_false(scene.pump.present);
     open_stall(state);
-    core.tick = GAME_STALE_TICKS + 5u;
+    core.game.tick = GAME_STALE_TICKS + 5u;
     run(1);
-    assert_true(core.tank.oxygen.pump);
+    assert_true(core.world.tank.oxygen.pump);
     core_scene(&core, &scene);
     assert_true(scene.pump.present && scene.pump.runs);
-    assert_float_equal(scene.pump.stone_m.y, -core.tank.size_m.y, 1e-6f);
+    assert_float_equal(scene.pump.stone_m.y, -core.world.tank.size_m.y, 1e-6f);
 }
 
 int main(void)

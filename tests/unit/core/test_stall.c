@@ -30,12 +30,13 @@ static void lead(uint32_t player, uint32_t tick)
     static struct angles goal[POI_MAX];
     const uint32_t turn = tick / 60u * POI_MAX + player;
     if (tick % 60u == 0) {
-        const float half_x = 0.5f * core.tank.size_m.x, half_z = 0.5f * core.tank.size_m.z;
+        const float half_x = 0.5f * core.world.tank.size_m.x,
+                    half_z = 0.5f * core.world.tank.size_m.z;
         const int home = draw(turn, 0, 0.0f, 1.0f) < 0.35f;
         const vec3 anywhere = v3(draw(turn, 1, -half_x, half_x), draw(turn, 2, -0.09f, 0.09f),
                                  draw(turn, 3, -half_z, half_z));
         goal_m[player] =
-            home ? v3_add(core.bowl[player].position_m, v3(0.0f, 0.05f, 0.0f)) : anywhere;
+            home ? v3_add(core.world.bowl[player].position_m, v3(0.0f, 0.05f, 0.0f)) : anywhere;
         goal[player] = (struct angles){ draw(turn, 4, -0.5f, 0.5f), draw(turn, 5, -0.4f, 0.4f),
                                         home ? 0.9f : draw(turn, 6, -0.4f, 0.4f) };
     }
@@ -54,16 +55,16 @@ static void count_all(void)
     uint32_t ridden[FISH] = { 0 }, bowled[POI_MAX] = { 0 };
     uint32_t swim = 0, ride = 0, kept = 0, loose = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const struct poi *poi = &core.poi[i];
+        const struct poi *poi = &core.world.poi[i];
         for (uint32_t k = 0; k < poi->carried_count; k++) {
             ridden[poi->carried_fish[k].fish]++;
-            assert_int_equal(core.tank.fish[poi->carried_fish[k].fish].gait, GAIT_HELD);
-            assert_int_equal(core.tank.fish[poi->carried_fish[k].fish].holder, i);
+            assert_int_equal(core.world.tank.fish[poi->carried_fish[k].fish].gait, GAIT_HELD);
+            assert_int_equal(core.world.tank.fish[poi->carried_fish[k].fish].holder, i);
         }
         ride += poi->carried_count;
     }
     for (uint32_t i = 0; i < FISH; i++) {
-        const struct fish *fish = &core.tank.fish[i];
+        const struct fish *fish = &core.world.tank.fish[i];
         const int held = fish->gait == GAIT_HELD && fish->holder != FISH_HOLDER_WATER;
         assert_int_equal(ridden[i], held);
         assert_true(v3_is_finite(fish->position_m));
@@ -75,7 +76,7 @@ static void count_all(void)
         }
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        assert_int_equal(bowled[i], core.bowl[i].fish_count);
+        assert_int_equal(bowled[i], core.world.bowl[i].fish_count);
         kept += bowled[i];
         bowls_filled |= bowled[i] > 0 ? 1u << i : 0u;
     }
@@ -116,10 +117,10 @@ static void test_as_many_bowls_float_as_play_each_at_its_own_place(void **state)
             const struct core_config config = { .seed = 1, .preset = preset, .players = players };
             assert_int_equal(core_init(&core, &config), CORE_OK);
             for (uint32_t i = 0; i < POI_MAX; i++) {
-                assert_int_equal(core.bowl[i].present, i < (players ? players : 1u));
-                if (core.bowl[i].present) {
+                assert_int_equal(core.world.bowl[i].present, i < (players ? players : 1u));
+                if (core.world.bowl[i].present) {
                     const vec3 off_m =
-                        v3_sub(core.bowl[i].position_m, tank_preset(preset)->bowl_m[i]);
+                        v3_sub(core.world.bowl[i].position_m, tank_preset(preset)->bowl_m[i]);
                     assert_float_equal(v3_length(off_m), 0.0f, 0.0f);
                 }
             }
@@ -135,16 +136,16 @@ static void test_fish_start_clear_of_every_bowl(void **state)
         const struct core_config config = { .seed = 3, .preset = preset, .players = POI_MAX };
         uint32_t inside = 0;
         assert_int_equal(core_init(&core, &config), CORE_OK);
-        for (uint32_t i = 0; i < core.tank.fish_count; i++) {
-            const struct box box = fish_box(&core.tank.fish[i]);
+        for (uint32_t i = 0; i < core.world.tank.fish_count; i++) {
+            const struct box box = fish_box(&core.world.tank.fish[i]);
             for (uint32_t k = 0; k < POI_MAX; k++) {
-                const struct obstacle hull = bowl_obstacle(&core.bowl[k]);
+                const struct obstacle hull = bowl_obstacle(&core.world.bowl[k]);
                 inside += obstacle_touch(&hull, &box).gap_m < -0.005f;
             }
         }
         print_message("%s: %u fish of %u start in a hull\n", tank_preset(preset)->name, inside,
-                      core.tank.fish_count);
-        assert_true(inside * 100u < core.tank.fish_count);
+                      core.world.tank.fish_count);
+        assert_true(inside * 100u < core.world.tank.fish_count);
     }
 }
 

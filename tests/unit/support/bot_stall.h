@@ -26,7 +26,7 @@ static inline void bot_stall_open(struct bot_stall *stall, const struct core_con
     stall->bot.hand.pose = (struct poi_target){ .position_m = v3(0.0f, 0.10f, 0.0f) };
     stall->core.game.hand_pose[0] = stall->bot.hand.pose; /* The pose starts over the middle of the
                                                              tank. */
-    stall->core.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
+    stall->core.world.poi[0].position_m = v3(0.0f, 0.05f, 0.0f);
 }
 
 /* Returns the view of the core that the bot of player 0 receives. */
@@ -42,7 +42,7 @@ static inline void bot_stall_tick(struct bot_stall *stall)
     const uint8_t phase = stall->core.game.phase;
     const int idle = phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT;
     const struct vision vision = bot_stall_sight(stall);
-    stall->input.pressed = idle && stall->core.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
+    stall->input.pressed = idle && stall->core.game.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
     stall->input.poi[0] = (struct poi_input){
         .link = POI_SOURCE_LIVE,
         .has_wrist = 1,

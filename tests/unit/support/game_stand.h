@@ -49,7 +49,7 @@ static inline void step(void)
     output.sound_count = 0;
     game_tick(&core, &input, &output, targets, live);
     game_score(&core, caught, &output);
-    core.tick++;
+    core.game.tick++;
     input.pressed = 0;
     input.tickets_done = output.tickets;
     if (!store_is_late) {
@@ -138,7 +138,7 @@ static inline void play_into_result(void)
 /* Turns all paper of poi `index` into holes. */
 static inline void tear_all(uint32_t index)
 {
-    struct sheet *sheet = &core.poi[index].sheet;
+    struct sheet *sheet = &core.world.poi[index].sheet;
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
         if (sheet->state[i] == CELL_PAPER) {
             sheet->state[i] = CELL_HOLE;
@@ -155,7 +155,7 @@ static inline void expect_all_to_swim_soon(uint32_t count)
     for (uint32_t tick = 0; tick < CORE_TICK_HZ / 2u; tick++) {
         assert_int_equal(core_tick(&core, &input, &output), CORE_OK);
         for (uint32_t i = 0; i < count; i++) {
-            swam[i] |= core.tank.fish[i].gait < GAIT_HELD;
+            swam[i] |= core.world.tank.fish[i].gait < GAIT_HELD;
         }
     }
     for (uint32_t i = 0; i < count; i++) {

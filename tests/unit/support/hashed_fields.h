@@ -26,8 +26,16 @@ struct field {
 
 /* clang-format off */
 static const struct field core_fields[] = {
-    FIELD(core, tick), SKIP(core, config), SKIP(core, game),
-    SKIP(core, poi),   SKIP(core, bowl),   SKIP(core, tank),
+    SKIP(core, config), SKIP(core, game), SKIP(core, world),
+};
+
+static const struct field world_fields[] = {
+    SKIP(world, tank), SKIP(world, poi), SKIP(world, bowl),
+};
+
+static const struct field accounts_fields[] = {
+    SKIP(accounts, ledger), SKIP(accounts, credit), SKIP(accounts, audits),
+    SKIP(accounts, ranking),
 };
 
 static const struct field config_fields[] = {
@@ -88,7 +96,8 @@ static const struct field album_fish_fields[] = {
 };
 
 static const struct field game_fields[] = {
-    FIELD(game, phase),       FIELD(game, language),   FIELD(game, mode),
+    FIELD(game, tick),        FIELD(game, phase),      FIELD(game, language),
+    FIELD(game, mode),
     FIELD(game, lab_chosen),
     FIELD(game, bot_played),  FIELD(game, played),     FIELD(game, paused),
     FIELD(game, call),        FIELD(game, call_tick),  FIELD(game, phase_tick),
@@ -98,14 +107,13 @@ static const struct field game_fields[] = {
     FIELD(game, gone_tick),   FIELD(game, language_until),
     FIELD(game, turn_tick),   FIELD(game, round_s),
     FIELD(game, round_count),
-    SKIP(game, ledger),       SKIP(game, audits),
-    SKIP(game, ranking),      SKIP(game, settings_edit),      SKIP(game, name),
+    SKIP(game, accounts),     SKIP(game, settings_edit),      SKIP(game, name),
     SKIP(game, player),
     FIELD(game, holder),      FIELD(game, grip_tick),  FIELD(game, hand_pose),
     FIELD(game, live_y_m),    SKIP(game, validation),       FIELD(game, return_ticks),
     FIELD(game, was_lost),    FIELD(game, immunity_ticks), FIELD(game, outlier_ticks),
     FIELD(game, rest_ticks),
-    SKIP(game, hints),        SKIP(game, bot),         SKIP(game, credit),
+    SKIP(game, hints),        SKIP(game, bot),
     SKIP(game, health_log),
     SKIP(game, menu),         SKIP(game, album),
     SKIP(game, lab),

@@ -35,7 +35,7 @@ static inline void drop(uint32_t coins)
 /* Returns the balance of coins and credits. */
 static inline const struct balance *balance(void)
 {
-    return &core.game.ledger.balance;
+    return &core.game.accounts.ledger.balance;
 }
 
 /* Returns the number of paid and service credits. */

@@ -9,13 +9,13 @@
 /* Returns the sum of paid credits and service credits. */
 static inline uint32_t purse_credits(const struct core *core)
 {
-    return core->game.ledger.balance.paid + core->game.ledger.balance.service;
+    return core->game.accounts.ledger.balance.paid + core->game.accounts.ledger.balance.service;
 }
 
 /* Returns the value of the audit counter `id`. */
 static inline uint32_t purse_audit(const struct core *core, enum audit_id id)
 {
-    return core->game.audits.count[id];
+    return core->game.accounts.audits.count[id];
 }
 
 /* Returns the ledger entry with the id `id`. The id must be one of the newest LEDGER_RING ids. */

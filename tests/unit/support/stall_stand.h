@@ -110,7 +110,7 @@ static inline void wait_for_phase(uint8_t phase, uint32_t ticks_max)
 /* Turns all paper of poi `index` into holes. */
 static inline void tear_all(uint32_t index)
 {
-    struct sheet *sheet = &core.poi[index].sheet;
+    struct sheet *sheet = &core.world.poi[index].sheet;
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
         if (sheet->state[i] == CELL_PAPER) {
             sheet->state[i] = CELL_HOLE;

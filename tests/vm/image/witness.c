@@ -71,6 +71,7 @@ int main(int argc, char **argv)
         tell_entries(before);
         coins += sum_of_coins(&input);
     }
-    printf("end %u %u %u %u\n", reader.tick, core.game.ledger.saved_id, output.entry_id, coins);
+    printf("end %u %u %u %u\n", reader.tick, core.game.accounts.ledger.saved_id, output.entry_id,
+           coins);
     return 0;
 }

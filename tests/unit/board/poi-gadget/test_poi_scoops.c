@@ -75,14 +75,15 @@ static void test_a_simulated_poi_starts_a_round_is_believed_and_lands_fish(void 
             const struct game *game = &stall.kiosk.core.game;
             const uint8_t before = game->phase;
             const uint32_t caught = game->player[0].caught;
-            const float before_m = stall.kiosk.core.poi[0].position_m.y;
+            const float before_m = stall.kiosk.core.world.poi[0].position_m.y;
             frame();
             const int plays = game->phase == PHASE_ROUND;
             rounds += plays && before != PHASE_ROUND;
             round_frames += (uint32_t)plays;
             lost_frames += plays && controller_is_lost(&stall.kiosk.core, 0);
             landed += game->player[0].caught > caught ? game->player[0].caught - caught : 0;
-            dips += plays && before_m > -0.02f && stall.kiosk.core.poi[0].position_m.y <= -0.02f;
+            dips +=
+                plays && before_m > -0.02f && stall.kiosk.core.world.poi[0].position_m.y <= -0.02f;
         }
     }
     print_message("# %u rounds, %u frames: %u fish in %u dips; %u frames not believed\n", rounds,

@@ -109,7 +109,7 @@ static void test_a_tick_that_begins_a_second_is_refused_in_a_wrong_mode(void **s
         assert_memory_equal(&output, &output_before, sizeof output);
     }
     assert_int_equal(core_tick(&core, &input, &output), CORE_OK);
-    assert_int_equal(core.tick, CORE_TICK_HZ + 1u);
+    assert_int_equal(core.game.tick, CORE_TICK_HZ + 1u);
 }
 
 /* ---- The frame loop ------------------------------------------------------------------------- */

@@ -24,14 +24,15 @@ static void listen(void)
         const uint8_t sound = output.sounds[i].sound;
         if ((sound == SOUND_CALL || sound == SOUND_TICK) && heard_count < CALLS_MAX) {
             heard[heard_count++] =
-                (struct heard){ .tick = core.tick - 1u - core.game.round_tick, .sound = sound };
+                (struct heard){ .tick = core.game.tick - 1u - core.game.round_tick,
+                                .sound = sound };
         }
     }
 }
 
 static void run_to_result(int plays)
 {
-    while (core.game.phase != PHASE_RESULT && core.tick < 2u * ROUND_TICKS) {
+    while (core.game.phase != PHASE_RESULT && core.game.tick < 2u * ROUND_TICKS) {
         if (plays) {
             const struct vision vision = { .core = &core, .player = 0 };
             input.poi[0].target = bot_tick(&player, &vision);
@@ -67,12 +68,12 @@ static void test_it_is_the_federations_tank_paper_and_time(void **state)
     (void)state;
     look();
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(core.tank.preset, TANK_PRESET_OFFICIAL);
+    assert_int_equal(core.world.tank.preset, TANK_PRESET_OFFICIAL);
     assert_int_equal(scene.fish_count, 1000);
     assert_int_equal(scene.mode, MODE_CHAMPIONSHIP);
-    assert_int_equal(core.poi[0].sheet.grade, 5);
+    assert_int_equal(core.world.poi[0].sheet.grade, 5);
     assert_float_equal(2.0f * scene.poi[0].ring_radius_m, 0.080f, 1e-6f);
-    assert_int_equal(core.tank.oxygen.pump, 0);
+    assert_int_equal(core.world.tank.oxygen.pump, 0);
     const uint32_t lasted = output.record.end_tick - output.record.start_tick;
     assert_true(lasted <= ROUND_TICKS + GAME_CARRY_TICKS);
     assert_true(lasted >= ROUND_TICKS || scene.player[0].out);
@@ -122,7 +123,7 @@ static void test_what_was_caught_is_told_and_kept(void **state)
     assert_int_equal(record->caught, look()->caught[0]);
     assert_true(record->scoops >= record->caught / 8u);
     assert_int_equal(scene.best_today, record->caught);
-    assert_true(core.bowl[0].fish_count >= record->caught);
+    assert_true(core.world.bowl[0].fish_count >= record->caught);
 }
 
 static void test_the_same_inputs_play_the_same_championship(void **state)

@@ -53,7 +53,7 @@ static void lay_fish(float x_m, float z_m)
             .gait = GAIT_REST,
         };
     }
-    tank_stage_all(&core.tank, stages, 6);
+    tank_stage_all(&core.world.tank, stages, 6);
 }
 
 /* Six fish over the dipped poi, side by side, toward the ring's right. */
@@ -69,12 +69,12 @@ static void lay_fish_over_the_poi(float x_m, float z_m)
             .gait = GAIT_REST,
         };
     }
-    tank_stage_all(&core.tank, stages, 6);
+    tank_stage_all(&core.world.tank, stages, 6);
 }
 
 static void bring_home(void)
 {
-    const vec3 bowl_m = core.bowl[0].position_m;
+    const vec3 bowl_m = core.world.bowl[0].position_m;
     lead_tilted(v3(bowl_m.x, 0.07f, bowl_m.z), 0.0f, 0.0f);
     lead_tilted(v3(bowl_m.x, 0.09f, bowl_m.z), 0.0f, -1.2f);
     ticks(120);
@@ -109,11 +109,11 @@ static void scoop_in_the_open(void)
  * stops at the bowl: what lies in front slides on. */
 static void sweep_into_the_bowl(uint32_t wait_ticks, float end_m)
 {
-    const vec3 bowl_m = core.bowl[0].position_m;
+    const vec3 bowl_m = core.world.bowl[0].position_m;
     const float from_m = bowl_m.x - 0.40f;
     const float way_m = bowl_m.x - BOWL_RADIUS_M - POI_OUTER_RADIUS_M - from_m;
     const uint32_t count = (uint32_t)(2.0f * way_m / (1.7f * CORE_TICK_S));
-    bowl_init(&core.bowl[0], v3(bowl_m.x, 0.003f, bowl_m.z));
+    bowl_init(&core.world.bowl[0], v3(bowl_m.x, 0.003f, bowl_m.z));
     lead_tilted(v3(from_m, 0.06f, bowl_m.z), 0.0f, 0.0f);
     lead_tilted(v3(from_m, -0.035f, bowl_m.z), 0.0f, 0.0f);
     ticks(wait_ticks);
@@ -136,7 +136,7 @@ static void play(uint8_t mode)
 {
     begin(mode, 6);
     wait_for_phase(PHASE_ROUND, READY_TICKS + 10u);
-    ticks(READY_TICKS + 20u - core.tick);
+    ticks(READY_TICKS + 20u - core.game.tick);
 }
 
 static void test_fish_pressed_against_the_wall_are_a_foul_and_do_not_count(void **state)
@@ -146,7 +146,7 @@ static void test_fish_pressed_against_the_wall_are_a_foul_and_do_not_count(void 
     for (uint32_t i = 0; i < 3; i++) {
         play(MODE_CHAMPIONSHIP);
         scoop_along_the_wall(0.01f + 0.015f * (float)i);
-        const uint32_t in_bowl = core.bowl[0].fish_count;
+        const uint32_t in_bowl = core.world.bowl[0].fish_count;
         assert_true(in_bowl > 0);
         fouls += look()->player[0].fouls;
         assert_true(scene.player[0].fouls <= 1); /* One scoop is one incident. */
@@ -215,21 +215,22 @@ static void test_fish_from_open_water_count_without_a_foul(void **state)
     play(MODE_CHAMPIONSHIP);
     scoop_in_the_open();
     assert_int_equal(look()->player[0].fouls, 0);
-    assert_int_equal(scene.caught[0], core.bowl[0].fish_count);
+    assert_int_equal(scene.caught[0], core.world.bowl[0].fish_count);
     assert_true(scene.caught[0] > 0);
 }
 
 /* One fish falls into the empty bowl; so long its ring has been clear of the water. */
 static void drop_a_fish(uint8_t clear_ticks)
 {
-    core.tank.fish[0].gait = GAIT_HELD;
-    core.tank.fish[0].holder = 0;
-    core.tank.fish[0].position_m = v3_add(core.bowl[0].position_m, v3(0.0f, 0.02f, 0.0f));
-    core.poi[0].carried_fish[0] =
+    core.world.tank.fish[0].gait = GAIT_HELD;
+    core.world.tank.fish[0].holder = 0;
+    core.world.tank.fish[0].position_m =
+        v3_add(core.world.bowl[0].position_m, v3(0.0f, 0.02f, 0.0f));
+    core.world.poi[0].carried_fish[0] =
         (struct carried_fish){ .fish = 0, .state = CARRIED_FALLING, .clear_ticks = clear_ticks };
-    core.poi[0].carried_count = 1;
+    core.world.poi[0].carried_count = 1;
     ticks(40);
-    assert_int_equal(core.bowl[0].fish_count, 1);
+    assert_int_equal(core.world.bowl[0].fish_count, 1);
 }
 
 static void test_what_falls_off_a_poi_that_nobody_leads_is_no_foul(void **state)
@@ -285,7 +286,7 @@ static void test_at_a_stall_a_fish_from_the_wall_counts(void **state)
         play(MODE_FESTIVAL);
         scoop_along_the_wall(0.01f + 0.015f * (float)i);
         assert_int_equal(look()->player[0].fouls, 0);
-        assert_int_equal(scene.caught[0], core.bowl[0].fish_count);
+        assert_int_equal(scene.caught[0], core.world.bowl[0].fish_count);
         caught += scene.caught[0];
     }
     assert_true(caught > 0);

@@ -22,24 +22,25 @@ static void test_each_round_hands_out_fresh_and_different_paper(void **state)
     (void)state;
     play_into_round();
     static struct sheet first;
-    first = core.poi[0].sheet;
+    first = core.world.poi[0].sheet;
     assert_int_equal(first.paper_cells, first.paper_cells_new);
     tear_all(0);
     steps(GAME_GONE_TICKS + 1u + GAME_AGAIN_TICKS);
     press(INPUT_START);
     steps(GAME_READY_TICKS);
-    assert_int_equal(core.poi[0].sheet.paper_cells, first.paper_cells);
-    assert_memory_not_equal(core.poi[0].sheet.strength, first.strength, sizeof first.strength);
+    assert_int_equal(core.world.poi[0].sheet.paper_cells, first.paper_cells);
+    assert_memory_not_equal(core.world.poi[0].sheet.strength, first.strength,
+                            sizeof first.strength);
 }
 
 static void test_a_poi_under_water_gets_its_paper_when_it_is_clear(void **state)
 {
     (void)state;
-    core.poi[0].immersed = 1.0f;
+    core.world.poi[0].immersed = 1.0f;
     start_with_a_hand();
     steps(30);
     assert_int_equal(core.game.player[0].handed, 0);
-    core.poi[0].immersed = 0.0f;
+    core.world.poi[0].immersed = 0.0f;
     step();
     assert_int_equal(core.game.player[0].handed, 1);
 }
@@ -50,9 +51,9 @@ static void test_the_attract_bot_gets_new_paper_when_its_own_is_gone(void **stat
     steps(10);
     tear_all(0);
     steps(2u * CORE_TICK_HZ);
-    assert_int_equal(core.poi[0].sheet.paper_cells, 0);
+    assert_int_equal(core.world.poi[0].sheet.paper_cells, 0);
     steps(2);
-    assert_int_equal(core.poi[0].sheet.paper_cells, core.poi[0].sheet.paper_cells_new);
+    assert_int_equal(core.world.poi[0].sheet.paper_cells, core.world.poi[0].sheet.paper_cells_new);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }
 
@@ -60,19 +61,19 @@ static void test_the_attract_bot_pours_a_full_bowl_back(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 9; i++) {
-        core.tank.fish[i].gait = GAIT_BOWL;
+        core.world.tank.fish[i].gait = GAIT_BOWL;
     }
-    core.bowl[0].fish_count = 9;
+    core.world.bowl[0].fish_count = 9;
     steps(3u * CORE_TICK_HZ);
-    assert_int_equal(core.bowl[0].fish_count, 9);
-    core.tank.fish[9].gait = GAIT_BOWL;
-    core.bowl[0].fish_count = 10;
-    core.poi[0].carried_count = 1; /* not while it carries one more */
+    assert_int_equal(core.world.bowl[0].fish_count, 9);
+    core.world.tank.fish[9].gait = GAIT_BOWL;
+    core.world.bowl[0].fish_count = 10;
+    core.world.poi[0].carried_count = 1; /* not while it carries one more */
     steps(3u * CORE_TICK_HZ);
-    assert_int_equal(core.bowl[0].fish_count, 10);
-    core.poi[0].carried_count = 0;
+    assert_int_equal(core.world.bowl[0].fish_count, 10);
+    core.world.poi[0].carried_count = 0;
     step();
-    assert_int_equal(core.bowl[0].fish_count, 0);
+    assert_int_equal(core.world.bowl[0].fish_count, 0);
     expect_all_to_swim_soon(10);
 }
 
@@ -92,7 +93,7 @@ static void punch(struct sheet *sheet, float x_m, float z_m, float radius_m)
 static void test_paper_with_a_hole_in_the_middle_still_holds_beside_it(void **state)
 {
     (void)state;
-    struct sheet *sheet = &core.poi[0].sheet;
+    struct sheet *sheet = &core.world.poi[0].sheet;
     assert_true(paper_can_hold(sheet));
     punch(sheet, 0.0f, 0.0f, 0.012f);
     assert_true(paper_can_hold(sheet));

@@ -18,7 +18,7 @@ static const char *const left_names[] = { "nothing", "a swinging poi", "a loose 
 
 static void swing(void)
 {
-    const float turn_rad = F_TAU * (float)(core.tick % SWING_TICKS) / (float)SWING_TICKS;
+    const float turn_rad = F_TAU * (float)(core.game.tick % SWING_TICKS) / (float)SWING_TICKS;
     hold_at(ABOVE_M);
     input.poi[0].target.position_m.x = 0.15f * f_sin(turn_rad);
     input.poi[0].target.position_m.z = 0.05f * f_cos(turn_rad);
@@ -26,7 +26,7 @@ static void swing(void)
 
 static void pull_at_plug(void)
 {
-    const int is_in = core.tick / PLUG_TICKS % 2u == 0;
+    const int is_in = core.game.tick / PLUG_TICKS % 2u == 0;
     hold_at(ABOVE_M);
     input.poi[0].link = is_in ? POI_SOURCE_LIVE : POI_SOURCE_LOST;
     input.controllers.state[0] = is_in ? CONTROLLER_ACTIVE : CONTROLLER_LOST;
@@ -49,12 +49,12 @@ static uint32_t seen; /* A bit for each phase that was waited in. */
 
 static void expect_attract_by_itself(enum left_behind what, const char *where)
 {
-    const uint32_t begin = core.tick;
+    const uint32_t begin = core.game.tick;
     while (core.game.phase != PHASE_ATTRACT) {
         seen |= 1u << core.game.phase;
         leave(what);
         step();
-        if (core.tick - begin > LONGEST_TICKS) {
+        if (core.game.tick - begin > LONGEST_TICKS) {
             fail_msg("%s is left for ever with %s, in phase %u", where, left_names[what],
                      core.game.phase);
         }
@@ -161,12 +161,12 @@ static void test_a_hand_that_moves_keeps_the_menu_open_for_a_quarter_of_an_hour(
     (void)state;
     open_stall();
     press(INPUT_TEST);
-    const uint32_t begin = core.tick;
-    while (core.game.phase == PHASE_MENU && core.tick - begin <= LONGEST_TICKS) {
+    const uint32_t begin = core.game.tick;
+    while (core.game.phase == PHASE_MENU && core.game.tick - begin <= LONGEST_TICKS) {
         swing();
         step();
     }
-    assert_in_range(core.tick - begin, MENU_SWING_SPANS * MENU_IDLE_TICKS - CORE_TICK_HZ,
+    assert_in_range(core.game.tick - begin, MENU_SWING_SPANS * MENU_IDLE_TICKS - CORE_TICK_HZ,
                     MENU_SWING_SPANS * MENU_IDLE_TICKS + CORE_TICK_HZ);
 }
 

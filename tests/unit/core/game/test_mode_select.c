@@ -152,9 +152,9 @@ static void test_no_choice_lasts_longer_than_two_minutes(void **state)
     choose();
     const uint32_t begin_tick = core.game.phase_tick;
     while (core.game.phase == PHASE_MODE_SELECT &&
-           core.tick - begin_tick <= GAME_MODE_SELECT_TICKS_MAX) {
-        lead(0, v3(LEFT_M, STAND_ABOVE_M, core.tick % 2u ? 0.0f : 0.1f));
-        press(core.tick % 3u ? 0 : INPUT_RIGHT);
+           core.game.tick - begin_tick <= GAME_MODE_SELECT_TICKS_MAX) {
+        lead(0, v3(LEFT_M, STAND_ABOVE_M, core.game.tick % 2u ? 0.0f : 0.1f));
+        press(core.game.tick % 3u ? 0 : INPUT_RIGHT);
         assert_true(look()->seconds_left <= 15.0f);
     }
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -177,9 +177,9 @@ static void test_in_a_tank_that_opens_nobodys_poi_is_still_led_back(void **state
     assert_true(core.game.return_ticks[0] > 0);
     assert_int_equal(core.game.mode, MODE_CHAMPIONSHIP); /* It points there. */
     press(INPUT_START);
-    assert_int_equal(core.tank.preset, TANK_PRESET_OFFICIAL);
+    assert_int_equal(core.world.tank.preset, TANK_PRESET_OFFICIAL);
     assert_int_equal(core.game.return_ticks[0], 0);
-    assert_int_equal(core.poi[0].damage_immune, 0);
+    assert_int_equal(core.world.poi[0].damage_immune, 0);
 }
 
 static void test_a_poi_stays_above_the_water_while_somebody_chooses(void **state)
@@ -189,8 +189,8 @@ static void test_a_poi_stays_above_the_water_while_somebody_chooses(void **state
     hold(0, v3(RIGHT_M, STAND_BELOW_M, 0.0f)); /* It appears below: no dip. */
     ticks(300);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
-    assert_true(core.poi[0].position_m.y > 0.0f);
-    assert_int_equal(core.poi[0].dips, 0);
+    assert_true(core.world.poi[0].position_m.y > 0.0f);
+    assert_int_equal(core.world.poi[0].dips, 0);
 }
 
 static void test_the_championship_has_a_tank_of_its_own_and_attract_has_the_stalls(void **state)
@@ -198,29 +198,29 @@ static void test_the_championship_has_a_tank_of_its_own_and_attract_has_the_stal
     (void)state;
     take(MODE_CHAMPIONSHIP);
     const struct tank_preset *official = tank_preset(TANK_PRESET_OFFICIAL);
-    assert_int_equal(core.tank.preset, TANK_PRESET_OFFICIAL);
-    assert_int_equal(core.tank.fish_count, official->fish_count);
+    assert_int_equal(core.world.tank.preset, TANK_PRESET_OFFICIAL);
+    assert_int_equal(core.world.tank.fish_count, official->fish_count);
     assert_memory_equal(&look()->tank_size_m, &official->size_m, sizeof(vec3));
-    assert_float_equal(core.bowl[0].position_m.x, official->bowl_m[0].x, 0.02f);
+    assert_float_equal(core.world.bowl[0].position_m.x, official->bowl_m[0].x, 0.02f);
     assert_int_equal(scene.grade, 5);
     assert_float_equal(scene.seconds_left, 5.0f, 0.02f);
     core.game.phase = PHASE_RESULT; /* As if it had been played. */
-    core.game.phase_tick = core.tick;
+    core.game.phase_tick = core.game.tick;
     ticks(GAME_RESULT_TICKS + 1u);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    assert_int_equal(core.tank.preset, TANK_PRESET_FESTIVAL);
-    assert_int_equal(core.tank.fish_count, 12);
+    assert_int_equal(core.world.tank.preset, TANK_PRESET_FESTIVAL);
+    assert_int_equal(core.world.tank.fish_count, 12);
 }
 
 static void test_each_championship_draws_its_tank_anew(void **state)
 {
     (void)state;
     take(MODE_CHAMPIONSHIP);
-    const uint32_t first = core.tank.seed;
+    const uint32_t first = core.world.tank.seed;
     offer_all(state);
     core.game.round_count = 1;
     take(MODE_CHAMPIONSHIP);
-    assert_int_not_equal(core.tank.seed, first);
+    assert_int_not_equal(core.world.tank.seed, first);
 }
 
 /* Fish count ticks since their last thought in a byte: those of a tank that opens late have not
@@ -228,14 +228,14 @@ static void test_each_championship_draws_its_tank_anew(void **state)
 static void test_fish_of_a_tank_that_opens_late_have_just_thought(void **state)
 {
     (void)state;
-    ticks(200u - core.tick % 256u);
+    ticks(200u - core.game.tick % 256u);
     press(INPUT_START);
     ticks(GAME_MODE_SELECT_TICKS_MIN);
     press(INPUT_RIGHT);
     press(INPUT_START);
-    assert_int_equal(core.tank.preset, TANK_PRESET_OFFICIAL);
-    for (uint32_t i = 0; i < core.tank.fish_count; i++) {
-        assert_in_range((uint8_t)(core.tick - core.tank.fish[i].thought_tick), 0, 2);
+    assert_int_equal(core.world.tank.preset, TANK_PRESET_OFFICIAL);
+    for (uint32_t i = 0; i < core.world.tank.fish_count; i++) {
+        assert_in_range((uint8_t)(core.game.tick - core.world.tank.fish[i].thought_tick), 0, 2);
     }
 }
 
@@ -249,8 +249,8 @@ static void test_festival_and_practice_are_played_in_the_stalls_own_tank(void **
     for (size_t i = 0; i < sizeof modes; i++) {
         open_stall(&config);
         take(modes[i]);
-        assert_int_equal(core.tank.preset, TANK_PRESET_THESIS);
-        assert_int_equal(core.tank.fish_count, 12);
+        assert_int_equal(core.world.tank.preset, TANK_PRESET_THESIS);
+        assert_int_equal(core.world.tank.fish_count, 12);
     }
 }
 
@@ -263,7 +263,7 @@ static void test_the_paper_is_the_stalls_but_for_the_championships(void **state)
         open_stall(&config);
         take(mode);
         ticks(10);
-        assert_int_equal(core.poi[0].sheet.grade, grades[mode]);
+        assert_int_equal(core.world.poi[0].sheet.grade, grades[mode]);
         assert_int_equal(look()->grade, grades[mode]);
     }
 }
@@ -279,7 +279,7 @@ static void test_a_championship_that_is_offered_alone_takes_the_paper_that_is_na
                                             .grade = named[i] };
         assert_int_equal(table_setup_grade(&config, MODE_CHAMPIONSHIP), played[i]);
         open_stall(&config);
-        assert_int_equal(core.poi[0].sheet.grade, played[i]);
+        assert_int_equal(core.world.poi[0].sheet.grade, played[i]);
     }
 }
 
@@ -300,7 +300,7 @@ static void test_start_in_the_result_asks_again(void **state)
     (void)state;
     take(MODE_PRACTICE);
     core.game.phase = PHASE_RESULT;
-    core.game.phase_tick = core.tick;
+    core.game.phase_tick = core.game.tick;
     ticks(GAME_AGAIN_TICKS);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);

@@ -81,23 +81,24 @@ static void test_who_waits_is_led_out_of_the_water_as_who_is_waited_for(void **s
     (void)state;
     lead(MINE, v3(mine_m.x, STAND_BELOW_M, mine_m.z));
     ticks(CORE_TICK_HZ / 2u);
-    assert_true(core.poi[MINE].immersed > 0.9f);
+    assert_true(core.world.poi[MINE].immersed > 0.9f);
     lose(OTHER);
     float fastest_m_s = 0.0f;
     for (uint32_t i = 0; i < 4u * CORE_TICK_HZ; i++) {
         tick();
-        fastest_m_s = f_max(fastest_m_s, v3_length(core.poi[MINE].velocity_m_s));
+        fastest_m_s = f_max(fastest_m_s, v3_length(core.world.poi[MINE].velocity_m_s));
     }
-    assert_true(core.poi[MINE].immersed <= 0.0f);
+    assert_true(core.world.poi[MINE].immersed <= 0.0f);
     assert_true(fastest_m_s < 0.25f);
-    assert_int_equal(core.poi[MINE].sheet.paper_cells, core.poi[MINE].sheet.paper_cells_new);
+    assert_int_equal(core.world.poi[MINE].sheet.paper_cells,
+                     core.world.poi[MINE].sheet.paper_cells_new);
     lead(MINE, v3(0.0f, STAND_BELOW_M, 0.0f)); /* It does not follow. */
     ticks(CORE_TICK_HZ);
-    assert_true(core.poi[MINE].immersed <= 0.0f);
+    assert_true(core.world.poi[MINE].immersed <= 0.0f);
     return_hand(OTHER);
     ticks(3u * CORE_TICK_HZ); /* Now it does. */
-    assert_true(core.poi[MINE].immersed > 0.9f);
-    assert_float_equal(core.poi[MINE].position_m.x, 0.0f, 0.01f);
+    assert_true(core.world.poi[MINE].immersed > 0.9f);
+    assert_float_equal(core.world.poi[MINE].position_m.x, 0.0f, 0.01f);
 }
 
 static void test_after_ten_seconds_the_others_go_on_without_it(void **state)
@@ -117,7 +118,7 @@ static void test_after_ten_seconds_the_others_go_on_without_it(void **state)
     assert_float_equal(scene.seconds_left, before_s - 1.0f, 0.02f);
     lead(OTHER, v3(other_m.x, STAND_BELOW_M, other_m.z));
     ticks(2u * CORE_TICK_HZ);
-    assert_true(core.poi[OTHER].immersed <= 0.0f); /* Who is out scoops no more. */
+    assert_true(core.world.poi[OTHER].immersed <= 0.0f); /* Who is out scoops no more. */
     assert_int_equal(core.game.phase, PHASE_ROUND);
 }
 
@@ -180,7 +181,7 @@ static void test_each_round_has_patience_of_its_own(void **state)
 static void test_waiting_is_no_play_in_the_books(void **state)
 {
     (void)state;
-    const uint32_t *books = core.game.audits.count;
+    const uint32_t *books = core.game.accounts.audits.count;
     ticks(CORE_TICK_HZ / 2u);
     lose(OTHER);
     ticks(9u * CORE_TICK_HZ);
@@ -218,14 +219,15 @@ static void test_who_is_out_and_puts_the_poi_away_is_not_waited_for(void **state
 static void test_after_time_was_called_nobody_is_waited_for(void **state)
 {
     (void)state;
-    while (game_seconds_left(&core.game, core.tick + 1u) > 0.0f) {
+    while (game_seconds_left(&core.game, core.game.tick + 1u) > 0.0f) {
         tick();
     }
-    core.poi[MINE].carried_count = 1; /* As if a fish lay there: the round waits for it, ... */
-    core.poi[MINE].carried_fish[0].fish = 0;
-    core.tank.fish[0].gait = GAIT_HELD;
+    core.world.poi[MINE].carried_count =
+        1; /* As if a fish lay there: the round waits for it, ... */
+    core.world.poi[MINE].carried_fish[0].fish = 0;
+    core.world.tank.fish[0].gait = GAIT_HELD;
     ticks(1);
-    assert_true(game_seconds_left(&core.game, core.tick) == 0.0f);
+    assert_true(game_seconds_left(&core.game, core.game.tick) == 0.0f);
     lose(MINE); /* ... but not for the hand. */
     uint32_t passed = 0;
     for (; core.game.phase == PHASE_ROUND; passed++) {
@@ -280,7 +282,7 @@ static void test_a_hand_that_leaps_or_talks_nonsense_is_waited_for_and_costs_no_
 {
     (void)state;
     const float nan = 0.0f / 0.0f;
-    const uint32_t whole = core.poi[MINE].sheet.paper_cells_new;
+    const uint32_t whole = core.world.poi[MINE].sheet.paper_cells_new;
     lead(MINE, v3(mine_m.x, STAND_BELOW_M, mine_m.z));
     ticks(60);
     const vec3 wild_m[] = { { 1.3f, -0.05f, 0.0f }, { nan, nan, nan } };
@@ -292,7 +294,7 @@ static void test_a_hand_that_leaps_or_talks_nonsense_is_waited_for_and_costs_no_
         input.poi[MINE].target.position_m = good_m;
         ticks(5u * CORE_TICK_HZ);
         assert_false(look()->paused);
-        assert_int_equal(core.poi[MINE].sheet.paper_cells, whole);
+        assert_int_equal(core.world.poi[MINE].sheet.paper_cells, whole);
     }
 }
 

@@ -104,23 +104,23 @@ static void test_a_fish_on_the_paper_at_the_call_gets_three_seconds_to_the_bowl(
 {
     (void)state;
     play_into_round();
-    core.poi[0].carried_count = 1;
+    core.world.poi[0].carried_count = 1;
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     steps(GAME_CARRY_TICKS - 1);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     step();
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(core.poi[0].carried_count, 0);
+    assert_int_equal(core.world.poi[0].carried_count, 0);
 }
 
 static void test_the_round_ends_as_soon_as_the_last_fish_is_home(void **state)
 {
     (void)state;
     play_into_round();
-    core.poi[0].carried_count = 1;
+    core.world.poi[0].carried_count = 1;
     steps(ROUND_S * CORE_TICK_HZ + 10);
-    core.poi[0].carried_count = 0;
+    core.world.poi[0].carried_count = 0;
     step();
     assert_int_equal(core.game.phase, PHASE_RESULT);
 }
@@ -132,7 +132,7 @@ static void test_nothing_can_be_dipped_after_the_call(void **state)
     uint8_t live[POI_MAX];
     play_into_round();
     hold_at(BELOW_M);
-    core.poi[0].carried_count = 1;
+    core.world.poi[0].carried_count = 1;
     steps(ROUND_S * CORE_TICK_HZ + 2);
     game_tick(&core, &input, &output, targets, live);
     assert_true(live[0]);
@@ -175,13 +175,13 @@ static void test_a_dip_in_the_result_counts_from_two_and_a_half_seconds(void **s
 static void test_seconds_left_count_down_through_ready_and_round(void **state)
 {
     (void)state;
-    assert_float_equal(game_seconds_left(&core.game, core.tick), 0.0f, 0.0f);
+    assert_float_equal(game_seconds_left(&core.game, core.game.tick), 0.0f, 0.0f);
     start_with_a_hand();
-    assert_float_equal(game_seconds_left(&core.game, core.tick), 3.0f, 0.01f);
+    assert_float_equal(game_seconds_left(&core.game, core.game.tick), 3.0f, 0.01f);
     steps(GAME_READY_TICKS);
-    assert_float_equal(game_seconds_left(&core.game, core.tick), (float)ROUND_S, 0.01f);
+    assert_float_equal(game_seconds_left(&core.game, core.game.tick), (float)ROUND_S, 0.01f);
     steps(ROUND_S * CORE_TICK_HZ - 1u);
-    assert_float_equal(game_seconds_left(&core.game, core.tick), 0.0f, 0.01f);
+    assert_float_equal(game_seconds_left(&core.game, core.game.tick), 0.0f, 0.01f);
 }
 
 static void test_each_of_the_last_five_seconds_ticks_once(void **state)
@@ -203,8 +203,8 @@ static void test_in_attract_the_bot_has_the_poi_whatever_is_linked(void **state)
     (void)state;
     hold_at(ABOVE_M);
     steps(5);
-    assert_int_equal(core.poi[0].link, POI_SOURCE_BOT);
-    assert_int_equal(core.poi[1].link, POI_SOURCE_ABSENT);
+    assert_int_equal(core.world.poi[0].link, POI_SOURCE_BOT);
+    assert_int_equal(core.world.poi[1].link, POI_SOURCE_ABSENT);
 }
 
 /* Who lost it has gone; whoever comes next is not led back to where that hand was. */
@@ -216,7 +216,7 @@ static void test_what_the_bot_takes_over_is_on_its_way_back_to_nobody(void **sta
     steps(60);
     assert_true(core.game.return_ticks[0] > 0);
     core.game.phase = PHASE_RESULT;
-    core.game.phase_tick = core.tick;
+    core.game.phase_tick = core.game.tick;
     steps(GAME_RESULT_TICKS + 2u);
     assert_int_equal(core.game.holder[0], POI_SOURCE_BOT);
     assert_int_equal(core.game.return_ticks[0], 0);

@@ -33,11 +33,11 @@ static void play(uint8_t players, uint32_t hands)
 /* A fish falls into a player's bowl, as if from its poi. */
 static void drop_into_bowl(uint32_t player, uint32_t which)
 {
-    struct fish *fish = &core.tank.fish[which];
-    struct poi *poi = &core.poi[player];
+    struct fish *fish = &core.world.tank.fish[which];
+    struct poi *poi = &core.world.poi[player];
     fish->gait = GAIT_HELD;
     fish->holder = (uint8_t)player;
-    fish->position_m = v3_add(core.bowl[player].position_m, v3(0.0f, 0.03f, 0.0f));
+    fish->position_m = v3_add(core.world.bowl[player].position_m, v3(0.0f, 0.03f, 0.0f));
     poi->carried_fish[poi->carried_count++] = (struct carried_fish){
         .fish = (uint16_t)which,
         .state = CARRIED_FALLING,
@@ -65,15 +65,15 @@ static void test_each_has_paper_of_its_own(void **state)
     (void)state;
     play(4, 0xfu);
     for (uint32_t i = 1; i < POI_MAX; i++) {
-        assert_memory_not_equal(core.poi[i].sheet.strength, core.poi[0].sheet.strength,
-                                sizeof core.poi[0].sheet.strength);
+        assert_memory_not_equal(core.world.poi[i].sheet.strength, core.world.poi[0].sheet.strength,
+                                sizeof core.world.poi[0].sheet.strength);
     }
     lead(2, v3(places_m[2].x, STAND_BELOW_M, places_m[2].z));
     ticks(120);
-    assert_true(core.poi[2].sheet.touched);
-    assert_false(core.poi[0].sheet.touched);
-    assert_int_equal(core.poi[2].dips, 1);
-    assert_int_equal(core.poi[3].dips, 0);
+    assert_true(core.world.poi[2].sheet.touched);
+    assert_false(core.world.poi[0].sheet.touched);
+    assert_int_equal(core.world.poi[2].dips, 1);
+    assert_int_equal(core.world.poi[3].dips, 0);
 }
 
 static void test_each_has_a_count_of_its_own(void **state)
@@ -120,15 +120,15 @@ static void test_who_is_out_does_not_dip(void **state)
     lead(0, v3(places_m[0].x, STAND_BELOW_M, places_m[0].z));
     lead(1, v3(places_m[1].x, STAND_BELOW_M, places_m[1].z));
     ticks(120);
-    assert_true(core.poi[0].immersed <= 0.0f);
-    assert_true(core.poi[1].immersed > 0.9f);
+    assert_true(core.world.poi[0].immersed <= 0.0f);
+    assert_true(core.world.poi[1].immersed > 0.9f);
 }
 
 static void test_a_torn_poi_may_be_used_while_it_can_hold_a_fish(void **state)
 {
     (void)state;
     play(1, 0x1u);
-    struct sheet *sheet = &core.poi[0].sheet;
+    struct sheet *sheet = &core.world.poi[0].sheet;
     for (uint32_t i = 0; i < 10u * SHEET_SIDE; i++) { /* Its far third. */
         if (sheet->state[i] == CELL_PAPER) {
             sheet->state[i] = CELL_HOLE;
@@ -154,7 +154,7 @@ static void test_the_record_names_who_played_and_what_each_did(void **state)
     drop_into_bowl(2, 2);
     tear_all(0);
     tick();
-    const uint32_t torn_tick = core.tick - 1u;
+    const uint32_t torn_tick = core.game.tick - 1u;
     tear_all(2);
     wait_for_phase(PHASE_RESULT, GAME_GONE_TICKS + 2u);
     const struct round_record *record = &output.record;
@@ -182,7 +182,7 @@ static void test_the_best_is_one_persons_not_all_together(void **state)
     drop_into_bowl(1, 2);
     wait_for_phase(PHASE_RESULT, (ROUND_S + 4u) * CORE_TICK_HZ);
     assert_int_equal(output.record.caught, 3);
-    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
+    assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
 }
 
 static void test_in_attract_only_the_stalls_own_bot_is_there(void **state)
@@ -233,15 +233,15 @@ static void test_at_a_stall_a_fish_counts_for_the_bowl_that_it_lies_in(void **st
 {
     (void)state;
     play(2, 0x3u);
-    struct fish *fish = &core.tank.fish[0];
-    struct poi *poi = &core.poi[0];
+    struct fish *fish = &core.world.tank.fish[0];
+    struct poi *poi = &core.world.poi[0];
     fish->gait = GAIT_HELD;
     fish->holder = 0;
-    fish->position_m = v3_add(core.bowl[1].position_m, v3(0.0f, 0.03f, 0.0f));
+    fish->position_m = v3_add(core.world.bowl[1].position_m, v3(0.0f, 0.03f, 0.0f));
     poi->carried_fish[poi->carried_count++] =
         (struct carried_fish){ .fish = 0, .state = CARRIED_FALLING };
     ticks(30);
-    assert_int_equal(core.bowl[1].fish_count, 1);
+    assert_int_equal(core.world.bowl[1].fish_count, 1);
     assert_int_equal(look()->caught[1], 1);
     assert_int_equal(scene.caught[0], 0);
 }
@@ -252,16 +252,16 @@ static void test_a_scoop_counts_where_a_hand_leads_it(void **state)
     play(1, 0x1u);
     lead(0, v3(0.0f, STAND_BELOW_M, 0.0f));
     ticks(60);
-    assert_int_equal(core.poi[0].dips, 1);
+    assert_int_equal(core.world.poi[0].dips, 1);
     for (uint32_t i = 0; i < 3; i++) { /* It drifts out and is led back, three times. */
         input.poi[0].link = POI_SOURCE_LOST;
         ticks(4u * CORE_TICK_HZ);
-        assert_true(core.poi[0].immersed <= 0.0f);
+        assert_true(core.world.poi[0].immersed <= 0.0f);
         input.poi[0].link = POI_SOURCE_LIVE;
         ticks(4u * CORE_TICK_HZ);
-        assert_true(core.poi[0].immersed > 0.5f);
+        assert_true(core.world.poi[0].immersed > 0.5f);
     }
-    assert_int_equal(core.poi[0].dips, 1);
+    assert_int_equal(core.world.poi[0].dips, 1);
 }
 
 int main(void)

@@ -38,20 +38,21 @@ static void test_a_torn_poi_is_changed_for_a_whole_and_other_one(void **state)
 {
     (void)state;
     static struct sheet first, second;
-    first = core.poi[0].sheet;
+    first = core.world.poi[0].sheet;
     tear_all(0);
     ticks(CORE_TICK_HZ);
-    assert_int_equal(core.poi[0].sheet.paper_cells, 0); /* The hole is seen for a second. */
+    assert_int_equal(core.world.poi[0].sheet.paper_cells, 0); /* The hole is seen for a second. */
     ticks(2);
-    second = core.poi[0].sheet;
+    second = core.world.poi[0].sheet;
     assert_int_equal(second.paper_cells, second.paper_cells_new);
     assert_memory_not_equal(second.strength, first.strength, sizeof first.strength);
     assert_false(look()->player[0].out);
     tear_all(0);
     ticks(CORE_TICK_HZ + 2u);
     assert_int_equal(sounds[SOUND_GONE], 2);
-    assert_memory_not_equal(core.poi[0].sheet.strength, second.strength, sizeof first.strength);
-    assert_int_equal(core.poi[0].sheet.grade, 6);
+    assert_memory_not_equal(core.world.poi[0].sheet.strength, second.strength,
+                            sizeof first.strength);
+    assert_int_equal(core.world.poi[0].sheet.grade, 6);
 }
 
 static void test_it_is_changed_when_it_is_clear_of_the_water(void **state)
@@ -61,10 +62,10 @@ static void test_it_is_changed_when_it_is_clear_of_the_water(void **state)
     ticks(120);
     tear_all(0);
     ticks(2u * CORE_TICK_HZ);
-    assert_int_equal(core.poi[0].sheet.paper_cells, 0);
+    assert_int_equal(core.world.poi[0].sheet.paper_cells, 0);
     lead(0, there_m);
     ticks(120);
-    assert_int_equal(core.poi[0].sheet.paper_cells, core.poi[0].sheet.paper_cells_new);
+    assert_int_equal(core.world.poi[0].sheet.paper_cells, core.world.poi[0].sheet.paper_cells_new);
     assert_int_equal(game_record(&core).player[0].scoops, 1); /* That of the torn one counts. */
 }
 
@@ -85,7 +86,7 @@ static void test_nothing_is_kept_of_it(void **state)
     core.game.player[0].caught = 50;
     wait_for_phase(PHASE_RESULT, (ROUND_S + 4u) * CORE_TICK_HZ);
     assert_int_equal(output.record.id, 0);
-    assert_int_equal(core.game.ranking.row[MODE_PRACTICE][RANK_DAY][0].caught, 0);
+    assert_int_equal(core.game.accounts.ranking.row[MODE_PRACTICE][RANK_DAY][0].caught, 0);
     assert_int_equal(game_record(&core).caught, 50); /* Who asks can know. */
 }
 
@@ -129,10 +130,11 @@ static void test_who_pours_is_told_to_clear_the_rim(void **state)
 {
     (void)state;
     struct carried_fish washed = { .fish = 1, .state = CARRIED_FALLING };
-    core.tank.fish[1].gait = GAIT_HELD;
-    core.tank.fish[1].holder = 0;
-    core.tank.fish[1].position_m = v3_add(core.bowl[0].position_m, v3(0.0f, 0.02f, 0.0f));
-    core.poi[0].carried_fish[core.poi[0].carried_count++] = washed;
+    core.world.tank.fish[1].gait = GAIT_HELD;
+    core.world.tank.fish[1].holder = 0;
+    core.world.tank.fish[1].position_m =
+        v3_add(core.world.bowl[0].position_m, v3(0.0f, 0.02f, 0.0f));
+    core.world.poi[0].carried_fish[core.world.poi[0].carried_count++] = washed;
     ticks(240);
     assert_int_equal(look()->hint, HINT_CLEAR_RIM);
     assert_int_equal(scene.player[0].fouls, 0); /* A word, not a whistle; and it counts. */

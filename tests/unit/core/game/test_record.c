@@ -35,7 +35,7 @@ static void test_a_round_leaves_a_record_with_the_id_of_its_entry(void **state)
     assert_int_equal(output.record.seed, 7);
     assert_int_equal(output.record.caught, 4);
     assert_int_equal(output.record.by_bot, 0);
-    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
+    assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
     steps(GAME_AGAIN_TICKS);
     press(INPUT_START);
     steps(GAME_READY_TICKS + ROUND_S * CORE_TICK_HZ);
@@ -44,7 +44,7 @@ static void test_a_round_leaves_a_record_with_the_id_of_its_entry(void **state)
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 2);
     assert_int_equal(output.record.caught, 0);
     /* A worse round takes nothing away. */
-    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
+    assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
 }
 
 static void test_record_ids_go_on_from_what_the_store_has(void **state)
@@ -71,7 +71,7 @@ static void test_a_bots_round_is_marked_and_is_no_best(void **state)
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(output.record.by_bot, 1);
     assert_int_equal(output.record.caught, 9);
-    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
+    assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
 }
 
 static void test_the_best_of_the_day_is_a_round_that_beats_it(void **state)
@@ -80,34 +80,34 @@ static void test_the_best_of_the_day_is_a_round_that_beats_it(void **state)
     play_into_round();
     land(2);
     steps(ROUND_S * CORE_TICK_HZ);
-    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
+    assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
 }
 
 static void test_a_start_pours_the_bowl_back_and_frees_the_fish_on_the_paper(void **state)
 {
     (void)state;
-    core.tank.fish[0].gait = GAIT_BOWL;
-    core.bowl[0].fish_count = 1;
-    core.tank.fish[1].gait = GAIT_HELD;
-    core.tank.fish[1].holder = 0;
-    core.tank.fish[1].position_m = core.poi[0].position_m;
-    core.poi[0].carried_fish[0].fish = 1;
-    core.poi[0].carried_count = 1;
+    core.world.tank.fish[0].gait = GAIT_BOWL;
+    core.world.bowl[0].fish_count = 1;
+    core.world.tank.fish[1].gait = GAIT_HELD;
+    core.world.tank.fish[1].holder = 0;
+    core.world.tank.fish[1].position_m = core.world.poi[0].position_m;
+    core.world.poi[0].carried_fish[0].fish = 1;
+    core.world.poi[0].carried_count = 1;
     hold_at(ABOVE_M);
     input.pressed = INPUT_START;
     core_tick(&core, &input, &output);
     input.pressed = 0;
-    float last_m = core.tank.fish[1].position_m.y;
+    float last_m = core.world.tank.fish[1].position_m.y;
     assert_true(last_m > 0.03f);
     for (uint32_t i = 0; i < 60; i++) { /* It falls; it is not under water at once. */
         core_tick(&core, &input, &output);
-        assert_true(f_abs(core.tank.fish[1].position_m.y - last_m) < 0.015f);
-        last_m = core.tank.fish[1].position_m.y;
+        assert_true(f_abs(core.world.tank.fish[1].position_m.y - last_m) < 0.015f);
+        last_m = core.world.tank.fish[1].position_m.y;
     }
-    assert_int_equal(core.bowl[0].fish_count, 0);
-    assert_true(core.tank.fish[0].gait < GAIT_HELD);
-    assert_true(core.tank.fish[1].gait < GAIT_HELD);
-    assert_true(core.tank.fish[1].position_m.y < 0.0f);
+    assert_int_equal(core.world.bowl[0].fish_count, 0);
+    assert_true(core.world.tank.fish[0].gait < GAIT_HELD);
+    assert_true(core.world.tank.fish[1].gait < GAIT_HELD);
+    assert_true(core.world.tank.fish[1].position_m.y < 0.0f);
 }
 
 static void test_a_fish_that_falls_into_the_bowl_before_the_round_is_poured_back(void **state)
@@ -115,20 +115,20 @@ static void test_a_fish_that_falls_into_the_bowl_before_the_round_is_poured_back
     (void)state;
     start_with_a_hand();
     steps(100);
-    core.tank.fish[3].gait = GAIT_BOWL;
-    core.bowl[0].fish_count = 1;
+    core.world.tank.fish[3].gait = GAIT_BOWL;
+    core.world.bowl[0].fish_count = 1;
     steps(GAME_READY_TICKS - 100u);
     assert_int_equal(core.game.phase, PHASE_ROUND);
-    assert_int_equal(core.bowl[0].fish_count, 0);
+    assert_int_equal(core.world.bowl[0].fish_count, 0);
     expect_all_to_swim_soon(4);
 }
 
 static void hold_a_fish(uint32_t fish, float y_m)
 {
-    core.tank.fish[fish].gait = GAIT_HELD;
-    core.tank.fish[fish].holder = 0;
-    core.tank.fish[fish].position_m = v3(0.0f, y_m, 0.0f);
-    core.tank.fish[fish].velocity_m_s = v3(0.0f, 0.0f, 0.0f);
+    core.world.tank.fish[fish].gait = GAIT_HELD;
+    core.world.tank.fish[fish].holder = 0;
+    core.world.tank.fish[fish].position_m = v3(0.0f, y_m, 0.0f);
+    core.world.tank.fish[fish].velocity_m_s = v3(0.0f, 0.0f, 0.0f);
 }
 
 static void test_a_fish_on_a_poi_whose_controller_is_taken_away_falls_into_the_water(void **state)
@@ -136,19 +136,19 @@ static void test_a_fish_on_a_poi_whose_controller_is_taken_away_falls_into_the_w
     (void)state;
     play_into_round();
     hold_a_fish(1, 0.05f);
-    core.poi[0].carried_fish[0] = (struct carried_fish){ .fish = 1 };
-    core.poi[0].carried_count = 1;
+    core.world.poi[0].carried_fish[0] = (struct carried_fish){ .fish = 1 };
+    core.world.poi[0].carried_count = 1;
     hold_a_fish(2, 0.05f); /* held, and nobody's rider */
     input.poi[0].link = POI_SOURCE_ABSENT;
     core_tick(&core, &input, &output);
-    assert_true(core.tank.fish[1].position_m.y > 0.045f);
+    assert_true(core.world.tank.fish[1].position_m.y > 0.045f);
     for (uint32_t i = 0; i < 30; i++) {
         core_tick(&core, &input, &output);
     }
-    assert_int_equal(core.poi[0].carried_count, 0);
-    assert_true(core.tank.fish[1].gait < GAIT_HELD);
-    assert_true(core.tank.fish[2].gait < GAIT_HELD);
-    assert_true(core.tank.fish[1].position_m.y < 0.0f);
+    assert_int_equal(core.world.poi[0].carried_count, 0);
+    assert_true(core.world.tank.fish[1].gait < GAIT_HELD);
+    assert_true(core.world.tank.fish[2].gait < GAIT_HELD);
+    assert_true(core.world.tank.fish[1].position_m.y < 0.0f);
 }
 
 static void test_a_round_that_nobody_played_ends_without_a_record(void **state)
@@ -157,10 +157,10 @@ static void test_a_round_that_nobody_played_ends_without_a_record(void **state)
     press(INPUT_START); /* no controller at all */
     steps(GAME_READY_TICKS);
     assert_int_equal(core.game.phase, PHASE_ROUND);
-    const float before_s = game_seconds_left(&core.game, core.tick);
+    const float before_s = game_seconds_left(&core.game, core.game.tick);
     steps(GAME_LOST_TICKS_MAX - 2u);
     assert_int_equal(core.game.phase, PHASE_ROUND);
-    assert_float_equal(game_seconds_left(&core.game, core.tick), before_s, 0.001f);
+    assert_float_equal(game_seconds_left(&core.game, core.game.tick), before_s, 0.001f);
     steps(4);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(output.record.id, 0);
@@ -184,12 +184,12 @@ static void test_the_bots_first_luck_differs_between_seeds(void **state)
 {
     (void)state;
     const struct core_config config = { .seed = 8, .fish_count = 12 };
-    const uint32_t first = core.poi[0].seed;
-    const uint32_t beside = core.poi[1].seed;
+    const uint32_t first = core.world.poi[0].seed;
+    const uint32_t beside = core.world.poi[1].seed;
     assert_int_equal(core_init(&core, &config), CORE_OK);
-    assert_true((core.poi[0].seed ^ 8u) != (first ^ 7u));
-    assert_true(core.poi[0].seed != beside);
-    assert_int_equal(core.poi[0].seed, game_poi_seed(8, 0, 0, GAME_SERIES_ROUND));
+    assert_true((core.world.poi[0].seed ^ 8u) != (first ^ 7u));
+    assert_true(core.world.poi[0].seed != beside);
+    assert_int_equal(core.world.poi[0].seed, game_poi_seed(8, 0, 0, GAME_SERIES_ROUND));
     assert_true(game_poi_seed(8, 0, 0, GAME_SERIES_ROUND) !=
                 game_poi_seed(8, 0, 0, GAME_SERIES_ATTRACT));
 }

@@ -45,7 +45,7 @@ static void test_ten_minutes_of_attract_are_a_chapter(void **state)
     begin(&config);
     assert_true(core_is_fresh(&core));
     assert_int_equal(run_to_chapter(&input, UINT32_MAX), SESSION_TICKS_MAX + SESSION_FADE_TICKS);
-    assert_int_equal(core.tick, SESSION_TICKS_MAX + SESSION_FADE_TICKS);
+    assert_int_equal(core.game.tick, SESSION_TICKS_MAX + SESSION_FADE_TICKS);
     assert_true(core.config.seed != 3);
     const uint32_t second = core.config.seed;
     assert_int_equal(run_to_chapter(&input, UINT32_MAX), SESSION_TICKS_MAX + SESSION_FADE_TICKS);
@@ -113,7 +113,7 @@ static void test_a_language_that_was_just_chosen_outlives_the_chapter(void **sta
     const struct core_config config = { .seed = 3, .fish_count = 12 };
     struct input input = { .poi[0].link = POI_SOURCE_BOT };
     begin(&config);
-    while (core.tick < SESSION_TICKS_MAX) {
+    while (core.game.tick < SESSION_TICKS_MAX) {
         tick(&core, &input, &output);
     }
     input.pressed = INPUT_LANGUAGE;
@@ -122,7 +122,7 @@ static void test_a_language_that_was_just_chosen_outlives_the_chapter(void **sta
     const uint32_t until = core.game.language_until;
     assert_in_range(run_to_chapter(&input, SESSION_TICKS_MAX), 1, SESSION_FADE_TICKS);
     assert_int_equal(core.game.language, LANGUAGE_EN);
-    while (core.tick < until) {
+    while (core.game.tick < until) {
         tick(&core, &input, &output);
         assert_int_equal(core.game.language, LANGUAGE_EN);
     }
@@ -141,15 +141,15 @@ static void test_a_chapter_takes_nothing_from_anybody(void **state)
     while (core.game.phase != PHASE_ATTRACT || core.game.turn_tick == 0) {
         tick(&core, &input, &output);
     }
-    const struct credit credit = core.game.credit;
-    const struct ledger ledger = core.game.ledger;
-    const struct audits audits = core.game.audits;
+    const struct credit credit = core.game.accounts.credit;
+    const struct ledger ledger = core.game.accounts.ledger;
+    const struct audits audits = core.game.accounts.audits;
     const uint32_t commands = core.game.menu.command_count;
     run_to_chapter(&input, SESSION_TICKS_MAX);
     assert_true(core_is_fresh(&core));
-    assert_true(credit_hash(0, &core.game.credit) == credit_hash(0, &credit));
-    assert_true(ledger_hash(0, &core.game.ledger) == ledger_hash(0, &ledger));
-    assert_true(audits_hash(0, &core.game.audits) == audits_hash(0, &audits));
+    assert_true(credit_hash(0, &core.game.accounts.credit) == credit_hash(0, &credit));
+    assert_true(ledger_hash(0, &core.game.accounts.ledger) == ledger_hash(0, &ledger));
+    assert_true(audits_hash(0, &core.game.accounts.audits) == audits_hash(0, &audits));
     assert_int_equal(core.game.menu.command_count, commands);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
 }

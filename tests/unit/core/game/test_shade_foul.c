@@ -93,7 +93,7 @@ static void test_a_fan_over_water_without_fish_is_none(void **state)
 {
     (void)state;
     begin(MODE_CHAMPIONSHIP, 1);
-    const float away_m = core.tank.fish[0].position_m.x > 0.0f ? -0.5f : 0.5f;
+    const float away_m = core.world.tank.fish[0].position_m.x > 0.0f ? -0.5f : 0.5f;
     fan(1, away_m);
     ticks(READY_TICKS - 10u);
     assert_int_equal(look()->player[0].fouls, 0);
@@ -148,8 +148,8 @@ static void test_a_poi_that_has_rested_since_ready_began_is_none(void **state)
         input.poi[0].target.position_m.x = 0.05f + (i % 2u ? 0.001f : 0.0f);
         tick();
     }
-    assert_true(core.tank.shade[SHADE_MAX].still_s > FOUL_SHADE_S); /* The shadow is there. */
-    assert_true(tank_shade_count(&core.tank, &core.tank.shade[SHADE_MAX].cast) > 0);
+    assert_true(core.world.tank.shade[SHADE_MAX].still_s > FOUL_SHADE_S); /* The shadow is there. */
+    assert_true(tank_shade_count(&core.world.tank, &core.world.tank.shade[SHADE_MAX].cast) > 0);
     assert_int_equal(look()->player[0].fouls, 0);
 }
 

@@ -35,7 +35,7 @@ static void play_tick(uint32_t players)
 {
     const uint8_t phase = core.game.phase;
     const int idle = phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT;
-    input.pressed = idle && core.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
+    input.pressed = idle && core.game.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
     for (uint32_t i = 0; i < players; i++) {
         const struct vision vision = { .core = &core, .player = i };
         input.poi[i] = (struct poi_input){
@@ -75,9 +75,9 @@ static uint32_t longest_jam(uint8_t mode, uint32_t players, uint32_t seed, uint3
         }
         played++;
         for (uint32_t i = 0; i < players; i++) {
-            held[i] = is_jammed(&core.poi[i]) ? held[i] + 1u : 0;
+            held[i] = is_jammed(&core.world.poi[i]) ? held[i] + 1u : 0;
             longest = held[i] > longest ? held[i] : longest;
-            dipped += core.poi[i].immersed > 0.0f;
+            dipped += core.world.poi[i].immersed > 0.0f;
         }
     }
     assert_true(played > 20u * CORE_TICK_HZ);
@@ -187,7 +187,7 @@ static void test_two_pois_at_one_place_lie_side_by_side_or_one_over_the_other(vo
     both_to(v3(-0.01f, 0.08f, 0.0f), v3(0.01f, 0.08f, 0.0f), 0.5f);
     for (uint32_t tick = 0; tick < CORE_TICK_HZ; tick++) {
         both_to(input.poi[0].target.position_m, input.poi[1].target.position_m, 0.01f);
-        const vec3 apart_m = v3_sub(core.poi[1].position_m, core.poi[0].position_m);
+        const vec3 apart_m = v3_sub(core.world.poi[1].position_m, core.world.poi[0].position_m);
         const float flat_m = v3_length(v3(apart_m.x, 0.0f, apart_m.z));
         assert_true(flat_m > 2.0f * POI_OUTER_RADIUS_M - 0.006f ||
                     f_abs(apart_m.y) > 0.5f * POI_THICKNESS_M);
@@ -201,8 +201,8 @@ static void test_the_one_pushes_the_other_as_far_as_it_is_pushed(void **state)
     two_hands(v3(-0.10f, 0.08f, 0.0f), v3(0.10f, 0.08f, 0.0f));
     both_to(v3(-0.03f, 0.08f, 0.0f), v3(0.03f, 0.08f, 0.0f), 0.5f);
     both_to(v3(-0.03f, 0.08f, 0.0f), v3(0.03f, 0.08f, 0.0f), 0.3f);
-    const float left_m = core.poi[0].position_m.x + 0.03f;
-    const float right_m = core.poi[1].position_m.x - 0.03f;
+    const float left_m = core.world.poi[0].position_m.x + 0.03f;
+    const float right_m = core.world.poi[1].position_m.x - 0.03f;
     assert_true(right_m > 0.010f);
     assert_float_equal(left_m, -right_m, 0.002f);
 }
@@ -215,8 +215,8 @@ static void test_a_poi_under_another_comes_up_within_half_a_second(void **state)
         two_hands(v3(0.0f, -0.06f, 0.0f), v3(off_m, 0.02f, 0.0f));
         both_to(v3(0.0f, 0.10f, 0.0f), v3(off_m, -0.06f, 0.0f), 0.5f);
         both_to(v3(0.0f, 0.10f, 0.0f), v3(off_m, -0.06f, 0.0f), 0.5f);
-        assert_true(core.poi[0].position_m.y > 0.07f);
-        assert_true(core.poi[1].position_m.y < -0.03f);
+        assert_true(core.world.poi[0].position_m.y > 0.07f);
+        assert_true(core.world.poi[1].position_m.y < -0.03f);
     }
 }
 

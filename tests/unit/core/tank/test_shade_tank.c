@@ -293,10 +293,10 @@ static void test_what_a_hand_holds_falls_on_the_tank_within_its_bounds(void **st
     (void)state;
     open_stall();
     core_tick(&core, &input, &output);
-    const struct shade_cast *cast = &core.tank.shade[2].cast;
+    const struct shade_cast *cast = &core.world.tank.shade[2].cast;
     assert_true(cast->present && cast->x_m == 0.1f && cast->z_m == -0.2f);
     assert_true(cast->radius_m == 0.12f && cast->dark == SHADE_FAN_DARK);
-    assert_int_equal(core.tank.shade[0].cast.present, 0);
+    assert_int_equal(core.world.tank.shade[0].cast.present, 0);
     input.shade[2] = (struct shade_input){ 1, 3e38f, -3e38f, 3e38f };
     core_tick(&core, &input, &output);
     assert_true(cast->x_m < 2.0f && cast->z_m > -2.0f && cast->radius_m == SHADE_RADIUS_MAX_M);

@@ -62,11 +62,11 @@ static void test_a_stall_takes_as_many_fish_as_its_water_holds_and_not_one_more(
     struct core_config config = { .seed = 3 };
     config.fish_count = tank_preset_fish_max(tank_preset(0), 1.0f) + 1u;
     assert_int_equal(core_init(&core, &config), CORE_ERR_RANGE);
-    assert_int_equal(core.tank.fish_count, 0); /* Untouched. */
+    assert_int_equal(core.world.tank.fish_count, 0); /* Untouched. */
     expect_assert_failure(tank_init(&tank, 0, config.fish_count, 3));
     config.fish_count--;
     assert_int_equal(core_init(&core, &config), CORE_OK);
-    assert_int_equal(core.tank.fish_count, config.fish_count);
+    assert_int_equal(core.world.tank.fish_count, config.fish_count);
 }
 
 /* The farthest that a fish came in the last tick beyond 3 mm and what it swims at its fastest. */

@@ -47,7 +47,7 @@ static struct hid_player {
 
 static vec3 ring_m(void)
 {
-    return player.kiosk.core.poi[0].position_m;
+    return player.kiosk.core.world.poi[0].position_m;
 }
 
 static void report(void)
@@ -210,13 +210,13 @@ static void begin_round(uint32_t seed)
     player.kiosk.input.pressed = INPUT_START;
     while (player.kiosk.core.game.phase != PHASE_ROUND) {
         report();
-        assert_true(player.kiosk.core.tick < 10 * CORE_TICK_HZ);
+        assert_true(player.kiosk.core.game.tick < 10 * CORE_TICK_HZ);
     }
 }
 
 static const struct fish *choose(void)
 {
-    return calmest_fish(&player.kiosk.core.tank, ring_m(), DIP_DEPTH_M);
+    return calmest_fish(&player.kiosk.core.world.tank, ring_m(), DIP_DEPTH_M);
 }
 
 static int goes_to(vec3 over_m, float near_m, uint32_t reports_max)
@@ -234,7 +234,7 @@ static int goes_to(vec3 over_m, float near_m, uint32_t reports_max)
 
 static void empty_over_bowl(void)
 {
-    const vec3 bowl = player.kiosk.core.bowl[0].position_m;
+    const vec3 bowl = player.kiosk.core.world.bowl[0].position_m;
     const int has_wrist = player.poi.hand.map.style == HID_STYLE_POSE;
     goes_to(v3(bowl.x - (has_wrist ? 0.045f : 0.0f), DIP_HOVER_M, bowl.z), 0.012f, 400);
     player.wish.tips = 1;
@@ -266,7 +266,7 @@ static void try_once(void)
         player.wish.over_m = flies ? ring_m() : still_m; /* A stick is let go meanwhile. */
         report();
     }
-    if (player.kiosk.core.poi[0].carried_count > 0) {
+    if (player.kiosk.core.world.poi[0].carried_count > 0) {
         empty_over_bowl();
     }
 }

@@ -353,7 +353,7 @@ static void begin_round(void)
     stand.kiosk.input.pressed = INPUT_START;
     while (stand.kiosk.core.game.phase != PHASE_ROUND) {
         frame();
-        assert_true(stand.kiosk.core.tick < 10u * CORE_TICK_HZ);
+        assert_true(stand.kiosk.core.game.tick < 10u * CORE_TICK_HZ);
     }
     frames(60);
 }

@@ -69,7 +69,7 @@ static void test_every_tick_of_a_recording_is_shown(void **state)
     (void)state;
     record("true.kgr", 100, UINT32_MAX);
     assert_int_equal(show(), EXIT_OK);
-    assert_int_equal(session.kiosk.core.tick, 100);
+    assert_int_equal(session.kiosk.core.game.tick, 100);
 }
 
 static void test_a_recording_that_is_wrong_in_its_last_tick_is_not_as_recorded(void **state)
@@ -97,7 +97,7 @@ static void test_a_demonstration_begins_in_the_round_and_catches_something(void 
     const struct core *played = &session.kiosk.core;
     assert_int_equal(played->game.phase, PHASE_ROUND);
     /* Half a second for the hand to come over the water, before the first picture. */
-    assert_in_range(played->tick - played->game.round_tick, 31u * CORE_TICK_HZ / 2u,
+    assert_in_range(played->game.tick - played->game.round_tick, 31u * CORE_TICK_HZ / 2u,
                     16u * CORE_TICK_HZ);
     assert_true(played->game.player[0].caught > 0);
 }

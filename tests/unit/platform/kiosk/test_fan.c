@@ -168,7 +168,7 @@ static void test_each_tick_has_its_own_place_on_the_fans_way(void **state)
     for (uint32_t i = rig.seen_count - 100; i < rig.seen_count; i++) {
         assert_float_equal(rig.seen[i].x_m - rig.seen[i - 1].x_m, step_m, 1e-5f);
     }
-    const struct shade *shade = &rig.kiosk.core.tank.shade[0];
+    const struct shade *shade = &rig.kiosk.core.world.tank.shade[0];
     assert_float_equal(shade->edge_m_s, step_m * (float)CORE_TICK_HZ, 0.01f);
 }
 
@@ -178,7 +178,7 @@ static void test_the_scene_shows_the_fan_where_its_shadow_is_felt(void **state)
     lead_fan(500.0f, 320.0f, POINTER_FAN);
     frames(60);
     const struct scene_fan *shown = &rig.kiosk.scene.fan[0];
-    const struct shade_cast *felt = &rig.kiosk.core.tank.shade[0].cast;
+    const struct shade_cast *felt = &rig.kiosk.core.world.tank.shade[0].cast;
     assert_int_equal(shown->present, 1);
     assert_float_equal(shown->x_m, on_water(500.0f, 320.0f).x, 1e-5f);
     assert_true(shown->x_m == felt->x_m && shown->z_m == felt->z_m);

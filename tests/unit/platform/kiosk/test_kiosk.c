@@ -132,7 +132,7 @@ static void test_a_frame_is_two_ticks_one_picture_and_one_kick(void **state)
 {
     (void)state;
     frames(60);
-    assert_int_equal(rig.kiosk.core.tick, 120);
+    assert_int_equal(rig.kiosk.core.game.tick, 120);
     assert_int_equal(rig.display.present_count, 60);
     assert_int_equal(rig.display.scene.tick, 120);
     assert_int_equal(rig.kicks, 60);
@@ -144,7 +144,7 @@ static void test_a_frame_without_ticks_shows_the_picture_and_feeds_no_watchdog(v
     (void)state;
     frames(1);
     frame_after(2 * MS);
-    assert_int_equal(rig.kiosk.core.tick, 2);
+    assert_int_equal(rig.kiosk.core.game.tick, 2);
     assert_int_equal(rig.display.present_count, 2);
     assert_int_equal(rig.kicks, 1);
 }
@@ -154,7 +154,7 @@ static void test_a_stall_is_dropped_and_counted(void **state)
     (void)state;
     frames(1);
     frame_after(1000 * MS);
-    assert_int_equal(rig.kiosk.core.tick, 2 + 60);
+    assert_int_equal(rig.kiosk.core.game.tick, 2 + 60);
     assert_int_equal(rig.kiosk.pace.dropped, 60);
 }
 
@@ -359,7 +359,7 @@ static void test_unplugged_at_any_report_the_loop_runs_on(void **state)
         rig.poi.jump_at = at / 2;
         frames(200);
         assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
-        assert_int_equal(rig.kiosk.core.tick, 400);
+        assert_int_equal(rig.kiosk.core.game.tick, 400);
     }
 }
 
@@ -414,10 +414,10 @@ static void test_a_display_that_is_pulled_out_comes_back_and_the_game_goes_on(vo
     (void)state;
     frames(10);
     rig.display.away = 1;
-    const uint32_t tick = rig.kiosk.core.tick, shown = rig.display.present_count;
+    const uint32_t tick = rig.kiosk.core.game.tick, shown = rig.display.present_count;
     rig.kicks = 0;
     frames(300);
-    assert_int_equal(rig.kiosk.core.tick, tick + 600u);
+    assert_int_equal(rig.kiosk.core.game.tick, tick + 600u);
     assert_int_equal(rig.kicks, 300);
     assert_int_equal(rig.display.present_count, shown);
     assert_int_equal(rig.kiosk.faults.display, 1); /* One loss, one fault. */
@@ -433,7 +433,7 @@ static void test_a_monitor_that_is_off_at_the_start_may_come_later(void **state)
     (void)state;
     rig.display.away = rig.display.needs_open = 1;
     frames(120);
-    assert_int_equal(rig.kiosk.core.tick, 240);
+    assert_int_equal(rig.kiosk.core.game.tick, 240);
     rig.display.away = 0;
     frames(62);
     assert_true(rig.display.present_count > 0);
@@ -648,7 +648,7 @@ static void test_with_every_device_missing_the_stall_still_runs(void **state)
     rig.hal.clock = clock_sim_device(&rig.clock);
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &small), CORE_OK);
     frames(600);
-    assert_int_equal(rig.kiosk.core.tick, 1200);
+    assert_int_equal(rig.kiosk.core.game.tick, 1200);
     assert_int_equal(rig.kiosk.faults.display, 0);
 }
 

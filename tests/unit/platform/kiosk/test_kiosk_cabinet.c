@@ -192,7 +192,7 @@ static vec3 over_tag(uint32_t tag, float y_m)
     const struct menu *menu = &rig.kiosk.core.game.menu;
     const struct layout_point canvas = pointer_layout_size(menu->upright);
     const struct layout_box box = menu_box(menu->upright, menu->page, menu_enabled(menu), tag);
-    const vec3 size_m = rig.kiosk.core.tank.size_m;
+    const vec3 size_m = rig.kiosk.core.world.tank.size_m;
     return v3(size_m.x * ((box.x + 0.5f * box.width) / canvas.x - 0.5f), y_m,
               size_m.z * ((box.y + 0.5f * box.height) / canvas.y - 0.5f));
 }
@@ -222,9 +222,9 @@ static void test_all_orders_of_the_longest_frame_are_told_in_their_order(void **
         rig.at_m[i].y = -0.05f;
     }
     rig.buttons.pressed = INPUT_TEST;
-    const uint32_t tick = rig.kiosk.core.tick;
+    const uint32_t tick = rig.kiosk.core.game.tick;
     frame(500 * MS);
-    assert_int_equal(rig.kiosk.core.tick - tick, FRAME_PACER_TICKS_MAX);
+    assert_int_equal(rig.kiosk.core.game.tick - tick, FRAME_PACER_TICKS_MAX);
     assert_int_equal(rig.command_count, 2);
     assert_int_equal(rig.commands[0].kind, COMMAND_CHOOSE);
     assert_int_equal(rig.commands[1].kind, COMMAND_LEARN);

@@ -85,7 +85,7 @@ static void start_round(void)
 
 static void wet_all(void)
 {
-    struct sheet *sheet = &rig.kiosk.core.poi[0].sheet;
+    struct sheet *sheet = &rig.kiosk.core.world.poi[0].sheet;
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
         sheet->wetness[cell] = 1.0f;
     }
@@ -140,9 +140,9 @@ static void test_no_fault_of_a_sensor_tears_paper_and_the_round_waits_for_it(voi
         open_kiosk(&config);
         start_round();
         dip();
-        const struct poi *poi = &rig.kiosk.core.poi[0];
+        const struct poi *poi = &rig.kiosk.core.world.poi[0];
         const uint32_t cells = poi->sheet.paper_cells;
-        const uint32_t begin_tick = rig.kiosk.core.tick;
+        const uint32_t begin_tick = rig.kiosk.core.game.tick;
         const float left_s = game_seconds_left(&rig.kiosk.core.game, begin_tick);
         break_for(cases[i].fault, cases[i].ms);
         sway(400);
@@ -153,7 +153,7 @@ static void test_no_fault_of_a_sensor_tears_paper_and_the_round_waits_for_it(voi
         assert_false(controller_is_lost(&rig.kiosk.core, 0));
         assert_true(v3_length(v3_sub(poi->position_m, rig.sensor.hand.position_m)) < 0.02f);
         const float passed_s =
-            left_s - game_seconds_left(&rig.kiosk.core.game, rig.kiosk.core.tick);
+            left_s - game_seconds_left(&rig.kiosk.core.game, rig.kiosk.core.game.tick);
         const float played_s = (float)(800u - 2u * rig.lost_frames) * CORE_TICK_S;
         assert_float_equal(passed_s, played_s, 0.02f);
     }
@@ -217,13 +217,14 @@ static void test_a_pointer_that_is_warped_over_the_tank_under_water_tears_nothin
     rig.report.buttons = POINTER_DIP;
     frames(60);
     wet_all();
-    const uint32_t cells = rig.kiosk.core.poi[0].sheet.paper_cells;
+    const uint32_t cells = rig.kiosk.core.world.poi[0].sheet.paper_cells;
     rig.lost_frames = 0;
     rig.report.x_px = 1030.0f;
     frames(240);
     assert_int_equal(rig.lost_frames, 0); /* It goes there gently, and the round goes on. */
-    assert_int_equal(rig.kiosk.core.poi[0].sheet.paper_cells, cells);
-    assert_float_equal(rig.kiosk.core.poi[0].position_m.x, seen()->target.position_m.x, 0.01f);
+    assert_int_equal(rig.kiosk.core.world.poi[0].sheet.paper_cells, cells);
+    assert_float_equal(rig.kiosk.core.world.poi[0].position_m.x, seen()->target.position_m.x,
+                       0.01f);
 }
 
 /* As fast as a hand throws one, there and back, at the pace of a bell. */
@@ -291,7 +292,8 @@ static void test_four_sensors_play_and_all_wait_for_the_one_that_breaks(void **s
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &four), CORE_OK);
     start_round();
     for (uint32_t i = 1; i < POI_MAX; i++) {
-        assert_true(v3_length(v3_sub(core->poi[i].position_m, others[i].hand.position_m)) < 0.01f);
+        assert_true(v3_length(v3_sub(core->world.poi[i].position_m, others[i].hand.position_m)) <
+                    0.01f);
     }
     for (uint32_t step = 0; step < 60; step++) {
         for (uint32_t i = 1; i < POI_MAX; i++) {
@@ -301,15 +303,16 @@ static void test_four_sensors_play_and_all_wait_for_the_one_that_breaks(void **s
     }
     break_for(SENSOR_NOT_A_NUMBER, 500);
     frames(15);
-    const float left_s = game_seconds_left(&core->game, core->tick);
+    const float left_s = game_seconds_left(&core->game, core->game.tick);
     frames(15);
-    assert_float_equal(game_seconds_left(&core->game, core->tick), left_s, 0.001f);
+    assert_float_equal(game_seconds_left(&core->game, core->game.tick), left_s, 0.001f);
     frames(240);
-    assert_true(game_seconds_left(&core->game, core->tick) < left_s - 2.0f);
+    assert_true(game_seconds_left(&core->game, core->game.tick) < left_s - 2.0f);
     for (uint32_t i = 1; i < POI_MAX; i++) {
-        const struct sheet *sheet = &core->poi[i].sheet;
+        const struct sheet *sheet = &core->world.poi[i].sheet;
         assert_int_equal(sheet->paper_cells, sheet->paper_cells_new);
-        assert_true(v3_length(v3_sub(core->poi[i].position_m, others[i].hand.position_m)) < 0.01f);
+        assert_true(v3_length(v3_sub(core->world.poi[i].position_m, others[i].hand.position_m)) <
+                    0.01f);
         assert_true(others[i].felt.force_n.y != 0.0f); /* Each feels its own. */
     }
 }
@@ -326,7 +329,7 @@ static void test_who_points_at_the_picture_is_told_when_it_changes(void **state)
     const struct view stall = rig.sensor.view;
     rig.kiosk.input.pressed = INPUT_START;
     frames(30);
-    assert_int_equal(rig.kiosk.core.tank.preset, TANK_PRESET_OFFICIAL);
+    assert_int_equal(rig.kiosk.core.world.tank.preset, TANK_PRESET_OFFICIAL);
     assert_memory_equal(&rig.sensor.view, &rig.kiosk.scene.view, sizeof(struct view));
     assert_memory_not_equal(&rig.sensor.view, &stall, sizeof(struct view));
 }

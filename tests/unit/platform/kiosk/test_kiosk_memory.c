@@ -134,7 +134,7 @@ static void test_the_running_frame_loop_allocates_nothing(void **state)
     const uint32_t during = allocations - before;
     assert_int_equal(recorder_end(&rig.recorder), 0);
     unlink(path);
-    assert_int_equal(rig.kiosk.core.tick, 2400);
+    assert_int_equal(rig.kiosk.core.game.tick, 2400);
     assert_int_equal(rig.storage.record.id, 2); /* A round began, ended, and another began. */
     assert_int_equal(rig.storage.entry.kind, LEDGER_BEGIN);
     assert_int_equal(during, 0);

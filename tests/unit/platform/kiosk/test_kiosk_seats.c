@@ -125,7 +125,7 @@ static void begin_round(void)
     rig.kiosk.input.pressed = INPUT_START;
     while (rig.kiosk.core.game.phase != PHASE_ROUND) {
         frames(1);
-        assert_true(rig.kiosk.core.tick < 10 * CORE_TICK_HZ);
+        assert_true(rig.kiosk.core.game.tick < 10 * CORE_TICK_HZ);
     }
 }
 

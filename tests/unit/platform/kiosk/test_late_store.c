@@ -155,12 +155,12 @@ static void end(void)
 
 static uint32_t audit(enum audit_id id)
 {
-    return rig.kiosk.core.game.audits.count[id];
+    return rig.kiosk.core.game.accounts.audits.count[id];
 }
 
 static const struct balance *balance(void)
 {
-    return &rig.kiosk.core.game.ledger.balance;
+    return &rig.kiosk.core.game.accounts.ledger.balance;
 }
 
 /* An evening of one coin, half a credit, and then the card is pulled. */
@@ -218,7 +218,7 @@ static void test_a_coin_that_fell_without_a_store_is_in_its_books_and_the_slot_o
     assert_int_equal(audit(AUDIT_UNITS), 2);
     assert_int_equal(audit(AUDIT_BOOTS), 2); /* That one had nobody to count it. */
     assert_int_equal(balance()->paid, 1);    /* The half of before, and this one. */
-    assert_int_equal(ledger_committed_credits(&rig.kiosk.core.game.ledger).paid, 1);
+    assert_int_equal(ledger_committed_credits(&rig.kiosk.core.game.accounts.ledger).paid, 1);
     assert_int_equal(rig.locked, 0);
 }
 

@@ -219,7 +219,7 @@ static void test_a_restart_that_is_meant_ends_the_loop_and_is_no_controllers_ord
 static void test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_plays(void **state)
 {
     (void)state;
-    struct balance *balance = &rig.kiosk.core.game.ledger.balance;
+    struct balance *balance = &rig.kiosk.core.game.accounts.ledger.balance;
     push(INPUT_TEST);
     assert_int_equal(rig.display.scene.phase, PHASE_MENU);
     rig.storage.wants_restart = 1;

@@ -89,7 +89,7 @@ static void begin_round(uint32_t seed, uint32_t fish_count)
     player.kiosk.input.pressed = INPUT_START;
     while (player.kiosk.core.game.phase != PHASE_ROUND) {
         moment();
-        assert_true(player.kiosk.core.tick < 10 * CORE_TICK_HZ);
+        assert_true(player.kiosk.core.game.tick < 10 * CORE_TICK_HZ);
     }
 }
 
@@ -137,8 +137,8 @@ static float paper_left(void)
 /* The calmest fish near the hand that swims above where the ring will be. */
 static const struct fish *choose(void)
 {
-    const struct tank *tank = &player.kiosk.core.tank;
-    const vec3 hand = player.kiosk.core.poi[0].position_m;
+    const struct tank *tank = &player.kiosk.core.world.tank;
+    const vec3 hand = player.kiosk.core.world.poi[0].position_m;
     const struct fish *best = NULL;
     float least = 1e9f;
     for (uint32_t i = 0; i < tank->fish_count; i++) {
@@ -176,8 +176,8 @@ static void try_once(void)
     }
     player.buttons = 0;
     moments(28 + player.moments); /* And a look at the paper. */
-    if (player.kiosk.core.poi[0].carried_count > 0) {
-        const vec3 bowl = player.kiosk.core.bowl[0].position_m;
+    if (player.kiosk.core.world.poi[0].carried_count > 0) {
+        const vec3 bowl = player.kiosk.core.world.bowl[0].position_m;
         move_to(v3(bowl.x, POINTER_HOVER_M, bowl.z), 6.0f);
         moments(80);
     }
@@ -236,7 +236,7 @@ static void dip_twice(uint32_t seed, uint32_t picture_moments)
     for (uint32_t i = 0; i < 2; i++) {
         player.buttons = POINTER_DIP;
         glide(1.3f, 61);
-        assert_true(picture_moments > 30 || player.kiosk.core.poi[0].immersed > 0.0f);
+        assert_true(picture_moments > 30 || player.kiosk.core.world.poi[0].immersed > 0.0f);
         glide(-1.3f, 61);
         player.buttons = 0;
         moments(61);

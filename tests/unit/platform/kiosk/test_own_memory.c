@@ -213,8 +213,8 @@ static void test_nothing_of_ours_allocates_while_species_take_turns_in_lab_and_a
     assert_int_equal(scene.phase, PHASE_LAB);
     assert_true(rig.display.renderer.specimens.draw_count > 6u * species_table_count);
     for (uint32_t i = 0; i < ALBUM_FISH_MAX; i++) {
-        core.tank.fish[i].gait = GAIT_BOWL;
-        core.tank.fish[i].holder = 0;
+        core.world.tank.fish[i].gait = GAIT_BOWL;
+        core.world.tank.fish[i].holder = 0;
     }
     album_note(&core, 0, ALBUM_FISH_MAX);
     core.game.phase = PHASE_ALBUM;

@@ -45,7 +45,7 @@ static const struct view *stall_view(void)
 
 static vec3 ring_m(void)
 {
-    return player.kiosk.core.poi[0].position_m;
+    return player.kiosk.core.world.poi[0].position_m;
 }
 
 static void frame(void)
@@ -134,13 +134,13 @@ static void begin_round(uint32_t seed)
     player.kiosk.input.pressed = INPUT_START;
     while (player.kiosk.core.game.phase != PHASE_ROUND) {
         frame();
-        assert_true(player.kiosk.core.tick < 10 * CORE_TICK_HZ);
+        assert_true(player.kiosk.core.game.tick < 10 * CORE_TICK_HZ);
     }
 }
 
 static const struct fish *choose(void)
 {
-    return calmest_fish(&player.kiosk.core.tank, ring_m(), POINTER_DIP_M);
+    return calmest_fish(&player.kiosk.core.world.tank, ring_m(), POINTER_DIP_M);
 }
 
 static void go_to(vec3 over_m, float near_m, uint32_t frames_max)
@@ -177,8 +177,8 @@ static void try_once(int flies)
         player.over_m = flies ? ring_m() : player.over_m;
         frame();
     }
-    if (player.kiosk.core.poi[0].carried_count > 0) {
-        const vec3 bowl_m = player.kiosk.core.bowl[0].position_m;
+    if (player.kiosk.core.world.poi[0].carried_count > 0) {
+        const vec3 bowl_m = player.kiosk.core.world.bowl[0].position_m;
         go_to(v3(bowl_m.x, POINTER_HOVER_M, bowl_m.z), 0.012f, 200);
         frames(100);
     }

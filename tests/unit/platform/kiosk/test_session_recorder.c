@@ -107,7 +107,7 @@ static void rest(void)
 static enum replay_verdict says(uint32_t round_id)
 {
     static const struct ledger_entry dropped;
-    return replay_verifier_result(&judge, &core.game.ranking, round_id, &dropped);
+    return replay_verifier_result(&judge, &core.game.accounts.ranking, round_id, &dropped);
 }
 
 static enum replay_verdict judged(const uint8_t *bytes, size_t size, uint32_t round_id)
@@ -116,7 +116,7 @@ static enum replay_verdict judged(const uint8_t *bytes, size_t size, uint32_t ro
         while (replay_verifier_tick(&judge)) {
         }
     }
-    return replay_verifier_result(&judge, &core.game.ranking, round_id, &sim.round);
+    return replay_verifier_result(&judge, &core.game.accounts.ranking, round_id, &sim.round);
 }
 
 static void test_a_ranked_round_has_its_replay_and_is_genuine(void **state)
@@ -258,7 +258,7 @@ static void test_a_score_that_was_written_by_hand_is_not_genuine(void **state)
 {
     (void)state;
     const uint32_t round_id = play();
-    struct rank_row *row = &core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][0];
+    struct rank_row *row = &core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][0];
     assert_int_equal(row->round_id, round_id);
     row->caught++;
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
@@ -267,7 +267,7 @@ static void test_a_score_that_was_written_by_hand_is_not_genuine(void **state)
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
     row->seat = 0;
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
-    memset(&core.game.ranking, 0, sizeof core.game.ranking);
+    memset(&core.game.accounts.ranking, 0, sizeof core.game.accounts.ranking);
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_OTHER);
 }
 
@@ -297,13 +297,15 @@ static void test_a_replay_of_another_round_than_the_ledgers_is_not_genuine(void 
         } else {
             ++*stall[i - 11u];
         }
-        assert_int_equal(replay_verifier_result(&judge, &core.game.ranking, round_id, &sim.round),
-                         REPLAY_VERDICT_OTHER);
+        assert_int_equal(
+            replay_verifier_result(&judge, &core.game.accounts.ranking, round_id, &sim.round),
+            REPLAY_VERDICT_OTHER);
         sim.round = kept;
     }
     sim.round = (struct ledger_entry){ 0 }; /* So old that the ledger dropped it. */
-    assert_int_equal(replay_verifier_result(&judge, &core.game.ranking, round_id, &sim.round),
-                     REPLAY_VERDICT_GENUINE);
+    assert_int_equal(
+        replay_verifier_result(&judge, &core.game.accounts.ranking, round_id, &sim.round),
+        REPLAY_VERDICT_GENUINE);
 }
 
 /* What the judge found is turned by hand, one thing at a time: each alone is enough. */
@@ -311,7 +313,7 @@ static void test_each_thing_that_does_not_agree_is_enough(void **state)
 {
     (void)state;
     const uint32_t round_id = play();
-    struct rank_row *row = &core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][0];
+    struct rank_row *row = &core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][0];
     const struct rank_row ranked = *row;
     assert_int_equal(judged(room, sim.replay_size, round_id), REPLAY_VERDICT_GENUINE);
     static struct replay_verifier found;
@@ -320,7 +322,7 @@ static void test_each_thing_that_does_not_agree_is_enough(void **state)
     judge.round.round.players = 2; /* The seat did not play, whatever stands beside it. */
     assert_int_equal(says(round_id), REPLAY_VERDICT_OTHER);
     judge = found;
-    memset(&core.game.ranking, 0, sizeof core.game.ranking);
+    memset(&core.game.accounts.ranking, 0, sizeof core.game.accounts.ranking);
     *row = ranked;
     row->round_id = round_id + 1u; /* The ranking's is another, with the same catch. */
     assert_int_equal(says(round_id + 1u), REPLAY_VERDICT_OTHER);
@@ -419,7 +421,7 @@ static void frame(void)
 {
     static struct hal hal;
     hal.storage = storage;
-    score_playback_frame(&playback, &hal, &no_stopwatch, &core.game.ranking, 2);
+    score_playback_frame(&playback, &hal, &no_stopwatch, &core.game.accounts.ranking, 2);
     core_scene(&core, &scene);
     score_playback_show(&playback, &scene, &output);
 }
@@ -463,11 +465,11 @@ static void test_a_long_replay_is_read_in_slices_that_a_frame_can_bear(void **st
     hal.storage = storage;
     sim.replay_polls_left = 0;
     score_playback_request(&playback, round_id);
-    score_playback_frame(&playback, &hal, &slow_stopwatch, &core.game.ranking, 2);
-    score_playback_frame(&playback, &hal, &slow_stopwatch, &core.game.ranking, 2);
+    score_playback_frame(&playback, &hal, &slow_stopwatch, &core.game.accounts.ranking, 2);
+    score_playback_frame(&playback, &hal, &slow_stopwatch, &core.game.accounts.ranking, 2);
     for (; !playback.has_play && frames < 1000u; frames++) {
         const uint32_t before = playback.judge.replayer.reader.tick;
-        score_playback_frame(&playback, &hal, &slow_stopwatch, &core.game.ranking, 2);
+        score_playback_frame(&playback, &hal, &slow_stopwatch, &core.game.accounts.ranking, 2);
         assert_true(playback.judge.replayer.reader.tick <= before + 3u * CORE_TICK_HZ);
         score_playback_show(&playback, &scene, &output);
         assert_int_equal(scene.playback, ENCORE_SEEKS);

@@ -95,7 +95,7 @@ static int set_up(void **state)
     rig.kiosk.input.pressed = INPUT_START;
     while (game()->phase != PHASE_ROUND) {
         report();
-        assert_true(rig.kiosk.core.tick < 10u * CORE_TICK_HZ);
+        assert_true(rig.kiosk.core.game.tick < 10u * CORE_TICK_HZ);
     }
     reports(60);
     assert_int_equal(purse_credits(&rig.kiosk.core), 1);
@@ -133,7 +133,7 @@ static void test_at_each_of_a_thousand_reports_the_round_waits_and_no_credit_is_
     for (uint32_t i = 0; i < UNPLUGS; i++) {
         saved = rig;
         const uint32_t caught = game()->player[0].caught;
-        const float left_s = game_seconds_left(game(), rig.kiosk.core.tick);
+        const float left_s = game_seconds_left(game(), rig.kiosk.core.game.tick);
         pull_out();
         reports(24);
         assert_int_equal(game()->paused, 1);
@@ -142,7 +142,7 @@ static void test_at_each_of_a_thousand_reports_the_round_waits_and_no_credit_is_
         const uint32_t waited = wait_for_the_round();
         assert_int_equal(game()->phase, PHASE_ROUND);
         assert_int_equal(game()->paused, 0);
-        assert_true(left_s - game_seconds_left(game(), rig.kiosk.core.tick) < 0.1f);
+        assert_true(left_s - game_seconds_left(game(), rig.kiosk.core.game.tick) < 0.1f);
         assert_int_equal(game()->player[0].caught, caught);
         assert_int_equal(purse_credits(&rig.kiosk.core), 1);
         assert_int_equal(purse_audit(&rig.kiosk.core, AUDIT_REFUNDS), 0);

@@ -193,8 +193,8 @@ static void test_a_turned_picture_is_the_same_picture_turned(void **state)
 {
     (void)state;
     static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_ALBUM };
-    core.tank.fish[0].gait = GAIT_BOWL;
-    core.tank.fish[0].holder = 0;
+    core.world.tank.fish[0].gait = GAIT_BOWL;
+    core.world.tank.fish[0].holder = 0;
     album_clear(&core.game.album);
     album_note(&core, 0, 1);
     core.game.phase = PHASE_ALBUM;

@@ -116,10 +116,10 @@ static float red_in_hand(float age_days)
 /* Alone on the album's page, noted by the game as it notes a catch, so long into its life. */
 static float red_in_album(float age_days, float caught_days)
 {
-    core.tank.fish[0].look = 0;
-    core.tank.fish[0].age_days = caught_days;
-    core.tank.fish[0].gait = GAIT_BOWL;
-    core.tank.fish[0].holder = 0;
+    core.world.tank.fish[0].look = 0;
+    core.world.tank.fish[0].age_days = caught_days;
+    core.world.tank.fish[0].gait = GAIT_BOWL;
+    core.world.tank.fish[0].holder = 0;
     album_clear(&core.game.album);
     album_note(&core, 0, 1);
     core.game.phase = PHASE_ALBUM;

@@ -558,7 +558,7 @@ static void play_and_record(uint32_t seconds, uint32_t lie_at)
         output.sound_count = 0;
         core_tick(&core, &input, &output);
         told = core;
-        told.tick += tick >= lie_at;
+        told.game.tick += tick >= lie_at;
         tap.tick(tap.self, &input, &told);
     }
     assert_int_equal(recorder_end(&recorder), 0);
@@ -707,7 +707,7 @@ static void test_a_recording_that_a_panic_ends_leads_to_the_panic(void **state)
     assert_int_equal(totals.ticks, 151);
     assert_int_equal(totals.rounds, 0);
     replay_all();
-    assert_int_equal(core.tick, 151);
+    assert_int_equal(core.game.tick, 151);
     assert_int_equal(core.game.language, LANGUAGE_EN);
     assert_int_equal(replayer.difference.found, 1); /* This core survived it. */
     assert_int_equal(replayer.difference.tick, 150);
@@ -738,7 +738,7 @@ static void test_a_recording_that_a_signal_ends_within_a_tick_verifies(void **st
         record_into_a_tick(counts[i]);
         assert_int_equal(recorder_end_in_panic(&recorder), 0);
         replay_all_as(1);
-        assert_int_equal(core.tick, counts[i] + 1u);
+        assert_int_equal(core.game.tick, counts[i] + 1u);
         assert_int_equal(replayer.damaged, 0);
         assert_int_equal(replayer.difference.found, 0);
         assert_true(replayer_is_interrupted(&replayer));

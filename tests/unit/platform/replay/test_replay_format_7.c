@@ -51,7 +51,7 @@ static void test_a_recording_of_format_7_has_the_hashes_that_it_was_written_with
     assert_int_equal(replayer.totals.ticks, 17455);
     assert_int_equal(replayer.totals.rounds, 2);
     assert_int_equal(output.tickets, 2);
-    assert_int_equal(core.game.audits.count[AUDIT_REFUNDS], 2);
+    assert_int_equal(core.game.accounts.audits.count[AUDIT_REFUNDS], 2);
 }
 
 /* The hashes depend on the rules: the recording is not one that any rule would reproduce. */

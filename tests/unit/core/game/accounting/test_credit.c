@@ -234,7 +234,7 @@ static void test_a_round_that_was_given_back_counts_for_nothing(void **state)
     assert_int_equal(audit(AUDIT_TICKETS), 0);
     assert_int_equal(output.tickets, 0);
     assert_int_equal(output.record.id, 0);
-    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 0);
+    assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 0);
     core_scene(&core, &scene);
     assert_true(scene.credit.came_back);
     steps(GAME_AGAIN_TICKS);
@@ -258,7 +258,7 @@ static void test_a_free_round_whose_poi_is_lost_is_a_score(void **state)
     steps(GAME_LOST_TICKS_MAX + 3u);
     assert_int_equal(core.game.phase, PHASE_RESULT);
     assert_int_equal(output.record.caught, 14);
-    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 14);
+    assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 14);
 }
 
 static void test_prices_and_tickets_out_of_range_are_refused(void **state)

@@ -41,7 +41,7 @@ static void test_coins_are_sent_back_while_nobody_could_play(void **state)
     input.poi[0].link = POI_SOURCE_ABSENT;
     step();
     assert_int_equal(output.coin_lockout, 1);
-    assert_int_equal(core.game.credit.warnings, WARN_NO_POI);
+    assert_int_equal(core.game.accounts.credit.warnings, WARN_NO_POI);
     input.poi[1].link = POI_SOURCE_LIVE; /* There is no second seat. */
     step();
     assert_int_equal(output.coin_lockout, 1);
@@ -56,14 +56,14 @@ static void test_an_open_door_warns_and_sends_coins_back_and_ends_no_round(void 
     play_a_paid_round();
     input.held = INPUT_DOOR;
     step();
-    assert_int_equal(core.game.credit.warnings, WARN_DOOR);
+    assert_int_equal(core.game.accounts.credit.warnings, WARN_DOOR);
     assert_int_equal(output.coin_lockout, 1);
     steps(CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     assert_int_equal(core.game.paused, 0);
     input.held = 0;
     step();
-    assert_int_equal(core.game.credit.warnings, 0);
+    assert_int_equal(core.game.accounts.credit.warnings, 0);
 }
 
 static void test_a_shake_warns_for_a_while_and_counts_once(void **state)
@@ -71,16 +71,16 @@ static void test_a_shake_warns_for_a_while_and_counts_once(void **state)
     (void)state;
     press(INPUT_TILT); /* An edge shorter than a tick. */
     for (uint32_t i = 0; i < 3; i++) {
-        assert_int_equal(core.game.credit.warnings, WARN_TILT);
+        assert_int_equal(core.game.accounts.credit.warnings, WARN_TILT);
         assert_int_equal(output.coin_lockout, 1);
         press(INPUT_TILT); /* It goes on shaking. */
     }
-    assert_int_equal(core.game.credit.shakes, 1);
+    assert_int_equal(core.game.accounts.credit.shakes, 1);
     assert_int_equal(sounds[SOUND_FOUL], 1);
     steps(CREDIT_TILT_TICKS);
-    assert_int_equal(core.game.credit.warnings, 0);
+    assert_int_equal(core.game.accounts.credit.warnings, 0);
     press(INPUT_TILT);
-    assert_int_equal(core.game.credit.shakes, 2);
+    assert_int_equal(core.game.accounts.credit.shakes, 2);
 }
 
 static void test_a_shake_loses_no_coin_that_fell(void **state)
@@ -101,12 +101,12 @@ static void test_a_night_by_the_plug_loses_two_minutes_of_its_hours(void **state
     assert_in_range(audit(AUDIT_UP_S), 120, 130);
     assert_in_range(audit(AUDIT_UP_S_MAX), 120, 130);
     assert_int_equal(health_log_final(&core, &input, &last), 0); /* It has no store. */
-    core.game.ledger.boot = 3;
+    core.game.accounts.ledger.boot = 3;
     const uint64_t hash = core_hash(&core);
     const uint32_t told = audit(AUDIT_UP_S);
     assert_int_equal(health_log_final(&core, &input, &last), 1);
     assert_int_equal(last.kind, LEDGER_HEALTH);
-    assert_int_equal(last.id, core.game.ledger.last_id + 1u);
+    assert_int_equal(last.id, core.game.accounts.ledger.last_id + 1u);
     assert_int_equal(last.boot, 3);
     assert_int_equal(told + (uint32_t)last.value, 130); /* All of them, in order. */
     assert_int_equal(last.health.up_s, 130);

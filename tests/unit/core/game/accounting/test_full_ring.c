@@ -70,16 +70,17 @@ static void test_a_ring_that_fills_while_somebody_chooses_lets_him_ask_again(voi
     const uint32_t fouls = sounds[SOUND_FOUL];
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
-    assert_int_equal(core.game.ledger.balance.open, PAYMENT_NONE);
+    assert_int_equal(core.game.accounts.ledger.balance.open, PAYMENT_NONE);
     press(INPUT_OK);
     dip();
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
-    assert_true(core.game.credit.asked_tick != 0 || core.game.credit.await_tick != 0);
-    assert_true(sounds[SOUND_FOUL] > fouls || core.game.credit.await_tick != 0);
+    assert_true(core.game.accounts.credit.asked_tick != 0 ||
+                core.game.accounts.credit.await_tick != 0);
+    assert_true(sounds[SOUND_FOUL] > fouls || core.game.accounts.credit.await_tick != 0);
     revive_store();
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_READY);
-    assert_int_equal(core.game.ledger.balance.open, PAYMENT_PAID);
+    assert_int_equal(core.game.accounts.ledger.balance.open, PAYMENT_PAID);
     assert_int_equal(purse_credits(&core), COINS_FOR_A_FULL_RING);
 }
 
@@ -97,7 +98,7 @@ static void test_a_full_card_is_no_more_than_a_wait_whatever_fills_the_ring(void
         }
         press(INPUT_START);
         const int plays = core.game.phase == PHASE_READY;
-        assert_int_equal(plays, core.game.ledger.balance.open == PAYMENT_PAID);
+        assert_int_equal(plays, core.game.accounts.ledger.balance.open == PAYMENT_PAID);
         assert_true(plays || core.game.phase == PHASE_MODE_SELECT);
         steps(GAME_READY_TICKS + GAME_MODE_SELECT_TICKS); /* Into the round, or back to attract. */
         drop_each(coins);
@@ -107,7 +108,7 @@ static void test_a_full_card_is_no_more_than_a_wait_whatever_fills_the_ring(void
             press(INPUT_START | INPUT_OK);
             steps(CORE_TICK_HZ);
         }
-        assert_int_equal(core.game.ledger.uncommitted, 0);
+        assert_int_equal(core.game.accounts.ledger.uncommitted, 0);
     }
 }
 
@@ -132,7 +133,7 @@ static void press_anything(uint32_t *seed, uint32_t ticks)
         if (draw(seed, 100) == 0) {
             input.record_saved_id += draw(seed, output.entry_id - input.record_saved_id + 1u);
         }
-        assert_true(core.game.ledger.balance.open != PAYMENT_PAID ||
+        assert_true(core.game.accounts.ledger.balance.open != PAYMENT_PAID ||
                     core.game.phase == PHASE_READY || core.game.phase == PHASE_ROUND ||
                     core.game.phase == PHASE_LAB || core.game.phase == PHASE_RESULT);
     }
@@ -158,8 +159,9 @@ static void test_a_card_that_comes_at_last_is_used_however_many_coins_fell_befor
     (void)state;
     open_paid(0);
     drop_each(COINS_FOR_A_FULL_RING);
-    assert_int_equal(core.game.ledger.balance.paid, COINS_FOR_A_FULL_RING);
-    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, 0); /* On no disk. */
+    assert_int_equal(core.game.accounts.ledger.balance.paid, COINS_FOR_A_FULL_RING);
+    assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid,
+                     0); /* On no disk. */
     assert_int_equal(output.coin_lockout, 1);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -167,16 +169,18 @@ static void test_a_card_that_comes_at_last_is_used_however_many_coins_fell_befor
     const uint32_t before_id = output.entry_id;
     input.store_well = 1;
     step();
-    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, 0);
+    assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 0);
     assert_true(output.entry_id > before_id); /* The whole purse is on its way at once. */
     assert_int_equal(purse_entry(&output, output.entry_id)->balance.paid, COINS_FOR_A_FULL_RING);
     revive_store();
     assert_int_equal(output.coin_lockout, 0);
-    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, COINS_FOR_A_FULL_RING);
+    assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid,
+                     COINS_FOR_A_FULL_RING);
     drop_each(1);
     step();
-    assert_int_equal(core.game.ledger.balance.unlogged, 0);
-    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, COINS_FOR_A_FULL_RING + 1u);
+    assert_int_equal(core.game.accounts.ledger.balance.unlogged, 0);
+    assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid,
+                     COINS_FOR_A_FULL_RING + 1u);
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_MODE_SELECT);
 }

@@ -356,10 +356,10 @@ static void test_the_core_writes_no_entry_beyond_the_last_id(void **state)
         input.coin_count[0] = i == 200;
         core_tick(&core, &input, &output);
         input.record_saved_id = output.entry_id > 0 ? output.entry_id : input.record_saved_id;
-        assert_true(core.game.ledger.last_id <= LEDGER_ID_MAX);
+        assert_true(core.game.accounts.ledger.last_id <= LEDGER_ID_MAX);
     }
-    assert_int_equal(core.game.ledger.last_id, LEDGER_ID_MAX);
-    assert_false(ledger_is_safe(&core.game.ledger)); /* So the coin slot is closed. */
+    assert_int_equal(core.game.accounts.ledger.last_id, LEDGER_ID_MAX);
+    assert_false(ledger_is_safe(&core.game.accounts.ledger)); /* So the coin slot is closed. */
 }
 
 /* ---- The core and the replay ----------------------------------------------------------------- */
@@ -376,7 +376,7 @@ static void test_the_core_and_the_replay_reject_a_state_that_is_out_of_range(voi
     for (size_t i = 0; i < 12; i++) {
         bad[i] = good;
         bad[i].session.tick = 120;
-        bad[i].session.ledger = core.game.ledger;
+        bad[i].session.ledger = core.game.accounts.ledger;
     }
     bad[0].persistent.ledger.last_id = LEDGER_ID_MAX + 1u;
     bad[1].persistent.ledger.boots = UINT32_MAX;

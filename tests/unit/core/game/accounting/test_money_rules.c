@@ -57,7 +57,7 @@ static void fill_ring(void)
 
 static const struct balance *balance(void)
 {
-    return &core.game.ledger.balance;
+    return &core.game.accounts.ledger.balance;
 }
 
 /* ---- Coins and credits ---------------------------------------------------------------------- */
@@ -123,7 +123,7 @@ static void test_a_service_credit_that_is_not_on_disk_is_not_the_one_that_is_spe
     store_is_late = 1;
     press(INPUT_SERVICE);
     assert_int_equal(balance()->service, 1);
-    assert_int_equal(ledger_committed_credits(&core.game.ledger).service, 0);
+    assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).service, 0);
     press(INPUT_START);
     assert_int_equal(balance()->open, PAYMENT_PAID);
     assert_int_equal(balance()->service, 1);
@@ -155,8 +155,8 @@ static void test_nothing_is_sold_whose_end_could_not_be_told(void **state)
     drop(PRICE);
     assert_true(credit_can_play(&core));
     fill_ring();
-    assert_true(ledger_committed_credits(&core.game.ledger).paid > 0);
-    assert_false(ledger_has_room(&core.game.ledger, LEDGER_COINS));
+    assert_true(ledger_committed_credits(&core.game.accounts.ledger).paid > 0);
+    assert_false(ledger_has_room(&core.game.accounts.ledger, LEDGER_COINS));
     assert_false(credit_can_play(&core));
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -171,11 +171,11 @@ static void test_coins_leave_room_for_the_end_of_a_round(void **state)
     steps(GAME_READY_TICKS);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     fill_ring();
-    assert_int_equal(core.game.ledger.last_id - core.game.ledger.saved_id,
+    assert_int_equal(core.game.accounts.ledger.last_id - core.game.accounts.ledger.saved_id,
                      LEDGER_RING - LEDGER_RESERVE);
     steps(ROUND_S * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT);
-    assert_int_equal(core.game.ledger.uncommitted, 0);
+    assert_int_equal(core.game.accounts.ledger.uncommitted, 0);
     assert_int_equal(purse_count(&output, LEDGER_ROUND), 1);
     assert_int_equal(balance()->open, PAYMENT_NONE);
 }
@@ -191,7 +191,7 @@ static void test_a_card_that_is_silent_for_two_seconds_closes_the_slot(void **st
     assert_int_equal(output.coin_lockout, 0);
     steps(3);
     assert_int_equal(output.coin_lockout, 1);
-    assert_true(core.game.credit.warnings & WARN_STORE);
+    assert_true(core.game.accounts.credit.warnings & WARN_STORE);
     store_is_late = 0;
     steps(3);
     assert_int_equal(output.coin_lockout, 0);
@@ -202,16 +202,16 @@ static void test_an_entry_that_was_never_written_is_never_on_disk(void **state)
     (void)state;
     store_is_late = 1;
     drop(PRICE);
-    const uint32_t saved_id = core.game.ledger.saved_id;
+    const uint32_t saved_id = core.game.accounts.ledger.saved_id;
     input.record_saved_id = output.entry_id + 1u;
     step();
-    assert_int_equal(core.game.ledger.saved_id, saved_id);
-    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, 0);
+    assert_int_equal(core.game.accounts.ledger.saved_id, saved_id);
+    assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 0);
     assert_false(credit_can_play(&core));
     input.record_saved_id = output.entry_id;
     step();
-    assert_int_equal(core.game.ledger.saved_id, output.entry_id);
-    assert_int_equal(ledger_committed_credits(&core.game.ledger).paid, 1);
+    assert_int_equal(core.game.accounts.ledger.saved_id, output.entry_id);
+    assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 1);
 }
 
 /* ---- The next start and the next chapter ---------------------------------------------------- */

@@ -136,11 +136,11 @@ static void expect_no_coin_lost(uint32_t began)
         told += journal[id].kind == LEDGER_COINS ? (uint32_t)journal[id].value : 0u;
     }
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
-        waits += core.game.credit.pending_coins[line].owed;
+        waits += core.game.accounts.credit.pending_coins[line].owed;
     }
     assert_int_equal(told + waits, fallen);
-    assert_int_equal(core.game.ledger.balance.unlogged, waits);
-    expect_balance(output.entry_id, &core.game.ledger.balance);
+    assert_int_equal(core.game.accounts.ledger.balance.unlogged, waits);
+    expect_balance(output.entry_id, &core.game.accounts.ledger.balance);
 }
 
 static void test_wherever_the_plug_is_pulled_nothing_acknowledged_is_lost_or_doubled(void **state)
@@ -156,8 +156,8 @@ static void test_wherever_the_plug_is_pulled_nothing_acknowledged_is_lost_or_dou
             live();
         }
         expect_no_coin_lost(began);
-        untold += core.game.ledger.balance.unlogged > 0;
-        begun += core.game.ledger.balance.open != PAYMENT_NONE;
+        untold += core.game.accounts.ledger.balance.unlogged > 0;
+        begun += core.game.accounts.ledger.balance.open != PAYMENT_NONE;
         behind += disk.id < output.entry_id;
         assert_true(disk.id >= disk.told);
         if (disk.id > 0) { /* The plug: what is not on the disk was never said to be. */
@@ -167,7 +167,7 @@ static void test_wherever_the_plug_is_pulled_nothing_acknowledged_is_lost_or_dou
             start();
             disk.boots--;
             step();
-            const struct balance *now = &core.game.ledger.balance;
+            const struct balance *now = &core.game.accounts.ledger.balance;
             assert_int_equal(now->open, PAYMENT_NONE);
             const uint32_t back = left.open != PAYMENT_NONE && !(left.open & PAYMENT_SPENT);
             assert_int_equal(PRICE * (now->paid + now->service) + now->units,

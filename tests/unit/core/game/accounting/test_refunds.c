@@ -34,8 +34,8 @@ static void cut_power(void)
     note_entries();
     struct core_config config = core.config;
     config.session = (struct game_session){ 0 };
-    config.persistent.audits = core.game.audits;
-    config.persistent.ranking = core.game.ranking;
+    config.persistent.audits = core.game.accounts.audits;
+    config.persistent.ranking = core.game.accounts.ranking;
     config.persistent.ledger = (struct ledger_start){
         .last_id = output.entry_id,
         .boots = ++boots,
@@ -108,7 +108,7 @@ static void expect_kept(uint32_t refunds)
     assert_int_equal(audit(AUDIT_ROUNDS), 1);
     assert_int_equal(audit(AUDIT_CAUGHT), FISH);
     assert_int_equal(audit(AUDIT_TICKETS), TICKETS);
-    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught, FISH);
+    assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught, FISH);
     assert_int_equal(balance()->open, PAYMENT_NONE);
 }
 
@@ -266,7 +266,7 @@ static void test_losses_that_lie_far_apart_are_not_repeated_ones(void **state)
     drop(PRICE);
     play(10);
     lose_for(2u * CORE_TICK_HZ);
-    core.game.health_log.loss_tick[0] = core.tick - HEALTH_LOG_LOSS_AGAIN_TICKS;
+    core.game.health_log.loss_tick[0] = core.game.tick - HEALTH_LOG_LOSS_AGAIN_TICKS;
     lose_for(2u * CORE_TICK_HZ);
     assert_int_equal(audit(AUDIT_LOST_AGAIN), 0);
 }

@@ -18,7 +18,7 @@ static void take_entries(uint32_t before)
     for (uint32_t id = before + 1u; id <= output.entry_id; id++) {
         assert_true(id < LOG_MAX);
         journal[id] = *purse_entry(&output, id);
-        written_at[id] = core.tick;
+        written_at[id] = core.game.tick;
     }
 }
 
@@ -26,10 +26,10 @@ static void take_entries(uint32_t before)
 static void slow_step(void)
 {
     const uint32_t before = output.entry_id, asked = output.tickets;
-    while (saved_id < output.entry_id && core.tick - written_at[saved_id + 1u] >= SYNC_TICKS) {
+    while (saved_id < output.entry_id && core.game.tick - written_at[saved_id + 1u] >= SYNC_TICKS) {
         saved_id++;
     }
-    while (told_id < saved_id && core.tick - written_at[told_id + 1u] >= TOLD_TICKS) {
+    while (told_id < saved_id && core.game.tick - written_at[told_id + 1u] >= TOLD_TICKS) {
         told_id++;
     }
     input.record_saved_id = told_id;

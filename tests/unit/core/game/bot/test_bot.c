@@ -75,7 +75,7 @@ static void test_what_it_knows_is_the_past(void **state)
     begin_with(&technique_expert, 6);
     for (uint32_t i = 0; i < 20u * CORE_TICK_HZ; i++) {
         bot_stall_tick(&stall);
-        assert_in_range(stall.core.tick - 1u - stall.bot.known.tick, 18, 60);
+        assert_in_range(stall.core.game.tick - 1u - stall.bot.known.tick, 18, 60);
     }
 }
 
@@ -90,7 +90,7 @@ static void test_it_answers_a_vanished_fish_after_its_reaction_time(void **state
         begin_with(&technique_expert, seed);
         assert_true(bot_stall_until(&stall, BOT_APPROACH, 30));
         other = stall;
-        other.core.tank.fish[stall.bot.prey].gait = GAIT_BOWL;
+        other.core.world.tank.fish[stall.bot.prey].gait = GAIT_BOWL;
         uint32_t same_ticks = 0;
         int same = 1;
         while (same && same_ticks < 2u * CORE_TICK_HZ) {
@@ -119,10 +119,10 @@ static void test_before_the_start_poi_and_shadow_stay_off_the_water(void **state
     for (uint32_t i = 0; stall.core.game.phase == PHASE_READY; i++) {
         bot_stall_tick(&stall);
         if (i > 3u * CORE_TICK_HZ / 2u) { /* It begins over the middle, and has an arm's pace. */
-            const float edge_m = core->poi[0].position_m.z - POI_OUTER_RADIUS_M;
-            assert_true(edge_m > 0.5f * core->tank.size_m.z);
+            const float edge_m = core->world.poi[0].position_m.z - POI_OUTER_RADIUS_M;
+            assert_true(edge_m > 0.5f * core->world.tank.size_m.z);
         }
-        assert_true(core->poi[0].immersed <= 0.0f);
+        assert_true(core->world.poi[0].immersed <= 0.0f);
     }
 }
 
@@ -131,14 +131,14 @@ static void test_with_no_fish_to_take_it_only_hovers(void **state)
     (void)state;
     begin_with(&technique_expert, 5);
     assert_true(bot_stall_until(&stall, BOT_CHOOSE, 30));
-    for (uint32_t i = 0; i < stall.core.tank.fish_count; i++) {
-        stall.core.tank.fish[i].gait = GAIT_BOWL;
+    for (uint32_t i = 0; i < stall.core.world.tank.fish_count; i++) {
+        stall.core.world.tank.fish[i].gait = GAIT_BOWL;
     }
     const struct vision vision = bot_stall_sight(&stall);
     for (uint32_t i = 0; i < 600; i++) {
         const struct poi_target hand = bot_tick(&stall.bot, &vision);
         assert_true(i < 300 || hand.position_m.y > 0.03f);
-        stall.core.tick++;
+        stall.core.game.tick++;
     }
     assert_int_equal(stall.bot.stage, BOT_CHOOSE);
 }
@@ -149,7 +149,7 @@ static void test_its_hand_is_a_place_and_a_direction_whatever_it_sees(void **sta
     begin_with(&technique_expert, 9);
     for (uint32_t i = 0; i < 12u * CORE_TICK_HZ; i++) {
         struct core *core = &stall.core;
-        core->bowl[0].present = i % 700u < 500u;
+        core->world.bowl[0].present = i % 700u < 500u;
         core->game.phase = i % 1000u < 800u ? PHASE_ROUND : PHASE_RESULT;
         const struct vision vision = bot_stall_sight(&stall);
         const struct poi_target hand = bot_tick(&stall.bot, &vision);
@@ -158,7 +158,7 @@ static void test_its_hand_is_a_place_and_a_direction_whatever_it_sees(void **sta
         assert_true(f_is_finite(hand.angles.yaw_rad) && f_abs(hand.angles.yaw_rad) <= F_PI);
         assert_true(f_is_finite(hand.angles.pitch_rad) && f_abs(hand.angles.pitch_rad) <= F_PI);
         assert_true(f_is_finite(hand.angles.roll_rad) && f_abs(hand.angles.roll_rad) <= F_PI);
-        core->tick++;
+        core->game.tick++;
     }
 }
 
@@ -183,7 +183,7 @@ static void test_a_bots_round_is_the_same_each_time(void **state)
 
 static float wet_share(void)
 {
-    const struct sheet *sheet = &stall.core.poi[0].sheet;
+    const struct sheet *sheet = &stall.core.world.poi[0].sheet;
     float wet = 0.0f;
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
         wet += sheet->state[i] == CELL_PAPER ? sheet->wetness[i] : 0.0f;
@@ -218,10 +218,10 @@ static float entry_pitch_deg(float entry_deg)
     technique.entry_deg = entry_deg;
     begin_with(&technique, 5);
     assert_true(bot_stall_until(&stall, BOT_DIP, 30));
-    while (stall.core.poi[0].immersed <= 0.0f) {
+    while (stall.core.world.poi[0].immersed <= 0.0f) {
         bot_stall_tick(&stall);
     }
-    return stall.core.poi[0].angles.pitch_rad / F_DEG;
+    return stall.core.world.poi[0].angles.pitch_rad / F_DEG;
 }
 
 static void test_entry_is_the_slant_at_which_it_goes_in(void **state)
@@ -296,10 +296,11 @@ static void test_one_paper_survives_many_scoops_in_good_hands(void **state)
     for (uint32_t i = 0; i < 40u * CORE_TICK_HZ; i++) {
         bot_stall_tick(&stall);
     }
-    print_message("40 s: %u scoops, %u fish, %.3f of the paper left\n", stall.core.poi[0].dips,
-                  stall.core.game.player[0].caught, (double)sheet_left(&stall.core.poi[0].sheet));
-    assert_true(stall.core.poi[0].dips >= 8);
-    assert_true(sheet_left(&stall.core.poi[0].sheet) > 0.8f);
+    print_message("40 s: %u scoops, %u fish, %.3f of the paper left\n",
+                  stall.core.world.poi[0].dips, stall.core.game.player[0].caught,
+                  (double)sheet_left(&stall.core.world.poi[0].sheet));
+    assert_true(stall.core.world.poi[0].dips >= 8);
+    assert_true(sheet_left(&stall.core.world.poi[0].sheet) > 0.8f);
 }
 
 /* Twenty seconds each: the tank's size, depth and crowd are the bot's only rules. */

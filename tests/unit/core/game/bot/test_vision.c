@@ -93,7 +93,7 @@ static void paper_is_as_shown(const struct vision *vision)
 {
     const struct scene_poi *poi = &scene.poi[vision->player];
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
-        if (vision->core->poi[vision->player].sheet.state[i] != CELL_OUTSIDE) {
+        if (vision->core->world.poi[vision->player].sheet.state[i] != CELL_OUTSIDE) {
             assert_int_equal(vision_integrity(vision, i), poi->integrity[i]);
             assert_int_equal(vision_wetness(vision, i), poi->wetness[i]);
         } else {
@@ -131,7 +131,7 @@ static void test_through_a_round_each_look_tells_what_the_scene_shows(void **sta
         if (i % 13u == 0) {
             all_is_as_shown(i % 2u);
             wet += scene.poi[0].water_m > 0.0f;
-            carried += stall.core.poi[0].carried_count;
+            carried += stall.core.world.poi[0].carried_count;
             caught += scene.caught[0];
         }
     }

@@ -39,7 +39,7 @@ struct member {
 #define COUNT(list) (sizeof(list) / sizeof(list)[0])
 
 static const struct member core_parts[] = {
-    MEMBER(core, tick),
+    MEMBER(core, game.tick),
     MEMBER(core, config.modes),
     MEMBER(core, config.grade),
     MEMBER(core, config.round_s),
@@ -53,12 +53,12 @@ static const struct member core_parts[] = {
     MEMBER(core, game.phase_tick),
     MEMBER(core, game.point_tick),
     MEMBER(core, game.round_s),
-    MEMBER(core, game.ranking),
+    MEMBER(core, game.accounts.ranking),
     MEMBER(core, game.hints.shown),
-    MEMBER(core, tank.preset),
-    MEMBER(core, tank.size_m),
-    MEMBER(core, tank.wall_height_m),
-    MEMBER(core, tank.oxygen.pump),
+    MEMBER(core, world.tank.preset),
+    MEMBER(core, world.tank.size_m),
+    MEMBER(core, world.tank.wall_height_m),
+    MEMBER(core, world.tank.oxygen.pump),
 };
 
 static const struct member player_parts[] = {
@@ -154,11 +154,11 @@ static void bare_of(struct core *core, const struct core *from)
 {
     memset(core, NONSENSE, sizeof *core);
     KEEP(core, from, core_parts);
-    keep_tank(&core->tank, &from->tank);
+    keep_tank(&core->world.tank, &from->world.tank);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         KEEP(&core->game.player[i], &from->game.player[i], player_parts);
-        keep_poi(&core->poi[i], &from->poi[i]);
-        keep_bowl(&core->bowl[i], &from->bowl[i]);
+        keep_poi(&core->world.poi[i], &from->world.poi[i]);
+        keep_bowl(&core->world.bowl[i], &from->world.bowl[i]);
     }
 }
 
@@ -264,7 +264,7 @@ static void test_all_that_is_kept_of_a_bare_state_can_be_seen(void **state)
     static const uint8_t phases[] = { PHASE_ROUND, PHASE_MODE_SELECT };
     uint32_t core = 0, player = 0, fish = 0, poi = 0, bowl = 0, shade = 0;
     begin(8);
-    stall.core.tank.fish[3].age_days = 80.0f; /* It still reddens. */
+    stall.core.world.tank.fish[3].age_days = 80.0f; /* It still reddens. */
     stall.core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
     for (size_t i = 0; i < sizeof phases; i++) {
         stall.core.game.phase = phases[i];
@@ -272,10 +272,10 @@ static void test_all_that_is_kept_of_a_bare_state_can_be_seen(void **state)
         assert_true(look_the_same(&stall.core, &bare));
         EACH_SHOWS(&bare, core_parts, &core);
         EACH_SHOWS(&bare.game.player[0], player_parts, &player);
-        EACH_SHOWS(&bare.tank.fish[3], fish_parts, &fish);
-        EACH_SHOWS(&bare.poi[0], poi_parts, &poi);
-        EACH_SHOWS(&bare.bowl[0], bowl_parts, &bowl);
-        EACH_SHOWS(&bare.tank.shade[0], shade_parts, &shade);
+        EACH_SHOWS(&bare.world.tank.fish[3], fish_parts, &fish);
+        EACH_SHOWS(&bare.world.poi[0], poi_parts, &poi);
+        EACH_SHOWS(&bare.world.bowl[0], bowl_parts, &bowl);
+        EACH_SHOWS(&bare.world.tank.shade[0], shade_parts, &shade);
     }
     assert_int_equal(core, ALL_OF(core_parts));
     assert_int_equal(player, ALL_OF(player_parts));
@@ -298,7 +298,7 @@ static void test_a_bot_that_sees_a_bare_state_goes_the_very_same_way(void **stat
         assert_memory_equal(&blind, &stall.input.poi[0].target, sizeof blind);
         assert_true(bot_hash(HASH_START, &twin) == bot_hash(HASH_START, &stall.bot));
     }
-    assert_true(stall.core.poi[0].dips > 0);
+    assert_true(stall.core.world.poi[0].dips > 0);
 }
 
 int main(void)

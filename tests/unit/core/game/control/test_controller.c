@@ -7,16 +7,16 @@ static void test_the_clock_waits_while_the_poi_is_lost(void **state)
     (void)state;
     play_into_round();
     steps(100);
-    const float before_s = game_seconds_left(&core.game, core.tick);
+    const float before_s = game_seconds_left(&core.game, core.game.tick);
     input.poi[0].link = POI_SOURCE_LOST;
     steps(1000);
-    assert_float_equal(game_seconds_left(&core.game, core.tick), before_s, 0.001f);
+    assert_float_equal(game_seconds_left(&core.game, core.game.tick), before_s, 0.001f);
     assert_int_equal(core.game.hints.shown, HINT_LOST_POI);
     hold_at(ABOVE_M);
     steps(INPUT_AGREE_TICKS - 1u);
-    assert_float_equal(game_seconds_left(&core.game, core.tick), before_s, 0.001f);
+    assert_float_equal(game_seconds_left(&core.game, core.game.tick), before_s, 0.001f);
     steps(120);
-    assert_float_equal(game_seconds_left(&core.game, core.tick), before_s - 1.0f, 0.001f);
+    assert_float_equal(game_seconds_left(&core.game, core.game.tick), before_s - 1.0f, 0.001f);
 }
 
 static void test_a_round_that_nobody_comes_back_to_ends(void **state)
@@ -73,9 +73,9 @@ static void test_a_hand_beyond_reach_is_brought_back(void **state)
     input.poi[0].target.position_m = v3(90.0f, -90.0f, -90.0f);
     steps(400);
     const vec3 hand = core.game.hand_pose[0].position_m;
-    assert_true(hand.x < core.tank.size_m.x);
-    assert_float_equal(hand.y, -core.tank.size_m.y, 0.0f);
-    assert_true(hand.z > -core.tank.size_m.z);
+    assert_true(hand.x < core.world.tank.size_m.x);
+    assert_float_equal(hand.y, -core.world.tank.size_m.y, 0.0f);
+    assert_true(hand.z > -core.world.tank.size_m.z);
 }
 
 static void test_any_hand_is_brought_within_reach(void **state)
@@ -93,7 +93,7 @@ static void test_any_hand_is_brought_within_reach(void **state)
         assert_true(f_abs(hand.yaw_rad) < 3.15f);
         assert_true(f_abs(hand.pitch_rad) < 3.15f);
         assert_true(f_abs(hand.roll_rad) < 3.15f);
-        assert_true(v3_is_finite(core.poi[0].position_m));
+        assert_true(v3_is_finite(core.world.poi[0].position_m));
     }
     input.poi[0].target = (struct poi_target){ .angles = { -F_TAU, F_TAU + 0.5f, 0.0f } };
     steps(400);
@@ -107,7 +107,7 @@ static void test_a_hand_turns_over_the_short_way_round(void **state)
     input.poi[0].target.angles.yaw_rad = -3.1f;
     play_into_round();
     core.game.hand_pose[0].angles.yaw_rad = 3.1f;
-    core.game.grip_tick[0] = core.tick;
+    core.game.grip_tick[0] = core.game.tick;
     for (uint32_t i = 0; i < 160; i++) {
         step();
         assert_true(f_abs(core.game.hand_pose[0].angles.yaw_rad) > 3.0f);
@@ -148,11 +148,11 @@ static void test_a_hand_that_is_no_number_is_a_lost_hand(void **state)
 {
     (void)state;
     play_into_round();
-    const float before_s = game_seconds_left(&core.game, core.tick);
+    const float before_s = game_seconds_left(&core.game, core.game.tick);
     input.poi[0].target.position_m.x = 1.0f / 0.0f;
     steps(100);
     assert_true(controller_is_lost(&core, 0));
-    assert_float_equal(game_seconds_left(&core.game, core.tick), before_s, 0.001f);
+    assert_float_equal(game_seconds_left(&core.game, core.game.tick), before_s, 0.001f);
 }
 
 int main(void)

@@ -55,13 +55,13 @@ static uint32_t still_ticks; /* In which the round's clock stood. */
 
 static float tremble(uint32_t what)
 {
-    return rng_range((struct rng_key){ 11, core.tick, what, RNG_TEST }, -5e-5f, 5e-5f);
+    return rng_range((struct rng_key){ 11, core.game.tick, what, RNG_TEST }, -5e-5f, 5e-5f);
 }
 
 /* What the controller would say, were it whole: a hand that stirs a little, as hands do. */
 static void say_truth(void)
 {
-    const float sway_m_s = core.tick / 240u % 2u ? 0.04f : -0.04f;
+    const float sway_m_s = core.game.tick / 240u % 2u ? 0.04f : -0.04f;
     hand_m.z += sway_m_s * CORE_TICK_S;
     struct poi_input *poi = &input.poi[0];
     *poi = (struct poi_input){ .link = POI_SOURCE_LIVE, .target.position_m = hand_m };
@@ -75,18 +75,18 @@ static void say_truth(void)
 
 static void check_numbers(void)
 {
-    const struct poi *poi = &core.poi[0];
+    const struct poi *poi = &core.world.poi[0];
     assert_true(v3_is_finite(poi->position_m) && v3_is_finite(poi->velocity_m_s));
     assert_true(f_is_finite(poi->pressure_pa + poi->water_kg + poi->sheet.sag_m));
 }
 
 static void run_tick(void)
 {
-    const float before_s = game_seconds_left(&core.game, core.tick);
+    const float before_s = game_seconds_left(&core.game, core.game.tick);
     output.sound_count = 0;
     core_tick(&core, &input, &output);
     input.pressed = 0;
-    still_ticks += before_s == game_seconds_left(&core.game, core.tick);
+    still_ticks += before_s == game_seconds_left(&core.game, core.game.tick);
     check_numbers();
 }
 
@@ -122,15 +122,15 @@ static void soak(struct sheet *sheet, enum wetness wetness)
 /* A fish that hangs over the ring while it comes up through the surface lies on it afterwards. */
 static void take_a_fish(void)
 {
-    struct fish *fish = &core.tank.fish[0];
+    struct fish *fish = &core.world.tank.fish[0];
     move_to(v3(hand_m.x, -0.02f, hand_m.z), 0.1f);
-    for (uint32_t i = 0; i < 400 && core.poi[0].carried_count == 0; i++) {
-        fish->position_m = v3_add(core.poi[0].position_m, v3(0.0f, 0.008f, 0.0f));
+    for (uint32_t i = 0; i < 400 && core.world.poi[0].carried_count == 0; i++) {
+        fish->position_m = v3_add(core.world.poi[0].position_m, v3(0.0f, 0.008f, 0.0f));
         fish->velocity_m_s = v3(0.0f, 0.0f, 0.0f);
         hand_m.y += 0.05f * CORE_TICK_S;
         wait(1);
     }
-    assert_int_equal(core.poi[0].carried_count, 1);
+    assert_int_equal(core.world.poi[0].carried_count, 1);
     move_to(v3(hand_m.x, 0.05f, hand_m.z), 0.08f);
 }
 
@@ -148,14 +148,14 @@ static void begin(const struct scene_of *of)
     while (core.game.phase != PHASE_ROUND) {
         wait(1);
     }
-    sheet_init(&core.poi[0].sheet, SHEET_GRADE_MAX, POI_RADIUS_M, 3);
+    sheet_init(&core.world.poi[0].sheet, SHEET_GRADE_MAX, POI_RADIUS_M, 3);
     if (of->place == DEEP) {
         move_to(v3(-0.08f, -0.07f, 0.04f), 0.1f);
     } else {
         take_a_fish();
     }
     wait(60);
-    soak(&core.poi[0].sheet, of->wetness);
+    soak(&core.world.poi[0].sheet, of->wetness);
 }
 
 /* ---- What breaks ---------------------------------------------------------------------------- */
@@ -225,7 +225,7 @@ static float damage_sum(void)
 {
     float sum = 0.0f;
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
-        sum += core.poi[0].sheet.damage[cell];
+        sum += core.world.poi[0].sheet.damage[cell];
     }
     return sum;
 }
@@ -242,7 +242,7 @@ static int may_slap(const struct scene_of *of)
 static void check_fault(const struct scene_of *of)
 {
     static float damage[SHEET_CELL_COUNT];
-    const struct poi *poi = &core.poi[0];
+    const struct poi *poi = &core.world.poi[0];
     uint32_t cells = poi->sheet.paper_cells;
     uint32_t lost_ticks = 0, tick = 0;
     int broken = 1, leads;
@@ -282,15 +282,15 @@ static void check_fault(const struct scene_of *of)
 /* No blow waits in the water or in the spring for the paper to be hit again. */
 static void check_aftermath(const struct scene_of *of)
 {
-    const uint32_t cells = core.poi[0].sheet.paper_cells;
+    const uint32_t cells = core.world.poi[0].sheet.paper_cells;
     const float before = damage_sum();
     if (of->place == CARRYING) {
         return; /* A fish that slaps on wet paper wears it, whoever leads. */
     }
     wait(120);
-    assert_int_equal(core.poi[0].sheet.paper_cells, cells);
+    assert_int_equal(core.world.poi[0].sheet.paper_cells, cells);
     assert_true(damage_sum() - before < (of->fault == JUMP ? 0.05f : 1e-3f)); /* At the wall. */
-    assert_true(v3_length(v3_sub(core.poi[0].position_m, hand_m)) < 0.05f ||
+    assert_true(v3_length(v3_sub(core.world.poi[0].position_m, hand_m)) < 0.05f ||
                 of->fault == JUMP); /* That hand is beyond the wall. */
 }
 
@@ -356,14 +356,14 @@ static void check_strays(const struct core *from, enum wetness wetness, uint8_t 
             }
             core = *from;
             hand_m = there_m;
-            sheet_init(&core.poi[0].sheet, grade, POI_RADIUS_M, 3);
-            soak(&core.poi[0].sheet, wetness);
+            sheet_init(&core.world.poi[0].sheet, grade, POI_RADIUS_M, 3);
+            soak(&core.world.poi[0].sheet, wetness);
             stray_for(&strays[i], lasts[k]);
             wait(lasts[k] > 8u ? 1u : 90u);
-            if (core.poi[0].sheet.paper_cells != core.poi[0].sheet.paper_cells_new) {
+            if (core.world.poi[0].sheet.paper_cells != core.world.poi[0].sheet.paper_cells_new) {
                 fail_msg("grade %u, wetness %d, device %d: stray %zu for %u ticks: %u cells left",
                          grade, (int)wetness, (int)device, i, lasts[k],
-                         core.poi[0].sheet.paper_cells);
+                         core.world.poi[0].sheet.paper_cells);
             }
         }
     }
@@ -402,7 +402,7 @@ static void test_a_fish_that_was_carried_through_a_fault_is_brought_home_and_cou
         }
         begin(&of);
         check_fault(&of);
-        const vec3 bowl_m = core.bowl[0].position_m;
+        const vec3 bowl_m = core.world.bowl[0].position_m;
         move_to(v3(hand_m.x, 0.06f, hand_m.z), 0.2f);
         move_to(v3(bowl_m.x, 0.06f, bowl_m.z), 0.3f);
         wait(200);
@@ -420,17 +420,17 @@ static void test_the_poi_glides_back_and_does_not_leap(void **state)
     for (uint32_t tick = 0; tick < 400; tick++) {
         run_tick();
     }
-    assert_float_equal(core.poi[0].position_m.y, FAILSAFE_HOVER_M, 0.005f);
+    assert_float_equal(core.world.poi[0].position_m.y, FAILSAFE_HOVER_M, 0.005f);
     float fastest_m_s = 0.0f;
     uint32_t ticks = 0;
-    for (; controller_is_lost(&core, 0) || core.poi[0].damage_immune; ticks++) {
+    for (; controller_is_lost(&core, 0) || core.world.poi[0].damage_immune; ticks++) {
         wait(1);
-        fastest_m_s = f_max(fastest_m_s, v3_length(core.poi[0].velocity_m_s));
+        fastest_m_s = f_max(fastest_m_s, v3_length(core.world.poi[0].velocity_m_s));
         assert_true(ticks < 240);
     }
     print_message("back after %u ticks, at %.2f m/s at most\n", ticks, (double)fastest_m_s);
     assert_true(fastest_m_s < 0.8f);
-    assert_true(v3_length(v3_sub(core.poi[0].position_m, hand_m)) < 0.02f);
+    assert_true(v3_length(v3_sub(core.world.poi[0].position_m, hand_m)) < 0.02f);
 }
 
 /* The poi of who is not there must not be in anyone's way for long. */
@@ -441,7 +441,7 @@ static void test_a_lost_poi_leaves_the_water_by_itself(void **state)
     uint32_t ticks = 0;
     begin(&of);
     input.poi[0].link = POI_SOURCE_LOST;
-    for (; core.poi[0].immersed > 0.0f; ticks++) {
+    for (; core.world.poi[0].immersed > 0.0f; ticks++) {
         run_tick();
         assert_true(ticks < 360);
     }
@@ -449,12 +449,12 @@ static void test_a_lost_poi_leaves_the_water_by_itself(void **state)
     for (uint32_t i = 0; i < 240; i++) {
         run_tick();
     }
-    const vec3 hovers_m = core.poi[0].position_m;
+    const vec3 hovers_m = core.world.poi[0].position_m;
     for (uint32_t i = 0; i < 600; i++) {
         run_tick();
-        assert_true(v3_length(v3_sub(core.poi[0].position_m, hovers_m)) < 0.001f);
+        assert_true(v3_length(v3_sub(core.world.poi[0].position_m, hovers_m)) < 0.001f);
     }
-    assert_true(core.poi[0].immersed <= 0.0f);
+    assert_true(core.world.poi[0].immersed <= 0.0f);
 }
 
 /* Corners, walls, the floor, the bowl's side; however it was turned. */
@@ -468,8 +468,8 @@ static void test_it_finds_its_way_out_from_anywhere(void **state)
     there = core;
     for (uint32_t i = 0; i < 5u * 3u * 2u * 5u; i++) {
         core = there;
-        struct poi *poi = &core.poi[0];
-        const vec3 half_m = v3_scale(core.tank.size_m, 0.5f);
+        struct poi *poi = &core.world.poi[0];
+        const vec3 half_m = v3_scale(core.world.tank.size_m, 0.5f);
         poi->position_m =
             v3(half_m.x * (-0.9f + 0.45f * (float)(i % 5u)), i / 15u % 2u ? -0.03f : -0.11f,
                half_m.z * (-0.85f + 0.85f * (float)(i / 5u % 3u)));
@@ -484,7 +484,7 @@ static void test_it_finds_its_way_out_from_anywhere(void **state)
             assert_true(++ticks < 6u * CORE_TICK_HZ);
         }
         slowest = ticks > slowest ? ticks : slowest;
-        assert_int_equal(poi->sheet.paper_cells, there.poi[0].sheet.paper_cells);
+        assert_int_equal(poi->sheet.paper_cells, there.world.poi[0].sheet.paper_cells);
     }
     print_message("hovers after %u ticks at the latest\n", slowest);
 }

@@ -33,7 +33,7 @@ static void play(uint32_t players)
 /* On the picture, from -1 to 1 each way. */
 static void project(vec3 at_m, float *x, float *y)
 {
-    const struct view *view = &tank_preset(core.tank.preset)->view;
+    const struct view *view = &tank_preset(core.world.tank.preset)->view;
     const struct basis axes = view_basis(view);
     const vec3 seen = vec_basis_to_body(&axes, v3_sub(at_m, view->eye_m));
     const float tan_y = view_half_height_tan(view, view->aspect_min);
@@ -68,15 +68,15 @@ static float apart_m(vec3 a_m, vec3 b_m)
 
 static void expect_own_place(uint32_t index, uint32_t players)
 {
-    const vec3 *moored = tank_preset(core.tank.preset)->bowl_m;
-    const vec3 at_m = core.poi[index].position_m;
+    const vec3 *moored = tank_preset(core.world.tank.preset)->bowl_m;
+    const vec3 at_m = core.world.poi[index].position_m;
     expect_in_the_picture(at_m);
     for (uint32_t i = 0; i < players; i++) {
         const float bowl_m = apart_m(at_m, moored[i]);
         assert_true(bowl_m > BOWL_RADIUS_M + POI_OUTER_RADIUS_M - 0.001f);
         if (i != index) {
             assert_true(bowl_m > apart_m(at_m, moored[index]));
-            assert_true(apart_m(at_m, core.poi[i].position_m) > 2.0f * POI_OUTER_RADIUS_M);
+            assert_true(apart_m(at_m, core.world.poi[i].position_m) > 2.0f * POI_OUTER_RADIUS_M);
         }
     }
 }
@@ -126,7 +126,7 @@ static void test_before_the_start_and_after_the_end_the_stalls_own_pois_lie_ther
 
 static void expect_put_away(uint32_t index, uint32_t players)
 {
-    const struct shade_cast *cast = &core.tank.shade[SHADE_MAX + index].cast;
+    const struct shade_cast *cast = &core.world.tank.shade[SHADE_MAX + index].cast;
     assert_true(look()->player[index].out);
     assert_false(cast->present);
     assert_false(parking_collides(&core, index));
@@ -140,11 +140,11 @@ static void test_whose_paper_is_gone_is_put_away_and_the_others_play_on(void **s
     lead(0, v3(0.1f, STAND_BELOW_M, 0.1f));
     tear_all(0);
     ticks(60); /* To see the hole. */
-    assert_true(apart_m(core.poi[0].position_m, v3(0.1f, 0.0f, 0.1f)) < 0.03f);
+    assert_true(apart_m(core.world.poi[0].position_m, v3(0.1f, 0.0f, 0.1f)) < 0.03f);
     ticks(3u * CORE_TICK_HZ);
     expect_put_away(0, 2);
     assert_false(look()->player[1].out);
-    assert_true(apart_m(core.poi[1].position_m, v3(-0.1f, 0.0f, 0.1f)) < 0.01f);
+    assert_true(apart_m(core.world.poi[1].position_m, v3(-0.1f, 0.0f, 0.1f)) < 0.01f);
     input.poi[0].target.position_m = v3(-0.1f, STAND_BELOW_M, -0.1f); /* Its hand moves nothing. */
     ticks(200);
     expect_put_away(0, 2);
@@ -159,18 +159,18 @@ static void test_after_the_third_foul_what_lay_on_it_swims_again(void **state)
     const struct tank_stage stage = {
         .position_m = v3(0.1f, -0.038f, 0.1f), .length_m = 0.04f, .stamina = 0.5f, .gait = GAIT_REST
     };
-    tank_stage_all(&core.tank, &stage, 1);
+    tank_stage_all(&core.world.tank, &stage, 1);
     for (uint32_t i = 0; i < 132u; i++) { /* Softly, by 0.1 m/s. */
         input.poi[0].target.position_m.y += 0.1f * CORE_TICK_S;
         tick();
     }
     ticks(30);
-    assert_int_equal(core.poi[0].carried_count, 1);
+    assert_int_equal(core.world.poi[0].carried_count, 1);
     core.game.player[0].out = 1; /* As the umpire says. */
     ticks(4u * CORE_TICK_HZ);
     expect_put_away(0, 2);
-    assert_int_equal(core.poi[0].carried_count, 0);
-    assert_int_not_equal(core.tank.fish[0].gait, GAIT_HELD);
+    assert_int_equal(core.world.poi[0].carried_count, 0);
+    assert_int_not_equal(core.world.tank.fish[0].gait, GAIT_HELD);
 }
 
 static void test_who_was_waited_for_too_long_is_put_away(void **state)
@@ -191,23 +191,23 @@ static void test_it_goes_there_without_a_jump_and_comes_back_so(void **state)
     (void)state;
     play(2);
     tear_all(0);
-    vec3 last_m = core.poi[0].position_m;
+    vec3 last_m = core.world.poi[0].position_m;
     for (uint32_t i = 0; i < 600u; i++) {
         tick();
-        assert_true(v3_length(v3_sub(core.poi[0].position_m, last_m)) < 0.010f); /* 1.2 m/s */
-        last_m = core.poi[0].position_m;
+        assert_true(v3_length(v3_sub(core.world.poi[0].position_m, last_m)) < 0.010f); /* 1.2 m/s */
+        last_m = core.world.poi[0].position_m;
     }
     expect_put_away(0, 2);
     tear_all(1);
     wait_for_phase(PHASE_RESULT, 600u);
     ticks(GAME_AGAIN_TICKS + 10u);
     expect_own_place(0, 2);
-    last_m = core.poi[0].position_m;
+    last_m = core.world.poi[0].position_m;
     press(INPUT_START);
     for (uint32_t i = 0; i < 300u; i++) {
         tick();
-        assert_true(v3_length(v3_sub(core.poi[0].position_m, last_m)) < 0.015f);
-        last_m = core.poi[0].position_m;
+        assert_true(v3_length(v3_sub(core.world.poi[0].position_m, last_m)) < 0.015f);
+        last_m = core.world.poi[0].position_m;
     }
     assert_int_equal(core.game.phase, PHASE_READY);
     assert_true(apart_m(last_m, input.poi[0].target.position_m) < 0.01f);

@@ -23,7 +23,7 @@ static int begin(void **state)
     press(INPUT_START);
     wait_for_phase(PHASE_ROUND, 4u * CORE_TICK_HZ);
     lead(0, v3(-0.2f, DEEP_M, 0.0f));
-    struct sheet *sheet = &core.poi[0].sheet;
+    struct sheet *sheet = &core.world.poi[0].sheet;
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
         sheet->wetness[i] = 1.0f;
     }
@@ -40,11 +40,11 @@ static vec3 hand_at(uint32_t tick_of_play)
 
 static void play_tick(uint32_t i)
 {
-    const struct sheet *sheet = &core.poi[0].sheet;
+    const struct sheet *sheet = &core.world.poi[0].sheet;
     tick();
-    tally.damage_immune += core.poi[0].damage_immune;
+    tally.damage_immune += core.world.poi[0].damage_immune;
     tally.paused += core.game.paused;
-    tally.spared_in_play += core.poi[0].damage_immune && !core.game.paused;
+    tally.spared_in_play += core.world.poi[0].damage_immune && !core.game.paused;
     if (tally.torn_tick == 0 && sheet->paper_cells < sheet->paper_cells_new) {
         tally.torn_tick = i + 1u;
     }

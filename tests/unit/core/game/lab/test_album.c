@@ -7,8 +7,8 @@
 static void land(uint32_t fish, uint32_t player)
 {
     struct catch_result caught[POI_MAX] = { 0 };
-    core.tank.fish[fish].gait = GAIT_BOWL;
-    core.tank.fish[fish].holder = (uint8_t)player;
+    core.world.tank.fish[fish].gait = GAIT_BOWL;
+    core.world.tank.fish[fish].holder = (uint8_t)player;
     caught[player].bowled = caught[player].landed = 1;
     game_score(&core, caught, &output);
 }
@@ -47,7 +47,7 @@ static void test_the_first_caught_come_first_and_the_rest_are_counted(void **sta
     assert_int_equal(page()->caught, 8);
     for (uint32_t i = 0; i < ALBUM_FISH_MAX; i++) {
         assert_int_equal(core.game.album.fish[i].fish, 11u - i);
-        assert_int_equal(page()->fish[i].look, core.tank.fish[11u - i].look);
+        assert_int_equal(page()->fish[i].look, core.world.tank.fish[11u - i].look);
     }
 }
 
@@ -66,10 +66,10 @@ static void test_a_fish_is_noted_once_and_as_it_was(void **state)
 {
     (void)state;
     play_into_round();
-    const float age_days = core.tank.fish[5].age_days;
+    const float age_days = core.world.tank.fish[5].age_days;
     land(5, 0);
-    core.tank.fish[5].gait = GAIT_SWIM; /* Poured back by the umpire, and caught again. */
-    core.tank.fish[5].age_days = 9999.0f;
+    core.world.tank.fish[5].gait = GAIT_SWIM; /* Poured back by the umpire, and caught again. */
+    core.world.tank.fish[5].age_days = 9999.0f;
     land(5, 0);
     assert_int_equal(core.game.album.fish_count, 1);
     assert_int_equal(core.game.album.caught, 2);
@@ -106,11 +106,11 @@ static void test_a_small_one_stays_small(void **state)
 {
     (void)state;
     play_into_round();
-    core.tank.fish[0].length_m *= 0.8f;
+    core.world.tank.fish[0].length_m *= 0.8f;
     land(0, 0);
     land(1, 0);
     core.game.phase = PHASE_ALBUM;
-    core.game.phase_tick = core.tick - album_ticks(2);
+    core.game.phase_tick = core.game.tick - album_ticks(2);
     const float ratio = page()->fish[0].length_m / page()->fish[1].length_m;
     assert_float_equal(ratio, 0.8f, 0.02f);
 }

@@ -22,8 +22,8 @@ static struct layout_point middle_of(enum lab_part part)
 static void hover(struct layout_point at)
 {
     const struct layout_point canvas = pointer_layout_size(core.game.lab.upright);
-    hold(0, v3((at.x / canvas.x - 0.5f) * core.tank.size_m.x, UP_M,
-               (at.y / canvas.y - 0.5f) * core.tank.size_m.z));
+    hold(0, v3((at.x / canvas.x - 0.5f) * core.world.tank.size_m.x, UP_M,
+               (at.y / canvas.y - 0.5f) * core.world.tank.size_m.z));
     tick();
 }
 
@@ -54,8 +54,8 @@ static void drag_down(struct layout_point from, struct layout_point to)
     for (uint32_t i = 1; i <= 10; i++) {
         const float share = 0.1f * (float)i;
         const float x = f_lerp(from.x, to.x, share), y = f_lerp(from.y, to.y, share);
-        hold(0, v3((x / canvas.x - 0.5f) * core.tank.size_m.x, DOWN_M,
-                   (y / canvas.y - 0.5f) * core.tank.size_m.z));
+        hold(0, v3((x / canvas.x - 0.5f) * core.world.tank.size_m.x, DOWN_M,
+                   (y / canvas.y - 0.5f) * core.world.tank.size_m.z));
         tick();
     }
     come_up();
@@ -135,8 +135,8 @@ static void test_the_dip_that_opens_it_presses_nothing(void **state)
     press(INPUT_START);
     ticks(GAME_MODE_SELECT_TICKS_MIN);
     const struct layout_point over = middle_of(LAB_SMOOTH), canvas = pointer_layout_size(0);
-    dip(0, (over.x / canvas.x - 0.5f) * core.tank.size_m.x,
-        (over.y / canvas.y - 0.5f) * core.tank.size_m.z);
+    dip(0, (over.x / canvas.x - 0.5f) * core.world.tank.size_m.x,
+        (over.y / canvas.y - 0.5f) * core.world.tank.size_m.z);
     ticks(30);
     assert_int_equal(core.game.phase, PHASE_LAB);
     assert_int_equal(core.game.lab.holds, HOLD_BUTTON);
@@ -156,7 +156,7 @@ static void test_nothing_that_is_done_there_is_a_score(void **state)
     assert_int_equal(output.record.id, 0);
     assert_int_equal(core.game.round_count, rounds);
     for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
-        assert_int_equal(core.game.ranking.row[mode][RANK_DAY][0].caught, 0);
+        assert_int_equal(core.game.accounts.ranking.row[mode][RANK_DAY][0].caught, 0);
     }
 }
 
@@ -175,13 +175,13 @@ static void test_a_minute_without_anybody_ends_it(void **state)
 static void test_a_poi_that_swings_keeps_nobody_there(void **state)
 {
     (void)state;
-    const uint32_t begin = core.tick;
-    while (core.game.phase == PHASE_LAB && core.tick - begin <= LAB_SWING_TICKS + 120u) {
-        hover((struct layout_point){ core.tick / 60u % 2u ? 300.0f : 400.0f, 72.0f });
+    const uint32_t begin = core.game.tick;
+    while (core.game.phase == PHASE_LAB && core.game.tick - begin <= LAB_SWING_TICKS + 120u) {
+        hover((struct layout_point){ core.game.tick / 60u % 2u ? 300.0f : 400.0f, 72.0f });
         ticks(20);
     }
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    assert_in_range(core.tick - begin, LAB_SWING_TICKS - 60u, LAB_SWING_TICKS + 120u);
+    assert_in_range(core.game.tick - begin, LAB_SWING_TICKS - 60u, LAB_SWING_TICKS + 120u);
 }
 
 static void test_start_plays_and_held_leaves(void **state)
@@ -280,7 +280,7 @@ static void test_a_mouse_means_what_is_under_it_on_any_screen(void **state)
     (void)state;
     static const float sizes[][2] = { { 1280, 720 },  { 1920, 1080 }, { 1024, 768 },
                                       { 2560, 1080 }, { 1080, 1920 }, { 480, 800 } };
-    const struct view *view = &tank_preset(core.tank.preset)->view;
+    const struct view *view = &tank_preset(core.world.tank.preset)->view;
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
         const float width = sizes[s][0], height = sizes[s][1];
         const int upright = width < POINTER_UPRIGHT_ASPECT * height;
@@ -306,7 +306,7 @@ static void test_a_mouse_means_what_is_under_it_on_any_screen(void **state)
 static void test_a_mouse_presses_as_a_poi_does(void **state)
 {
     (void)state;
-    const struct view *view = &tank_preset(core.tank.preset)->view;
+    const struct view *view = &tank_preset(core.world.tank.preset)->view;
     const struct layout_point at = middle_of(LAB_COMPARE);
     const float x = at.x / 640.0f - 1.0f, y = 1.0f - at.y / 360.0f;
     for (uint32_t i = 0; i < 3; i++) {
@@ -412,8 +412,8 @@ static void test_a_dragged_knot_keeps_the_constraint_all_the_way(void **state)
     for (uint32_t i = 0; i <= 60; i++) {
         const struct layout_point canvas = pointer_layout_size(0);
         const float x = from.x + 0.5f * (float)i, y = from.y + plot.height * 0.02f * (float)i;
-        hold(0, v3((x / canvas.x - 0.5f) * core.tank.size_m.x, DOWN_M,
-                   (y / canvas.y - 0.5f) * core.tank.size_m.z));
+        hold(0, v3((x / canvas.x - 0.5f) * core.world.tank.size_m.x, DOWN_M,
+                   (y / canvas.y - 0.5f) * core.world.tank.size_m.z));
         tick();
         assert_true(lab_edit_is_valid(&core.game.lab.edit, card()));
         float sum = 0.0f;
@@ -611,8 +611,8 @@ static void play_wildly(uint32_t seed, uint32_t count)
         const uint32_t bits = rng_u32((struct rng_key){ seed, i / 12u, 0, RNG_TEST });
         const float x = (float)(bits & 255u) / 255.0f - 0.5f;
         const float z = (float)(bits >> 8 & 255u) / 255.0f - 0.5f;
-        hold(0,
-             v3(x * core.tank.size_m.x, bits >> 16 & 1u ? DOWN_M : UP_M, z * core.tank.size_m.z));
+        hold(0, v3(x * core.world.tank.size_m.x, bits >> 16 & 1u ? DOWN_M : UP_M,
+                   z * core.world.tank.size_m.z));
         input.upright = (bits >> 20 & 15u) == 0;
         input.pressed = bits >> 24 == 7u || i % 97u == 0 ? INPUT_OK : 0;
         tick();

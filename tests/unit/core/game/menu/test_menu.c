@@ -109,7 +109,7 @@ static void test_a_second_test_ends_the_round_without_a_result_and_pays_it_back(
 {
     (void)state;
     core.config.credit_coins = 1;
-    core.game.ledger.balance.paid = core.game.ledger.committed.paid = 2;
+    core.game.accounts.ledger.balance.paid = core.game.accounts.ledger.committed.paid = 2;
     play_into_round();
     core.game.player[0].caught = 7;
     assert_int_equal(purse_credits(&core), 1);
@@ -119,7 +119,7 @@ static void test_a_second_test_ends_the_round_without_a_result_and_pays_it_back(
     assert_int_equal(purse_credits(&core), 2);
     assert_int_equal(purse_audit(&core, AUDIT_REFUNDS), 1);
     assert_int_equal(output.record.id, 0);
-    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
+    assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 2);
 }
 
 static void test_the_question_of_one_round_is_not_asked_in_the_next(void **state)
@@ -473,7 +473,7 @@ static void test_a_coin_on_the_lines_page_is_a_test_and_only_metered(void **stat
     }
     core_scene(&core, &scene);
     assert_int_equal(scene.menu.test_coins, 5);
-    assert_int_equal(core.game.ledger.balance.units + purse_credits(&core), 0);
+    assert_int_equal(core.game.accounts.ledger.balance.units + purse_credits(&core), 0);
     assert_int_equal(output.coins_counted, 5); /* They are in the box. */
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_DEVICES);
@@ -495,7 +495,7 @@ static void test_on_every_other_page_coins_are_sent_back_and_one_that_falls_is_a
         assert_int_equal(output.coin_lockout, 1);
         drop(1);
         drop(1);
-        assert_int_equal(core.game.ledger.balance.units + purse_credits(&core), 0);
+        assert_int_equal(core.game.accounts.ledger.balance.units + purse_credits(&core), 0);
         assert_int_equal(output.coins_counted, before + 2u);
         assert_int_equal(purse_audit(&core, AUDIT_TEST_COINS), output.coins_counted);
     }
@@ -571,7 +571,7 @@ static void test_a_shake_while_the_operator_works_is_no_shake(void **state)
 {
     (void)state;
     push(INPUT_TILT);
-    assert_int_equal(core.game.credit.shakes, 0);
+    assert_int_equal(core.game.accounts.credit.shakes, 0);
 }
 
 /* ---- The hand ------------------------------------------------------------------------------- */
@@ -586,9 +586,10 @@ static void hold_over(uint32_t tag, float y_m)
     input.poi[0] = (struct poi_input){
         .link = POI_SOURCE_LIVE,
         .has_wrist = 1,
-        .target.position_m = { core.tank.size_m.x * ((box.x + 0.5f * box.width) / canvas.x - 0.5f),
+        .target.position_m = { core.world.tank.size_m.x *
+                                   ((box.x + 0.5f * box.width) / canvas.x - 0.5f),
                                y_m,
-                               core.tank.size_m.z *
+                               core.world.tank.size_m.z *
                                    ((box.y + 0.5f * box.height) / canvas.y - 0.5f) },
     };
 }
@@ -641,7 +642,7 @@ static void test_a_dip_that_hits_no_tag_takes_none(void **state)
     (void)state;
     hold_over(0, ABOVE_M);
     steps(MENU_TAKE_TICKS);
-    input.poi[0].target.position_m.z = -0.49f * core.tank.size_m.z; /* The title. */
+    input.poi[0].target.position_m.z = -0.49f * core.world.tank.size_m.z; /* The title. */
     step();
     input.poi[0].target.position_m.y = BELOW_M;
     steps(MENU_TAKE_TICKS);

@@ -99,7 +99,7 @@ static void lead_through(struct poi_target water)
 {
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
         assert_int_equal(calibrate()->step, CALIBRATE_CORNER + (int)i);
-        const vec3 mark_m = calibration_mark(stall.core.tank.size_m, i);
+        const vec3 mark_m = calibration_mark(stall.core.world.tank.size_m, i);
         hold_true((struct poi_target){ .position_m = mark_m }, CALIBRATE_STILL_TICKS + 4u);
     }
     assert_int_equal(calibrate()->step, CALIBRATE_WATER);
@@ -279,7 +279,8 @@ static void test_only_stillness_after_a_way_is_a_mark(void **state)
         hold_true((struct poi_target){ .position_m = v3(x, 0.1f, 0.0f) }, 1);
     }
     assert_int_equal(calibrate()->step, CALIBRATE_CORNER);
-    const struct poi_target mark = { .position_m = calibration_mark(stall.core.tank.size_m, 0) };
+    const struct poi_target mark = { .position_m =
+                                         calibration_mark(stall.core.world.tank.size_m, 0) };
     hold_true(mark, CALIBRATE_STILL_TICKS / 2u);
     stall.input.poi[0].link = POI_SOURCE_LOST;
     step();

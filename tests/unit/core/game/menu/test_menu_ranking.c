@@ -10,9 +10,9 @@ static int setup_pages(void **state)
         { .caught = 7, .round_id = 40, .seat = 0, .name = "たろう" },
     };
     setup(state);
-    memset(&core.game.ranking, 0, sizeof core.game.ranking);
+    memset(&core.game.accounts.ranking, 0, sizeof core.game.accounts.ranking);
     for (uint32_t period = RANK_DAY; period < RANK_PERIOD_COUNT; period += 2u) {
-        memcpy(core.game.ranking.row[MODE_FESTIVAL][period], rows, sizeof rows);
+        memcpy(core.game.accounts.ranking.row[MODE_FESTIVAL][period], rows, sizeof rows);
     }
     return 0;
 }
@@ -39,7 +39,7 @@ static void open_ranking(void)
 
 static const char *name_in(enum rank_period period, uint32_t row)
 {
-    return core.game.ranking.row[MODE_FESTIVAL][period][row].name;
+    return core.game.accounts.ranking.row[MODE_FESTIVAL][period][row].name;
 }
 
 static void test_only_rows_that_somebody_is_in_can_be_taken(void **state)
@@ -100,7 +100,7 @@ static void test_a_name_goes_from_every_board_when_it_was_meant(void **state)
     assert_string_equal(name_in(RANK_DAY, 2), "");
     assert_string_equal(name_in(RANK_EVER, 2), "");
     assert_string_equal(name_in(RANK_DAY, 0), "さくら"); /* The same round's other seat. */
-    assert_int_equal(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY][2].caught, 7);
+    assert_int_equal(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY][2].caught, 7);
 }
 
 static void test_who_has_second_thoughts_takes_nothing_down(void **state)
@@ -127,15 +127,15 @@ static void test_a_day_that_ends_meanwhile_leaves_nothing_to_do(void **state)
 {
     (void)state;
     open_ranking();
-    memset(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY], 0,
-           sizeof core.game.ranking.row[MODE_FESTIVAL][RANK_DAY]);
+    memset(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY], 0,
+           sizeof core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY]);
     take(0);
     assert_int_equal(core.game.menu.page, MENU_RANKING);
     setup_pages(NULL);
     open_ranking();
     take(0);
-    memset(core.game.ranking.row[MODE_FESTIVAL][RANK_DAY], 0,
-           sizeof core.game.ranking.row[MODE_FESTIVAL][RANK_DAY]);
+    memset(core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY], 0,
+           sizeof core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_DAY]);
     const uint32_t before = output.command_count;
     take(SCORE_REPLAY);
     assert_int_equal(output.command_count, before);

@@ -218,8 +218,9 @@ static void test_a_poi_under_water_turns_on_too(void **state)
     input.poi[0] = (struct poi_input){
         .link = POI_SOURCE_LIVE,
         .has_wrist = 1,
-        .target.position_m = { core.tank.size_m.x * ((box.x + 99.0f) / canvas.x - 0.5f), ABOVE_M,
-                               core.tank.size_m.z * ((box.y + 9.0f) / canvas.y - 0.5f) },
+        .target.position_m = { core.world.tank.size_m.x * ((box.x + 99.0f) / canvas.x - 0.5f),
+                               ABOVE_M,
+                               core.world.tank.size_m.z * ((box.y + 9.0f) / canvas.y - 0.5f) },
     };
     steps(MENU_TAKE_TICKS);
     input.poi[0].target.position_m.y = BELOW_M;
@@ -249,17 +250,17 @@ static void test_fish_seats_and_language_are_those_of_the_next_attract(void **st
 {
     (void)state;
     go_to(MENU_GAME);
-    const uint32_t before = core.tank.fish_count;
+    const uint32_t before = core.world.tank.fish_count;
     take(row_of(MENU_GAME, SET_FISH));
     take(row_of(MENU_GAME, SET_PLAYERS));
     take(row_of(MENU_GAME, SET_LANGUAGE));
-    assert_int_equal(core.tank.fish_count, before);
+    assert_int_equal(core.world.tank.fish_count, before);
     assert_int_equal(core.game.language, LANGUAGE_EN); /* At once: the next page is read in it. */
     go_back();
     go_back();
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
-    assert_int_equal(core.tank.fish_count, 1);
-    assert_true(core.bowl[1].present && !core.bowl[2].present);
+    assert_int_equal(core.world.tank.fish_count, 1);
+    assert_true(core.world.bowl[1].present && !core.world.bowl[2].present);
 }
 
 /* ---- The ledger ----------------------------------------------------------------------------- */
@@ -299,7 +300,7 @@ static void test_what_is_turned_there_and_back_is_no_entry(void **state)
 
 static void fill_the_ring(void)
 {
-    while (ledger_has_room(&core.game.ledger, LEDGER_SETTING)) {
+    while (ledger_has_room(&core.game.accounts.ledger, LEDGER_SETTING)) {
         ledger_write(&core, &(struct ledger_entry){ .kind = LEDGER_HEALTH }, &output);
     }
 }
@@ -316,7 +317,7 @@ static void test_a_full_ring_and_a_closed_menu_lose_no_setting(void **state)
     steps(5u * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
     assert_int_equal(output.entry_id, full);
-    assert_int_equal(core.game.ledger.uncommitted, 0);
+    assert_int_equal(core.game.accounts.ledger.uncommitted, 0);
     save_all(); /* The card is back. */
     step();
     assert_int_equal(output.entry_id, full + 1u);
@@ -333,7 +334,7 @@ static void test_the_first_day_comes_back_only_for_who_means_it(void **state)
     take(row_of(MENU_SOUND, SET_VOLUME));
     go_back();
     steps(CORE_TICK_HZ);
-    core.game.ledger.balance.paid = 3;
+    core.game.accounts.ledger.balance.paid = 3;
     go_to(MENU_UPKEEP);
     go_to(MENU_FACTORY);
     const uint32_t before = output.entry_id;
@@ -346,11 +347,11 @@ static void test_the_first_day_comes_back_only_for_who_means_it(void **state)
     assert_int_equal(newest()->id, before + 1u);
     assert_int_equal(newest()->kind, LEDGER_FACTORY);
     assert_int_equal(newest()->count, 3); /* The books say what became of them. */
-    assert_int_equal(core.game.audits.count[AUDIT_EXPIRED], 3);
+    assert_int_equal(core.game.accounts.audits.count[AUDIT_EXPIRED], 3);
     assert_int_equal(output.commands[(output.command_count - 1u) % CONTROLLER_COMMAND_MAX].kind,
                      COMMAND_RESTART);
     assert_int_equal(newest()->balance.paid, 0);
-    assert_int_equal(core.game.ledger.balance.paid, 0);
+    assert_int_equal(core.game.accounts.ledger.balance.paid, 0);
     assert_int_equal(value(SET_VOLUME), 80);
     steps(CORE_TICK_HZ);
     assert_int_equal(output.entry_id, before + 1u); /* It says all: no setting is told again. */
@@ -363,13 +364,13 @@ static void test_where_the_ledger_has_no_room_nothing_is_taken_back(void **state
     take(row_of(MENU_SOUND, SET_VOLUME));
     go_back();
     steps(CORE_TICK_HZ);
-    core.game.ledger.balance.paid = 3;
+    core.game.accounts.ledger.balance.paid = 3;
     go_to(MENU_UPKEEP);
     go_to(MENU_FACTORY);
     fill_the_ring();
     take(CONFIRM_YES);
     assert_int_equal(menu()->page, MENU_FACTORY); /* The question stays. */
-    assert_int_equal(core.game.ledger.balance.paid, 3);
+    assert_int_equal(core.game.accounts.ledger.balance.paid, 3);
     assert_int_equal(value(SET_VOLUME), 85);
 }
 
@@ -387,9 +388,9 @@ static void test_a_reset_of_the_books_is_an_entry_with_what_was_counted(void **s
     };
     go_to(MENU_BOOKS);
     for (size_t i = 0; i < sizeof books / sizeof books[0]; i++) {
-        memset(&core.game.audits, 0, sizeof core.game.audits);
-        core.game.audits.count[books[i].audit] = 40;
-        core.game.audits.count[books[i].audit + 1u] = 2;
+        memset(&core.game.accounts.audits, 0, sizeof core.game.accounts.audits);
+        core.game.accounts.audits.count[books[i].audit] = 40;
+        core.game.accounts.audits.count[books[i].audit + 1u] = 2;
         go_to(books[i].page);
         const uint32_t before = output.entry_id;
         push(INPUT_TEST); /* In haste: back. */
@@ -463,8 +464,8 @@ static void test_a_wrong_pin_waits_and_the_next_one_twice_as_long(void **state)
         if (menu_pin_wait_ticks(&core) > 0) {
             assert_int_equal(menu()->page, MENU_PIN);
         }
-        core.game.menu.act_tick = core.tick;
-        core.game.settings_edit.pin_tick = core.tick - wait + 1u;
+        core.game.menu.act_tick = core.game.tick;
+        core.game.settings_edit.pin_tick = core.game.tick - wait + 1u;
         assert_int_equal(menu_pin_wait_ticks(&core), 1);
         core.game.settings_edit.pin_tick--;
         assert_int_equal(menu_pin_wait_ticks(&core), 0);
@@ -495,7 +496,7 @@ static void test_who_pulls_the_plug_waits_as_long(void **state)
 {
     (void)state;
     for (uint32_t tries = 0; tries < 3u; tries++) {
-        core.game.settings_edit.pin_tick = core.tick - 160u * CORE_TICK_HZ;
+        core.game.settings_edit.pin_tick = core.game.tick - 160u * CORE_TICK_HZ;
         type(408);
         assert_int_equal(newest()->kind, LEDGER_PIN);
         assert_int_equal(newest()->detail, 0);
@@ -503,20 +504,20 @@ static void test_who_pulls_the_plug_waits_as_long(void **state)
     static struct core_config config;
     config = core.config;
     config.session = (struct game_session){ 0 };
-    config.persistent.audits = core.game.audits;
+    config.persistent.audits = core.game.accounts.audits;
     assert_int_equal(core_init(&core, &config), CORE_OK);
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_PIN);
     assert_in_range(menu_pin_wait_ticks(&core), 18u * CORE_TICK_HZ, 20u * CORE_TICK_HZ);
     type(407);
     assert_int_equal(menu()->page, MENU_PIN);
-    core.game.settings_edit.pin_tick = core.tick - 20u * CORE_TICK_HZ;
+    core.game.settings_edit.pin_tick = core.game.tick - 20u * CORE_TICK_HZ;
     take(PIN_ERASE);
     type(407);
     assert_int_equal(menu()->page, MENU_TOP);
     assert_int_equal(newest()->kind, LEDGER_PIN);
     assert_int_equal(newest()->detail, 1);
-    assert_int_equal(core.game.audits.count[AUDIT_WRONG_PINS], 0);
+    assert_int_equal(core.game.accounts.audits.count[AUDIT_WRONG_PINS], 0);
 }
 
 /* 160 s, whatever a file says that somebody has written. */
@@ -528,7 +529,7 @@ static void test_no_number_of_wrong_pins_locks_the_menu_for_good(void **state)
     config.persistent.audits.count[AUDIT_WRONG_PINS] = UINT32_MAX;
     assert_int_equal(core_init(&core, &config), CORE_OK);
     assert_int_equal(menu_pin_wait_ticks(&core), 160u * CORE_TICK_HZ);
-    core.tick += 160u * CORE_TICK_HZ;
+    core.game.tick += 160u * CORE_TICK_HZ;
     assert_int_equal(menu_pin_wait_ticks(&core), 0);
 }
 

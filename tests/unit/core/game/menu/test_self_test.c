@@ -118,7 +118,8 @@ static void test_it_is_ready_when_everything_was_tried(void **state)
     for (uint32_t i = 0; i < SELF_CHECKS; i++) {
         assert_int_equal(state_of[i], SELF_GOOD);
     }
-    assert_int_equal(core.game.ledger.balance.units + core.game.ledger.balance.paid, 0);
+    assert_int_equal(
+        core.game.accounts.ledger.balance.units + core.game.accounts.ledger.balance.paid, 0);
 }
 
 static void test_what_a_person_must_do_is_asked_until_it_is_done(void **state)
@@ -289,13 +290,13 @@ static void test_after_twenty_seconds_nothing_waits_any_more(void **state)
     const uint32_t begin_tick = menu()->self.begin_tick;
     scene.devices.frames_a_second = 0;
     scene.devices.machine = (struct scene_machine){ 0 };
-    steps(SELF_TEST_TICKS - 1u - (core.tick - begin_tick));
+    steps(SELF_TEST_TICKS - 1u - (core.game.tick - begin_tick));
     judge();
     assert_int_equal(scene.menu.self.seconds_left, 1);
     assert_int_equal(state_of[SELF_DATA], SELF_WAITS);
     step();
     judge();
-    assert_int_equal(core.tick - begin_tick, 20u * CORE_TICK_HZ);
+    assert_int_equal(core.game.tick - begin_tick, 20u * CORE_TICK_HZ);
     assert_int_equal(scene.menu.self.seconds_left, 0);
     static const uint8_t silent[] = { SELF_STORE, SELF_BACKUP, SELF_DATA,
                                       SELF_ROOM,  SELF_HEAT,   SELF_DISPLAY };

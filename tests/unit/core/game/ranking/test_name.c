@@ -87,7 +87,8 @@ static void lead(uint32_t seat, uint32_t key, float y_m)
     const float x = (box.x + 0.5f * box.width) / canvas.x - 0.5f;
     const float z = (box.y + 0.5f * box.height) / canvas.y - 0.5f;
     input.poi[seat].has_wrist = 1;
-    input.poi[seat].target.position_m = v3(x * core.tank.size_m.x, y_m, z * core.tank.size_m.z);
+    input.poi[seat].target.position_m =
+        v3(x * core.world.tank.size_m.x, y_m, z * core.world.tank.size_m.z);
     step();
 }
 
@@ -105,7 +106,7 @@ static const struct ledger_entry *newest_entry(void)
 
 static const char *name_on_board(enum rank_period period, uint32_t place)
 {
-    return core.game.ranking.row[MODE_FESTIVAL][period][place].name;
+    return core.game.accounts.ranking.row[MODE_FESTIVAL][period][place].name;
 }
 
 /* ---- Who is asked --------------------------------------------------------------------------- */
@@ -139,7 +140,7 @@ static void test_nobody_is_asked_where_the_operator_does_not_want_it(void **stat
 static void test_where_nothing_is_kept_nobody_is_asked(void **state)
 {
     (void)state;
-    core.game.ledger.boot = 0;
+    core.game.accounts.ledger.boot = 0;
     play_alone(3);
     steps(GAME_RESULT_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -148,11 +149,11 @@ static void test_where_nothing_is_kept_nobody_is_asked(void **state)
 static void test_a_place_on_no_board_is_not_asked_for(void **state)
 {
     (void)state;
-    core.game.ranking.boot = core.game.ledger.boot; /* All of today. */
+    core.game.accounts.ranking.boot = core.game.accounts.ledger.boot; /* All of today. */
     for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
         for (uint32_t i = 0; i < RANK_ROWS; i++) {
-            core.game.ranking.row[MODE_FESTIVAL][period][i].caught = 5;
-            core.game.ranking.row[MODE_FESTIVAL][period][i].round_id = 900u + i;
+            core.game.accounts.ranking.row[MODE_FESTIVAL][period][i].caught = 5;
+            core.game.accounts.ranking.row[MODE_FESTIVAL][period][i].round_id = 900u + i;
         }
     }
     play_alone(5); /* As many, but later. */
@@ -229,7 +230,7 @@ static void test_every_cell_and_key_can_be_reached_by_hand_and_by_buttons(void *
             if (key < NAME_CELLS && name_letter(alphabet, key) == 0) {
                 continue;
             }
-            core.game.name.act_tick = core.game.name.seat_tick = core.tick - NAME_SEEN_TICKS;
+            core.game.name.act_tick = core.game.name.seat_tick = core.game.tick - NAME_SEEN_TICKS;
             lead(0, key, 0.04f);
             assert_int_equal(core.game.name.key, key);
             press(INPUT_RIGHT);
@@ -409,7 +410,7 @@ static void test_a_round_that_found_no_room_in_the_ledger_is_not_named(void **st
     (void)state;
     input.store_well = 1;
     steps(2);
-    core.game.ledger.last_id += LEDGER_RING; /* Nothing was saved for long. */
+    core.game.accounts.ledger.last_id += LEDGER_RING; /* Nothing was saved for long. */
     play_alone(3);
     steps(GAME_RESULT_TICKS);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
@@ -446,8 +447,8 @@ static void test_the_board_shows_the_proudest_place_and_lights_the_round(void **
 {
     (void)state;
     for (uint32_t i = 0; i < 4u; i++) { /* Ever, there were better ones. */
-        core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][i].caught = 50;
-        core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][i].round_id = 900u + i;
+        core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][i].caught = 50;
+        core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][i].round_id = 900u + i;
     }
     play_alone(3);
     core_scene(&core, &scene);
@@ -468,11 +469,12 @@ static void test_attract_shows_every_board_that_somebody_is_on_in_turn(void **st
     (void)state;
     uint32_t shown[MODE_COUNT][RANK_PERIOD_COUNT] = { 0 };
     core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
-    core.game.ranking.row[MODE_FESTIVAL][RANK_WEEK][0].caught = 4;
-    core.game.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught = 4;
-    core.game.ranking.row[MODE_CHAMPIONSHIP][RANK_EVER][0].caught = 4; /* Not offered here. */
+    core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_WEEK][0].caught = 4;
+    core.game.accounts.ranking.row[MODE_FESTIVAL][RANK_EVER][0].caught = 4;
+    core.game.accounts.ranking.row[MODE_CHAMPIONSHIP][RANK_EVER][0].caught =
+        4; /* Not offered here. */
     for (uint32_t i = 0; i < 4u * LEADERBOARD_EVERY_TICKS; i++) {
-        core.tick++;
+        core.game.tick++;
         core_scene(&core, &scene);
         shown[scene.leaderboard.mode][scene.leaderboard.period] += scene.leaderboard.shown;
     }
@@ -488,7 +490,7 @@ static void test_no_board_hangs_where_nobody_was_ever_ranked(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 2u * LEADERBOARD_EVERY_TICKS; i++) {
-        core.tick++;
+        core.game.tick++;
         core_scene(&core, &scene);
         assert_false(scene.leaderboard.shown);
     }

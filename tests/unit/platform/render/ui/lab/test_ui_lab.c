@@ -104,8 +104,8 @@ static void point_at(struct layout_point at, int down)
 {
     const struct layout_point canvas = pointer_layout_size(core.game.lab.upright);
     input.upright = core.game.lab.upright;
-    hold(0, v3((at.x / canvas.x - 0.5f) * core.tank.size_m.x, down ? -0.02f : 0.035f,
-               (at.y / canvas.y - 0.5f) * core.tank.size_m.z));
+    hold(0, v3((at.x / canvas.x - 0.5f) * core.world.tank.size_m.x, down ? -0.02f : 0.035f,
+               (at.y / canvas.y - 0.5f) * core.world.tank.size_m.z));
     tick();
 }
 
@@ -253,13 +253,13 @@ static void test_each_refused_file_is_told_with_its_reason(void **state)
     library_note_graph(&library, "graphs/wakin.graph:3: wakin has 5 keys");
     memory.library = &library;
     core.config.book.refused = 2;
-    const uint32_t start = core.tick;
+    const uint32_t start = core.game.tick;
     for (uint32_t s = 0; s < SIZE_COUNT; s++) {
         const float width = sizes[s][0], height = sizes[s][1];
         uint32_t seen = 0;
         for (uint32_t turn = 0; turn < 6; turn++) {
-            core.tick = start + 60u + turn * 4u * CORE_TICK_HZ;
-            core.game.lab.stir_tick = core.game.lab.act_tick = core.tick;
+            core.game.tick = start + 60u + turn * 4u * CORE_TICK_HZ;
+            core.game.lab.stir_tick = core.game.lab.act_tick = core.game.tick;
             core.game.language = LANGUAGE_EN;
             lay_out(width, height);
             check_inside(width, height);
@@ -272,7 +272,7 @@ static void test_each_refused_file_is_told_with_its_reason(void **state)
         /* On an upright screen of just the canvas' height there is no room for lines. */
         assert_true(seen == 7u || (seen == 0u && width < height));
     }
-    core.tick = start;
+    core.game.tick = start;
 }
 
 static void test_the_ordinary_morph_beside_it_is_straight(void **state)
@@ -334,9 +334,9 @@ static void catch_fish(uint32_t count)
 {
     album_clear(&core.game.album);
     for (uint32_t i = 0; i < 12; i++) {
-        core.tank.fish[i].gait = i < count ? GAIT_BOWL : GAIT_SWIM;
-        core.tank.fish[i].holder = 0;
-        core.tank.fish[i].look = 0x1234567u * (i + 1u);
+        core.world.tank.fish[i].gait = i < count ? GAIT_BOWL : GAIT_SWIM;
+        core.world.tank.fish[i].holder = 0;
+        core.world.tank.fish[i].look = 0x1234567u * (i + 1u);
     }
     album_note(&core, 0, count);
     core.game.phase = PHASE_ALBUM;
@@ -352,7 +352,7 @@ static void test_the_album_stays_on_every_screen_with_one_to_six_fish(void **sta
         catch_fish(count);
         for (uint32_t part = 1; part <= 5; part++) {
             core.game.language = (uint8_t)(part % LANGUAGE_COUNT);
-            core.game.phase_tick = core.tick - part * album_ticks(count) / 5u;
+            core.game.phase_tick = core.game.tick - part * album_ticks(count) / 5u;
             lay_out(size[0], size[1]);
             check_inside(size[0], size[1]);
             assert_int_equal(batch.specimen_count, count);
@@ -365,10 +365,10 @@ static void test_each_fish_wears_the_pattern_that_it_wore_in_the_tank(void **sta
     (void)state;
     ticks(300);
     catch_fish(3);
-    core.game.phase_tick = core.tick - 200u;
+    core.game.phase_tick = core.game.tick - 200u;
     lay_out(1280, 720);
     for (uint32_t i = 0; i < 3; i++) {
-        assert_int_equal(batch.specimens[i].look, core.tank.fish[i].look);
+        assert_int_equal(batch.specimens[i].look, core.world.tank.fish[i].look);
         assert_ptr_equal(batch.specimens[i].species, &species_wakin);
     }
     assert_int_not_equal(batch.specimens[0].look, batch.specimens[1].look);
@@ -385,7 +385,7 @@ static void test_a_fish_looks_on_the_day_it_was_met_as_it_did_in_the_tank(void *
         core.game.album.fish[i].age_days = 20.0f + 25.0f * (float)i;
     }
     for (uint32_t part = 0; part <= 200; part++) {
-        core.game.phase_tick = core.tick - part * album_ticks(ALBUM_FISH_MAX) / 200u;
+        core.game.phase_tick = core.game.tick - part * album_ticks(ALBUM_FISH_MAX) / 200u;
         lay_out(1280, 720);
         for (uint32_t i = 0; i < ALBUM_FISH_MAX; i++) {
             if (scene.album.fish[i].is_caught) {

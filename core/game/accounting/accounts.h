@@ -1,0 +1,22 @@
+/* accounts.h -- the accounts of the kiosk: the ledger, the credits, the audits and the leaderboard.
+ *
+ * The ledger is the append-only list of money events. Each entry of the ledger also changes the
+ * audits, which are the operator's statistics, and the leaderboard (ledger_write()). A function that
+ * writes an entry therefore takes `struct accounts`; a function that reads or changes only one part
+ * takes that part. */
+#ifndef KINGYO_CORE_GAME_ACCOUNTING_ACCOUNTS_H
+#define KINGYO_CORE_GAME_ACCOUNTING_ACCOUNTS_H
+
+#include "core/game/accounting/audits.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/ranking/ranking.h"
+
+struct accounts {
+    struct ledger ledger;
+    struct credit credit;
+    struct audits audits;
+    struct ranking ranking;
+};
+
+#endif
