@@ -1,8 +1,8 @@
 /* config.h -- the configuration of a session: what core_init() needs to know.
  *
- * During a session the game reads the configuration. Two parts of the game change the configuration:
- * the operator's menu changes the settings, and the end of a session prepares the configuration of
- * the next one (core/game/session.h). */
+ * During a session the game reads the configuration. Only two functions of the game change it: a
+ * page of the operator's menu changes the settings (settings_edit_set()), and the end of a session
+ * writes the configuration of the next session (session_restart()). */
 #ifndef KINGYO_CORE_CONFIG_H
 #define KINGYO_CORE_CONFIG_H
 

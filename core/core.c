@@ -37,11 +37,11 @@ static void open_world(struct core *core)
     memset(&core->game, 0, sizeof core->game);
     memset(&core->world, 0, sizeof core->world);
     game_init(&core->game, &core->config);
-    table_setup_open(core);
+    table_setup_open(&core->game, &core->world, &core->config);
     if (table_setup_modes(&core->config) == 1u << CHOICE_LAB && core->config.credit_coins == 0 &&
         core->config.session.tick == 0) {
         struct output unheard = { 0 };
-        lab_begin(core, &unheard);
+        lab_begin(&core->game, &core->world, &core->config, &unheard);
     }
 }
 
@@ -73,7 +73,8 @@ enum core_error core_init(struct core *core, const struct core_config *config)
 /* Returns 1 if fish and other rings collide with the poi. */
 static int is_met(const struct core *core, uint32_t index)
 {
-    return controller_is_active(core, index) && parking_collides(core, index);
+    return controller_is_active(&core->world, index) &&
+           parking_collides(&core->game, &core->world, index);
 }
 
 static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TANK_OBSTACLE_MAX])
@@ -122,9 +123,10 @@ static void tick_pois(struct core *core, const struct input *input,
             const struct poi_grip grip = {
                 .target = targets[i],
                 .has_wrist =
-                    core->world.poi[i].link == POI_SOURCE_BOT || parking_is_parked(core, i) ||
+                    core->world.poi[i].link == POI_SOURCE_BOT ||
+                    parking_is_parked(&core->game, i) ||
                     core->world.poi[i].link == POI_SOURCE_LOST || /* A lost poi is not emptied
-                                                                        into its bowl. */
+                                                                     into its bowl. */
                     (core->world.poi[i].link == POI_SOURCE_LIVE && input->poi[i].has_wrist),
             };
             poi_tick(&core->world.poi[i], &grip, &core->world.tank, &core->world.bowl[i]);
@@ -178,10 +180,10 @@ static void gather_shades(struct core *core, const struct input *input)
         casts[i] = fan_shade(core, &input->shade[i]);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (controller_is_active(core, i)) {
+        if (controller_is_active(&core->world, i)) {
             casts[SHADE_MAX + i] = poi_shade(&core->world.poi[i]);
-            casts[SHADE_MAX + i].present &= parking_shade(core, i) > 0.0f;
-            casts[SHADE_MAX + i].dark *= parking_shade(core, i);
+            casts[SHADE_MAX + i].present &= parking_shade(&core->game, i) > 0.0f;
+            casts[SHADE_MAX + i].dark *= parking_shade(&core->game, i);
         }
     }
     tank_cast(&core->world.tank, casts);
@@ -192,7 +194,7 @@ static void give_way(struct core *core, const struct obstacle *obstacles)
 {
     uint32_t at = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (controller_is_active(core, i)) {
+        if (controller_is_active(&core->world, i)) {
             const struct obstacle nothing = { 0 };
             poi_apply_reaction(&core->world.poi[i], is_met(core, i) ? &obstacles[at++] : &nothing);
         }
@@ -221,7 +223,7 @@ static void tick_catch(struct core *core, const uint8_t live[POI_MAX],
 {
     const struct stall stall = { &core->world.tank, core->world.bowl, POI_MAX };
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (live[i] && !parking_is_parked(core, i)) {
+        if (live[i] && !parking_is_parked(&core->game, i)) {
             catch_tick(&core->world.poi[i], i, &stall, core->game.tick, output, caught);
         } else {
             release_tick(&core->world.poi[i], i, &stall, caught);
@@ -235,8 +237,8 @@ static void feel_pois(const struct core *core, const uint8_t live[POI_MAX], stru
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         output->poi[i] = (struct poi_force){ 0 };
-        if (live[i] && !core->world.poi[i].damage_immune) { /* No force feedback unless the player
-                                                         controls the poi. */
+        if (live[i] && !core->world.poi[i].damage_immune) { /* No force feedback unless the
+                                                               player controls the poi. */
             haptics_feel(&core->world.poi[i], &output->poi[i]);
         }
     }
@@ -251,16 +253,16 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
     uint8_t live[POI_MAX];
     struct catch_result caught[POI_MAX] = { 0 };
 
-    game_tick(core, input, output, targets, live);
+    game_tick(&core->game, &core->world, &core->config, input, output, targets, live);
     tick_pois(core, input, targets, live);
     tick_water(core, live);
     tick_fish(core, input);
     feel_pois(core, live, output);
     tick_catch(core, live, caught, output);
-    game_score(core, caught, output);
+    game_score(&core->game, &core->world, caught, output);
     core->game.tick++;
-    if (session_is_over(core)) {
-        session_restart(core);
+    if (session_is_over(&core->game)) {
+        session_restart(&core->game, &core->config);
         open_world(core);
     }
     return CORE_OK;

@@ -63,7 +63,7 @@ static void show_sheet(const struct sheet *sheet, struct scene_poi *out)
 static void show_poi(const struct core *core, uint32_t index, struct scene_poi *out)
 {
     const struct poi *poi = &core->world.poi[index];
-    out->present = (uint8_t)controller_is_active(core, index);
+    out->present = (uint8_t)controller_is_active(&core->world, index);
     out->owner = (uint8_t)index;
     if (!out->present) {
         return;
@@ -118,7 +118,7 @@ static void show_players(const struct core *core, struct scene *scene)
         scene->caught[i] = player->caught;
         scene->player[i] = (struct scene_player){
             .plays = player->plays,
-            .lost = in_round && player->plays && !pause_holds(core, i),
+            .lost = in_round && player->plays && !pause_holds(&core->world, i),
             .fouls = player->fouls,
             .foul = player->foul,
             .foul_s = (float)(core->game.tick - player->foul_tick) * CORE_TICK_S,
@@ -144,7 +144,7 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->language = game->language;
     scene->hint = game->hints.shown;
     scene->phase_s = (float)(core->game.tick - game->phase_tick) * CORE_TICK_S;
-    scene->veil = session_fade(core);
+    scene->veil = session_fade(&core->game, &core->config);
     scene->seconds_left = game_seconds_left(game, core->game.tick);
     scene->best_today = game->accounts.ranking.row[game->mode][RANK_DAY][0].caught;
     scene->by_bot = game->bot_played;
@@ -159,15 +159,15 @@ static void show_game(const struct core *core, struct scene *scene)
     for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
         show_offer(core, mode, &scene->offer[mode]);
     }
-    credit_show(core, &scene->credit);
-    scene->asks_menu = (uint8_t)menu_is_asking(core);
-    menu_show(core, &scene->menu);
+    credit_show(&core->game.accounts, &core->config, core->game.tick, &scene->credit);
+    scene->asks_menu = (uint8_t)menu_is_asking(&core->game);
+    menu_show(&core->game, &core->config, &scene->menu);
     if (game->phase == PHASE_LAB) {
-        lab_show(core, &scene->lab);
+        lab_show(&core->game.lab, &core->config.book, &scene->lab);
     }
-    album_show(core, &scene->album);
-    name_show(core, &scene->name);
-    leaderboard_show(core, &scene->leaderboard);
+    album_show(&core->game, &scene->album);
+    name_show(&core->game, &scene->name);
+    leaderboard_show(&core->game, &core->config, &scene->leaderboard);
 }
 
 void core_scene(const struct core *core, struct scene *scene)

@@ -1,6 +1,8 @@
 /* attract.c -- attract mode: the built-in bot plays until a player dips the poi or presses
  * START. */
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
+#include "core/config.h"
 #include "core/game/paper.h"
 #include "core/game/phases.h"
 #include "core/game/table_setup.h"
@@ -10,41 +12,41 @@
  * tank over night. */
 #define BOWL_MAX 10u
 
-void attract_begin(struct core *core)
+void attract_begin(struct game *game, struct world *world, const struct core_config *config)
 {
-    core->game.mode = table_setup_first_mode(&core->config);
-    core->game.gone_tick = 0;
-    language_return(core);
-    game_enter_phase(core, PHASE_ATTRACT);
-    table_setup_empty_bowls(core);
-    table_setup_prepare(core, core->config.preset);
-    core->game.turn_tick = 0;
-    session_request(core);
+    game->mode = table_setup_first_mode(config);
+    game->gone_tick = 0;
+    language_return(game, config);
+    game_enter_phase(game, PHASE_ATTRACT);
+    table_setup_empty_bowls(world);
+    table_setup_prepare(game, world, config, config->preset);
+    game->turn_tick = 0;
+    session_request(game);
 }
 
-void attract_tick(struct core *core, const struct input *input, struct output *output)
+void attract_tick(struct game *game, struct world *world, const struct core_config *config,
+                  const struct input *input, struct output *output)
 {
-    struct game *game = &core->game;
-    const int dipped = game_dipped_player(core, input) < POI_MAX;
-    if ((input->pressed & INPUT_START) || dipped || credit_is_awaited(core)) {
-        mode_select_begin(core, output);
+    const int dipped = game_dipped_player(game, world, input) < POI_MAX;
+    if ((input->pressed & INPUT_START) || dipped ||
+        credit_is_awaited(&game->accounts, config, game->tick)) {
+        mode_select_begin(game, world, config, output);
     }
     if (game->phase != PHASE_ATTRACT) {
         hints_init(&game->hints); /* Restart the hints for a new player. */
         return;
     }
-    if (core->game.tick - game->phase_tick >= SESSION_TICKS_MAX) {
-        session_request(core);
+    if (game->tick - game->phase_tick >= SESSION_TICKS_MAX) {
+        session_request(game);
     }
-    const int is_full = core->world.bowl[0].fish_count >= BOWL_MAX;
-    const int is_free =
-        core->world.poi[0].immersed <= 0.0f && core->world.poi[0].carried_count == 0;
-    if (game->gone_tick == 0 && (is_full || !paper_can_hold(&core->world.poi[0].sheet))) {
-        game->gone_tick = core->game.tick;
+    const int is_full = world->bowl[0].fish_count >= BOWL_MAX;
+    const int is_free = world->poi[0].immersed <= 0.0f && world->poi[0].carried_count == 0;
+    if (game->gone_tick == 0 && (is_full || !paper_can_hold(&world->poi[0].sheet))) {
+        game->gone_tick = game->tick;
     }
-    if (game->gone_tick != 0 && core->game.tick - game->gone_tick >= SWAP_TICKS && is_free) {
-        table_setup_replace_poi(core, 0, core->game.tick, GAME_SERIES_ATTRACT);
-        bowl_empty(&core->world.bowl[0], 0, &core->world.tank);
+    if (game->gone_tick != 0 && game->tick - game->gone_tick >= SWAP_TICKS && is_free) {
+        table_setup_replace_poi(game, world, config, 0, game->tick, GAME_SERIES_ATTRACT);
+        bowl_empty(&world->bowl[0], 0, &world->tank);
         game->gone_tick = 0;
     }
 }

@@ -1,20 +1,21 @@
 /* fouls.c -- detection of fouls from shadows and catches. */
 #include "core/game/fouls.h"
 
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
 
-void fouls_commit(struct core *core, uint32_t index, enum foul kind, struct output *output)
+void fouls_commit(struct game *game, uint32_t index, enum foul kind, struct output *output)
 {
-    struct player *player = &core->game.player[index];
+    struct player *player = &game->player[index];
     const uint32_t last_tick = player->offence_tick[kind];
-    player->offence_tick[kind] = core->game.tick;
-    if (!rules_of(core->game.mode)->judges || player->fouls >= FOUL_MAX ||
-        (last_tick != 0 && core->game.tick - last_tick < FOUL_APART_TICKS)) {
+    player->offence_tick[kind] = game->tick;
+    if (!rules_of(game->mode)->judges || player->fouls >= FOUL_MAX ||
+        (last_tick != 0 && game->tick - last_tick < FOUL_APART_TICKS)) {
         return;
     }
     player->fouls++;
     player->foul = (uint8_t)kind;
-    player->foul_tick = core->game.tick;
+    player->foul_tick = game->tick;
     player->out |= player->fouls == FOUL_MAX;
     output_sound(output, SOUND_FOUL, 1.0f, 0.0f);
 }
@@ -22,11 +23,12 @@ void fouls_commit(struct core *core, uint32_t index, enum foul kind, struct outp
 /* ---- Before the start ----------------------------------------------------------------------- */
 
 /* A shadow that was present when READY began gets the same time as a new shadow. */
-static int is_held_over_fish(const struct core *core, const struct shade *shade)
+static int is_held_over_fish(const struct game *game, const struct world *world,
+                             const struct shade *shade)
 {
-    const float ready_s = (float)(core->game.tick - core->game.phase_tick) * CORE_TICK_S;
+    const float ready_s = (float)(game->tick - game->phase_tick) * CORE_TICK_S;
     return shade->cast.present && f_min(shade->still_s, ready_s) >= FOUL_SHADE_S &&
-           tank_shade_count(&core->world.tank, &shade->cast) > 0;
+           tank_shade_count(&world->tank, &shade->cast) > 0;
 }
 
 /* Tracks whether the player moved the controller. The input pose is checked, because a new tank or
@@ -43,47 +45,47 @@ static void watch_stance(struct player *player, vec3 hand_m, uint32_t ready_tick
     }
 }
 
-static int has_moved(struct core *core, uint32_t index)
+static int has_moved(struct game *game, const struct world *world, uint32_t index)
 {
-    struct player *player = &core->game.player[index];
-    const uint32_t ready_ticks = core->game.tick - core->game.phase_tick;
-    if (!pause_holds(core, index)) {
+    struct player *player = &game->player[index];
+    const uint32_t ready_ticks = game->tick - game->phase_tick;
+    if (!pause_holds(world, index)) {
         player->stance = STANCE_UNSEEN; /* A broken cable is no foul. */
-    } else if (core->world.poi[index].link == POI_SOURCE_LIVE) {
-        watch_stance(player, core->game.validation[index].newest.position_m, ready_ticks);
-    } else if (core->world.poi[index].link == POI_SOURCE_BOT) {
-        watch_stance(player, core->game.hand_pose[index].position_m, ready_ticks);
+    } else if (world->poi[index].link == POI_SOURCE_LIVE) {
+        watch_stance(player, game->validation[index].newest.position_m, ready_ticks);
+    } else if (world->poi[index].link == POI_SOURCE_BOT) {
+        watch_stance(player, game->hand_pose[index].position_m, ready_ticks);
     }
     return player->stance == STANCE_MOVED;
 }
 
-void fouls_before_start(struct core *core, struct output *output)
+void fouls_before_start(struct game *game, const struct world *world, struct output *output)
 {
-    const struct tank *tank = &core->world.tank;
+    const struct tank *tank = &world->tank;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const int moved = has_moved(core, i);
-        const int by_fan = is_held_over_fish(core, &tank->shade[i]);
-        const int by_poi = moved && is_held_over_fish(core, &tank->shade[SHADE_MAX + i]);
-        if (core->world.bowl[i].present && (by_fan || by_poi)) {
-            fouls_commit(core, i, FOUL_SHADE, output);
+        const int moved = has_moved(game, world, i);
+        const int by_fan = is_held_over_fish(game, world, &tank->shade[i]);
+        const int by_poi = moved && is_held_over_fish(game, world, &tank->shade[SHADE_MAX + i]);
+        if (world->bowl[i].present && (by_fan || by_poi)) {
+            fouls_commit(game, i, FOUL_SHADE, output);
         }
     }
 }
 
 /* ---- In the round --------------------------------------------------------------------------- */
 
-void fouls_of_catch(struct core *core, const struct catch_result caught[POI_MAX],
-                    struct output *output)
+void fouls_of_catch(struct game *game, const struct world *world,
+                    const struct catch_result caught[POI_MAX], struct output *output)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (!pause_holds(core, i) || core->game.paused) {
+        if (!pause_holds(world, i) || game->paused) {
             continue; /* Fish that fall off a poi without input count for no player. */
         }
         if (caught[i].poured > 0) {
-            fouls_commit(core, i, FOUL_POURED, output);
+            fouls_commit(game, i, FOUL_POURED, output);
         }
         if (caught[i].walled > 0) {
-            fouls_commit(core, i, FOUL_WALL, output);
+            fouls_commit(game, i, FOUL_WALL, output);
         }
     }
 }

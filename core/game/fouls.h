@@ -20,17 +20,18 @@
  * to its controller, and two of the longest frames pass. */
 #define FOUL_SETTLE_TICKS 144u
 
-struct core;
+struct game;
+struct world;
 
 /* Records a foul of this kind by player `index`, and counts it if the mode judges. */
-void fouls_commit(struct core *core, uint32_t index, enum foul kind, struct output *output);
+void fouls_commit(struct game *game, uint32_t index, enum foul kind, struct output *output);
 
 /* Checks before the start for shadows held over fish. A fan is a foul however it got there. A poi
  * is a foul only if its controller has moved since READY began. */
-void fouls_before_start(struct core *core, struct output *output);
+void fouls_before_start(struct game *game, const struct world *world, struct output *output);
 
 /* Checks during the round how fish came into the bowls. */
-void fouls_of_catch(struct core *core, const struct catch_result caught[POI_MAX],
-                    struct output *output);
+void fouls_of_catch(struct game *game, const struct world *world,
+                    const struct catch_result caught[POI_MAX], struct output *output);
 
 #endif

@@ -3,7 +3,8 @@
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
-#include "core/core.h"
+#include "core/poi/world.h"
+#include "core/config.h"
 #include "core/game/control/controller.h"
 #include "core/game/menu/menu_calibrate.h"
 #include "core/game/phases.h"
@@ -11,54 +12,56 @@
 
 #define START_LAMP_TICKS (CORE_TICK_HZ / 2u)
 
-void game_enter_phase(struct core *core, uint8_t phase)
+void game_enter_phase(struct game *game, uint8_t phase)
 {
-    core->game.phase = phase;
-    core->game.phase_tick = core->game.tick;
+    game->phase = phase;
+    game->phase_tick = game->tick;
 }
 
-uint32_t game_dipped_player(const struct core *core, const struct input *input)
+uint32_t game_dipped_player(const struct game *game, const struct world *world,
+                            const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (core->world.bowl[i].present && controller_dip_pressed(core, input, i)) {
+        if (world->bowl[i].present && controller_dip_pressed(game, input, i)) {
             return i;
         }
     }
     return POI_MAX;
 }
 
-static void tick_phase(struct core *core, const struct input *input, struct output *output)
+static void tick_phase(struct game *game, struct world *world, struct core_config *config,
+                       const struct input *input, struct output *output)
 {
-    switch (core->game.phase) {
+    switch (game->phase) {
     case PHASE_ATTRACT:
-        attract_tick(core, input, output);
+        attract_tick(game, world, config, input, output);
         break;
     case PHASE_MODE_SELECT:
-        mode_select_tick(core, input, output);
+        mode_select_tick(game, world, config, input, output);
         break;
     case PHASE_READY:
-        ready_tick(core, output);
+        ready_tick(game, world, config, output);
         break;
     case PHASE_ROUND:
-        round_tick(core, output);
+        round_tick(game, world, config, output);
         break;
     case PHASE_LAB:
-        lab_tick(core, input, output);
+        lab_tick(game, world, config, input, output);
         break;
     case PHASE_MENU:
-        menu_tick(core, input, output);
+        menu_tick(game, world, config, input, output);
         break;
     case PHASE_ALBUM:
-        album_tick(core, input, output);
+        album_tick(game, world, config, input, output);
         break;
     case PHASE_NAME:
-        name_tick(core, input, output);
+        name_tick(game, world, input, output);
         break;
     case PHASE_LEADERBOARD:
-        leaderboard_tick(core, input, output);
+        leaderboard_tick(game, world, config, input, output);
         break;
     default:
-        result_tick(core, input, output);
+        result_tick(game, world, config, input, output);
         break;
     }
 }
@@ -71,7 +74,7 @@ void game_init(struct game *game, const struct core_config *config)
     game->language = config->language;
     game->mode = table_setup_first_mode(config);
     game->round_s = table_setup_round_s(config, game->mode);
-    ledger_init(&game->accounts.ledger, config);
+    ledger_init(&game->accounts.ledger, &config->persistent.ledger);
     game->accounts.audits = config->persistent.audits;
     game->accounts.ranking = config->persistent.ranking;
     settings_edit_init(&game->settings_edit, config);
@@ -85,49 +88,49 @@ void game_init(struct game *game, const struct core_config *config)
 }
 
 /* Returns 1 if the START lamp is lit: START would begin a game, or the menu lights it. */
-static int start_lamp(const struct core *core)
+static int start_lamp(const struct game *game, const struct core_config *config)
 {
-    const uint8_t phase = core->game.phase;
-    if (phase == PHASE_MENU) {
-        return menu_lights_start(core);
-    }
-    return (phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT) && credit_can_play(core) &&
-           core->game.tick % CORE_TICK_HZ < START_LAMP_TICKS;
-}
-
-void game_tick(struct core *core, const struct input *said, struct output *output,
-               struct poi_target targets[POI_MAX], uint8_t live[POI_MAX])
-{
-    struct game *game = &core->game;
-    const struct input own = controller_calibrate(core, said), *input = &own;
-    menu_calibrate_tick(core, said, output);
-    language_tick(core, input);
-    ledger_tick(core, input);
-    health_log_tick(core, input, output);
-    controller_validate(core, input);
-    controller_assign(core, input);
-    credit_tick(core, input, output);
     const uint8_t phase = game->phase;
-    if (!menu_opens(core, input, output)) {
-        tick_phase(core, input, output);
-    } else if (phase == PHASE_NAME) {
-        name_keep(core, output);
+    if (phase == PHASE_MENU) {
+        return menu_lights_start(game);
     }
-    self_test_tick(core, said, output);
-    settings_edit_tick(core, output);
-    controller_assign(core,
-                      input); /* A new phase may change the source of a poi in the same tick. */
-    controller_tick_all(core, input, targets, live);
-    hints_tick(&game->hints, core);
-    output->start_lamp = (uint8_t)start_lamp(core);
-    credit_show_outputs(core, output);
+    return (phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT) &&
+           credit_can_play(&game->accounts.ledger, config) &&
+           game->tick % CORE_TICK_HZ < START_LAMP_TICKS;
 }
 
-int game_may_scoop(const struct core *core, uint32_t index)
+void game_tick(struct game *game, struct world *world, struct core_config *config,
+               const struct input *said, struct output *output, struct poi_target targets[POI_MAX],
+               uint8_t live[POI_MAX])
 {
-    const struct game *game = &core->game;
-    const int in_time =
-        game->phase == PHASE_ROUND && game_seconds_left(game, core->game.tick) > 0.0f;
+    const struct input own = controller_calibrate(&config->persistent.settings, said),
+                       *input = &own;
+    menu_calibrate_tick(game, world, config, said, output);
+    language_tick(game, config, input);
+    ledger_tick(&game->accounts.ledger, input);
+    health_log_tick(game, config, input, output);
+    controller_validate(game, input);
+    controller_assign(game, world, input);
+    credit_tick(game, world, config, input, output);
+    const uint8_t phase = game->phase;
+    if (!menu_opens(game, world, config, input, output)) {
+        tick_phase(game, world, config, input, output);
+    } else if (phase == PHASE_NAME) {
+        name_keep(&game->accounts, &game->name, game->tick, output);
+    }
+    self_test_tick(game, said, output);
+    settings_edit_tick(game, &config->persistent.settings, output);
+    controller_assign(game, world,
+                      input); /* A new phase may change the source of a poi in the same tick. */
+    controller_tick_all(game, world, config, input, targets, live);
+    hints_tick(&game->hints, game, world, config);
+    output->start_lamp = (uint8_t)start_lamp(game, config);
+    credit_show_outputs(game, config, output);
+}
+
+int game_may_scoop(const struct game *game, uint32_t index)
+{
+    const int in_time = game->phase == PHASE_ROUND && game_seconds_left(game, game->tick) > 0.0f;
     return game->phase == PHASE_ATTRACT || (in_time && !game->paused && !game->player[index].out);
 }
 

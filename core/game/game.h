@@ -110,7 +110,7 @@ struct game {
     struct lab lab;
 };
 
-struct core;
+struct world;
 struct core_config;
 
 /* Fills `game` with the state at the start of a session, from `config`. */
@@ -119,13 +119,14 @@ void game_init(struct game *game, const struct core_config *config);
 /* Runs the first step of a tick: phases, fresh paper and empty bowls at the start of a round. Fills
  * `targets` with the target pose of each poi (from the controller or the bot) and `live` with 1 for
  * each poi in use. */
-void game_tick(struct core *core, const struct input *input, struct output *output,
-               struct poi_target targets[POI_MAX], uint8_t live[POI_MAX]);
+void game_tick(struct game *game, struct world *world, struct core_config *config,
+               const struct input *input, struct output *output, struct poi_target targets[POI_MAX],
+               uint8_t live[POI_MAX]);
 
 /* Returns 1 if player `index` may dip the poi. A dip is allowed in attract mode, and in a round
  * while the clock runs, time is left and the player is not out. Otherwise the poi is kept above the
  * water. */
-int game_may_scoop(const struct core *core, uint32_t index);
+int game_may_scoop(const struct game *game, uint32_t index);
 
 /* Returns 1 if the tank's pump bubbles at `tick`. The pump is off during a round (a rule of the
  * federation). In attract mode the pump runs at intervals, so that visitors see the fish surface

@@ -32,23 +32,30 @@ struct health_log {
 /* A loss within this time after the same slot's last loss is logged as repeated: LEDGER_LOSS. */
 #define HEALTH_LOG_LOSS_AGAIN_TICKS (600u * CORE_TICK_HZ)
 
-struct core;
+struct game;
+struct accounts;
+struct world;
+struct core_config;
 
 /* Logs repeated losses of each slot's controller. Call once per tick of the round, after
  * pause_tick(). */
-void health_log_note_losses(struct core *core, struct output *output);
+void health_log_note_losses(struct game *game, const struct world *world,
+                            const struct core_config *config, struct output *output);
 
 /* Logs boot and health entries that are due. Call once per tick, before any other entry of the
  * tick. */
-void health_log_tick(struct core *core, const struct input *input, struct output *output);
+void health_log_tick(struct game *game, const struct core_config *config, const struct input *input,
+                     struct output *output);
 
 /* Logs a LEDGER_HEALTH now. */
-void health_log_write(struct core *core, const struct input *input, struct output *output);
+void health_log_write(struct accounts *accounts, struct health_log *health_log, uint32_t tick,
+                      const struct input *input, struct output *output);
 
 /* Fills `out` with the final LEDGER_HEALTH for a shutdown after the last tick, with the next id.
  * The core is unchanged, so that the core still matches its recording. Returns 1, or 0 if no store
  * exists. */
-int health_log_final(const struct core *core, const struct input *input, struct ledger_entry *out);
+int health_log_final(const struct accounts *accounts, const struct health_log *health_log,
+                     uint32_t tick, const struct input *input, struct ledger_entry *out);
 
 uint64_t health_log_hash(uint64_t hash, const struct health_log *health_log);
 

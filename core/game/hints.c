@@ -2,7 +2,9 @@
 #include "core/game/hints.h"
 
 #include "core/base/hash.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
+#include "core/config.h"
 #include "core/game/pause.h"
 
 #define LOOK_TICKS 12u  /* Ticks between two evaluations: ten per second. */
@@ -34,27 +36,27 @@ static int is_followed(uint8_t hint, const struct poi *poi)
     return hint == HINT_LIFT ? poi->immersed < 0.5f : hint == HINT_DIP && poi->immersed > 0.5f;
 }
 
-static const struct poi *poi_of(const struct hints *hints, const struct core *core)
+static const struct poi *poi_of(const struct hints *hints, const struct world *world)
 {
-    return &core->world.poi[hints->pupil];
+    return &world->poi[hints->pupil];
 }
 
-static const struct player *player_of(const struct hints *hints, const struct core *core)
+static const struct player *player_of(const struct hints *hints, const struct game *game)
 {
-    return &core->game.player[hints->pupil];
+    return &game->player[hints->pupil];
 }
 
 /* Selects the first player who has a poi in use. A different player starts without learned
  * actions. */
-static void turn_to_pupil(struct hints *hints, const struct core *core)
+static void turn_to_pupil(struct hints *hints, const struct world *world)
 {
     for (uint8_t i = 0; i < POI_MAX; i++) {
-        if (pause_holds(core, i)) {
+        if (pause_holds(world, i)) {
             if (i != hints->pupil) {
                 *hints = (struct hints){ .pupil = i,
                                          .shown = hints->shown,
                                          .shown_tick = hints->shown_tick,
-                                         .paper_cells = core->world.poi[i].sheet.paper_cells };
+                                         .paper_cells = world->poi[i].sheet.paper_cells };
             }
             return;
         }
@@ -66,12 +68,12 @@ struct view_of_fish {
     int above; /* 1: a fish swims above the poi. */
 };
 
-static struct view_of_fish look_at_fish(const struct hints *hints, const struct core *core)
+static struct view_of_fish look_at_fish(const struct hints *hints, const struct world *world)
 {
     struct view_of_fish view = { 0 };
-    const vec3 centre = poi_of(hints, core)->position_m;
-    for (uint32_t i = 0; i < core->world.tank.fish_count; i++) {
-        const struct fish *fish = &core->world.tank.fish[i];
+    const vec3 centre = poi_of(hints, world)->position_m;
+    for (uint32_t i = 0; i < world->tank.fish_count; i++) {
+        const struct fish *fish = &world->tank.fish[i];
         const vec3 d = v3_sub(fish->position_m, centre);
         view.held |= fish->gait == GAIT_HELD && fish->holder == hints->pupil;
         const int near = d.x * d.x + d.z * d.z < ABOVE_M * ABOVE_M;
@@ -81,10 +83,10 @@ static struct view_of_fish look_at_fish(const struct hints *hints, const struct 
 }
 
 /* Counts dips since the last catch, or since the poi was new. */
-static void count_dips(struct hints *hints, const struct core *core)
+static void count_dips(struct hints *hints, const struct game *game, const struct world *world)
 {
-    const uint32_t caught = player_of(hints, core)->caught;
-    const uint32_t dips = poi_of(hints, core)->dips;
+    const uint32_t caught = player_of(hints, game)->caught;
+    const uint32_t dips = poi_of(hints, world)->dips;
     if (caught != hints->caught || dips < hints->dips_before) {
         hints->dips_before = caught != hints->caught ? dips : 0;
     }
@@ -92,22 +94,23 @@ static void count_dips(struct hints *hints, const struct core *core)
 }
 
 /* Updates the learned actions and the fast-motion flag. */
-static void observe(struct hints *hints, const struct core *core, struct view_of_fish fish)
+static void observe(struct hints *hints, const struct game *game, const struct world *world,
+                    struct view_of_fish fish)
 {
-    const struct poi *poi = poi_of(hints, core);
+    const struct poi *poi = poi_of(hints, world);
     const float speed_m_s = v3_length(poi->velocity_m_s);
     hints->moved_m = f_min(hints->moved_m + speed_m_s * CORE_TICK_S * (float)LOOK_TICKS, 1.0f);
     hints->learned |= hints->moved_m > MOVED_M ? BIT(HINT_MOVE) : 0u;
     hints->learned |= poi->immersed > 0.5f ? BIT(HINT_MOVE) | BIT(HINT_DIP) : 0u;
     hints->learned |= fish.held && poi->immersed <= 0.0f ? BIT(HINT_LIFT) : 0u;
-    hints->learned |= player_of(hints, core)->caught > 0 ? BIT(HINT_LIFT) | BIT(HINT_BOWL) : 0u;
+    hints->learned |= player_of(hints, game)->caught > 0 ? BIT(HINT_LIFT) | BIT(HINT_BOWL) : 0u;
     hints->learned |=
-        f_abs(core->game.hand_pose[hints->pupil].angles.pitch_rad) > TILT_RAD ? BIT(HINT_TILT) : 0u;
+        f_abs(game->hand_pose[hints->pupil].angles.pitch_rad) > TILT_RAD ? BIT(HINT_TILT) : 0u;
     if (hints->haste_cells >= HASTE_CELLS) {
-        hints->haste_tick = core->game.tick;
+        hints->haste_tick = game->tick;
     }
     hints->haste_cells = 0;
-    count_dips(hints, core);
+    count_dips(hints, game, world);
 }
 
 /* Counts cells torn while the ring moves too fast. Runs every tick, because the speed may change
@@ -135,30 +138,31 @@ static int is_wet_in_part(const struct poi *poi)
     return share > WET_PART_MIN && share < WET_PART_MAX;
 }
 
-static int has_poured(const struct hints *hints, const struct core *core)
+static int has_poured(const struct hints *hints, const struct game *game)
 {
-    const uint32_t poured_tick = player_of(hints, core)->offence_tick[FOUL_POURED];
-    return poured_tick != 0 && core->game.tick - poured_tick < POURED_TICKS;
+    const uint32_t poured_tick = player_of(hints, game)->offence_tick[FOUL_POURED];
+    return poured_tick != 0 && game->tick - poured_tick < POURED_TICKS;
 }
 
 /* Returns the first hint of the lesson that the player has not followed and that fits the
  * situation. */
-static uint8_t lesson(const struct hints *hints, const struct core *core, struct view_of_fish fish)
+static uint8_t lesson(const struct hints *hints, const struct game *game, const struct world *world,
+                      struct view_of_fish fish)
 {
     const uint32_t missing = ~hints->learned;
-    if (hints->haste_tick != 0 && core->game.tick - hints->haste_tick < HASTE_TICKS) {
+    if (hints->haste_tick != 0 && game->tick - hints->haste_tick < HASTE_TICKS) {
         return HINT_SLOWLY;
     }
-    if (is_wet_in_part(poi_of(hints, core))) {
+    if (is_wet_in_part(poi_of(hints, world))) {
         return HINT_WET_ALL;
     }
-    if (fish.held && poi_of(hints, core)->immersed <= 0.0f && (missing & BIT(HINT_BOWL))) {
+    if (fish.held && poi_of(hints, world)->immersed <= 0.0f && (missing & BIT(HINT_BOWL))) {
         return HINT_BOWL;
     }
-    if (poi_of(hints, core)->immersed > 0.5f) {
+    if (poi_of(hints, world)->immersed > 0.5f) {
         return fish.above && (missing & BIT(HINT_LIFT)) ? HINT_LIFT : HINT_NONE;
     }
-    if (poi_of(hints, core)->dips >= hints->dips_before + FRUITLESS_DIPS && !fish.held) {
+    if (poi_of(hints, world)->dips >= hints->dips_before + FRUITLESS_DIPS && !fish.held) {
         return HINT_GLIDE;
     }
     if (missing & BIT(HINT_MOVE)) {
@@ -167,48 +171,49 @@ static uint8_t lesson(const struct hints *hints, const struct core *core, struct
     if (missing & BIT(HINT_DIP)) {
         return HINT_DIP;
     }
-    const int may_tilt = player_of(hints, core)->caught > 0 && (missing & BIT(HINT_TILT));
+    const int may_tilt = player_of(hints, game)->caught > 0 && (missing & BIT(HINT_TILT));
     return may_tilt ? HINT_TILT : HINT_NONE;
 }
 
-static uint8_t wanted_in_round(const struct hints *hints, const struct core *core,
-                               struct view_of_fish fish)
+static uint8_t wanted_in_round(const struct hints *hints, const struct game *game,
+                               const struct world *world, struct view_of_fish fish)
 {
-    const struct player *player = player_of(hints, core);
+    const struct player *player = player_of(hints, game);
     if (player->torn_tick != 0) {
         return HINT_TORN;
     }
-    if (player->out || poi_of(hints, core)->link == POI_SOURCE_BOT) {
+    if (player->out || poi_of(hints, world)->link == POI_SOURCE_BOT) {
         return HINT_NONE;
     }
-    if (has_poured(hints, core)) {
+    if (has_poured(hints, game)) {
         return HINT_CLEAR_RIM;
     }
-    return rules_of(core->game.mode)->coaches ? lesson(hints, core, fish) : HINT_NONE;
+    return rules_of(game->mode)->coaches ? lesson(hints, game, world, fish) : HINT_NONE;
 }
 
 /* Returns the hint for READY: with an umpire, the rule about shadows; otherwise how to move the
  * poi. */
-static uint8_t wanted_in_ready(const struct hints *hints, const struct core *core)
+static uint8_t wanted_in_ready(const struct hints *hints, const struct game *game,
+                               const struct world *world)
 {
-    if (rules_of(core->game.mode)->judges) {
+    if (rules_of(game->mode)->judges) {
         return HINT_NO_SHADE;
     }
-    const int is_bot = poi_of(hints, core)->link == POI_SOURCE_BOT;
+    const int is_bot = poi_of(hints, world)->link == POI_SOURCE_BOT;
     return is_bot || (hints->learned & BIT(HINT_MOVE)) ? HINT_NONE : HINT_MOVE;
 }
 
-static uint8_t want_to_play(const struct core *core)
+static uint8_t want_to_play(const struct ledger *ledger, const struct core_config *config)
 {
-    return credit_can_play(core) ? HINT_START : HINT_COIN;
+    return credit_can_play(ledger, config) ? HINT_START : HINT_COIN;
 }
 
-static uint8_t wanted(const struct hints *hints, const struct core *core, struct view_of_fish fish)
+static uint8_t wanted(const struct hints *hints, const struct game *game, const struct world *world,
+                      const struct core_config *config, struct view_of_fish fish)
 {
-    const struct game *game = &core->game;
     switch (game->phase) {
     case PHASE_ATTRACT:
-        return want_to_play(core);
+        return want_to_play(&game->accounts.ledger, config);
     case PHASE_MODE_SELECT:
         return HINT_CHOOSE;
     case PHASE_LAB:
@@ -216,23 +221,25 @@ static uint8_t wanted(const struct hints *hints, const struct core *core, struct
     case PHASE_NAME:
         return HINT_NONE; /* These pages contain their own instructions. */
     case PHASE_LEADERBOARD:
-        return want_to_play(core);
+        return want_to_play(&game->accounts.ledger, config);
     case PHASE_MENU:
         return HINT_NONE;
     case PHASE_RESULT:
-        return game->accounts.credit.came_back                              ? HINT_PAID_BACK
-               : core->game.tick - game->phase_tick >= GAME_AGAIN_DIP_TICKS ? want_to_play(core)
-                                                                            : HINT_NONE;
+        return game->accounts.credit.came_back ? HINT_PAID_BACK
+               : game->tick - game->phase_tick >= GAME_AGAIN_DIP_TICKS
+                   ? want_to_play(&game->accounts.ledger, config)
+                   : HINT_NONE;
     default:
         break;
     }
-    const int nobody_leads = !pause_holds(core, hints->pupil); /* The player of the hints has no poi
-                                                                  in use only if no player has. */
-    if (game->paused || (nobody_leads && !player_of(hints, core)->out)) {
+    const int nobody_leads =
+        !pause_holds(world, hints->pupil); /* The player of the hints has no poi in use only if
+                                              no player has. */
+    if (game->paused || (nobody_leads && !player_of(hints, game)->out)) {
         return HINT_LOST_POI;
     }
-    return game->phase == PHASE_READY ? wanted_in_ready(hints, core)
-                                      : wanted_in_round(hints, core, fish);
+    return game->phase == PHASE_READY ? wanted_in_ready(hints, game, world)
+                                      : wanted_in_round(hints, game, world, fish);
 }
 
 void hints_init(struct hints *hints)
@@ -240,23 +247,23 @@ void hints_init(struct hints *hints)
     *hints = (struct hints){ 0 };
 }
 
-void hints_tick(struct hints *hints, const struct core *core)
+void hints_tick(struct hints *hints, const struct game *game, const struct world *world,
+                const struct core_config *config)
 {
-    turn_to_pupil(hints, core);
-    watch_haste(hints, poi_of(hints, core));
-    const int edge = core->game.tick == core->game.phase_tick; /* A new phase updates the hint at
-                                                             once. */
-    if (!edge && core->game.tick % LOOK_TICKS != 0) {
+    turn_to_pupil(hints, world);
+    watch_haste(hints, poi_of(hints, world));
+    const int edge = game->tick == game->phase_tick; /* A new phase updates the hint at once. */
+    if (!edge && game->tick % LOOK_TICKS != 0) {
         return;
     }
-    const struct view_of_fish fish = look_at_fish(hints, core);
-    observe(hints, core, fish);
-    const uint8_t next = wanted(hints, core, fish);
+    const struct view_of_fish fish = look_at_fish(hints, world);
+    observe(hints, game, world, fish);
+    const uint8_t next = wanted(hints, game, world, config, fish);
     if (next != hints->shown &&
-        (edge || is_urgent(next) || is_followed(hints->shown, poi_of(hints, core)) ||
-         core->game.tick - hints->shown_tick >= HINT_TICKS_MIN)) {
+        (edge || is_urgent(next) || is_followed(hints->shown, poi_of(hints, world)) ||
+         game->tick - hints->shown_tick >= HINT_TICKS_MIN)) {
         hints->shown = next;
-        hints->shown_tick = core->game.tick;
+        hints->shown_tick = game->tick;
     }
 }
 

@@ -25,13 +25,16 @@ struct hints {
     float moved_m;        /* Distance that the poi has moved in this round, up to 1 m. */
 };
 
-struct core;
+struct game;
+struct world;
+struct core_config;
 
 /* Resets the hints for a new player. */
 void hints_init(struct hints *hints);
 
 /* Evaluates the rules. Call once per tick; writes only to `hints`. */
-void hints_tick(struct hints *hints, const struct core *core);
+void hints_tick(struct hints *hints, const struct game *game, const struct world *world,
+                const struct core_config *config);
 
 uint64_t hints_hash(uint64_t hash, const struct hints *hints);
 

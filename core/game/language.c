@@ -2,32 +2,31 @@
 #include "core/game/language.h"
 
 #include "core/base/hash.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/config.h"
 
-void language_return(struct core *core)
+void language_return(struct game *game, const struct core_config *config)
 {
-    if (!core->config.rules_7) {
-        core->game.language = core->config.language;
-        core->game.language_until = 0;
+    if (!config->rules_7) {
+        game->language = config->language;
+        game->language_until = 0;
     }
 }
 
-void language_tick(struct core *core, const struct input *input)
+void language_tick(struct game *game, const struct core_config *config, const struct input *input)
 {
-    struct game *game = &core->game;
     if (game->phase == PHASE_ATTRACT && game->language_until != 0 &&
-        core->game.tick >= game->language_until) {
-        language_return(core);
+        game->tick >= game->language_until) {
+        language_return(game, config);
     }
     if (input->pressed & INPUT_LANGUAGE) {
         game->language = (uint8_t)((game->language + 1u) % LANGUAGE_COUNT);
-        game->language_until = core->config.rules_7 ? 0u : core->game.tick + LANGUAGE_TICKS;
+        game->language_until = config->rules_7 ? 0u : game->tick + LANGUAGE_TICKS;
     }
 }
 
-struct language_choice language_kept(const struct core *core)
+struct language_choice language_kept(const struct game *game)
 {
-    const struct game *game = &core->game;
     return (struct language_choice){ .chosen = game->language_until ? game->language : 0u,
                                      .until_tick = game->language_until };
 }

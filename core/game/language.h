@@ -19,17 +19,18 @@ struct language_choice {
     uint32_t until_tick; /* Tick in attract mode at which the choice ends; 0: no choice. */
 };
 
-struct core;
+struct game;
+struct core_config;
 
 /* Changes to the next language when the button is pressed. Ends a choice that has lasted for a
  * cycle of attract mode. */
-void language_tick(struct core *core, const struct input *input);
+void language_tick(struct game *game, const struct core_config *config, const struct input *input);
 
 /* Returns to the operator's language at the start of attract mode. */
-void language_return(struct core *core);
+void language_return(struct game *game, const struct core_config *config);
 
 /* Returns the visitor's choice in `core`, for the next session. */
-struct language_choice language_kept(const struct core *core);
+struct language_choice language_kept(const struct game *game);
 
 /* Returns `hash` continued over a choice; `hash` unchanged without a choice, as before the field
  * existed. */

@@ -18,18 +18,19 @@ _Static_assert(GAME_LOST_TICKS_MAX <= GAME_WAIT_TICKS_MAX &&
                    GAME_WAIT_TICKS_OTHERS <= GAME_WAIT_TICKS_MAX,
                "no wait outlasts the seat that is kept");
 
-struct core;
+struct game;
+struct world;
 
 /* Runs one tick of the pause logic, before the other steps of a round. The round pauses while a
  * player who is not out and has time left has lost the controller. During a pause the clock stops
  * and dips are blocked. A player for whom the others have waited too long, at once or in total, is
  * out. */
-void pause_tick(struct core *core);
+void pause_tick(struct game *game, const struct world *world);
 
 /* Returns 1 if player `index` has a poi in use: a live controller or the bot. */
-int pause_holds(const struct core *core, uint32_t index);
+int pause_holds(const struct world *world, uint32_t index);
 
 /* Returns 1 if all players have been away for so long that the round ends. */
-int pause_is_over(const struct core *core);
+int pause_is_over(const struct game *game);
 
 #endif

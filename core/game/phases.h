@@ -10,36 +10,48 @@
 #include "core/input.h"
 #include "core/output.h"
 
-struct core;
+struct game;
+struct world;
+struct core_config;
 
 /* Switches to `phase` (enum scene_phase). */
-void game_enter_phase(struct core *core, uint8_t phase);
+void game_enter_phase(struct game *game, uint8_t phase);
 
 /* Returns the player whose live poi with a bowl moves down through GAME_DIP_Y_M in this tick, or
  * POI_MAX if none does. Such a dip is a request to play. */
-uint32_t game_dipped_player(const struct core *core, const struct input *input);
+uint32_t game_dipped_player(const struct game *game, const struct world *world,
+                            const struct input *input);
 
 /* Attract mode: the configured tank, played by the bot. */
-void attract_begin(struct core *core);
-void attract_tick(struct core *core, const struct input *input, struct output *output);
+void attract_begin(struct game *game, struct world *world, const struct core_config *config);
+void attract_tick(struct game *game, struct world *world, const struct core_config *config,
+                  const struct input *input, struct output *output);
 
 /* Handles a request to play. Without a credit the state stays unchanged. With several modes on
  * offer the selection starts; otherwise READY starts at once. */
-void mode_select_begin(struct core *core, struct output *output);
-void mode_select_tick(struct core *core, const struct input *input, struct output *output);
+void mode_select_begin(struct game *game, struct world *world, const struct core_config *config,
+                       struct output *output);
+void mode_select_tick(struct game *game, struct world *world, const struct core_config *config,
+                      const struct input *input, struct output *output);
 
 /* Starts a new round of the selected mode, with its tank, empty bowls and zero scores. */
-void ready_begin(struct core *core, struct output *output);
-void ready_tick(struct core *core, struct output *output);
+void ready_begin(struct game *game, struct world *world, const struct core_config *config,
+                 struct output *output);
+void ready_tick(struct game *game, struct world *world, const struct core_config *config,
+                struct output *output);
 
 /* Start the clock of a round after READY, and run one tick of the round. */
-void round_begin(struct core *core, struct output *output);
-void round_tick(struct core *core, struct output *output);
+void round_begin(struct game *game, struct world *world, struct output *output);
+void round_tick(struct game *game, struct world *world, const struct core_config *config,
+                struct output *output);
 
 /* Ends the round: its result is logged and shown. */
-void result_begin(struct core *core, struct output *output);
+void result_begin(struct game *game, struct world *world, const struct core_config *config,
+                  struct output *output);
 /* Ends a round that counts without showing its result, because the operator's menu opens. */
-void result_skip(struct core *core, struct output *output);
-void result_tick(struct core *core, const struct input *input, struct output *output);
+void result_skip(struct game *game, const struct world *world, const struct core_config *config,
+                 struct output *output);
+void result_tick(struct game *game, struct world *world, const struct core_config *config,
+                 const struct input *input, struct output *output);
 
 #endif

@@ -2,7 +2,7 @@
 #include "core/game/pointer_mapping.h"
 
 #include "core/base/fmath.h"
-#include "core/core.h"
+#include "core/poi/world.h"
 #include "core/game/control/input_validation.h"
 
 #define WIDE_WIDTH 1280.0f
@@ -40,14 +40,14 @@ struct layout_point pointer_project(const struct view *view, int upright, vec3 p
 /* Maps a controller with rotation by the tank's floor plan, because the player aims at the tank and
  * not along a pointer ray. The arm then need not reach behind the tank for items at the top of the
  * screen. */
-static struct layout_point plan_point(const struct core *core, int upright, vec3 hand_m)
+static struct layout_point plan_point(const struct world *world, int upright, vec3 hand_m)
 {
     const struct layout_point canvas = pointer_layout_size(upright);
-    return (struct layout_point){ canvas.x * (0.5f + hand_m.x / core->world.tank.size_m.x),
-                                  canvas.y * (0.5f + hand_m.z / core->world.tank.size_m.z) };
+    return (struct layout_point){ canvas.x * (0.5f + hand_m.x / world->tank.size_m.x),
+                                  canvas.y * (0.5f + hand_m.z / world->tank.size_m.z) };
 }
 
-struct pointer_state pointer_of_player(const struct core *core, const struct input *input,
+struct pointer_state pointer_of_player(const struct world *world, const struct input *input,
                                        int upright, uint32_t player)
 {
     const struct poi_input *says = &input->poi[player];
@@ -57,9 +57,8 @@ struct pointer_state pointer_of_player(const struct core *core, const struct inp
     const vec3 hand_m = says->target.position_m;
     const struct layout_point canvas = pointer_layout_size(upright);
     const struct layout_point at =
-        says->has_wrist
-            ? plan_point(core, upright, hand_m)
-            : pointer_project(&tank_preset(core->world.tank.preset)->view, upright, hand_m);
+        says->has_wrist ? plan_point(world, upright, hand_m)
+                        : pointer_project(&tank_preset(world->tank.preset)->view, upright, hand_m);
     return (struct pointer_state){
         .present = 1,
         .player = (uint8_t)player,
@@ -68,12 +67,13 @@ struct pointer_state pointer_of_player(const struct core *core, const struct inp
     };
 }
 
-struct pointer_state pointer_first(const struct core *core, const struct input *input, int upright)
+struct pointer_state pointer_first(const struct world *world, const struct input *input,
+                                   int upright)
 {
     struct pointer_state hand = { 0 };
     for (uint32_t i = 0; i < POI_MAX && !hand.present; i++) {
-        if (core->world.bowl[i].present) {
-            hand = pointer_of_player(core, input, upright, i);
+        if (world->bowl[i].present) {
+            hand = pointer_of_player(world, input, upright, i);
         }
     }
     return hand;

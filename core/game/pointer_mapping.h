@@ -49,14 +49,15 @@ struct pointer_state {
     float height_m;
 };
 
-struct core;
+struct world;
 
 /* Returns the pointer of `player`. A controller with rotation maps by the tank's floor plan, other
  * controllers by the camera. */
-struct pointer_state pointer_of_player(const struct core *core, const struct input *input,
+struct pointer_state pointer_of_player(const struct world *world, const struct input *input,
                                        int upright, uint32_t player);
 
 /* Returns the pointer of the first player who has a bowl at the tank. */
-struct pointer_state pointer_first(const struct core *core, const struct input *input, int upright);
+struct pointer_state pointer_first(const struct world *world, const struct input *input,
+                                   int upright);
 
 #endif

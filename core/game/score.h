@@ -7,18 +7,22 @@
 #include "core/output.h"
 #include "core/poi/catch/catch.h"
 
-struct core;
+struct game;
+struct world;
+struct core_config;
 
 /* Runs the last step of a tick: counts the fish that reached the bowls, by the mode's rules. */
-void game_score(struct core *core, const struct catch_result caught[POI_MAX],
-                struct output *output);
+void game_score(struct game *game, const struct world *world,
+                const struct catch_result caught[POI_MAX], struct output *output);
 
 /* Returns the record of the current or the last round, with `id` 0. */
-struct round_record game_record(const struct core *core);
+struct round_record game_record(const struct game *game, const struct world *world,
+                                const struct core_config *config);
 
 /* Logs the LEDGER_ROUND of a finished, not refunded round, which also closes the balance and
  * updates the leaderboard. A round without players is not logged, and a round without a score
  * produces no record. */
-void score_keep(struct core *core, uint32_t tickets, struct output *output);
+void score_keep(struct game *game, const struct world *world, const struct core_config *config,
+                uint32_t tickets, struct output *output);
 
 #endif

@@ -4,30 +4,27 @@
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/rng.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/config.h"
 
-void session_request(struct core *core)
+void session_request(struct game *game)
 {
-    if (core->game.turn_tick == 0) {
-        core->game.turn_tick = core->game.tick + SESSION_FADE_TICKS;
+    if (game->turn_tick == 0) {
+        game->turn_tick = game->tick + SESSION_FADE_TICKS;
     }
 }
 
-/* Call after `core->game.tick` was incremented. */
-int session_is_over(const struct core *core)
+/* The caller increments `game->tick` before the call. */
+int session_is_over(const struct game *game)
 {
-    const struct game *game = &core->game;
-    return game->phase == PHASE_ATTRACT && game->turn_tick != 0 &&
-           core->game.tick >= game->turn_tick;
+    return game->phase == PHASE_ATTRACT && game->turn_tick != 0 && game->tick >= game->turn_tick;
 }
 
-void session_restart(struct core *core)
+void session_restart(const struct game *game, struct core_config *config)
 {
-    struct core_config *config = &core->config;
-    const struct game *game = &core->game;
-    config->seed = rng_u32((struct rng_key){ config->seed, core->game.tick, 0, RNG_SESSION });
+    config->seed = rng_u32((struct rng_key){ config->seed, game->tick, 0, RNG_SESSION });
     config->session = (struct game_session){
-        .tick = core->game.tick,
+        .tick = game->tick,
         .command_count = game->menu.command_count,
         .edit_save_id = game->lab.save_id,
         .edit_saved_id = game->lab.saved_id,
@@ -35,7 +32,7 @@ void session_restart(struct core *core)
         .credit = game->accounts.credit,
         .health_log = game->health_log,
         .settings_edit = game->settings_edit,
-        .language = language_kept(core),
+        .language = language_kept(game),
     };
     config->persistent.ledger.last_id = game->accounts.ledger.last_id;
     config->persistent.ledger.balance = game->accounts.ledger.balance;
@@ -65,11 +62,10 @@ void session_restore(struct game *game, const struct game_session *session)
     }
 }
 
-float session_fade(const struct core *core)
+float session_fade(const struct game *game, const struct core_config *config)
 {
-    const struct game *game = &core->game;
-    const uint32_t since = core->game.tick - core->config.session.tick;
-    const uint32_t ahead = game->turn_tick - core->game.tick;
+    const uint32_t since = game->tick - config->session.tick;
+    const uint32_t ahead = game->turn_tick - game->tick;
     uint32_t dark = since < SESSION_FADE_TICKS ? SESSION_FADE_TICKS - since : 0u;
     if (game->turn_tick != 0 && ahead < SESSION_FADE_TICKS && SESSION_FADE_TICKS - ahead > dark) {
         dark = SESSION_FADE_TICKS - ahead;

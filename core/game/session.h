@@ -37,25 +37,25 @@ struct game_session {
     struct language_choice language;
 };
 
-struct core;
+struct core_config;
 struct game;
 
 /* Requests a new session. The session starts when the picture is dark, if attract mode is still
  * active then. */
-void session_request(struct core *core);
+void session_request(struct game *game);
 
 /* Returns 1 if the finished tick was the last one of the session. */
-int session_is_over(const struct core *core);
+int session_is_over(const struct game *game);
 
-/* Writes the configuration of the next session to core->config. The caller then rebuilds the rest
- * of `core` as core_init() does. */
-void session_restart(struct core *core);
+/* Writes the configuration of the next session to `config`. The caller then rebuilds the game and
+ * the world from `config`, as core_init() does. */
+void session_restart(const struct game *game, struct core_config *config);
 
 /* Copies the carried-over state to a fresh game. Does nothing at the kiosk's start. */
 void session_restore(struct game *game, const struct game_session *session);
 
 /* Returns the darkness of the picture, [0, 1]; 1 at the restart. */
-float session_fade(const struct core *core);
+float session_fade(const struct game *game, const struct core_config *config);
 
 uint64_t session_hash(uint64_t hash, const struct game_session *session, int rules_7);
 

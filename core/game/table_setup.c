@@ -4,7 +4,9 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/base/rng.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
+#include "core/config.h"
 #include "core/game/control/controller.h"
 #include "core/game/control/parking.h"
 #include "core/game/control/release.h"
@@ -67,92 +69,93 @@ static uint32_t fish_count(const struct core_config *config, uint8_t preset)
 
 /* Returns 1 if the open tank matches the configuration. The operator's menu may have changed the
  * number of fish or players. */
-static int is_set_up(const struct core *core, uint8_t preset)
+static int is_set_up(const struct world *world, const struct core_config *config, uint8_t preset)
 {
-    int is_so = preset == core->world.tank.preset &&
-                core->world.tank.fish_count == fish_count(&core->config, preset);
+    int is_so =
+        preset == world->tank.preset && world->tank.fish_count == fish_count(config, preset);
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        is_so = is_so && core->world.bowl[i].present == (i < player_count(&core->config));
+        is_so = is_so && world->bowl[i].present == (i < player_count(config));
     }
     return is_so;
 }
 
-static void place_all(struct core *core, const struct tank_preset *preset)
+static void place_all(struct game *game, struct world *world, const struct core_config *config,
+                      const struct tank_preset *preset)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const uint32_t seed =
-            game_poi_seed(core->config.seed, i, core->game.round_count, GAME_SERIES_ROUND);
-        const uint8_t link = core->world.poi[i].link;
-        poi_init(&core->world.poi[i], table_setup_grade(&core->config, core->game.mode),
-                 parking_place(core, i).position_m, seed);
-        core->world.poi[i].link = link;
-        core->game.hand_pose[i] = parking_place(core, i);
-        core->game.holder[i] = POI_SOURCE_ABSENT; /* The controller takes the poi over from the
-                                                     rest position. */
-        controller_forget_path(&core->game, i);
-        core->world.bowl[i] = (struct bowl){ 0 };
-        if (i < player_count(&core->config)) {
-            bowl_init(&core->world.bowl[i], preset->bowl_m[i]);
+        const uint32_t seed = game_poi_seed(config->seed, i, game->round_count, GAME_SERIES_ROUND);
+        const uint8_t link = world->poi[i].link;
+        poi_init(&world->poi[i], table_setup_grade(config, game->mode),
+                 parking_place(world, i).position_m, seed);
+        world->poi[i].link = link;
+        game->hand_pose[i] = parking_place(world, i);
+        game->holder[i] = POI_SOURCE_ABSENT; /* The controller takes the poi over from the rest
+                                                position. */
+        controller_forget_path(game, i);
+        world->bowl[i] = (struct bowl){ 0 };
+        if (i < player_count(config)) {
+            bowl_init(&world->bowl[i], preset->bowl_m[i]);
         }
     }
 }
 
-static void open_tank(struct core *core, uint8_t preset, uint32_t seed)
+static void open_tank(struct world *world, const struct core_config *config, uint32_t tick,
+                      uint8_t preset, uint32_t seed)
 {
-    struct tank_config config = tank_config_of(preset);
-    config.fish_count = fish_count(&core->config, preset);
-    config.seed = seed;
-    config.bowls = (uint8_t)player_count(&core->config);
-    config.lanes = core->config.lanes;
-    const int opened = tank_open(&core->world.tank, &config);
+    struct tank_config opening = tank_config_of(preset);
+    opening.fish_count = fish_count(config, preset);
+    opening.seed = seed;
+    opening.bowls = (uint8_t)player_count(config);
+    opening.lanes = config->lanes;
+    const int opened = tank_open(&world->tank, &opening);
     CORE_ASSERT(opened);
-    for (uint32_t i = 0; i < core->world.tank.fish_count; i++) {
-        core->world.tank.fish[i].thought_tick =
-            (uint8_t)core->game.tick; /* The fish start with the current
-                                                                  tick as their last behavior
-                                                                  tick. */
+    for (uint32_t i = 0; i < world->tank.fish_count; i++) {
+        world->tank.fish[i].thought_tick = (uint8_t)tick; /* The fish start with the current tick
+                                                             as their last behavior tick. */
     }
 }
 
-void table_setup_open(struct core *core)
+void table_setup_open(struct game *game, struct world *world, const struct core_config *config)
 {
-    open_tank(core, core->config.preset, core->config.seed);
-    place_all(core, tank_preset(core->config.preset));
+    open_tank(world, config, game->tick, config->preset, config->seed);
+    place_all(game, world, config, tank_preset(config->preset));
 }
 
-void table_setup_prepare(struct core *core, uint8_t preset)
+void table_setup_prepare(struct game *game, struct world *world, const struct core_config *config,
+                         uint8_t preset)
 {
-    if (is_set_up(core, preset)) {
+    if (is_set_up(world, config, preset)) {
         return;
     }
-    const struct rng_key key = { core->config.seed, core->game.round_count, preset, RNG_TANK_SEED };
-    open_tank(core, preset, rng_u32(key));
-    place_all(core, tank_preset(preset));
+    const struct rng_key key = { config->seed, game->round_count, preset, RNG_TANK_SEED };
+    open_tank(world, config, game->tick, preset, rng_u32(key));
+    place_all(game, world, config, tank_preset(preset));
 }
 
 /* ---- Paper and fish ------------------------------------------------------------------------- */
 
-void table_setup_replace_poi(struct core *core, uint32_t index, uint32_t number,
+void table_setup_replace_poi(const struct game *game, struct world *world,
+                             const struct core_config *config, uint32_t index, uint32_t number,
                              enum game_series series)
 {
-    struct poi *poi = &core->world.poi[index];
+    struct poi *poi = &world->poi[index];
     const uint8_t link = poi->link;
     const struct angles angles = poi->angles;
     const uint32_t carried_count = poi->carried_count;
     struct carried_fish carried_fish[POI_CARRIED_MAX];
-    release_all(poi, &core->world.tank);
+    release_all(poi, &world->tank);
     memcpy(carried_fish, poi->carried_fish, sizeof carried_fish);
-    poi_init(poi, table_setup_grade(&core->config, core->game.mode), poi->position_m,
-             game_poi_seed(core->config.seed, index, number, series));
+    poi_init(poi, table_setup_grade(config, game->mode), poi->position_m,
+             game_poi_seed(config->seed, index, number, series));
     poi->link = link;
     poi->angles = angles;
     poi->carried_count = carried_count;
     memcpy(poi->carried_fish, carried_fish, sizeof carried_fish);
 }
 
-void table_setup_empty_bowls(struct core *core)
+void table_setup_empty_bowls(struct world *world)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        bowl_empty(&core->world.bowl[i], i, &core->world.tank);
+        bowl_empty(&world->bowl[i], i, &world->tank);
     }
 }

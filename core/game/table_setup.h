@@ -4,7 +4,8 @@
 
 #include <stdint.h>
 
-struct core;
+struct game;
+struct world;
 struct core_config;
 struct input;
 struct poi_target;
@@ -27,21 +28,22 @@ uint8_t table_setup_preset(const struct core_config *config,
 uint8_t table_setup_grade(const struct core_config *config, uint8_t mode);
 uint32_t table_setup_round_s(const struct core_config *config, uint8_t mode);
 
-/* Sets up the configured tank, bowls and pois at the start of a session. `core->config` must be
- * set. */
-void table_setup_open(struct core *core);
+/* Sets up the configured tank, bowls and pois at the start of a session. */
+void table_setup_open(struct game *game, struct world *world, const struct core_config *config);
 
 /* Ensures that the tank of `preset` is open with the configured fish and slots. If a different tank
  * is open, the tank is replaced, with new fish and empty bowls, and each poi starts from its rest
  * position. The seed depends on the configuration and on the number of rounds. */
-void table_setup_prepare(struct core *core, uint8_t preset);
+void table_setup_prepare(struct game *game, struct world *world, const struct core_config *config,
+                         uint8_t preset);
 
 /* Replaces the paper of a poi in place. Fish on the old paper fall. The grade is that of the
  * current mode. */
-void table_setup_replace_poi(struct core *core, uint32_t index, uint32_t number,
+void table_setup_replace_poi(const struct game *game, struct world *world,
+                             const struct core_config *config, uint32_t index, uint32_t number,
                              enum game_series series);
 
 /* Empties every bowl into the tank. */
-void table_setup_empty_bowls(struct core *core);
+void table_setup_empty_bowls(struct world *world);
 
 #endif

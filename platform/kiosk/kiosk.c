@@ -257,7 +257,8 @@ static void tell_last_word(struct kiosk *kiosk, const struct hal *hal)
 {
     struct ledger_entry entry;
     if (!kiosk->config.source.next && saving_is_done(&kiosk->saving, &kiosk->output) &&
-        health_log_final(&kiosk->core, &kiosk->input, &entry)) {
+        health_log_final(&kiosk->core.game.accounts, &kiosk->core.game.health_log,
+                         kiosk->core.game.tick, &kiosk->input, &entry)) {
         hal->storage.ops->append(hal->storage.self, &entry);
     }
 }

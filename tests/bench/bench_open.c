@@ -68,7 +68,7 @@ static int measure(uint32_t seed, double *open_ms, double *back_ms)
         return -1;
     }
     const double began_ms = now_ms();
-    attract_begin(&core);
+    attract_begin(&core.game, &core.world, &core.config);
     *back_ms = now_ms() - began_ms + tick_ms(0);
     return core.world.tank.preset == own ? 0 : -1;
 }

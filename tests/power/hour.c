@@ -98,7 +98,7 @@ static void land_fish(struct hour *hour)
 {
     if (hour->core.game.phase == PHASE_ROUND && happens(hour, DRAW_FISH, 4)) {
         const struct catch_result caught[POI_MAX] = { { .landed = 1, .bowled = 1 } };
-        game_score(&hour->core, caught, &hour->output);
+        game_score(&hour->core.game, &hour->core.world, caught, &hour->output);
     }
 }
 
@@ -109,7 +109,7 @@ static void turn_volume(struct hour *hour)
     const struct ledger_entry entry = { .kind = LEDGER_SETTING,
                                         .detail = SET_VOLUME,
                                         .value = value };
-    if (ledger_write(&hour->core, &entry, &hour->output) != 0) {
+    if (ledger_write(&hour->core.game.accounts, hour->core.game.tick, &entry, &hour->output) != 0) {
         hour->core.config.persistent.settings.value[SET_VOLUME] = value;
     }
 }
@@ -119,7 +119,7 @@ static void give_name(struct hour *hour)
     static const char *const names[] = { "きんぎょ", "KINGYO", "たろう", "HANA" };
     struct ledger_entry entry = { .kind = LEDGER_NAME, .detail = 0, .count = hour->named_id };
     snprintf(entry.name, sizeof entry.name, "%s", names[hour->named_id % 4u]);
-    ledger_write(&hour->core, &entry, &hour->output);
+    ledger_write(&hour->core.game.accounts, hour->core.game.tick, &entry, &hour->output);
 }
 
 static void keep_books(struct hour *hour)
@@ -130,7 +130,7 @@ static void keep_books(struct hour *hour)
     }
     if (happens(hour, DRAW_RESET, 600)) {
         const struct ledger_entry entry = { .kind = LEDGER_RESET, .detail = AUDIT_GROUP_MACHINE };
-        ledger_write(&hour->core, &entry, &hour->output);
+        ledger_write(&hour->core.game.accounts, hour->core.game.tick, &entry, &hour->output);
     }
     if (round_id != hour->named_id) {
         hour->named_id = round_id;

@@ -71,13 +71,14 @@ int shot_menu_knows(const char *page, uint8_t step)
 /* Sets some settings to values other than their defaults. */
 static void adjust_some(struct core *core)
 {
-    settings_edit_set(core, SET_PLAY, PLAY_PAID);
-    settings_edit_set(core, SET_PRICE, 2);
-    settings_edit_set(core, SET_BONUS_UNITS, 5);
-    settings_edit_set(core, SET_MODES, 1 << MODE_FESTIVAL | 1 << MODE_PRACTICE | 1 << CHOICE_LAB);
-    settings_edit_set(core, SET_ROUND_S, 90);
-    settings_edit_set(core, SET_VOLUME, 65);
-    settings_edit_set(core, SET_NIGHT_FROM_MIN, 22 * 60 + 30);
+    settings_edit_set(&core->game, &core->config, SET_PLAY, PLAY_PAID);
+    settings_edit_set(&core->game, &core->config, SET_PRICE, 2);
+    settings_edit_set(&core->game, &core->config, SET_BONUS_UNITS, 5);
+    settings_edit_set(&core->game, &core->config, SET_MODES,
+                      1 << MODE_FESTIVAL | 1 << MODE_PRACTICE | 1 << CHOICE_LAB);
+    settings_edit_set(&core->game, &core->config, SET_ROUND_S, 90);
+    settings_edit_set(&core->game, &core->config, SET_VOLUME, 65);
+    settings_edit_set(&core->game, &core->config, SET_NIGHT_FROM_MIN, 22 * 60 + 30);
 }
 
 /* Fills the audits with the values of a summer. */
@@ -134,7 +135,7 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
     rank_some(&core->game.accounts.ranking);
     for (uint8_t i = 0; i < MENU_PAGE_COUNT; i++) {
         if (names[i] && strcmp(names[i], page) == 0) {
-            menu_turn(core, (enum menu_page)i);
+            menu_turn(&core->game, &core->config.persistent.settings, (enum menu_page)i);
         }
     }
     if (menu_page_desc_of(menu->page)->body == MENU_BODY_SETTINGS) {
@@ -144,7 +145,8 @@ void shot_menu_open(struct core *core, const char *page, uint8_t step, int uprig
     keep_books(core);
     if (menu->page == MENU_CALIBRATION) {
         calibrate_some(&menu->calibrate, step);
-        settings_edit_set(core, calibration_setting(0), step > CALIBRATE_WATER ? 1 : 0);
+        settings_edit_set(&core->game, &core->config, calibration_setting(0),
+                          step > CALIBRATE_WATER ? 1 : 0);
     }
     menu->from = MENU_EARNINGS;
     menu->pin = 407;

@@ -47,7 +47,7 @@ static void open_lab(const struct shot_options *options, struct output *output)
 {
     struct lab *lab = &core.game.lab;
     lab->species = (uint8_t)options->species;
-    lab_begin(&core, output);
+    lab_begin(&core.game, &core.world, &core.config, output);
     lab->playing = 0;
     lab->upright = shot_is_upright(options);
     lab->progress = options->progress;
@@ -66,7 +66,7 @@ static void open_album(const struct shot_options *options)
         core.world.tank.fish[i].gait = GAIT_BOWL;
         core.world.tank.fish[i].holder = 0;
     }
-    album_note(&core, 0, options->album);
+    album_note(&core.game.album, &core.world, 0, options->album);
     core.game.phase = PHASE_ALBUM;
     core.game.phase_tick =
         core.game.tick - (uint32_t)(options->progress * (float)album_ticks(album->fish_count));

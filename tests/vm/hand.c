@@ -140,7 +140,7 @@ static int fish_behavior_tick(uint32_t lead, uint32_t seed, struct plan *out)
     bot.hand.pose = home;
     out->count = 0;
     for (uint32_t end = PLAN_TICKS_MAX; out->count < end && copy.game.phase == PHASE_ROUND;) {
-        const struct vision vision = { &copy, 0 };
+        const struct vision vision = { &copy.game, &copy.world, 0 };
         input.poi[0].target = bot_tick(&bot, &vision);
         out->way[out->count++] = input.poi[0].target;
         twin_tick(&copy, &input, &ignored);

@@ -40,8 +40,9 @@ static void tell(FILE *file, const struct twin *twin)
     fprintf(file, "to_devices %u\nto_lines %u\nto_upkeep %u\nto_files %u\nto_back %u\n",
             menu_tag_of(MENU_DEVICES), menu_tag_of(MENU_LINES), menu_tag_of(MENU_UPKEEP),
             menu_tag_of(MENU_FILES), menu_tag_count(menu->page) - 1u);
-    fprintf(file, "asks %d\npage %u\ntag %u\ntest_coins %u\nfiles %u\n", menu_is_asking(core),
-            menu->page, menu->tag[menu->page], menu->test_coins, menu->controllers.file_count);
+    fprintf(file, "asks %d\npage %u\ntag %u\ntest_coins %u\nfiles %u\n",
+            menu_is_asking(&core->game), menu->page, menu->tag[menu->page], menu->test_coins,
+            menu->controllers.file_count);
     const uint8_t phase = core->game.phase;
     fprintf(file, "is_ready %d\nis_round %d\n", phase == PHASE_READY, phase == PHASE_ROUND);
     fprintf(file, "phase %u\npaused %u\nrounds %u\ncaught %u\n", phase, core->game.paused,

@@ -1,9 +1,8 @@
 /* accounts.h -- the accounts of the kiosk: the ledger, the credits, the audits and the leaderboard.
  *
- * The ledger is the append-only list of money events. Each entry of the ledger also changes the
- * audits, which are the operator's statistics, and the leaderboard (ledger_write()). A function that
- * writes an entry therefore takes `struct accounts`; a function that reads or changes only one part
- * takes that part. */
+ * The ledger is the append-only list of money events. ledger_write() also adds each entry to the
+ * audits, which are the operator's statistics, and to the leaderboard. A function that writes an
+ * entry therefore takes `struct accounts`. A function that works on one part takes that part. */
 #ifndef KINGYO_CORE_GAME_ACCOUNTING_ACCOUNTS_H
 #define KINGYO_CORE_GAME_ACCOUNTING_ACCOUNTS_H
 

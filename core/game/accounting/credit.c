@@ -3,21 +3,23 @@
 
 #include "core/base/hash.h"
 #include "core/base/panic.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
+#include "core/config.h"
 #include "core/game/accounting/coins.h"
 #include "core/game/accounting/round_standing.h"
 #include "core/game/accounting/tickets.h"
 
 #define NEVER_S 1e6f /* Larger than any interval; about eleven days. */
 
-uint32_t credit_price(const struct core *core)
+uint32_t credit_price(const struct core_config *config)
 {
-    return core->config.credit_coins;
+    return config->credit_coins;
 }
 
-static uint32_t credits_max(const struct core *core)
+static uint32_t credits_max(const struct settings *settings)
 {
-    return (uint32_t)core->config.persistent.settings.value[SET_CREDIT_MAX];
+    return (uint32_t)settings->value[SET_CREDIT_MAX];
 }
 
 static uint32_t credits_of(const struct balance *balance)
@@ -25,47 +27,48 @@ static uint32_t credits_of(const struct balance *balance)
     return balance->paid + balance->service;
 }
 
-static uint32_t sure_credits(const struct core *core)
+static uint32_t sure_credits(const struct ledger *ledger)
 {
-    const struct ledger_credits sure = ledger_committed_credits(&core->game.accounts.ledger);
+    const struct ledger_credits sure = ledger_committed_credits(ledger);
     return sure.paid + sure.service;
 }
 
-uint32_t credit_coming(const struct core *core)
+uint32_t credit_coming(const struct ledger *ledger)
 {
-    return credits_of(&core->game.accounts.ledger.balance) - sure_credits(core);
+    return credits_of(&ledger->balance) - sure_credits(ledger);
 }
 
 /* ---- The tick ------------------------------------------------------------------------------- */
 
-static void take_service(struct core *core, struct output *output)
+static void take_service(struct accounts *accounts, const struct core_config *config, uint32_t tick,
+                         struct output *output)
 {
-    struct game *game = &core->game;
     const struct ledger_entry entry = { .kind = LEDGER_SERVICE };
-    if (credit_price(core) > 0 && credits_of(&game->accounts.ledger.balance) < credits_max(core) &&
-        ledger_may_write(&game->accounts.ledger, LEDGER_SERVICE)) {
-        game->accounts.ledger.balance.service++;
-        game->accounts.credit.act_tick = core->game.tick;
-        ledger_write(core, &entry, output);
+    if (credit_price(config) > 0 &&
+        credits_of(&accounts->ledger.balance) < credits_max(&config->persistent.settings) &&
+        ledger_may_write(&accounts->ledger, LEDGER_SERVICE)) {
+        accounts->ledger.balance.service++;
+        accounts->credit.act_tick = tick;
+        ledger_write(accounts, tick, &entry, output);
         output_sound(output, SOUND_COIN, 0.5f, 0.0f);
     }
 }
 
 /* Returns 1 if someone could play: a slot has a connected controller or the bot. */
-static int has_poi(const struct core *core, const struct input *input)
+static int has_poi(const struct world *world, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint8_t link = input->poi[i].link;
-        if (core->world.bowl[i].present && (link == POI_SOURCE_LIVE || link == POI_SOURCE_BOT)) {
+        if (world->bowl[i].present && (link == POI_SOURCE_LIVE || link == POI_SOURCE_BOT)) {
             return 1;
         }
     }
     return 0;
 }
 
-static void note_tilt(struct core *core, const struct input *input, struct output *output)
+static void note_tilt(struct credit *credit, uint32_t tick, const struct input *input,
+                      struct output *output)
 {
-    struct credit *credit = &core->game.accounts.credit;
     if (!((input->held | input->pressed) & INPUT_TILT)) {
         return;
     }
@@ -73,71 +76,72 @@ static void note_tilt(struct core *core, const struct input *input, struct outpu
         credit->shakes++;
         output_sound(output, SOUND_FOUL, 0.8f, 0.0f);
     }
-    credit->tilt_tick = core->game.tick;
+    credit->tilt_tick = tick;
 }
 
-static uint8_t warnings(const struct core *core, const struct input *input)
+static uint8_t warnings(const struct game *game, const struct world *world,
+                        const struct core_config *config, const struct input *input)
 {
-    const struct credit *credit = &core->game.accounts.credit;
+    const struct credit *credit = &game->accounts.credit;
     const int is_tilted =
-        credit->tilt_tick != 0 && core->game.tick - credit->tilt_tick < CREDIT_TILT_TICKS;
+        credit->tilt_tick != 0 && game->tick - credit->tilt_tick < CREDIT_TILT_TICKS;
     const int is_open = ((input->held | input->pressed) & INPUT_DOOR) != 0;
-    const int is_unsafe = credit_price(core) > 0 && !ledger_is_safe(&core->game.accounts.ledger);
+    const int is_unsafe = credit_price(config) > 0 && !ledger_is_safe(&game->accounts.ledger);
     return (uint8_t)((is_tilted ? (uint32_t)WARN_TILT : 0u) | (is_open ? (uint32_t)WARN_DOOR : 0u) |
                      (is_unsafe ? (uint32_t)WARN_STORE : 0u) |
-                     (has_poi(core, input) ? 0u : (uint32_t)WARN_NO_POI));
+                     (has_poi(world, input) ? 0u : (uint32_t)WARN_NO_POI));
 }
 
 /* Closes a round or a lab visit that ended without a result: the growth lab, or a round that no
  * player joined. */
-static void close_what_is_over(struct core *core, struct output *output)
+static void close_what_is_over(struct game *game, struct output *output)
 {
-    struct game *game = &core->game;
     const int runs =
         game->phase == PHASE_READY || game->phase == PHASE_ROUND || game->phase == PHASE_LAB;
     if (game->accounts.ledger.balance.open != PAYMENT_NONE && !runs) {
         const struct ledger_entry entry = { .kind = LEDGER_LEFT };
         game->accounts.ledger.balance.open = PAYMENT_NONE;
-        ledger_write(core, &entry, output);
+        ledger_write(&game->accounts, game->tick, &entry, output);
     }
 }
 
-void credit_tick(struct core *core, const struct input *input, struct output *output)
+void credit_tick(struct game *game, const struct world *world, const struct core_config *config,
+                 const struct input *input, struct output *output)
 {
-    struct credit *credit = &core->game.accounts.credit;
-    close_what_is_over(core, output);
-    if (core->game.phase == PHASE_MENU) {
-        coins_test(core, input, output);
+    struct credit *credit = &game->accounts.credit;
+    close_what_is_over(game, output);
+    if (game->phase == PHASE_MENU) {
+        coins_test(&game->accounts, game->tick, input, output);
     } else {
-        coins_insert(core, input, output);
-        note_tilt(core, input, output);
+        coins_insert(&game->accounts, config, game->tick, input, output);
+        note_tilt(&game->accounts.credit, game->tick, input, output);
         if (input->pressed & INPUT_SERVICE) {
-            take_service(core, output);
+            take_service(&game->accounts, config, game->tick, output);
         }
     }
-    coins_convert(core, output);
-    coins_expire(core, output);
-    tickets_tick(core, input, output);
-    credit->warnings = warnings(core, input);
+    coins_convert(&game->accounts, config, game->tick, output);
+    coins_expire(game, &config->persistent.settings, output);
+    tickets_tick(&game->accounts, config, game->tick, input, output);
+    credit->warnings = warnings(game, world, config, input);
 }
 
 /* Returns 1 if the coin slot must return coins. In the menu the slot is open only on the page that
  * tests the input lines, because a visitor cannot see that no game is sold then. */
-static int sends_coins_back(const struct core *core)
+static int sends_coins_back(const struct game *game, const struct core_config *config)
 {
-    const struct game *game = &core->game;
     if (game->phase == PHASE_MENU) {
-        return !menu_tries_lines(core) || self_test_shows(core);
+        return !menu_tries_lines(game) || self_test_shows(game);
     }
-    return credit_price(core) == 0 || game->accounts.credit.warnings != 0 ||
-           credits_of(&game->accounts.ledger.balance) >= credits_max(core);
+    return credit_price(config) == 0 || game->accounts.credit.warnings != 0 ||
+           credits_of(&game->accounts.ledger.balance) >= credits_max(&config->persistent.settings);
 }
 
-void credit_show_outputs(const struct core *core, struct output *output)
+void credit_show_outputs(const struct game *game, const struct core_config *config,
+                         struct output *output)
 {
-    output->coin_lockout = (uint8_t)sends_coins_back(core);
-    output->coins_counted = core->game.accounts.credit.metered;
-    output->tickets = core->game.accounts.credit.tickets;
+    output->coin_lockout = (uint8_t)sends_coins_back(game, config);
+    output->coins_counted = game->accounts.credit.metered;
+    output->tickets = game->accounts.credit.tickets;
 }
 
 /* ---- Rounds --------------------------------------------------------------------------------- */
@@ -145,9 +149,8 @@ void credit_show_outputs(const struct core *core, struct output *output)
 /* Returns the kind of credit to use next (enum round_payment), or PAYMENT_NONE. A refunded credit
  * comes first, because it cannot be refunded again. Service credits come next, so that an
  * operator's test leaves paid credits unused. */
-static uint8_t next_credit(const struct core *core)
+static uint8_t next_credit(const struct ledger *ledger)
 {
-    const struct ledger *ledger = &core->game.accounts.ledger;
     const struct ledger_credits sure = ledger_committed_credits(ledger);
     const struct balance *balance = &ledger->balance;
     if (balance->returned == PAYMENT_PAID && balance->paid > 0) {
@@ -161,37 +164,38 @@ static uint8_t next_credit(const struct core *core)
 
 /* If the ledger has no room, no round is sold, because the end of the round could not be logged
  * either. */
-int credit_can_play(const struct core *core)
+int credit_can_play(const struct ledger *ledger, const struct core_config *config)
 {
-    return credit_price(core) == 0 || (next_credit(core) != PAYMENT_NONE &&
-                                       ledger_has_room(&core->game.accounts.ledger, LEDGER_COINS));
+    return credit_price(config) == 0 ||
+           (next_credit(ledger) != PAYMENT_NONE && ledger_has_room(ledger, LEDGER_COINS));
 }
 
-void credit_ask(struct core *core, struct output *output)
+void credit_ask(struct accounts *accounts, uint32_t tick, struct output *output)
 {
-    struct credit *credit = &core->game.accounts.credit;
-    if (credit_coming(core) > 0) {
-        credit->await_tick = core->game.tick;
+    struct credit *credit = &accounts->credit;
+    if (credit_coming(&accounts->ledger) > 0) {
+        credit->await_tick = tick;
         return;
     }
-    credit->asked_tick = core->game.tick;
+    credit->asked_tick = tick;
     output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
 }
 
-int credit_is_awaited(const struct core *core)
+int credit_is_awaited(const struct accounts *accounts, const struct core_config *config,
+                      uint32_t tick)
 {
-    const uint32_t await_tick = core->game.accounts.credit.await_tick;
-    return await_tick != 0 && core->game.tick - await_tick < CREDIT_AWAIT_TICKS &&
-           credit_can_play(core);
+    const uint32_t await_tick = accounts->credit.await_tick;
+    return await_tick != 0 && tick - await_tick < CREDIT_AWAIT_TICKS &&
+           credit_can_play(&accounts->ledger, config);
 }
 
-static uint8_t pay(struct core *core)
+static uint8_t pay(struct ledger *ledger, const struct core_config *config)
 {
-    struct balance *balance = &core->game.accounts.ledger.balance;
-    if (credit_price(core) == 0) {
+    struct balance *balance = &ledger->balance;
+    if (credit_price(config) == 0) {
         return PAYMENT_FREE;
     }
-    const uint8_t kind = next_credit(core);
+    const uint8_t kind = next_credit(ledger);
     const uint8_t spent = balance->returned != PAYMENT_NONE ? PAYMENT_SPENT : 0u;
     balance->bonus_units = 0;
     balance->service -= kind == PAYMENT_SERVICE;
@@ -200,37 +204,39 @@ static uint8_t pay(struct core *core)
     return kind | spent;
 }
 
-void credit_take(struct core *core, uint8_t what, struct output *output)
+void credit_take(struct game *game, const struct core_config *config, uint8_t what,
+                 struct output *output)
 {
-    struct credit *credit = &core->game.accounts.credit;
-    CORE_ASSERT(credit_can_play(core));
+    struct credit *credit = &game->accounts.credit;
+    CORE_ASSERT(credit_can_play(&game->accounts.ledger, config));
     CORE_ASSERT(what < CHOICE_COUNT);
-    close_what_is_over(core, output);
+    close_what_is_over(game, output);
     const struct ledger_entry entry = {
         .kind = LEDGER_BEGIN,
         .detail = what,
-        .count = what < MODE_COUNT ? table_setup_grade(&core->config, what) : 0u,
+        .count = what < MODE_COUNT ? table_setup_grade(config, what) : 0u,
     };
     credit->came_back = 0;
     credit->await_tick = 0;
-    credit->act_tick = core->game.tick;
+    credit->act_tick = game->tick;
     credit->stand_id = 0;
     credit->stand = (struct ledger_stand){ 0 };
-    core->game.accounts.ledger.balance.open = pay(core);
-    ledger_write(core, &entry, output);
+    game->accounts.ledger.balance.open = pay(&game->accounts.ledger, config);
+    ledger_write(&game->accounts, game->tick, &entry, output);
 }
 
 /* A refund may exceed SET_CREDIT_MAX by one, because the credit belongs to a player. A round with a
  * non-refundable credit can be open at a restart if no player had joined; its LEDGER_REFUND has
  * count 0. */
-void credit_refund(struct core *core, enum refund_cause cause, struct output *output)
+void credit_refund(struct game *game, const struct core_config *config, enum refund_cause cause,
+                   struct output *output)
 {
-    struct balance *balance = &core->game.accounts.ledger.balance;
+    struct balance *balance = &game->accounts.ledger.balance;
     const uint8_t open = balance->open, kind = open & PAYMENT_KIND_MASK;
-    const int is_spent = stand_is_spent(core);
+    const int is_spent = stand_is_spent(game, config);
     const int is_credit = kind == PAYMENT_PAID || kind == PAYMENT_SERVICE;
     const uint32_t count = is_credit && !is_spent;
-    core->game.accounts.credit.came_back = (uint8_t)count;
+    game->accounts.credit.came_back = (uint8_t)count;
     if (kind == PAYMENT_NONE || (kind == PAYMENT_FREE && cause == REFUND_NO_POI) ||
         (is_spent && cause != REFUND_RESTART)) {
         return;
@@ -240,15 +246,14 @@ void credit_refund(struct core *core, enum refund_cause cause, struct output *ou
     };
     balance->paid += kind == PAYMENT_PAID ? count : 0u;
     balance->service += kind == PAYMENT_SERVICE ? count : 0u;
-    balance->returned = count > 0 && !core->config.rules_7 ? kind : balance->returned;
+    balance->returned = count > 0 && !config->rules_7 ? kind : balance->returned;
     balance->open = PAYMENT_NONE;
-    ledger_write(core, &entry, output);
+    ledger_write(&game->accounts, game->tick, &entry, output);
 }
 
-uint32_t credit_tickets_won(const struct core *core)
+uint32_t credit_tickets_won(const struct game *game, const struct core_config *config)
 {
-    const struct game *game = &core->game;
-    const uint32_t price = core->config.ticket_fish;
+    const uint32_t price = config->ticket_fish;
     uint32_t won = 0;
     if (price == 0 || game->bot_played || !rules_of(game->mode)->keeps_score) {
         return 0;
@@ -259,38 +264,40 @@ uint32_t credit_tickets_won(const struct core *core)
     return won;
 }
 
-uint32_t credit_award_tickets(struct core *core)
+uint32_t credit_award_tickets(struct game *game, const struct core_config *config)
 {
-    const uint32_t won = credit_tickets_won(core);
-    tickets_owe(core, won);
+    const uint32_t won = credit_tickets_won(game, config);
+    tickets_owe(&game->accounts, config, won);
     return won;
 }
 
 /* ---- Display -------------------------------------------------------------------------------- */
 
-static float since_s(const struct core *core, uint32_t tick)
+static float since_s(uint32_t tick, uint32_t event_tick)
 {
-    return tick != 0 ? (float)(core->game.tick - tick) * CORE_TICK_S : NEVER_S;
+    return event_tick != 0 ? (float)(tick - event_tick) * CORE_TICK_S : NEVER_S;
 }
 
-void credit_show(const struct core *core, struct scene_credit *out)
+void credit_show(const struct accounts *accounts, const struct core_config *config, uint32_t tick,
+                 struct scene_credit *out)
 {
-    const struct credit *credit = &core->game.accounts.credit;
-    const struct balance *balance = &core->game.accounts.ledger.balance;
-    const uint32_t price = credit_price(core);
-    const int is_event = core->config.persistent.settings.value[SET_PLAY] == PLAY_EVENT;
+    const struct credit *credit = &accounts->credit;
+    const struct balance *balance = &accounts->ledger.balance;
+    const uint32_t price = credit_price(config);
+    const int is_event = config->persistent.settings.value[SET_PLAY] == PLAY_EVENT;
     *out = (struct scene_credit){
         .price = (uint8_t)price,
         .is_event = (uint8_t)(price == 0 && is_event),
-        .unpaid = (uint8_t)(!credit_can_play(core) && credit_coming(core) == 0),
+        .unpaid = (uint8_t)(!credit_can_play(&accounts->ledger, config) &&
+                            credit_coming(&accounts->ledger) == 0),
         .warnings = credit->warnings,
         .came_back = credit->came_back,
-        .coin_units = (uint8_t)core->config.persistent.settings.value[SET_COIN_1],
+        .coin_units = (uint8_t)config->persistent.settings.value[SET_COIN_1],
         .units = balance->units,
-        .credits = sure_credits(core),
-        .coming = credit_coming(core),
-        .coin_s = since_s(core, credit->coin_tick),
-        .asked_s = since_s(core, credit->asked_tick),
+        .credits = sure_credits(&accounts->ledger),
+        .coming = credit_coming(&accounts->ledger),
+        .coin_s = since_s(tick, credit->coin_tick),
+        .asked_s = since_s(tick, credit->asked_tick),
     };
 }
 

@@ -65,51 +65,61 @@ struct credit {
     uint32_t ticket_id; /* Id of the LEDGER_TICKET whose pulse waits for the disk; 0: none. */
 };
 
-struct core;
+struct game;
+struct accounts;
+struct ledger;
+struct world;
+struct core_config;
 
 /* Handles coins, SERVICE, TILT and DOOR, before the tick of the phase. In the operator's menu a
  * coin is a test, and TILT and SERVICE have no effect here. */
-void credit_tick(struct core *core, const struct input *input, struct output *output);
+void credit_tick(struct game *game, const struct world *world, const struct core_config *config,
+                 const struct input *input, struct output *output);
 
 /* Writes coin lockout, meter and ticket counts to `output`, after the tick of the phase. */
-void credit_show_outputs(const struct core *core, struct output *output);
+void credit_show_outputs(const struct game *game, const struct core_config *config,
+                         struct output *output);
 
 /* Returns the price of a credit in units; 0: free play. */
-uint32_t credit_price(const struct core *core);
+uint32_t credit_price(const struct core_config *config);
 
 /* Returns 1 if a round may start: play is free, or a credit on disk pays for the round. */
-int credit_can_play(const struct core *core);
+int credit_can_play(const struct ledger *ledger, const struct core_config *config);
 
 /* Returns the number of credits that are not on disk yet. */
-uint32_t credit_coming(const struct core *core);
+uint32_t credit_coming(const struct ledger *ledger);
 
 /* Handles a start attempt without a playable credit. If a credit is not on disk yet, the attempt
  * waits for the credit (credit_is_awaited()). Otherwise the display highlights the request for a
  * coin for a moment. */
-void credit_ask(struct core *core, struct output *output);
+void credit_ask(struct accounts *accounts, uint32_t tick, struct output *output);
 
 /* Returns 1 if a waiting start attempt is now possible. */
-int credit_is_awaited(const struct core *core);
+int credit_is_awaited(const struct accounts *accounts, const struct core_config *config,
+                      uint32_t tick);
 
 /* Takes one credit for `what` (enum game_mode, or CHOICE_LAB), which starts now. Call only if
  * credit_can_play(). */
-void credit_take(struct core *core, uint8_t what, struct output *output);
+void credit_take(struct game *game, const struct core_config *config, uint8_t what,
+                 struct output *output);
 
 /* Ends the running round early. The credit is refunded if one was taken and stand_is_spent() is 0;
  * otherwise the balance stays open for the caller to close. A free round that lost its pois counts
  * as a normal round. */
-void credit_refund(struct core *core, enum refund_cause cause, struct output *output);
+void credit_refund(struct game *game, const struct core_config *config, enum refund_cause cause,
+                   struct output *output);
 
 /* Returns the tickets that the round has won so far, computed from each player's catch; 0 if the
  * bot played. */
-uint32_t credit_tickets_won(const struct core *core);
+uint32_t credit_tickets_won(const struct game *game, const struct core_config *config);
 
 /* Adds the tickets of a finished, not refunded round to the balance. Returns the number of
  * tickets. */
-uint32_t credit_award_tickets(struct core *core);
+uint32_t credit_award_tickets(struct game *game, const struct core_config *config);
 
 /* Fills `out` with the visible state of the credits. */
-void credit_show(const struct core *core, struct scene_credit *out);
+void credit_show(const struct accounts *accounts, const struct core_config *config, uint32_t tick,
+                 struct scene_credit *out);
 
 uint64_t credit_hash(uint64_t hash, const struct credit *credit);
 

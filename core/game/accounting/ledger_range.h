@@ -7,7 +7,8 @@
 #ifndef KINGYO_CORE_GAME_ACCOUNTING_LEDGER_RANGE_H
 #define KINGYO_CORE_GAME_ACCOUNTING_LEDGER_RANGE_H
 
-#include "core/core.h"
+#include "core/game/session.h"
+#include "core/persistent_state.h"
 #include "core/ledger.h"
 
 /* Returns 1 if every field of the entry is in its range, else 0. */

@@ -2,12 +2,11 @@
 #include "core/game/accounting/ledger_writer.h"
 
 #include "core/base/hash.h"
-#include "core/core.h"
+#include "core/game/accounting/accounts.h"
 #include "core/game/accounting/round_standing.h"
 
-void ledger_init(struct ledger *ledger, const struct core_config *config)
+void ledger_init(struct ledger *ledger, const struct ledger_start *start)
 {
-    const struct ledger_start *start = &config->persistent.ledger;
     *ledger = (struct ledger){
         .last_id = start->last_id,
         .saved_id = start->last_id,
@@ -47,9 +46,8 @@ static void note_saved(struct ledger *ledger, uint32_t saved_id)
     }
 }
 
-void ledger_tick(struct core *core, const struct input *input)
+void ledger_tick(struct ledger *ledger, const struct input *input)
 {
-    struct ledger *ledger = &core->game.accounts.ledger;
     note_store(ledger, input->store_well);
     note_saved(ledger, input->record_saved_id);
     ledger->wait_ticks = ledger_is_flushed(ledger)                     ? 0u
@@ -79,9 +77,10 @@ int ledger_may_write(const struct ledger *ledger, uint8_t kind)
            (ledger->last_id < LEDGER_ID_MAX && ledger->boot == 0 && !ledger->is_healthy);
 }
 
-uint32_t ledger_write(struct core *core, const struct ledger_entry *what, struct output *output)
+uint32_t ledger_write(struct accounts *accounts, uint32_t tick, const struct ledger_entry *what,
+                      struct output *output)
 {
-    struct ledger *ledger = &core->game.accounts.ledger;
+    struct ledger *ledger = &accounts->ledger;
     if (!ledger_may_write(ledger, what->kind)) {
         ledger->uncommitted++;
         return 0;
@@ -89,15 +88,15 @@ uint32_t ledger_write(struct core *core, const struct ledger_entry *what, struct
     struct ledger_entry entry = *what;
     entry.id = ++ledger->last_id;
     entry.boot = ledger->boot;
-    entry.tick = core->game.tick;
+    entry.tick = tick;
     entry.day = ledger->day;
     entry.minute = ledger->minute;
     entry.balance = ledger->balance;
     ledger->after[entry.id % LEDGER_RING] = ledger->balance;
     output->entries[entry.id % LEDGER_RING] = entry;
     output->entry_id = entry.id;
-    audits_note(&core->game.accounts.audits, &entry);
-    ranking_note(&core->game.accounts.ranking, &entry);
+    audits_note(&accounts->audits, &entry);
+    ranking_note(&accounts->ranking, &entry);
     return entry.id;
 }
 

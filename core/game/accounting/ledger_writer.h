@@ -31,14 +31,13 @@ struct ledger {
                                           % LEDGER_RING. */
 };
 
-struct core;
-struct core_config;
+struct accounts;
 
 /* Initializes `ledger` from the state that the store loaded at startup. */
-void ledger_init(struct ledger *ledger, const struct core_config *config);
+void ledger_init(struct ledger *ledger, const struct ledger_start *start);
 
 /* Reads the store's state from `input`, before any entry of the tick is written. */
-void ledger_tick(struct core *core, const struct input *input);
+void ledger_tick(struct ledger *ledger, const struct input *input);
 
 /* Returns 1 if the ring has room for an entry of this kind (enum ledger_kind). */
 int ledger_has_room(const struct ledger *ledger, uint8_t kind);
@@ -50,7 +49,8 @@ int ledger_may_write(const struct ledger *ledger, uint8_t kind);
 /* Writes an entry. Id, boot, tick, day, minute and balance are filled in; the caller supplies the
  * other fields. Statistics and leaderboard are updated at once. Returns the id of the entry, or 0
  * if the ring had no room; such drops are counted. */
-uint32_t ledger_write(struct core *core, const struct ledger_entry *what, struct output *output);
+uint32_t ledger_write(struct accounts *accounts, uint32_t tick, const struct ledger_entry *what,
+                      struct output *output);
 
 /* Returns 1 if the entry is on disk. */
 int ledger_is_saved(const struct ledger *ledger, uint32_t id);

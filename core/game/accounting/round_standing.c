@@ -2,7 +2,8 @@
 #include "core/game/accounting/round_standing.h"
 
 #include "core/base/hash.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/config.h"
 #include "core/game/accounting/tickets.h"
 #include "core/game/rules.h"
 
@@ -18,34 +19,32 @@
 _Static_assert(POI_MAX *SEAT_BITS <= 32u && POI_MAX <= 4u, "every seat has its byte and its bit");
 _Static_assert(CHOICE_COUNT <= MODE_MASK + 1u && SHEET_GRADE_MAX <= 15u, "mode and grade fit");
 
-static int is_mostly_played(const struct core *core)
+static int is_mostly_played(const struct game *game)
 {
-    const struct game *game = &core->game;
     const uint32_t total = game->round_s * CORE_TICK_HZ;
     return game->phase == PHASE_ROUND &&
-           STAND_SHARE_DENOMINATOR * (core->game.tick - game->phase_tick) >=
+           STAND_SHARE_DENOMINATOR * (game->tick - game->phase_tick) >=
                STAND_SHARE_NUMERATOR * total;
 }
 
-int stand_is_spent(const struct core *core)
+int stand_is_spent(const struct game *game, const struct core_config *config)
 {
-    return !core->config.rules_7 &&
-           ((core->game.accounts.ledger.balance.open & PAYMENT_SPENT) || is_mostly_played(core));
+    return !config->rules_7 &&
+           ((game->accounts.ledger.balance.open & PAYMENT_SPENT) || is_mostly_played(game));
 }
 
 /* Returns 1 if a power cut could lose something of value. A free round without tickets is not
  * logged. */
-static int has_value(const struct core *core)
+static int has_value(const struct ledger *ledger, const struct core_config *config)
 {
-    const uint8_t kind = core->game.accounts.ledger.balance.open & PAYMENT_KIND_MASK;
+    const uint8_t kind = ledger->balance.open & PAYMENT_KIND_MASK;
     return kind == PAYMENT_PAID || kind == PAYMENT_SERVICE ||
-           (kind == PAYMENT_FREE && core->config.ticket_fish > 0);
+           (kind == PAYMENT_FREE && config->ticket_fish > 0);
 }
 
-static struct ledger_stand stand_of(const struct core *core)
+static struct ledger_stand stand_of(const struct game *game, const struct core_config *config)
 {
-    const struct game *game = &core->game;
-    const uint32_t won = credit_tickets_won(core);
+    const uint32_t won = credit_tickets_won(game, config);
     uint32_t count = 0, value = won < BALANCE_TICKETS_MAX ? won : BALANCE_TICKETS_MAX;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &game->player[i];
@@ -58,8 +57,8 @@ static struct ledger_stand stand_of(const struct core *core)
     return (struct ledger_stand){
         .count = count,
         .value = (int32_t)value,
-        .detail = (uint8_t)(game->mode | (uint32_t)table_setup_grade(&core->config, game->mode)
-                                             << GRADE_SHIFT),
+        .detail =
+            (uint8_t)(game->mode | (uint32_t)table_setup_grade(config, game->mode) << GRADE_SHIFT),
     };
 }
 
@@ -68,14 +67,14 @@ static int stands_are_equal(const struct ledger_stand *a, const struct ledger_st
     return a->count == b->count && a->value == b->value && a->detail == b->detail;
 }
 
-void stand_tick(struct core *core, struct output *output)
+void stand_tick(struct game *game, const struct core_config *config, struct output *output)
 {
-    struct ledger *ledger = &core->game.accounts.ledger;
-    struct credit *credit = &core->game.accounts.credit;
-    const struct ledger_stand now = stand_of(core);
+    struct ledger *ledger = &game->accounts.ledger;
+    struct credit *credit = &game->accounts.credit;
+    const struct ledger_stand now = stand_of(game, config);
     const int is_told =
         (ledger->balance.open & PAYMENT_SPENT) && stands_are_equal(&now, &credit->stand);
-    if (!stand_is_spent(core) || !has_value(core) || is_told ||
+    if (!stand_is_spent(game, config) || !has_value(&game->accounts.ledger, config) || is_told ||
         !ledger_is_saved(ledger, credit->stand_id) || !ledger_may_write(ledger, LEDGER_STAND)) {
         return;
     }
@@ -84,7 +83,7 @@ void stand_tick(struct core *core, struct output *output)
     };
     ledger->balance.open |= PAYMENT_SPENT;
     credit->stand = now;
-    credit->stand_id = ledger_write(core, &entry, output);
+    credit->stand_id = ledger_write(&game->accounts, game->tick, &entry, output);
 }
 
 /* ---- At the next start ---------------------------------------------------------------------- */
@@ -111,10 +110,11 @@ static struct round_record record_of(const struct ledger_stand *stand)
     return record;
 }
 
-int stand_finish(struct core *core, struct output *output)
+int stand_finish(struct accounts *accounts, const struct core_config *config, uint32_t tick,
+                 struct output *output)
 {
-    struct ledger *ledger = &core->game.accounts.ledger;
-    const struct ledger_stand *stand = &core->config.persistent.ledger.stand;
+    struct ledger *ledger = &accounts->ledger;
+    const struct ledger_stand *stand = &config->persistent.ledger.stand;
     struct ledger_entry entry = { .kind = LEDGER_ROUND,
                                   .detail = ROUND_CUT_OFF,
                                   .value = (int32_t)((uint32_t)stand->value & TICKETS_MASK),
@@ -124,8 +124,8 @@ int stand_finish(struct core *core, struct output *output)
     }
     entry.round.id = ledger->last_id + 1u;
     ledger->balance.open = PAYMENT_NONE;
-    tickets_owe(core, (uint32_t)entry.value);
-    ledger_write(core, &entry, output);
+    tickets_owe(accounts, config, (uint32_t)entry.value);
+    ledger_write(accounts, tick, &entry, output);
     return 1;
 }
 

@@ -11,7 +11,9 @@
 #include "core/ledger.h"
 #include "core/output.h"
 
-struct core;
+struct game;
+struct accounts;
+struct core_config;
 
 /* Share of the round after which its credit is not refundable. */
 #define STAND_SHARE_NUMERATOR 2u
@@ -19,16 +21,17 @@ struct core;
 
 /* Returns 1 if the credit of the running round is not refundable. Recordings of format 7 refund
  * every credit. */
-int stand_is_spent(const struct core *core);
+int stand_is_spent(const struct game *game, const struct core_config *config);
 
 /* Logs the state of the round if it changed, the previous entry is on disk, and the ledger has
  * room. Call once per tick of the round. */
-void stand_tick(struct core *core, struct output *output);
+void stand_tick(struct game *game, const struct core_config *config, struct output *output);
 
 /* Finishes a round that was open at startup and counts: writes its LEDGER_ROUND from
- * core->config.memory.ledger.stand and closes the balance. Returns 1, or 0 without an entry if no
+ * config->persistent.ledger.stand and closes the balance. Returns 1, or 0 without an entry if no
  * player had joined that round. */
-int stand_finish(struct core *core, struct output *output);
+int stand_finish(struct accounts *accounts, const struct core_config *config, uint32_t tick,
+                 struct output *output);
 
 /* Returns the state after `entry`: the content of a LEDGER_STAND; `before` for another entry of the
  * same open round; else all zero. */

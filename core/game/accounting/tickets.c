@@ -1,13 +1,14 @@
 /* tickets.c -- the sequence of ledger entry, pulse, and next ticket. */
 #include "core/game/accounting/tickets.h"
 
-#include "core/core.h"
+#include "core/game/accounting/accounts.h"
+#include "core/config.h"
 
-void tickets_owe(struct core *core, uint32_t count)
+void tickets_owe(struct accounts *accounts, const struct core_config *config, uint32_t count)
 {
-    struct balance *balance = &core->game.accounts.ledger.balance;
-    if (core->config.rules_7) {
-        core->game.accounts.credit.tickets += count;
+    struct balance *balance = &accounts->ledger.balance;
+    if (config->rules_7) {
+        accounts->credit.tickets += count;
         return;
     }
     const uint32_t room = BALANCE_TICKETS_MAX - balance->tickets;
@@ -21,19 +22,20 @@ static uint32_t sure_tickets(const struct ledger *ledger)
     return kept < now ? kept : now;
 }
 
-void tickets_tick(struct core *core, const struct input *input, struct output *output)
+void tickets_tick(struct accounts *accounts, const struct core_config *config, uint32_t tick,
+                  const struct input *input, struct output *output)
 {
-    struct ledger *ledger = &core->game.accounts.ledger;
-    struct credit *credit = &core->game.accounts.credit;
+    struct ledger *ledger = &accounts->ledger;
+    struct credit *credit = &accounts->credit;
     const struct ledger_entry entry = { .kind = LEDGER_TICKET, .count = 1 };
     if (credit->ticket_id != 0) {
         if (ledger_is_saved(ledger, credit->ticket_id)) {
             credit->tickets++;
             credit->ticket_id = 0;
         }
-    } else if (!core->config.rules_7 && sure_tickets(ledger) > 0 &&
+    } else if (!config->rules_7 && sure_tickets(ledger) > 0 &&
                input->tickets_done == credit->tickets && ledger_may_write(ledger, LEDGER_TICKET)) {
         ledger->balance.tickets--;
-        credit->ticket_id = ledger_write(core, &entry, output);
+        credit->ticket_id = ledger_write(accounts, tick, &entry, output);
     }
 }

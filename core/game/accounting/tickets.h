@@ -23,14 +23,16 @@
 #include "core/input.h"
 #include "core/output.h"
 
-struct core;
+struct accounts;
+struct core_config;
 
 /* Adds `count` tickets to the balance, up to BALANCE_TICKETS_MAX. The caller writes the entry that
  * contains the balance. In a recording of format 7 all pulses are requested at once. */
-void tickets_owe(struct core *core, uint32_t count);
+void tickets_owe(struct accounts *accounts, const struct core_config *config, uint32_t count);
 
 /* Starts the next ticket, or its pulse, if the previous step is complete. Call once per tick in
  * every phase. */
-void tickets_tick(struct core *core, const struct input *input, struct output *output);
+void tickets_tick(struct accounts *accounts, const struct core_config *config, uint32_t tick,
+                  const struct input *input, struct output *output);
 
 #endif

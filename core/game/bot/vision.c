@@ -1,47 +1,48 @@
-/* vision.c -- the only file of the bot that accesses the core. The file reads the fields that
- * core/scene.c shows, and no others. */
+/* vision.c -- the only file of the bot that reads the game and the world. The file reads the fields
+ * that core/scene.c shows, and no others. */
 #include "core/game/bot/vision.h"
 
 #include "core/base/panic.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
 #include "core/game/control/controller.h"
 #include "core/scene_helpers.h"
 #include "core/tank/behavior/surface_breathing.h"
 
 struct vision_game vision_game(const struct vision *vision)
 {
-    const struct core *core = vision->core;
+    const struct game *game = vision->game;
     CORE_ASSERT(vision->player < POI_MAX);
     return (struct vision_game){
-        .tick = core->game.tick,
-        .phase = core->game.phase,
-        .mode = core->game.mode,
-        .fouls = core->game.player[vision->player].fouls,
-        .seconds_left = game_seconds_left(&core->game, core->game.tick),
+        .tick = game->tick,
+        .phase = game->phase,
+        .mode = game->mode,
+        .fouls = game->player[vision->player].fouls,
+        .seconds_left = game_seconds_left(game, game->tick),
     };
 }
 
 vec3 vision_tank_m(const struct vision *vision)
 {
-    return vision->core->world.tank.size_m;
+    return vision->world->tank.size_m;
 }
 
 uint32_t vision_fish_count(const struct vision *vision)
 {
-    return vision->core->world.tank.fish_count;
+    return vision->world->tank.fish_count;
 }
 
 struct vision_fish vision_fish(const struct vision *vision, uint32_t fish)
 {
-    CORE_ASSERT(fish < vision->core->world.tank.fish_count);
-    const struct fish *seen = &vision->core->world.tank.fish[fish];
+    CORE_ASSERT(fish < vision->world->tank.fish_count);
+    const struct fish *seen = &vision->world->tank.fish[fish];
     return (struct vision_fish){
         .position_m = seen->position_m,
         .angles = seen->angles,
         .length_m = seen->length_m,
         .bend_rad = seen->bend_rad,
-        .gape = surface_gape(seen, vision->core->game.tick),
-        .gulp = surface_gulp(seen, vision->core->game.tick),
+        .gape = surface_gape(seen, vision->game->tick),
+        .gulp = surface_gulp(seen, vision->game->tick),
         .place = scene_place_of(seen->gait),
     };
 }
@@ -49,8 +50,8 @@ struct vision_fish vision_fish(const struct vision *vision, uint32_t fish)
 struct vision_poi vision_poi(const struct vision *vision, uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
-    const struct poi *poi = &vision->core->world.poi[index];
-    if (!controller_is_active(vision->core, index)) {
+    const struct poi *poi = &vision->world->poi[index];
+    if (!controller_is_active(vision->world, index)) {
         return (struct vision_poi){ 0 };
     }
     return (struct vision_poi){
@@ -66,7 +67,7 @@ struct vision_poi vision_poi(const struct vision *vision, uint32_t index)
 struct vision_bowl vision_bowl(const struct vision *vision, uint32_t index)
 {
     CORE_ASSERT(index < POI_MAX);
-    const struct bowl *bowl = &vision->core->world.bowl[index];
+    const struct bowl *bowl = &vision->world->bowl[index];
     if (!bowl->present) {
         return (struct vision_bowl){ 0 };
     }
@@ -78,7 +79,7 @@ struct vision_bowl vision_bowl(const struct vision *vision, uint32_t index)
 struct vision_fan vision_fan(const struct vision *vision, uint32_t index)
 {
     CORE_ASSERT(index < SHADE_MAX);
-    const struct shade *shade = &vision->core->world.tank.shade[index];
+    const struct shade *shade = &vision->world->tank.shade[index];
     if (!shade->cast.present) {
         return (struct vision_fan){ 0 };
     }
@@ -95,7 +96,7 @@ static const struct sheet *own_paper(const struct vision *vision, uint32_t cell)
 {
     CORE_ASSERT(cell < SHEET_CELL_COUNT);
     CORE_ASSERT(vision->player < POI_MAX);
-    return &vision->core->world.poi[vision->player].sheet;
+    return &vision->world->poi[vision->player].sheet;
 }
 
 uint8_t vision_integrity(const struct vision *vision, uint32_t cell)

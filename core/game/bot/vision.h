@@ -2,8 +2,8 @@
  *
  * A bot reads the game only through these functions. Each returns what core_scene() shows, and
  * nothing more (tests/unit/core/game/bot/test_vision.c). A bot sees where fish are, but not their
- * plans, and the picture of the paper, but not its strength. struct vision refers to the core for
- * the duration of a call and stores nothing. */
+ * plans, and the picture of the paper, but not its strength. struct vision refers to the game and
+ * the world for the duration of a call and stores nothing. */
 #ifndef KINGYO_CORE_GAME_BOT_VISION_H
 #define KINGYO_CORE_GAME_BOT_VISION_H
 
@@ -13,10 +13,12 @@
 #include "core/input.h"
 #include "core/scene.h"
 
-struct core;
+struct game;
+struct world;
 
 struct vision {
-    const struct core *core;
+    const struct game *game;
+    const struct world *world;
     uint32_t player; /* Player < POI_MAX whose poi and bowl belong to the bot. */
 };
 

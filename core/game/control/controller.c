@@ -2,7 +2,9 @@
 #include "core/game/control/controller.h"
 
 #include "core/base/panic.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
+#include "core/config.h"
 #include "core/game/control/calibration.h"
 #include "core/game/control/failsafe.h"
 #include "core/game/control/parking.h"
@@ -23,51 +25,51 @@
 #define REACH_SIDE_M 0.20f   /* Reach of an arm beyond the walls. */
 #define REACH_HEIGHT_M 0.35f /* Reach of an arm above the water. */
 
-int controller_is_active(const struct core *core, uint32_t index)
+int controller_is_active(const struct world *world, uint32_t index)
 {
-    return core->world.bowl[index].present && core->world.poi[index].link != POI_SOURCE_ABSENT;
+    return world->bowl[index].present && world->poi[index].link != POI_SOURCE_ABSENT;
 }
 
-int controller_is_lost(const struct core *core, uint32_t index)
+int controller_is_lost(const struct world *world, uint32_t index)
 {
-    return controller_is_active(core, index) && core->world.poi[index].link == POI_SOURCE_LOST;
+    return controller_is_active(world, index) && world->poi[index].link == POI_SOURCE_LOST;
 }
 
-struct input controller_calibrate(const struct core *core, const struct input *said)
+struct input controller_calibrate(const struct settings *settings, const struct input *said)
 {
     struct input own = *said;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        calibration_apply(&core->config.persistent.settings, i, &own.poi[i]);
+        calibration_apply(settings, i, &own.poi[i]);
     }
     return own;
 }
 
-void controller_validate(struct core *core, const struct input *input)
+void controller_validate(struct game *game, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        input_validation_tick(&core->game.validation[i], &input->poi[i]);
+        input_validation_tick(&game->validation[i], &input->poi[i]);
     }
 }
 
-static int is_believed(const struct core *core, uint32_t index)
+static int is_believed(const struct game *game, uint32_t index)
 {
-    return core->game.validation[index].verdict == INPUT_VALID;
+    return game->validation[index].verdict == INPUT_VALID;
 }
 
-int controller_dip_pressed(const struct core *core, const struct input *input, uint32_t index)
+int controller_dip_pressed(const struct game *game, const struct input *input, uint32_t index)
 {
-    return is_believed(core, index) && core->game.live_y_m[index] >= GAME_DIP_Y_M &&
+    return is_believed(game, index) && game->live_y_m[index] >= GAME_DIP_Y_M &&
            input->poi[index].target.position_m.y < GAME_DIP_Y_M;
 }
 
 /* Returns the current source of a poi. In attract mode only the bot counts. A controller with
  * invalid input counts as lost. */
-static uint8_t link_now(const struct core *core, const struct input *input, uint32_t index)
+static uint8_t link_now(const struct game *game, const struct input *input, uint32_t index)
 {
-    if (core->game.phase == PHASE_ATTRACT) {
+    if (game->phase == PHASE_ATTRACT) {
         return index == 0 ? POI_SOURCE_BOT : POI_SOURCE_ABSENT;
     }
-    const int is_lost = core->game.validation[index].verdict == INPUT_LOST;
+    const int is_lost = game->validation[index].verdict == INPUT_LOST;
     return is_lost ? (uint8_t)POI_SOURCE_LOST : input->poi[index].link;
 }
 
@@ -78,16 +80,16 @@ static float direction(float angle_rad)
 }
 
 /* Returns the lowest height for a controlled poi. */
-static float lowest_m(const struct core *core, uint32_t index)
+static float lowest_m(const struct game *game, const struct world *world, uint32_t index)
 {
-    return game_may_scoop(core, index) ? -core->world.tank.size_m.y : CLEAR_Y_M;
+    return game_may_scoop(game, index) ? -world->tank.size_m.y : CLEAR_Y_M;
 }
 
-static struct poi_target within_reach(const struct core *core, struct poi_target target,
+static struct poi_target within_reach(const struct world *world, struct poi_target target,
                                       float low_m)
 {
-    const float side_m = 0.5f * core->world.tank.size_m.x + REACH_SIDE_M;
-    const float depth_m = 0.5f * core->world.tank.size_m.z + REACH_SIDE_M;
+    const float side_m = 0.5f * world->tank.size_m.x + REACH_SIDE_M;
+    const float depth_m = 0.5f * world->tank.size_m.z + REACH_SIDE_M;
     CORE_ASSERT(v3_is_finite(target.position_m));
     target.position_m.x = f_clamp(target.position_m.x, -side_m, side_m);
     target.position_m.y = f_clamp(target.position_m.y, low_m, REACH_HEIGHT_M);
@@ -104,49 +106,48 @@ void controller_forget_path(struct game *game, uint32_t index)
     game->was_lost[index] = 0;
 }
 
-static void take_hold(struct core *core, uint32_t index, uint8_t link)
+static void take_hold(struct game *game, const struct world *world,
+                      const struct core_config *config, uint32_t index, uint8_t link)
 {
-    struct game *game = &core->game;
     if (game->holder[index] == link) {
         return;
     }
     if (link == POI_SOURCE_BOT) {
-        bot_init(&game->bot[index], &technique_expert, core->config.seed + index);
+        bot_init(&game->bot[index], &technique_expert, config->seed + index);
         game->bot[index].hand.pose = game->hand_pose[index];
         controller_forget_path(game, index); /* The bot has no controller pose to return to. */
     }
     if (link == POI_SOURCE_LIVE && game->holder[index] == POI_SOURCE_LOST) {
         game->return_ticks[index] = game->was_lost[index] = 1;
     } else if (link == POI_SOURCE_LOST) {
-        game->hand_pose[index] = failsafe_begin(&core->world.poi[index], game->hand_pose[index]);
+        game->hand_pose[index] = failsafe_begin(&world->poi[index], game->hand_pose[index]);
     } else {
-        game->grip_tick[index] = core->game.tick;
+        game->grip_tick[index] = game->tick;
     }
     game->holder[index] = link;
 }
 
 /* Blends from the old target pose to the new one after a change of the source. The share per tick
  * grows from 0 to 1. */
-static struct poi_target blend_to_holder(struct core *core, uint32_t index,
-                                         struct poi_target wanted)
+static struct poi_target blend_to_holder(struct game *game, const struct world *world,
+                                         uint32_t index, struct poi_target wanted)
 {
-    struct game *game = &core->game;
-    const int begins = game->phase == PHASE_ROUND && core->game.tick == game->phase_tick;
+    const int begins = game->phase == PHASE_ROUND && game->tick == game->phase_tick;
     if (begins && wanted.position_m.y < CLEAR_Y_M) {
-        game->grip_tick[index] =
-            core->game.tick; /* A player who waits with the button held starts with
+        game->grip_tick[index] = game->tick; /* A player who waits with the button held starts with
                                                 a gentle dip. */
     }
-    const float age = (float)(core->game.tick - game->grip_tick[index]) / (float)GRIP_TICKS;
-    wanted = within_reach(core, wanted, lowest_m(core, index));
+    const float age = (float)(game->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
+    wanted = within_reach(world, wanted, lowest_m(game, world, index));
     return age < 1.0f ? pose_between(game->hand_pose[index], wanted, age * age * age) : wanted;
 }
 
 /* Returns 1 if an outlier could damage the paper or lose a fish. */
-static int is_at_stake(const struct core *core, uint32_t index, vec3 next_m)
+static int is_at_stake(const struct game *game, const struct world *world, uint32_t index,
+                       vec3 next_m)
 {
-    const struct poi *poi = &core->world.poi[index];
-    const float low_m = f_min(core->game.hand_pose[index].position_m.y, poi->position_m.y);
+    const struct poi *poi = &world->poi[index];
+    const float low_m = f_min(game->hand_pose[index].position_m.y, poi->position_m.y);
     return f_min(low_m, next_m.y) < WET_BELOW_M || poi->carried_count > 0;
 }
 
@@ -170,17 +171,16 @@ static int is_far(const struct poi_target *from, const struct poi_target *to, in
 /* Filters outliers. A pose farther away than an arm moves in a tick may be a sensor error. The
  * target then stays unchanged until the error ends or has lasted for DOUBT_TICKS. Above the water a
  * fast mouse motion is accepted. */
-static struct poi_target steady(struct core *core, uint32_t index, struct poi_target next,
-                                int has_wrist)
+static struct poi_target steady(struct game *game, const struct world *world, uint32_t index,
+                                struct poi_target next, int has_wrist)
 {
-    struct game *game = &core->game;
     const struct poi_target hand = game->hand_pose[index];
-    const int at_stake = is_at_stake(core, index, next.position_m);
+    const int at_stake = is_at_stake(game, world, index, next.position_m);
     const int is_arm = has_wrist || at_stake;
     const float share =
         share_in_a_tick(&hand, &next, is_arm ? INPUT_ARM_M_S_MAX : INPUT_POINTER_M_S_MAX,
                         has_wrist ? INPUT_WRIST_RAD_S_MAX : INPUT_POINTER_RAD_S_MAX);
-    const int is_doubted = share < 1.0f && is_arm && game_may_scoop(core, index);
+    const int is_doubted = share < 1.0f && is_arm && game_may_scoop(game, index);
     game->outlier_ticks[index] = is_doubted ? game->outlier_ticks[index] + 1u : 0u;
     if (is_doubted && game->outlier_ticks[index] <= DOUBT_TICKS) {
         return hand;
@@ -194,49 +194,46 @@ static struct poi_target steady(struct core *core, uint32_t index, struct poi_ta
 
 /* Advances the return to the controller's pose. The paper is immune until the return completes,
  * within the limits for one return and for all returns. */
-static struct poi_target return_to_hand(struct core *core, uint32_t index, struct poi_target wanted)
+static struct poi_target return_to_hand(struct game *game, struct world *world, uint32_t index,
+                                        struct poi_target wanted)
 {
-    struct game *game = &core->game;
     const uint32_t ticks = game->return_ticks[index];
-    wanted = within_reach(core, wanted, lowest_m(core, index));
+    wanted = within_reach(world, wanted, lowest_m(game, world, index));
     const struct poi_target hand = failsafe_return(game->hand_pose[index], wanted, ticks);
     const int is_back = failsafe_is_returned(hand, wanted, ticks);
-    core->world.poi[index].damage_immune = game->was_lost[index] &&
-                                           ticks < FAILSAFE_IMMUNITY_TICKS_MAX &&
-                                           game->immunity_ticks[index] < SPARE_TICKS_ALL;
-    game->immunity_ticks[index] += core->world.poi[index].damage_immune;
+    world->poi[index].damage_immune = game->was_lost[index] &&
+                                      ticks < FAILSAFE_IMMUNITY_TICKS_MAX &&
+                                      game->immunity_ticks[index] < SPARE_TICKS_ALL;
+    game->immunity_ticks[index] += world->poi[index].damage_immune;
     game->return_ticks[index] = is_back ? 0u : ticks + 1u;
     game->was_lost[index] &= !is_back;
     game->outlier_ticks[index] = 0;
     return hand;
 }
 
-static struct poi_target led_by_a_person(struct core *core, const struct input *input,
-                                         uint32_t index)
+static struct poi_target led_by_a_person(struct game *game, struct world *world,
+                                         const struct input *input, uint32_t index)
 {
-    struct game *game = &core->game;
     const struct poi_input *says = &input->poi[index];
     if (game->return_ticks[index] > 0) {
-        return return_to_hand(core, index, says->target);
+        return return_to_hand(game, world, index, says->target);
     }
-    if (core->game.tick % REFILL_TICKS == 0 && game->immunity_ticks[index] > 0) {
+    if (game->tick % REFILL_TICKS == 0 && game->immunity_ticks[index] > 0) {
         game->immunity_ticks[index]--;
     }
     const float share = input_validation_blend(&game->validation[index]);
-    struct poi_target next = blend_to_holder(core, index, says->target);
+    struct poi_target next = blend_to_holder(game, world, index, says->target);
     next = share < 1.0f ? pose_between(game->hand_pose[index], next, share) : next;
-    return steady(core, index, next, says->has_wrist);
+    return steady(game, world, index, next, says->has_wrist);
 }
 
 /* Moves a poi without input out of the water. Restored input, or the end of the pause, starts the
  * return from there. */
-static void withdraw_hand(struct core *core, uint32_t index)
+static void withdraw_hand(struct game *game, const struct world *world, uint32_t index)
 {
-    struct game *game = &core->game;
-    const struct poi_target out =
-        failsafe_withdraw(&core->world.poi[index], game->hand_pose[index]);
-    game->hand_pose[index] = within_reach(core, out, -core->world.tank.size_m.y);
-    if (core->world.poi[index].link == POI_SOURCE_BOT) {
+    const struct poi_target out = failsafe_withdraw(&world->poi[index], game->hand_pose[index]);
+    game->hand_pose[index] = within_reach(world, out, -world->tank.size_m.y);
+    if (world->poi[index].link == POI_SOURCE_BOT) {
         game->bot[index].hand.pose = game->hand_pose[index];
     } else {
         game->return_ticks[index] = game->was_lost[index] = 1;
@@ -245,66 +242,67 @@ static void withdraw_hand(struct core *core, uint32_t index)
 
 /* Parks a poi that is not in use. A bot keeps observing; a person gets the poi back by a gentle
  * blend. */
-static void put_away(struct core *core, uint32_t index)
+static void put_away(struct game *game, struct world *world, uint32_t index)
 {
-    struct game *game = &core->game;
     struct bot *bot = &game->bot[index];
-    core->world.poi[index].damage_immune = 1;
-    game->hand_pose[index] = parking_path(core, index, game->hand_pose[index]);
-    if (core->world.poi[index].link == POI_SOURCE_BOT) {
-        const struct vision vision = { core, index };
+    world->poi[index].damage_immune = 1;
+    game->hand_pose[index] = parking_path(game, world, index, game->hand_pose[index]);
+    if (world->poi[index].link == POI_SOURCE_BOT) {
+        const struct vision vision = { game, world, index };
         (void)bot_tick(bot, &vision);
         bot->hand = (struct bot_hand){ .pose = game->hand_pose[index] };
     } else {
-        game->grip_tick[index] = core->game.tick;
+        game->grip_tick[index] = game->tick;
         controller_forget_path(game, index);
     }
 }
 
 /* During a pause for a lost controller, every poi of the tank is in failsafe. */
-static void tick_hand(struct core *core, const struct input *input, uint32_t index)
+static void tick_hand(struct game *game, struct world *world, const struct input *input,
+                      uint32_t index)
 {
-    struct game *game = &core->game;
-    struct poi *poi = &core->world.poi[index];
-    if (parking_tick(core, index)) {
-        put_away(core, index);
+    struct poi *poi = &world->poi[index];
+    if (parking_tick(game, world, index)) {
+        put_away(game, world, index);
         return;
     }
     poi->damage_immune = poi->link == POI_SOURCE_LOST || game->paused;
     if (poi->damage_immune) {
-        withdraw_hand(core, index);
+        withdraw_hand(game, world, index);
     } else if (poi->link == POI_SOURCE_BOT) {
-        const struct vision vision = { core, index };
-        game->hand_pose[index] = blend_to_holder(core, index, bot_tick(&game->bot[index], &vision));
+        const struct vision vision = { game, world, index };
+        game->hand_pose[index] =
+            blend_to_holder(game, world, index, bot_tick(&game->bot[index], &vision));
     } else {
-        game->hand_pose[index] = led_by_a_person(core, input, index);
+        game->hand_pose[index] = led_by_a_person(game, world, input, index);
     }
 }
 
-void controller_tick_all(struct core *core, const struct input *input,
-                         struct poi_target targets[POI_MAX], uint8_t live[POI_MAX])
+void controller_tick_all(struct game *game, struct world *world, const struct core_config *config,
+                         const struct input *input, struct poi_target targets[POI_MAX],
+                         uint8_t live[POI_MAX])
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        live[i] = (uint8_t)controller_is_active(core, i);
+        live[i] = (uint8_t)controller_is_active(world, i);
         if (live[i]) {
-            take_hold(core, i, core->world.poi[i].link);
-            tick_hand(core, input, i);
+            take_hold(game, world, config, i, world->poi[i].link);
+            tick_hand(game, world, input, i);
         } else {
-            core->game.holder[i] = POI_SOURCE_ABSENT;
-            core->game.rest_ticks[i] = 0;
-            controller_forget_path(&core->game, i);
+            game->holder[i] = POI_SOURCE_ABSENT;
+            game->rest_ticks[i] = 0;
+            controller_forget_path(game, i);
         }
-        targets[i] = core->game.hand_pose[i];
-        core->game.live_y_m[i] = is_believed(core, i)
-                                     ? input->poi[i].target.position_m.y
-                                     : -1.0f; /* The next valid pose after invalid input is no
-                                                 downward crossing. */
+        targets[i] = game->hand_pose[i];
+        game->live_y_m[i] = is_believed(game, i)
+                                ? input->poi[i].target.position_m.y
+                                : -1.0f; /* The next valid pose after invalid input is no
+                                            downward crossing. */
     }
 }
 
-void controller_assign(struct core *core, const struct input *input)
+void controller_assign(const struct game *game, struct world *world, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        core->world.poi[i].link = link_now(core, input, i);
+        world->poi[i].link = link_now(game, input, i);
     }
 }

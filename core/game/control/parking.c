@@ -2,7 +2,8 @@
  * others. */
 #include "core/game/control/parking.h"
 
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
 #include "core/tank/preset.h"
 
 /* Distance beyond the bowl's centre, so that the handle lies beside the bowl. */
@@ -21,50 +22,49 @@
 #define CLEAR_M 0.010f /* Clearance beside a bowl. */
 #define FADE_TICKS 60.0f
 
-static float rim_m(const struct core *core)
+static float rim_m(const struct world *world)
 {
-    return core->world.tank.wall_height_m - core->world.tank.size_m.y;
+    return world->tank.wall_height_m - world->tank.size_m.y;
 }
 
-struct poi_target parking_place(const struct core *core, uint32_t index)
+struct poi_target parking_place(const struct world *world, uint32_t index)
 {
-    const vec3 bowl_m = tank_preset(core->world.tank.preset)->bowl_m[index];
+    const vec3 bowl_m = tank_preset(world->tank.preset)->bowl_m[index];
     const float side = bowl_m.x < 0.0f ? -1.0f : 1.0f;
-    const float wall_m = 0.5f * core->world.tank.size_m.x;
+    const float wall_m = 0.5f * world->tank.size_m.x;
     return (struct poi_target){
-        .position_m = v3(side * (wall_m - INSIDE_M), rim_m(core) + ON_RIM_M, bowl_m.z - ALONG_M),
+        .position_m = v3(side * (wall_m - INSIDE_M), rim_m(world) + ON_RIM_M, bowl_m.z - ALONG_M),
     };
 }
 
 /* Returns 1 if the poi is unused. A bot uses its poi only during a game. A person's poi is the
  * pointer for as long as the player is in. */
-static int is_idle(const struct core *core, uint32_t index)
+static int is_idle(const struct game *game, const struct world *world, uint32_t index)
 {
-    const struct game *game = &core->game;
     const int in_play = game->phase == PHASE_ATTRACT || game->phase == PHASE_ROUND;
     const int is_out =
         game->player[index].out && game->phase >= PHASE_READY && game->phase <= PHASE_RESULT;
-    return is_out || (!in_play && core->world.poi[index].link == POI_SOURCE_BOT);
+    return is_out || (!in_play && world->poi[index].link == POI_SOURCE_BOT);
 }
 
 /* Returns the ticks since the poi was parked. */
-static uint32_t held_ticks(const struct core *core, uint32_t index)
+static uint32_t held_ticks(const struct game *game, uint32_t index)
 {
-    const uint32_t linger = core->game.player[index].out ? PARKING_LINGER_TICKS : 0u;
-    const uint32_t ticks = core->game.rest_ticks[index];
+    const uint32_t linger = game->player[index].out ? PARKING_LINGER_TICKS : 0u;
+    const uint32_t ticks = game->rest_ticks[index];
     return ticks > linger ? ticks - linger : 0u;
 }
 
-int parking_is_parked(const struct core *core, uint32_t index)
+int parking_is_parked(const struct game *game, uint32_t index)
 {
-    return held_ticks(core, index) > 0;
+    return held_ticks(game, index) > 0;
 }
 
-int parking_tick(struct core *core, uint32_t index)
+int parking_tick(struct game *game, const struct world *world, uint32_t index)
 {
-    uint32_t *ticks = &core->game.rest_ticks[index];
-    *ticks = is_idle(core, index) ? *ticks + 1u : 0u;
-    return parking_is_parked(core, index);
+    uint32_t *ticks = &game->rest_ticks[index];
+    *ticks = is_idle(game, world, index) ? *ticks + 1u : 0u;
+    return parking_is_parked(game, index);
 }
 
 /* ---- Motion to the rest position ------------------------------------------------------------ */
@@ -76,10 +76,10 @@ static float turn_level(float angle_rad)
 }
 
 /* Returns 1 if the ring is under a bowl or between two, where it cannot move up. */
-static int is_under_a_bowl(const struct core *core, vec3 ring_m)
+static int is_under_a_bowl(const struct world *world, vec3 ring_m)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const struct bowl *bowl = &core->world.bowl[i];
+        const struct bowl *bowl = &world->bowl[i];
         const float x_m = ring_m.x - bowl->position_m.x, z_m = ring_m.z - bowl->position_m.z;
         const float clear_m = BOWL_RADIUS_M + POI_OUTER_RADIUS_M + CLEAR_M;
         if (bowl->present && ring_m.y < bowl->position_m.y &&
@@ -97,13 +97,13 @@ static float step_of(float way_m, float pace_m_s)
 
 /* Returns the next position. The motion has four steps, chosen by the ring's actual position:
  * toward the middle, up, over the rims, and down. */
-static vec3 next_m(const struct core *core, uint32_t index, vec3 at_m, float begun)
+static vec3 next_m(const struct world *world, uint32_t index, vec3 at_m, float begun)
 {
-    const vec3 place_m = parking_place(core, index).position_m;
-    const vec3 ring_m = core->world.poi[index].position_m;
+    const vec3 place_m = parking_place(world, index).position_m;
+    const vec3 ring_m = world->poi[index].position_m;
     const vec3 way_m = v3_sub(place_m, at_m);
     const vec3 aside_m = v3_scale(v3(way_m.x, 0.0f, way_m.z), AWAY_SHARE);
-    if (is_under_a_bowl(core, ring_m)) {
+    if (is_under_a_bowl(world, ring_m)) {
         return v3(at_m.x - step_of(at_m.x, LIFT_M_S) * begun, at_m.y, at_m.z);
     }
     if (f_min(at_m.y, ring_m.y) < place_m.y - ON_RIM_M) {
@@ -116,11 +116,12 @@ static vec3 next_m(const struct core *core, uint32_t index, vec3 at_m, float beg
     return v3_muladd(at_m, v3_limit(aside_m, AWAY_M_S * CORE_TICK_S), begun);
 }
 
-struct poi_target parking_path(const struct core *core, uint32_t index, struct poi_target hand)
+struct poi_target parking_path(const struct game *game, const struct world *world, uint32_t index,
+                               struct poi_target hand)
 {
-    const float begun = f_min((float)held_ticks(core, index) / START_TICKS, 1.0f);
+    const float begun = f_min((float)held_ticks(game, index) / START_TICKS, 1.0f);
     return (struct poi_target){
-        .position_m = next_m(core, index, hand.position_m, begun),
+        .position_m = next_m(world, index, hand.position_m, begun),
         .angles = { turn_level(hand.angles.yaw_rad), turn_level(hand.angles.pitch_rad),
                     turn_level(hand.angles.roll_rad) },
     };
@@ -128,12 +129,12 @@ struct poi_target parking_path(const struct core *core, uint32_t index, struct p
 
 /* ---- Effect on others ----------------------------------------------------------------------- */
 
-int parking_collides(const struct core *core, uint32_t index)
+int parking_collides(const struct game *game, const struct world *world, uint32_t index)
 {
-    return !parking_is_parked(core, index) || core->world.poi[index].immersed > 0.0f;
+    return !parking_is_parked(game, index) || world->poi[index].immersed > 0.0f;
 }
 
-float parking_shade(const struct core *core, uint32_t index)
+float parking_shade(const struct game *game, uint32_t index)
 {
-    return f_max(1.0f - (float)held_ticks(core, index) / FADE_TICKS, 0.0f);
+    return f_max(1.0f - (float)held_ticks(game, index) / FADE_TICKS, 0.0f);
 }

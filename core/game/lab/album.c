@@ -2,7 +2,9 @@
 #include "core/game/lab/album.h"
 
 #include "core/base/hash.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
+#include "core/config.h"
 #include "core/game/phases.h"
 #include "core/morph/morph.h"
 #include "core/scene_helpers.h"
@@ -22,12 +24,11 @@ static int is_noted(const struct album *album, uint32_t fish)
     return 0;
 }
 
-void album_note(struct core *core, uint32_t index, uint32_t count)
+void album_note(struct album *album, const struct world *world, uint32_t index, uint32_t count)
 {
-    struct album *album = &core->game.album;
     album->caught += count;
-    for (uint32_t i = 0; i < core->world.tank.fish_count && count > 0; i++) {
-        const struct fish *fish = &core->world.tank.fish[i];
+    for (uint32_t i = 0; i < world->tank.fish_count && count > 0; i++) {
+        const struct fish *fish = &world->tank.fish[i];
         if (album->fish_count == ALBUM_FISH_MAX) {
             return;
         }
@@ -51,23 +52,24 @@ uint32_t album_ticks(uint32_t fish_count)
                : ALBUM_LIFE_TICKS + (fish_count - 1u) * ALBUM_STAGGER_TICKS + ALBUM_REST_TICKS;
 }
 
-int album_begin(struct core *core)
+int album_begin(struct game *game)
 {
-    if (core->game.album.fish_count == 0) {
+    if (game->album.fish_count == 0) {
         return 0;
     }
-    game_enter_phase(core, PHASE_ALBUM);
+    game_enter_phase(game, PHASE_ALBUM);
     return 1;
 }
 
-void album_tick(struct core *core, const struct input *input, struct output *output)
+void album_tick(struct game *game, struct world *world, const struct core_config *config,
+                const struct input *input, struct output *output)
 {
-    const uint32_t elapsed = core->game.tick - core->game.phase_tick;
-    const int dipped = game_dipped_player(core, input) < POI_MAX;
+    const uint32_t elapsed = game->tick - game->phase_tick;
+    const int dipped = game_dipped_player(game, world, input) < POI_MAX;
     if (dipped || (input->pressed & INPUT_START)) {
-        mode_select_begin(core, output);
-    } else if ((input->pressed & INPUT_OK) || elapsed >= album_ticks(core->game.album.fish_count)) {
-        attract_begin(core);
+        mode_select_begin(game, world, config, output);
+    } else if ((input->pressed & INPUT_OK) || elapsed >= album_ticks(game->album.fish_count)) {
+        attract_begin(game, world, config);
     }
 }
 
@@ -108,18 +110,17 @@ static void show_fish(const struct album_fish *fish, float progress, struct scen
     };
 }
 
-void album_show(const struct core *core, struct scene_album *out)
+void album_show(const struct game *game, struct scene_album *out)
 {
-    const struct album *album = &core->game.album;
+    const struct album *album = &game->album;
     *out = (struct scene_album){ 0 };
-    if (core->game.phase != PHASE_ALBUM) {
+    if (game->phase != PHASE_ALBUM) {
         return;
     }
     out->caught = album->caught;
     out->fish_count = album->fish_count;
     for (uint32_t i = 0; i < album->fish_count; i++) {
-        show_fish(&album->fish[i], lived(core->game.tick - core->game.phase_tick, i),
-                  &out->fish[i]);
+        show_fish(&album->fish[i], lived(game->tick - game->phase_tick, i), &out->fish[i]);
     }
 }
 

@@ -27,23 +27,26 @@ struct album {
     } fish[ALBUM_FISH_MAX];
 };
 
-struct core;
+struct game;
+struct world;
+struct core_config;
 
 void album_clear(struct album *album);
 
 /* Records that player `index` caught `count` fish. Fish beyond ALBUM_FISH_MAX are counted, but not
  * stored. Fish are stored in the order of the catch. */
-void album_note(struct core *core, uint32_t index, uint32_t count);
+void album_note(struct album *album, const struct world *world, uint32_t index, uint32_t count);
 
 /* Enters the album phase. Returns 1, or 0 without any change if the album is empty. */
-int album_begin(struct core *core);
-void album_tick(struct core *core, const struct input *input, struct output *output);
+int album_begin(struct game *game);
+void album_tick(struct game *game, struct world *world, const struct core_config *config,
+                const struct input *input, struct output *output);
 
 /* Returns the duration in ticks of a page with `fish_count` fish. */
 uint32_t album_ticks(uint32_t fish_count);
 
 /* Fills `out` with the visible state of the album; all zero in other phases. */
-void album_show(const struct core *core, struct scene_album *out);
+void album_show(const struct game *game, struct scene_album *out);
 
 uint64_t album_hash(uint64_t hash, const struct album *album);
 

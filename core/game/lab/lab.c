@@ -3,7 +3,9 @@
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
+#include "core/config.h"
 #include "core/game/lab/lab_press.h"
 #include "core/game/phases.h"
 #include "core/game/table_setup.h"
@@ -18,29 +20,29 @@ void lab_init(struct lab *lab, const struct core_config *config)
     memcpy(lab->edits, book->edits, sizeof lab->edits);
 }
 
-void lab_begin(struct core *core, struct output *output)
+void lab_begin(struct game *game, struct world *world, const struct core_config *config,
+               struct output *output)
 {
-    struct lab *lab = &core->game.lab;
-    table_setup_empty_bowls(core);
-    table_setup_prepare(core, core->config.preset);
-    game_enter_phase(core, PHASE_LAB);
-    lab->stir_tick = lab->act_tick = core->game.tick;
+    struct lab *lab = &game->lab;
+    table_setup_empty_bowls(world);
+    table_setup_prepare(game, world, config, config->preset);
+    game_enter_phase(game, PHASE_LAB);
+    lab->stir_tick = lab->act_tick = game->tick;
     lab->start_ticks = 0;
     lab->presses = 1; /* The dip that opened the lab presses nothing here. */
-    lab_take(core, lab->species);
+    lab_take(&game->lab, &config->book, lab->species);
     output_sound(output, SOUND_START, 0.7f, 0.0f);
 }
 
 /* ---- The pointer ---------------------------------------------------------------------------- */
 
-static void note_stir(struct core *core)
+static void note_stir(struct lab *lab, uint32_t tick)
 {
-    struct lab *lab = &core->game.lab;
     const float x = lab->x - lab->stir_x, y = lab->y - lab->stir_y;
     if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
         lab->stir_x = lab->x;
         lab->stir_y = lab->y;
-        lab->stir_tick = core->game.tick;
+        lab->stir_tick = tick;
     }
 }
 
@@ -57,28 +59,29 @@ static void change_hands(struct lab *lab, uint32_t index)
 }
 
 /* Updates the pointer's position and its press state. */
-static void track_lab_hand(struct core *core, const struct input *input, struct output *output)
+static void track_lab_hand(struct game *game, struct world *world, const struct core_config *config,
+                           const struct input *input, struct output *output)
 {
-    struct lab *lab = &core->game.lab;
-    const struct pointer_state hand = pointer_first(core, input, lab->upright);
+    struct lab *lab = &game->lab;
+    const struct pointer_state hand = pointer_first(world, input, lab->upright);
     if (!hand.present) {
         lab->has_hand = lab->presses = 0;
-        lab_release(core);
+        lab_release(game, world, config);
         return;
     }
     change_hands(lab, hand.player);
     lab->has_hand = 1;
     lab->x = hand.at.x;
     lab->y = hand.at.y;
-    note_stir(core);
+    note_stir(&game->lab, game->tick);
     const int was_down = lab->presses;
     lab->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (lab->presses && !was_down) {
-        lab_press(core, output);
+        lab_press(&game->lab, &config->book, game->tick, output);
     } else if (lab->presses) {
-        lab_drag(core);
+        lab_drag(&game->lab, &config->book);
     } else {
-        lab_release(core);
+        lab_release(game, world, config);
     }
 }
 
@@ -93,16 +96,15 @@ static void step_life(struct lab *lab, float way)
 
 /* Returns 1 if START was held long enough to leave. A short press plays or stops in
  * heed_buttons(). */
-static int ends_by_start(struct core *core, const struct input *input)
+static int ends_by_start(struct lab *lab, const struct input *input)
 {
-    struct lab *lab = &core->game.lab;
     lab->start_ticks = input->held & INPUT_START ? lab->start_ticks + 1u : 0u;
     return lab->start_ticks >= LAB_END_TICKS;
 }
 
-static void heed_buttons(struct core *core, const struct input *input, struct output *output)
+static void heed_buttons(struct lab *lab, const struct lab_book *book, uint32_t tick,
+                         const struct input *input, struct output *output)
 {
-    struct lab *lab = &core->game.lab;
     const float step = CORE_TICK_S / BUTTON_LIFE_S;
     if ((input->held | input->pressed) & INPUT_LEFT) {
         step_life(lab, -step);
@@ -111,18 +113,18 @@ static void heed_buttons(struct core *core, const struct input *input, struct ou
         step_life(lab, step);
     }
     if (input->pressed & INPUT_START) {
-        lab_use(core, LAB_PLAY, output);
+        lab_use(lab, book, LAB_PLAY, output);
     }
     if (input->pressed & INPUT_OK) {
-        lab_use(core, LAB_NEXT, output);
+        lab_use(lab, book, LAB_NEXT, output);
     }
     const uint32_t guests = ~(uint32_t)INPUT_TEST;
     if ((input->pressed | input->held) & guests) {
-        lab->stir_tick = core->game.tick;
+        lab->stir_tick = tick;
     }
     if (input->pressed & guests) { /* A button held for minutes is stuck, so only new presses
                                       count. */
-        lab->act_tick = core->game.tick;
+        lab->act_tick = tick;
     }
 }
 
@@ -141,24 +143,24 @@ static void play_on(struct lab *lab)
     }
 }
 
-static int is_deserted(const struct core *core)
+static int is_deserted(const struct lab *lab, uint32_t tick)
 {
-    const struct lab *lab = &core->game.lab;
-    return core->game.tick - lab->stir_tick >= LAB_IDLE_TICKS ||
-           core->game.tick - lab->act_tick >= LAB_SWING_TICKS;
+    return tick - lab->stir_tick >= LAB_IDLE_TICKS || tick - lab->act_tick >= LAB_SWING_TICKS;
 }
 
-void lab_tick(struct core *core, const struct input *input, struct output *output)
+void lab_tick(struct game *game, struct world *world, const struct core_config *config,
+              const struct input *input, struct output *output)
 {
-    struct lab *lab = &core->game.lab;
+    struct lab *lab = &game->lab;
     lab->upright = input->upright != 0;
     lab->edit_refused = input->edit_refused != 0;
     lab->saved_id = input->edit_saved_id > lab->saved_id ? input->edit_saved_id : lab->saved_id;
-    heed_buttons(core, input, output);
-    track_lab_hand(core, input, output);
+    heed_buttons(&game->lab, &config->book, game->tick, input, output);
+    track_lab_hand(game, world, config, input, output);
     play_on(lab);
-    if (core->game.phase == PHASE_LAB && (ends_by_start(core, input) || is_deserted(core))) {
-        attract_begin(core);
+    if (game->phase == PHASE_LAB &&
+        (ends_by_start(&game->lab, input) || is_deserted(&game->lab, game->tick))) {
+        attract_begin(game, world, config);
     }
 }
 
@@ -172,15 +174,14 @@ static uint8_t keeping(const struct lab *lab)
                                             : LAB_SAVING;
 }
 
-void lab_show(const struct core *core, struct scene_lab *out)
+void lab_show(const struct lab *lab, const struct lab_book *book, struct scene_lab *out)
 {
-    const struct lab *lab = &core->game.lab;
-    const struct species_card *card = lab_book_card(&core->config.book, lab->species);
+    const struct species_card *card = lab_book_card(book, lab->species);
     struct species_card *shown = &out->card;
     lab_edit_apply(&lab->edit, card, shown);
     out->species = lab->species;
-    out->species_count = (uint8_t)lab_book_count(&core->config.book);
-    out->refused = core->config.book.refused;
+    out->species_count = (uint8_t)lab_book_count(book);
+    out->refused = book->refused;
     out->template_id = lab->edit.template_id;
     out->layer = lab->layer;
     out->playing = lab->playing;
@@ -193,8 +194,8 @@ void lab_show(const struct core *core, struct scene_lab *out)
     out->held_knot = lab->held_knot;
     out->upright = lab->upright;
     out->keeping = keeping(lab);
-    out->is_own = (uint8_t)lab_is_own(core);
-    out->is_kept = (uint8_t)lab_is_kept(core);
+    out->is_own = (uint8_t)lab_is_own(lab, book);
+    out->is_kept = (uint8_t)lab_is_kept(lab, book);
     out->x = lab->x;
     out->y = lab->y;
     out->progress = lab->progress;

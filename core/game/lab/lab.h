@@ -63,18 +63,21 @@ struct lab {
     struct lab_edit edits[SPECIES_MAX];
 };
 
-struct core;
+struct game;
+struct world;
 struct core_config;
 
 /* Initializes `lab` with the saved edits in `config`. */
 void lab_init(struct lab *lab, const struct core_config *config);
 
 /* Opens the lab with the last shown species as a larva, playing. */
-void lab_begin(struct core *core, struct output *output);
-void lab_tick(struct core *core, const struct input *input, struct output *output);
+void lab_begin(struct game *game, struct world *world, const struct core_config *config,
+               struct output *output);
+void lab_tick(struct game *game, struct world *world, const struct core_config *config,
+              const struct input *input, struct output *output);
 
 /* Fills `out` with the visible state of the lab. */
-void lab_show(const struct core *core, struct scene_lab *out);
+void lab_show(const struct lab *lab, const struct lab_book *book, struct scene_lab *out);
 
 uint64_t lab_hash_quick(uint64_t hash, const struct lab *lab); /* Hash without the saved edits. */
 uint64_t lab_hash(uint64_t hash, const struct lab *lab);       /* Hash of the saved edits. */

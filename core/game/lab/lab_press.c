@@ -2,21 +2,22 @@
 #include "core/game/lab/lab_press.h"
 
 #include "core/base/mem.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
+#include "core/config.h"
 #include "core/game/phases.h"
 
-static const struct species_card *edited_card(const struct core *core)
+static const struct species_card *edited_card(const struct lab *lab, const struct lab_book *book)
 {
-    return lab_book_card(&core->config.book, core->game.lab.species);
+    return lab_book_card(book, lab->species);
 }
 
 /* ---- Species and their edits ---------------------------------------------------------------- */
 
-void lab_take(struct core *core, uint32_t species)
+void lab_take(struct lab *lab, const struct lab_book *book, uint32_t species)
 {
-    struct lab *lab = &core->game.lab;
     lab->species = (uint8_t)species;
-    const struct species_card *card = edited_card(core);
+    const struct species_card *card = edited_card(lab, book);
     if (lab->has_edit[species]) {
         lab->edit = lab->edits[species];
     } else {
@@ -31,28 +32,26 @@ void lab_take(struct core *core, uint32_t species)
     lab->held_knot = LAB_NO_KNOT;
 }
 
-int lab_is_own(const struct core *core)
+int lab_is_own(const struct lab *lab, const struct lab_book *book)
 {
     struct lab_edit own;
-    lab_edit_own(&own, edited_card(core));
-    return lab_edit_same(&core->game.lab.edit, &own);
+    lab_edit_own(&own, edited_card(lab, book));
+    return lab_edit_same(&lab->edit, &own);
 }
 
-int lab_is_kept(const struct core *core)
+int lab_is_kept(const struct lab *lab, const struct lab_book *book)
 {
-    const struct lab *lab = &core->game.lab;
     return lab->has_edit[lab->species] ? lab_edit_same(&lab->edit, &lab->edits[lab->species])
-                                       : lab_is_own(core);
+                                       : lab_is_own(lab, book);
 }
 
 /* Requests saving. An edit equal to the original is saved as such, so that the next start loads
  * nothing. */
-static void save(struct core *core, struct output *output)
+static void save(struct lab *lab, const struct lab_book *book, struct output *output)
 {
-    struct lab *lab = &core->game.lab;
-    const struct species_card *card = edited_card(core);
+    const struct species_card *card = edited_card(lab, book);
     lab->edits[lab->species] = lab->edit;
-    lab->has_edit[lab->species] = (uint8_t)!lab_is_own(core);
+    lab->has_edit[lab->species] = (uint8_t)!lab_is_own(lab, book);
     lab->asked_id = ++lab->save_id;
     output->edit = (struct graph_edit_record){ .id = lab->save_id,
                                                .is_own = (uint8_t)!lab->has_edit[lab->species],
@@ -61,23 +60,22 @@ static void save(struct core *core, struct output *output)
     memcpy(output->edit.species, card->id, sizeof output->edit.species);
 }
 
-static void reset(struct core *core)
+static void reset(struct lab *lab, const struct lab_book *book)
 {
-    lab_edit_own(&core->game.lab.edit, edited_card(core));
+    lab_edit_own(&lab->edit, edited_card(lab, book));
 }
 
 /* ---- Buttons -------------------------------------------------------------------------------- */
 
-static void turn_page(struct core *core, uint32_t steps)
+static void turn_page(struct lab *lab, const struct lab_book *book, uint32_t steps)
 {
-    const uint32_t count = lab_book_count(&core->config.book);
-    lab_take(core, (core->game.lab.species + steps) % count);
+    const uint32_t count = lab_book_count(book);
+    lab_take(lab, book, (lab->species + steps) % count);
 }
 
-static void add_knot(struct core *core)
+static void add_knot(struct lab *lab, const struct lab_book *book)
 {
-    struct lab *lab = &core->game.lab;
-    const struct species_card *card = edited_card(core);
+    const struct species_card *card = edited_card(lab, book);
     struct lab_edit more = lab->edit;
     if (lab->layer == LAB_LAYER_SIZE) {
         lab_edit_size_add(&more, card, lab->progress);
@@ -90,16 +88,15 @@ static void add_knot(struct core *core)
 }
 
 /* Removes the nearest knot, unless the graph would become invalid without it. */
-static void remove_knot(struct core *core)
+static void remove_knot(struct lab *lab, const struct lab_book *book)
 {
-    struct lab *lab = &core->game.lab;
     struct lab_edit less = lab->edit;
     if (lab->layer == LAB_LAYER_SIZE) {
-        lab_edit_size_remove(&less, edited_card(core), lab->progress);
+        lab_edit_size_remove(&less, edited_card(lab, book), lab->progress);
     } else {
         lab_edit_remove(&less, lab->progress);
     }
-    if (lab_edit_is_valid(&less, edited_card(core))) {
+    if (lab_edit_is_valid(&less, edited_card(lab, book))) {
         lab->edit = less;
     }
 }
@@ -114,24 +111,23 @@ static void play_or_stop(struct lab *lab)
 }
 
 /* Moves to the key's age and selects its curve for editing. */
-static void go_to_key(struct core *core, uint32_t key)
+static void go_to_key(struct lab *lab, const struct lab_book *book, uint32_t key)
 {
-    struct lab *lab = &core->game.lab;
     lab->layer = (uint8_t)key;
     lab->playing = 0;
     lab->rest_ticks = 0;
-    lab->progress = (float)key / (float)(edited_card(core)->key_count - 1u);
+    lab->progress = (float)key / (float)(edited_card(lab, book)->key_count - 1u);
 }
 
-static void use_tool(struct core *core, enum lab_part part, struct output *output)
+static void use_tool(struct lab *lab, const struct lab_book *book, enum lab_part part,
+                     struct output *output)
 {
-    struct lab *lab = &core->game.lab;
     switch (part) {
     case LAB_BACK:
-        turn_page(core, lab_book_count(&core->config.book) - 1u);
+        turn_page(lab, book, lab_book_count(book) - 1u);
         break;
     case LAB_NEXT:
-        turn_page(core, 1u);
+        turn_page(lab, book, 1u);
         break;
     case LAB_PLAY:
         play_or_stop(lab);
@@ -143,35 +139,36 @@ static void use_tool(struct core *core, enum lab_part part, struct output *outpu
         lab->path = !lab->path;
         break;
     case LAB_ADD:
-        add_knot(core);
+        add_knot(lab, book);
         break;
     case LAB_REMOVE:
-        remove_knot(core);
+        remove_knot(lab, book);
         break;
     case LAB_SIZE:
         lab->layer = lab->layer == LAB_LAYER_SIZE ? 0 : LAB_LAYER_SIZE;
         break;
     case LAB_SAVE:
-        save(core, output);
+        save(lab, book, output);
         break;
     case LAB_RESET:
-        reset(core);
+        reset(lab, book);
         break;
     default:
         break;
     }
 }
 
-void lab_use(struct core *core, enum lab_part part, struct output *output)
+void lab_use(struct lab *lab, const struct lab_book *book, enum lab_part part,
+             struct output *output)
 {
     output_sound(output, SOUND_CHOOSE, 0.6f, 0.0f);
     if (part >= LAB_OWN && part <= LAB_SMOOTH) {
-        lab_edit_template(&core->game.lab.edit, edited_card(core),
+        lab_edit_template(&lab->edit, edited_card(lab, book),
                           (enum graph_template)((int)part - LAB_OWN + TEMPLATE_OWN));
     } else if (part >= LAB_KEY && part <= LAB_KEY_LAST) {
-        go_to_key(core, (uint32_t)part - LAB_KEY);
+        go_to_key(lab, book, (uint32_t)part - LAB_KEY);
     } else {
-        use_tool(core, part, output);
+        use_tool(lab, book, part, output);
     }
 }
 
@@ -291,10 +288,9 @@ static float charted_progress(const struct lab *lab, const struct species_card *
     return life_progress(card, share * card->key_age_days[card->key_count - 1u]);
 }
 
-void lab_drag(struct core *core)
+void lab_drag(struct lab *lab, const struct lab_book *book)
 {
-    struct lab *lab = &core->game.lab;
-    const struct species_card *card = edited_card(core);
+    const struct species_card *card = edited_card(lab, book);
     const struct layout_point at = pointer_share_of(lab, plot_of(lab, card));
     switch (lab->holds) {
     case HOLD_AGE:
@@ -323,12 +319,11 @@ static void point(struct lab *lab, const struct species_card *card)
     lab->points = (uint8_t)lab_part_at(lab->upright, card->key_count, at);
 }
 
-void lab_press(struct core *core, struct output *output)
+void lab_press(struct lab *lab, const struct lab_book *book, uint32_t tick, struct output *output)
 {
-    struct lab *lab = &core->game.lab;
-    const struct species_card *card = edited_card(core);
+    const struct species_card *card = edited_card(lab, book);
     point(lab, card);
-    lab->act_tick = lab->stir_tick = core->game.tick;
+    lab->act_tick = lab->stir_tick = tick;
     lab->holds = HOLD_BUTTON;
     switch (lab->points) {
     case LAB_AGE:
@@ -347,24 +342,24 @@ void lab_press(struct core *core, struct output *output)
         output_sound(output, SOUND_CHOOSE, 0.6f, 0.0f);
         break;
     default:
-        lab_use(core, (enum lab_part)lab->points, output);
+        lab_use(lab, book, (enum lab_part)lab->points, output);
         return;
     }
-    lab_drag(core);
+    lab_drag(lab, book);
 }
 
-void lab_release(struct core *core)
+void lab_release(struct game *game, struct world *world, const struct core_config *config)
 {
-    struct lab *lab = &core->game.lab;
+    struct lab *lab = &game->lab;
     const int leaves = lab->holds == HOLD_LEAVE && lab->has_hand;
     lab->holds = HOLD_NOTHING;
     lab->held_knot = LAB_NO_KNOT;
     if (lab->has_hand) {
-        point(lab, edited_card(core));
+        point(lab, edited_card(&game->lab, &config->book));
     } else {
         lab->points = LAB_NOTHING;
     }
     if (leaves) {
-        attract_begin(core);
+        attract_begin(game, world, config);
     }
 }

@@ -6,24 +6,29 @@
 #include "core/game/lab/lab_layout.h"
 #include "core/output.h"
 
-struct core;
+struct game;
+struct lab;
+struct world;
+struct core_config;
+struct lab_book;
 
 /* Shows a species as a larva, playing, with its saved edit if one exists. */
-void lab_take(struct core *core, uint32_t species);
+void lab_take(struct lab *lab, const struct lab_book *book, uint32_t species);
 
 /* Activates a part as if it was pressed; not for LAB_LEAVE. */
-void lab_use(struct core *core, enum lab_part part, struct output *output);
+void lab_use(struct lab *lab, const struct lab_book *book, enum lab_part part,
+             struct output *output);
 
 /* Handle the pointer's press, its motion while pressed, and its release or motion above the water.
  * LAB_LEAVE acts on release, because a pose that still moves down would count as a dip and open the
  * lab again. */
-void lab_press(struct core *core, struct output *output);
-void lab_drag(struct core *core);
-void lab_release(struct core *core);
+void lab_press(struct lab *lab, const struct lab_book *book, uint32_t tick, struct output *output);
+void lab_drag(struct lab *lab, const struct lab_book *book);
+void lab_release(struct game *game, struct world *world, const struct core_config *config);
 
 /* Return 1 if the current edit equals the species' original curves, and if it equals the saved
  * edit. */
-int lab_is_own(const struct core *core);
-int lab_is_kept(const struct core *core);
+int lab_is_own(const struct lab *lab, const struct lab_book *book);
+int lab_is_kept(const struct lab *lab, const struct lab_book *book);
 
 #endif

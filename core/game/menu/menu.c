@@ -3,7 +3,9 @@
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
+#include "core/config.h"
 #include "core/game/accounting/round_standing.h"
 #include "core/game/table_setup.h"
 #include "core/game/menu/menu_internal.h"
@@ -21,67 +23,69 @@ static void check_controllers(const struct controller_status *desk)
 
 /* ---- Opening -------------------------------------------------------------------------------- */
 
-static int is_played(const struct core *core)
+static int is_played(const struct game *game)
 {
-    return core->game.phase == PHASE_READY || core->game.phase == PHASE_ROUND;
+    return game->phase == PHASE_READY || game->phase == PHASE_ROUND;
 }
 
-int menu_is_asking(const struct core *core)
+int menu_is_asking(const struct game *game)
 {
-    const uint32_t ask_tick = core->game.menu.ask_tick;
-    return is_played(core) && ask_tick != 0 && core->game.tick - ask_tick < MENU_ASK_TICKS;
+    const uint32_t ask_tick = game->menu.ask_tick;
+    return is_played(game) && ask_tick != 0 && game->tick - ask_tick < MENU_ASK_TICKS;
 }
 
 /* Records the pointers at the opening of the menu, so that a resting pointer highlights nothing. */
-static void note_hands(struct core *core, const struct input *input)
+static void note_hands(struct menu *menu, const struct world *world, const struct input *input)
 {
-    struct menu *menu = &core->game.menu;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        menu->rest[i] = pointer_of_player(core, input, menu->upright, i).at;
+        menu->rest[i] = pointer_of_player(world, input, menu->upright, i).at;
     }
 }
 
-static void open_menu(struct core *core, const struct input *input, struct output *output)
+static void open_menu(struct game *game, struct world *world, const struct core_config *config,
+                      const struct input *input, struct output *output)
 {
-    struct menu *menu = &core->game.menu;
+    struct menu *menu = &game->menu;
     *menu = (struct menu){
         .controllers = input->controllers,
         .upright = input->upright != 0,
         .presses = 1, /* A poi that is down when the menu opens selects nothing. */
         .command_count = menu->command_count,
-        .take_tick = core->game.tick,
-        .act_tick = core->game.tick,
-        .use_tick = core->game.tick,
+        .take_tick = game->tick,
+        .act_tick = game->tick,
+        .use_tick = game->tick,
     };
     check_controllers(&input->controllers);
-    note_hands(core, input);
-    if (core->game.phase == PHASE_ROUND && stand_is_spent(core)) {
-        result_skip(core, output);
+    note_hands(&game->menu, world, input);
+    if (game->phase == PHASE_ROUND && stand_is_spent(game, config)) {
+        result_skip(game, world, config, output);
     } else {
-        credit_refund(core, REFUND_OPERATOR, output);
+        credit_refund(game, config, REFUND_OPERATOR, output);
     }
-    health_log_write(core, input,
+    health_log_write(&game->accounts, &game->health_log, game->tick, input,
                      output); /* Update the statistics that the menu is about to show. */
-    core->game.paused = 0;
+    game->paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        core->world.poi[i].carried_count = 0; /* The fish return to the water. */
+        world->poi[i].carried_count = 0; /* The fish return to the water. */
     }
-    table_setup_empty_bowls(core);
-    game_enter_phase(core, PHASE_MENU);
-    menu_turn(core, core->config.persistent.settings.value[SET_PIN] != 0 ? MENU_PIN : MENU_TOP);
+    table_setup_empty_bowls(world);
+    game_enter_phase(game, PHASE_MENU);
+    menu_turn(game, &config->persistent.settings,
+              config->persistent.settings.value[SET_PIN] != 0 ? MENU_PIN : MENU_TOP);
 }
 
-int menu_opens(struct core *core, const struct input *input, struct output *output)
+int menu_opens(struct game *game, struct world *world, const struct core_config *config,
+               const struct input *input, struct output *output)
 {
-    if (!(input->pressed & INPUT_TEST) || core->game.phase == PHASE_MENU) {
+    if (!(input->pressed & INPUT_TEST) || game->phase == PHASE_MENU) {
         return 0;
     }
     output_sound(output, SOUND_CALL, 0.8f, 0.0f);
-    if (is_played(core) && !menu_is_asking(core)) {
-        core->game.menu.ask_tick = core->game.tick;
+    if (is_played(game) && !menu_is_asking(game)) {
+        game->menu.ask_tick = game->tick;
         return 0;
     }
-    open_menu(core, input, output);
+    open_menu(game, world, config, input, output);
     return 1;
 }
 
@@ -106,13 +110,13 @@ static void point_at_something(struct menu *menu)
     *tag = offered >> *tag & 1u ? *tag : first_tag(offered);
 }
 
-void menu_turn(struct core *core, enum menu_page page)
+void menu_turn(struct game *game, const struct settings *settings, enum menu_page page)
 {
-    struct menu *menu = &core->game.menu;
+    struct menu *menu = &game->menu;
     menu->page = (uint8_t)page;
     menu->points = 0; /* An item under a resting pointer was not pointed at. */
     if (menu_page_desc_of(menu->page)->enter) {
-        menu_page_desc_of(menu->page)->enter(core);
+        menu_page_desc_of(menu->page)->enter(game, settings);
     }
     point_at_something(menu);
 }
@@ -137,15 +141,16 @@ static void point_on(struct menu *menu, int forward, struct output *output)
     point_at_tag(menu, tag, output);
 }
 
-static void activate_pointed_tag(struct core *core, struct output *output)
+static void activate_pointed_tag(struct game *game, struct world *world, struct core_config *config,
+                                 struct output *output)
 {
-    struct menu *menu = &core->game.menu;
-    if (core->game.tick - menu->take_tick < MENU_TAKE_TICKS) {
+    struct menu *menu = &game->menu;
+    if (game->tick - menu->take_tick < MENU_TAKE_TICKS) {
         return;
     }
-    menu->take_tick = menu->use_tick = core->game.tick;
+    menu->take_tick = menu->use_tick = game->tick;
     output_sound(output, SOUND_TICK, 0.7f, 0.0f);
-    menu_activate(core, output);
+    menu_activate(game, world, config, output);
 }
 
 static int is_way_back(const struct input *input)
@@ -153,20 +158,22 @@ static int is_way_back(const struct input *input)
     return (input->pressed & MENU_WAY_BACK) == MENU_WAY_BACK;
 }
 
-static void activate_last_tag(struct core *core, struct output *output)
+static void activate_last_tag(struct game *game, struct world *world, struct core_config *config,
+                              struct output *output)
 {
-    struct menu *menu = &core->game.menu;
+    struct menu *menu = &game->menu;
     menu->tag[menu->page] = (uint8_t)(menu_tag_count(menu->page) - 1u);
     CORE_ASSERT(menu_enabled(menu) >> menu->tag[menu->page] & 1u);
-    activate_pointed_tag(core, output);
+    activate_pointed_tag(game, world, config, output);
 }
 
-static void heed_buttons(struct core *core, const struct input *input, struct output *output)
+static void heed_buttons(struct game *game, struct world *world, struct core_config *config,
+                         const struct input *input, struct output *output)
 {
-    struct menu *menu = &core->game.menu;
+    struct menu *menu = &game->menu;
     const uint32_t inside = INPUT_TEST | INPUT_SERVICE;
     if (is_way_back(input)) {
-        activate_last_tag(core, output);
+        activate_last_tag(game, world, config, output);
         return;
     }
     const uint32_t pressed =
@@ -178,7 +185,7 @@ static void heed_buttons(struct core *core, const struct input *input, struct ou
         point_on(menu, 0, output);
     }
     if (pressed & (INPUT_TEST | INPUT_START | INPUT_OK)) {
-        activate_pointed_tag(core, output);
+        activate_pointed_tag(game, world, config, output);
     }
 }
 
@@ -214,17 +221,17 @@ static uint8_t tag_under(const struct menu *menu, struct layout_point at)
 /* Returns the pointer of the controller that moved last. The slot need not have a bowl, because the
  * operator may test a controller that was never used in a game. `*stirs` is 1 if the pointer has
  * just moved. */
-static struct pointer_state leading_hand(struct core *core, const struct input *input, int *stirs)
+static struct pointer_state leading_hand(struct menu *menu, const struct world *world,
+                                         uint32_t tick, const struct input *input, int *stirs)
 {
-    struct menu *menu = &core->game.menu;
-    struct pointer_state lead = pointer_of_player(core, input, menu->upright, menu->hand);
+    struct pointer_state lead = pointer_of_player(world, input, menu->upright, menu->hand);
     *stirs = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        const struct pointer_state hand = pointer_of_player(core, input, menu->upright, i);
+        const struct pointer_state hand = pointer_of_player(world, input, menu->upright, i);
         const float x = hand.at.x - menu->rest[i].x, y = hand.at.y - menu->rest[i].y;
         if (hand.present && x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
             menu->rest[i] = hand.at;
-            menu->act_tick = core->game.tick;
+            menu->act_tick = tick;
             lead = hand;
             *stirs = 1;
         }
@@ -234,12 +241,12 @@ static struct pointer_state leading_hand(struct core *core, const struct input *
 
 /* Moves the highlight when the pointer enters an item. While the pointer rests, even on a new page,
  * the buttons keep control. */
-static void point_at_tag_by_hand(struct core *core, const struct input *input,
-                                 struct output *output)
+static void point_at_tag_by_hand(struct game *game, struct world *world, struct core_config *config,
+                                 const struct input *input, struct output *output)
 {
-    struct menu *menu = &core->game.menu;
+    struct menu *menu = &game->menu;
     int stirs;
-    const struct pointer_state hand = leading_hand(core, input, &stirs);
+    const struct pointer_state hand = leading_hand(&game->menu, world, game->tick, input, &stirs);
     if (!hand.present || is_learning(menu)) {
         menu->has_hand = menu->points = 0;
         menu->presses = 1; /* The next pointer selects nothing until it was above the water once. */
@@ -260,7 +267,7 @@ static void point_at_tag_by_hand(struct core *core, const struct input *input,
         menu->points = points;
         point_at_tag(menu, points - 1u, output); /* A dip selects the item under the pointer,
                                                     even if a button moved the highlight since. */
-        activate_pointed_tag(core, output);
+        activate_pointed_tag(game, world, config, output);
     }
 }
 
@@ -275,20 +282,20 @@ static void count_presses(struct menu *menu, uint32_t pressed)
 }
 
 /* Counts a coin in the menu as a test, on every page. */
-static void count_coins(struct core *core, uint32_t count, struct output *output)
+static void count_coins(struct menu *menu, uint32_t tick, uint32_t count, struct output *output)
 {
-    struct menu *menu = &core->game.menu;
     if (count > 0) {
         const uint32_t room = MENU_COUNT_MAX - menu->test_coins;
         menu->test_coins += count < room ? count : room;
-        menu->coin_tick = core->game.tick;
+        menu->coin_tick = tick;
         output_sound(output, SOUND_COIN, 0.5f, 0.0f);
     }
 }
 
-static void watch_input_test(struct core *core, const struct input *input, struct output *output)
+static void watch_input_test(struct game *game, const struct settings *settings,
+                             const struct input *input, struct output *output)
 {
-    struct menu *menu = &core->game.menu;
+    struct menu *menu = &game->menu;
     check_controllers(&input->controllers);
     const int is_unkept = input->controllers.learn_step == LEARN_NOT_SAVED &&
                           menu->controllers.learn_step != LEARN_NOT_SAVED;
@@ -298,14 +305,14 @@ static void watch_input_test(struct core *core, const struct input *input, struc
     menu->upright = input->upright != 0;
     menu->held = input->held;
     count_presses(menu, is_way_back(input) ? 0u : input->pressed);
-    count_coins(core, input_coin_pulses(input), output);
+    count_coins(&game->menu, game->tick, input_coin_pulses(input), output);
     const int is_used = input->pressed != 0 || input_coin_pulses(input) > 0;
-    menu->use_tick = is_used ? core->game.tick : menu->use_tick;
-    menu->act_tick = is_used || has_changed ? core->game.tick : menu->act_tick;
+    menu->use_tick = is_used ? game->tick : menu->use_tick;
+    menu->act_tick = is_used || has_changed ? game->tick : menu->act_tick;
     if (is_unkept && menu->page != MENU_PIN) { /* Report the failed save to the operator who saved
                                                   the mapping. */
         menu->row = input->controllers.learn_row;
-        menu_turn(core, MENU_LEARN);
+        menu_turn(game, settings, MENU_LEARN);
     }
     point_at_something(menu);
 }
@@ -320,37 +327,36 @@ static int is_taking(const struct menu *menu)
 
 /* Returns 1 if no activity occurred for the timeout, or only motion occurred for several
  * timeouts. */
-static int is_deserted(const struct core *core)
+static int is_deserted(const struct menu *menu, uint32_t tick)
 {
-    const struct menu *menu = &core->game.menu;
     const uint32_t span = menu->page == MENU_PIN ? MENU_PIN_IDLE_TICKS : MENU_IDLE_TICKS;
-    return core->game.tick - menu->act_tick >= span ||
-           core->game.tick - menu->use_tick >= MENU_SWING_SPANS * span;
+    return tick - menu->act_tick >= span || tick - menu->use_tick >= MENU_SWING_SPANS * span;
 }
 
-void menu_tick(struct core *core, const struct input *input, struct output *output)
+void menu_tick(struct game *game, struct world *world, struct core_config *config,
+               const struct input *input, struct output *output)
 {
-    watch_input_test(core, input, output);
-    heed_buttons(core, input, output);
-    if (core->game.phase == PHASE_MENU) {
-        point_at_tag_by_hand(core, input, output);
+    watch_input_test(game, &config->persistent.settings, input, output);
+    heed_buttons(game, world, config, input, output);
+    if (game->phase == PHASE_MENU) {
+        point_at_tag_by_hand(game, world, config, input, output);
     }
-    if (core->game.phase == PHASE_MENU) {
-        menu_settings_tick(core, is_taking(&core->game.menu), output);
+    if (game->phase == PHASE_MENU) {
+        menu_settings_tick(game, config, is_taking(&game->menu), output);
     }
-    if (core->game.phase == PHASE_MENU && is_deserted(core)) {
-        menu_close(core, output);
+    if (game->phase == PHASE_MENU && is_deserted(&game->menu, game->tick)) {
+        menu_close(game, world, config, output);
     }
 }
 
-int menu_tries_lines(const struct core *core)
+int menu_tries_lines(const struct game *game)
 {
-    const uint8_t page = core->game.menu.page;
-    return core->game.phase == PHASE_MENU && (page == MENU_LINES || page == MENU_SELF_TEST);
+    const uint8_t page = game->menu.page;
+    return game->phase == PHASE_MENU && (page == MENU_LINES || page == MENU_SELF_TEST);
 }
 
-int menu_lights_start(const struct core *core)
+int menu_lights_start(const struct game *game)
 {
-    return self_test_shows(core) ||
-           (menu_tries_lines(core) && (core->game.menu.held & INPUT_START) != 0);
+    return self_test_shows(game) ||
+           (menu_tries_lines(game) && (game->menu.held & INPUT_START) != 0);
 }

@@ -154,32 +154,37 @@ struct menu {
     struct layout_point rest[POI_MAX]; /* Pointer position of each slot at its last motion. */
 };
 
-struct core;
+struct game;
+struct settings_edit;
+struct world;
+struct core_config;
 
 /* Returns 1 if TEST opens the menu in this tick. During a round the first press only requests
  * confirmation. */
-int menu_opens(struct core *core, const struct input *input, struct output *output);
-void menu_tick(struct core *core, const struct input *input, struct output *output);
+int menu_opens(struct game *game, struct world *world, const struct core_config *config,
+               const struct input *input, struct output *output);
+void menu_tick(struct game *game, struct world *world, struct core_config *config,
+               const struct input *input, struct output *output);
 
 /* Returns 1 if a second TEST would end the round now. */
-int menu_is_asking(const struct core *core);
+int menu_is_asking(const struct game *game);
 
 /* Returns 1 if the input lines are tested: the coin slot is open, and a coin counts as a test. */
-int menu_tries_lines(const struct core *core);
+int menu_tries_lines(const struct game *game);
 
 /* Returns 1 if the START lamp is lit; during the test of the input lines the START button lights
  * it. */
-int menu_lights_start(const struct core *core);
+int menu_lights_start(const struct game *game);
 
 /* Returns the ticks until a PIN can be typed; 0: now. A wrong PIN locks the entry for 5 s, and each
  * further one doubles the time, up to 160 s. */
-uint32_t menu_pin_wait_ticks(const struct core *core);
+uint32_t menu_pin_wait_ticks(const struct settings_edit *settings_edit, uint32_t tick);
 
 /* Returns the number of rows visible at once on the file page, with the full text of each row. */
 uint32_t menu_files_shown(int upright);
 
 /* Fills `out` with the visible state of the menu. */
-void menu_show(const struct core *core, struct scene_menu *out);
+void menu_show(const struct game *game, const struct core_config *config, struct scene_menu *out);
 
 uint64_t menu_hash(uint64_t hash, const struct menu *menu);
 

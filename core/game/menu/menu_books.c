@@ -1,13 +1,15 @@
 /* menu_books.c -- reset of a group of statistics, which is itself logged in the ledger. */
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/config.h"
 #include "core/game/menu/menu_internal.h"
 
-void menu_book_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_book_activate(struct game *game, struct core_config *config, uint32_t tag,
+                        struct output *output)
 {
     (void)tag;
     (void)output;
-    core->game.menu.from = core->game.menu.page;
-    menu_turn(core, MENU_RESET);
+    game->menu.from = game->menu.page;
+    menu_turn(game, &config->persistent.settings, MENU_RESET);
 }
 
 /* Returns the sum of the group's counters, which the ledger entry stores so that later reports show
@@ -23,16 +25,17 @@ static int32_t sum_of(const struct audits *audits, enum audit_group group)
 }
 
 /* If the ledger has no room, the confirmation stays open. */
-void menu_reset_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_reset_activate(struct game *game, struct core_config *config, uint32_t tag,
+                         struct output *output)
 {
-    const uint8_t from = core->game.menu.from, group = menu_page_desc_of(from)->about;
+    const uint8_t from = game->menu.from, group = menu_page_desc_of(from)->about;
     const struct ledger_entry entry = {
         .kind = LEDGER_RESET,
         .detail = group,
-        .value = sum_of(&core->game.accounts.audits, (enum audit_group)group),
+        .value = sum_of(&game->accounts.audits, (enum audit_group)group),
     };
     (void)tag;
-    if (ledger_write(core, &entry, output) != 0) {
-        menu_turn(core, (enum menu_page)from);
+    if (ledger_write(&game->accounts, game->tick, &entry, output) != 0) {
+        menu_turn(game, &config->persistent.settings, (enum menu_page)from);
     }
 }

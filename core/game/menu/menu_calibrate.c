@@ -3,7 +3,9 @@
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
+#include "core/config.h"
 #include "core/game/menu/menu_internal.h"
 
 /* ---- Items ---------------------------------------------------------------------------------- */
@@ -33,9 +35,10 @@ static void next_seat(struct calibrate *calibrate)
     } while (!(calibrate->present >> calibrate->seat & 1u));
 }
 
-void menu_calibrate_open(struct core *core)
+void menu_calibrate_open(struct game *game, const struct settings *settings)
 {
-    struct calibrate *calibrate = &core->game.menu.calibrate;
+    (void)settings;
+    struct calibrate *calibrate = &game->menu.calibrate;
     begin_anew(calibrate);
     if (calibrate->present != 0 && !(calibrate->present >> calibrate->seat & 1u)) {
         next_seat(calibrate);
@@ -44,26 +47,29 @@ void menu_calibrate_open(struct core *core)
 
 /* Stores `value` as the slot's calibration. The previous calibration, if it was complete, is kept
  * for undo. */
-static void swap_with(struct core *core, int32_t value[CALIBRATION_VALUES])
+static void swap_with(struct game *game, struct core_config *config,
+                      int32_t value[CALIBRATION_VALUES])
 {
-    struct calibrate *calibrate = &core->game.menu.calibrate;
+    struct calibrate *calibrate = &game->menu.calibrate;
     const uint32_t first = calibration_setting(calibrate->seat);
-    const struct settings *settings = &core->config.persistent.settings;
+    const struct settings *settings = &config->persistent.settings;
     int32_t before[CALIBRATION_VALUES] = { 0 };
     if (calibration_is_set(settings, calibrate->seat)) {
         memcpy(before, &settings->value[first], sizeof before);
     }
     for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
-        settings_edit_set(core, first + i, value[i]);
+        settings_edit_set(game, config, first + i, value[i]);
     }
-    settings_edit_set(core, calibration_check_setting(calibrate->seat), calibration_check(value));
+    settings_edit_set(game, config, calibration_check_setting(calibrate->seat),
+                      calibration_check(value));
     memcpy(calibrate->before[calibrate->seat], before, sizeof before);
     calibrate->has_before |= (uint8_t)(1u << calibrate->seat);
 }
 
-void menu_calibrate_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_calibrate_activate(struct game *game, struct core_config *config, uint32_t tag,
+                             struct output *output)
 {
-    struct calibrate *calibrate = &core->game.menu.calibrate;
+    struct calibrate *calibrate = &game->menu.calibrate;
     int32_t value[CALIBRATION_VALUES] = { 0 };
     (void)output;
     begin_anew(calibrate);
@@ -74,9 +80,9 @@ void menu_calibrate_activate(struct core *core, uint32_t tag, struct output *out
         calibrate->must_move = 1; /* The poi may still be in its holder. */
     } else if (tag == CALIBRATE_UNDO) {
         memcpy(value, calibrate->before[calibrate->seat], sizeof value);
-        swap_with(core, value);
+        swap_with(game, config, value);
     } else {
-        swap_with(core, value);
+        swap_with(game, config, value);
     }
 }
 
@@ -146,30 +152,32 @@ static int watch_still(struct calibrate *calibrate, const struct poi_input *poi)
 
 /* ---- The steps ------------------------------------------------------------------------------ */
 
-static void finish(struct core *core, struct output *output)
+static void finish(struct game *game, const struct world *world, struct core_config *config,
+                   struct output *output)
 {
-    struct calibrate *calibrate = &core->game.menu.calibrate;
+    struct calibrate *calibrate = &game->menu.calibrate;
     int32_t value[CALIBRATION_VALUES];
-    calibrate->fault = (uint8_t)calibration_solve(&calibrate->said, core->world.tank.size_m, value);
+    calibrate->fault = (uint8_t)calibration_solve(&calibrate->said, world->tank.size_m, value);
     if (calibrate->fault == CALIBRATION_GOOD) {
-        swap_with(core, value);
+        swap_with(game, config, value);
     }
     calibrate->step = calibrate->fault == CALIBRATION_GOOD ? CALIBRATE_DONE : CALIBRATE_REFUSED;
     output_sound(output, calibrate->fault == CALIBRATION_GOOD ? SOUND_RESULT : SOUND_FOUL, 0.7f,
                  0.0f);
 }
 
-static void take_pose(struct core *core, const struct poi_input *poi, struct output *output)
+static void take_pose(struct game *game, const struct world *world, struct core_config *config,
+                      const struct poi_input *poi, struct output *output)
 {
-    struct calibrate *calibrate = &core->game.menu.calibrate;
+    struct calibrate *calibrate = &game->menu.calibrate;
     const struct poi_target at = mean(calibrate);
     rest_at(calibrate, &poi->target);
     calibrate->must_move = 1;
-    core->game.menu.act_tick = core->game.tick;
+    game->menu.act_tick = game->tick;
     if (calibrate->step == CALIBRATE_WATER) {
         calibrate->said.water = at;
         calibrate->said.has_wrist = poi->has_wrist != 0;
-        finish(core, output);
+        finish(game, world, config, output);
     } else {
         calibrate->said.corner_m[calibrate->step - CALIBRATE_CORNER] = at.position_m;
         calibrate->step++;
@@ -177,35 +185,35 @@ static void take_pose(struct core *core, const struct poi_input *poi, struct out
     }
 }
 
-static void look_round(struct core *core, const struct input *said)
+static void look_round(struct menu *menu, const struct settings *settings, const struct input *said)
 {
-    struct calibrate *calibrate = &core->game.menu.calibrate;
+    struct calibrate *calibrate = &menu->calibrate;
     calibrate->present = calibrate->is_set = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const int is_there = said->poi[i].link == POI_SOURCE_LIVE;
-        const struct settings *settings = &core->config.persistent.settings;
         const int is_set = calibration_is_set(settings, i) || calibration_is_torn(settings, i);
         calibrate->present |= (uint8_t)((uint32_t)is_there << i);
         calibrate->is_set |= (uint8_t)((uint32_t)is_set << i);
     }
 }
 
-void menu_calibrate_tick(struct core *core, const struct input *said, struct output *output)
+void menu_calibrate_tick(struct game *game, const struct world *world, struct core_config *config,
+                         const struct input *said, struct output *output)
 {
-    struct calibrate *calibrate = &core->game.menu.calibrate;
-    if (core->game.phase != PHASE_MENU) {
+    struct calibrate *calibrate = &game->menu.calibrate;
+    if (game->phase != PHASE_MENU) {
         return;
     }
-    look_round(core, said);
+    look_round(&game->menu, &config->persistent.settings, said);
     const struct poi_input *poi = &said->poi[calibrate->seat];
-    if (core->game.menu.page != MENU_CALIBRATION || !menu_calibrate_is_running(calibrate)) {
+    if (game->menu.page != MENU_CALIBRATION || !menu_calibrate_is_running(calibrate)) {
         return;
     }
     if (poi->link != POI_SOURCE_LIVE || !input_pose_is_finite(&poi->target)) {
         calibrate->has_anchor = 0;
         calibrate->still_ticks = 0;
     } else if (watch_still(calibrate, poi)) {
-        take_pose(core, poi, output);
+        take_pose(game, world, config, poi, output);
     }
 }
 

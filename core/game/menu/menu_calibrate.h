@@ -44,7 +44,9 @@ struct calibrate {
     struct calibration_said said;
 };
 
-struct core;
+struct game;
+struct world;
+struct core_config;
 
 /* Returns 1 while a poi moves from mark to mark, so that the poi does not point at items. */
 int menu_calibrate_is_running(const struct calibrate *calibrate);
@@ -54,7 +56,8 @@ float menu_calibrate_progress(const struct calibrate *calibrate);
 
 /* Evaluates the uncorrected poses of the controllers. Call once per tick; the function acts only
  * while its page of the menu is open. */
-void menu_calibrate_tick(struct core *core, const struct input *said, struct output *output);
+void menu_calibrate_tick(struct game *game, const struct world *world, struct core_config *config,
+                         const struct input *said, struct output *output);
 
 uint64_t menu_calibrate_hash(uint64_t hash, const struct calibrate *calibrate);
 

@@ -1,28 +1,33 @@
 /* menu_confirm.c -- actions that require confirmation: restart and factory reset. */
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/config.h"
 #include "core/game/menu/menu_internal.h"
 
 _Static_assert((int)CONFIRM_BACK == (int)BOOK_BACK, "pages of the books begin there, too");
 
-void menu_confirm_open(struct core *core)
+void menu_confirm_open(struct game *game, const struct settings *settings)
 {
-    core->game.menu.tag[core->game.menu.page] = CONFIRM_BACK;
+    (void)settings;
+    game->menu.tag[game->menu.page] = CONFIRM_BACK;
 }
 
 /* Requests a restart. The shell ends the frame loop when the store has saved everything, and starts
  * the kiosk again. */
-void menu_restart_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_restart_activate(struct game *game, struct core_config *config, uint32_t tag,
+                           struct output *output)
 {
+    (void)config;
     (void)tag;
-    menu_command(core, output, COMMAND_RESTART);
+    menu_command(&game->menu, output, COMMAND_RESTART);
 }
 
-void menu_factory_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_factory_activate(struct game *game, struct core_config *config, uint32_t tag,
+                           struct output *output)
 {
     (void)tag;
-    if (settings_edit_factory_reset(core, output)) {
+    if (settings_edit_factory_reset(game, config, output)) {
         /* A restart applies the configuration of the machine and of its files again. */
-        menu_command(core, output, COMMAND_RESTART);
-        menu_turn(core, MENU_UPKEEP);
+        menu_command(&game->menu, output, COMMAND_RESTART);
+        menu_turn(game, &config->persistent.settings, MENU_UPKEEP);
     }
 }

@@ -1,5 +1,6 @@
 /* menu_controllers.c -- selection of controllers, and the learn wizard for an unknown one. */
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/config.h"
 #include "core/game/menu/menu_internal.h"
 
 /* ---- All controllers ------------------------------------------------------------------------ */
@@ -13,19 +14,21 @@ uint16_t menu_rows_enabled(const struct menu *menu)
     return offers;
 }
 
-void menu_rows_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_rows_activate(struct game *game, struct core_config *config, uint32_t tag,
+                        struct output *output)
 {
     (void)output;
-    core->game.menu.row = (uint8_t)tag;
-    menu_turn(core, MENU_CONTROLLER);
+    game->menu.row = (uint8_t)tag;
+    menu_turn(game, &config->persistent.settings, MENU_CONTROLLER);
 }
 
 /* ---- One controller ------------------------------------------------------------------------- */
 
 /* Highlights the first item, because the page is for a different controller than before. */
-void menu_reopen(struct core *core)
+void menu_reopen(struct game *game, const struct settings *settings)
 {
-    core->game.menu.tag[core->game.menu.page] = 0;
+    (void)settings;
+    game->menu.tag[game->menu.page] = 0;
 }
 
 uint16_t menu_row_enabled(const struct menu *menu)
@@ -42,14 +45,15 @@ uint16_t menu_row_enabled(const struct menu *menu)
     return by_state[menu->controllers.state[menu->row]] | MENU_TAG(ROW_BACK);
 }
 
-void menu_row_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_row_activate(struct game *game, struct core_config *config, uint32_t tag,
+                       struct output *output)
 {
     if (tag == ROW_LEARN) {
-        menu_command(core, output, COMMAND_LEARN);
-        menu_turn(core, MENU_LEARN);
+        menu_command(&game->menu, output, COMMAND_LEARN);
+        menu_turn(game, &config->persistent.settings, MENU_LEARN);
         return;
     }
-    menu_command(core, output, tag == ROW_CHOOSE ? COMMAND_CHOOSE : COMMAND_RELEASE);
+    menu_command(&game->menu, output, tag == ROW_CHOOSE ? COMMAND_CHOOSE : COMMAND_RELEASE);
 }
 
 /* ---- Learn wizard --------------------------------------------------------------------------- */
@@ -71,23 +75,24 @@ uint16_t menu_learn_enabled(const struct menu *menu)
     }
 }
 
-void menu_learn_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_learn_activate(struct game *game, struct core_config *config, uint32_t tag,
+                         struct output *output)
 {
     switch (tag) {
     case LEARNS_NEXT:
-        menu_command(core, output, COMMAND_LEARN_NEXT);
+        menu_command(&game->menu, output, COMMAND_LEARN_NEXT);
         break;
     case LEARNS_KEEP:
-        menu_command(core, output, COMMAND_LEARN_KEEP);
-        menu_turn(core, MENU_CONTROLLERS);
+        menu_command(&game->menu, output, COMMAND_LEARN_KEEP);
+        menu_turn(game, &config->persistent.settings, MENU_CONTROLLERS);
         break;
     default:
-        menu_command(core, output, COMMAND_LEARN);
+        menu_command(&game->menu, output, COMMAND_LEARN);
         break;
     }
 }
 
-void menu_learn_close(struct core *core, struct output *output)
+void menu_learn_close(struct menu *menu, struct output *output)
 {
-    menu_command(core, output, COMMAND_LEARN_END);
+    menu_command(menu, output, COMMAND_LEARN_END);
 }

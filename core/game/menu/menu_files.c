@@ -1,5 +1,6 @@
 /* menu_files.c -- the menu page that lists the files of the data folder. */
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/config.h"
 #include "core/game/menu/menu_internal.h"
 
 #define FILES_SHOWN 5u
@@ -21,20 +22,23 @@ uint16_t menu_files_enabled(const struct menu *menu)
 }
 
 /* Highlights an item that is harmless if selected by accident. */
-void menu_files_open(struct core *core)
+void menu_files_open(struct game *game, const struct settings *settings)
 {
-    struct menu *menu = &core->game.menu;
+    (void)settings;
+    struct menu *menu = &game->menu;
     menu->file_first = 0;
     menu->tag[MENU_FILES] = is_long(menu) ? FILES_MORE : FILES_BACK;
 }
 
 /* Shows the next rows, and the first rows after the last ones. Acknowledging quarantined databases
  * is a command for the shell. */
-void menu_files_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_files_activate(struct game *game, struct core_config *config, uint32_t tag,
+                         struct output *output)
 {
-    struct menu *menu = &core->game.menu;
+    (void)config;
+    struct menu *menu = &game->menu;
     if (tag == FILES_SEEN) {
-        menu_command(core, output, COMMAND_SEEN);
+        menu_command(&game->menu, output, COMMAND_SEEN);
         return;
     }
     const uint32_t next = menu->file_first + menu_files_shown(menu->upright);

@@ -2,7 +2,9 @@
 #include "core/game/menu/menu_pages.h"
 
 #include "core/base/panic.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
+#include "core/config.h"
 #include "core/game/menu/menu_internal.h"
 #include "core/game/phases.h"
 
@@ -216,47 +218,50 @@ uint16_t menu_enabled(const struct menu *menu)
 
 /* ---- Actions -------------------------------------------------------------------------------- */
 
-void menu_command(struct core *core, struct output *output, enum controller_command_kind kind)
+void menu_command(struct menu *menu, struct output *output, enum controller_command_kind kind)
 {
-    struct menu *menu = &core->game.menu;
     output->commands[menu->command_count % CONTROLLER_COMMAND_MAX] =
         (struct controller_command){ .kind = (uint8_t)kind, .row = menu->row };
     output->command_count = ++menu->command_count;
 }
 
-static void open_parent_page(struct core *core, struct output *output)
+static void open_parent_page(struct game *game, struct world *world,
+                             const struct core_config *config, struct output *output)
 {
-    const struct menu_page_desc *sheet = menu_page_desc_of(core->game.menu.page);
+    const struct menu_page_desc *sheet = menu_page_desc_of(game->menu.page);
     if (sheet->parent == MENU_PAGE_COUNT) {
-        menu_close(core, output);
+        menu_close(game, world, config, output);
         return;
     }
     if (sheet->leave) {
-        sheet->leave(core, output);
+        sheet->leave(&game->menu, output);
     }
-    menu_turn(core, (enum menu_page)(sheet->returns ? core->game.menu.from : sheet->parent));
+    menu_turn(game, &config->persistent.settings,
+              (enum menu_page)(sheet->returns ? game->menu.from : sheet->parent));
 }
 
-void menu_activate(struct core *core, struct output *output)
+void menu_activate(struct game *game, struct world *world, struct core_config *config,
+                   struct output *output)
 {
-    const struct menu *menu = &core->game.menu;
+    const struct menu *menu = &game->menu;
     const uint32_t tag = menu->tag[menu->page];
     const uint8_t page = menu_page_at(menu->page, tag);
     if (tag + 1u == menu_tag_count(menu->page)) {
-        open_parent_page(core, output);
+        open_parent_page(game, world, config, output);
     } else if (page < MENU_PAGE_COUNT) {
-        menu_turn(core, (enum menu_page)page);
+        menu_turn(game, &config->persistent.settings, (enum menu_page)page);
     } else {
         CORE_ASSERT(menu_page_desc_of(menu->page)->take);
-        menu_page_desc_of(menu->page)->take(core, tag, output);
+        menu_page_desc_of(menu->page)->take(game, config, tag, output);
     }
 }
 
-void menu_close(struct core *core, struct output *output)
+void menu_close(struct game *game, struct world *world, const struct core_config *config,
+                struct output *output)
 {
-    const struct menu_page_desc *sheet = menu_page_desc_of(core->game.menu.page);
+    const struct menu_page_desc *sheet = menu_page_desc_of(game->menu.page);
     if (sheet->leave) {
-        sheet->leave(core, output);
+        sheet->leave(&game->menu, output);
     }
-    attract_begin(core);
+    attract_begin(game, world, config);
 }

@@ -33,12 +33,14 @@ struct menu_page_desc {
                            parent. */
     uint16_t (*offers)(const struct menu *menu); /* Returns a bit for each item on offer. NULL: all
                                                     items. */
-    void (*enter)(struct core *core);            /* Called when the page opens. May be NULL. */
-    void (*take)(struct core *core, uint32_t tag, struct output *output); /* Called when any item
-                                                                             but the last is
-                                                                             selected. */
-    void (*leave)(struct core *core, struct output *output); /* Called on the way back or out. May
-                                                                be NULL. */
+    /* Called when the page opens; NULL: nothing to do. */
+    void (*enter)(struct game *game, const struct settings *settings);
+    /* Called when any item but the last is selected. A page may change settings, which are part of
+     * `config`. */
+    void (*take)(struct game *game, struct core_config *config, uint32_t tag,
+                 struct output *output);
+    /* Called when the last item leads back, and when the menu closes; NULL: nothing to do. */
+    void (*leave)(struct menu *menu, struct output *output);
 };
 
 /* Returns the description of `page`. `page` must be < MENU_PAGE_COUNT, else the function
@@ -62,13 +64,15 @@ uint16_t menu_enabled(const struct menu *menu);
 
 /* Opens a page. The item highlighted on its last visit is highlighted again, or the first one on
  * offer. */
-void menu_turn(struct core *core, enum menu_page page);
+void menu_turn(struct game *game, const struct settings *settings, enum menu_page page);
 
 /* Activates the highlighted item; the last item leads back. */
-void menu_activate(struct core *core, struct output *output);
+void menu_activate(struct game *game, struct world *world, struct core_config *config,
+                   struct output *output);
 
 /* Closes the menu and starts attract mode. A learn wizard in progress is cancelled. */
-void menu_close(struct core *core, struct output *output);
+void menu_close(struct game *game, struct world *world, const struct core_config *config,
+                struct output *output);
 
 /* Returns the box of an item on the canvas; an empty box if the item is not on offer. */
 struct layout_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_t tag);

@@ -1,29 +1,29 @@
 /* menu_ranking.c -- menu pages of the leaderboard: browse, play back a score, and remove a name. */
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/config.h"
 #include "core/game/menu/menu_internal.h"
 
 /* Number of leaderboards: for each mode those of the day, of the week, and the permanent one. */
 #define BOARD_COUNT (MODE_COUNT * RANK_PERIOD_COUNT)
 
-static struct rank_row *rows_of(struct core *core)
+static struct rank_row *rows_of(struct ranking *ranking, const struct menu *menu)
 {
-    const uint8_t board = core->game.menu.board;
-    return core->game.accounts.ranking.row[board / RANK_PERIOD_COUNT][board % RANK_PERIOD_COUNT];
+    const uint8_t board = menu->board;
+    return ranking->row[board / RANK_PERIOD_COUNT][board % RANK_PERIOD_COUNT];
 }
 
-static struct rank_row *score(struct core *core)
+static struct rank_row *score(struct ranking *ranking, const struct menu *menu)
 {
-    return &rows_of(core)[core->game.menu.score];
+    return &rows_of(ranking, menu)[menu->score];
 }
 
 /* ---- Leaderboards --------------------------------------------------------------------------- */
 
-static void note_rows(struct core *core)
+static void note_rows(struct ranking *ranking, struct menu *menu)
 {
-    struct menu *menu = &core->game.menu;
     menu->scores = 0;
     for (uint32_t i = 0; i < RANK_ROWS; i++) {
-        menu->scores |= rows_of(core)[i].caught > 0 ? MENU_TAG(i) : 0u;
+        menu->scores |= rows_of(ranking, menu)[i].caught > 0 ? MENU_TAG(i) : 0u;
     }
 }
 
@@ -32,34 +32,35 @@ uint16_t menu_ranking_enabled(const struct menu *menu)
     return (uint16_t)(menu->scores | MENU_TAG(RANKING_NEXT) | MENU_TAG(RANKING_BACK));
 }
 
-void menu_ranking_open(struct core *core)
+void menu_ranking_open(struct game *game, const struct settings *settings)
 {
-    note_rows(core);
+    (void)settings;
+    note_rows(&game->accounts.ranking, &game->menu);
 }
 
 /* Skips modes without a score, such as practice. */
-static void next_board(struct core *core)
+static void next_board(struct ranking *ranking, struct menu *menu)
 {
-    struct menu *menu = &core->game.menu;
     do {
         menu->board = (uint8_t)((menu->board + 1u) % BOARD_COUNT);
     } while (!rules_of(menu->board / RANK_PERIOD_COUNT)->keeps_score);
-    note_rows(core);
+    note_rows(ranking, menu);
 }
 
 /* Opens the selected score, if the row still exists; a new day may have cleared it. */
-void menu_ranking_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_ranking_activate(struct game *game, struct core_config *config, uint32_t tag,
+                           struct output *output)
 {
-    struct menu *menu = &core->game.menu;
+    struct menu *menu = &game->menu;
     (void)output;
     if (tag == RANKING_NEXT) {
-        next_board(core);
+        next_board(&game->accounts.ranking, &game->menu);
         return;
     }
     menu->score = (uint8_t)tag;
-    note_rows(core);
-    if (score(core)->caught > 0) {
-        menu_turn(core, MENU_SCORE);
+    note_rows(&game->accounts.ranking, &game->menu);
+    if (score(&game->accounts.ranking, &game->menu)->caught > 0) {
+        menu_turn(game, &config->persistent.settings, MENU_SCORE);
     }
 }
 
@@ -72,41 +73,43 @@ uint16_t menu_score_enabled(const struct menu *menu)
                       MENU_TAG(SCORE_BACK));
 }
 
-void menu_score_open(struct core *core)
+void menu_score_open(struct game *game, const struct settings *settings)
 {
-    struct menu *menu = &core->game.menu;
-    menu->score_is_named = score(core)->name[0] != 0;
+    (void)settings;
+    struct menu *menu = &game->menu;
+    menu->score_is_named = score(&game->accounts.ranking, &game->menu)->name[0] != 0;
     menu->score_asks = 0;
 }
 
-static void show_again(struct core *core, struct output *output)
+static void show_again(struct ranking *ranking, struct menu *menu, struct output *output)
 {
-    struct menu *menu = &core->game.menu;
     output->commands[menu->command_count % CONTROLLER_COMMAND_MAX] =
-        (struct controller_command){ .kind = COMMAND_REPLAY, .round_id = score(core)->round_id };
+        (struct controller_command){ .kind = COMMAND_REPLAY,
+                                     .round_id = score(ranking, menu)->round_id };
     output->command_count = ++menu->command_count;
 }
 
 /* Removes the name; the score stays. If the ledger has no room, the operator must try again. */
-static void unname(struct core *core, struct output *output)
+static void unname(struct game *game, const struct settings *settings, struct output *output)
 {
-    const struct rank_row *row = score(core);
+    const struct rank_row *row = score(&game->accounts.ranking, &game->menu);
     const struct ledger_entry entry = { .kind = LEDGER_NAME,
                                         .detail = row->seat,
                                         .count = row->round_id };
-    ledger_write(core, &entry, output);
-    menu_score_open(core);
+    ledger_write(&game->accounts, game->tick, &entry, output);
+    menu_score_open(game, settings);
 }
 
-void menu_score_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_score_activate(struct game *game, struct core_config *config, uint32_t tag,
+                         struct output *output)
 {
-    if (score(core)->caught == 0) {
-        menu_turn(core, MENU_RANKING);
+    if (score(&game->accounts.ranking, &game->menu)->caught == 0) {
+        menu_turn(game, &config->persistent.settings, MENU_RANKING);
     } else if (tag == SCORE_REPLAY) {
-        show_again(core, output);
+        show_again(&game->accounts.ranking, &game->menu, output);
     } else if (tag == SCORE_UNNAME) {
-        core->game.menu.score_asks = 1;
+        game->menu.score_asks = 1;
     } else {
-        unname(core, output);
+        unname(game, &config->persistent.settings, output);
     }
 }

@@ -1,6 +1,7 @@
 /* menu_settings.c -- settings pages: TEST changes the highlighted value, and repeats while held. */
 #include "core/base/panic.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/config.h"
 #include "core/game/menu/menu_internal.h"
 
 /* Delay before the first repeat, and interval of the repeats: eight values per second. */
@@ -20,31 +21,29 @@ static int is_settings(const struct menu *menu)
 }
 
 /* Returns the first row that differs from its default; MENU_TAG_MAX: none. */
-static uint8_t first_changed(const struct core *core, uint8_t page)
+static uint8_t first_changed(const struct settings *settings, uint8_t page)
 {
     for (uint32_t tag = 0; tag < menu_body_count(page); tag++) {
         const uint32_t id = menu_setting_at(page, tag);
-        if (id < SETTING_COUNT &&
-            core->config.persistent.settings.value[id] != settings_entry(id)->standard) {
+        if (id < SETTING_COUNT && settings->value[id] != settings_entry(id)->standard) {
             return (uint8_t)tag;
         }
     }
     return MENU_TAG_MAX;
 }
 
-void menu_settings_open(struct core *core)
+void menu_settings_open(struct game *game, const struct settings *settings)
 {
-    struct menu *menu = &core->game.menu;
-    menu->chosen = is_settings(menu) ? first_changed(core, menu->page) : MENU_TAG_MAX;
+    struct menu *menu = &game->menu;
+    menu->chosen = is_settings(menu) ? first_changed(settings, menu->page) : MENU_TAG_MAX;
     menu->turns_down = menu->turning = 0;
     menu->tag[menu->page] = 0;
 }
 
-static uint32_t stride(const struct core *core, uint32_t id)
+static uint32_t stride(const struct menu *menu, const struct core_config *config, uint32_t id)
 {
-    const struct menu *menu = &core->game.menu;
     const struct setting *setting = settings_entry(id);
-    const int32_t steps = (settings_edit_max(core, id) - setting->min) / setting->step;
+    const int32_t steps = (settings_edit_max(config, id) - setting->min) / setting->step;
     return menu->turn_count >= RUSH_COUNT && steps >= RUSH_STEPS_MIN     ? 100u
            : menu->turn_count >= HURRY_COUNT && steps >= HURRY_STEPS_MIN ? 10u
                                                                          : 1u;
@@ -52,11 +51,12 @@ static uint32_t stride(const struct core *core, uint32_t id)
 
 /* Changes a value. The repeat stops at the end of the range; a new press continues at the opposite
  * end. */
-static void step_setting(struct core *core, uint32_t id)
+static void step_setting(struct game *game, struct core_config *config, uint32_t id)
 {
-    struct menu *menu = &core->game.menu;
-    const int is_at_end = settings_edit_step(core, id, menu->turns_down, stride(core, id));
-    menu->turn_tick = core->game.tick;
+    struct menu *menu = &game->menu;
+    const int is_at_end =
+        settings_edit_step(game, config, id, menu->turns_down, stride(&game->menu, config, id));
+    menu->turn_tick = game->tick;
     menu->turning = !is_at_end;
 }
 
@@ -69,39 +69,42 @@ uint16_t menu_settings_enabled(const struct menu *menu)
     return (uint16_t)(menu->chosen < MENU_TAG_MAX ? all : all & ~(1u << standard));
 }
 
-void menu_settings_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_settings_activate(struct game *game, struct core_config *config, uint32_t tag,
+                            struct output *output)
 {
-    struct menu *menu = &core->game.menu;
+    struct menu *menu = &game->menu;
     const uint32_t body_count = menu_body_count(menu->page);
     (void)output;
     if (tag < body_count) {
         menu->turn_count = 0;
         menu->chosen = (uint8_t)tag;
-        step_setting(core, menu_setting_at(menu->page, tag));
+        step_setting(game, config, menu_setting_at(menu->page, tag));
     } else if (tag == body_count + SETTINGS_DIRECTION) {
         menu->turns_down = !menu->turns_down;
     } else {
         const uint32_t id = menu_setting_at(menu->page, menu->chosen);
-        settings_edit_set(core, id, settings_entry(id)->standard);
-        menu->turn_tick = core->game.tick;
+        settings_edit_set(game, config, id, settings_entry(id)->standard);
+        menu->turn_tick = game->tick;
     }
 }
 
 /* Toggles a bit. The last set bit cannot be cleared. */
-void menu_bits_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_bits_activate(struct game *game, struct core_config *config, uint32_t tag,
+                        struct output *output)
 {
-    const uint32_t id = menu_page_desc_of(core->game.menu.page)->about;
-    const int32_t value = core->config.persistent.settings.value[id] ^ (1 << tag);
+    const uint32_t id = menu_page_desc_of(game->menu.page)->about;
+    const int32_t value = config->persistent.settings.value[id] ^ (1 << tag);
     (void)output;
     if (settings_allows(id, value)) {
-        settings_edit_set(core, id, value);
-        core->game.menu.turn_tick = core->game.tick;
+        settings_edit_set(game, config, id, value);
+        game->menu.turn_tick = game->tick;
     }
 }
 
-void menu_settings_tick(struct core *core, int is_pressed, struct output *output)
+void menu_settings_tick(struct game *game, struct core_config *config, int is_pressed,
+                        struct output *output)
 {
-    struct menu *menu = &core->game.menu;
+    struct menu *menu = &game->menu;
     const uint8_t tag = menu->tag[menu->page];
     if (!is_settings(menu)) {
         menu->turning = 0;
@@ -109,9 +112,9 @@ void menu_settings_tick(struct core *core, int is_pressed, struct output *output
     }
     const uint32_t wait = menu->turn_count == 0 ? HOLD_TICKS : AGAIN_TICKS;
     menu->turning = menu->turning && is_pressed && tag == menu->chosen;
-    if (menu->turning && core->game.tick - menu->turn_tick >= wait) {
+    if (menu->turning && game->tick - menu->turn_tick >= wait) {
         menu->turn_count = (uint8_t)(menu->turn_count + (menu->turn_count < UINT8_MAX));
-        step_setting(core, menu_setting_at(menu->page, tag));
+        step_setting(game, config, menu_setting_at(menu->page, tag));
         output_sound(output, SOUND_TICK, 0.4f, 0.0f);
     }
 }

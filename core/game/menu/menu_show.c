@@ -1,7 +1,8 @@
 /* menu_show.c -- the visible state of the operator's menu, and its hash. */
 #include "core/base/hash.h"
 #include "core/base/mem.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/config.h"
 #include "core/game/menu/menu_pages.h"
 
 _Static_assert(AUDIT_COUNT <= SCENE_AUDIT_MAX, "every audit can be shown");
@@ -10,11 +11,11 @@ _Static_assert(AUDIT_COUNT <= SCENE_AUDIT_MAX, "every audit can be shown");
 #define SAVED_TICKS (10u * CORE_TICK_HZ)
 #define NEVER_S 1e6f /* Larger than any interval; about eleven days. */
 
-void menu_show(const struct core *core, struct scene_menu *out)
+void menu_show(const struct game *game, const struct core_config *config, struct scene_menu *out)
 {
-    const struct menu *menu = &core->game.menu;
+    const struct menu *menu = &game->menu;
     *out = (struct scene_menu){ 0 };
-    if (core->game.phase != PHASE_MENU) {
+    if (game->phase != PHASE_MENU) {
         return;
     }
     out->page = menu->page;
@@ -34,28 +35,29 @@ void menu_show(const struct core *core, struct scene_menu *out)
     out->test_coins = menu->test_coins;
     out->chosen = menu->chosen;
     out->turns_down = menu->turns_down;
-    out->has_turned = menu->turn_tick != 0 && core->game.tick - menu->turn_tick < SAVED_TICKS;
-    out->is_saved = (uint8_t)settings_edit_is_saved(core);
-    out->fish_max = (uint32_t)settings_edit_max(core, SET_FISH);
+    out->has_turned = menu->turn_tick != 0 && game->tick - menu->turn_tick < SAVED_TICKS;
+    out->is_saved = (uint8_t)settings_edit_is_saved(&game->accounts.ledger, &game->settings_edit,
+                                                    &config->persistent.settings);
+    out->fish_max = (uint32_t)settings_edit_max(config, SET_FISH);
     out->from = menu->from;
     out->pin_count = menu->pin_count;
-    out->pin_wait_s = (float)menu_pin_wait_ticks(core) * CORE_TICK_S;
+    out->pin_wait_s = (float)menu_pin_wait_ticks(&game->settings_edit, game->tick) * CORE_TICK_S;
     /* The PIN typed to open the menu must not be visible. */
     out->pin = menu->page == MENU_NEW_PIN ? menu->pin : 0;
-    memcpy(out->audit, core->game.accounts.audits.count, sizeof core->game.accounts.audits.count);
-    out->boot = core->game.accounts.ledger.boot;
-    out->last_id = core->game.accounts.ledger.last_id;
-    out->saved_id = core->game.accounts.ledger.saved_id;
-    out->settings = core->config.persistent.settings;
-    self_test_show(core, &out->self);
+    memcpy(out->audit, game->accounts.audits.count, sizeof game->accounts.audits.count);
+    out->boot = game->accounts.ledger.boot;
+    out->last_id = game->accounts.ledger.last_id;
+    out->saved_id = game->accounts.ledger.saved_id;
+    out->settings = config->persistent.settings;
+    self_test_show(game, config, &out->self);
     out->seat = menu->calibrate.seat;
     out->calibrate_step = menu->calibrate.step;
     out->calibrate_fault = menu->calibrate.fault;
     out->calibrated = menu->calibrate.is_set;
     out->menu_calibrate_progress = menu_calibrate_progress(&menu->calibrate);
-    out->calibrated_m = core->game.validation[menu->calibrate.seat].newest.position_m;
+    out->calibrated_m = game->validation[menu->calibrate.seat].newest.position_m;
     out->coin_s =
-        menu->test_coins > 0 ? (float)(core->game.tick - menu->coin_tick) * CORE_TICK_S : NEVER_S;
+        menu->test_coins > 0 ? (float)(game->tick - menu->coin_tick) * CORE_TICK_S : NEVER_S;
 }
 
 uint64_t menu_hash(uint64_t hash, const struct menu *menu)

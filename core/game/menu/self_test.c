@@ -2,7 +2,8 @@
 #include "core/game/menu/self_test.h"
 
 #include "core/base/hash.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/config.h"
 #include "core/game/menu/menu_internal.h"
 
 /* ---- Items ---------------------------------------------------------------------------------- */
@@ -24,23 +25,25 @@ uint16_t menu_self_enabled(const struct menu *menu)
                       MENU_TAG(SELF_BACK));
 }
 
-void menu_self_open(struct core *core)
+void menu_self_open(struct game *game, const struct settings *settings)
 {
-    core->game.menu.self = (struct self_test){ .begin_tick = core->game.tick };
-    core->game.menu.tag[MENU_SELF_TEST] = SELF_YES;
-    core->game.menu.test_coins = 0;
+    (void)settings;
+    game->menu.self = (struct self_test){ .begin_tick = game->tick };
+    game->menu.tag[MENU_SELF_TEST] = SELF_YES;
+    game->menu.test_coins = 0;
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
-        core->game.menu.pressed_count[i] = 0;
+        game->menu.pressed_count[i] = 0;
     }
 }
 
-void menu_self_activate(struct core *core, uint32_t tag, struct output *output)
+void menu_self_activate(struct game *game, struct core_config *config, uint32_t tag,
+                        struct output *output)
 {
-    struct self_test *self = &core->game.menu.self;
+    struct self_test *self = &game->menu.self;
     uint8_t *question = open_question(self);
     (void)output;
     if (tag == SELF_AGAIN) {
-        menu_self_open(core);
+        menu_self_open(game, &config->persistent.settings);
     } else if (question) {
         *question = tag == SELF_YES ? SELF_SAYS_YES : SELF_SAYS_NO;
     }
@@ -48,9 +51,9 @@ void menu_self_activate(struct core *core, uint32_t tag, struct output *output)
 
 /* ---- Tests ---------------------------------------------------------------------------------- */
 
-static int self_test_is_open(const struct core *core)
+static int self_test_is_open(const struct game *game)
 {
-    return core->game.phase == PHASE_MENU && core->game.menu.page == MENU_SELF_TEST;
+    return game->phase == PHASE_MENU && game->menu.page == MENU_SELF_TEST;
 }
 
 static void watch_poi(struct self_test *self, const struct poi_input *poi, uint32_t seat,
@@ -75,47 +78,48 @@ static void watch_poi(struct self_test *self, const struct poi_input *poi, uint3
 }
 
 /* Logs the unchanged volume as a test entry, which changes nothing for any reader. */
-static void write_one(struct core *core, struct output *output)
+static void write_one(struct game *game, struct output *output)
 {
     const struct ledger_entry entry = {
         .kind = LEDGER_SETTING,
         .detail = SET_VOLUME,
-        .value = core->game.settings_edit.told.value[SET_VOLUME],
+        .value = game->settings_edit.told.value[SET_VOLUME],
     };
-    core->game.menu.self.entry_id = ledger_write(core, &entry, output);
+    game->menu.self.entry_id = ledger_write(&game->accounts, game->tick, &entry, output);
 }
 
-void self_test_tick(struct core *core, const struct input *input, struct output *output)
+void self_test_tick(struct game *game, const struct input *input, struct output *output)
 {
-    struct self_test *self = &core->game.menu.self;
-    if (!self_test_is_open(core)) {
+    struct self_test *self = &game->menu.self;
+    if (!self_test_is_open(game)) {
         return;
     }
-    if (core->game.tick == self->begin_tick + 1u) {
-        write_one(core, output);
+    if (game->tick == self->begin_tick + 1u) {
+        write_one(game, output);
     }
-    if ((core->game.tick - self->begin_tick) % CORE_TICK_HZ == 1u && self->heard == SELF_UNSAID) {
+    if ((game->tick - self->begin_tick) % CORE_TICK_HZ == 1u && self->heard == SELF_UNSAID) {
         output_sound(output, SOUND_CALL, 1.0f, 0.0f);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        watch_poi(self, &input->poi[i], i, core->game.tick - self->begin_tick > CORE_TICK_HZ);
+        watch_poi(self, &input->poi[i], i, game->tick - self->begin_tick > CORE_TICK_HZ);
     }
 }
 
-int self_test_shows(const struct core *core)
+int self_test_shows(const struct game *game)
 {
-    const struct self_test *self = &core->game.menu.self;
-    return self_test_is_open(core) && self->heard != SELF_UNSAID && self->moved == SELF_UNSAID &&
-           core->game.tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
+    const struct self_test *self = &game->menu.self;
+    return self_test_is_open(game) && self->heard != SELF_UNSAID && self->moved == SELF_UNSAID &&
+           game->tick % CORE_TICK_HZ < CORE_TICK_HZ / 2u;
 }
 
 /* ---- Evaluation ----------------------------------------------------------------------------- */
 
-void self_test_show(const struct core *core, struct scene_self_test *out)
+void self_test_show(const struct game *game, const struct core_config *config,
+                    struct scene_self_test *out)
 {
-    const struct self_test *self = &core->game.menu.self;
-    const struct ledger *ledger = &core->game.accounts.ledger;
-    const uint32_t age = core->game.tick - self->begin_tick;
+    const struct self_test *self = &game->menu.self;
+    const struct ledger *ledger = &game->accounts.ledger;
+    const uint32_t age = game->tick - self->begin_tick;
     const int is_late = age > SELF_TEST_STORE_TICKS;
     const uint32_t left = age < SELF_TEST_TICKS ? SELF_TEST_TICKS - age : 0u;
     const int is_saved = self->entry_id != 0 && ledger_is_saved(ledger, self->entry_id);
@@ -123,7 +127,7 @@ void self_test_show(const struct core *core, struct scene_self_test *out)
         .heard = self->heard,
         .moved = self->moved,
         .present = self->present,
-        .players = core->config.players > 0 ? core->config.players : 1u,
+        .players = config->players > 0 ? config->players : 1u,
         .store = (uint8_t)(is_saved && ledger->is_healthy ? SELF_GOOD
                            : is_late                      ? SELF_BAD
                                                           : SELF_WAITS),

@@ -73,17 +73,19 @@ struct self_test {
     uint32_t entry_id; /* Id of the entry written for the test; 0: the ledger had no room. */
 };
 
-struct core;
+struct game;
+struct core_config;
 
 /* Runs the tests while their page of the menu is open. Call once per tick. */
-void self_test_tick(struct core *core, const struct input *input, struct output *output);
+void self_test_tick(struct game *game, const struct input *input, struct output *output);
 
 /* Writes the results for self_test_judge() to `out`. */
-void self_test_show(const struct core *core, struct scene_self_test *out);
+void self_test_show(const struct game *game, const struct core_config *config,
+                    struct scene_self_test *out);
 
 /* Returns 1 for the first half of each second while the question about lamp and slot is open. Lamp
  * and slot follow this value. */
-int self_test_shows(const struct core *core);
+int self_test_shows(const struct game *game);
 
 /* Evaluates core and device data of the scene, and writes the state of each enum self_check.
  * Returns the check to display next, or SELF_CHECKS if the kiosk is ready. The order is: checks for

@@ -26,7 +26,8 @@ struct settings_edit {
                              loses its state. */
 };
 
-struct core;
+struct game;
+struct ledger;
 struct core_config;
 
 /* Initializes `settings_edit`: the settings in `config`, with invalid values replaced, count as
@@ -35,26 +36,29 @@ void settings_edit_init(struct settings_edit *settings_edit, const struct core_c
 
 /* Returns the highest value that setting `id` can have in this kiosk. The fish count is limited by
  * the capacity of the tank. */
-int32_t settings_edit_max(const struct core *core, uint32_t id);
+int32_t settings_edit_max(const struct core_config *config, uint32_t id);
 
 /* Sets setting `id` to `value`, which settings_allows() and settings_edit_max() must permit. A new
  * number of fish or players takes effect at the next attract mode. */
-void settings_edit_set(struct core *core, uint32_t id, int32_t value);
+void settings_edit_set(struct game *game, struct core_config *config, uint32_t id, int32_t value);
 
 /* Moves setting `id` up or down by `step_count` steps, at most to the end of its range. A step from
  * the end leads to the opposite end. Returns 1 if the value is at the end, else 0. */
-int settings_edit_step(struct core *core, uint32_t id, int is_down, uint32_t step_count);
+int settings_edit_step(struct game *game, struct core_config *config, uint32_t id, int is_down,
+                       uint32_t step_count);
 
 /* Resets every setting to its default, empties the balance, and logs both in one entry. Returns 1,
  * or 0 without any change if the ledger ring has no room. */
-int settings_edit_factory_reset(struct core *core, struct output *output);
+int settings_edit_factory_reset(struct game *game, struct core_config *config,
+                                struct output *output);
 
 /* Logs changed settings that have not changed for SETTINGS_EDIT_REST_TICKS. Call once per tick in
  * every phase. */
-void settings_edit_tick(struct core *core, struct output *output);
+void settings_edit_tick(struct game *game, struct settings *settings, struct output *output);
 
 /* Returns 1 if every change is on disk. */
-int settings_edit_is_saved(const struct core *core);
+int settings_edit_is_saved(const struct ledger *ledger, const struct settings_edit *settings_edit,
+                           const struct settings *settings);
 
 /* Returns `hash` continued over `settings_edit`. The PIN counts only if `rules_7` (struct
  * core_config), as in recordings of format 7. */

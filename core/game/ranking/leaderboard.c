@@ -2,7 +2,9 @@
 #include "core/game/ranking/leaderboard.h"
 
 #include "core/base/mem.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
+#include "core/config.h"
 #include "core/game/phases.h"
 #include "core/game/rules.h"
 #include "core/game/table_setup.h"
@@ -30,24 +32,25 @@ struct pick {
     uint32_t ticks; /* Ticks since the leaderboard appeared. */
 };
 
-static int is_empty(const struct core *core, uint8_t mode, uint32_t period)
+static int is_empty(const struct ranking *ranking, uint8_t mode, uint32_t period)
 {
-    return core->game.accounts.ranking.row[mode][period][0].caught == 0;
+    return ranking->row[mode][period][0].caught == 0;
 }
 
-static int is_offered(const struct core *core, uint8_t mode)
+static int is_offered(const struct core_config *config, uint8_t mode)
 {
-    return (table_setup_modes(&core->config) >> mode & 1u) && rules_of(mode)->keeps_score;
+    return (table_setup_modes(config) >> mode & 1u) && rules_of(mode)->keeps_score;
 }
 
 /* Returns the leaderboard number `turn`, modulo the number of leaderboards that have entries. */
-static struct pick nth_board(const struct core *core, uint32_t turn, uint32_t ticks)
+static struct pick nth_board(const struct ranking *ranking, const struct core_config *config,
+                             uint32_t turn, uint32_t ticks)
 {
     uint8_t hung[MODE_COUNT * RANK_PERIOD_COUNT];
     uint32_t count = 0;
     for (uint8_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT; i++) {
         const uint8_t mode = i / RANK_PERIOD_COUNT, period = i % RANK_PERIOD_COUNT;
-        if (is_offered(core, mode) && !is_empty(core, mode, period)) {
+        if (is_offered(config, mode) && !is_empty(ranking, mode, period)) {
             hung[count++] = i;
         }
     }
@@ -60,21 +63,20 @@ static struct pick nth_board(const struct core *core, uint32_t turn, uint32_t ti
 
 /* Returns the leaderboard for attract mode. Each interval starts with the tank, so that passers-by
  * see goldfish first. */
-static struct pick in_attract(const struct core *core)
+static struct pick in_attract(const struct game *game, const struct core_config *config)
 {
-    const uint32_t elapsed = core->game.tick - core->game.phase_tick;
+    const uint32_t elapsed = game->tick - game->phase_tick;
     const uint32_t within = elapsed % LEADERBOARD_EVERY_TICKS;
     if (within < LEADERBOARD_EVERY_TICKS - LEADERBOARD_TICKS) {
         return (struct pick){ 0 };
     }
-    return nth_board(core, elapsed / LEADERBOARD_EVERY_TICKS,
+    return nth_board(&game->accounts.ranking, config, elapsed / LEADERBOARD_EVERY_TICKS,
                      within + LEADERBOARD_TICKS - LEADERBOARD_EVERY_TICKS);
 }
 
 /* Returns the leaderboard with the best place of the round that just ended. */
-static struct pick after_round(const struct core *core)
+static struct pick after_round(const struct game *game)
 {
-    const struct game *game = &core->game;
     struct leaderboard_place best = { 0, 0 };
     for (uint8_t seat = 0; seat < POI_MAX; seat++) {
         const struct leaderboard_place place =
@@ -83,28 +85,26 @@ static struct pick after_round(const struct core *core)
             best = place;
         }
     }
-    return (struct pick){ best.place != 0, game->mode, best.period,
-                          core->game.tick - game->phase_tick };
+    return (struct pick){ best.place != 0, game->mode, best.period, game->tick - game->phase_tick };
 }
 
 /* Returns the leaderboard selected in the operator's menu. */
-static struct pick in_menu(const struct core *core)
+static struct pick in_menu(const struct menu *menu)
 {
-    const struct menu *menu = &core->game.menu;
     const int shown = menu->page == MENU_RANKING || menu->page == MENU_SCORE;
     return (struct pick){ (uint8_t)shown, menu->board / RANK_PERIOD_COUNT,
                           menu->board % RANK_PERIOD_COUNT, 0 };
 }
 
-static struct pick shown_ranking(const struct core *core)
+static struct pick shown_ranking(const struct game *game, const struct core_config *config)
 {
-    switch (core->game.phase) {
+    switch (game->phase) {
     case PHASE_LEADERBOARD:
-        return after_round(core);
+        return after_round(game);
     case PHASE_ATTRACT:
-        return in_attract(core);
+        return in_attract(game, config);
     case PHASE_MENU:
-        return in_menu(core);
+        return in_menu(&game->menu);
     default:
         return (struct pick){ 0 };
     }
@@ -112,28 +112,29 @@ static struct pick shown_ranking(const struct core *core)
 
 /* ---- The phase ------------------------------------------------------------------------------ */
 
-void leaderboard_begin(struct core *core)
+void leaderboard_begin(struct game *game)
 {
-    game_enter_phase(core, PHASE_LEADERBOARD);
+    game_enter_phase(game, PHASE_LEADERBOARD);
 }
 
-void leaderboard_tick(struct core *core, const struct input *input, struct output *output)
+void leaderboard_tick(struct game *game, struct world *world, const struct core_config *config,
+                      const struct input *input, struct output *output)
 {
-    const int dipped = game_dipped_player(core, input) < POI_MAX;
-    const int is_read = core->game.tick - core->game.phase_tick >= LEADERBOARD_TICKS;
+    const int dipped = game_dipped_player(game, world, input) < POI_MAX;
+    const int is_read = game->tick - game->phase_tick >= LEADERBOARD_TICKS;
     if (dipped || (input->pressed & INPUT_START)) {
-        mode_select_begin(core, output);
-    } else if (((input->pressed & INPUT_OK) || is_read) && !album_begin(core)) {
-        attract_begin(core);
+        mode_select_begin(game, world, config, output);
+    } else if (((input->pressed & INPUT_OK) || is_read) && !album_begin(game)) {
+        attract_begin(game, world, config);
     }
 }
 
 /* ---- The picture ---------------------------------------------------------------------------- */
 
-void leaderboard_show(const struct core *core, struct scene_leaderboard *out)
+void leaderboard_show(const struct game *game, const struct core_config *config,
+                      struct scene_leaderboard *out)
 {
-    const struct game *game = &core->game;
-    const struct pick pick = shown_ranking(core);
+    const struct pick pick = shown_ranking(game, config);
     *out = (struct scene_leaderboard){ .shown = pick.shown };
     if (!pick.shown) {
         return;

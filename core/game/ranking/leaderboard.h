@@ -21,7 +21,9 @@ struct leaderboard_place {
     uint8_t place;  /* Place from 1; 0: not ranked. */
 };
 
-struct core;
+struct game;
+struct world;
+struct core_config;
 
 /* Returns the best place of slot `seat` of the round with ledger id `round_id`. The place is 0 if
  * the slot is not ranked or `round_id` is 0. */
@@ -30,10 +32,12 @@ struct leaderboard_place leaderboard_best_place(const struct ranking *ranking, u
 
 /* Enters the leaderboard phase for the round of the latest name entry. START or a dip starts a
  * game; OK turns the page. */
-void leaderboard_begin(struct core *core);
-void leaderboard_tick(struct core *core, const struct input *input, struct output *output);
+void leaderboard_begin(struct game *game);
+void leaderboard_tick(struct game *game, struct world *world, const struct core_config *config,
+                      const struct input *input, struct output *output);
 
 /* Fills `out` with the visible leaderboard, in attract mode too. */
-void leaderboard_show(const struct core *core, struct scene_leaderboard *out);
+void leaderboard_show(const struct game *game, const struct core_config *config,
+                      struct scene_leaderboard *out);
 
 #endif

@@ -4,43 +4,43 @@
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
-#include "core/core.h"
+#include "core/game/game.h"
+#include "core/poi/world.h"
 #include "core/game/phases.h"
 #include "core/game/ranking/leaderboard.h"
 #include "core/game/ranking/name_filter.h"
 
 /* ---- Players -------------------------------------------------------------------------------- */
 
-static int round_is_ranked(const struct core *core, uint32_t round_id, uint8_t seat)
+static int round_is_ranked(const struct game *game, uint32_t round_id, uint8_t seat)
 {
     for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
-        if (ranking_place(&core->game.accounts.ranking, core->game.mode, (enum rank_period)period,
-                          round_id, seat) < RANK_ROWS) {
+        if (ranking_place(&game->accounts.ranking, game->mode, (enum rank_period)period, round_id,
+                          seat) < RANK_ROWS) {
             return 1;
         }
     }
     return 0;
 }
 
-void name_note_round(struct core *core, uint32_t round_id)
+void name_note_round(struct game *game, const struct settings *settings, uint32_t round_id)
 {
-    struct name *name = &core->game.name;
+    struct name *name = &game->name;
     *name = (struct name){ .round_id = round_id };
     for (uint8_t seat = 0; seat < POI_MAX && round_id != 0; seat++) {
-        name->ranked |= (uint8_t)(round_is_ranked(core, round_id, seat) ? 1u << seat : 0u);
+        name->ranked |= (uint8_t)(round_is_ranked(game, round_id, seat) ? 1u << seat : 0u);
     }
-    const int is_kept = core->game.accounts.ledger.boot != 0;
-    const int is_wanted = core->config.persistent.settings.value[SET_NAMES] != 0;
+    const int is_kept = game->accounts.ledger.boot != 0;
+    const int is_wanted = settings->value[SET_NAMES] != 0;
     name->waits = is_kept && is_wanted ? name->ranked : 0u;
 }
 
-static uint8_t best_waiting(const struct core *core)
+static uint8_t best_waiting(const struct game *game)
 {
     uint8_t best = POI_MAX;
     for (uint8_t seat = 0; seat < POI_MAX; seat++) {
-        const int waits = core->game.name.waits >> seat & 1;
-        if (waits &&
-            (best == POI_MAX || core->game.player[seat].caught > core->game.player[best].caught)) {
+        const int waits = game->name.waits >> seat & 1;
+        if (waits && (best == POI_MAX || game->player[seat].caught > game->player[best].caught)) {
             best = seat;
         }
     }
@@ -53,39 +53,38 @@ static uint8_t alphabet_of(uint8_t language)
 }
 
 /* Clears the letters and restarts the timeout. */
-static void ask_for_name(struct core *core)
+static void ask_for_name(struct name *name, uint32_t tick)
 {
-    struct name *name = &core->game.name;
     name->key = 0;
     name->letter_count = 0;
     name->points = 0;
     name->presses = 1; /* A poi under water presses nothing until it was above the water once. */
     name->held_ticks = 0;
-    name->seat_tick = name->act_tick = core->game.tick;
+    name->seat_tick = name->act_tick = tick;
 }
 
 /* Starts the entry of the next player. Returns 0 if no player is left. */
-static int begin_next_turn(struct core *core)
+static int begin_next_turn(struct game *game)
 {
-    struct name *name = &core->game.name;
+    struct name *name = &game->name;
     if (name->waits == 0) {
         return 0;
     }
-    name->seat = best_waiting(core);
+    name->seat = best_waiting(game);
     name->waits &= (uint8_t)~(1u << name->seat);
-    name->alphabet = alphabet_of(core->game.language);
+    name->alphabet = alphabet_of(game->language);
     name->refusals = 0;
     name->has_hand = 0;
-    ask_for_name(core);
+    ask_for_name(&game->name, game->tick);
     return 1;
 }
 
-int name_begin(struct core *core, struct output *output)
+int name_begin(struct game *game, struct output *output)
 {
-    if (!begin_next_turn(core)) {
+    if (!begin_next_turn(game)) {
         return 0;
     }
-    game_enter_phase(core, PHASE_NAME);
+    game_enter_phase(game, PHASE_NAME);
     output_sound(output, SOUND_CHOOSE, 1.0f, 0.0f);
     return 1;
 }
@@ -99,9 +98,9 @@ static int stands_refused(const struct name *name)
     return name_is_refused(words);
 }
 
-void name_keep(struct core *core, struct output *output)
+void name_keep(struct accounts *accounts, const struct name *name, uint32_t tick,
+               struct output *output)
 {
-    const struct name *name = &core->game.name;
     if (name->letter_count == 0 || stands_refused(name)) {
         return;
     }
@@ -109,28 +108,28 @@ void name_keep(struct core *core, struct output *output)
                                   .detail = name->seat,
                                   .count = name->round_id };
     name_spell(name->letter, name->letter_count, entry.name);
-    ledger_write(core, &entry, output);
+    ledger_write(accounts, tick, &entry, output);
 }
 
-static void finish(struct core *core, struct output *output)
+static void finish(struct game *game, struct output *output)
 {
-    name_keep(core, output);
-    if (!begin_next_turn(core)) {
-        leaderboard_begin(core);
+    name_keep(&game->accounts, &game->name, game->tick, output);
+    if (!begin_next_turn(game)) {
+        leaderboard_begin(game);
     }
     output_sound(output, SOUND_CALL, 0.8f, 0.0f);
 }
 
-static void take_done(struct core *core, struct output *output)
+static void take_done(struct game *game, struct output *output)
 {
-    struct name *name = &core->game.name;
+    struct name *name = &game->name;
     if (stands_refused(name) && name->refusals < NAME_REFUSALS_MAX) {
         name->refusals++;
         output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
-        ask_for_name(core);
+        ask_for_name(&game->name, game->tick);
         return;
     }
-    finish(core, output);
+    finish(game, output);
 }
 
 /* Adds a letter. When the line is full, the Done key is highlighted. */
@@ -152,10 +151,10 @@ static void change_last(struct name *name)
     }
 }
 
-static void activate_key(struct core *core, struct output *output)
+static void activate_key(struct game *game, struct output *output)
 {
-    struct name *name = &core->game.name;
-    name->act_tick = core->game.tick;
+    struct name *name = &game->name;
+    name->act_tick = game->tick;
     output_sound(output, SOUND_TICK, 0.7f, 0.0f);
     switch (name->key) {
     case NAME_ALPHABET:
@@ -168,7 +167,7 @@ static void activate_key(struct core *core, struct output *output)
         name->letter_count = (uint8_t)(name->letter_count - (name->letter_count > 0));
         break;
     case NAME_DONE:
-        take_done(core, output);
+        take_done(game, output);
         break;
     default:
         add_letter(name, name_letter(name->alphabet, name->key));
@@ -178,10 +177,9 @@ static void activate_key(struct core *core, struct output *output)
 
 /* ---- Pointing ------------------------------------------------------------------------------- */
 
-static void point_at_key(struct core *core, uint32_t key, struct output *output)
+static void point_at_key(struct name *name, uint32_t tick, uint32_t key, struct output *output)
 {
-    struct name *name = &core->game.name;
-    name->act_tick = core->game.tick;
+    name->act_tick = tick;
     if (name->key != key) {
         name->key = (uint8_t)key;
         output_sound(output, SOUND_CHOOSE, 0.5f, 0.0f);
@@ -194,14 +192,13 @@ static int is_there(const struct name *name, uint32_t key)
 }
 
 /* Moves the highlight to the next key, forward or backward, wraps around, and skips empty cells. */
-static void point_on(struct core *core, int forward, struct output *output)
+static void point_on(struct name *name, uint32_t tick, int forward, struct output *output)
 {
-    const struct name *name = &core->game.name;
     uint32_t key = name->key;
     do {
         key = (key + (forward ? 1u : NAME_KEY_COUNT - 1u)) % NAME_KEY_COUNT;
     } while (!is_there(name, key));
-    point_at_key(core, key, output);
+    point_at_key(name, tick, key, output);
 }
 
 static int runs_on(struct name *name, uint32_t held)
@@ -210,17 +207,17 @@ static int runs_on(struct name *name, uint32_t held)
     return name->held_ticks >= NAME_RUN_TICKS && name->held_ticks % NAME_STEP_TICKS == 0;
 }
 
-static void heed_buttons(struct core *core, const struct input *input, struct output *output)
+static void heed_buttons(struct game *game, const struct input *input, struct output *output)
 {
-    struct name *name = &core->game.name;
+    struct name *name = &game->name;
     const uint32_t pressed = input->pressed | (runs_on(name, input->held) ? input->held : 0u);
     if (pressed & INPUT_RIGHT) {
-        point_on(core, 1, output);
+        point_on(&game->name, game->tick, 1, output);
     } else if (pressed & INPUT_LEFT) {
-        point_on(core, 0, output);
+        point_on(&game->name, game->tick, 0, output);
     }
     if (input->pressed & (INPUT_OK | INPUT_START)) {
-        activate_key(core, output);
+        activate_key(game, output);
     }
 }
 
@@ -236,24 +233,23 @@ static uint8_t key_under(const struct name *name, struct layout_point at)
 }
 
 /* Restarts the timeout when the pointer moves, because the player is searching for a letter. */
-static void note_stir(struct core *core, struct layout_point at)
+static void note_stir(struct name *name, uint32_t tick, struct layout_point at)
 {
-    struct name *name = &core->game.name;
     const float x = at.x - name->rest_x, y = at.y - name->rest_y;
     if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
         name->rest_x = at.x;
         name->rest_y = at.y;
-        name->act_tick = core->game.tick;
+        name->act_tick = tick;
     }
 }
 
 /* Moves the highlight when the pointer enters a key. While the pointer rests, the buttons keep
  * control. */
-static void point_at_key_by_hand(struct core *core, const struct input *input,
-                                 struct output *output)
+static void point_at_key_by_hand(struct game *game, const struct world *world,
+                                 const struct input *input, struct output *output)
 {
-    struct name *name = &core->game.name;
-    const struct pointer_state hand = pointer_of_player(core, input, name->upright, name->seat);
+    struct name *name = &game->name;
+    const struct pointer_state hand = pointer_of_player(world, input, name->upright, name->seat);
     const int was_down = name->presses || !name->has_hand;
     name->has_hand = hand.present;
     if (!hand.present) {
@@ -262,17 +258,18 @@ static void point_at_key_by_hand(struct core *core, const struct input *input,
     }
     name->x = hand.at.x;
     name->y = hand.at.y;
-    note_stir(core, hand.at);
+    note_stir(&game->name, game->tick, hand.at);
     const uint8_t points = key_under(name, hand.at);
     if (points != name->points && points > 0) {
-        point_at_key(core, points - 1u, output);
+        point_at_key(&game->name, game->tick, points - 1u, output);
     }
     name->points = points;
     name->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (name->presses && !was_down && points > 0) {
-        point_at_key(core, points - 1u, output); /* A dip presses the key under the pointer, even
-                                                    if a button moved the highlight since. */
-        activate_key(core, output);
+        point_at_key(&game->name, game->tick, points - 1u,
+                     output); /* A dip presses the key under the pointer, even if a button moved
+                                 the highlight since. */
+        activate_key(game, output);
     }
 }
 
@@ -284,17 +281,18 @@ static void point_at_something(struct name *name)
     name->key = is_there(name, name->key) ? name->key : (uint8_t)NAME_ALPHABET;
 }
 
-void name_tick(struct core *core, const struct input *input, struct output *output)
+void name_tick(struct game *game, const struct world *world, const struct input *input,
+               struct output *output)
 {
-    struct name *name = &core->game.name;
+    struct name *name = &game->name;
     const uint8_t seat = name->seat;
     name->upright = input->upright != 0;
-    if (name_seconds_left(name, core->game.tick) <= 0.0f) {
-        finish(core, output);
-    } else if (core->game.tick - name->seat_tick >= NAME_SEEN_TICKS) {
-        heed_buttons(core, input, output);
-        if (core->game.phase == PHASE_NAME && name->seat == seat) {
-            point_at_key_by_hand(core, input, output);
+    if (name_seconds_left(name, game->tick) <= 0.0f) {
+        finish(game, output);
+    } else if (game->tick - name->seat_tick >= NAME_SEEN_TICKS) {
+        heed_buttons(game, input, output);
+        if (game->phase == PHASE_NAME && name->seat == seat) {
+            point_at_key_by_hand(game, world, input, output);
         }
     }
     point_at_something(name);
@@ -308,11 +306,11 @@ float name_seconds_left(const struct name *name, uint32_t tick)
     return elapsed < total ? (float)(total - elapsed) * CORE_TICK_S : 0.0f;
 }
 
-void name_show(const struct core *core, struct scene_name *out)
+void name_show(const struct game *game, struct scene_name *out)
 {
-    const struct name *name = &core->game.name;
+    const struct name *name = &game->name;
     *out = (struct scene_name){ .waits = name->waits };
-    if (core->game.phase != PHASE_NAME) {
+    if (game->phase != PHASE_NAME) {
         return;
     }
     out->seat = name->seat;

@@ -44,25 +44,29 @@ struct name {
     float rest_x, rest_y; /* Pointer position at the last motion. */
 };
 
-struct core;
+struct accounts;
+struct world;
+struct settings;
 struct game;
 
 /* Determines the ranked players of a finished round. `round_id` is its ledger id, or 0 without an
  * entry. */
-void name_note_round(struct core *core, uint32_t round_id);
+void name_note_round(struct game *game, const struct settings *settings, uint32_t round_id);
 
 /* Starts the name entry of the next ranked player. Returns 1, or 0 if no player is left. */
-int name_begin(struct core *core, struct output *output);
-void name_tick(struct core *core, const struct input *input, struct output *output);
+int name_begin(struct game *game, struct output *output);
+void name_tick(struct game *game, const struct world *world, const struct input *input,
+               struct output *output);
 
 /* Ends the name entry early and logs the letters entered so far. */
-void name_keep(struct core *core, struct output *output);
+void name_keep(struct accounts *accounts, const struct name *name, uint32_t tick,
+               struct output *output);
 
 /* Returns the seconds until the current entry times out. */
 float name_seconds_left(const struct name *name, uint32_t tick);
 
 /* Fills `out` with the visible state of the name entry. */
-void name_show(const struct core *core, struct scene_name *out);
+void name_show(const struct game *game, struct scene_name *out);
 
 uint64_t name_hash(uint64_t hash, const struct name *name);
 

@@ -60,7 +60,9 @@ static void act(struct seat *seat)
     poi->link = POI_SOURCE_LIVE;
     poi->has_wrist = 1;
     poi->trembles = seat->bot.technique.tremor_m > 0.0f;
-    poi->target = bot_tick(&seat->bot, &(struct vision){ .core = &seat->core, .player = 0 });
+    poi->target = bot_tick(
+        &seat->bot,
+        &(struct vision){ .game = &seat->core.game, .world = &seat->core.world, .player = 0 });
 }
 
 /* Advances the core by one tick and records the tick. Returns the result of core_tick(). */
@@ -84,7 +86,8 @@ static double seconds(uint32_t ticks)
  * state, because the core outputs no record of a practice round. */
 static void read_result(const struct seat *seat, struct round_result *result)
 {
-    const struct round_record record = game_record(&seat->core);
+    const struct round_record record =
+        game_record(&seat->core.game, &seat->core.world, &seat->core.config);
     const struct player_record *player = &record.player[0];
     result->caught = player->caught;
     result->scoops = player->scoops;

@@ -248,7 +248,7 @@ static void count(void)
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct poi *poi = &core.world.poi[i];
         tally.led += core.game.phase == PHASE_ROUND && poi->link == POI_SOURCE_LIVE;
-        tally.lost += (uint32_t)controller_is_lost(&core, i);
+        tally.lost += (uint32_t)controller_is_lost(&core.world, i);
         tally.dips += poi->splash_m_s > 0.0f;
         tally.torn += poi->strain.cells_torn;
     }

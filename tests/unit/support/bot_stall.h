@@ -32,7 +32,7 @@ static inline void bot_stall_open(struct bot_stall *stall, const struct core_con
 /* Returns the view of the core that the bot of player 0 receives. */
 static inline struct vision bot_stall_sight(const struct bot_stall *stall)
 {
-    return (struct vision){ .core = &stall->core, .player = 0 };
+    return (struct vision){ .game = &stall->core.game, .world = &stall->core.world, .player = 0 };
 }
 
 /* Runs one tick (1/120 s) with the bot's pose as input. Presses START once per second while no

@@ -47,8 +47,8 @@ static inline void step(void)
     uint8_t live[POI_MAX];
     const struct catch_result caught[POI_MAX] = { 0 };
     output.sound_count = 0;
-    game_tick(&core, &input, &output, targets, live);
-    game_score(&core, caught, &output);
+    game_tick(&core.game, &core.world, &core.config, &input, &output, targets, live);
+    game_score(&core.game, &core.world, caught, &output);
     core.game.tick++;
     input.pressed = 0;
     input.tickets_done = output.tickets;

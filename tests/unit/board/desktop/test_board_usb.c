@@ -123,7 +123,7 @@ static int is_in_round(void)
 
 static int is_held(void)
 {
-    return pause_holds(&stall.kiosk.core, 0);
+    return pause_holds(&stall.kiosk.core.world, 0);
 }
 
 static void until(int (*holds)(void))

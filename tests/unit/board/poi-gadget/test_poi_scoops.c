@@ -80,7 +80,7 @@ static void test_a_simulated_poi_starts_a_round_is_believed_and_lands_fish(void 
             const int plays = game->phase == PHASE_ROUND;
             rounds += plays && before != PHASE_ROUND;
             round_frames += (uint32_t)plays;
-            lost_frames += plays && controller_is_lost(&stall.kiosk.core, 0);
+            lost_frames += plays && controller_is_lost(&stall.kiosk.core.world, 0);
             landed += game->player[0].caught > caught ? game->player[0].caught - caught : 0;
             dips +=
                 plays && before_m > -0.02f && stall.kiosk.core.world.poi[0].position_m.y <= -0.02f;

@@ -34,7 +34,7 @@ static void run_to_result(int plays)
 {
     while (core.game.phase != PHASE_RESULT && core.game.tick < 2u * ROUND_TICKS) {
         if (plays) {
-            const struct vision vision = { .core = &core, .player = 0 };
+            const struct vision vision = { .game = &core.game, .world = &core.world, .player = 0 };
             input.poi[0].target = bot_tick(&player, &vision);
         }
         tick();

@@ -33,7 +33,7 @@ static uint8_t hint_after(uint32_t ticks)
 {
     for (uint32_t i = 0; i < ticks; i++) {
         core.game.tick++;
-        hints_tick(&core.game.hints, &core);
+        hints_tick(&core.game.hints, &core.game, &core.world, &core.config);
     }
     return core.game.hints.shown;
 }

@@ -147,7 +147,7 @@ static void test_every_page_of_the_menu_is_left_by_itself(void **state)
             open_stall();
             press(INPUT_TEST);
             assert_int_equal(core.game.phase, PHASE_MENU);
-            menu_turn(&core, (enum menu_page)page);
+            menu_turn(&core.game, &core.config.persistent.settings, (enum menu_page)page);
             seen = 0;
             expect_attract_by_itself(what, "a page of the menu");
             assert_int_equal(seen, 1u << PHASE_MENU);

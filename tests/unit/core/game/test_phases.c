@@ -134,7 +134,7 @@ static void test_nothing_can_be_dipped_after_the_call(void **state)
     hold_at(BELOW_M);
     core.world.poi[0].carried_count = 1;
     steps(ROUND_S * CORE_TICK_HZ + 2);
-    game_tick(&core, &input, &output, targets, live);
+    game_tick(&core.game, &core.world, &core.config, &input, &output, targets, live);
     assert_true(live[0]);
     assert_true(targets[0].position_m.y > 0.0f);
 }
@@ -277,7 +277,7 @@ static void test_a_language_chosen_in_attract_lasts_for_one_cycle(void **state)
 static void test_the_operators_language_is_the_one_that_attract_returns_to(void **state)
 {
     (void)state;
-    settings_edit_set(&core, SET_LANGUAGE, LANGUAGE_EN);
+    settings_edit_set(&core.game, &core.config, SET_LANGUAGE, LANGUAGE_EN);
     press(INPUT_LANGUAGE);
     assert_int_equal(core.game.language, LANGUAGE_JA);
     steps(LANGUAGE_TICKS);

@@ -66,7 +66,8 @@ static void test_it_is_changed_when_it_is_clear_of_the_water(void **state)
     lead(0, there_m);
     ticks(120);
     assert_int_equal(core.world.poi[0].sheet.paper_cells, core.world.poi[0].sheet.paper_cells_new);
-    assert_int_equal(game_record(&core).player[0].scoops, 1); /* That of the torn one counts. */
+    assert_int_equal(game_record(&core.game, &core.world, &core.config).player[0].scoops,
+                     1); /* That of the torn one counts. */
 }
 
 static void test_torn_paper_ends_no_practice_but_time_does(void **state)
@@ -87,7 +88,8 @@ static void test_nothing_is_kept_of_it(void **state)
     wait_for_phase(PHASE_RESULT, (ROUND_S + 4u) * CORE_TICK_HZ);
     assert_int_equal(output.record.id, 0);
     assert_int_equal(core.game.accounts.ranking.row[MODE_PRACTICE][RANK_DAY][0].caught, 0);
-    assert_int_equal(game_record(&core).caught, 50); /* Who asks can know. */
+    assert_int_equal(game_record(&core.game, &core.world, &core.config).caught,
+                     50); /* Who asks can know. */
 }
 
 /* Dips to where the surface cuts the slanted ring in two, and comes up again. */

@@ -37,7 +37,7 @@ static void play_tick(uint32_t players)
     const int idle = phase == PHASE_ATTRACT || phase == PHASE_MODE_SELECT;
     input.pressed = idle && core.game.tick % CORE_TICK_HZ == 0 ? INPUT_START : 0;
     for (uint32_t i = 0; i < players; i++) {
-        const struct vision vision = { .core = &core, .player = i };
+        const struct vision vision = { .game = &core.game, .world = &core.world, .player = i };
         input.poi[i] = (struct poi_input){
             .link = POI_SOURCE_LIVE,
             .has_wrist = 1,

@@ -279,7 +279,7 @@ static uint32_t landed_in(uint32_t rounds, const char *what)
         begin_round(seed);
         for (uint32_t i = 0; i < 12 && player.kiosk.core.game.phase == PHASE_ROUND; i++) {
             try_once();
-            assert_false(controller_is_lost(&player.kiosk.core, 0));
+            assert_false(controller_is_lost(&player.kiosk.core.world, 0));
         }
         landed += player.kiosk.core.game.player[0].caught;
         player.clock.now_ns = 0;

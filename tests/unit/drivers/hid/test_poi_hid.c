@@ -362,14 +362,14 @@ static void test_a_poi_that_is_pulled_out_in_mid_round_is_lost_and_found_again(v
 {
     (void)state;
     begin_round();
-    assert_false(controller_is_lost(&stand.kiosk.core, 0));
+    assert_false(controller_is_lost(&stand.kiosk.core.world, 0));
     stand.wire.port.absent = 1;
     frames(60);
-    assert_true(controller_is_lost(&stand.kiosk.core, 0));
+    assert_true(controller_is_lost(&stand.kiosk.core.world, 0));
     assert_int_equal(stand.kiosk.core.game.phase, PHASE_ROUND);
     stand.wire.port.absent = 0;
     frames(150); /* It is looked for once a second, and believed a quarter of one later. */
-    assert_false(controller_is_lost(&stand.kiosk.core, 0));
+    assert_false(controller_is_lost(&stand.kiosk.core.world, 0));
     assert_int_equal(stand.kiosk.core.game.phase, PHASE_ROUND);
 }
 
@@ -383,9 +383,9 @@ static void test_a_silent_poi_is_lost_and_one_that_speaks_again_found(void **sta
     stand.wire.port.faults = &fault;
     stand.wire.port.fault_count = 1;
     frames(70);
-    assert_true(controller_is_lost(&stand.kiosk.core, 0));
+    assert_true(controller_is_lost(&stand.kiosk.core.world, 0));
     frames(40);
-    assert_false(controller_is_lost(&stand.kiosk.core, 0));
+    assert_false(controller_is_lost(&stand.kiosk.core.world, 0));
 }
 
 int main(void)

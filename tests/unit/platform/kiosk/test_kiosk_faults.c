@@ -50,7 +50,7 @@ static void frame(void)
     rig.report.time_ns = rig.clock.now_ns;
     rig.pointer.next = 0;
     assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_RUNS);
-    rig.lost_frames += (uint32_t)controller_is_lost(&rig.kiosk.core, 0);
+    rig.lost_frames += (uint32_t)controller_is_lost(&rig.kiosk.core.world, 0);
     rig.age_max = seen()->age_ticks > rig.age_max ? seen()->age_ticks : rig.age_max;
 }
 
@@ -150,7 +150,7 @@ static void test_no_fault_of_a_sensor_tears_paper_and_the_round_waits_for_it(voi
                       rig.lost_frames, rig.age_max);
         assert_in_range(rig.lost_frames, cases[i].lost_min, cases[i].lost_max);
         assert_int_equal(poi->sheet.paper_cells, cells);
-        assert_false(controller_is_lost(&rig.kiosk.core, 0));
+        assert_false(controller_is_lost(&rig.kiosk.core.world, 0));
         assert_true(v3_length(v3_sub(poi->position_m, rig.sensor.hand.position_m)) < 0.02f);
         const float passed_s =
             left_s - game_seconds_left(&rig.kiosk.core.game, rig.kiosk.core.game.tick);

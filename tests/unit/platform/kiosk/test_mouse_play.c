@@ -43,7 +43,7 @@ static void frame(void)
     kiosk_frame(&player.kiosk, &player.hal);
     player.report_count = player.moment_count = 0;
     assert_false(
-        controller_is_lost(&player.kiosk.core, 0)); /* Whatever a mouse does is a hand's. */
+        controller_is_lost(&player.kiosk.core.world, 0)); /* Whatever a mouse does is a hand's. */
 }
 
 /* A mouse at rest reports nothing, and knows whole pixels only. */

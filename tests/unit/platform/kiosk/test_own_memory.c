@@ -204,7 +204,7 @@ static void test_nothing_of_ours_allocates_while_species_take_turns_in_lab_and_a
     const uint32_t before = allocations;
     for (uint32_t i = 0; i < 3u * species_table_count; i++) {
         core.game.lab.species = (uint8_t)(i / 3u);
-        lab_begin(&core, &output);
+        lab_begin(&core.game, &core.world, &core.config, &output);
         core.game.lab.progress = 0.5f * (float)(i % 3u);
         core.game.lab.compare = 1;
         core_scene(&core, &scene);
@@ -216,7 +216,7 @@ static void test_nothing_of_ours_allocates_while_species_take_turns_in_lab_and_a
         core.world.tank.fish[i].gait = GAIT_BOWL;
         core.world.tank.fish[i].holder = 0;
     }
-    album_note(&core, 0, ALBUM_FISH_MAX);
+    album_note(&core.game.album, &core.world, 0, ALBUM_FISH_MAX);
     core.game.phase = PHASE_ALBUM;
     core_scene(&core, &scene);
     assert_int_equal(display->ops->present(display->self, &scene), HAL_OK);

@@ -54,7 +54,7 @@ static void frame(void)
     player.say();
     SDL_PumpEvents();
     kiosk_frame(&player.kiosk, &player.hal);
-    assert_false(controller_is_lost(&player.kiosk.core, 0));
+    assert_false(controller_is_lost(&player.kiosk.core.world, 0));
 }
 
 static void frames(uint32_t count)

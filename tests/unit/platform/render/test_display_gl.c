@@ -196,7 +196,7 @@ static void test_a_turned_picture_is_the_same_picture_turned(void **state)
     core.world.tank.fish[0].gait = GAIT_BOWL;
     core.world.tank.fish[0].holder = 0;
     album_clear(&core.game.album);
-    album_note(&core, 0, 1);
+    album_note(&core.game.album, &core.world, 0, 1);
     core.game.phase = PHASE_ALBUM;
     core_scene(&core, &scene);
     scene.phase_s = 5.0f;

@@ -121,7 +121,7 @@ static float red_in_album(float age_days, float caught_days)
     core.world.tank.fish[0].gait = GAIT_BOWL;
     core.world.tank.fish[0].holder = 0;
     album_clear(&core.game.album);
-    album_note(&core, 0, 1);
+    album_note(&core.game.album, &core.world, 0, 1);
     core.game.phase = PHASE_ALBUM;
     core_scene(&core, &scene);
     scene.phase_s = 5.0f;

@@ -100,11 +100,15 @@ static void test_a_night_by_the_plug_loses_two_minutes_of_its_hours(void **state
     steps(130u * CORE_TICK_HZ);
     assert_in_range(audit(AUDIT_UP_S), 120, 130);
     assert_in_range(audit(AUDIT_UP_S_MAX), 120, 130);
-    assert_int_equal(health_log_final(&core, &input, &last), 0); /* It has no store. */
+    assert_int_equal(
+        health_log_final(&core.game.accounts, &core.game.health_log, core.game.tick, &input, &last),
+        0); /* It has no store. */
     core.game.accounts.ledger.boot = 3;
     const uint64_t hash = core_hash(&core);
     const uint32_t told = audit(AUDIT_UP_S);
-    assert_int_equal(health_log_final(&core, &input, &last), 1);
+    assert_int_equal(
+        health_log_final(&core.game.accounts, &core.game.health_log, core.game.tick, &input, &last),
+        1);
     assert_int_equal(last.kind, LEDGER_HEALTH);
     assert_int_equal(last.id, core.game.accounts.ledger.last_id + 1u);
     assert_int_equal(last.boot, 3);

@@ -153,11 +153,11 @@ static void test_nothing_is_sold_whose_end_could_not_be_told(void **state)
 {
     (void)state;
     drop(PRICE);
-    assert_true(credit_can_play(&core));
+    assert_true(credit_can_play(&core.game.accounts.ledger, &core.config));
     fill_ring();
     assert_true(ledger_committed_credits(&core.game.accounts.ledger).paid > 0);
     assert_false(ledger_has_room(&core.game.accounts.ledger, LEDGER_COINS));
-    assert_false(credit_can_play(&core));
+    assert_false(credit_can_play(&core.game.accounts.ledger, &core.config));
     press(INPUT_START);
     assert_int_equal(core.game.phase, PHASE_ATTRACT);
     assert_int_equal(balance()->open, PAYMENT_NONE);
@@ -207,7 +207,7 @@ static void test_an_entry_that_was_never_written_is_never_on_disk(void **state)
     step();
     assert_int_equal(core.game.accounts.ledger.saved_id, saved_id);
     assert_int_equal(ledger_committed_credits(&core.game.accounts.ledger).paid, 0);
-    assert_false(credit_can_play(&core));
+    assert_false(credit_can_play(&core.game.accounts.ledger, &core.config));
     input.record_saved_id = output.entry_id;
     step();
     assert_int_equal(core.game.accounts.ledger.saved_id, output.entry_id);
@@ -278,7 +278,7 @@ static void test_a_chapter_begins_with_the_purse_as_it_is(void **state)
 {
     (void)state;
     drop(PRICE + 1u);
-    session_restart(&core);
+    session_restart(&core.game, &core.config);
     const struct ledger_start *start = &core.config.persistent.ledger;
     assert_int_equal(start->balance.paid, 1);
     assert_int_equal(start->balance.units, 1);

@@ -334,7 +334,7 @@ static void test_two_bots_seldom_go_for_the_same_fish(void **state)
             .link = POI_SOURCE_LIVE,
             .has_wrist = 1,
             .trembles = 1,
-            .target = bot_tick(&other, &(struct vision){ &stall.core, 1 }),
+            .target = bot_tick(&other, &(struct vision){ &stall.core.game, &stall.core.world, 1 }),
         };
         bot_stall_tick(&stall);
         const int hunts = stall.bot.stage >= BOT_APPROACH && stall.bot.stage <= BOT_GLIDE &&

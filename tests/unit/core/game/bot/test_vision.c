@@ -93,7 +93,7 @@ static void paper_is_as_shown(const struct vision *vision)
 {
     const struct scene_poi *poi = &scene.poi[vision->player];
     for (uint32_t i = 0; i < SHEET_CELL_COUNT; i++) {
-        if (vision->core->world.poi[vision->player].sheet.state[i] != CELL_OUTSIDE) {
+        if (vision->world->poi[vision->player].sheet.state[i] != CELL_OUTSIDE) {
             assert_int_equal(vision_integrity(vision, i), poi->integrity[i]);
             assert_int_equal(vision_wetness(vision, i), poi->wetness[i]);
         } else {
@@ -104,7 +104,7 @@ static void paper_is_as_shown(const struct vision *vision)
 
 static void all_is_as_shown(uint32_t player)
 {
-    const struct vision vision = { &stall.core, player };
+    const struct vision vision = { &stall.core.game, &stall.core.world, player };
     memset(&scene, 0, sizeof scene);
     core_scene(&stall.core, &scene);
     game_is_as_shown(&vision);
@@ -145,7 +145,8 @@ static void test_there_is_nothing_to_see_beyond_the_last(void **state)
     (void)state;
     const struct core_config config = { .seed = 12 };
     bot_stall_open(&stall, &config, &technique_expert);
-    const struct vision vision = bot_stall_sight(&stall), nobodys = { &stall.core, POI_MAX };
+    const struct vision vision = bot_stall_sight(&stall),
+                        nobodys = { &stall.core.game, &stall.core.world, POI_MAX };
     expect_assert_failure((void)vision_fish(&vision, vision_fish_count(&vision)));
     expect_assert_failure((void)vision_poi(&vision, POI_MAX));
     expect_assert_failure((void)vision_bowl(&vision, POI_MAX));

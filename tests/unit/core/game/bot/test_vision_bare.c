@@ -293,7 +293,8 @@ static void test_a_bot_that_sees_a_bare_state_goes_the_very_same_way(void **stat
     for (uint32_t i = 0; i < 12u * CORE_TICK_HZ; i++) {
         twin = stall.bot;
         bare_of(&bare, &stall.core);
-        const struct poi_target blind = bot_tick(&twin, &(struct vision){ &bare, 0 });
+        const struct vision sight = { &bare.game, &bare.world, 0 };
+        const struct poi_target blind = bot_tick(&twin, &sight);
         bot_stall_tick(&stall);
         assert_memory_equal(&blind, &stall.input.poi[0].target, sizeof blind);
         assert_true(bot_hash(HASH_START, &twin) == bot_hash(HASH_START, &stall.bot));

@@ -151,7 +151,7 @@ static void test_a_hand_that_is_no_number_is_a_lost_hand(void **state)
     const float before_s = game_seconds_left(&core.game, core.game.tick);
     input.poi[0].target.position_m.x = 1.0f / 0.0f;
     steps(100);
-    assert_true(controller_is_lost(&core, 0));
+    assert_true(controller_is_lost(&core.world, 0));
     assert_float_equal(game_seconds_left(&core.game, core.game.tick), before_s, 0.001f);
 }
 

@@ -255,8 +255,8 @@ static void check_fault(const struct scene_of *of)
         }
         run_tick();
         tick++;
-        lost_ticks += (uint32_t)controller_is_lost(&core, 0);
-        const int is_led = !controller_is_lost(&core, 0) && core.game.return_ticks[0] == 0;
+        lost_ticks += (uint32_t)controller_is_lost(&core.world, 0);
+        const int is_led = !controller_is_lost(&core.world, 0) && core.game.return_ticks[0] == 0;
         leads = is_led && !broken;
         if (poi->damage_immune) {
             assert_true(v3_length(output.poi[0].force_n) == 0.0f); /* It pulls at nobody. */
@@ -423,7 +423,7 @@ static void test_the_poi_glides_back_and_does_not_leap(void **state)
     assert_float_equal(core.world.poi[0].position_m.y, FAILSAFE_HOVER_M, 0.005f);
     float fastest_m_s = 0.0f;
     uint32_t ticks = 0;
-    for (; controller_is_lost(&core, 0) || core.world.poi[0].damage_immune; ticks++) {
+    for (; controller_is_lost(&core.world, 0) || core.world.poi[0].damage_immune; ticks++) {
         wait(1);
         fastest_m_s = f_max(fastest_m_s, v3_length(core.world.poi[0].velocity_m_s));
         assert_true(ticks < 240);

@@ -129,7 +129,7 @@ static void expect_put_away(uint32_t index, uint32_t players)
     const struct shade_cast *cast = &core.world.tank.shade[SHADE_MAX + index].cast;
     assert_true(look()->player[index].out);
     assert_false(cast->present);
-    assert_false(parking_collides(&core, index));
+    assert_false(parking_collides(&core.game, &core.world, index));
     expect_own_place(index, players);
 }
 

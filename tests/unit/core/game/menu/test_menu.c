@@ -97,12 +97,12 @@ static void test_in_a_round_test_asks_and_an_elbow_ends_nothing(void **state)
     play_into_round();
     press(INPUT_TEST);
     assert_int_equal(core.game.phase, PHASE_ROUND);
-    assert_true(menu_is_asking(&core));
+    assert_true(menu_is_asking(&core.game));
     steps(MENU_ASK_TICKS);
-    assert_false(menu_is_asking(&core));
+    assert_false(menu_is_asking(&core.game));
     press(INPUT_TEST); /* Much later: it asks anew. */
     assert_int_equal(core.game.phase, PHASE_ROUND);
-    assert_true(menu_is_asking(&core));
+    assert_true(menu_is_asking(&core.game));
 }
 
 static void test_a_second_test_ends_the_round_without_a_result_and_pays_it_back(void **state)
@@ -128,7 +128,7 @@ static void test_the_question_of_one_round_is_not_asked_in_the_next(void **state
     play_into_round();
     press(INPUT_TEST);
     core.game.phase = PHASE_RESULT;
-    assert_false(menu_is_asking(&core));
+    assert_false(menu_is_asking(&core.game));
 }
 
 static void test_its_last_tag_opens_the_stall_again(void **state)
@@ -490,7 +490,7 @@ static void test_on_every_other_page_coins_are_sent_back_and_one_that_falls_is_a
             continue;
         }
         const uint32_t before = output.coins_counted;
-        menu_turn(&core, (enum menu_page)page);
+        menu_turn(&core.game, &core.config.persistent.settings, (enum menu_page)page);
         step();
         assert_int_equal(output.coin_lockout, 1);
         drop(1);
@@ -507,7 +507,8 @@ static void test_no_test_coin_is_twice_or_never_where_a_page_is_turned(void **st
     (void)state;
     core.config.credit_coins = 1;
     for (uint32_t i = 1; i <= 60u; i++) {
-        menu_turn(&core, i % 20u < 10u ? MENU_DEVICES : MENU_LINES);
+        menu_turn(&core.game, &core.config.persistent.settings,
+                  i % 20u < 10u ? MENU_DEVICES : MENU_LINES);
         if (i % 10u == 0) { /* From LINES back, and there again. */
             core.game.menu.tag[MENU_DEVICES] = (uint8_t)menu_tag_of(MENU_LINES);
             input.pressed = INPUT_TEST;

@@ -149,7 +149,9 @@ static void test_each_value_is_an_entry_of_the_ledger(void **state)
     const struct ledger_entry *check =
         &stall.output.entries[stall.output.entry_id % LEDGER_RING]; /* After all of them. */
     assert_int_equal(check->detail | check->count << 8, calibration_check_setting(0));
-    assert_true(settings_edit_is_saved(&stall.core));
+    assert_true(settings_edit_is_saved(&stall.core.game.accounts.ledger,
+                                       &stall.core.game.settings_edit,
+                                       &stall.core.config.persistent.settings));
 }
 
 /* What is on disk after so many of the entries from `before` on. */

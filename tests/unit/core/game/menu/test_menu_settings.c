@@ -156,19 +156,19 @@ static void test_every_setting_can_have_every_value_that_it_may(void **state)
     for (uint32_t id = 0; id < SET_CALIBRATION; id++) {
         const struct setting *setting = settings_entry(id);
         uint32_t allowed = 0, met = 0;
-        for (int32_t v = setting->min; v <= settings_edit_max(&core, id); v++) {
+        for (int32_t v = setting->min; v <= settings_edit_max(&core.config, id); v++) {
             allowed += settings_allows(id, v) != 0;
         }
-        settings_edit_set(&core, id, setting->min);
+        settings_edit_set(&core.game, &core.config, id, setting->min);
         do {
-            settings_edit_step(&core, id, 0, 1);
+            settings_edit_step(&core.game, &core.config, id, 0, 1);
             assert_true(settings_allows(id, value(id)) &&
-                        value(id) <= settings_edit_max(&core, id));
+                        value(id) <= settings_edit_max(&core.config, id));
             met++;
         } while (value(id) != setting->min && met <= allowed);
         assert_int_equal(met, allowed);
         for (uint32_t i = 0; i < allowed; i++) {
-            settings_edit_step(&core, id, 1, 1);
+            settings_edit_step(&core.game, &core.config, id, 1, 1);
         }
         assert_int_equal(value(id), setting->min);
     }
@@ -201,7 +201,7 @@ static void test_held_it_turns_on_in_haste_and_stops_at_the_end(void **state)
     steps(2);
     assert_int_equal(value(SET_FISH), 2);
     steps(HELD_S * CORE_TICK_HZ);
-    assert_int_equal(value(SET_FISH), settings_edit_max(&core, SET_FISH));
+    assert_int_equal(value(SET_FISH), settings_edit_max(&core.config, SET_FISH));
     input.held = 0;
     step();
     push(INPUT_TEST);
@@ -275,15 +275,18 @@ static void test_a_knob_that_is_turned_far_is_one_entry_once_it_rests(void **sta
         push(INPUT_TEST);
     }
     assert_int_equal(output.entry_id, before);
-    assert_false(settings_edit_is_saved(&core));
+    assert_false(settings_edit_is_saved(&core.game.accounts.ledger, &core.game.settings_edit,
+                                        &core.config.persistent.settings));
     steps(SETTINGS_EDIT_REST_TICKS);
     assert_int_equal(output.entry_id, before + 1u);
     assert_int_equal(newest()->kind, LEDGER_SETTING);
     assert_int_equal(newest()->detail | newest()->count << 8, SET_PRICE);
     assert_int_equal(newest()->value, 13);
-    assert_false(settings_edit_is_saved(&core));
+    assert_false(settings_edit_is_saved(&core.game.accounts.ledger, &core.game.settings_edit,
+                                        &core.config.persistent.settings));
     save_all();
-    assert_true(settings_edit_is_saved(&core));
+    assert_true(settings_edit_is_saved(&core.game.accounts.ledger, &core.game.settings_edit,
+                                       &core.config.persistent.settings));
 }
 
 static void test_what_is_turned_there_and_back_is_no_entry(void **state)
@@ -295,13 +298,15 @@ static void test_what_is_turned_there_and_back_is_no_entry(void **state)
     take(foot(SETTINGS_STANDARD));
     steps(CORE_TICK_HZ);
     assert_int_equal(output.entry_id, before);
-    assert_true(settings_edit_is_saved(&core));
+    assert_true(settings_edit_is_saved(&core.game.accounts.ledger, &core.game.settings_edit,
+                                       &core.config.persistent.settings));
 }
 
 static void fill_the_ring(void)
 {
     while (ledger_has_room(&core.game.accounts.ledger, LEDGER_SETTING)) {
-        ledger_write(&core, &(struct ledger_entry){ .kind = LEDGER_HEALTH }, &output);
+        ledger_write(&core.game.accounts, core.game.tick,
+                     &(struct ledger_entry){ .kind = LEDGER_HEALTH }, &output);
     }
 }
 
@@ -461,14 +466,14 @@ static void test_a_wrong_pin_waits_and_the_next_one_twice_as_long(void **state)
         type(408);
         assert_int_equal(menu()->page, MENU_PIN);
         type(407); /* Right, and too early: 40 presses take 4 s at most. */
-        if (menu_pin_wait_ticks(&core) > 0) {
+        if (menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick) > 0) {
             assert_int_equal(menu()->page, MENU_PIN);
         }
         core.game.menu.act_tick = core.game.tick;
         core.game.settings_edit.pin_tick = core.game.tick - wait + 1u;
-        assert_int_equal(menu_pin_wait_ticks(&core), 1);
+        assert_int_equal(menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick), 1);
         core.game.settings_edit.pin_tick--;
-        assert_int_equal(menu_pin_wait_ticks(&core), 0);
+        assert_int_equal(menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick), 0);
         wait = wait < 160u * CORE_TICK_HZ ? 2u * wait : wait;
         take(PIN_ERASE);
     }
@@ -488,7 +493,7 @@ static void test_who_leaves_and_comes_back_waits_none_the_less(void **state)
     }
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_PIN);
-    assert_true(menu_pin_wait_ticks(&core) > 0);
+    assert_true(menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick) > 0);
 }
 
 /* What the ledger has is all that the next start knows. */
@@ -508,7 +513,8 @@ static void test_who_pulls_the_plug_waits_as_long(void **state)
     assert_int_equal(core_init(&core, &config), CORE_OK);
     push(INPUT_TEST);
     assert_int_equal(menu()->page, MENU_PIN);
-    assert_in_range(menu_pin_wait_ticks(&core), 18u * CORE_TICK_HZ, 20u * CORE_TICK_HZ);
+    assert_in_range(menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick),
+                    18u * CORE_TICK_HZ, 20u * CORE_TICK_HZ);
     type(407);
     assert_int_equal(menu()->page, MENU_PIN);
     core.game.settings_edit.pin_tick = core.game.tick - 20u * CORE_TICK_HZ;
@@ -528,9 +534,10 @@ static void test_no_number_of_wrong_pins_locks_the_menu_for_good(void **state)
     config = core.config;
     config.persistent.audits.count[AUDIT_WRONG_PINS] = UINT32_MAX;
     assert_int_equal(core_init(&core, &config), CORE_OK);
-    assert_int_equal(menu_pin_wait_ticks(&core), 160u * CORE_TICK_HZ);
+    assert_int_equal(menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick),
+                     160u * CORE_TICK_HZ);
     core.game.tick += 160u * CORE_TICK_HZ;
-    assert_int_equal(menu_pin_wait_ticks(&core), 0);
+    assert_int_equal(menu_pin_wait_ticks(&core.game.settings_edit, core.game.tick), 0);
 }
 
 static void test_digits_are_nobodys_to_read_but_where_they_are_chosen(void **state)

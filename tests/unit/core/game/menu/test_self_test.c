@@ -61,7 +61,7 @@ static int setup_page(void **state)
 
 static uint32_t judge(void)
 {
-    menu_show(&core, &scene.menu);
+    menu_show(&core.game, &core.config, &scene.menu);
     return self_test_judge(&scene, state_of);
 }
 
@@ -191,7 +191,7 @@ static void test_the_operator_says_what_he_heard_and_saw(void **state)
     clear_sounds();
     steps(3u * CORE_TICK_HZ);
     assert_in_range(sounds[SOUND_CALL], 2, 4);
-    assert_false(self_test_shows(&core)); /* One thing at a time. */
+    assert_false(self_test_shows(&core.game)); /* One thing at a time. */
     take(SELF_NO);
     judge();
     assert_int_equal(state_of[SELF_SOUND], SELF_BAD);

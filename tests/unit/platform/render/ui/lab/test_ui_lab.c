@@ -338,7 +338,7 @@ static void catch_fish(uint32_t count)
         core.world.tank.fish[i].holder = 0;
         core.world.tank.fish[i].look = 0x1234567u * (i + 1u);
     }
-    album_note(&core, 0, count);
+    album_note(&core.game.album, &core.world, 0, count);
     core.game.phase = PHASE_ALBUM;
 }
 
