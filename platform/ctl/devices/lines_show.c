@@ -33,7 +33,7 @@ enum exit_code lines_list(struct gpio_lines lines, FILE *out)
     fputs("device\tchip\toffset\tname\tdirection\tactive\theld_by\n", out);
     const int count = lines.ops->list(lines.self, tell_line, out);
     if (standard_output_flush(out) != 0) {
-        return EXIT_NOT_SO; /* The output failed. main() prints the error line. */
+        return EXIT_NOT_SO; /* The write to standard output failed. main() prints the error line. */
     }
     if (count == HAL_ERR_ABSENT) {
         print_error("kingyoctl lines: no GPIO chip in /dev (%s)", lines.ops->describe(lines.self));

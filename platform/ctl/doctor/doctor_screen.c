@@ -66,8 +66,8 @@ bool doctor_under_a_desktop(const struct doctor *doctor)
     return !doctor->root[0] && (getenv("DISPLAY") || getenv("WAYLAND_DISPLAY"));
 }
 
-/* Checks whether the current user can open a window, and adds a finding for the result. Not called
- * for a test folder, because only the real machine can open windows. */
+/* Checks whether the current user can open a window, and adds a finding for the result. The check
+ * is skipped for a test folder, because only the real machine can open windows. */
 static void try_screen(struct doctor *doctor)
 {
     char why[HAL_TEXT_SIZE] = "";

@@ -215,8 +215,9 @@ enum exit_code import_orient(struct import_mesh *mesh, const struct import_optio
         return EXIT_BAD_DATA;
     }
     import_orient_rotate(mesh, report->front, plan->up);
-    bool is_settled = mesh->is_ours; /* True if no scaling is needed, because kingyoctl wrote the
-                                        mesh with the size and the position of Kingyo. */
+    bool is_settled = mesh->is_ours; /* True if the mesh needs no scaling. A mesh that kingyoctl
+                                        wrote already has the size and the position that a species
+                                        requires. */
     for (uint32_t key = 0; key < mesh->key_count; key++) {
         report->size[key] = size_of(mesh, key, plan->measure);
         if (!(report->size[key] > 1e-6f)) {

@@ -5,7 +5,7 @@
 
 #define FIN_ROOT_HIDES 0.92f
 #define FIN_TIP_HIDES 0.55f
-#define FIN_RAYS 13.0f /* Number of rays of a fin, equal to the number in the kiosk's pictures. */
+#define FIN_RAYS 13.0f /* Number of fin rays, equal to the number that the kiosk draws. */
 /* Reduction of a fin's opacity between two rays, compared with the opacity at a ray. */
 #define RAY_HIDES 0.22f
 #define RAY_LIGHT                                                                                  \

@@ -11,8 +11,8 @@
 
 /* Maximum error of a weight, of the relative size, and of an anchor's position in body lengths. */
 #define TOLERANCE 1e-5f
-/* Number of intervals between evenly spaced samples. The samples ensure that no change between two
- * marks is missed. */
+/* Number of equal intervals into which the first samples divide the life. With fewer samples, a
+ * short change of a value could be missed. */
 #define EVEN_MARKS 32u
 #define MARK_ROOM (EVEN_MARKS + 1u + MORPH_CURVE_MAX * GRAPH_KNOT_MAX)
 /* Number of floats for an anchor: three for the position and four for the rotation quaternion. */

@@ -1,13 +1,16 @@
-/* morph_glb_look.c -- computes the attributes of a vertex in each shape of a glTF mesh: in the base
- * and in the morph targets.
+/* morph_glb_look.c -- computes the position, the normal and the colour of a vertex in each shape of
+ * a glTF mesh. The shapes are the base and the morph targets.
  *
- * In Kingyo, p = sum over curves c of m_c sum over keys k of V_ck C_ck. The masks m_c of the vertex
- * have the sum 1. The weights V_c of the graph have the sum 1 and are >= 0. C_c are the solved
- * shapes, or the drawn shapes if no shape is solved.
+ * Symbols: c is a curve of the deformation graph, k is a key (growth stage), and "last" is the last
+ * key. m_c is the share with which curve c moves the vertex. V_ck is the weight of key k in curve
+ * c. C_ck is the shape of the vertex in the solved key, or in the drawn key if no shape is solved.
  *
- * In glTF, p = B + sum of w_t D_t. Therefore B = sum m_c C_c,last. Each curve c and each key k
- * except the last gives a target with D = m_c (C_ck - C_c,last) and the weight w = V_ck. The two
- * sums are equal, and every weight is in [0, 1].
+ * Kingyo computes p = sum over c of m_c sum over k of V_ck C_ck. The shares m_c have the sum 1. For
+ * each curve, the weights V_ck have the sum 1 and are >= 0.
+ *
+ * glTF computes p = B + sum over the morph targets t of w_t D_t. Therefore the base is B = sum over
+ * c of m_c C_c,last. Each curve c and each key k except the last gives a morph target with D = m_c
+ * (C_ck - C_c,last) and w = V_ck. The two results for p are equal, and every weight is in [0, 1].
  *
  * Colours are morph targets too (COLOR_0, linear). A viewer that does not blend colours shows the
  * colours of the last key. The alpha of a transparent body is written, but the material of the body

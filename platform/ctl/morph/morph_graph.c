@@ -150,8 +150,9 @@ static void draw_turns(struct graph_plan *plan)
     for (uint32_t i = 1; i <= TURN_SAMPLES; i++) {
         const double progress = (double)i / (double)TURN_SAMPLES;
         const double mm = 1e3 * (double)life_length_m(card, (float)progress);
-        if (way == 0 || (mm - turned) * way >= 0.0) { /* The length is a new extreme in the present
-                                                         direction. */
+        if (way == 0 || (mm - turned) * way >= 0.0) { /* The length is the greatest so far while the
+                                                         fish grows, or the least so far while the
+                                                         fish shrinks. */
             way = way != 0 ? way : mm > last ? 1 : mm < last ? -1 : 0;
             turned = mm;
             at = progress;

@@ -6,8 +6,8 @@
 
 /* ---- Sampling the path ----------------------------------------------------------------------- */
 
-/* Converts a progress of the thesis' method, which uses three keys, to the progress of the species
- * with all its keys. */
+/* Converts a progress of the 2005 thesis' method to a progress of the whole species. The method of
+ * the thesis uses only three keys of the species. */
 static float drawn_progress(const struct species_card *drawn, float progress)
 {
     const float place = progress * 2.0f;

@@ -58,9 +58,9 @@ static void fill_bins(struct morph_skin *skin)
     for (uint32_t bin = 1; bin <= MORPH_SKIN_BINS; bin++) {
         skin->bin_first[bin] += skin->bin_first[bin - 1];
     }
-    /* Converts each count to the first index of its bin in `binned`. The second call of
-     * walk_bins() increments the first index of a bin for each triangle, until the index is the
-     * end of the bin. */
+    /* bin_first[bin] is now the start of each bin in `binned`. The move copies the start to
+     * bin_first[bin + 1]. The second call of walk_bins() then writes the triangles, and advances
+     * bin_first[bin + 1] to the end of the bin. */
     memmove(&skin->bin_first[1], &skin->bin_first[0], MORPH_SKIN_BINS * sizeof skin->bin_first[0]);
     walk_bins(skin, true);
 }

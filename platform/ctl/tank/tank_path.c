@@ -1,4 +1,5 @@
-/* tank_path.c -- reads the path of a hand, and interpolates the pose between two rows. */
+/* tank_path.c -- reads the path of a hand from a CSV file, and interpolates the pose between two
+ * rows of the file. */
 #include "platform/ctl/tank/tank_path.h"
 
 #include "platform/ctl/lib/csv.h"

@@ -16,8 +16,8 @@ struct tank_path_row {
 };
 
 struct tank_path {
-    /* `count` is the number of rows. `newest` is the index of the last row before the time of the
-     * last call of tank_path_at(), where the next search starts. */
+    /* `count` is the number of rows. `newest` is the index of the row at which tank_path_at()
+     * starts its next search, because the requested times never decrease. */
     uint32_t count, newest;
     struct tank_path_row row[TANK_PATH_MAX];
 };
