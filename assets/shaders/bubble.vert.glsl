@@ -1,6 +1,6 @@
-// The air stone, then its bubbles. Each is a square that faces the viewer. A bubble rises for half
-// a second and drifts sideways. Every third bubble then floats on the surface for a while and
-// bursts.
+// The air stone (instance 0) and its bubbles. The stone and each bubble are squares that face the
+// viewer. A bubble rises for half a second and drifts sideways. Every third bubble then floats on
+// the surface for a while and bursts.
 uniform vec3 stone;
 out vec2 corner;
 out float grey;     // 1 for the stone, 0 for a bubble.

@@ -131,8 +131,9 @@ void main()
     out_m = world.y;
 #endif
 #ifdef SNOUT
-    // The waves shift the refracted picture. A small part of the snout above the surface is
-    // therefore also drawn below it, which closes the gap.
+    // The waves shift the refracted picture. The variant SNOUT therefore draws the fish slightly
+    // nearer to the viewer, so that a small part below the surface is also visible. This part
+    // closes the gap between the two pictures.
     vec4 nearer = view_projection * vec4(world + SEAM * normalize(eye.xyz - world), 1.0);
     gl_Position.z = nearer.z / nearer.w * gl_Position.w;
 #endif
@@ -150,9 +151,9 @@ void main()
     float diffuse = 0.49 + 0.68 * max(dot(n, LAMP_DIRECTION) * 0.65 + 0.35, 0.0);
     float caustic = textureLod(caustics, world.xz * CAUSTIC_TILES * 1.15, 0.0).r;
     float light = diffuse * (1.0 + (caustic * 2.4 - 0.55) * max(n.y, 0.0) * (1.0 - wet));
-    float shade = shade_at(world, world.y < 0.0 ? bend.w : bend.z); // The shade of the poi on which
-                                                                    // a fish lies above the water
-                                                                    // is excluded.
+    // Above the water only the shades of fans count, because a fish above the water lies on the poi
+    // that casts the shade.
+    float shade = shade_at(world, world.y < 0.0 ? bend.w : bend.z);
     light *= 1.0 - 0.85 * shade;
     vec3 left = water_passes(depth * 1.2);
 #ifdef FIN

@@ -26,7 +26,7 @@ void main()
     float away = 1.0 - facing;
     float away2 = away * away;
     float fresnel = 0.02 + 0.98 * away2 * away2 * away;
-    // The lanterns hang at about a man's height, so that their reflections move with the position
+    // The lanterns are only about two metres away, so that their reflections move with the position
     // on the water. Only light sources are drawn as reflections, because only they are visible on
     // lit water. A light source is far brighter than the maximum of a texel.
     vec3 toward = mirror + world * 0.55;
