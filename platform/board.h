@@ -18,8 +18,8 @@ enum board_poi {
 };
 
 enum board_keyboard {
-    BOARD_KEYBOARD_AUTO = 0, /* Becomes ON on a desktop, and OFF in a service, because a stranger
-                                may plug a keyboard into the kiosk. */
+    BOARD_KEYBOARD_AUTO = 0, /* The caller replaces AUTO by ON on a desktop and by OFF in a service,
+                                because a stranger may plug a keyboard into the kiosk. */
     BOARD_KEYBOARD_ON,
     BOARD_KEYBOARD_OFF, /* Ignores all keys. No key acts as a button, inserts a coin or quits. */
 };

@@ -170,8 +170,8 @@ bool system_health_is_seen(const char *folder, const char *file)
     return seen_path(folder, file, path) && access(path, F_OK) == 0;
 }
 
-/* Creates an empty marker file. The marker is not synced. If a power cut loses the marker, the
- * operator is asked again. */
+/* Creates the empty marker of an acknowledged file. The marker is not synced. If a power cut loses
+ * the marker, the operator is asked to acknowledge the file again. */
 static int system_health_create_mark(const char *folder, const char *file)
 {
     char path[PATH_SIZE];

@@ -23,7 +23,8 @@ void operator_view_lines_add(struct operator_view_lines *book, const struct butt
 
 /* Input data of operator_view_fill(). */
 struct operator_view {
-    const struct file_notes *notes;  /* Messages about files. May be null. */
+    const struct file_notes *notes;  /* Messages about files that the operator's menu shows. May be
+                                        null. */
     const struct input *input;       /* Input of the newest tick. */
     const struct poi_sampler *hands; /* Array of POI_MAX poi samplers. */
     const struct operator_view_lines *lines;

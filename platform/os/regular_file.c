@@ -14,8 +14,8 @@ struct bounded {
     uint32_t left;
 };
 
-/* Reads at most one byte more than `left`, to detect a file that is longer than the limit. Then
- * returns -1 with errno EFBIG. */
+/* Reads from the file. The read may exceed `left` by one byte, to detect a file that is longer than
+ * the limit. For such a file returns -1 with errno EFBIG. */
 static ssize_t bounded_read(void *cookie, char *out, size_t size)
 {
     struct bounded *bounded = cookie;

@@ -14,9 +14,8 @@ int standard_streams_open(void);
  * start. */
 int standard_output_finish(void);
 
-/* Flushes `out` before program end. Returns 0. On an error returns -1 and stores errno for
- * standard_output_finish(), which reports the error. After an error the caller writes no error line
- * of its own. */
+/* Flushes `out` before program end. Returns 0. On an error returns -1 and stores errno.
+ * standard_output_finish() reports the stored error, so that the caller must not report it. */
 int standard_output_flush(FILE *out);
 
 #endif

@@ -71,8 +71,8 @@ bool storage_may_follow(struct storage *storage);
  * database is in use again. */
 void storage_mark_log_removed(const struct storage *storage);
 void storage_restore_log(const struct storage *storage);
-/* Saves a deleted database and all queued entries as a backup, unless a database, backup or mirror
- * exists at its path. Returns true if the backup was written. */
+/* Saves a deleted database and all queued entries as a backup. Does nothing if a database, backup
+ * or mirror exists at the old path. Returns true if the backup was written. */
 bool storage_save_deleted(struct storage *storage);
 
 /* offline_credits.c: offline_credits_merge() and offline_credits_result() implement functions of

@@ -226,8 +226,8 @@ int storage_rebuild(struct storage *storage, bool is_missing)
     return SQLITE_OK;
 }
 
-/* Completes an interrupted replacement if the database is absent. If the database exists, deletes
- * an obsolete replacement. */
+/* Completes a replacement that a power cut interrupted, if the database is absent. If the database
+ * exists, the replacement is obsolete and is deleted. */
 int storage_end_rebuilding(struct storage *storage)
 {
     char fresh[LEDGER_PATH_SIZE];
