@@ -33,11 +33,18 @@ struct core_config {
                              The width changes no result, so hashes and recordings exclude it. */
     struct persistent_state
         persistent; /* Persistent state that the store loaded at startup. The settings in it do
-                       not override the fields above; see settings_apply(). */
+                       not override the fields above; see config_apply_settings(). */
     struct game_session session; /* State carried over from the previous session; all zero at the
                                     start of the kiosk. */
     struct lab_book book;        /* Custom species and saved growth graphs, as loaded from the
                                     data folder. */
 };
+
+/* Copies the settings to the fields of `config`. The fish count is limited to the capacity of the
+ * preset's tank. */
+void config_apply_settings(struct core_config *config, const struct settings *settings);
+
+/* Returns `hash` continued over the configuration, without `rules_7` and `lanes`. */
+uint64_t config_hash(uint64_t hash, const struct core_config *config);
 
 #endif

@@ -284,26 +284,6 @@ uint64_t core_hash_quick(const struct core *core)
     return tank_hash_quick(hash, &core->world.tank);
 }
 
-static uint64_t config_hash(uint64_t hash, const struct core_config *config)
-{
-    hash = hash_u32(hash, config->seed);
-    hash = hash_u32(hash, config->preset);
-    hash = hash_u32(hash, config->fish_count);
-    hash = hash_u32(hash, config->language);
-    hash = hash_u32(hash, config->round_s);
-    hash = hash_u32(hash, config->modes);
-    hash = hash_u32(hash, config->grade);
-    hash = hash_u32(hash, config->players);
-    hash = hash_u32(hash, config->credit_coins);
-    hash = hash_u32(hash, config->ticket_fish);
-    hash = ledger_start_hash(hash, &config->persistent.ledger);
-    hash = audits_hash(hash, &config->persistent.audits);
-    hash = ranking_hash(hash, &config->persistent.ranking);
-    hash = settings_hash(hash, &config->persistent.settings, config->rules_7);
-    hash = session_hash(hash, &config->session, config->rules_7);
-    return lab_book_hash(hash, &config->book);
-}
-
 uint64_t core_hash(const struct core *core)
 {
     uint64_t hash = config_hash(core_hash_quick(core), &core->config);

@@ -3,8 +3,9 @@
 
 #include "core/base/hash.h"
 #include "core/base/panic.h"
-#include "core/core.h"
 #include "core/pin.h"
+#include "core/poi/paper/sheet.h"
+#include "core/scene_game.h"
 
 #define MICRO 10000000 /* Range of a calibration value, in millionths: 10 m, or a factor of 10. */
 
@@ -118,25 +119,4 @@ void settings_hide_pin(struct settings *settings, uint32_t salt)
 {
     const int32_t kept = settings->value[SET_PIN];
     settings->value[SET_PIN] = pin_is_plain(kept) ? pin_hide((uint32_t)kept, salt) : kept;
-}
-
-/* Limits the fish count to the tank. A larger number comes from an SD card that was used with a
- * larger tank, or from a configuration file for one. */
-static uint32_t fish_that_fit(uint32_t wanted, const struct core_config *config)
-{
-    const uint32_t most = tank_preset_fish_max(tank_preset(config->preset), 1.0f);
-    return wanted < most ? wanted : most;
-}
-
-void settings_apply(const struct settings *settings, struct core_config *config)
-{
-    const int32_t *value = settings->value;
-    config->credit_coins = value[SET_PLAY] == PLAY_PAID ? (uint8_t)value[SET_PRICE] : 0u;
-    config->ticket_fish = (uint8_t)value[SET_TICKET_FISH];
-    config->modes = (uint8_t)value[SET_MODES];
-    config->grade = (uint8_t)value[SET_GRADE];
-    config->round_s = (uint32_t)value[SET_ROUND_S];
-    config->fish_count = fish_that_fit((uint32_t)value[SET_FISH], config);
-    config->players = (uint8_t)value[SET_PLAYERS];
-    config->language = (uint8_t)value[SET_LANGUAGE];
 }

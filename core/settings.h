@@ -107,17 +107,11 @@ void settings_reset(struct settings *settings);
  * because a price of 0 is invalid and the struct was therefore never set. */
 void settings_sanitize(struct settings *settings);
 
-/* Returns `hash` continued over the settings. The PIN counts as 0 unless `rules_7` (core/core.h),
+/* Returns `hash` continued over the settings. The PIN counts as 0 unless `rules_7` (core/config.h),
  * so that the replay of a score verifies without the PIN. */
 uint64_t settings_hash(uint64_t hash, const struct settings *settings, int rules_7);
 
 /* Replaces a PIN in plain digits by its hashed form (core/pin.h). */
 void settings_hide_pin(struct settings *settings, uint32_t salt);
-
-struct core_config;
-
-/* Copies the settings to the fields of `config`. The fish count is limited to the capacity of the
- * preset's tank. */
-void settings_apply(const struct settings *settings, struct core_config *config);
 
 #endif

@@ -79,7 +79,7 @@ static enum exit_code demo_begin(struct demo *demo)
         settings->value[SET_MODES] = 1 << MODE_FESTIVAL;
     }
     const uint32_t round_s = options->demo_s > AFTER_ROUND_S ? options->demo_s - AFTER_ROUND_S : 0;
-    settings_apply(settings, &config.core);
+    config_apply_settings(&config.core, settings);
     config.core.round_s = round_s > ROUND_S_MIN ? round_s : ROUND_S_MIN;
     for (uint32_t i = 0; i < config.core.players; i++) {
         config.bot[i] = 1;

@@ -202,7 +202,7 @@ static enum exit_code run_interactive_begin(struct run_common *session)
     storage->ops->load(storage->self, &config.core.persistent);
     options_last(options, settings);
     settings_hide_pin(settings, config.core.seed);
-    settings_apply(settings, &config.core);
+    config_apply_settings(&config.core, settings);
     for (uint32_t i = 0; i < config.core.players; i++) {
         config.bot[i] = options->poi == BOARD_POI_BOT;
     }

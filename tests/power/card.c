@@ -87,7 +87,7 @@ static int open_stall(const char *folder, uint32_t mood_s)
     config.core.persistent.settings.value[SET_PLAY] = PLAY_PAID;
     config.core.persistent.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
     config.core.persistent.settings.value[SET_ROUND_S] = 10;
-    settings_apply(&config.core.persistent.settings, &config.core);
+    config_apply_settings(&config.core, &config.core.persistent.settings);
     return kiosk_init(&kiosk, &hal, &config) == CORE_OK ? 0 : -1;
 }
 

@@ -41,7 +41,7 @@ int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store)
     config.persistent.settings.value[SET_FISH] = 1; /* One fish is enough because swimming is not
                                                        under test. */
     config.persistent.settings.value[SET_TICKET_FISH] = 1;
-    settings_apply(&config.persistent.settings, &config);
+    config_apply_settings(&config, &config.persistent.settings);
     hour->kept_id = hour->acked_id = config.persistent.ledger.last_id;
     hour->output.entry_id = hour->kept_id;
     return core_init(&hour->core, &config) == CORE_OK ? 0 : -1;

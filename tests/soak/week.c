@@ -289,7 +289,7 @@ static int open_week(const char *folder)
     config.core.persistent.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
     config.core.persistent.settings.value[SET_ROUND_S] = 60;
     config.core.persistent.settings.value[SET_FISH] = 1;
-    settings_apply(&config.core.persistent.settings, &config.core);
+    config_apply_settings(&config.core, &config.core.persistent.settings);
     return kiosk_init(&kiosk, &hal, &config) == CORE_OK ? 0 : -1;
 }
 

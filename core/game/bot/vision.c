@@ -1,5 +1,5 @@
 /* vision.c -- the only file of the bot that reads the game and the world. The file reads the fields
- * that core/scene.c shows, and no others. */
+ * that core/core_scene.c shows, and no others. */
 #include "core/game/bot/vision.h"
 
 #include "core/base/panic.h"

@@ -37,7 +37,7 @@ int32_t settings_edit_max(const struct core_config *config, uint32_t id)
 
 static void apply(struct settings_edit *settings_edit, struct core_config *config, uint32_t tick)
 {
-    settings_apply(live_settings(&config->persistent.settings), config);
+    config_apply_settings(config, live_settings(&config->persistent.settings));
     settings_edit->turn_tick = tick;
 }
 

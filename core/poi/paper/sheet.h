@@ -10,7 +10,8 @@
 
 #include <stdint.h>
 
-#include "core/scene.h"
+#include "core/input.h"
+#include "core/scene_tank.h"
 
 #define SHEET_CELL_COUNT (SHEET_SIDE * SHEET_SIDE)
 /* Largest number of footprints per tick: a body and a slapping tail of each of 16 fish. */

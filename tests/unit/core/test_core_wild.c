@@ -270,7 +270,7 @@ static struct core_config settled(const struct core_config *config)
     value[SET_GRADE] = config->grade;
     value[SET_PLAYERS] = config->players > 0 ? config->players : 1;
     value[SET_MODES] = config->modes > 0 ? config->modes : 1 << MODE_FESTIVAL;
-    settings_apply(&out.persistent.settings, &out);
+    config_apply_settings(&out, &out.persistent.settings);
     return out;
 }
 

@@ -71,7 +71,7 @@ static void open_stall(void)
     struct core_config config = { .seed = 7, .fish_count = 12, .persistent.ledger.boots = 1 };
     settings_reset(&config.persistent.settings);
     config.persistent.settings.value[SET_MODES] = (1 << CHOICE_COUNT) - 1;
-    settings_apply(&config.persistent.settings, &config);
+    config_apply_settings(&config, &config.persistent.settings);
     assert_int_equal(core_init(&core, &config), CORE_OK);
     memset(&input, 0, sizeof input);
     memset(&output, 0, sizeof output);

@@ -282,7 +282,7 @@ static void test_what_is_asked_reaches_the_stall(void **state)
     (void)state;
     assert_int_equal(parse(COUNT(all), all), 0);
     settle(SETTING_COUNT, 0);
-    settings_apply(&settings, &core);
+    config_apply_settings(&core, &settings);
     assert_int_equal(core.modes, 1u << MODE_PRACTICE);
     assert_int_equal(core.grade, 7);
     assert_int_equal(core.players, 4);
@@ -357,7 +357,7 @@ static void test_a_stall_never_has_more_fish_than_its_tank_holds(void **state)
     (void)state;
     settings_reset(&settings);
     settings.value[SET_FISH] = settings_entry(SET_FISH)->max;
-    settings_apply(&settings, &core);
+    config_apply_settings(&core, &settings);
     assert_int_equal(core.fish_count, tank_preset_fish_max(tank_preset(core.preset), 1.0f));
 }
 

@@ -31,7 +31,7 @@ static int setup(void **state)
     settings_reset(&config.persistent.settings);
     config.persistent.settings.value[SET_MODES] = 1 << MODE_FESTIVAL;
     config.persistent.settings.value[SET_ROUND_S] = 60;
-    settings_apply(&config.persistent.settings, &config);
+    config_apply_settings(&config, &config.persistent.settings);
     bot_stall_open(&stall, &config, &technique_expert);
     stall.input.store_well = 1;
     return 0;

@@ -53,7 +53,7 @@ static int setup_menu(void **state)
     setup(state);
     settings_reset(&core.config.persistent.settings);
     settings_edit_init(&core.game.settings_edit, &core.config);
-    settings_apply(&core.config.persistent.settings, &core.config);
+    config_apply_settings(&core.config, &core.config.persistent.settings);
     store_is_late = 1;
     input.store_well = 1;
     push(INPUT_TEST);

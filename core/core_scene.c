@@ -1,4 +1,4 @@
-/* scene.c -- the scene, rebuilt from the state. The file has no state of its own. */
+/* core_scene.c -- the scene, rebuilt from the state. The file has no state of its own. */
 #include "core/base/mem.h"
 #include "core/core.h"
 #include "core/game/control/controller.h"

@@ -1,0 +1,46 @@
+/* config.c -- the configuration of a session: the settings that it takes over, and its hash. */
+#include "core/config.h"
+
+#include "core/base/hash.h"
+#include "core/tank/preset.h"
+
+/* Limits the fish count to the tank. A larger number comes from an SD card that was used with a
+ * larger tank, or from a configuration file for one. */
+static uint32_t fish_that_fit(uint32_t wanted, const struct core_config *config)
+{
+    const uint32_t most = tank_preset_fish_max(tank_preset(config->preset), 1.0f);
+    return wanted < most ? wanted : most;
+}
+
+void config_apply_settings(struct core_config *config, const struct settings *settings)
+{
+    const int32_t *value = settings->value;
+    config->credit_coins = value[SET_PLAY] == PLAY_PAID ? (uint8_t)value[SET_PRICE] : 0u;
+    config->ticket_fish = (uint8_t)value[SET_TICKET_FISH];
+    config->modes = (uint8_t)value[SET_MODES];
+    config->grade = (uint8_t)value[SET_GRADE];
+    config->round_s = (uint32_t)value[SET_ROUND_S];
+    config->fish_count = fish_that_fit((uint32_t)value[SET_FISH], config);
+    config->players = (uint8_t)value[SET_PLAYERS];
+    config->language = (uint8_t)value[SET_LANGUAGE];
+}
+
+uint64_t config_hash(uint64_t hash, const struct core_config *config)
+{
+    hash = hash_u32(hash, config->seed);
+    hash = hash_u32(hash, config->preset);
+    hash = hash_u32(hash, config->fish_count);
+    hash = hash_u32(hash, config->language);
+    hash = hash_u32(hash, config->round_s);
+    hash = hash_u32(hash, config->modes);
+    hash = hash_u32(hash, config->grade);
+    hash = hash_u32(hash, config->players);
+    hash = hash_u32(hash, config->credit_coins);
+    hash = hash_u32(hash, config->ticket_fish);
+    hash = ledger_start_hash(hash, &config->persistent.ledger);
+    hash = audits_hash(hash, &config->persistent.audits);
+    hash = ranking_hash(hash, &config->persistent.ranking);
+    hash = settings_hash(hash, &config->persistent.settings, config->rules_7);
+    hash = session_hash(hash, &config->session, config->rules_7);
+    return lab_book_hash(hash, &config->book);
+}
