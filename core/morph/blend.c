@@ -1,9 +1,10 @@
 /* blend.c -- blends the key shapes of a fish on the CPU, one vertex at a time.
  *
- * A key shape (key) is one modelled growth stage. The blend is P = sum of V_i K_i, where V_i is the
- * weight of key i and K_i is its point (eq. 3.2 of the 2005 thesis), for any number of keys. The
- * renderer computes the sum in the vertex shader from the same tables, and blend_simd.c computes it
- * for blocks of vertices. */
+ * A key shape (key) is one modelled growth stage. The blend is P = sum over the keys of V_i * K_i,
+ * where V_i is the weight of key i, and K_i is the vertex's point in key i (2005 thesis, eq. 3.2).
+ * The number of keys is not limited to the three keys of the thesis. The renderer computes the same
+ * sum in the vertex shader from the same tables, and blend_simd.c computes the sum for blocks of
+ * vertices. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -18,8 +19,8 @@ vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vert
     return v3((float)p->x * step, (float)p->y * step, (float)p->z * step);
 }
 
-/* Returns the vector of a folded normal on the octahedron |x| + |y| + |z| = 127, not normalised.
- * The caller blends the normals of the keys on the octahedron and normalises the sum once. One
+/* Decodes a normal to a vector on the octahedron |x| + |y| + |z| = 127, which is not a unit vector.
+ * The caller blends these vectors over all keys and normalises the sum once, because one
  * normalisation per vertex is cheaper than one per key. */
 static vec3 unfold(int16_t folded)
 {
@@ -42,9 +43,10 @@ int16_t morph_count(float x, float reach)
     return (int16_t)(counts + (counts < 0.0f ? -0.5f : 0.5f));
 }
 
-/* Projects a unit vector onto the octahedron |x| + |y| + |z| = 1, unfolds the octahedron to a
- * square, and quantises both coordinates in steps of 1/127. The result is one number from -32767 to
- * 32257, which a 16-bit fraction represents exactly. */
+/* Encodes a unit vector in 16 bits by octahedral encoding. The vector is projected onto the
+ * octahedron |x| + |y| + |z| = 1, the octahedron is unfolded to a square, and both coordinates of
+ * the square are quantised in steps of 1/127. The result is in [-32767, 32257], and a normalised
+ * 16-bit vertex attribute represents it exactly. */
 int16_t morph_fold_normal(vec3 n)
 {
     const float sum = f_max(f_abs(n.x) + f_abs(n.y) + f_abs(n.z), 1e-6f);
@@ -60,9 +62,9 @@ int16_t morph_fold_normal(vec3 n)
     return (int16_t)(high * 256 + low - 32767);
 }
 
-/* Returns the weight of a key for one vertex: the mean of the curves' weights, weighted with the
- * masks of the vertex. The masks are whole numbers and are scaled after the sum. A key that has
- * weight 1 in all curves therefore has a weight of exactly 1. */
+/* Returns the weight of a key for one vertex: the mean of the key's weights in all curves, weighted
+ * by the masks of the vertex. The masks are integers, and the sum is scaled afterwards. Therefore a
+ * key with the weight 1 in all curves gets exactly the weight 1. */
 static float vertex_weight(const struct species_vertex *vertex, const struct morph_pose *pose,
                            uint32_t key)
 {

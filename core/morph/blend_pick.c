@@ -1,7 +1,7 @@
-/* blend_pick.c -- calls the blend with the number of SIMD lanes that the caller requests.
+/* blend_pick.c -- calls the SIMD blend for the number of lanes that the caller requests.
  *
- * The caller must request a number that the processor supports, because code of the core does not
- * detect the processor. */
+ * The caller must request a number of lanes that the processor supports, because the core does not
+ * detect processor features. */
 #include "core/base/panic.h"
 #include "core/morph/blend_simd.h"
 

@@ -1,8 +1,10 @@
-/* blend_simd.c -- blends the key shapes for a block of vertices; the SIMD form of blend.c.
+/* blend_simd.c -- blends the key shapes with SIMD code for blocks of vertices; blend.c is the
+ * scalar code.
  *
- * Both forms agree to the last bit, which test_blend_simd.c checks. For each vertex, a block reads
- * 16 bytes of the vertex and 8 bytes for each key, and writes 24 bytes. The code is designed so
- * that memory limits its speed rather than arithmetic (measured by `make bench-morph`). */
+ * The results of blend_simd.c and blend.c are equal to the last bit (tested by test_blend_simd.c).
+ * For each vertex, a block reads 16 bytes of the vertex and 8 bytes for each key, and writes 24
+ * bytes. Memory bandwidth is intended to limit the speed, rather than arithmetic (measured by `make
+ * bench-morph`). */
 #include "core/morph/blend_simd.h"
 
 #include "core/base/panic.h"
@@ -17,19 +19,20 @@ _Static_assert(sizeof(struct species_vertex) == 16 && offsetof(struct species_ve
                "part to masks are two words");
 _Static_assert(sizeof(vec3) == 12 && sizeof(struct anchor_pose) == 28, "floats, side by side");
 
-/* Number of vertices to prefetch ahead. The tables are many short streams, which hardware
- * prefetchers detect late. */
+/* Distance, in vertices, between the block in work and the prefetched vertices. Hardware
+ * prefetchers detect these reads late, because each table is read as a short stream. */
 #define AHEAD 96u
 #define LINE 64u /* Size of a cache line in bytes. */
 
-/* Data that all blocks of a shape share. */
+/* Values that are common to all blocks of a fish. */
 struct blending {
     const struct species_mesh *mesh;
     const struct morph_pose *pose;
     uint32_t key_count;
-    uint8_t key[MORPH_KEY_MAX];  /* Indices of the keys that have a weight in any curve. */
-    flanes whole[MORPH_KEY_MAX]; /* Weights of the keys in `key` for vertices that only curve 0
-                                    moves, the curve of the whole fish. */
+    uint8_t key[MORPH_KEY_MAX];  /* Indices of the keys whose weight is not 0 in at least one
+                                    curve. */
+    flanes whole[MORPH_KEY_MAX]; /* Weight of each key in `key` in curve 0, for vertices that only
+                                    curve 0 moves. Curve 0 is the curve of the whole fish. */
 };
 
 struct point_lanes {
@@ -43,9 +46,10 @@ static inline ilanes load_words(const void *from)
     return words;
 }
 
-/* FIRST and SECOND separate the first and the second words of the points of a block. With eight
- * lanes, each group of four lanes is shuffled separately, which is cheap. The lanes are then in the
- * order of lane_vertex. Only masks, anchors and results depend on the order. */
+/* FIRST and SECOND select the first and the second 32-bit word of each point in a block. With eight
+ * lanes, each half of four lanes is shuffled separately, because a shuffle across the halves is
+ * slower. lane_vertex gives the resulting vertex order of the lanes. Only masks, anchors and stored
+ * results depend on this order. */
 #ifdef SIMD_WIDE
 #define FIRST(a, b) __builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14)
 #define SECOND(a, b) __builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15)
@@ -66,7 +70,7 @@ static inline flanes high_half(ilanes words)
     return __builtin_convertvector((ilanes)(words >> 16), flanes);
 }
 
-/* Returns `t` with the sign of `x`. The caller guarantees t >= 0. */
+/* Returns `t` with the sign of `x`. The caller guarantees that t >= 0. */
 static inline flanes signed_as(flanes t, flanes x)
 {
     return (flanes)((ilanes)t ^ ((ilanes)x & INT32_MIN));
@@ -75,8 +79,8 @@ static inline flanes signed_as(flanes t, flanes x)
 /* Returns the result of unfold() in blend.c, except that z has the opposite sign. */
 static inline struct simd_v3 unfold_down(ilanes words)
 {
-    const ilanes code = (words >> 16) + 255; /* The value is `code` of unfold() in blend.c minus 127
-                                                * 256. */
+    const ilanes code = (words >> 16) + 255; /* The value equals the variable `code` in unfold() of
+                                                blend.c minus 127 * 256. */
     const flanes x = __builtin_convertvector((ilanes)(code >> 8), flanes);
     const flanes y = __builtin_convertvector((ilanes)((code & 255) - 127), flanes);
     const flanes down = simd_abs(x) + simd_abs(y) - 127.0f;
@@ -84,17 +88,18 @@ static inline struct simd_v3 unfold_down(ilanes words)
     return simd_v3(x - signed_as(t, x), y - signed_as(t, y), down);
 }
 
-/* Properties of a block. `plain_masks` is 1 if only curve 0 moves the vertices of the block.
- * `plain_anchors` is 1 if no vertex has an anchor. */
+/* Masks of a block of vertices. `plain_masks` is 1 if only curve 0 moves the vertices, otherwise 0.
+ * `plain_anchors` is 1 if no vertex has an anchor, otherwise 0. */
 struct block {
     uint32_t plain_masks, plain_anchors;
-    flanes mask[MORPH_CURVE_MAX]; /* Masks of each curve, unset if `plain_masks` is 1. */
+    flanes mask[MORPH_CURVE_MAX]; /* Mask of each curve in each lane. The values are not set if
+                                     `plain_masks` is 1. */
 };
 
 static inline struct block load_block(const struct species_vertex *vertices)
 {
-    uint64_t all = ~(uint64_t)0; /* Bitwise AND over the vertices of part, side, flex, anchor and
-                                    the four masks. */
+    uint64_t all = ~(uint64_t)0; /* Bitwise AND, over all vertices of the block, of the members
+                                    part, side, flex, anchor and mask. */
     struct block block = { 0 };
     ilanes masks = { 0 };
     __builtin_prefetch(vertices + AHEAD);
@@ -122,7 +127,8 @@ static inline struct block load_block(const struct species_vertex *vertices)
     return block;
 }
 
-/* Returns the weight of key `at` in each lane, computed like vertex_weight() in blend.c. */
+/* Returns the weight of key b->key[at] in each lane. The arithmetic is that of vertex_weight() in
+ * blend.c. */
 static inline flanes weigh(const struct blending *b, const struct block *block, uint32_t at)
 {
     flanes sum = simd_splat(0.0f);
@@ -164,7 +170,8 @@ static inline struct point_lanes blend_points(const struct blending *b, const st
     return p;
 }
 
-/* Returns the vectors `a` rotated by the quaternions (axis, w), computed like pose_rotate(). */
+/* Returns the vectors `a` rotated by the quaternions with the vector part `axis` and the scalar
+ * part `w`. The arithmetic is that of pose_rotate(). */
 static inline struct simd_v3 rotate_axis(struct simd_v3 axis, flanes w, struct simd_v3 a)
 {
     const struct simd_v3 across = simd_v3_scale(simd_v3_cross(axis, a), simd_splat(2.0f));
@@ -184,8 +191,8 @@ static inline const struct anchor_pose *anchor_of(const struct blending *b, uint
     return &b->pose->anchor[anchor];
 }
 
-/* Rotates and moves points by their anchors. Points without an anchor keep their bits. Adding 0
- * changes only the value -0, and no blended coordinate is -0. */
+/* Rotates and moves each point by its anchor. A point without an anchor keeps its bits, because
+ * adding 0 changes only the value -0, and no blended coordinate is -0. */
 static inline struct point_lanes carry(const struct blending *b, uint32_t first,
                                        struct point_lanes p)
 {
@@ -221,16 +228,17 @@ static inline void store_quad(vec3 *to, const flanes *row, int high)
     MEM_COPY(to, &quad, sizeof quad);
 }
 
-/* Stores SIMD_LANES consecutive vectors. Rows of four floats are stored three floats apart, and
- * each row overwrites the fourth float of the previous row. The last row overwrites one float
- * behind the block, which a later block or vertex writes again. */
+/* Stores SIMD_LANES consecutive vectors of three floats. Each vector is stored as four floats, and
+ * the next vector overwrites the fourth float. The last vector writes one float behind the block. A
+ * later block or vertex overwrites this float. */
 static inline void store(vec3 *to, struct simd_v3 a)
 {
     flanes row[4];
     simd_turn(row, a.x, a.y, a.z, a.z);
 #pragma GCC unroll 2
-    for (int pair = 0; pair < 2; pair++) { /* The order of the stores is the order of the vertices
-                                              in memory; see lane_vertex. */
+    for (int pair = 0; pair < 2; pair++) { /* The vectors are stored in increasing order of their
+                                              addresses, which differs from the order of the lanes
+                                              (lane_vertex). */
 #pragma GCC unroll 2
         for (int high = 0; high < SIMD_LANES / 4; high++) {
             vec3 *at = &to[SIMD_LANES / 2 * pair + 2 * high];
@@ -257,7 +265,8 @@ static struct blending begin_blending(const struct species_mesh *mesh, uint32_t 
     return b;
 }
 
-/* Prefetches the first AHEAD vertices of every stream, because no earlier block prefetched them. */
+/* Prefetches the first AHEAD vertices of every table. blend_points() and load_block() prefetch only
+ * vertices at a distance of AHEAD or more. */
 static void foresee(const struct blending *b)
 {
     const uint32_t count = b->mesh->vertex_count < AHEAD ? b->mesh->vertex_count : AHEAD;

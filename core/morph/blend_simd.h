@@ -7,8 +7,8 @@
 #include "core/morph/morph.h"
 
 SIMD_BEGIN
-/* Blends whole blocks of vertices from vertex 0 on, and leaves at least one vertex. Returns the
- * index of the first vertex that is not blended. */
+/* Blends whole blocks of vertices, starting at vertex 0, and leaves at least one vertex at the end.
+ * Returns the index of the first vertex that is not blended. */
 uint32_t blend_blocks_4(const struct species_mesh *mesh, uint32_t key_count,
                         const struct morph_pose *pose, vec3 *positions, vec3 *normals);
 uint32_t blend_blocks_8(const struct species_mesh *mesh, uint32_t key_count,

@@ -1,4 +1,4 @@
-/* cubic.c -- a cubic curve through points that never overshoots the points. */
+/* cubic.c -- interpolates points by a cubic curve that never overshoots the points. */
 #include "core/morph/cubic.h"
 
 #include "core/base/fmath.h"
@@ -9,19 +9,20 @@ static float rise(const struct cubic_point *from)
     return (from[1].value - from->value) / (from[1].at - from->at);
 }
 
-/* Returns the slope at a point between two spans: the weighted harmonic mean of their slopes. The
- * spans have the widths h0 and h1 and the slopes d0 and d1. */
+/* Returns the slope at an inner point: the weighted harmonic mean of the slopes on both sides. h0
+ * and d0 are the width and the slope of the interval before the point. h1 and d1 are those of the
+ * interval after the point. */
 static float inner_slope(float h0, float d0, float h1, float d1)
 {
     if (!(d0 * d1 > 0.0f)) {
-        return 0.0f; /* A peak, a trough or a level stretch gets a level slope. */
+        return 0.0f; /* At a peak, at a trough and beside a level interval, the slope is 0. */
     }
     const float near = 2.0f * h1 + h0, far = h1 + 2.0f * h0;
     return (near + far) / (near / d0 + far / d1);
 }
 
-/* Returns the slope at the first or last point. The adjacent span has the width h0 and the slope
- * d0; the next span has the width h1 and the slope d1. */
+/* Returns the slope at the first or the last point. h0 and d0 are the width and the slope of the
+ * interval at that point. h1 and d1 are those of the next interval toward the middle. */
 static float end_slope(float h0, float d0, float h1, float d1)
 {
     const float slope = ((2.0f * h0 + h1) * d0 - h0 * d1) / (h0 + h1);

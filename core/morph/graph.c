@@ -1,5 +1,5 @@
-/* graph.c -- deformation graphs: the weight of each key shape (modelled growth stage) as a fish
- * grows. */
+/* graph.c -- evaluates deformation graphs, which give the weight of each key shape (modelled growth
+ * stage) as a fish grows. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -59,8 +59,9 @@ static float smooth_weight(const struct graph *graph, uint32_t key, float progre
     for (uint32_t i = 0; i < graph->knot_count; i++) {
         points[i] = (struct cubic_point){ graph->knots[i].progress, graph->knots[i].weight[key] };
     }
-    return f_max(cubic_curve(points, graph->knot_count, progress), 0.0f); /* The clamp removes only
-                                                                             rounding errors. */
+    /* A monotone cubic curve through weights is never negative except by rounding errors, which the
+     * clamp removes. */
+    return f_max(cubic_curve(points, graph->knot_count, progress), 0.0f);
 }
 
 static void smooth_weights(const struct graph *graph, uint32_t key_count, float progress,
@@ -87,8 +88,8 @@ static void straight_weights(const struct graph *graph, uint32_t key_count, floa
     const float t =
         f_clamp((progress - from->progress) / (to->progress - from->progress), 0.0f, 1.0f);
     for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
-        /* The interpolation is exact at both knots, and is negative only if a knot has a negative
-         * weight. */
+        /* The interpolation gives exact values at both knots. The result is negative only if a knot
+         * has a negative weight. */
         weights[i] = i < key_count ? from->weight[i] * (1.0f - t) + to->weight[i] * t : 0.0f;
     }
 }

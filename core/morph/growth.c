@@ -1,25 +1,30 @@
-/* growth.c -- the length of a fish at an age, and its age at a length.
+/* growth.c -- computes the length of a fish at an age, and its age at a length.
  *
- * The growth table has measured lengths up to an age, and von Bertalanffy's curve (2005 thesis, eq.
- * 3.3) continues the table. The curve alone is fitted to adults and gives 12 to 32 cm at hatching
- * for most species. The thesis shifts the constant t0 to correct the length at hatching, but then
- * the adults are too small (a bigeye of one year is 38 cm long instead of 64 cm). In this code, the
- * last measured length L0 instead fades into the curve VB over the time `since` that point: L = L0
- * + (VB - L0) (1 - e^(-since / fade)). */
+ * The growth table has measured lengths up to an age, and von Bertalanffy's curve VB (2005
+ * thesis, eq. 3.3) continues the table. VB without the table is fitted to adults and gives 12 to
+ * 32 cm at hatching for most species. The thesis shifts the constant t0 to correct the length at
+ * hatching, but then the adults are too small (a bigeye of one year is 38 cm long instead of
+ * 64 cm). In this code, the length gradually changes from the last measured length L0 to VB: L =
+ * L0 + (VB - L0) * (1 - e^(-s / fade)). s is the time after the last measured point, and fade is
+ * the time constant. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
 #include "core/morph/cubic.h"
 
 #define DAYS_PER_YEAR 365.25f
-/* Greatest age of the growth functions; the oldest goldfish on record lived for 43 years. */
+/* Highest age that the growth functions use. The oldest goldfish on record lived for 43 years. */
 #define AGE_MAX_DAYS (40.0f * DAYS_PER_YEAR)
-#define FADE_NONE_YEAR 1e-6f /* Fade time of half a minute, which has the same effect as no fade. */
-/* Number of bisections: 14,610 days halved 24 times are 0.001 days. */
+#define FADE_NONE_YEAR                                                                             \
+    1e-6f /* Time constant of half a minute, with which the length follows von Bertalanffy's
+             curve practically from the start. */
+/* Number of bisections of an age range. After 24 bisections, a range of 14,610 days is 0.001 days
+ * wide. */
 #define BISECTIONS 24
 
-/* Returns by how many metres von Bertalanffy's curve exceeds the last measured length, or 0 if the
- * curve is below that length. The length of the fish then stays constant instead of falling. */
+/* Returns the difference, in metres, by which von Bertalanffy's curve exceeds the last measured
+ * length. Returns 0 if the curve is below the last measured length, so that the fish keeps its
+ * length and does not shrink. */
 static float curve_lead_m(const struct growth *growth, float age_days)
 {
     const struct growth_point *last = &growth->points[growth->point_count - 1];
@@ -36,8 +41,9 @@ static float beyond_points_m(const struct growth *growth, float age_days)
     return last->length_m + curve_lead_m(growth, age_days) * (1.0f - young);
 }
 
-/* Returns the growth rate at a measured point, in metres per day. At the last point, the rate is
- * the rate of the following curve, limited so that the table stays monotone. */
+/* Returns the growth rate at a measured point, in metres per day. At the last point, the growth
+ * rate equals the initial growth rate of the following curve, limited so that the table stays
+ * monotone. */
 static float point_slope(const struct growth *growth, const struct cubic_point *points,
                          uint32_t index)
 {
@@ -91,8 +97,9 @@ struct growth growth_shifted(const struct growth *growth)
     };
 }
 
-/* Returns the age with length `length_m` by bisection. The caller guarantees that no measured point
- * lies between the two ages, so that the length is monotone there. */
+/* Returns the age at which a fish has the length `length_m`, found by bisection. The caller
+ * guarantees that no measured point lies between the two ages. The length is therefore monotone
+ * between the ages. */
 static float age_in_span(const struct growth *growth, float from_days, float to_days,
                          float length_m)
 {

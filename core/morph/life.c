@@ -1,12 +1,14 @@
-/* life.c -- conversion between age, length and progress of a fish through its key shapes.
+/* life.c -- converts between age, length and progress of a fish through its key shapes.
  *
- * A key shape (key) is one modelled growth stage. Key i of n is at progress i / (n - 1) and has its
- * own age and length. The 2005 thesis writes t for age, length and progress alike. Between two
- * keys, progress follows the logarithm of length, because fish grow by factors. If length is not
- * monotone between two keys, progress follows age (a conger is longest before it becomes an eel).
- * The length of a key may differ slightly from the growth curve at its age. Ages between two keys
- * therefore follow the lengths of the curve at the ages of both keys, so that age always increases
- * with progress. */
+ * A key shape (key) is one modelled growth stage. Key i of n keys is at progress i / (n - 1) and
+ * has its own age and length. (The 2005 thesis uses one letter t for age, length and progress.)
+ * Between two keys, progress is proportional to the logarithm of length, because growth multiplies
+ * the length. If the length is not monotone between two keys, progress is proportional to age. For
+ * example, a conger is longest before it becomes an eel.
+ *
+ * The length of a key may differ slightly from the growth curve at the age of the key. For the
+ * conversion between age and progress, the lengths are therefore taken from the growth curve at the
+ * ages of both keys. Age then always increases with progress. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -17,8 +19,9 @@ static uint32_t last_key(const struct species_card *card)
     return card->key_count - 1u;
 }
 
-/* Returns true if progress from `key` to the next key follows length: the growth curve is monotone
- * between both keys and changes in the same direction as the lengths of the keys. */
+/* Returns true if progress between `key` and the next key is computed from length. This requires
+ * that the growth curve is monotone between both keys and changes in the same direction as the
+ * lengths of the keys. */
 static bool goes_by_length(const struct species_card *card, uint32_t key)
 {
     const float *length = &card->key_length_m[key], *age = &card->key_age_days[key];
@@ -28,7 +31,8 @@ static bool goes_by_length(const struct species_card *card, uint32_t key)
            growth_is_one_way(&card->growth, age[0], age[1]);
 }
 
-/* Returns the position [0, 1] of a length between two lengths on a logarithmic scale. */
+/* Returns the position of `length_m` between two lengths on a logarithmic scale: 0 at `from_m`, 1
+ * at `to_m`. */
 static float part_between(float from_m, float to_m, float length_m)
 {
     return f_clamp(f_log(length_m / from_m) / f_log(to_m / from_m), 0.0f, 1.0f);
@@ -47,8 +51,8 @@ static float part_of_age(const struct species_card *card, uint32_t key, float ag
     return f_clamp((age_days - age[0]) / (age[1] - age[0]), 0.0f, 1.0f);
 }
 
-/* Returns the position [0, 1] of an age between `key` and the next key, by the length of the growth
- * curve. */
+/* Returns the position in [0, 1] of an age between `key` and the next key, computed from the length
+ * of the growth curve at the age. */
 static float part_of_growth(const struct species_card *card, uint32_t key, float age_days)
 {
     const float *age = &card->key_age_days[key];
@@ -57,8 +61,8 @@ static float part_of_growth(const struct species_card *card, uint32_t key, float
                         growth_length_m(&card->growth, age_days));
 }
 
-/* Returns the age at the position `part` between `key` and the next key; the inverse of
- * part_of_growth(). */
+/* Returns the age at the position `part` in [0, 1] between `key` and the next key. The function is
+ * the inverse of part_of_growth(). */
 static float age_of_growth(const struct species_card *card, uint32_t key, float part)
 {
     const float *age = &card->key_age_days[key];
@@ -83,8 +87,8 @@ float life_progress(const struct species_card *card, float age_days)
     }
     for (uint32_t key = 0; key < last; key++) {
         if (age_days == card->key_age_days[key]) {
-            return progress_of(card, key, 0.0f); /* The exact result does not depend on the rounding
-                                                    of the key's length. */
+            return progress_of(card, key, 0.0f); /* At the exact age of a key, the progress of the
+                                                    key is returned without rounding errors. */
         }
         if (age_days < card->key_age_days[key + 1]) {
             if (!goes_by_length(card, key)) {
@@ -96,8 +100,9 @@ float life_progress(const struct species_card *card, float age_days)
     return 1.0f;
 }
 
-/* Returns the index of the last key at or before `progress`, but never the last key of all. Writes
- * to `part` the share [0, 1] of the way to the next key. */
+/* Returns the index of the last key whose progress is at most `progress`; at progress 1, returns
+ * the last key but one. Writes the position between this key and the next key, in [0, 1], to
+ * `part`. */
 static uint32_t key_before(const struct species_card *card, float progress, float *part)
 {
     const float last = (float)last_key(card);
@@ -106,8 +111,9 @@ static uint32_t key_before(const struct species_card *card, float progress, floa
     while (key + 1u < last_key(card) && progress >= (float)(key + 1u) / last) {
         key++;
     }
-    *part = f_clamp(progress * last - (float)key, 0.0f, 1.0f); /* At a key, progress * last is
-                                                                  exactly the index of the key. */
+    *part = f_clamp(progress * last - (float)key, 0.0f, 1.0f); /* At the progress of a key, progress
+                                                                  * last is exactly the index of the
+                                                                  key. */
     return key;
 }
 
@@ -134,9 +140,9 @@ float life_age_days(const struct species_card *card, float progress)
     return f_lerp(age[0], age[1], part);
 }
 
-/* Returns the length by the hand-drawn size curve (the purple curve of the thesis). Between two
- * knots, the curve is logarithmic like the length between two keys, so that knots at the keys
- * change nothing. */
+/* Returns the length by the hand-drawn size curve (the purple curve of the 2005 thesis). The curve
+ * is interpolated logarithmically between two knots, like the length between two keys. Knots that
+ * lie exactly on the keys therefore have no effect. */
 static float scale_by_hand_m(const struct species_card *card, float progress)
 {
     const struct scale_knot *to = &card->scale_knots[1];
@@ -165,8 +171,8 @@ float life_length_m(const struct species_card *card, float progress)
     return length_at(card, key, part);
 }
 
-/* Returns the earliest progress at which the hand-drawn size curve has the length `length_m`, or -1
- * if there is none. */
+/* Returns the earliest progress at which the hand-drawn size curve has the length `length_m`.
+ * Returns -1 if the curve never has this length. */
 static float progress_by_hand(const struct species_card *card, float length_m)
 {
     for (uint32_t i = 0; i < card->scale_knot_count; i++) {
@@ -184,7 +190,7 @@ static float progress_by_hand(const struct species_card *card, float length_m)
 }
 
 /* Returns the earliest progress between `key` and the next key at which the fish has the length
- * `length_m`, or -1 if there is none. */
+ * `length_m`. Returns -1 if the fish does not have this length between the two keys. */
 static float progress_from_key(const struct species_card *card, uint32_t key, float length_m)
 {
     const float *length = &card->key_length_m[key], *age = &card->key_age_days[key];

@@ -1,34 +1,37 @@
-/* mark.c -- the painted marks of a fish: spots, rows, bars, lines, margins, patches, and the slits
- * of mouth and gill.
+/* mark.c -- computes the painted marks of a fish: spots, rows of dots, bars, lines, fin margins,
+ * patches, marks on one side, and the slits of mouth and gill.
  *
- * The cover of a mark is the share [0, 1] of a point that the mark paints. Each mark is a function
- * of the body coordinates of a point, with soft edges. Marks therefore move with the skin as the
- * fish grows and need no texture. Lengths are in body lengths, and `flank` of a point converts
- * distances around the girth into body lengths. */
+ * The cover of a mark at a point is the opacity of the mark, from 0 (not painted) to 1 (fully
+ * painted). Each mark is a function of the body coordinates of a point and has soft edges. Marks
+ * therefore move with the skin as the fish grows and need no texture. Lengths are in body lengths.
+ * The member `flank` of a point converts distances around the girth to body lengths. */
 #include "core/morph/mark.h"
 
 #include "core/base/fmath.h"
 #include "core/morph/morph.h"
 
 #define PI 3.14159265f
-#define SOFT_U 0.006f /* Half the width of a soft edge along the body, in body lengths. */
-/* Half the width of a soft edge across the flank, as a share of the height. */
+#define SOFT_U                                                                                     \
+    0.006f /* Half the width of a soft edge that is crossed along the body, in body lengths. */
+/* Half the width of a soft edge that is crossed from belly to back, as a fraction of the body's
+ * height. */
 #define SOFT_HEIGHT 0.03f
-#define UNEVEN 0.35f /* Random variation of the radius of a spot, as a share. */
-/* Width of the rim of a spot's cell that never holds the centre of the spot, as a share of the
- * cell. */
+#define UNEVEN 0.35f /* Largest random deviation of a spot's radius, as a fraction of the radius. */
+/* Width of the margin within which a spot's cell never contains the spot's centre, as a fraction of
+ * the cell. */
 #define CELL_RIM 0.2f
-/* Height of a flank in body lengths, which gives the bow of the gill cover. */
+/* Assumed height of a flank in body lengths, which converts the height of the gill slit to body
+ * lengths. */
 #define BOW_HEIGHT 0.35f
-/* Sine of the angle around the girth at which the soft edge of a flank begins. */
+/* Threshold of mark_point.right beyond which the soft edge of a one-sided mark begins. */
 #define SIDE_RIM 0.25f
-/* Factor from the width of a slit in body lengths to a share of the head's height, for a head 0.14
- * body lengths high. */
+/* Factor that converts the width of the mouth slit from body lengths to a fraction of the head's
+ * height. The head is assumed to be 0.14 body lengths high. */
 #define SLIT_HEIGHT 7.0f
 
-/* Size of a flank for each body form: the distance from back to belly in body lengths, and the
- * share by which the distance is smaller at the tail root. Marks do not read the mesh, because
- * these values make spots round enough. */
+/* Size of a flank for each body form. `lengths` is the distance from back to belly in body lengths,
+ * and `taper` is the fraction by which this distance is smaller at the tail root. The marks use
+ * these constants in place of the mesh, because spots are round enough with the constants. */
 static const struct {
     float lengths, taper;
 } flanks[] = {
@@ -56,8 +59,8 @@ struct mark_point mark_point_of(const struct species_vertex *at, enum body_form 
     return point;
 }
 
-/* Returns 1 within [from, to] and 0 outside, with edges of half width `soft`. An end at 0 or 1 has
- * no edge. */
+/* Returns 1 for x within [from, to] and 0 outside. Around each limit, the result changes smoothly
+ * over the distance `soft` on both sides. A limit of 0 or 1 has no soft edge. */
 static float soft_interval(float x, float from, float to, float soft)
 {
     const float above = from <= 0.0f ? 1.0f : f_smoothstep(from - soft, from + soft, x);
@@ -65,26 +68,26 @@ static float soft_interval(float x, float from, float to, float soft)
     return above * below;
 }
 
-/* Returns 1 within `radius` and 0 outside. The width of the soft edge is proportional to the
- * radius. */
+/* Returns 1 if `distance` is within `radius`, otherwise 0, with a soft edge between. The width of
+ * the soft edge is proportional to the radius. */
 static float disc(float distance, float radius)
 {
     const float soft = 0.2f * radius + 0.001f;
     return 1.0f - f_smoothstep(radius - soft, radius + soft, distance);
 }
 
-/* Returns the position `down` around the flank (0 at the back, 1 at the belly) for a height on the
- * body. */
+/* Converts a height in [0, 1] to the coordinate mark_point.down (0 at the back, 1 at the belly). */
 static float down_of(const struct mark_point *at, float height)
 {
     if (at->part >= PART_TAIL || height <= 0.0f || height >= 1.0f) {
-        return 1.0f - height; /* Most marks reach the full height, which needs no arc cosine. */
+        return 1.0f - height; /* The heights 0 and 1, which most marks use as limits, need no arc
+                                 cosine. */
     }
     return f_acos(2.0f * height - 1.0f) / PI;
 }
 
-/* Returns a pseudo-random number in [0, 1) for a cell of a mark (a 32-bit mixer). `purpose` selects
- * one of several numbers of the cell. */
+/* Returns a pseudo-random number in [0, 1) for a cell of a mark, by 32-bit integer hashing. A
+ * different `purpose` gives an independent number for the same cell. */
 static float chance(uint32_t cell, uint32_t seed, uint32_t purpose)
 {
     uint32_t h = cell * 0x9e3779b1u ^ seed * 0x85ebca77u ^ purpose * 0xc2b2ae3du;
@@ -93,16 +96,17 @@ static float chance(uint32_t cell, uint32_t seed, uint32_t purpose)
     return (float)((h ^ h >> 15) >> 8) / 16777216.0f;
 }
 
-/* Returns the distance from `x` to the nearest possible centre of a spot, where `x` is the position
- * within a cell, in cells. */
+/* Returns the distance, in cells, from `x` to the nearest coordinate at which a spot's centre may
+ * lie. `x` is a coordinate of a point relative to the lower edge of the spot's cell, in cells. */
 static float to_middle(float x)
 {
     return f_max(f_max(CELL_RIM - x, x - (1.0f - CELL_RIM)), 0.0f);
 }
 
-/* Returns the cover of a mark of `count` cells over one flank, each with a spot at a random place.
- * The function tests only the nine cells around the point. Toward the tail, the number of cells
- * stays constant, but cells are lower and spots are smaller, so that no spot is cut off. */
+/* Returns the cover of a mark with about `count` spots on each flank. The area of the mark is a
+ * grid of cells, and each cell has one spot at a random place. Only the nine cells around the point
+ * are tested. Toward the tail, a column keeps its number of cells, but the cells are lower and the
+ * spots are smaller. Therefore no spot is cut off. */
 static float spots(const struct species_mark *m, const struct mark_point *at)
 {
     const float top = down_of(at, m->high), bottom = down_of(at, m->low);
@@ -115,8 +119,8 @@ static float spots(const struct species_mark *m, const struct mark_point *at)
     const float shrunk = m->width * f_sqrt(girth / broad);
     const float x = (at->u - m->from) / length * columns;
     const float y = (at->down - top) / f_max(bottom - top, 1e-3f) * rows;
-    const float reach = shrunk * (1.0f + UNEVEN) * 1.2f + 0.001f; /* Largest reach of a spot,
-                                                                     including its soft edge. */
+    const float reach = shrunk * (1.0f + UNEVEN) * 1.2f + 0.001f; /* Largest radius of a spot plus
+                                                                     its soft edge. */
     float cover = 0.0f;
     if (x < -1.0f || y < -1.0f || x > columns + 1.0f || y > rows + 1.0f) {
         return 0.0f;
@@ -138,9 +142,10 @@ static float spots(const struct species_mark *m, const struct mark_point *at)
     return cover;
 }
 
-/* Returns the cover of rows of dots. In this kind of mark, `seed` is the number of rows, and
- * `count` is the number of dots in a row. Every other row is offset by half a step. Toward the
- * tail, rows are closer, and dots are smaller and flatter, so that no dot is cut off. */
+/* Returns the cover of a mark that consists of rows of dots. For this mark, `seed` is the number of
+ * rows, and `count` is the number of dots in each row. Odd rows are offset from even rows by half a
+ * step. Toward the tail, the rows are closer together, and the dots are smaller and flatter.
+ * Therefore no dot is cut off. */
 static float rows(const struct species_mark *m, const struct mark_point *at)
 {
     const float row_count = f_max((float)m->seed, 1.0f), count = f_max((float)m->count, 1.0f);
@@ -192,8 +197,8 @@ static float side(const struct species_mark *m, const struct mark_point *at)
            soft_interval(at->u, m->from, m->to, SOFT_HEIGHT);
 }
 
-/* Returns the cover of the slit of the mouth. The slit runs from the snout at height `high` to the
- * corner at (`to`, `low`) and is thinner toward the corner. */
+/* Returns the cover of the mouth's slit. The slit runs from the snout at the height `high` to the
+ * corner of the mouth at u = `to` and height `low`, and narrows toward the corner. */
 static float mouth(const struct species_mark *m, const struct mark_point *at)
 {
     const float along = at->u / f_max(m->to, 1e-3f);
@@ -202,7 +207,7 @@ static float mouth(const struct species_mark *m, const struct mark_point *at)
     return disc(f_abs(at->height - line), width) * (1.0f - f_smoothstep(0.92f, 1.06f, along));
 }
 
-/* Returns the cover of the slit of the gill: an arc whose middle bows backward. */
+/* Returns the cover of the gill's slit, which is an arc whose middle is farthest back. */
 static float gill(const struct species_mark *m, const struct mark_point *at)
 {
     const float half = f_max(0.5f * (m->high - m->low), 1e-3f);
@@ -214,7 +219,7 @@ static float gill(const struct species_mark *m, const struct mark_point *at)
 
 float mark_cover(const struct species_mark *m, const struct mark_point *at)
 {
-    if (m->kind == MARK_SIDE) { /* A mark on one side also covers the paired fins of that side. */
+    if (m->kind == MARK_SIDE) { /* A one-sided mark also covers the paired fins on its side. */
         const bool paired = at->part == PART_PECTORAL || at->part == PART_PELVIC;
         return at->part == PART_BODY || paired ? side(m, at) : 0.0f;
     }

@@ -1,28 +1,29 @@
-/* mark.h -- the share of a point on a fish that a painted mark covers. Internal to paint.c and
- * mark.c. */
+/* mark.h -- computes how strongly a painted mark covers a point of the fish. Internal to paint.c
+ * and mark.c. */
 #ifndef KINGYO_CORE_MORPH_MARK_H
 #define KINGYO_CORE_MORPH_MARK_H
 
 #include "core/morph/species.h"
 
-/* Point on the skin or on a fin, in the coordinates that marks use. */
+/* Point on the skin or on a fin, in the coordinates that the marks use. */
 struct mark_point {
     uint8_t part, side;
-    float u;      /* Position along the body, or along the base of a fin, in [0, 1]. */
-    float height; /* Height of the point: 0 at the belly and 1 at the back; on a fin, 0 at the root
-                     and 1 at the tip. */
-    float down;   /* Position around the flank: 0 at the back and 1 at the belly; on a fin, 1 at the
-                     root and 0 at the tip. */
-    float right;  /* Position to the right: -1 at the left flank, 1 at the right flank, 0 at the
-                     back and the belly. */
-    float flank;  /* Distance on the skin between `down` = 0 and `down` = 1 at this point, in body
-                     lengths; 1 on a fin. */
-    float broad;  /* Value of `flank` at the broadest place of the body. */
+    float u;      /* Position from 0 to 1: along the body from snout to tail root, or along the base
+                     of a fin. */
+    float height; /* Height in [0, 1]. On the body, 0 is the belly and 1 is the back. On a fin, 0 is
+                     the root and 1 is the tip. */
+    float down;   /* Position from top to bottom in [0, 1]. On the body, 0 is the back and 1 is the
+                     belly, measured along the skin. On a fin, 0 is the tip and 1 is the root. */
+    float right;  /* Sideways position in [-1, 1]: -1 is the left flank, 1 is the right flank, and 0
+                     is the back or the belly. */
+    float flank;  /* Distance on the skin from the back to the belly at the position `u`, in body
+                     lengths. The value is 1 on a fin. */
+    float broad;  /* Value of `flank` at the highest part of the body. */
 };
 
 struct mark_point mark_point_of(const struct species_vertex *at, enum body_form form);
 
-/* Returns the share [0, 1] of the point that the mark covers. */
+/* Returns the opacity of the mark at the point, from 0 (not covered) to 1 (completely covered). */
 float mark_cover(const struct species_mark *mark, const struct mark_point *at);
 
 #endif

@@ -1,11 +1,12 @@
-/* morph.h -- the shape of a fish of any age, blended from three or more drawings (2005 thesis).
+/* morph.h -- computes the shape of a fish at any age by blending three or more drawn shapes.
  *
- * A key shape (key) is one modelled growth stage. The shape is computed in this order: age ->
- * progress through the keys -> weights of the keys (one deformation graph per curve) -> pose ->
- * shape. The length is a separate function of the age or of the progress.
+ * The method is the one of the 2005 thesis (core/morph/README.md). A key shape (key) is one
+ * modelled growth stage. The shape is computed in this order: age -> progress through the keys ->
+ * weights of the keys (one deformation graph per curve) -> pose -> shape. The length is a separate
+ * function of the age or of the progress.
  *
- * Progress is in [0, 1], and key i of n is at progress i / (n - 1). All functions are pure, and the
- * caller owns all memory. core/morph/README.md describes the method. */
+ * Progress is in [0, 1], and key i of n keys is at progress i / (n - 1). All functions are pure,
+ * and the caller owns all memory. */
 #ifndef KINGYO_CORE_MORPH_MORPH_H
 #define KINGYO_CORE_MORPH_MORPH_H
 
@@ -15,149 +16,159 @@
 
 /* ---- growth.c: length and age -------------------------------------------------------------- */
 
-/* Returns the length in metres at `age_days` days after hatching. Asserts that `age_days` >= 0. */
+/* Returns the length in metres of a fish that is `age_days` days old, counted from hatching.
+ * Asserts that `age_days` >= 0. */
 float growth_length_m(const struct growth *growth, float age_days);
 
-/* Returns the youngest age in days with the length `length_m`, with an error of at most 0.1 day.
- * Returns 0 if the fish is longer at hatching, and 40 years if the fish never reaches the
- * length. */
+/* Returns the youngest age in days at which a fish has the length `length_m`, with an error of at
+ * most 0.1 day. Returns 0 if a fish is already longer than `length_m` at hatching. Returns 40 years
+ * (in days) if a fish never reaches `length_m`. */
 float growth_age_days(const struct growth *growth, float length_m);
 
-/* Returns the youngest age within [from_days, to_days] with the length `length_m`, or -1 if there
- * is none. */
+/* Returns the youngest age in days within [from_days, to_days] at which a fish has the length
+ * `length_m`. Returns -1 if the fish has this length at no age in the range. */
 float growth_age_between(const struct growth *growth, float from_days, float to_days,
                          float length_m);
 
-/* Returns true if the length only rises or only falls between the two ages. The result is false for
- * a conger, for example, which shrinks during its metamorphosis. */
+/* Returns true if the length only increases or only decreases between the two ages. Returns false
+ * if the length is equal at both ages. For example, the result is false for a range of ages in
+ * which a conger first grows and then shrinks. */
 bool growth_is_one_way(const struct growth *growth, float from_days, float to_days);
 
-/* Returns the growth curve of the thesis (section 3.2): eq. 3.3 alone, with t0 shifted so that
- * the fish hatches at its measured length. Later measurements are ignored, and adults become too
- * small. */
+/* Returns the growth curve of the 2005 thesis, section 3.2: eq. 3.3 with a time constant t0 that is
+ * shifted until the fish hatches at its measured length. All later measurements are ignored, and
+ * therefore the adults are too small. */
 struct growth growth_shifted(const struct growth *growth);
 
-/* Returns the progress [0, 1] at an age >= 0 (life.c). Between two keys, progress follows the
- * logarithm of length if the length is monotone there, because fish grow by factors. Otherwise
- * progress follows age. */
+/* Returns the progress in [0, 1] of a fish at an age of at least 0 days (life.c). Between two
+ * keys, progress is proportional to the logarithm of length if the length only increases or only
+ * decreases there, because growth multiplies the length. Otherwise progress is proportional to
+ * age. */
 
 float life_progress(const struct species_card *card, float age_days);
 
-/* Returns the age in days at `progress` in [0, 1]; the inverse of life_progress(). */
+/* Returns the age in days at `progress` in [0, 1]. The function is the inverse of
+ * life_progress(). */
 float life_age_days(const struct species_card *card, float progress);
-/* Returns the length in metres at `progress`. The length follows the growth curve, or the
- * hand-drawn scale knots of the card with logarithmic interpolation if the card has any. */
+/* Returns the length in metres at `progress`. If the card has a hand-drawn size curve
+ * (`scale_knots`), the length is interpolated logarithmically between its knots. Otherwise the
+ * length follows the growth curve. */
 float life_length_m(const struct species_card *card, float progress);
-/* Returns the earliest progress with the length `length_m`. If there is none, returns 1 for a fish
- * longer than the youngest key, otherwise 0. */
+/* Returns the earliest progress at which a fish has the length `length_m`. If the fish has this
+ * length at no progress, returns 1 if `length_m` is longer than the youngest key, otherwise 0. */
 float morph_progress(const struct species_card *card, float length_m);
 
 /* Faults of a deformation graph (graph.c), which gives the weight of each key as a fish grows. */
 
 enum graph_fault {
     GRAPH_GOOD = 0,
-    GRAPH_KNOT_COUNT, /* The graph has fewer than 2 knots or more than GRAPH_KNOT_MAX. */
+    GRAPH_KNOT_COUNT, /* The graph has fewer than 2 knots or more than GRAPH_KNOT_MAX knots. */
     GRAPH_ENDS,       /* The first knot is not at progress 0, or the last knot is not at progress
                          1. */
-    GRAPH_ORDER,      /* The progress of `knot` is not greater than the progress of the previous
-                         knot. */
-    GRAPH_NEGATIVE,   /* The weight of `key` at `knot` is negative or NaN. */
-    GRAPH_SUM,        /* The weights of `knot` sum to `value` instead of 1, with an error above
-                         1e-6. */
-    GRAPH_UNSOLVABLE, /* Solved shapes are requested, but the graph gives `key` hardly any weight
-                         even at the progress of `key`. */
+    GRAPH_ORDER,      /* The progress of knot `knot` is not greater than the progress of the
+                         previous knot. */
+    GRAPH_NEGATIVE,   /* The weight of key `key` at knot `knot` is negative or NaN. */
+    GRAPH_SUM,        /* The weights of knot `knot` sum to `value`, which differs from 1 by more
+                         than 1e-6. */
+    GRAPH_UNSOLVABLE, /* The graph requests exaggerated shapes (`solved`), but solve_graph() fails:
+                         key `key` has too little weight at its own progress. */
 };
 
 struct graph_verdict {
-    uint8_t fault; /* Fault of the graph (enum graph_fault). */
+    uint8_t fault; /* First fault that graph_check() found (enum graph_fault). */
     uint8_t knot, key;
     float value;
 };
 
-/* Returns the first fault of a graph with its knot, key and value. The fault is GRAPH_GOOD if the
- * graph is valid. */
+/* Returns the first fault of a graph, with the knot, the key and the value that cause the fault.
+ * The fault is GRAPH_GOOD if the graph is valid. */
 struct graph_verdict graph_check(const struct graph *graph, uint32_t key_count);
 
 /* Writes the weights of all keys at `progress` in [0, 1]. Each weight is at least 0, and the
- * weights sum to 1 within 1e-6. Keys from `key_count` on get the weight 0. */
+ * weights sum to 1 with an error of at most 1e-6. Entries of `weights` from index `key_count` on
+ * are set to 0. */
 void graph_weights(const struct graph *graph, uint32_t key_count, float progress,
                    float weights[MORPH_KEY_MAX]);
 
-/* Solves exaggerated shapes for a graph that never shows a key alone (solve.c). `solution[i][j]`
- * receives the weight of drawn key j in the shape solved for key i, and each row sums to 1. A fish
- * that is blended from the solved shapes passes through the drawing of key i at progress i / (n -
- * 1). Returns false if the solution would need more than a tenfold exaggeration, and writes the
- * index of the key to `stuck`. */
+/* Computes exaggerated key shapes for a graph that never gives a single key the weight 1 (solve.c).
+ * `solution[i][j]` receives the weight of drawn key j in the exaggerated shape for key i, and each
+ * row sums to 1. A fish that is blended from the exaggerated shapes has exactly the drawn shape of
+ * key i at progress i / (n - 1), where n is `key_count`. Returns false if an exaggeration of more
+ * than ten times would be necessary, and then writes the index of the key that fails to `stuck`. */
 bool solve_graph(const struct graph *graph, uint32_t key_count,
                  float solution[MORPH_KEY_MAX][MORPH_KEY_MAX], uint32_t *stuck);
 
-/* Standard graphs (template.c) that can replace the graphs of a species. */
+/* Standard graphs (template.c), which a caller can use in place of the graphs of a species. */
 
 enum graph_template {
-    TEMPLATE_OWN = 0,      /* The graphs of the species are used. */
-    TEMPLATE_ORDINARY,     /* Only the first and the last key are blended (eq. 3.1). */
-    TEMPLATE_PAIRWISE,     /* Two adjacent keys are blended at a time, and each key reaches weight 1
-                              (figure 3.8). */
-    TEMPLATE_SIMULTANEOUS, /* Three keys are blended at a time (figure 3.9). An inner key has the
-                              weight `peak` at its own progress, and its neighbours share the
-                              rest. */
-    TEMPLATE_SMOOTH,       /* The weights are those of a cubic B-spline, so that the path has no
-                              corner at any key. */
+    TEMPLATE_OWN = 0,      /* The species keeps its own graphs. */
+    TEMPLATE_ORDINARY,     /* Only the first and the last key are blended (2005 thesis, eq. 3.1). */
+    TEMPLATE_PAIRWISE,     /* Two adjacent keys are blended at a time, and each key reaches the
+                              weight 1 (2005 thesis, figure 3.8). */
+    TEMPLATE_SIMULTANEOUS, /* Three adjacent keys are blended at a time (2005 thesis, figure 3.9).
+                              At the progress of an inner key, the inner key has the weight `peak`,
+                              and each of its two neighbours has the weight (1 - peak) / 2. */
+    TEMPLATE_SMOOTH,       /* The weights at each key are those of a cubic B-spline, so that the
+                              path of a vertex has no corner. */
     TEMPLATE_COUNT,
 };
 
-/* Peak weight of the species hirame in section 4.2 of the thesis. */
+/* Weight of the middle key at its own progress for the species hirame (2005 thesis, section
+ * 4.2). */
 #define SIMULTANEOUS_PEAK 0.70f
 
-/* Writes a standard graph. Asserts that `template_id` is not TEMPLATE_OWN and that `peak` is in
- * (0.5, 1]. `peak` affects only TEMPLATE_SIMULTANEOUS. */
+/* Writes a standard graph to `graph`. Asserts that `template_id` is not TEMPLATE_OWN and that
+ * `peak` is in (0.5, 1]. Only TEMPLATE_SIMULTANEOUS uses `peak`. */
 void template_graph(struct graph *graph, enum graph_template template_id, uint32_t key_count,
                     float peak);
 
-/* The curves (deformation graphs) that blend a fish, prepared for repeated evaluation (rig.c). */
+/* Deformation graphs of one fish (one per curve), prepared for repeated evaluation (rig.c). */
 
 struct morph_rig {
     uint32_t key_count, curve_count;
     struct graph curves[MORPH_CURVE_MAX];
-    /* solution[c][i][j]: weight of drawn key j in the shape that is solved for key i of curve c.
-     * The identity matrix if curve c is not solved. */
+    /* solution[c][i][j] is the weight of drawn key j in the exaggerated shape for key i of curve c.
+     * solution[c] is the identity matrix if the drawn shapes are blended directly. */
     float solution[MORPH_CURVE_MAX][MORPH_KEY_MAX][MORPH_KEY_MAX];
 };
 
-/* Initializes a rig. TEMPLATE_OWN uses the curves of the card, and any other template replaces all
- * curves. A curve that cannot be solved blends the drawn shapes directly; graph_check() returns the
- * reason. */
+/* Initializes a rig. TEMPLATE_OWN uses the graphs of the card, and any other template replaces the
+ * graphs of all curves. If solve_graph() fails for a graph, the drawn shapes are blended directly;
+ * graph_check() then returns the fault. */
 void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
                     enum graph_template template_id);
 
-/* Writes the weights of the drawn keys for each curve. The weights of a curve sum to 1, and only a
- * solved curve can have negative weights. A solved curve has exactly weight 1 for key i at progress
- * i / (n - 1). */
+/* Writes the weights of the drawn keys for each curve at `progress` in [0, 1]. The weights of a
+ * curve sum to 1. Weights can be negative only if the graph of the curve has `solved` set. With
+ * `solved` set, key i of n keys has exactly the weight 1 at progress i / (n - 1). */
 void morph_weights(const struct morph_rig *rig, float progress,
                    float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX]);
 
-/* Rotation (pose.c). */
+/* Rotation as a unit quaternion (pose.c). */
 
 struct quat {
-    float x, y, z, w; /* Components of a unit quaternion. */
+    float x, y, z, w; /* Vector part (x, y, z) and scalar part w of the unit quaternion. */
 };
 
-/* Returns `a` rotated by `q`: a + 2 w (v x a) + 2 v x (v x a), where v = (x, y, z). */
+/* Returns `a` rotated by `q`. With v = (x, y, z), the result is a + 2 * w * (v cross a) + 2 * (v
+ * cross (v cross a)). */
 vec3 pose_rotate(struct quat q, vec3 a);
 
 /* Returns `a` rotated by the inverse of `q`. */
 vec3 pose_rotate_inverse(struct quat q, vec3 a);
 
-/* Values that differ from fish to fish; a renderer uploads the struct without conversion.
+/* Weights and anchors of one fish. Only these values differ between fish of one species. A renderer
+ * uploads the struct without conversion.
  *
- * A vertex has the masks m, and the points P_k and normals N_k in the keys. W are the weights of
- * the curves. The normals are unfolded onto the octahedron |x| + |y| + |z| = 1 before the sum.
+ * Each vertex has a mask m[c] for each curve c, and a point P_k and a normal N_k in each key k.
+ * W[c][k] is the weight of key k in curve c. The normals N_k are points of the octahedron |x| + |y|
+ * + |z| = 1.
  *     w_k      = (sum over the curves c of m[c] * W[c][k]) / 255
  *     position = sum over the keys of w_k * P_k
  *     normal   = normalize(sum over the keys of w_k * N_k)
- * A vertex with an anchor of rotation q and position A is then moved:
- *     position = A + q position q*          (pose_rotate)
- *     normal   = q normal q*
+ * A vertex with an anchor is then moved by the rotation q and the position A of the anchor:
+ *     position = A + pose_rotate(q, position)
+ *     normal   = pose_rotate(q, normal)
  * For an anchor that does not rotate, q is the identity. */
 struct morph_pose {
     float weight[MORPH_CURVE_MAX][MORPH_KEY_MAX]; /* Weights of the keys for each curve, as written
@@ -165,104 +176,113 @@ struct morph_pose {
     struct anchor_pose {
         vec3 position;    /* Position of the anchor in the body frame. */
         struct quat turn; /* Rotation of the anchor; the identity if the anchor does not rotate. */
-    } anchor[ANCHOR_MAX]; /* Poses of the mesh's anchors; the first `anchor_count` entries are
+    } anchor[ANCHOR_MAX]; /* Poses of the mesh's anchors. Only the first `anchor_count` entries are
                              valid. */
 };
 
-/* Writes the weights and the anchors of a fish at `progress` in [0, 1]. */
+/* Writes the weights and the anchors of a fish at `progress` in [0, 1] to `pose`. */
 void morph_pose(const struct morph_rig *rig, const struct species_mesh *mesh, float progress,
                 struct morph_pose *pose);
 
-/* Writes the pose that shows key `key` alone. */
+/* Writes a pose in which key `key` has the weight 1 in every curve, and writes its anchors. */
 void morph_key_pose(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
                     struct morph_pose *pose);
 
-/* Returns the place with the body coordinates (u, v) on the skin that is blended by `pose->weight`.
- * The place lies on the drawn triangles: the diagonal of each grid cell joins (ring, next spoke)
- * and (next ring, spoke). u is clamped to the rings of the grid, and v counts turns around the
- * body. If `turns` is set, the result also has a rotation: x along the skin's normal, z backward
- * along the skin, and y = z cross x. Otherwise the rotation is the identity. The mesh must have a
- * grid of at least 2 rings and 3 spokes (asserted), and the vertices of the grid must have no
- * anchor. A vertex at p in the body frame of a key is at pose_rotate_inverse(turn, p - position)
- * relative to its anchor. */
+/* Returns the position, and optionally the rotation, of the point with the body coordinates (u, v)
+ * on the blended skin. The skin is blended by `pose->weight`.
+ *
+ * The point lies on the drawn triangles: the diagonal of each grid cell joins (ring, next spoke)
+ * and (next ring, spoke). u is clamped to the range of the grid, and v counts turns around the
+ * body. If `turns` is true, x of the returned rotation points along the skin's normal, z points
+ * backward along the skin, and y = z cross x. If `turns` is false, the rotation is the identity.
+ *
+ * The grid must have at least 2 rings and 3 spokes (asserted), and its vertices must have no
+ * anchor. A vertex at p in the body frame of a key has the coordinates pose_rotate_inverse(turn, p
+ * - position) relative to an anchor at `position` with the rotation `turn`. */
 struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_count,
                               const struct morph_pose *pose, float u, float v, bool turns);
 
-/* Writes the anchors of `pose` from the weights of `pose`. The curve of each anchor blends the
- * anchor's u and v. */
+/* Writes the anchors of `pose` for the weights that `pose` already contains. The body coordinates u
+ * and v of each anchor are blended by the weights of the anchor's curve. */
 void morph_ride_all(const struct species_mesh *mesh, uint32_t key_count, struct morph_pose *pose);
 
-/* ---- blend.c: eq. 3.2 on the CPU ----------------------------------------------------------- */
+/* ---- blend.c: blend of the keys on the CPU (2005 thesis, eq. 3.2) --------------------------- */
 
-/* Writes the positions and normals of all vertices by the formula at struct morph_pose. `positions`
- * and `normals` have mesh->vertex_count entries, and each may be null. */
+/* Writes the positions and normals of all vertices by the formula in the comment of struct
+ * morph_pose. `positions` and `normals` must each have mesh->vertex_count entries or be null. */
 void morph_shape(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
                  vec3 *positions, vec3 *normals);
 
-/* Writes the same bits as morph_shape(), for `lanes` = 1, 4 or 8 vertices at a time. The caller
- * must ensure that the processor has AVX2 if `lanes` is 8. */
+/* Writes the same results as morph_shape(), bit for bit, with SIMD code for `lanes` = 1, 4 or 8
+ * vertices at a time. If `lanes` is 8, the caller must ensure that the processor has AVX2. */
 void morph_shape_lanes(const struct species_mesh *mesh, uint32_t key_count,
                        const struct morph_pose *pose, vec3 *positions, vec3 *normals,
                        uint32_t lanes);
 
-/* Returns one blended vertex before its anchor rotates and moves it. */
+/* Returns the blended position and normal of one vertex. If the vertex has an anchor, the results
+ * are relative to the anchor. Otherwise the results are in the body frame. */
 struct morph_point {
     vec3 position, normal;
 } morph_point(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
               uint32_t vertex);
 
-/* Returns the position of a blended vertex before its anchor rotates and moves it. */
+/* Returns the blended position of one vertex. If the vertex has an anchor, the position is relative
+ * to the anchor. Otherwise the position is in the body frame. */
 vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
                  uint32_t vertex);
 
-/* Returns the position of a vertex in a key, converted from counts to body lengths. */
+/* Returns the position of a vertex in one key, in body lengths. The position is relative to the
+ * vertex's anchor, or to the body's origin if the vertex has no anchor. */
 vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vertex);
 
-/* Returns the unit normal for a folded normal of struct species_point. */
+/* Returns the unit normal that is encoded in `folded`, the member `normal` of struct
+ * species_point. */
 vec3 morph_normal(int16_t folded);
 
-/* Returns the folded form of a unit normal; the inverse of morph_normal(). */
+/* Returns the 16-bit encoding of a unit normal. The function is the inverse of morph_normal(). */
 int16_t morph_fold_normal(vec3 normal);
 
-/* Returns the count for the coordinate `x` in a mesh with the given `reach`, rounded to nearest
- * with ties away from 0. Coordinates beyond the reach are clamped. The inverse of morph_position()
- * on each axis. */
+/* Returns the coordinate `x` as a count of reach / 32767, rounded to the nearest count with ties
+ * away from 0. Coordinates beyond `reach` are clamped. For one axis, the function is the inverse of
+ * morph_position(). */
 int16_t morph_count(float x, float reach);
 
-/* ---- straight.c: the method of the thesis, for comparison ---------------------------------- */
+/* ---- straight.c: the method of the 2005 thesis, for comparison ------------------------------ */
 
-struct straight_memory { /* Memory of a straightened species. The caller owns the memory and keeps
-                            it as long as the species. */
+struct straight_memory { /* Tables of a species that straight_species() writes. The caller owns the
+                            memory and must keep it as long as the species is used. */
     struct species_vertex vertices[SPECIES_LOD_COUNT][MESH_VERTEX_MAX];
     struct species_point points[SPECIES_LOD_COUNT][MORPH_KEY_MAX][MESH_VERTEX_MAX];
-    struct morph_pose pose; /* Scratch memory, like `positions` and `normals`. */
+    struct morph_pose pose; /* Scratch memory, only used during a call. */
     vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
 };
 
-/* Writes a species with the same key shapes but without anchors and masks, so that every vertex
- * moves in a straight line (eq. 3.1 and 3.2). Vertices on anchors are converted to the body frame
- * of each key, with an error of at most one count. Unchanged tables still belong to `from`, which
- * must outlive `out`. `out` must not be `from`. */
+/* Writes to `out` a species with the same key shapes as `from` but without anchors and masks. Every
+ * vertex then moves in straight lines from key to key (2005 thesis, eq. 3.1 and 3.2). A vertex that
+ * has an anchor is converted to the body frame in each key, with an error of at most one count.
+ * `out` shares unchanged tables with `from`, so `from` must outlive `out`. `out` must not be
+ * `from`. */
 void straight_species(const struct species *from, struct straight_memory *memory,
                       struct species *out);
 
-/* Writes a straightened species with the three keys and the template of chapter 4 of the thesis.
- * The middle key is exaggerated (solved) if the template is TEMPLATE_SIMULTANEOUS. Keys keep their
- * ages, and their lengths follow growth_shifted(). */
+/* Writes to `out` the result of straight_species(), reduced to the three keys and the template
+ * that the 2005 thesis, chapter 4, uses for the species. With TEMPLATE_SIMULTANEOUS, the middle
+ * key is exaggerated by solve_graph(). The keys keep their ages, and the lengths follow
+ * growth_shifted(). */
 void straight_thesis(const struct species *from, struct straight_memory *memory,
                      struct species *out);
 
-/* Colour and surface of a point on the fish (paint.c). */
+/* Colour and surface properties of a point on the fish (paint.c). */
 
 struct paint {
     vec3 colour; /* Colour in sRGB, each component in [0, 1]. */
-    float clear; /* Transparency in [0, 1]; 0 is opaque. */
-    float shine; /* Silver shine in [0, 1]; 0 is dull. */
+    float clear; /* Transparency in [0, 1]: 0 is opaque, 1 is fully transparent. */
+    float shine; /* Silver shine in [0, 1]: 0 is dull, 1 is a full silver shine. */
 };
 
-/* Returns the paint at the coordinates `at` (u, v, part, side), which need not be those of a
- * vertex. `weights` blend the coats of the keys; negative weights count as 0, and the sum is
- * normalised to 1. */
+/* Returns the paint at a point of the fish. `at` gives the u, v, part and side of the point, which
+ * need not be a vertex of the mesh. `weights` are the weights of the keys' coats. Negative weights
+ * count as 0, and the function divides the weights by their sum. */
 struct paint paint_at(const struct species *species, const float weights[MORPH_KEY_MAX],
                       const struct species_vertex *at);
 

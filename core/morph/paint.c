@@ -1,24 +1,26 @@
-/* paint.c -- the paint of a fish at a point of its surface: the blended coats of its keys.
+/* paint.c -- computes the paint of a fish at a point of its surface by blending the coats of its
+ * keys.
  *
  * A key is one modelled growth stage, and its coat is a list of colours and marks. Colours are
- * blended in proportion to the weights of the keys. Marks at the same index of two coats are one
- * mark if same_mark() accepts them, and this mark moves as the fish grows. A mark that the next key
- * lacks fades. Paint therefore never changes abruptly. */
+ * blended by the weights of the keys. Marks at the same index in the coats of two keys are treated
+ * as one mark if same_mark() returns true, and the mark then moves as the fish grows. A mark that
+ * the next key does not have fades out. Paint therefore never changes abruptly. */
 #include "core/morph/mark.h"
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
 
-#define PUPIL 0.52f /* Radius of the pupil, as a share of the eye's visible radius. */
+#define PUPIL 0.52f /* Radius of the pupil as a fraction of the eye's visible radius. */
 #define IRIS_SHINE 0.6f
-/* Shine of the back, as a share of the flank's shine, because the scales on the back lie under dark
- * skin. */
+/* Shine of the back as a fraction of the flank's shine. The back shines less, because its scales
+ * lie under dark skin. */
 #define BACK_SHINE 0.35f
-/* Position u on the body from which the skin blends into the tail fin, up to the tail root at u =
- * 1. */
+/* Body coordinate u from which the skin's paint blends into the tail fin's paint, up to the tail
+ * root at u = 1. */
 #define STALK_FROM 0.96f
-#define STALK_FIN 0.9f /* Share of the fin's paint at the tail root. */
-/* Opacity of pigment on a transparent larva, where marks are visible but slightly translucent. */
+#define STALK_FIN 0.9f /* Fraction of the tail fin's paint in the blend at the tail root. */
+/* Opacity of a mark's pigment on a transparent larva. The mark is visible but slightly
+ * translucent. */
 #define MARK_OPAQUE 0.85f
 
 static vec3 rgb(uint32_t colour)
@@ -28,9 +30,10 @@ static vec3 rgb(uint32_t colour)
               (float)(colour & 255u) * scale);
 }
 
-/* Returns the paint of an eye at the position `u`: the black pupil, the iris, which is darker
- * toward its edge, and the black lining behind the visible edge. The lining shows where a larva's
- * eye protrudes, and through its transparent head. */
+/* Returns the paint of an eye at the coordinate `u` (0 is the centre of the pupil, 1 is the visible
+ * edge). The pupil is black, the iris is darker toward its edge, and the lining behind the visible
+ * edge is black. The lining is visible where a larva's eye protrudes, and through the larva's
+ * transparent head. */
 static struct paint eye_paint(const struct species_coat *coat, float u)
 {
     const vec3 black = v3(0.015f, 0.015f, 0.02f);
@@ -42,8 +45,8 @@ static struct paint eye_paint(const struct species_coat *coat, float u)
                            .shine = IRIS_SHINE * outside * (1.0f - rim) };
 }
 
-/* Returns the paint of the skin by the position `down` around the flank: 0 at the back, 1 at the
- * belly. */
+/* Returns the paint of the skin without marks at the position `down`, where 0 is the back and 1 is
+ * the belly. */
 static struct paint skin_paint(const struct species_coat *coat, float down)
 {
     const float flank = f_smoothstep(0.1f, 0.5f, down), belly = f_smoothstep(0.6f, 0.95f, down);
@@ -65,8 +68,8 @@ static struct paint bare_paint(const struct species_coat *coat, const struct mar
     return (struct paint){ .colour = rgb(coat->fin), .clear = (float)coat->clear / 255.0f };
 }
 
-/* Returns the mean paint of the keys without marks. `share` holds the weights of the keys, which
- * sum to 1. */
+/* Returns the weighted mean of the keys' paints without marks. share[i] is the weight of key i, and
+ * the weights sum to 1. */
 static struct paint mean_paint(const struct species *species, const float *share,
                                const struct mark_point *at)
 {
@@ -82,9 +85,9 @@ static struct paint mean_paint(const struct species *species, const float *share
     return paint;
 }
 
-/* Returns true if two marks at the same index of two coats are one mark with a different place or
- * colour. Scattered spots must also cover the same area, because another area would scatter them
- * differently. */
+/* Returns true if two marks at the same index in two coats are one mark that changes its place or
+ * colour. For scattered spots, the two areas must also be equal, because spots in a different area
+ * have different random places. */
 static bool same_mark(const struct species_mark *a, const struct species_mark *b)
 {
     const bool field =
@@ -93,7 +96,7 @@ static bool same_mark(const struct species_mark *a, const struct species_mark *b
            (a->kind != MARK_SPOTS || field);
 }
 
-/* Mean of a mark over the keys that share it. */
+/* Weighted mean of one mark over the keys that have the mark. */
 struct mark_mean {
     struct species_mark mark;
     vec3 colour;
@@ -113,12 +116,13 @@ static void mix_mark(struct mark_mean *mean, const struct species_mark *m, float
     mean->mark.high = f_lerp(mean->mark.high, m->high, t);
 }
 
-/* Paints the marks at index `slot` of the coats over `paint`. A mark that keys share is painted
- * once, at the mean of its places in these keys. A mark that the keys do not share fades. */
+/* Paints the marks at index `slot` of all coats over `paint`. A mark that several keys have is
+ * painted once, at the weighted mean of its places in these keys. A mark that only some keys have
+ * is painted with the sum of the weights of these keys as its opacity. */
 static void lay_marks(const struct species *species, const float *share, uint32_t slot,
                       const struct mark_point *at, struct paint *paint)
 {
-    uint32_t laid = 0; /* Keys whose mark is painted; bit i belongs to key i. */
+    uint32_t laid = 0; /* Keys whose mark has been painted. Bit i belongs to key i. */
     for (uint32_t key = 0; key < species->card.key_count; key++) {
         const struct species_coat *coat = &species->coats[key];
         if (share[key] <= 0.0f || slot >= coat->mark_count || (laid >> key & 1u)) {
@@ -139,7 +143,8 @@ static void lay_marks(const struct species *species, const float *share, uint32_
     }
 }
 
-/* Returns the paint with all marks. `slots` is the highest number of marks of any key. */
+/* Returns the paint at a point including all marks. `slots` is the highest number of marks in the
+ * coat of any key with a positive weight. */
 static struct paint paint_of_marks(const struct species *species, const float *share,
                                    uint32_t slots, const struct species_vertex *at)
 {
@@ -151,8 +156,8 @@ static struct paint paint_of_marks(const struct species *species, const float *s
     return paint;
 }
 
-/* Blends the skin's paint into the fin's paint toward the tail root, so that no edge of skin covers
- * the fin. */
+/* Blends the paint of the skin into the paint of the tail fin near the tail root, so that the skin
+ * does not end in a visible edge on the fin. */
 static void run_out(struct paint *skin, const struct paint *fin, float u)
 {
     const float share = STALK_FIN * f_smoothstep(STALK_FROM, 1.0f, u);
@@ -168,8 +173,9 @@ struct paint paint_at(const struct species *species, const float weights[MORPH_K
     CORE_ASSERT(species->card.form <= FORM_PUFFER);
     CORE_ASSERT(species->card.key_count <= MORPH_KEY_MAX);
     for (uint32_t key = 0; key < species->card.key_count; key++) {
-        share[key] = f_max(weights[key], 0.0f); /* The weights of solved shapes may be negative, but
-                                                   the weights of colours may not. */
+        share[key] = f_max(weights[key], 0.0f); /* Negative weights, which occur with exaggerated
+                                                   key shapes, are set to 0, because a colour cannot
+                                                   have a negative weight. */
         sum += share[key];
     }
     for (uint32_t key = 0; key < species->card.key_count; key++) {

@@ -1,9 +1,10 @@
-/* pose.c -- the anchors of a blended fish: fins slide on its skin, and eyes move around its head.
+/* pose.c -- places the anchors of a blended fish: fins slide on its skin, and eyes move around its
+ * head.
  *
- * The body coordinates of an anchor are blended, and the place of the anchor is then found on the
- * blended skin. A blend of the anchor's positions would move the anchor along a straight line: a
- * fin that slides forward would cut through the back, and an eye would pass through the head (2005
- * thesis, sections 4.1.3 and 4.1.4). */
+ * The body coordinates of an anchor are blended, and the anchor is then placed on the blended skin.
+ * A blend of the anchor's positions would move the anchor in a straight line. A fin that slides
+ * forward would then cut through the back, and an eye would pass through the head (2005 thesis,
+ * sections 4.1.3 and 4.1.4). */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -20,11 +21,10 @@ vec3 pose_rotate_inverse(struct quat q, vec3 a)
     return pose_rotate((struct quat){ -q.x, -q.y, -q.z, q.w }, a);
 }
 
-/* Returns the quaternion that rotates the body's axes to the axes x, y and z. The axes are
- * orthogonal unit vectors with y = z cross x. The caller guarantees that z is as close to the
- * body's backward axis as x allows, so that z.z is not negative. The largest component of the
- * quaternion is then w or z, and the code divides by that component. The division is never by a
- * small number. */
+/* Returns the quaternion that rotates the body's axes to the axes x, y and z. The three axes are
+ * orthogonal unit vectors with y = z cross x. The caller guarantees that the backward component z.z
+ * is not negative. The larger of the quaternion's components w and z is then at least 0.5. The code
+ * divides only by the larger component. */
 static struct quat quat_of_axes(vec3 x, vec3 y, vec3 z)
 {
     const float w4 = 1.0f + x.x + y.y + z.z, z4 = 1.0f - x.x - y.y + z.z;
@@ -35,8 +35,8 @@ static struct quat quat_of_axes(vec3 x, vec3 y, vec3 z)
     return (struct quat){ (z.x + x.z) * k, (y.z + z.y) * k, z4 * k, (x.y - y.x) * k };
 }
 
-/* Returns the rotation whose x points out of the skin, z points backward along the skin, and y = z
- * cross x. */
+/* Returns the rotation at a point of the skin with the given normal. The x axis points along the
+ * normal, the z axis points backward along the skin, and y = z cross x. */
 static struct quat skin_turn(vec3 normal)
 {
     const vec3 x = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f));
@@ -46,13 +46,15 @@ static struct quat skin_turn(vec3 normal)
 }
 
 struct cell {
-    uint32_t corner[4]; /* Vertices of the cell: (ring, spoke), (ring, next spoke), (next ring,
-                           spoke), (next ring, next spoke). */
-    float along, round; /* Position within the cell along the body and around it, each in [0, 1]. */
+    uint32_t corner[4]; /* Indices of the cell's four vertices: (ring, spoke), (ring, next spoke),
+                           (next ring, spoke), (next ring, next spoke). */
+    float along, round; /* Position within the cell, each in [0, 1]: `along` in the direction of the
+                           next ring, `round` in the direction of the next spoke. */
 };
 
-/* Returns the cell of the skin's grid at the body coordinates (u, v), found by bisection because
- * the u of the rings increases. A u beyond the last ring belongs to the last cell. */
+/* Returns the cell of the skin's grid that contains the body coordinates (u, v). The ring is found
+ * by bisection, because u increases from ring to ring. A u beyond the last ring belongs to the last
+ * cell. */
 static struct cell skin_cell(const struct species_mesh *mesh, float u, float v)
 {
     const uint32_t row = mesh->grid_spokes + 1u, first = mesh->grid_first;
@@ -75,8 +77,9 @@ static struct cell skin_cell(const struct species_mesh *mesh, float u, float v)
                           .round = turn - (float)spoke };
 }
 
-/* Writes the weight of each corner for a point on one of the cell's two triangles, which share the
- * diagonal from corner 1 to corner 2. The point therefore lies exactly on the drawn surface. */
+/* Writes the weight of each corner of the cell for the point at (`along`, `round`). Two triangles
+ * make up the cell, and their common diagonal joins corner 1 and corner 2. Interpolation with these
+ * weights gives a point exactly on the drawn surface. */
 static void corner_shares(const struct cell *cell, float shares[4])
 {
     const float along = cell->along, round = cell->round;

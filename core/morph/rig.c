@@ -1,4 +1,5 @@
-/* rig.c -- the curves that blend a fish, and the shapes that are solved for these curves. */
+/* rig.c -- prepares the deformation graphs of a fish, and computes the weights of its drawn keys
+ * from the graphs. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -31,8 +32,9 @@ void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
     }
 }
 
-/* Replaces the weights V of solved shapes by the weights V M^-1 of drawn keys (see solve.c). At the
- * progress of a key, the result is exactly the drawing of the key, without rounding errors. */
+/* Converts the weights of the exaggerated key shapes to weights of the drawn keys by multiplication
+ * with the matrix `solution` (M^-1 in solve.c). At the progress of a key, that key gets exactly the
+ * weight 1, without rounding errors. */
 static void solve_weights(const struct morph_rig *rig, uint32_t curve, float progress,
                           float weights[MORPH_KEY_MAX])
 {

@@ -1,18 +1,20 @@
-/* solve.c -- solves exaggerated key shapes, so that a blended fish passes through every drawing.
+/* solve.c -- computes exaggerated key shapes, so that a blended fish passes through every drawn
+ * shape.
  *
- * A key shape (key) is one modelled growth stage. If a graph never shows key i alone (the
- * simultaneous template stops at a weight of 70 %), the fish never has the shape of key i's
- * drawing. In the 2005 thesis, the drawing is exaggerated by hand until the blend is right. In this
- * code, the drawing K_i is the true stage, and the shapes C_j that are blended are solved. M is the
- * matrix of the graph's weights at the progress of each key. K = M C then gives C = M^-1 K. For
- * three keys that is T' = (T - 0.15 (S + U)) / 0.7. C needs no table, because the weights V of C
- * equal the weights V M^-1 of the drawings K. */
+ * A key shape (key) is one modelled growth stage. If a graph never gives key i the weight 1, the
+ * fish never has exactly the drawn shape of key i. For example, TEMPLATE_SIMULTANEOUS gives an
+ * inner key a weight of at most 0.7. In the 2005 thesis, the drawing is exaggerated by hand
+ * until the blend is right. In this code, the drawn shape K_i is the true growth stage, and the
+ * exaggerated shapes C_j, which are blended, are computed. M is the matrix of the graph's weights
+ * at the progress of each key, and therefore K = M * C and C = M^-1 * K. For three keys S, T and U,
+ * the exaggerated middle shape is T' = (T - 0.15 * (S + U)) / 0.7. The shapes C are never stored,
+ * because blending C with the weights V equals blending K with the weights V * M^-1. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
 
-/* Smallest pivot; a smaller pivot means an exaggeration of more than ten times, which is an error
- * in the graph. */
+/* Smallest pivot of the elimination. A smaller pivot would cause an exaggeration of more than ten
+ * times, which is an error in the graph. */
 #define PIVOT_MIN 0.1f
 
 struct system {
@@ -37,8 +39,8 @@ static void subtract_row(float *row, const float *from, float factor, uint32_t c
     }
 }
 
-/* Performs one Gauss-Jordan step with the largest pivot of the column. Returns false if that pivot
- * is below PIVOT_MIN. */
+/* Performs one Gauss-Jordan step on a column, with its largest remaining value as the pivot.
+ * Returns false if the pivot is below PIVOT_MIN. */
 static bool clear_column(struct system *s, uint32_t column, uint32_t count)
 {
     uint32_t pivot = column;

@@ -1,5 +1,5 @@
-/* straight.c -- the method of the 2005 thesis on the same drawings, for comparison: straight paths
- * and three keys. */
+/* straight.c -- implements the method of the 2005 thesis on the same key shapes, for comparison
+ * with core/morph: vertices move in straight lines, and a species has only three keys. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -30,7 +30,7 @@ static float farthest(const vec3 *positions, uint32_t count)
     return most;
 }
 
-/* Writes the shape of key `key` alone to `positions` and `normals` of `memory`. */
+/* Writes the shape of key `key` without other keys to memory->positions and memory->normals. */
 static void key_shape(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
                       struct straight_memory *memory)
 {
@@ -38,8 +38,8 @@ static void key_shape(const struct species_mesh *mesh, uint32_t key_count, uint3
     morph_shape(mesh, key_count, &memory->pose, memory->positions, memory->normals);
 }
 
-/* Returns the reach of the straightened mesh, which must be large enough for the vertices of
- * anchors in the body frame. */
+/* Returns the reach for a mesh without anchors: the present reach, doubled until all coordinates in
+ * the body frame fit or REACH_MAX is reached. */
 static float straight_reach(const struct species_mesh *mesh, uint32_t key_count,
                             struct straight_memory *memory)
 {
@@ -53,8 +53,8 @@ static float straight_reach(const struct species_mesh *mesh, uint32_t key_count,
     return reach;
 }
 
-/* Writes the points of key `key` with all vertices in the body frame. A vertex without an anchor
- * keeps its bits if the reach does not change. */
+/* Writes the points of key `key` with all vertices in the body frame. If the reach does not change,
+ * a vertex without an anchor is copied unchanged. */
 static void bake_key(const struct species_mesh *mesh, uint32_t key_count, uint32_t key, float reach,
                      struct straight_memory *memory, struct species_point *out)
 {
@@ -124,8 +124,8 @@ void straight_thesis(const struct species *from, struct straight_memory *memory,
         }
         card->thesis_key[i] = (uint8_t)i;
     }
-    card->scale_knot_count = 0; /* The knots belong to the progress over all keys, which is
-                                   different for three keys. */
+    card->scale_knot_count = 0; /* The knots are removed, because their progress refers to all keys
+                                   of the species, and the progress of three keys differs. */
     template_graph(&card->curves[0], (enum graph_template)card->thesis_template, 3,
                    SIMULTANEOUS_PEAK);
 }

@@ -1,4 +1,4 @@
-/* template.c -- standard deformation graphs (2005 thesis, figures 3.8 and 3.9). */
+/* template.c -- writes standard deformation graphs (2005 thesis, figures 3.8 and 3.9). */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -11,8 +11,9 @@ static void ordinary(struct graph *graph, uint32_t key_count)
     graph->knots[1].weight[key_count - 1] = 1.0f;
 }
 
-/* Writes a knot for each key. An inner key has the weight `peak` at its own knot, and its two
- * neighbours share the rest. The first and the last key have the weight 1 at their knots. */
+/* Adds one knot for each key. At its own knot, an inner key has the weight `peak`, and each of its
+ * two neighbours has the weight (1 - peak) / 2. The first and the last key have the weight 1 at
+ * their own knots. */
 static void hats(struct graph *graph, uint32_t key_count, float peak)
 {
     graph->knot_count = (uint8_t)key_count;
@@ -48,8 +49,8 @@ void template_graph(struct graph *graph, enum graph_template template_id, uint32
         graph->solved = 1;
         break;
     default:
-        hats(graph, key_count, 2.0f / 3.0f); /* The weights are 1/6, 4/6 and 1/6, as for a cubic
-                                                B-spline. */
+        hats(graph, key_count, 2.0f / 3.0f); /* The weights at an inner knot are 1/6, 4/6 and 1/6,
+                                                as for a cubic B-spline. */
         graph->line = GRAPH_SMOOTH;
         graph->solved = 1;
         break;
