@@ -1,8 +1,8 @@
-/* config.h -- the configuration of a session: what core_init() needs to know.
+/* config.h -- the configuration of a session, which core_init() reads.
  *
- * During a session the game reads the configuration. Only two functions of the game change it: a
- * page of the operator's menu changes the settings (settings_edit_set()), and the end of a session
- * writes the configuration of the next session (session_restart()). */
+ * During a session the game reads the configuration. Only two functions of the game change it.
+ * settings_edit_set() changes the settings for a page of the operator's menu. session_restart()
+ * writes the configuration of the next session at the end of a session. */
 #ifndef KINGYO_CORE_CONFIG_H
 #define KINGYO_CORE_CONFIG_H
 
@@ -14,26 +14,28 @@
 
 struct core_config {
     uint32_t seed;       /* Seed of the random numbers; any value. */
-    uint8_t preset;      /* enum tank_preset_id */
+    uint8_t preset;      /* Preset of the tank (enum tank_preset_id). */
     uint32_t fish_count; /* Number of fish, 1 .. tank_preset_fish_max(); 0: the preset's default. */
-    uint8_t language;    /* enum language */
+    uint8_t language;    /* Display language (enum language). */
     uint32_t round_s;    /* Length of a round, 10 .. 600 s; 0: the mode's default. */
-    uint8_t modes;       /* Modes on offer, one bit each (1 << enum game_mode, or 1 << CHOICE_LAB);
-                            0: only the festival mode. With a single mode the selection screen is
-                            skipped. */
+    uint8_t modes;       /* Modes that players can choose, one bit each (1 << enum game_mode, or 1
+                            << CHOICE_LAB); 0 means only the festival mode. With a single mode the
+                            selection screen is skipped. */
     uint8_t grade;       /* Paper grade, 4 .. 7, used if the mode's rules leave the grade open or if
-                            only one mode is on offer; 0: the mode's default, else 6. */
+                            `modes` has only one bit set. 0 means the grade of the mode's rules, or
+                            6 if the rules have none. */
     uint8_t players;     /* Number of bowls at the tank, 1 .. POI_MAX; 0 counts as 1. */
     uint8_t credit_coins; /* Price of a round in units, 1 .. CREDIT_COINS_MAX; 0: free play. */
     uint8_t ticket_fish;  /* Fish per ticket, 1 .. CREDIT_TICKET_FISH_MAX; 0: no tickets. */
-    uint8_t rules_7;      /* 1: the configuration comes from a recording of format 7 and uses the
-                             rules of that format (replay_initial_state_decode()). Hashes exclude
-                             this field because hashes of format 7 did not contain it. */
-    uint8_t lanes;        /* SIMD width in floats: 4, or 8 on x86-64 with AVX2; 0 counts as 4.
-                             The width changes no result, so hashes and recordings exclude it. */
+    uint8_t rules_7;      /* 1 if the configuration comes from a recording of format 7 and the core
+                             uses the rules of that format (replay_initial_state_decode()). Hashes
+                             exclude this field because hashes of format 7 did not contain it. */
+    uint8_t lanes;        /* Number of floats in a SIMD vector: 4, or 8 on x86-64 with AVX2; 0
+                             counts as 4. The number changes no result, so hashes and recordings
+                             exclude it. */
     struct persistent_state
-        persistent; /* Persistent state that the store loaded at startup. The settings in it do
-                       not override the fields above; see config_apply_settings(). */
+        persistent; /* Persistent state that the store loaded at startup. The settings in
+                       `persistent` do not override the fields above; see config_apply_settings(). */
     struct game_session session; /* State carried over from the previous session; all zero at the
                                     start of the kiosk. */
     struct lab_book book;        /* Custom species and saved growth graphs, as loaded from the

@@ -18,11 +18,11 @@
 #include "core/poi/ring_pairs.h"
 #include "core/poi/surface_disturbance.h"
 
-/* Memory budgets of the kiosk. The tank uses at most 1 MiB; game, pois and bowls use a sixteenth of
- * that. The growth lab uses half as much. The lab holds eight custom species with all their curves
- * (19 KiB). For each of 15 species the lab also holds the saved and the edited graph (8 KiB each).
- * The smallest board reserves this much for the state and the same for the scene. `kingyoctl tank`
- * allocates a larger tank of its own (platform/ctl/tank/tank.mk). */
+/* Memory budgets of the kiosk. The tank uses at most 1 MiB. Game, pois and bowls use a sixteenth of
+ * a MiB, and the growth lab uses half of that. The lab holds eight custom species with all their
+ * curves (19 KiB). The lab also holds the saved graphs and the edited graphs of 15 species, 8 KiB
+ * for each set of 15. The smallest board reserves the budgets below for the state and for the
+ * scene. `kingyoctl tank` allocates a larger tank of its own (platform/ctl/tank/tank.mk). */
 _Static_assert(sizeof(struct tank) <= 1024u * 1024u, "the tank outgrew its budget");
 _Static_assert(sizeof(struct core) <= 1120u * 1024u, "the core's state outgrew its budget");
 _Static_assert(TANK_FISH_MAX == SCENE_FISH_MAX, "every fish can be shown");
@@ -30,8 +30,8 @@ _Static_assert(sizeof(struct scene) <= 1024u * 1024u, "the scene outgrew its bud
 
 #define FAN_REACH_M 1.0f
 
-/* Initializes everything except the configuration, from the configuration. If the growth lab is the
- * only item on offer, the session starts in the lab. */
+/* Initializes `game` and `world` from `core->config`. If the growth lab is the only item that
+ * players can choose, the session starts in the lab. */
 static void open_world(struct core *core)
 {
     memset(&core->game, 0, sizeof core->game);
@@ -70,7 +70,7 @@ enum core_error core_init(struct core *core, const struct core_config *config)
     return CORE_OK;
 }
 
-/* Returns 1 if fish and other rings collide with the poi. */
+/* Returns 1 if fish and other rings collide with poi `index`, otherwise 0. */
 static int is_met(const struct core *core, uint32_t index)
 {
     return controller_is_active(&core->world, index) &&
@@ -91,7 +91,7 @@ static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TA
     return count;
 }
 
-/* Keeps the poi out of the bowls of other players; the poi handles its own bowl in poi_tick(). */
+/* Keeps poi `index` out of the bowls of other players. poi_tick() handles the poi's own bowl. */
 static void keep_off_bowls(struct core *core, uint32_t index)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -101,8 +101,8 @@ static void keep_off_bowls(struct core *core, uint32_t index)
     }
 }
 
-/* Separates overlapping rings. The constraints of walls and own bowl are applied last to each ring
- * that moved. */
+/* Separates overlapping rings. For each ring that moved, the constraints of the walls and of its
+ * own bowl are applied last. */
 static void part_rings(struct core *core, const uint8_t live[POI_MAX])
 {
     for (uint32_t k = 0; k < POI_MAX * POI_MAX; k++) {
@@ -125,8 +125,8 @@ static void tick_pois(struct core *core, const struct input *input,
                 .has_wrist =
                     core->world.poi[i].link == POI_SOURCE_BOT ||
                     parking_is_parked(&core->game, i) ||
-                    core->world.poi[i].link == POI_SOURCE_LOST || /* A lost poi is not emptied
-                                                                     into its bowl. */
+                    core->world.poi[i].link == POI_SOURCE_LOST || /* The poi of a lost controller is
+                                                                     not emptied into its bowl. */
                     (core->world.poi[i].link == POI_SOURCE_LIVE && input->poi[i].has_wrist),
             };
             poi_tick(&core->world.poi[i], &grip, &core->world.tank, &core->world.bowl[i]);
@@ -189,7 +189,7 @@ static void gather_shades(struct core *core, const struct input *input)
     tank_cast(&core->world.tank, casts);
 }
 
-/* Applies the reactions of the obstacles, in the order of gather_obstacles(). */
+/* Applies the fish's reactions to the pois and bowls, in the order of gather_obstacles(). */
 static void give_way(struct core *core, const struct obstacle *obstacles)
 {
     uint32_t at = 0;
@@ -231,8 +231,9 @@ static void tick_catch(struct core *core, const uint8_t live[POI_MAX],
     }
 }
 
-/* Writes the force feedback after the wall and fish contacts of this tick. Impacts that
- * catch_tick() adds later take effect, as force and as load on the paper, in the next tick. */
+/* Writes the force feedback after the wall and fish contacts of this tick. catch_tick() runs later
+ * and may add impacts. Those impacts take effect in the next tick, as force and as load on the
+ * paper. */
 static void feel_pois(const struct core *core, const uint8_t live[POI_MAX], struct output *output)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {

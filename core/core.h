@@ -25,8 +25,8 @@ enum core_error {
                             nearest (core/base/float_env.h). Every result would be wrong. */
 };
 
-/* The complete state. Only the functions below take the whole; the functions that they call take
- * the parts that they work on. */
+/* The complete simulated state. Only the functions of core.h take the complete state. The functions
+ * that they call take only the parts on which they work. */
 struct core {
     struct core_config config;
     struct game game;
@@ -39,22 +39,23 @@ enum core_error core_init(struct core *core, const struct core_config *config);
 
 /* Advances the simulation by one tick in the fixed order game, poi, water, fish, catch, score.
  * Returns CORE_OK, or CORE_ERR_FLOAT; on an error `core` and `output` are unchanged. The first tick
- * of each second checks the floating-point mode of the thread. The caller sets that mode
- * (platform/cpu.h). */
+ * of each second checks the calling thread's floating-point mode. The caller must set that mode
+ * before (platform/cpu.h). */
 enum core_error core_tick(struct core *core, const struct input *input, struct output *output);
 
-/* Returns 1 if a session starts at this tick, so that core_init() with `core->config` produces this
- * exact state; else 0. */
+/* Returns 1 if a session starts at the current tick, otherwise 0. At the start of a session
+ * core_init() with `core->config` produces exactly the state in `core`. */
 int core_is_fresh(const struct core *core);
 
-/* Fills `scene` completely from the state. The state is not changed. */
+/* Fills every field of `scene` from `core`. The state in `core` is not changed. */
 void core_scene(const struct core *core, struct scene *scene);
 
 /* Returns a hash over every simulated field, without struct padding. */
 uint64_t core_hash(const struct core *core);
 
-/* Returns a hash over the state that changes every tick (game, pois, fish), without the paper cells
- * and the ripples. The cost is a tenth of core_hash(), so recordings can store one per tick. */
+/* Returns a hash over the state that changes every tick: game, pois and fish. The hash excludes the
+ * paper cells and the ripples. The function takes a tenth of the time of core_hash(), so recordings
+ * can store one hash per tick. */
 uint64_t core_hash_quick(const struct core *core);
 
 #endif

@@ -1,4 +1,4 @@
-/* core_scene.c -- the scene, rebuilt from the state. The file has no state of its own. */
+/* core_scene.c -- builds the scene from the state. The module has no state of its own. */
 #include "core/base/mem.h"
 #include "core/core.h"
 #include "core/game/control/controller.h"
@@ -25,8 +25,8 @@ static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish 
     out->progress = life_progress(&species_wakin.card, fish->age_days);
 }
 
-/* Copies the value of the nearest paper cell in the row to the cells outside the ring, so that a
- * renderer can filter. */
+/* Copies values into the cells outside the ring, so that a renderer can interpolate between cells.
+ * Each outside cell receives the value of the nearest paper cell in its row. */
 static void spread_to_rim(const struct sheet *sheet, uint8_t cells[SHEET_CELL_COUNT])
 {
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
@@ -129,7 +129,7 @@ static void show_players(const struct core *core, struct scene *scene)
     }
 }
 
-/* Writes the round length and the paper grade of `mode` under this configuration. */
+/* Writes the round length and the paper grade of `mode` under the core's configuration. */
 static void show_offer(const struct core *core, uint8_t mode, struct scene_offer *out)
 {
     const struct core_config *config = &core->config;

@@ -1,9 +1,10 @@
 /* display_geometry.h -- the transform from the picture to the screen: rotation, inset, shift and
  * brightness.
  *
- * Like the camera (view.h), the transform is shared by two sides that must agree. The display draws
- * with the transform, and pointer devices use its inverse. The core itself does not use it. Screen
- * and picture are measured in pixels from their top left corners, x to the right, y down. */
+ * Like the camera (view.h), the transform is used by two parts of the program that must agree. The
+ * display draws with the transform, and pointer devices use its inverse. The core itself does not
+ * use the transform. Screen and picture are measured in pixels from their top left corners, x to
+ * the right, y down. */
 #ifndef KINGYO_CORE_DISPLAY_GEOMETRY_H
 #define KINGYO_CORE_DISPLAY_GEOMETRY_H
 
@@ -11,25 +12,27 @@
 
 #include "core/base/fmath.h"
 
-/* Largest inset as a share of a side; a larger inset would leave no picture. */
+/* Largest inset, as a share of the screen's width or height; a larger inset would leave no
+ * picture. */
 #define DISPLAY_INSET_MAX 0.25f
 
-/* Display options. All zero is a picture of the screen's size at zero brightness. */
+/* Display options. If all fields are 0, the picture has the screen's size and zero brightness. */
 struct display_settings {
     uint32_t rotation;      /* Quarter turns clockwise, 0 .. 3. */
     float inset_x, inset_y; /* [0, DISPLAY_INSET_MAX]: black margin at each side of the screen,
                                as a share of the screen's width (x) and height (y). */
-    float shift_x, shift_y; /* [-0.01, 0.01] of the screen's height; moves the picture against
-                               burn-in. */
+    float shift_x, shift_y; /* [-0.01, 0.01] of the screen's height. The shift moves the picture
+                               regularly to prevent burn-in of the screen. */
     float light;            /* Brightness [0, 1]; at 0 the display may skip drawing. */
 };
 
-/* The transform for one screen size. */
+/* Transform for one screen size. */
 struct display_transform {
     float screen_width, screen_height; /* Screen size in pixels, > 0. */
     float width, height;               /* Size of the picture in pixels in its own orientation, >
                                           0. */
-    float x, y;                        /* Top left corner of the picture on the screen. */
+    float x, y;                        /* Position of the picture's top left corner on the screen,
+                                          in pixels. */
     float xx, xy, yx, yy;              /* Axes of the picture on the screen: (xx, yx) is its x axis,
                                           (xy, yy) its y axis. */
     float light;                       /* Brightness, as in struct display_settings. */
@@ -57,10 +60,13 @@ static inline float display_round_pixels(float pixels)
 static inline struct display_transform
 display_transform_of(const struct display_settings *display_settings, float width, float height)
 {
-    static const float turn_x[4] = { 1.0f, 0.0f, -1.0f, 0.0f }; /* x components of the picture's x
-                                                                   axis per quarter turn. */
-    static const float turn_y[4] = { 0.0f, 1.0f, 0.0f, -1.0f }; /* y components; the y axis is one
-                                                                   quarter turn further. */
+    static const float turn_x[4] = { 1.0f, 0.0f, -1.0f, 0.0f }; /* x component of the picture's x
+                                                                   axis on the screen, for each
+                                                                   number of quarter turns. */
+    static const float turn_y[4] = { 0.0f, 1.0f, 0.0f, -1.0f }; /* y component of the picture's x
+                                                                   axis on the screen. The picture's
+                                                                   y axis is one quarter turn
+                                                                   further. */
     const uint32_t turn = display_settings->rotation & 3u;
     const float left =
         display_round_pixels(f_clamp(display_settings->inset_x, 0.0f, DISPLAY_INSET_MAX) * width);
@@ -84,8 +90,8 @@ display_transform_of(const struct display_settings *display_settings, float widt
     return transform;
 }
 
-/* Converts a screen point to picture coordinates in place. The result lies outside the picture if
- * the screen point does. */
+/* Converts the screen point (`*x`, `*y`) to picture coordinates in place. If the screen point lies
+ * outside the picture, the converted point does too. */
 static inline void display_to_picture(const struct display_transform *transform, float *x, float *y)
 {
     const float right = *x - transform->x, down = *y - transform->y;
@@ -93,8 +99,9 @@ static inline void display_to_picture(const struct display_transform *transform,
     *y = transform->xy * right + transform->yy * down;
 }
 
-/* Computes the same transform in OpenGL clip coordinates. A picture point in -1 .. 1 with y up is
- * at turn * point + move on the screen, also in -1 .. 1. `turn` is column-major. */
+/* Computes the display transform in OpenGL clip coordinates, where x and y run from -1 to 1 and y
+ * points up. A picture point `point` is at turn * point + move on the screen. `turn` is a
+ * column-major 2 x 2 matrix. */
 static inline void display_clip_matrix(const struct display_transform *p, float turn[4],
                                        float move[2])
 {
@@ -107,8 +114,8 @@ static inline void display_clip_matrix(const struct display_transform *p, float 
     move[1] = 1.0f - h * (p->y + 0.5f * (p->yx * p->width + p->yy * p->height));
 }
 
-/* The rectangle of the screen that the picture covers; the rectangle may extend beyond the screen's
- * edge. */
+/* Rectangle of the screen that the picture covers, in pixels. The rectangle may extend beyond the
+ * screen's edge. */
 struct display_rect {
     float left, top, right, bottom;
 };

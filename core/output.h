@@ -1,4 +1,5 @@
-/* output.h -- the complete output of the core. The core appends to it and never reads it back.
+/* output.h -- the complete output of the core. The core appends to `struct output` and never reads
+ * it back.
  *
  * The frame loop clears the sounds once per frame, runs the ticks, and then passes the output to
  * the devices. */
@@ -11,7 +12,7 @@
 #include "core/lab_edit_record.h"
 #include "core/ledger.h"
 
-/* Capacity for one frame; more sounds in one frame cannot be distinguished. */
+/* Largest number of sounds per frame. A listener could not distinguish more sounds. */
 #define OUTPUT_SOUND_MAX 16u
 
 enum sound {
@@ -20,7 +21,7 @@ enum sound {
     SOUND_LIFT,   /* The ring leaves the water, dripping. */
     SOUND_CATCH,  /* A fish lands in the bowl. */
     SOUND_SLAP,   /* A tail hits the paper. */
-    SOUND_TEAR,   /* A hole opens. */
+    SOUND_TEAR,   /* A hole opens in the paper. */
     SOUND_GONE,   /* The paper becomes useless. */
     SOUND_START,  /* A round begins. */
     SOUND_TICK,   /* Countdown of the last seconds, one sound per second. */
@@ -33,37 +34,42 @@ enum sound {
 };
 
 struct sound_event {
-    uint8_t sound; /* enum sound */
-    float gain;    /* (0, 1] */
-    float pan;     /* -1 left .. 1 right */
+    uint8_t sound; /* Sound to play (enum sound). */
+    float gain;    /* Gain of the sound, (0, 1]. */
+    float pan;     /* Stereo position of the sound, from -1 (left) to 1 (right). */
 };
 
-/* Force feedback for one poi: the reaction of water, fish and walls in world axes, from the same
- * physics that moves the ring. Three scalar levels drive a simple rumble motor. */
+/* Force feedback for one poi. Force and torque are the reactions of water, fish and walls in world
+ * axes, computed by the physics that moves the ring. The scalar levels `drag`, `slap` and `tear`
+ * drive a simple rumble motor. */
 struct poi_force {
     vec3 force_n;    /* Force on the player's hand; each component within +-POI_FORCE_N_MAX. */
-    vec3 torque_n_m; /* Torque about the grip; each component within +-POI_TORQUE_N_M_MAX. */
+    vec3 torque_n_m; /* Torque about the grip of the handle; each component within
+                        +-POI_TORQUE_N_M_MAX. */
     float drag;      /* Drag force of the water, [0, 1]; 1 at POI_DRAG_N_FULL. */
-    float slap;      /* Strength of a tail's impact in this tick, [0, 1]. */
-    float tear;      /* Amount of paper torn in this tick, [0, 1]; 1 from ten cells on. */
+    float slap;      /* Strength of the impact of a fish's tail in this tick, [0, 1]. */
+    float tear;      /* Amount of paper torn in this tick, [0, 1]; 1 means ten cells or more. */
 };
 
 #define POI_FORCE_N_MAX 20.0f   /* The largest force that a wrist resists. */
-#define POI_TORQUE_N_M_MAX 4.0f /* POI_FORCE_N_MAX at the end of a 13 cm handle, times 1.5. */
-/* Drag broadside at 0.8 m/s, which is the most that paper withstands. */
+#define POI_TORQUE_N_M_MAX 4.0f /* Torque of POI_FORCE_N_MAX at the end of a 13 cm handle, times
+                                   1.5. */
+/* Drag of a poi moved broadside at 0.8 m/s, which is the largest drag that paper withstands. */
 #define POI_DRAG_N_FULL 2.0f
 
 /* Commands of the operator for a controller. */
 enum controller_command_kind {
     COMMAND_NONE = 0,
-    COMMAND_CHOOSE,  /* Detach the controller from its driver; the controller is a poi from now
-                        on. */
+    COMMAND_CHOOSE,  /* Detach the controller from its present driver and use the controller as a
+                        poi. */
     COMMAND_RELEASE, /* Return the controller to its driver and delete the learned mapping. */
-    COMMAND_LEARN,   /* Start the learn wizard; the controller is attached while the wizard runs. */
+    COMMAND_LEARN,   /* Start the learn wizard. The controller is attached to Kingyo while the
+                        wizard runs. */
     COMMAND_LEARN_NEXT, /* The operator has performed the current step of the wizard. */
-    COMMAND_LEARN_KEEP, /* Save the learned mapping for this vendor:product:serial. */
-    COMMAND_LEARN_END,  /* Discard the learned mapping, and return the controller to its driver
-                           if it was not attached before. */
+    COMMAND_LEARN_KEEP, /* Save the learned mapping for the controller's vendor, product and serial
+                           number. */
+    COMMAND_LEARN_END,  /* Discard the learned mapping. The controller returns to its previous
+                           driver if it was not attached before the wizard. */
     COMMAND_RESTART,    /* Restart the kiosk; applies to no controller. */
     COMMAND_REPLAY,     /* Show the replay of round `round_id`; applies to no controller. */
     COMMAND_SEEN,       /* The operator has read which databases were quarantined; applies to no
@@ -71,40 +77,43 @@ enum controller_command_kind {
 };
 
 struct controller_command {
-    uint8_t kind;      /* enum controller_command_kind */
-    uint8_t row;       /* Row < CONTROLLER_MAX, as in struct controller_status. */
+    uint8_t kind;      /* Kind of the command (enum controller_command_kind). */
+    uint8_t row;       /* Row of the controller, < CONTROLLER_MAX, as in struct
+                          controller_status. */
     uint32_t round_id; /* Ledger id of the round, for COMMAND_REPLAY only. */
 };
 
-/* More commands than a person gives in the longest frame (FRAME_PACER_TICKS_MAX), so that the
- * shell reads the oldest command before it is overwritten. */
+/* Capacity of the ring buffer of commands. A person gives fewer commands in the longest frame
+ * (FRAME_PACER_TICKS_MAX), so the shell reads each command before it is overwritten. */
 #define CONTROLLER_COMMAND_MAX 8u
 
 struct output {
-    uint32_t sound_count; /* <= OUTPUT_SOUND_MAX; further sounds of the frame are dropped. */
+    uint32_t sound_count; /* Number of sounds, <= OUTPUT_SOUND_MAX; further sounds of the frame are
+                             dropped. */
     struct sound_event sounds[OUTPUT_SOUND_MAX];
     struct poi_force poi[POI_MAX];
-    uint8_t start_lamp;     /* Level of the start button's lamp, 0 or 1. */
-    uint8_t coin_lockout;   /* 1: coins fall through to the return tray. */
-    uint32_t coins_counted; /* Coins counted since the start. The meter in the cabinet receives one
-                               pulse for each. */
-    uint32_t tickets;       /* Tickets requested since the start; the dispenser receives one pulse
-                               for each. The next ticket is requested when input.tickets_done
-                               reaches this number. */
-    uint32_t command_count; /* Commands since the start; command n, from 0, is in orders[n %
-                               CONTROLLER_COMMAND_MAX]. */
+    uint8_t start_lamp;     /* 1 if the START button's lamp is lit, otherwise 0. */
+    uint8_t coin_lockout;   /* 1 if coins fall through to the return tray, otherwise 0. */
+    uint32_t coins_counted; /* Number of coins counted since the kiosk started. The coin meter in
+                               the cabinet receives one pulse for each coin. */
+    uint32_t tickets;       /* Number of tickets requested since the kiosk started. The dispenser
+                               receives one pulse for each ticket. The core requests the next ticket
+                               when input.tickets_done reaches `tickets`. */
+    uint32_t command_count; /* Number of commands since the kiosk started. Command n, counted from
+                               0, is in commands[n % CONTROLLER_COMMAND_MAX]. */
     struct controller_command commands[CONTROLLER_COMMAND_MAX];
-    uint32_t entry_id; /* Id of the newest entry; entry n is in entries[n % LEDGER_RING]. */
+    uint32_t entry_id; /* Id of the newest ledger entry. Entry n is in entries[n % LEDGER_RING]. */
     struct ledger_entry entries[LEDGER_RING];
-    struct round_record record;    /* The newest finished round, for readers that do not need the
-                                      ledger. */
-    struct graph_edit_record edit; /* The newest edit of a species. An edit that the store did
-                                      not read before the next edit is not saved, and is lost at
-                                      the next start. */
+    struct round_record record;    /* Record of the newest finished round, for readers that do not
+                                      need the ledger. */
+    struct graph_edit_record edit; /* Newest graph edit of a species. If the store does not read the
+                                      edit before the next edit, the edit is not saved and is lost
+                                      at the next start. */
 };
 
-/* Merges the force of one tick into the force of its frame, which the frame loop clears. The device
- * receives the strongest impact and tear of the frame; without an impact, the latest force. */
+/* Merges the force of one tick into `frame`, the force of the current frame. The frame loop clears
+ * `frame` once per frame. The device receives the strongest impact and the largest tear of the
+ * frame. Without an impact the device receives the latest force. */
 static inline void output_merge_force(struct poi_force *frame, const struct poi_force *tick)
 {
     const struct poi_force before = *frame;

@@ -1,5 +1,5 @@
-/* persistent_state.h -- the persistent state that the store loads at startup and the core continues
- * from. All zero: nothing was stored. */
+/* persistent_state.h -- the persistent state, which the store loads at startup and the core then
+ * updates. All fields are 0 if nothing was stored. */
 #ifndef KINGYO_CORE_PERSISTENT_STATE_H
 #define KINGYO_CORE_PERSISTENT_STATE_H
 
@@ -10,8 +10,8 @@
 
 struct persistent_state {
     struct ledger_start ledger;
-    struct settings settings; /* A value that settings_allows() rejects is replaced by its
-                                 default. */
+    struct settings settings; /* Stored settings. A value that settings_allows() rejects is replaced
+                                 by its default. */
     struct audits audits;
     struct ranking ranking;
 };

@@ -21,15 +21,17 @@ static inline uint8_t scene_place_of(uint8_t gait)
     }
 }
 
-/* Returns the position along the colour keys, [0, 1]. Fish keepers report the first red at 50 to 60
- * days and clear red within three to four months. */
+/* Returns the colour maturity of a goldfish, [0, 1]: the position between the species' first and
+ * last colour key. Fish keepers report the first red at 50 to 60 days and clear red within three to
+ * four months. */
 static inline float scene_maturity(float age_days)
 {
     return f_smoothstep(50.0f, 120.0f, age_days);
 }
 
-/* Return the scene values of a cell < SHEET_CELL_COUNT. Integrity: 255 whole .. 1 nearly torn, 0 no
- * paper. Wetness: 0 dry .. 255 wet, 0 outside the ring. */
+/* Return the scene values of paper cell `cell` < SHEET_CELL_COUNT. Integrity runs from 255 (whole)
+ * to 1 (nearly torn); 0 means no paper. Wetness runs from 0 (dry) to 255 (wet), and is 0 outside
+ * the ring. */
 static inline uint8_t scene_integrity(const struct sheet *sheet, uint32_t cell)
 {
     const float whole = f_clamp(1.0f - sheet->damage[cell], 0.0f, 1.0f);

@@ -11,8 +11,8 @@
 
 #define CALIBRATION(seat, name)                                                                    \
     { "seat" #seat "-" name, GROUP_CALIBRATION, KIND_NUMBER, -MICRO, MICRO, 1, 0 }
-/* The nine calibration values of core/game/control/calibration.h; all 0: the controller's pose is
- * used unchanged. */
+/* The nine calibration values of one slot (core/game/control/calibration.h). If all nine are 0, the
+ * controller's pose is used unchanged. */
 #define SEAT(seat)                                                                                 \
     CALIBRATION(seat, "xx"), CALIBRATION(seat, "xz"), CALIBRATION(seat, "x0"),                     \
         CALIBRATION(seat, "zx"), CALIBRATION(seat, "zz"), CALIBRATION(seat, "z0"),                 \
@@ -62,7 +62,8 @@ const struct setting *settings_entry(uint32_t id)
     return &table[id];
 }
 
-/* No grades exist between 0 (the mode's default) and SHEET_GRADE_MIN. */
+/* Returns 1 if `value` is a paper grade or 0 (the mode's default). No grades exist between 0 and
+ * SHEET_GRADE_MIN. */
 static int is_grade(int32_t value)
 {
     return value == 0 || (value >= (int32_t)SHEET_GRADE_MIN && value <= (int32_t)SHEET_GRADE_MAX);

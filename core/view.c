@@ -1,7 +1,7 @@
-/* view.c -- a pinhole camera. */
+/* view.c -- computes with the pinhole camera: axes, field of view, and points under the screen. */
 #include "core/view.h"
 
-#define RAY_LENGTH_MAX_M 4.0f /* Longer than any tank. */
+#define RAY_LENGTH_MAX_M 4.0f /* Length at which a camera ray ends, longer than any tank. */
 
 struct basis view_basis(const struct view *view)
 {

@@ -10,21 +10,23 @@
 struct view {
     vec3 eye_m;
     vec3 target_m;
-    float half_height_tan; /* Tangent of half the vertical field of view on screens of `aspect_min`
-                              and wider. */
-    float aspect_min;      /* Narrower screens use a larger vertical field of view, so that the tank
-                              still fits. */
+    float half_height_tan; /* Tangent of half the vertical field of view, for screens whose aspect
+                              ratio is at least `aspect_min`. */
+    float aspect_min;      /* Smallest aspect ratio, width over height, with the field of view of
+                              `half_height_tan`. Narrower screens use a larger vertical field of
+                              view, so that the tank still fits. */
 };
 
-/* Returns the axes of the camera: `back` points from the target to the eye. */
+/* Returns the axes of the camera. The axis `back` points from the target to the eye. */
 struct basis view_basis(const struct view *view);
 
-/* Returns the tangent of half the vertical field of view for a screen of width / height `aspect` >
- * 0. */
+/* Returns the tangent of half the vertical field of view for a screen of aspect ratio `aspect`
+ * (width over height) > 0. */
 float view_half_height_tan(const struct view *view, float aspect);
 
-/* Returns the point of the plane y = `height_m` under a screen point: x -1 left .. 1 right, y -1
- * bottom .. 1 top. For a ray that misses the plane (above the horizon) the point is 4 m away. */
+/* Returns the point of the plane y = `height_m` under a screen point. `x` runs from -1 (left) to 1
+ * (right), and `y` from -1 (bottom) to 1 (top). If the camera ray misses the plane, because the
+ * screen point is above the horizon, the returned point is 4 m away. */
 vec3 view_point_on_plane(const struct view *view, float aspect, float x, float y, float height_m);
 
 #endif
