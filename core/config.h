@@ -35,7 +35,8 @@ struct core_config {
                              exclude it. */
     struct persistent_state
         persistent; /* Persistent state that the store loaded at startup. The settings in
-                       `persistent` do not override the fields above; see config_apply_settings(). */
+                       `persistent` do not override the fields above; see
+                       config_apply_settings(). */
     struct game_session session; /* State carried over from the previous session; all zero at the
                                     start of the kiosk. */
     struct lab_book book;        /* Custom species and saved growth graphs, as loaded from the

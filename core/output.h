@@ -51,20 +51,20 @@ struct poi_force {
     float tear;      /* Amount of paper torn in this tick, [0, 1]; 1 means ten cells or more. */
 };
 
-#define POI_FORCE_N_MAX 20.0f   /* The largest force that a wrist resists. */
-#define POI_TORQUE_N_M_MAX 4.0f /* Torque of POI_FORCE_N_MAX at the end of a 13 cm handle, times
-                                   1.5. */
+#define POI_FORCE_N_MAX 20.0f /* The largest force that a wrist resists. */
+#define POI_TORQUE_N_M_MAX                                                                         \
+    4.0f /* Torque of POI_FORCE_N_MAX at the end of a 13 cm handle, times 1.5. */
 /* Drag of a poi moved broadside at 0.8 m/s, which is the largest drag that paper withstands. */
 #define POI_DRAG_N_FULL 2.0f
 
 /* Commands of the operator for a controller. */
 enum controller_command_kind {
     COMMAND_NONE = 0,
-    COMMAND_CHOOSE,  /* Detach the controller from its present driver and use the controller as a
-                        poi. */
-    COMMAND_RELEASE, /* Return the controller to its driver and delete the learned mapping. */
-    COMMAND_LEARN,   /* Start the learn wizard. The controller is attached to Kingyo while the
-                        wizard runs. */
+    COMMAND_CHOOSE,     /* Detach the controller from its present driver and use the controller
+                           as a poi. */
+    COMMAND_RELEASE,    /* Return the controller to its driver and delete the learned mapping. */
+    COMMAND_LEARN,      /* Start the learn wizard. The controller is attached to Kingyo while the
+                           wizard runs. */
     COMMAND_LEARN_NEXT, /* The operator has performed the current step of the wizard. */
     COMMAND_LEARN_KEEP, /* Save the learned mapping for the controller's vendor, product and serial
                            number. */

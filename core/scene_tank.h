@@ -7,9 +7,10 @@
 #include "core/base/vec.h"
 
 #define SCENE_FISH_MAX 2048u /* Equal to TANK_FISH_MAX. */
-#define SHEET_SIDE 32u       /* Number of cells along each side of the square around the paper; a
-                                cell measures 2.5 mm at a poi diameter of 80 mm. */
-#define RIPPLE_X 128u        /* Number of cells of the water surface from left to right. */
+#define SHEET_SIDE                                                                                 \
+    32u               /* Number of cells along each side of the square around the paper; a cell
+                         measures 2.5 mm at a poi diameter of 80 mm. */
+#define RIPPLE_X 128u /* Number of cells of the water surface from left to right. */
 /* Number of cells of the water surface from back to front. A cell measures about 7 mm in the
  * festival tank. */
 #define RIPPLE_Z 80u
@@ -60,9 +61,10 @@ struct scene_poi {
                                                    (wet). Row 0 is at the far edge (-z). */
     uint8_t integrity[SHEET_SIDE * SHEET_SIDE]; /* Integrity of each paper cell, from 255 (whole) to
                                                    1 (nearly torn); 0 means a hole. */
-    uint8_t stress[SHEET_SIDE * SHEET_SIDE]; /* Load of each paper cell divided by its strength,
-                                                including stress concentration. 255 means that the
-                                                cell tears immediately; 0 means no paper. */
+    uint8_t stress[SHEET_SIDE * SHEET_SIDE];    /* Load of each paper cell divided by its
+                                                   strength, including stress concentration. 255
+                                                   means that the cell tears immediately; 0 means
+                                                   no paper. */
 };
 
 struct scene_bowl {

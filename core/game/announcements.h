@@ -1,5 +1,5 @@
-/* announcements.h -- schedule of the time announcements: one minute, two minutes, ten seconds left,
- * and the last five seconds. */
+/* announcements.h -- schedules the time announcements of a round: at one minute, at two minutes, at
+ * ten seconds left, and for each of the last five seconds. */
 #ifndef KINGYO_CORE_GAME_ANNOUNCEMENTS_H
 #define KINGYO_CORE_GAME_ANNOUNCEMENTS_H
 
@@ -8,8 +8,8 @@
 #include "core/scene.h"
 
 /* Returns the announcement at `elapsed_ticks` into a round of `total_ticks`, or CALL_NONE. Each
- * announcement is returned for one tick. A minute announcement is omitted if the round is too short
- * or has ten seconds or less left. */
+ * announcement is returned in exactly one tick. A minute announcement is omitted if the round is
+ * too short or has ten seconds or less left. */
 enum time_call announcements_call_at(uint32_t elapsed_ticks, uint32_t total_ticks);
 
 #endif

@@ -4,10 +4,10 @@
 
 #include "core/poi/paper/sheet.h"
 
-/* Smallest usable share of the paper; a smaller rest is a fringe along the ring. */
+/* Smallest usable share of the paper area. A smaller remainder is only a fringe along the ring. */
 #define PAPER_LEFT_MIN 0.35f
 
-/* Returns 1 if a fish could lie on the paper: enough area is left, and a whole patch exists
+/* Returns 1 if a fish could lie on the paper: enough area is left, and an undamaged patch exists
  * (paper_patch.h). A hole alone, even in the middle, does not end a round, because a partly torn
  * poi may be used. */
 int paper_can_hold(const struct sheet *sheet);

@@ -5,14 +5,14 @@
 
 #include "core/input.h"
 
-/* Longest pause without any active player; then the round ends. */
+/* Longest pause without any active player. The round ends after the pause. */
 #define GAME_LOST_TICKS_MAX (60u * CORE_TICK_HZ)
-/* Longest single pause for one controller while others could play. */
+/* Longest single pause for one lost controller while other players could play. */
 #define GAME_LOST_TICKS_OTHERS (10u * CORE_TICK_HZ)
-/* Longest total pause per round for one controller while others could play. */
+/* Longest total pause per round for one lost controller while other players could play. */
 #define GAME_WAIT_TICKS_OTHERS (30u * CORE_TICK_HZ)
-/* Longest total pause per round without any active player, so that a loose plug ends a round
- * too. */
+/* Longest total pause per round without any active player. The limit also ends a round if a loose
+ * plug causes many short pauses. */
 #define GAME_WAIT_TICKS_MAX POI_WAIT_TICKS_MAX
 _Static_assert(GAME_LOST_TICKS_MAX <= GAME_WAIT_TICKS_MAX &&
                    GAME_WAIT_TICKS_OTHERS <= GAME_WAIT_TICKS_MAX,
@@ -21,16 +21,17 @@ _Static_assert(GAME_LOST_TICKS_MAX <= GAME_WAIT_TICKS_MAX &&
 struct game;
 struct world;
 
-/* Runs one tick of the pause logic, before the other steps of a round. The round pauses while a
- * player who is not out and has time left has lost the controller. During a pause the clock stops
- * and dips are blocked. A player for whom the others have waited too long, at once or in total, is
- * out. */
+/* Runs one tick of the pause logic, before the other steps of a round. The round pauses while time
+ * is left and a player who is not out has lost the controller. During a pause the clock stops and
+ * dips are blocked. A player is out if the other players have waited too long, in one pause
+ * (GAME_LOST_TICKS_OTHERS) or in total (GAME_WAIT_TICKS_OTHERS). */
 void pause_tick(struct game *game, const struct world *world);
 
-/* Returns 1 if player `index` has a poi in use: a live controller or the bot. */
+/* Returns 1 if player `index` has a poi in use: its source is the bot or a connected controller
+ * with valid input. */
 int pause_holds(const struct world *world, uint32_t index);
 
-/* Returns 1 if all players have been away for so long that the round ends. */
+/* Returns 1 if no player has been active for so long that the round ends, otherwise 0. */
 int pause_is_over(const struct game *game);
 
 #endif

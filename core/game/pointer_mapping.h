@@ -1,10 +1,10 @@
-/* pointer_mapping.h -- mapping of poses over the water to a pointer on a canvas over the tank's
- * picture.
+/* pointer_mapping.h -- maps a pose over the water to a pointer on a canvas. The canvas is the
+ * drawing area of menus, over the tank's picture.
  *
  * Wide screens use a canvas of 1280 x 720, portrait screens a canvas of 854 x 1400. The origin is
- * the top left corner, with x to the right and y down. Each canvas is as large as the screen
- * permits, and centred. The mapping uses the tank's camera: a point on the water surface maps to
- * the canvas point drawn over it, independent of the screen's size. */
+ * the top left corner, with x to the right and y down. Each canvas is centred and as large as the
+ * screen permits. The mapping uses the tank's camera. A point on the water surface maps to the
+ * canvas point drawn over it, independent of the screen's size. */
 #ifndef KINGYO_CORE_GAME_POINTER_MAPPING_H
 #define KINGYO_CORE_GAME_POINTER_MAPPING_H
 
@@ -14,11 +14,11 @@
 #include "core/input.h"
 #include "core/view.h"
 
-/* Narrower screens (width over height) use the portrait canvas. */
+/* Screens with a smaller aspect ratio (width over height) use the portrait canvas. */
 #define POINTER_UPRIGHT_ASPECT 0.61f
 
-#define POINTER_PRESS_Y_M 0.010f /* Height below which a pose presses. */
-/* Height above which the press ends; a mouse hovers at 0.035. */
+#define POINTER_PRESS_Y_M 0.010f /* Height of a pose below which the pointer presses. */
+/* Height of a pose above which a press ends. The pose of a mouse hovers at 0.035 m. */
 #define POINTER_RELEASE_Y_M 0.018f
 /* Distance on the canvas within which a pointer counts as resting. */
 #define POINTER_MOVE_MIN 14.0f
@@ -31,17 +31,19 @@ struct layout_point {
     float x, y;
 };
 
-struct layout_point pointer_layout_size(int upright); /* Returns width and height of the canvas. */
+struct layout_point pointer_layout_size(int upright); /* Returns the width and the height of the
+                                                         canvas. */
 
-/* Returns 1 if a point is in a box or less than `room` beside it; always 0 for an empty box. */
+/* Returns 1 if the point `at` is in the box or less than `room` outside its edges, otherwise 0.
+ * Always returns 0 for an empty box. */
 int pointer_is_inside(struct layout_box box, float room, struct layout_point at);
 
-/* Returns the canvas point of a world point. */
+/* Returns the canvas point at which the world point `point_m` is drawn. */
 struct layout_point pointer_project(const struct view *view, int upright, vec3 point_m);
 
-/* A pointer: its position, clamped to the canvas, and the height of its pose. Not present if no
- * controller is connected or its pose is invalid. A jump is harmless here, so jumps are not
- * filtered. */
+/* State of a player's pointer: its position, clamped to the canvas, and the height of its pose.
+ * `present` is 0 if no controller is connected or its pose is invalid. A jump of a pointer is
+ * harmless, so jumps are not filtered. */
 struct pointer_state {
     uint8_t present;
     uint8_t player;
@@ -51,8 +53,8 @@ struct pointer_state {
 
 struct world;
 
-/* Returns the pointer of `player`. A controller with rotation maps by the tank's floor plan, other
- * controllers by the camera. */
+/* Returns the pointer of `player`. The pose of a controller with rotation is mapped by the tank's
+ * floor plan. The poses of other controllers are mapped by the camera. */
 struct pointer_state pointer_of_player(const struct world *world, const struct input *input,
                                        int upright, uint32_t player);
 

@@ -1,11 +1,14 @@
-/* rules.h -- the modes as data: tank, paper, duration, and the end of a round.
+/* rules.h -- the rules of each mode as data: tank, paper, duration, and the end of a round.
  *
- * No code checks the mode itself; code reads the mode's rules. MODE_CHAMPIONSHIP follows the rules
- * of the national championship:
+ * Code outside the table of rules does not compare modes, but reads the mode's rules.
+ * MODE_CHAMPIONSHIP follows the rules of the national championship:
+ *
  * - A round has three minutes and one No. 5 poi of 80 mm.
+ *
  * - The time is announced at one and two minutes, at ten seconds left, and for the last five
- *   seconds.
- * - Three fouls end the round, and a torn poi may be used while it holds. */
+ * seconds.
+ *
+ * - Three fouls end the round, and a torn poi may be used while it can hold a fish. */
 #ifndef KINGYO_CORE_GAME_RULES_H
 #define KINGYO_CORE_GAME_RULES_H
 
@@ -13,27 +16,27 @@
 
 #include "core/scene.h"
 
-#define RULES_STALLS_TANK 0xffu /* The configured tank. */
+#define RULES_STALLS_TANK 0xffu /* Value of `tank` that stands for the configured tank. */
 /* Time to take the poi and find the bowl, in modes without an umpire. */
 #define RULES_READY_S 3u
 
 struct rules {
-    const char *name; /* Name on the command line. */
-    uint8_t tank;     /* enum tank_preset_id, or RULES_STALLS_TANK */
-    uint8_t grade;    /* Grade of the paper; 0: the configured grade. */
+    const char *name; /* Name of the mode on the command line. */
+    uint8_t tank;     /* Preset of the tank (enum tank_preset_id), or RULES_STALLS_TANK. */
+    uint8_t grade;    /* Grade of the paper; 0 means the configured grade. */
     uint32_t round_s;
-    uint32_t ready_s;     /* Time to take the poi before the start. */
-    uint8_t renews_paper; /* 1: useless paper is replaced after a second, when the poi is clear
-                             of the water; 0: the player is out. */
-    uint8_t judges;       /* 1: fouls are counted, and fish caught by a foul do not count. 0:
+    uint32_t ready_s;     /* Seconds for taking the poi before the start. */
+    uint8_t renews_paper; /* 1 if useless paper is replaced after a second, when the poi is clear of
+                             the water. 0 if the player is out when the paper is useless. */
+    uint8_t judges;       /* 1 if fouls are counted and fish caught by a foul do not count. 0 if
                              every fish in the bowl counts, as at a real stall. */
-    uint8_t calls;        /* 1: the time is announced. */
-    uint8_t coaches;      /* 1: hints explain the next step; 0: hints only report fouls. */
+    uint8_t calls;        /* 1 if the time is announced, otherwise 0. */
+    uint8_t coaches;      /* 1 if hints explain the next step, 0 if hints only report fouls. */
     uint8_t shows_stress;
-    uint8_t keeps_score; /* 1: the round produces a record and can be ranked. */
+    uint8_t keeps_score; /* 1 if the round produces a record and can be ranked, otherwise 0. */
 };
 
-/* Returns the rules of `mode`. `mode` must be < MODE_COUNT, else the function asserts. */
+/* Returns the rules of `mode`. Asserts that `mode` < MODE_COUNT. */
 const struct rules *rules_of(uint8_t mode);
 
 #endif
