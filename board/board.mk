@@ -13,9 +13,16 @@ run:
 setup:
 	@board/setup.sh run test dev
 
+## build/docs: Make HTML pages of the public headers in build/docs/ (Doxygen)
+docs:
+	@board/setup.sh dev
+	@mkdir -p $(BUILD)/docs
+	@{ cat board/docs/Doxyfile; echo 'OUTPUT_DIRECTORY = $(BUILD)/docs'; } | doxygen -
+	@echo '  pages $(BUILD)/docs/html/index.html'
+
 JOBS ?= $(shell nproc)
 
-.PHONY: run setup
+.PHONY: run setup docs
 
 -include board/poi-gadget/poi-gadget.mk
 -include board/install.mk
