@@ -14,8 +14,8 @@
 struct buttons_mux {
     struct hal_buttons part[BUTTONS_MUX_MAX];
     uint32_t part_count;
-    char text[3u * HAL_TEXT_SIZE]; /* Joined descriptions of all parts, truncated to the size of the
-                                      buffer. */
+    char text[3u * HAL_TEXT_SIZE]; /* Descriptions of all parts, joined into one text that is
+                                      truncated to the size of the buffer. */
 };
 
 /* Adds a part. Parts are polled in the order in which they were added. Returns 0, or -1 if there

@@ -9,7 +9,8 @@
 
 #include "platform/hal.h"
 
-/* Return a null driver with the description `line` for one device of struct hal. */
+/* Each of these functions returns a null driver with the description `line` for one device of
+ * struct hal. */
 struct hal_display null_display(const char *line);
 struct hal_poi null_poi(const char *line);
 struct hal_fan null_fan(const char *line);

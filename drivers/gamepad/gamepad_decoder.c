@@ -66,7 +66,8 @@ static uint32_t hand_buttons(const struct gamepad_decoder *hand)
            (buttons & GAMEPAD_SHOULDER_LEFT ? (uint32_t)POINTER_FAN : 0u);
 }
 
-/* Passes the push, the buttons and the sum of stick tilt and motion-sensor tilt to stick_motion. */
+/* Passes the deflection, the buttons, and the sum of the tilts from stick and motion sensors to
+ * stick_motion. */
 static void tell_fly(struct gamepad_decoder *hand)
 {
     const uint32_t buttons = hand_buttons(hand);
@@ -146,8 +147,8 @@ static uint16_t motor(float level)
     return (uint16_t)(f_clamp(level, 0.0f, 1.0f) * 65535.0f + 0.5f);
 }
 
-/* Returns the motor levels. The drag is squared, so that the player barely feels a correct glide
- * along the plane of the paper. */
+/* Returns the motor levels. The drag is squared, so that the player barely feels a ring that glides
+ * edge-on through the water. */
 struct gamepad_rumble gamepad_decoder_rumble(const struct poi_force *force)
 {
     return (struct gamepad_rumble){

@@ -4,7 +4,7 @@
  * Pure: uses no device, clock or library. SDL's game pads (gamepad_poi.h) and the simulated game
  * pad (gamepad_sim.h) share this decoder. The poi is the paper scoop, a ring with paper.
  *
- * The left stick moves the ring over the water (stick_motion.h, as for every stick). Button A or a
+ * The left stick moves the ring over the water by the rules of stick_motion.h. Button A or a
  * trigger dips the ring, the right stick tilts it, and button X levels it. The left shoulder button
  * holds the fan over the water. A game pad with motion sensors also tilts the ring by its own
  * attitude (gamepad_imu_filter.h). */
@@ -45,8 +45,8 @@ enum gamepad_button {
     GAMEPAD_RIGHT = 1u << 14,
 };
 
-/* Dead zone of a stick: 15 % of an axis, because worn sticks do not return exactly to the
- * center. */
+/* Dead zone of a stick: 15 % of the largest axis value, because worn sticks do not return exactly
+ * to the center. */
 #define GAMEPAD_DEAD 4915
 /* Axis value at which a trigger counts as pressed: half its travel. */
 #define GAMEPAD_TRIGGER_ON 16384
@@ -61,8 +61,9 @@ struct gamepad_report {
     uint64_t time_ns;
     int16_t axis[GAMEPAD_AXIS_COUNT];
     uint32_t buttons; /* Pressed buttons, as bits of enum gamepad_button. Other bits are ignored. */
-    uint8_t has_turn, has_weight; /* 1 if `turn_rad_s` or `weight_m_s2` is new in this report,
-                                     otherwise 0. Both vectors are in SDL's axes. */
+    uint8_t has_turn, has_weight; /* `has_turn` is 1 if `turn_rad_s` is new in this report,
+                                     otherwise 0. `has_weight` is 1 if `weight_m_s2` is new,
+                                     otherwise 0. Both vectors are in the axes of SDL's sensors. */
     vec3 turn_rad_s, weight_m_s2;
 };
 
@@ -70,37 +71,40 @@ struct gamepad_decoder {
     struct stick_motion fly;        /* Motion of the ring by the sticks. */
     struct gamepad_imu_filter tilt; /* Tilt from the motion sensors. */
     struct gamepad_report now;      /* The newest report. */
-    vec3 stick_twist;               /* Pitch, yaw and roll from the right stick, as shares of
+    vec3 stick_twist;               /* Pitch, yaw and roll from the right stick, as fractions of
                                        STICK_MOTION_TILT_MAX_RAD. */
     uint64_t time_ns;               /* Time of the newest report or sample. */
     uint8_t trigger_down;           /* 1 while a trigger is pressed, otherwise 0. */
-    uint32_t held, pressed;         /* Pressed buttons, and buttons pressed since the last call
-                                       of gamepad_decoder_buttons(), as bits of enum
-                                       input_button. */
+    uint32_t held, pressed;         /* Buttons that are pressed (`held`), and buttons that were
+                                       pressed since the last call of gamepad_decoder_buttons()
+                                       (`pressed`), as bits of enum input_button. */
 };
 
 /* Initializes the decoder with the poi over the middle of the water. `view` is copied. */
 void gamepad_decoder_init(struct gamepad_decoder *hand, const struct view *view);
 
-/* Processes one report. Any content is accepted. A report with an older time than the previous
- * report is processed at the time of the previous report. */
+/* Processes one report. Any content is accepted. If the time of a report is before that of the
+ * previous report, the time of the previous report is used. */
 void gamepad_decoder_report(struct gamepad_decoder *hand, const struct gamepad_report *report);
 
 /* Returns the pose at `time_ns`, which must not decrease from call to call. All values of the pose
  * are finite. */
 struct poi_sample gamepad_decoder_sample(struct gamepad_decoder *hand, uint64_t time_ns);
 
-/* Writes the pressed buttons, and the buttons that were pressed since the last call. */
+/* Writes to `out` the buttons that are pressed now, and the buttons that were pressed since the
+ * last call. */
 void gamepad_decoder_buttons(struct gamepad_decoder *hand, struct button_sample *out);
 
-/* Returns the fan. The left stick moves the fan while GAMEPAD_SHOULDER_LEFT is pressed. */
+/* Returns the fan at `time_ns`. The left stick moves the fan while GAMEPAD_SHOULDER_LEFT is
+ * pressed. */
 struct shade_input gamepad_decoder_fan(struct gamepad_decoder *hand, uint64_t time_ns);
 
-/* Sets the camera view, which limits the motion of the poi to the visible part. */
+/* Sets the camera view. The poi stays within the part of the water that the camera shows. */
 void gamepad_decoder_set_view(struct gamepad_decoder *hand, const struct view *view);
 
-/* Motor levels of a game pad, 0 to 65,535. The slow motor follows the drag of the water. The fast
- * motor follows slaps of a fish's tail and the tearing of the paper. */
+/* Motor levels of a game pad, 0 to 65,535. The level of the slow motor follows the drag of the
+ * water. The level of the fast motor follows slaps of a fish's tail and the tearing of the
+ * paper. */
 struct gamepad_rumble {
     uint16_t slow, fast;
 };

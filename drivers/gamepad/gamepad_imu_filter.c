@@ -3,10 +3,10 @@
 #include "drivers/gamepad/gamepad_imu_filter.h"
 
 #define G_M_S2 9.81f
-/* Time constant with which the accelerometer corrects the upward direction. Shaking has a tenth of
- * this period, and a gyroscope drifts over minutes. */
+/* Time constant with which the accelerometer corrects the upward direction. It is ten times the
+ * period of shaking, and much shorter than the minutes in which a gyroscope drifts. */
 #define DOWN_TAU_S 0.5f
-/* Time constant of the rest attitude. A player aims at a fish for a shorter time. */
+/* Time constant of the rest attitude, longer than the time for which a player aims at a fish. */
 #define REST_TAU_S 4.0f
 /* Angle around the rest attitude within which the tilt is 0, because a human hand trembles. */
 #define REST_BAND_RAD (2.0f * F_DEG)
@@ -43,8 +43,8 @@ int gamepad_imu_filter_add_rotation(struct gamepad_imu_filter *tilt, uint64_t ti
     return 0;
 }
 
-/* Corrects `up` by the measured acceleration. The acceleration is ignored if its size differs from
- * 1 g by more than 30 %, because of shaking or free fall. */
+/* Corrects `up` by the measured acceleration. The acceleration is ignored if its magnitude differs
+ * from 1 g by more than 30 %, because of shaking or free fall. */
 int gamepad_imu_filter_add_gravity(struct gamepad_imu_filter *tilt, uint64_t time_ns, vec3 up_m_s2)
 {
     if (!v3_is_finite(up_m_s2)) {

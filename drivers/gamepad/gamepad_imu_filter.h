@@ -21,12 +21,13 @@
  * player. */
 struct gamepad_imu_filter {
     vec3 up;            /* Upward direction in the axes of the pad, a unit vector. */
-    uint8_t knows_down; /* 1 after the first valid acceleration, otherwise 0. */
+    uint8_t knows_down; /* 1 after the first valid acceleration was processed, otherwise 0. */
     uint8_t knows_rest; /* 1 after the rest attitude was set, otherwise 0. */
     float rest_pitch_rad, rest_roll_rad; /* Pitch and roll of the rest attitude. */
-    uint64_t turn_ns;                    /* Time to which `up` was rotated. */
+    uint64_t turn_ns;                    /* Time up to which the rotation of the pad is included in
+                                            `up`. */
     uint64_t weigh_ns;                   /* Time of the newest acceleration. */
-    uint64_t rest_ns;                    /* Time to which the rest attitude was updated. */
+    uint64_t rest_ns;                    /* Time of the last update of the rest attitude. */
     vec3 rate_rad_s;                     /* Rotation rate from the newest measurement. */
 };
 
@@ -35,8 +36,8 @@ struct gamepad_imu_filter {
 int gamepad_imu_filter_add_rotation(struct gamepad_imu_filter *tilt, uint64_t time_ns,
                                     vec3 rate_rad_s);
 
-/* Processes an acceleration that includes gravity, which is 9.8 m/s2 upward at rest. Returns 0, or
- * -1 if a component is not finite; the state is then unchanged. */
+/* Processes an acceleration that includes gravity: a pad at rest measures 9.8 m/s2 upward. Returns
+ * 0, or -1 if a component is not finite; the state is then unchanged. */
 int gamepad_imu_filter_add_gravity(struct gamepad_imu_filter *tilt, uint64_t time_ns, vec3 up_m_s2);
 
 /* Makes the current attitude the rest attitude. */

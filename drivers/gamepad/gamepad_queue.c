@@ -42,7 +42,8 @@ uint32_t gamepad_queue_pop(struct gamepad_queue *track, uint64_t now_ns, struct 
         return 0;
     }
     const uint64_t span_ns = now_ns > track->sampled_ns ? now_ns - track->sampled_ns : 0;
-    /* Larger steps after a stall of the caller, so that `max` samples cover the whole time. */
+    /* After a stall of the caller the steps are larger, so that `max` samples cover the whole
+     * time. */
     const uint64_t even_ns = span_ns / max + 1u;
     const uint64_t step_ns = even_ns > SAMPLE_NS ? even_ns : SAMPLE_NS;
     uint32_t count = 0;

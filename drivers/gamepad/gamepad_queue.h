@@ -21,8 +21,8 @@ struct gamepad_queue {
 /* Initializes `track` with the poi over the middle of the water at `time_ns`. */
 void gamepad_queue_init(struct gamepad_queue *track, const struct view *view, uint64_t time_ns);
 
-/* Appends a report. If the queue is full, the oldest report is decoded immediately. Its buttons
- * count, but the motion up to its time is not sampled. */
+/* Appends a report. If the queue is full, the oldest report is decoded immediately. The buttons of
+ * the oldest report still count, but the motion up to its time is not sampled. */
 void gamepad_queue_push(struct gamepad_queue *track, const struct gamepad_report *report);
 
 /* Samples the motion from the previous call to `now_ns`. Writes at most `max` samples, the last of

@@ -236,8 +236,9 @@ static void gamepads_take_event(struct gamepads *gamepads, const SDL_Event *even
     }
 }
 
-/* Processes all pending events. SDL stamps events with the time of pumping. Therefore the events
- * are spread evenly over the time from the previous call to the current call. */
+/* Processes all pending events. SDL sets the time stamp of an event when the queue is pumped, not
+ * when the event occurs. Therefore the events are spread evenly over the time from the previous
+ * call to the current call. */
 void gamepads_poll(struct gamepads *gamepads)
 {
     SDL_Event events[EVENT_BATCH];

@@ -20,8 +20,8 @@
 #include "platform/hal.h"
 
 #define GAMEPADS_MAX POI_MAX
-/* Largest number of excluded devices: 32 that the operator selected for the USB driver, and eight
- * that the USB driver uses without a selection. */
+/* Largest number of excluded devices: at most 32 devices that the operator selected for the USB
+ * driver, and at most eight devices that the USB driver uses without a selection. */
 #define GAMEPADS_EXCLUSION_MAX 40u
 #define GAMEPAD_GUID_SIZE 33u
 
@@ -38,7 +38,8 @@ struct gamepad {
     char serial[32];                        /* Serial number from SDL, or "" if unknown. */
     uint16_t vendor, product;               /* USB vendor id and product id. */
     char usb_serial[HID_TEXT_SIZE];         /* Serial number from /sys, or "" if unknown. */
-    uint8_t was_here;                       /* 1 if the element was used before, otherwise 0. */
+    uint8_t was_here;                       /* 1 if a game pad used this element before, otherwise
+                                               0. */
     struct gamepad_report now;              /* State of the pad after the newest event. */
     struct gamepad_queue track;             /* Reports that are not decoded yet. */
     struct gamepad_rumble rumble;           /* Motor levels that were sent last. */
@@ -58,23 +59,25 @@ struct gamepads {
     struct hal_clock clock;
     struct view view;
     struct gamepad pad[GAMEPADS_MAX];
-    struct gamepad_exclusion bar[GAMEPADS_EXCLUSION_MAX]; /* Excluded devices. */
+    struct gamepad_exclusion bar[GAMEPADS_EXCLUSION_MAX]; /* Devices that must not be opened here,
+                                                             because other drivers use them. */
     uint32_t bar_count;
     uint8_t is_open;
-    uint64_t pumped_ns; /* Time up to which events were processed. */
+    uint64_t pumped_ns; /* Time up to which SDL's events were processed. */
     char text[HAL_TEXT_SIZE];
 };
 
 /* Initializes the state without starting SDL. `view` is copied. */
 void gamepads_init(struct gamepads *gamepads, struct hal_clock clock, const struct view *view);
 
-/* Replaces the list of excluded devices, which other drivers own. An excluded game pad is not
- * opened, and is closed if it is open. SDL's ignore hint also lists each excluded product whose
- * entry has no serial number, because the hint does not support serial numbers.
+/* Replaces the list of excluded devices by the `count` entries of `bar`. Other drivers use the
+ * excluded devices. An excluded game pad is not opened, and is closed if it is open. A product that
+ * is excluded without a serial number is also added to SDL's ignore hint, which has no serial
+ * numbers.
  *
- * Must be called before gamepads_open() for devices that are already plugged in. At most
- * GAMEPADS_EXCLUSION_MAX entries are used. Bytes after the end of a serial number must be 0. An
- * unchanged list has no effect. */
+ * For devices that are already plugged in, this function must be called before gamepads_open(). At
+ * most GAMEPADS_EXCLUSION_MAX entries are used. All bytes after the end of a serial number must be
+ * 0. A call with an unchanged list has no effect. */
 void gamepads_exclude(struct gamepads *gamepads, const struct gamepad_exclusion *bar,
                       uint32_t count);
 
@@ -85,7 +88,7 @@ int gamepads_is_excluded(const struct gamepads *gamepads, uint16_t vendor, uint1
 
 /* Starts SDL's game controllers. `database` is the path of a file with further mappings; it may be
  * null, and the file may be missing. Returns HAL_OK. Returns HAL_ERR_ABSENT with the reason in
- * gamepads->text if SDL fails; there are then no game pads. */
+ * gamepads->text if SDL fails; no game pad can then be used. */
 int gamepads_open(struct gamepads *gamepads, const char *database);
 
 /* Closes all game pads and stops SDL's game controllers. */

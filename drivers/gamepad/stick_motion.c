@@ -3,8 +3,8 @@
 
 #include "drivers/pointer/pointer_fan.h"
 
-/* Time constant that smooths the velocity, so that the flick of a thumb moves the ring like an
- * arm. */
+/* Time constant that smooths the velocity. The ring then moves as if an arm held it, even if the
+ * thumb flicks the stick. */
 #define PUSH_TAU_S 0.07f
 /* Time constant that smooths the tilt, the same as for the wheel in pointer_poi.c. */
 #define TWIST_TAU_S 0.06f
@@ -13,8 +13,8 @@
 /* Longest time between calls that is integrated. After a longer pause the poi has not moved. */
 #define GAP_MAX_S 1.0f
 
-/* Share of half the image's width and height that the poi may reach from the middle of the
- * image. */
+/* Largest distance of the poi from the middle of the image, as a fraction of half the image's width
+ * and height. */
 #define SEEN 0.94f
 #define VIEW_ASPECT (16.0f / 9.0f)
 
@@ -89,8 +89,8 @@ static float pace_m_s(float at_m)
     return f_lerp(STICK_MOTION_WATER_M_S, STICK_MOTION_AIR_M_S, f_smoothstep(0.0f, 0.025f, at_m));
 }
 
-/* Returns the deflection after a response curve with a cubic part, which makes small deflections
- * more precise. */
+/* Applies a response curve with a cubic part to the deflection `push` and returns the result. The
+ * curve makes small deflections more precise. */
 static float eased(float push)
 {
     return push * (0.35f + 0.65f * push * push);
@@ -165,8 +165,8 @@ void stick_motion_report(struct stick_motion *fly, const struct stick_report *re
     }
 }
 
-/* Returns the offset of the dip. The ring moves away from the player along the line of sight as it
- * sinks by `down_m`. The slanted ring then moves more edge-on through the water. */
+/* Returns the offset of the ring during a dip. The ring moves away from the player along the line
+ * of sight as it sinks by `down_m`. The slanted ring then moves more edge-on through the water. */
 static vec3 slid_m(const struct stick_motion *fly, float down_m)
 {
     const vec3 sight = v3_sub(fly->view.target_m, fly->view.eye_m);

@@ -29,8 +29,8 @@ struct hal_switches buttons_gpio_switches(struct buttons_gpio *gpio);
  * wired. */
 void buttons_gpio_why(struct buttons_gpio *gpio, enum gpio_role role, char out[HAL_TEXT_SIZE]);
 
-/* Stops the GPIO thread. Coins are locked out, lamps are switched off, and the lines are released
- * to their bias (gpio_config.h). */
+/* Stops the GPIO thread. Coins are locked out, lamps are switched off, and the lines are released.
+ * The bias (gpio_config.h) then sets the level of each line. */
 void buttons_gpio_stop(struct buttons_gpio *gpio);
 
 #endif

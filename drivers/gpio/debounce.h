@@ -31,8 +31,8 @@ struct debounce debounce_begin(uint64_t period_ns, bool active, uint64_t now_ns)
 bool debounce_edge(struct debounce *debounce, uint64_t time_ns, bool active,
                    struct debounce_edge_time *out);
 
-/* Evaluates the state at `now_ns`. All edges before `now_ns` must have been passed already. Returns
- * true and fills `out` if a transition was completed. */
+/* Performs the change of state that is due at `now_ns`. All edges before `now_ns` must have been
+ * passed already. Returns true and fills `out` if a transition was completed. */
 bool debounce_settle(struct debounce *debounce, uint64_t now_ns, struct debounce_edge_time *out);
 
 /* Returns the time at which debounce_settle() must be called, or UINT64_MAX if the state cannot

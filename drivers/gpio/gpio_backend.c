@@ -108,8 +108,8 @@ static void backend_close(void *self)
 
 /* ---- Levels --------------------------------------------------------------------------------- */
 
-/* Returns the HAL error for errno of a failed call. ENODEV means that the chip was removed: the
- * line is released and the result is HAL_ERR_GONE. Every other error is HAL_ERR_IO. */
+/* Returns the HAL error for the errno value of a failed call. ENODEV means that the chip was
+ * removed: the line is released and the result is HAL_ERR_GONE. Every other error is HAL_ERR_IO. */
 static int failure(struct gpio_backend *backend, enum gpio_role role)
 {
     if (errno != ENODEV) {
@@ -184,7 +184,8 @@ static int backend_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
         count += gpio_backend_read_edges(backend, &ready, role, out + count, max - count);
     }
-    if (backend->went && count == 0) { /* The edges of the remaining chips are returned first. */
+    if (backend->went && count == 0) { /* The removal is reported only after all edges of the
+                                          remaining chips. */
         backend->went = 0;
         return HAL_ERR_GONE;
     }

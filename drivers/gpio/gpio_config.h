@@ -24,7 +24,8 @@
 
 #include "drivers/gpio/gpio_lines.h"
 
-/* Upper limit of all times in a wiring text. No button, coin or meter needs more than 10 s. */
+/* Upper limit of all times in a wiring text. No button, coin acceptor or coin meter needs more than
+ * 10 s. */
 #define GPIO_TIME_US_MAX 10000000u
 
 /* Returns the name of a role in wiring texts, logs and tables, such as "coin-lockout". */
@@ -52,7 +53,7 @@ uint32_t gpio_config_count(const struct gpio_wire wires[GPIO_ROLE_COUNT]);
 /* Writes the name of a line for messages, such as "BTN_START" or "gpio-sim.0:4". */
 void gpio_wire_text(const struct gpio_wire *wire, char out[GPIO_WIRE_TEXT_SIZE]);
 
-/* Returns a copy of `wire` with default times in place of times of 0. */
+/* Returns a copy of `wire` in which the default of `role` replaces each time of 0. */
 struct gpio_wire gpio_wire_filled(const struct gpio_wire *wire, enum gpio_role role);
 
 #endif

@@ -1,5 +1,5 @@
-/* gpio_dev.h -- functions that the drivers for libgpiod 1.6 and 2.x share: chips in /dev, waiting,
- * polling, and error messages. */
+/* gpio_dev.h -- functions that the drivers for libgpiod 1.6 and 2.x share: they find chips in /dev,
+ * wait for edges, poll levels, and write error messages. */
 #ifndef KINGYO_DRIVERS_GPIO_GPIO_DEV_H
 #define KINGYO_DRIVERS_GPIO_GPIO_DEV_H
 
@@ -8,10 +8,10 @@
 #include "drivers/gpio/gpio_lines.h"
 
 /* Iteration over the device files of all chips, in directory order. Symbolic links are skipped,
- * because Raspberry Pi OS has links for former chip numbers.
+ * because Raspberry Pi OS has links that name chips by their former numbers.
  *
  * Before the first call of gpio_dev_next() all fields except `root` must be 0. The iteration ends
- * when gpio_dev_next() returns false, or by gpio_dev_end(). */
+ * when gpio_dev_next() returns false, or when the caller calls gpio_dev_end(). */
 struct gpio_dev_walk {
     const char *root; /* Root folder of the file system to search; null means "/". */
     DIR *folder;
@@ -59,13 +59,13 @@ uint32_t gpio_dev_poll_ms(const struct gpio_dev_poll_state *looks, uint32_t time
 bool gpio_dev_poll_level(struct gpio_dev_poll_state *looks, enum gpio_role role, int level,
                          struct gpio_edge *out);
 
-/* Writes the reason to `why` if the kernel refused an existing line. `error` is the errno value.
- * `consumer` is the program that uses the line, or "" if unknown. */
+/* Writes to `why` the reason for which the kernel refused an existing line. `error` is the errno
+ * value. `consumer` is the program that uses the line, or "" if unknown. */
 void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, int error,
                           const char *consumer);
 
-/* Writes the reason to `why` if no chip has the line. `denied` is the path of a chip that could not
- * be opened, or "" if all `chip_count` chips were opened. */
+/* Writes to `why` the reason for which no chip has the line. `denied` is the path of a chip that
+ * could not be opened, or "" if all `chip_count` chips were opened. */
 void gpio_dev_why_missing(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, const char *denied,
                           uint32_t chip_count);
 

@@ -30,8 +30,8 @@ static bool is_proof(const struct gpio_poll_edges *other)
     return other->since_ns != NEVER && other->last_ns - other->since_ns >= GPIO_PROOF_NS;
 }
 
-/* Discards the polls. If the polls proved a level and `is_explained` is false, one lost edge is
- * counted. */
+/* Discards the recorded polls. Counts one lost edge if the polls proved a level that has ended,
+ * unless `is_explained` is true. */
 static void end_looks(struct gpio_edge_filter *input, bool is_explained)
 {
     const struct gpio_poll_edges *other = &input->other;
@@ -108,8 +108,8 @@ bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edg
 
 /* ---- Levels that were read ------------------------------------------------------------------ */
 
-/* Records a poll whose level differs from the edges. Returns true if the different level has lasted
- * long enough to be accepted. */
+/* Records a poll at `now_ns` whose level differs from the level after the last edge. Returns true
+ * if the polled level has lasted for GPIO_UNDER_WAY_NS and must be accepted. */
 static bool doubt(struct gpio_edge_filter *input, uint64_t now_ns)
 {
     struct gpio_poll_edges *other = &input->other;

@@ -7,14 +7,15 @@
  * - A null edge is an edge event whose level equals the level before the event. The line changed
  *   and changed back before the kernel read the level. A null edge only restarts the debounce
  *   period.
- * - If two polls saw the opposite level before a null edge arrived, the kernel was late. The null
- *   edge is then treated as the edge to the polled level. A coin pulse that ended before the
- *   kernel read the level is therefore still counted.
- * - Two null edges without a polled level between them are never counted as a pulse. Two such edges
- *   may be a coin while the kernel was late, or two glitches of a relay or a lighter. The pair is
- *   counted as doubtful.
- * - If the polled level differs from the edges for longer than an edge event can be delayed, edges
- *   were lost. The polled level is then accepted, and edges with earlier time stamps are ignored.
+ * - If two polls read the opposite level before a null edge arrived, the kernel read the level too
+ *   late. The null edge is then treated as the edge to the polled level. A coin pulse that ended
+ *   before the kernel read the level is therefore still counted.
+ * - Two null edges without a polled level between them are never counted as a pulse. The pair may
+ *   be a coin pulse that the kernel read too late, or two glitches from a relay or a lighter. The
+ *   pair is counted as doubtful.
+ * - If the polled level differs from the level after the last edge for longer than an edge event
+ *   can be delayed, edges were lost. The polled level is then accepted, and edges with earlier time
+ *   stamps are ignored.
  *
  * Pure: uses no device and no clock. */
 #ifndef KINGYO_DRIVERS_GPIO_GPIO_EDGE_FILTER_H
@@ -25,19 +26,20 @@
 
 /* Longest delay of an edge event: three times the observed delay of 6 ms. */
 #define GPIO_UNDER_WAY_NS 20000000u
-/* Time between two polls that proves a stable level: longer than a glitch, and shorter than
- * GPIO_COIN_POLL_NS. */
+/* Two polls that read equal levels prove a stable level if at least this time lies between them.
+ * The time is longer than a glitch and shorter than GPIO_COIN_POLL_NS. */
 #define GPIO_PROOF_NS 4000000u
-/* Longest time from the arrival of a null edge to the time stamp of the next null edge that can
- * belong to the same pulse. */
+/* Largest time from the arrival of one null edge to the time stamp of the next null edge. If the
+ * time is longer, the two null edges cannot belong to one pulse. */
 #define GPIO_PAIR_NS 2000000u
 
-/* Times of consecutive polls whose level differs from the edges. Each time is taken just before the
- * poll. UINT64_MAX means no poll. */
+/* Times of consecutive polls whose level differs from the level after the last edge. Each time is
+ * taken just before the poll. UINT64_MAX means that there was no poll. */
 struct gpio_poll_edges {
-    uint64_t since_ns, last_ns; /* Time of the first and of the last poll with the different
-                                   level. */
-    uint64_t back_ns;           /* Time of the first later poll with the expected level. */
+    uint64_t since_ns, last_ns; /* Times of the first (`since_ns`) and of the last poll (`last_ns`)
+                                   that read the different level. */
+    uint64_t back_ns;           /* Time of the first later poll that read the level after the last
+                                   edge again. */
 };
 
 struct gpio_edge_filter {
@@ -48,13 +50,14 @@ struct gpio_edge_filter {
     uint64_t told_ns; /* Time at which the GPIO thread received the last null edge. */
     /* Edges up to this time are ignored, because a polled level replaced them. */
     uint64_t believed_ns;
-    struct gpio_poll_edges other; /* Polls whose level differs from the edges. */
+    struct gpio_poll_edges other; /* Polls whose level differs from the level after the last
+                                     edge. */
     uint32_t blinks; /* Number of null edges, which are edge events without a change of the level,
                         since gpio_edge_filter_begin(). */
-    uint32_t late;   /* Number of late edges that a polled level corrected since
+    uint32_t late;   /* Number of edges whose wrong direction was corrected by a polled level, since
                         gpio_edge_filter_begin(). */
-    /* Number of null-edge pairs that are either two glitches or a missed pulse. The caller may set
-     * it to 0 after reading it. */
+    /* Number of pairs of null edges that are either two glitches or a missed pulse. The caller may
+     * set it to 0 after reading it. */
     uint32_t doubtful;
     uint32_t lost; /* Number of edges that were lost or arrived too late. The caller may set it to 0
                       after reading it. */
@@ -64,12 +67,12 @@ struct gpio_edge_filter {
 struct gpio_edge_filter gpio_edge_filter_begin(uint64_t debounce_ns, bool active, uint64_t now_ns);
 
 /* Processes an edge of the filtered line. The edges must be passed in order of time. Returns true
- * and fills `out` if a debounced transition results. */
+ * and fills `out` if the edge completes a debounced transition. */
 bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edge *edge,
                            struct debounce_edge_time *out);
 
 /* Processes the level that was read at `now_ns`, after all available edges were passed. Returns
- * true and fills `out` if a debounced transition results. */
+ * true and fills `out` if the level completes a debounced transition. */
 bool gpio_edge_filter_level(struct gpio_edge_filter *input, uint64_t now_ns, bool active,
                             struct debounce_edge_time *out);
 

@@ -79,7 +79,8 @@ struct gpio_wire {
     uint8_t active_low;
     uint8_t bias;          /* Pull resistor of the line (enum gpio_bias). */
     uint32_t debounce_us;  /* Debounce time of an input; unused for outputs. */
-    uint32_t pulse_min_us; /* Shortest pulse of a coin line; `pulse_max_us` is the longest pulse. */
+    uint32_t pulse_min_us; /* Shortest valid pulse of a coin line; `pulse_max_us` is the longest
+                              valid pulse. */
     uint32_t pulse_max_us;
     uint32_t pulse_on_us; /* Pulse length of an output; `pulse_off_us` is the pause after each
                              pulse. */
@@ -93,14 +94,14 @@ struct gpio_edge {
     /* Level after the edge; 1 means active (see active_low). The kernel reads the level some time
      * after the interrupt, so it can be wrong. */
     uint8_t active;
-    uint32_t lost_before; /* Number of earlier edges of the line that the kernel's full queue
-                             dropped directly before the current edge. */
+    uint32_t lost_before; /* Number of edges of the line that the kernel dropped directly before
+                             this edge, because its queue was full. */
     /* Time at which the GPIO thread received the edge. The GPIO thread sets this field; the backend
      * leaves it 0. */
     uint64_t taken_ns;
 };
 
-/* Capacity of one read: four full queues of a line; a queue has 16 edges on kernel 6.1. */
+/* Largest number of edges in one read: four times the 16 edges of a line's queue in kernel 6.1. */
 #define GPIO_EDGES_MAX 64u
 
 /* A line of a chip, as `kingyoctl lines list` and `kingyoctl doctor` show it. */
@@ -115,10 +116,10 @@ struct gpio_line_info {
 };
 
 struct gpio_lines_ops {
-    /* Requests every wired line that is not held yet. Outputs are immediately driven to the level
-     * of gpio_role_begins_active(). `why[role]` receives one line with the fault and its remedy
-     * ("BTN_START is held by 'gpio-keys': remove its overlay"), or "". Returns the held lines, one
-     * bit for each role, or HAL_ERR_ABSENT if there is no GPIO chip. */
+    /* Requests every wired line that is not held yet. Each output is immediately driven to the
+     * level that gpio_role_begins_active() returns. `why[role]` receives one line with the fault
+     * and its remedy ("BTN_START is held by 'gpio-keys': remove its overlay"), or "". Returns the
+     * held lines, one bit for each role, or HAL_ERR_ABSENT if there is no GPIO chip. */
     int (*open)(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT],
                 char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE]);
     /* Waits at most `timeout_ms` for edges, even if no line is held. Returns the number of edges,

@@ -15,20 +15,23 @@
 #include "drivers/gpio/pulse_train.h"
 
 #define GPIO_OUTPUT_COUNT (GPIO_ROLE_COUNT - GPIO_INPUT_COUNT)
-/* Longest delay of an output change, and of a level change without an edge event, in ms. */
+/* Longest wait of the GPIO thread for edges, in ms. An output changes at most this much later. */
 #define GPIO_WAIT_MS_MAX 20u
-/* Polling interval of a coin line, so that each pulse is polled at least three times. */
+/* Polling interval of a coin line. The level is polled at least three times during each valid
+ * pulse. */
 #define GPIO_COIN_POLL_NS 5000000u
 
 /* Counts since gpio_thread_open(). */
 struct gpio_total {
     uint32_t coins[COIN_LINE_COUNT];
-    uint32_t too_short, stuck, cut; /* Sums over all coin lines of the counts that coin_mech.h
-                                       defines. */
+    uint32_t too_short, stuck, cut; /* Numbers of pulses that were too short, too long (`stuck`)
+                                       or unfinished (`cut`), summed over all coin lines
+                                       (coin_mech.h). */
     /* Number of pairs of null edges (gpio_edge_filter.h). Each pair is either two glitches or a
      * missed coin. */
     uint32_t doubtful;
-    uint32_t lost_edges, lost_chips; /* Number of lost edges, and of removals of a chip. */
+    uint32_t lost_edges, lost_chips; /* Number of lost edges (`lost_edges`), and number of removals
+                                        of a chip (`lost_chips`). */
 };
 
 struct gpio_thread {
@@ -52,8 +55,8 @@ struct gpio_thread {
     struct gpio_total total; /* Totals, which the caller of gpio_thread_step() may read. */
 
     /* The GPIO thread and the frame loop share the atomic fields below. */
-    /* Debounced buttons that are pressed, and buttons that were pressed since the frame loop's last
-     * read, one bit for each role. */
+    /* Debounced buttons that are pressed (`held`), and buttons that were pressed since the frame
+     * loop's last read (`pressed`), one bit for each role. */
     _Atomic uint32_t held, pressed;
     _Atomic uint32_t coins[COIN_LINE_COUNT];  /* Number of coins of each line since the frame loop's
                                                  last read. */

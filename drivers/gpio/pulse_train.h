@@ -11,7 +11,7 @@
 struct pulse_train {
     uint64_t on_ns, off_ns; /* Nominal length of a pulse, and of the pause after it. */
     uint64_t until_ns;      /* Time at which the current pulse or pause ends. */
-    uint32_t left;          /* Number of pulses that have not started. */
+    uint32_t left;          /* Number of pulses that have not started yet. */
     bool on;                /* True during a pulse. */
 };
 

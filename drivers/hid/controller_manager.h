@@ -16,8 +16,8 @@
 struct controller_manager {
     struct hid_device_list device_list;
     struct hid_mapping_store *book;     /* Mapping store, owned by the caller. */
-    struct poi_hid *seat[POI_MAX];      /* Controller of each slot, owned by the caller; null if
-                                           the transport has fewer slots. */
+    struct poi_hid *seat[POI_MAX];      /* Controller of each slot, owned by the caller. An element
+                                           is null if the transport has fewer slots. */
     struct hid_row row[CONTROLLER_MAX]; /* Copy of the device list from the last poll. */
     struct hid_learn learn;
     uint8_t learn_row;      /* Row of the controller that is being learned. */
@@ -37,8 +37,7 @@ struct controller_manager {
     char name[HAL_CONTROLLER_TEXT];
 };
 
-/* Initializes `manager`. `seats` has the controllers of the POI_MAX slots; the pointers are
- * copied. */
+/* Initializes `manager`. `seats` contains the controller of each slot; the pointers are copied. */
 void controller_manager_init(struct controller_manager *manager, struct hid_device_list device_list,
                              struct hid_mapping_store *book, struct poi_hid *const seats[POI_MAX]);
 

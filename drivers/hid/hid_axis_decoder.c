@@ -3,8 +3,8 @@
 
 #include "drivers/hid/hid_bits.h"
 
-#define PRESS_AT 0.5f /* Share of a key's or trigger's travel at which it counts as pressed. */
-/* Share of the travel at which a pressed key or trigger counts as released; the difference from
+#define PRESS_AT 0.5f /* Fraction of a key's or trigger's travel at which it counts as pressed. */
+/* Fraction of the travel at which a pressed key or trigger counts as released; the difference from
  * PRESS_AT is hysteresis. */
 #define RELEASE_AT 0.4f
 #define AWAKE_WITHIN 0.3f /* Deflection below which a stick counts as released. */
@@ -24,8 +24,8 @@ static float way_of(const struct hid_binding *binding, int64_t raw)
     return (float)(raw - binding->rest) / (float)span;
 }
 
-/* Applies a dead zone: returns 0 if the size of `share` is at most `dead`, and above rises linearly
- * to 1 at full deflection. The sign is kept. */
+/* Applies a dead zone. Returns 0 if the size of `share` is at most `dead`. Above `dead` the size of
+ * the result rises linearly to 1 at full deflection, and the sign is kept. */
 static float past_dead(float share, float dead)
 {
     const float size = f_abs(share);
@@ -58,7 +58,7 @@ static float hat_of(const struct hid_binding *binding, int64_t raw)
     return direction >= 0 && (float)direction < HAT_DIRECTIONS ? (float)direction : -1.0f;
 }
 
-/* Sets the value of every key that the arrays of report `report_id` can report to released. */
+/* Marks every key as released that the arrays of report `report_id` can report. */
 static void let_keys_go(struct hid_pose_decoder *hand, uint8_t report_id)
 {
     for (uint32_t i = 0; i < hand->map.count; i++) {

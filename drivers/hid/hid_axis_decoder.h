@@ -10,7 +10,7 @@ void hid_axis_decoder_find_arrays(struct hid_pose_decoder *hand);
 
 /* Decodes a complete report with the id `report_id` into hand->value. Returns 1, or 0 if the
  * mapping uses no field of the report. The value of a HID_BINDING_STEP binding is valid for one
- * report; every report with a different id sets it to 0. */
+ * report. A report with a different id sets the value to 0. */
 int hid_axis_decoder_read(struct hid_pose_decoder *hand, uint8_t report_id,
                           struct hid_report report);
 

@@ -249,7 +249,7 @@ static enum hid_error hid_descriptor_fail(struct hid_descriptor *out, enum hid_e
 enum hid_error hid_descriptor_read(struct hid_descriptor *out, const uint8_t *bytes, size_t size)
 {
     struct reader reader = { .out = out };
-    /* The arrays from `group` on have 61 KB. They need no clearing, because entries beyond the
+    /* The arrays from `group` on occupy 61 KB. They need no clearing, because entries beyond the
      * counts are not read. */
     memset(out, 0, offsetof(struct hid_descriptor, group));
     if (size > HID_DESCRIPTOR_SIZE_MAX) {

@@ -20,7 +20,8 @@
 #define HID_FIELD_BITS_MAX 256u /* Largest Report Size of one field, in bits. */
 /* Largest size of one report: 8 KiB. The largest report of a real device has 7,487 bytes. */
 #define HID_REPORT_BITS_MAX 65536u
-/* Largest number of fields of all groups together; one report of single bits can have as many. */
+/* Largest number of fields of all groups together. A report of one-bit fields can have this many
+ * fields. */
 #define HID_FIELD_MAX 65536u
 
 enum hid_flag { /* Bits of an Input item (HID 1.11, section 6.2.2.5). */
@@ -36,7 +37,7 @@ typedef uint32_t hid_usage;
 
 struct hid_range {
     hid_usage first, last; /* First and last usage of the range; both usages belong to the range. */
-    /* Number of usages of the same group before this range, at most 2,047 times 65,536. */
+    /* Number of usages in the earlier ranges of the group, at most 2,047 times 65,536. */
     uint32_t place;
 };
 

@@ -17,8 +17,8 @@ struct hid_row {
 };
 
 struct hid_device_list_ops {
-    /* Copies the list. A controller keeps its row while it is connected, and while its state is
-     * LOST after it was unplugged. */
+    /* Copies the list to `out`. A controller keeps its row while it is connected, and while its
+     * state is CONTROLLER_LOST after it was unplugged. */
     void (*rows)(void *self, struct hid_row out[CONTROLLER_MAX]);
     /* Selects the controller of `row` to play, now and after each reconnection. Returns HAL_OK if
      * the command was accepted; the result appears later in the row. Returns HAL_ERR_BUSY if

@@ -6,8 +6,8 @@
 #include "drivers/hid/hid_descriptor.h"
 #include "drivers/hid/hid_item.h"
 
-/* Raw data of a minimum or a maximum. A maximum is signed only if its minimum is negative. The
- * minimum is not certain before the Input item. */
+/* Raw data of a logical or physical limit. A maximum is signed only if its minimum is negative. The
+ * minimum can still change until the Input item. */
 struct hid_limit {
     uint32_t data;
     uint8_t size;

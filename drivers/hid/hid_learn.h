@@ -21,8 +21,9 @@
  * are positions. */
 struct learn_field {
     uint16_t group, index;       /* Group in the descriptor, and index of the field in the group. */
-    uint8_t heard, rested;       /* 1 if the field was reported in any step (`heard`), and 1 if
-                                    it was reported in LEARN_REST (`rested`). */
+    uint8_t heard, rested;       /* `heard` is 1 if the field was reported in any step, otherwise 0.
+                                    `rested` is 1 if the field was reported in LEARN_REST, otherwise
+                                    0. */
     int64_t rest_low, rest_high; /* Lowest and highest value of the field in LEARN_REST. */
     int64_t now;                 /* Newest value, or newest sum of a relative field. */
     int64_t low[LEARN_STEP_COUNT]; /* Lowest value of the field in each step; `high` has the highest

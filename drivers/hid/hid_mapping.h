@@ -36,17 +36,17 @@ enum hid_role {
     HID_ROLE_PITCH,
     HID_ROLE_YAW,
     HID_ROLE_ROLL,
-    HID_ROLE_TILT,     /* Slant of the ring by a wheel, for controllers without rotation axes. */
-    HID_ROLE_DIP,      /* Lowers the poi while pressed: a button, a trigger, a pen tip or a
-                          pressure. */
+    HID_ROLE_TILT,     /* Tilt of the ring by a wheel, for controllers without rotation axes. */
+    HID_ROLE_DIP,      /* Button, trigger, pen tip or pressure that lowers the poi while it is
+                          pressed. */
     HID_ROLE_LEVEL,    /* Button that levels the poi. */
-    HID_ROLE_FAN,      /* Button that holds the fan over the water. The controller then moves the
-                          fan instead of the poi. */
-    HID_ROLE_IN_RANGE, /* Pen in range. While the value is 0 the pen is away and its axes are
-                          invalid. */
+    HID_ROLE_FAN,      /* Button that holds the fan over the water while it is pressed. The
+                          controller then moves the fan, and the poi stands still. */
+    HID_ROLE_IN_RANGE, /* Flag that is 1 while a pen is near its tablet. While the flag is 0, the
+                          axes of the pen are invalid. */
     HID_ROLE_SEQUENCE, /* Report counter. A gap means that reports were lost. */
-    HID_ROLE_START,    /* START button on the controller. LEFT, RIGHT and OK below are cabinet
-                          buttons on the controller too. */
+    HID_ROLE_START,    /* START button on the controller. LEFT, RIGHT and OK are further cabinet
+                          buttons on the controller. */
     HID_ROLE_LEFT,
     HID_ROLE_RIGHT,
     HID_ROLE_OK,
@@ -54,24 +54,25 @@ enum hid_role {
     HID_ROLE_COUNT,
 };
 
-/* Interpretation of a field's value. */
+/* Meaning of a field's value. */
 enum hid_binding_kind {
-    HID_BINDING_POSITION = 0, /* The value is a position, as of tablets and tracked pois. */
-    HID_BINDING_RATE,         /* The value is a velocity, as of sticks and 3D mice (pucks). */
-    HID_BINDING_STEP,         /* The value is a displacement from the previous report, as of mice
-                                 and wheels. */
-    HID_BINDING_PRESS,        /* The value is a key, which is pressed from halfway between `rest`
-                                 and `full` on. */
-    /* The value is one of eight directions, counted from `rest` clockwise from up. Values outside
-     * the range mean released. A hat that is bound to X and Z is a four-switch joystick, which has
-     * only full deflection. */
+    HID_BINDING_POSITION = 0, /* The value is an absolute position, as from a tablet or a tracked
+                                 poi controller. */
+    HID_BINDING_RATE,         /* The value is a velocity, as from a stick or a 3D mouse (puck). */
+    HID_BINDING_STEP,         /* The value is a displacement since the previous report, as from a
+                                 mouse or a wheel. */
+    HID_BINDING_PRESS,        /* The value is the travel of a key. The key counts as pressed from
+                                 halfway between `rest` and `full`. */
+    /* The value is one of the eight directions of a hat. The value `rest` means up, and the
+     * following values continue clockwise. Any other value means that the hat is released. A hat
+     * that is bound to X and Z is a four-switch joystick, which has only full deflection. */
     HID_BINDING_HAT,
     HID_BINDING_KIND_COUNT,
 };
 
 struct hid_binding {
-    uint8_t role, manner; /* Role in the game (enum hid_role), and interpretation of the value (enum
-                             hid_binding_kind). */
+    uint8_t role, manner; /* `role` is the role in the game (enum hid_role). `manner` is the meaning
+                             of the value (enum hid_binding_kind). */
     uint8_t report_id;
     uint32_t bit_offset; /* Bit offset in the payload, counted from the end of the report id. */
     uint8_t bit_size;    /* Number of bits, 1 to 32. */
@@ -79,15 +80,15 @@ struct hid_binding {
                             vendor-defined fields may not declare the sign. */
     hid_usage usage;     /* Usage of a key in an array; the key is pressed while an element selects
                             this usage. 0 means that the field is no array. */
-    int64_t rest;        /* Value of a released stick or key, or value at the low end of a
-                            HID_BINDING_POSITION. */
+    int64_t rest;        /* Value of a released stick or key. For HID_BINDING_POSITION, the value at
+                            the low end of the axis. */
     int64_t full;        /* Value at the positive end. A value below `rest` reverses the axis. */
     /* Dead zone around the rest position, in units of the field's value. `rest`, `full` and `dead`
      * are within +-HID_VALUE_MAX. */
     int64_t dead;
 };
 
-/* Kind of controller, such as a pointer or a stick, that the bindings of a mapping form. */
+/* Kind of control that the bindings of a mapping provide, such as a pointer or a stick. */
 enum hid_style {
     HID_STYLE_NONE = 0,
     HID_STYLE_POSE,    /* Six absolute axes, as of Kingyo's poi controller. */
@@ -106,22 +107,24 @@ enum hid_mapping_source {
 };
 
 struct hid_mapping {
-    uint8_t source, style; /* Origin of the mapping (enum hid_mapping_source), and kind of
-                              controller (enum hid_style). */
-    uint8_t trembles;      /* 1 if the sensor has noise (see struct poi_input), otherwise 0. */
+    uint8_t source, style; /* `source` is the origin of the mapping (enum hid_mapping_source).
+                              `style` is the kind of control (enum hid_style). */
+    uint8_t trembles;      /* 1 if the position sensor is noisy (see struct poi_input), otherwise
+                              0. */
     uint8_t feels;         /* 1 if the device accepts the force feedback report of poi_report.h,
                               otherwise 0. */
     uint32_t count;        /* Number of bindings, at most HID_BINDING_MAX. */
     struct hid_binding binding[HID_BINDING_MAX];
 };
 
-/* Returns 1 if the reports have the layout of Kingyo's poi controller, otherwise 0: every axis of
- * poi_report.h must be at its position. Unlike poi_descriptor_is(), this function also accepts a
- * device with additional reports. Such a device can play after the operator selected it. */
+/* Returns 1 if the reports have the layout of Kingyo's poi controller, otherwise 0. In this
+ * layout every axis of poi_report.h is at its position. Unlike poi_descriptor_is(), this
+ * function also accepts a device with additional reports. Such a device can play after the
+ * operator selected it. */
 int hid_mapping_is_own(const struct hid_descriptor *descriptor);
 
-/* Returns 1 if the descriptor declares the keys of a keyboard, otherwise 0. A keyboard is never
- * used as a controller. */
+/* Returns 1 if the descriptor declares keyboard keys, otherwise 0. A keyboard is never used as a
+ * controller. */
 int hid_mapping_has_keyboard(const struct hid_descriptor *descriptor);
 
 /* Finds the best mapping for a controller. Kingyo's poi controller is preferred, then a known

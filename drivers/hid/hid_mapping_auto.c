@@ -5,9 +5,11 @@
 /* Smallest logical range of an axis, which is larger than that of a hat. An "X" field of one bit is
  * a button. */
 #define AXIS_STEPS_MIN 14
-/* Divisor of half a stick's range: a released stick stops within 1/12 of half its range. */
+/* Half the range of a stick divided by this number is the stick's dead zone. A released stick stops
+ * within the dead zone. */
 #define DEAD_SHARE_STICK 12
-/* Divisor of half a puck's range; a puck has stiffer springs than a stick. */
+/* Half the range of a puck divided by this number is the puck's dead zone. A puck has stiffer
+ * springs than a stick. */
 #define DEAD_SHARE_PUCK 50
 
 int hid_mapping_auto_is_axis(const struct hid_group *group)

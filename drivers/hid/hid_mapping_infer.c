@@ -4,18 +4,20 @@
 #include "core/base/fmath.h"
 #include "drivers/hid/hid_mapping_auto.h"
 
-/* Largest noise of a usable field at rest, as a share of the field's range. */
+/* Largest noise of a usable field at rest, as a fraction of the field's range. */
 #define NOISE_MAX 0.20f
-#define WAY_MIN 0.12f /* Smallest travel of an axis, as a share of the field's range. */
-/* Smallest travel of the control that dips the poi, as a share of the field's range. */
+#define WAY_MIN                                                                                    \
+    0.12f /* Smallest travel of a field that can be an axis, as a fraction of the field's range. */
+/* Smallest travel of the control that dips the poi, as a fraction of the field's range. */
 #define PRESS_MIN 0.30f
-/* Travel at which a step counts as fully clear, as a share of the field's range. */
+/* Travel at which a learning step counts as clearly demonstrated, as a fraction of the field's
+ * range. */
 #define CLEAR_WAY 0.4f
-/* Weight of a vendor-defined field, which must therefore move twice as far as a standard field. */
+/* Weight of a vendor-defined field. The weight requires twice the travel of a standard field. */
 #define VENDOR_WORTH 0.5f
 #define STEP_WAY 100.0f /* Range that is assumed for a relative field, in counts. */
-/* Largest distance from the rest value at which a stick counts as returned, as a share of the
- * range. */
+/* Largest distance from the rest value at which a stick counts as returned, as a fraction of the
+ * field's range. */
 #define MIDDLE_SHARE 0.2f
 #define DEAD_SHARE 0.08f
 #define PAGE_OF(usage) ((usage) >> 16)
@@ -79,9 +81,10 @@ static float hid_mapping_infer_share_of(const struct hid_learn *learn,
     return f_min(share, 1.0f) * worth_of(learn, field);
 }
 
-/* Deflections of a field from its rest value: `there` in one step, `back` in the opposite direction
- * in a second step. Both are 0 if the field did not move in opposite directions. The rest value is
- * the reference, because the controller can start a step where the previous step ended. */
+/* `there` is the deflection of a field in one step, and `back` is its deflection in the opposite
+ * direction in a second step. Both are 0 if the field did not move in opposite directions. The
+ * deflections are measured from the rest value, because the controller can start a step where the
+ * previous step ended. */
 struct ways {
     int64_t there, back;
 };

@@ -5,7 +5,7 @@
 #include "drivers/hid/hid_mapping_auto.h"
 
 #define SONY 0x054cu
-/* Dead zone of a stick, out of 127 counts. A worn stick stops up to this far from its center. */
+/* Dead zone of a stick, out of 127 counts. A worn stick stops within the dead zone. */
 #define STICK_DEAD 12
 
 struct known {

@@ -166,8 +166,9 @@ void hid_mapping_store_set_error_sink(struct hid_mapping_store *store,
     pthread_mutex_unlock(&store->lock);
 }
 
-/* Passes a write job to the writer thread, or a deletion job if `forget` is 1. Must only be called
- * while no job is pending. Returns HAL_OK, or HAL_ERR_IO if the job is impossible. */
+/* Passes a job to the writer thread: deletes the file if `forget` is 1, otherwise writes it.
+ * Must only be called while no job is pending. Returns HAL_OK, or HAL_ERR_IO if the job is
+ * impossible. */
 static int give_job(struct hid_mapping_store *store, const struct hid_mapping_store_entry *entry,
                     int forget)
 {

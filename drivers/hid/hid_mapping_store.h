@@ -2,10 +2,10 @@
  * vendor:product:serial.
  *
  * Each mapping is a file in the folder pois/ of the data folder. A writer thread replaces each file
- * atomically, so a slow card never delays a frame. A new mapping is used from memory immediately,
- * before its file is written. A file that cannot be read causes one error line and never prevents
- * the start of the program. All functions except hid_mapping_store_open() and
- * hid_mapping_store_close() return without waiting for the card. */
+ * atomically, so a slow memory card never delays a frame. A new mapping is used from memory
+ * immediately, before its file is written. A file that cannot be read causes one error line and
+ * never prevents the start of the program. All functions except hid_mapping_store_open() and
+ * hid_mapping_store_close() return without waiting for the memory card. */
 #ifndef KINGYO_DRIVERS_HID_HID_MAPPING_STORE_H
 #define KINGYO_DRIVERS_HID_HID_MAPPING_STORE_H
 
@@ -77,7 +77,7 @@ void hid_mapping_store_set_error_sink(struct hid_mapping_store *store,
                                       void (*tell)(void *self, const char *line), void *self);
 
 /* Returns the result of the last hid_mapping_store_put() or hid_mapping_store_forget().
- * HAL_ERR_BUSY means that the job is pending. HAL_OK means that the change is on the card.
+ * HAL_ERR_BUSY means that the job is pending. HAL_OK means that the change is on the memory card.
  * HAL_ERR_IO means that writing failed, so the change is lost when the program ends. */
 int hid_mapping_store_result(struct hid_mapping_store *store);
 

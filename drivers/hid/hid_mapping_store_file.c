@@ -67,7 +67,7 @@ int hid_mapping_store_file_replace(const char *path, const char *text)
 {
     char beside[HID_MAPPING_STORE_PATH_SIZE + 8u];
     snprintf(beside, sizeof beside, "%s.new", path);
-    unlink(beside); /* A power loss or another process can have left the temporary file. */
+    unlink(beside); /* The temporary file can remain from a power loss or from another process. */
     const int fd = open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
     if (fd < 0) {
         return errno;

@@ -1,7 +1,8 @@
 /* hid_mapping_store_file.h -- reads the files of the mapping store and replaces them atomically.
  *
- * All functions may block on the card, so only the program start and the writer thread call them.
- * All functions except hid_mapping_store_file_open() return 0, or an errno value on an error. */
+ * All functions may block on the memory card, so only the program start and the writer thread
+ * call them. All functions except hid_mapping_store_file_open() return 0, or an errno value on
+ * an error. */
 #ifndef KINGYO_DRIVERS_HID_HID_MAPPING_STORE_FILE_H
 #define KINGYO_DRIVERS_HID_HID_MAPPING_STORE_FILE_H
 

@@ -44,8 +44,8 @@ static inline int hid_text_fit(const char *text, int max)
     return length;
 }
 
-/* Identity and report descriptor of an attached device, copied completely so that a decoder can be
- * initialized. */
+/* Identity and report descriptor of an attached device. The struct is a complete copy, from which a
+ * decoder can be initialized. */
 struct hid_device_info {
     struct hid_identity identity;
     uint32_t descriptor_size;
@@ -54,8 +54,9 @@ struct hid_device_info {
 
 /* An input report as received from the device. */
 struct hid_raw {
-    uint64_t time_ns; /* Time of arrival on the clock of hal_clock_ops, which never decreases. */
-    uint32_t size;    /* Number of bytes, 1 to HID_REPORT_MAX. A transfer of length 0 is no
+    uint64_t time_ns; /* Time of arrival, read from the HAL clock (hal_clock_ops). The time never
+                         decreases from report to report. */
+    uint32_t size;    /* Number of bytes, 1 to HID_REPORT_MAX. A transfer of length 0 is not a
                          report. */
     uint8_t bytes[HID_REPORT_MAX]; /* Content of the report, starting with the report id if the
                                       device uses report ids. */
@@ -68,9 +69,9 @@ struct hid_port_ops {
      * controller is attached. */
     int (*open)(void *self, struct hid_device_info *out);
     /* Removes the oldest report. Returns 1 and fills `out`, or 0 if the queue is empty. Returns
-     * HAL_ERR_GONE if the controller was unplugged and no earlier report is left. When the queue is
-     * full, the newest report is always kept, because many controllers report only changes and
-     * their last state must arrive. */
+     * HAL_ERR_GONE if the controller was unplugged and its last report was already removed. When
+     * the queue is full, the newest report is always kept, because many controllers report only
+     * changes and their last state must arrive. */
     int (*take)(void *self, struct hid_raw *out);
     /* Sends an output report, which starts with its id. Returns HAL_OK, or HAL_ERR_BUSY while the
      * previous report is being sent; the new report is then dropped. */

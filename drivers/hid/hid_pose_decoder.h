@@ -17,7 +17,8 @@
 #include "drivers/pointer/pointer_poi.h"
 #include "platform/hal.h"
 
-/* Time out of range after which a pen counts as absent, because it lies beside its tablet. */
+/* Time after which a pen that is out of range counts as absent, because the pen probably lies
+ * beside its tablet. */
 #define HID_PEN_AWAY_NS 3000000000ull
 
 struct hid_pose_decoder {

@@ -14,7 +14,7 @@ const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE] = {
     0xa1, 0x01, /* Collection (Application) */
 
     0x85, 0x01,       /*   Report ID (1): pose */
-    0x06, 0x4b, 0xff, /*   Usage Page (ours) */
+    0x06, 0x4b, 0xff, /*   Usage Page (POI_PAGE) */
     0x09, 0x01,       /*   Usage (sequence) */
     0x15, 0x00,       /*   Logical Minimum (0) */
     0x26, 0xff, 0x00, /*   Logical Maximum (255) */
@@ -36,7 +36,7 @@ const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE] = {
     0x55, 0x0f,       /*     Unit Exponent (-1): mm */
     0x75, 0x10,       /*     Report Size (16) */
     0x95, 0x03,       /*     Report Count (3) */
-    0x81, 0x42,       /*     Input (Data, Variable, Absolute, Null State): -32768 is no value */
+    0x81, 0x42,       /*     Input (Data, Variable, Absolute, Null State): -32768 means no value */
     0x09, 0x33,       /*     Usage (Rx): pitch */
     0x09, 0x34,       /*     Usage (Ry): yaw */
     0x09, 0x35,       /*     Usage (Rz): roll */
@@ -60,8 +60,8 @@ const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE] = {
     0x81, 0x02, /*   Input (Data, Variable, Absolute) */
 
     0x85, 0x02,       /*   Report ID (2): force feedback */
-    0x06, 0x4b, 0xff, /*   Usage Page (ours) */
-    0x09, 0x02,       /*   Usage (feel) */
+    0x06, 0x4b, 0xff, /*   Usage Page (POI_PAGE) */
+    0x09, 0x02,       /*   Usage (POI_USAGE_FEEL) */
     0xa1, 0x02,       /*   Collection (Logical) */
     0x09, 0x01,       /*     Usage (sequence) */
     0x26, 0xff, 0x00, /*     Logical Maximum (255) */

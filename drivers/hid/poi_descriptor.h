@@ -1,11 +1,11 @@
 /* poi_descriptor.h -- the HID report descriptor of Kingyo's poi controller, the paper scoop with
  * sensors that this project defines.
  *
- * This array is the only definition of the bytes. The kiosk recognizes Kingyo's poi controller by
- * the descriptor, independent of the vendor and product id. The program kingyo-poi passes the bytes
- * to the kernel of the poi's board (board/poi-gadget/, whose README explains them). A test compares
- * the bytes with poi_report.h field by field. After a change of the descriptor, pois with the
- * previous descriptor are no longer recognized. */
+ * The array `poi_descriptor` is the only definition of the bytes. The kiosk recognizes Kingyo's poi
+ * controller by the descriptor, independent of the vendor and product id. The program kingyo-poi
+ * passes the bytes to the kernel of the board inside the controller (board/poi-gadget/, whose
+ * README explains the bytes). A test compares the bytes with poi_report.h field by field. After a
+ * change of the descriptor, controllers with the previous descriptor are no longer recognized. */
 #ifndef KINGYO_DRIVERS_HID_POI_DESCRIPTOR_H
 #define KINGYO_DRIVERS_HID_POI_DESCRIPTOR_H
 

@@ -23,8 +23,8 @@ static void go_to_time(struct poi_fan *fan, uint64_t time_ns)
     fan->time_ns = time_ns;
 }
 
-/* Interpolates an angle along the shorter way round. A value that is not finite is returned
- * unchanged, so that the core rejects it. */
+/* Interpolates an angle in the shorter direction. A value that is not finite is returned unchanged,
+ * so that the core rejects it. */
 static float turned(float from_rad, float to_rad, float share)
 {
     const float way_rad = to_rad - from_rad;
@@ -52,8 +52,8 @@ void poi_fan_move(struct poi_fan *fan, const struct poi_target *hand, int held, 
 {
     go_to_time(fan, time_ns);
     if (held && !fan->held) {
-        fan->waits = poi_fan_pose(fan); /* Pose before the current report, because the report may
-                                           also move the controller. */
+        fan->waits = poi_fan_pose(fan); /* The pose from before the current report is stored,
+                                           because the report may also move the controller. */
         fan->back = 0.0f;
     }
     fan->held = held != 0;

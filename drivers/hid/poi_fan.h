@@ -9,7 +9,7 @@
 
 #include "platform/hal.h"
 
-/* Duration of the poi's return to the controller after FAN is released. */
+/* Time in which the poi returns to the controller's position after FAN is released. */
 #define POI_FAN_BACK_S 0.5f
 
 struct poi_fan {
@@ -17,10 +17,10 @@ struct poi_fan {
     struct poi_target waits; /* Pose at which the poi stands still, or from which it returns to the
                                 controller. */
     uint8_t held;            /* 1 while the FAN key is pressed, otherwise 0. */
-    float swing;             /* Progress of the fan's way in: 0 means out of sight, 1 means at
-                                the controller's position. */
-    float back;              /* Progress of the poi's return: 0 means at `waits`, 1 means at the
-                                controller's position. */
+    float swing;             /* Progress of the fan's entry: 0 means that the fan is out of sight, 1
+                                means that it is at the controller's position. */
+    float back;              /* Progress of the poi's return: 0 means that the poi is at `waits`, 1
+                                means that it is at the controller's position. */
     uint64_t time_ns;        /* Time for which `swing` and `back` were computed last. */
 };
 

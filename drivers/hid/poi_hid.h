@@ -10,8 +10,8 @@
 #include "drivers/hid/hid_pose_decoder.h"
 #include "platform/hal.h"
 
-/* Selects the mapping of a controller; learned mappings take precedence. Writes `out` like
- * hid_mapping_choose(). */
+/* Selects the mapping of a controller; learned mappings take precedence. Writes the mapping to
+ * `out` as hid_mapping_choose() does. */
 struct hid_mapper {
     void (*choose)(void *self, const struct hid_device_info *face,
                    const struct hid_descriptor *descriptor, struct hid_mapping *out);

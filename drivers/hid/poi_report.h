@@ -1,7 +1,9 @@
-/* poi_report.h -- the two reports of our own poi, byte by byte: pose and force feedback.
+/* poi_report.h -- the two reports of Kingyo's poi controller, byte by byte: pose and
+ * force feedback.
  *
- * Pure: no device, no clock. Numbers are two's complement in little-endian order. A 16-bit field
- * ranges from -32767 to 32767, so that its range is symmetric; -32768 means no value.
+ * Pure: uses no device and no clock. Numbers are two's complement in little-endian order. The
+ * values of a 16-bit field range from -32767 to 32767, so that the range is symmetric. The number
+ * -32768 means that there is no value.
  *
  *   input, id 1, 15 bytes                     output, id 2, 17 bytes
  *    0      id                                 0      id
@@ -10,7 +12,7 @@
  *    8..13  Rx Ry Rz: +-pi, pitch yaw roll      8..13  torque X Y Z: +-POI_TORQUE_N_M_MAX
  *   14      buttons, enum poi_button           14..16  drag, slap, tear: 0 .. 255 is 0 .. 1
  *
- * poi_descriptor.c declares the format to the host. */
+ * The host reads this format from the descriptor in poi_descriptor.c. */
 #ifndef KINGYO_DRIVERS_HID_POI_REPORT_H
 #define KINGYO_DRIVERS_HID_POI_REPORT_H
 
@@ -24,11 +26,11 @@
 #define POI_FEEL_ID 2u
 #define POI_FEEL_SIZE 17u
 
-/* Keys on the handle of a poi. Bit 0 is Button 1 of HID. The remaining bits are free for
+/* Keys on the handle of Kingyo's poi controller. Bit 0 is HID Button 1. Bits 5 to 7 are free for
  * vendors. */
 enum poi_button {
-    POI_BUTTON_OK = 1u << 0, /* Key under the thumb, because other programs use Button 1 as the main
-                                button. */
+    POI_BUTTON_OK = 1u << 0, /* OK key under the thumb. The key is HID Button 1, which other
+                                programs use as the main button. */
     POI_BUTTON_START = 1u << 1,
     POI_BUTTON_LEFT = 1u << 2,
     POI_BUTTON_RIGHT = 1u << 3,
@@ -39,8 +41,8 @@ enum poi_button {
 struct poi_report {
     struct poi_target target;
     uint8_t buttons;  /* Pressed keys, as bits of enum poi_button. */
-    uint8_t sequence; /* Number that increases by 1 with each report and wraps at 255. A gap means
-                         that reports were lost. */
+    uint8_t sequence; /* Number that increases by 1 with each report and returns to 0 after 255. A
+                         gap means that reports were lost. */
 };
 
 /* Parses an input report of `size` bytes. Returns 1. Returns 0 if the id or the length is wrong, or

@@ -10,9 +10,11 @@
 
 #include "core/base/fmath.h"
 
-/* Height of a hovering ring above the water: above the ripples, and low enough to aim. */
+/* Height of a hovering ring above the still water. The ring is above the ripples and low enough for
+ * aiming. */
 #define DIP_HOVER_M 0.035f
-/* Depth of a dipped ring, where the fish swim in a tank of 10 to 20 cm. */
+/* Height of a dipped ring; negative means under water. At this depth the fish swim in a tank that
+ * is 10 to 20 cm deep. */
 #define DIP_DEPTH_M (-0.050f)
 #define DIP_DOWN_S 0.30f
 /* Duration of the upward stroke; longer than the downward stroke, because wet paper carries
@@ -39,14 +41,14 @@ void dip_init(struct dip *dip);
 /* Starts a stroke at `time_ns`: downward if `down` is 1, upward if it is 0. */
 void dip_begin(struct dip *dip, uint64_t time_ns, int down);
 
-/* Returns the state of the ring at `time_ns`. Before the start of the stroke the result is the
- * state at its start. */
+/* Returns the state of the ring at `time_ns`. If `time_ns` is before the start of the stroke,
+ * returns the state at the start. */
 struct dip_state dip_at(const struct dip *dip, uint64_t time_ns);
 
 /* Returns the slant of the ring in radians (0 or more), proportional to its vertical speed up to a
  * limit. The far edge enters and leaves the water first. The ring also moves away from the player
  * on its way down, so that the slanted paper moves more edge-on and displaces less water. The paper
- * of a flat ring lasts four dips, that of a slanted ring eight. */
+ * lasts four dips with a flat ring and eight dips with a slanted ring. */
 float dip_slant_rad(float speed_m_s);
 
 #endif

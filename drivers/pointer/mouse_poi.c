@@ -33,8 +33,8 @@ static uint64_t mouse_now_ns(const struct mouse_poi *mouse)
 }
 
 /* Records the state of key F without removing its events, because the keyboard driver removes key
- * events from the queue. The key code is used instead of the scan code, so that the key is the one
- * labelled F. */
+ * events from the queue. The key code is used instead of the scan code, so that the key labelled F
+ * works in every keyboard layout. */
 static int watch_key(void *self, SDL_Event *event)
 {
     struct mouse_poi *mouse = self;
@@ -198,9 +198,9 @@ static struct poi_sample sample_at(struct mouse_poi *mouse, uint64_t time_ns)
     };
 }
 
-/* Processes events and writes a sample for each event. SDL stamps a batch of events with the time
- * of pumping. Therefore the reports are spread evenly over the time from the previous poll to the
- * current poll. The last element of `out` stays free for the caller. */
+/* Processes events and writes a sample for each event. SDL sets the time stamp of an event when the
+ * queue is pumped. Therefore the reports are spread evenly over the time from the previous poll to
+ * the current poll. The last element of `out` stays free for the caller. */
 static uint32_t take_events(struct mouse_poi *mouse, uint32_t first, uint32_t last, uint64_t now_ns,
                             struct poi_sample *out, uint32_t max)
 {

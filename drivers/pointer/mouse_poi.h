@@ -30,7 +30,7 @@ struct mouse_poi {
     uint32_t mouse_buttons; /* Pressed mouse buttons, as bits of enum pointer_button. */
     struct touch_fingers fingers;
     uint64_t used_ns; /* Time of the last use by a person; 0 means never. */
-    float crept_px;   /* Mouse motion in pixels after `used_ns`. */
+    float crept_px;   /* Sum of the mouse motion since `used_ns`, in pixels. */
     /* Image geometry from set_view(). If all fields are 0, the image fills the window. */
     struct display_settings display_settings;
     /* Last state of the pointer. The wheel is reset for each event. */

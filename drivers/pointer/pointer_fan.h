@@ -10,7 +10,7 @@
 
 /* Radius of the fan's shadow: the value of the 2013 thesis, and the size of a small uchiwa. */
 #define POINTER_FAN_RADIUS_M 0.10f
-/* Duration of the fan's way from beyond the tank's near edge to the pointer, or back. */
+/* Time in which the fan moves from beyond the tank's near edge to the pointer, or back. */
 #define POINTER_FAN_SWING_S 0.40f
 
 struct pointer_fan {
@@ -18,8 +18,8 @@ struct pointer_fan {
     float ndc_x, ndc_y, aspect; /* Pointer position (-1 to 1 across the window) and aspect ratio of
                                    the window at the last report that had POINTER_FAN pressed. */
     uint8_t held;
-    float swing;      /* Progress of the fan's way in: 0 means out of sight, 1 means under the
-                         pointer. */
+    float swing;      /* Progress of the fan's entry: 0 means that the fan is out of sight, 1 means
+                         that it is under the pointer. */
     uint64_t time_ns; /* Time for which `swing` was computed last. */
 };
 

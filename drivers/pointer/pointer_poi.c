@@ -1,12 +1,13 @@
 /* pointer_poi.c -- turns the two axes and the buttons of a pointer into a pose of the poi. */
 #include "drivers/pointer/pointer_poi.h"
 
-/* Time constant that smooths the notches of the wheel. The tilt reaches its goal after about three
- * time constants. */
+/* Time constant that smooths the notches of the wheel. `tilt_rad` reaches `tilt_goal_rad` after
+ * about three time constants. */
 #define TILT_TAU_S 0.06f
 
-/* Lean of the ring for each m/s of its speed, because a fast arm cannot keep a ring in its plane.
- * The lean is below 3 degrees at 0.1 m/s. At 1 m/s the water presses fully against the paper. */
+/* Lean of the ring for each m/s of its speed, because an arm that moves fast cannot hold the ring
+ * in its plane. The lean is below 3 degrees at 0.1 m/s. At 1 m/s the lean is LEAN_MAX_RAD, and the
+ * water presses strongly against the leaning paper. */
 #define LEAN_RAD_PER_M_S (28.0f * F_DEG)
 #define LEAN_MAX_RAD (20.0f * F_DEG)
 /* Time constant that smooths the velocity. Without smoothing, whole pixels at 60 Hz cause steps of
@@ -19,8 +20,8 @@
 #define BACK_S_PER_WIDTH 0.9f
 /* Height of the ring above which the poi's return to the pointer has its full speed. */
 #define BACK_FREE_M 0.025f
-/* Speed of the poi's return under water as a share of the full speed; faster motion would tear the
- * paper. */
+/* Speed of the poi's return under water as a fraction of the full speed; faster motion would tear
+ * the paper. */
 #define BACK_UNDER_WATER 0.12f
 
 static float seconds_between(uint64_t from_ns, uint64_t to_ns)
@@ -40,8 +41,8 @@ static void move_to_time(struct pointer_poi *pointer, uint64_t time_ns)
     }
 }
 
-/* Estimates the velocity of the pointer's position on the still water. The dip has no influence.
- * After more than one second without a call the velocity is 0. */
+/* Estimates the velocity of the pointer's position on the still water. A dip does not change this
+ * velocity. After more than one second without a call the velocity is 0. */
 static void pointer_poi_update_speed(struct pointer_poi *pointer, vec3 hand_m)
 {
     const float dt = seconds_between(pointer->hand_ns, pointer->time_ns);
@@ -87,8 +88,8 @@ struct pointer_report pointer_report_on(const struct pointer_report *report,
     return on;
 }
 
-/* Returns the remaining share of the poi's return to the pointer: 1 at the start, 0 at the end,
- * with a smooth course. */
+/* Returns the fraction of the poi's return to the pointer that remains: 1 at the start and 0 at the
+ * end. The fraction decreases smoothly. */
 static float lag_left(const struct pointer_poi *pointer)
 {
     return pointer->back_s > 0.0f ? 1.0f - f_smoothstep(0.0f, pointer->back_s, pointer->back_done_s)

@@ -49,14 +49,14 @@ struct pointer_report {
 struct pointer_poi {
     struct view view;
 
-    /* Position in the window (-1 to 1, y upward), and aspect ratio of the window. */
+    /* Position of the pointer in the window (-1 to 1, y upward), and aspect ratio of the window. */
     float ndc_x, ndc_y, aspect;
     uint32_t buttons;
     uint64_t time_ns; /* Time of the newest report or sample. */
 
-    /* Offset of the poi from the pointer at the start of its return to the pointer. `back_s` is the
-     * duration of the return above the water, and `back_done_s` is the completed part. Under water
-     * the return is slower. */
+    /* `lag_x` and `lag_y` are the offset of the poi from the pointer when the poi starts to return
+     * to the pointer. `back_s` is the duration of this return above the water. `back_done_s` is the
+     * part that has passed, which advances more slowly under water. */
     float lag_x, lag_y;
     float back_s, back_done_s;
 
@@ -80,8 +80,8 @@ int pointer_report_is_usable(const struct pointer_report *report);
 struct pointer_report pointer_report_on(const struct pointer_report *report,
                                         const struct display_settings *display_settings);
 
-/* Processes one report. A report with an older time than the previous report is processed at the
- * time of the previous report. Returns 1, or 0 if the report is not usable; the state is then
+/* Processes one report. If the time of a report is before that of the previous report, the time of
+ * the previous report is used. Returns 1, or 0 if the report is not usable; the state is then
  * unchanged. */
 int pointer_poi_report(struct pointer_poi *pointer, const struct pointer_report *report);
 

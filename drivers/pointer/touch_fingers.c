@@ -31,8 +31,8 @@ static int move(struct touch_fingers *fingers, const struct touch_event *event)
 static int put_down(struct touch_fingers *fingers, const struct touch_event *event)
 {
     if (touch_fingers_find(fingers, event->id) < fingers->count) {
-        return move(fingers, event); /* The finger is still recorded as down, so the event of its
-                                        lifting was lost. */
+        return move(fingers, event); /* The finger is still recorded as touching, so the event of
+                                        its lifting was lost. */
     }
     if (fingers->count == TOUCH_FINGER_MAX) {
         return 0;

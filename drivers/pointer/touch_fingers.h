@@ -33,9 +33,12 @@ struct touch_fingers {
     int64_t id[TOUCH_FINGER_MAX]; /* Ids of the fingers that touch the screen. */
     uint32_t count;
     int64_t leader;
-    uint8_t has_leader;    /* 1 while the leader touches the screen, otherwise 0. */
-    float x, y;            /* Last position of the leader, 0 to 1. */
-    uint8_t has_place;     /* 1 after the first touch of the screen, otherwise 0. */
+    uint8_t has_leader;    /* 1 while the leader (the first finger) touches the screen, otherwise
+                              0. */
+    float x, y;            /* Last position of the leader in the window, 0 to 1 from the top left
+                              corner. */
+    uint8_t has_place;     /* 1 if `x` and `y` are valid, which they are after the first touch of
+                              the screen, otherwise 0. */
     uint8_t dips;          /* 1 while two or more fingers touch the screen, otherwise 0. */
     uint8_t start_pressed; /* 1 from the touch of a third finger until touch_fingers_start() is
                               called, otherwise 0. */

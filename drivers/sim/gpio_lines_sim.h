@@ -21,7 +21,8 @@ enum gpio_sim_what {
      * line. */
     GPIO_SIM_SPARK,
     GPIO_SIM_GONE, /* Removes the chip of all lines. */
-    GPIO_SIM_BACK, /* Returns the removed chip. The wires can change while the chip is removed. */
+    GPIO_SIM_BACK, /* Plugs the removed chip in again. The wires can change while the chip is
+                      removed. */
 };
 
 struct gpio_sim_event {
@@ -46,7 +47,7 @@ struct gpio_sim_set {
 };
 
 struct gpio_lines_sim {
-    /* The caller may change the fields from `queue_size` to `held_by_others` after
+    /* The caller may change the members from `queue_size` to `held_by_others` after
      * gpio_lines_sim_init(). */
     /* Capacity of each queue, at most GPIO_SIM_QUEUE_MAX. 16 simulates libgpiod 1.6. */
     uint32_t queue_size;
@@ -89,16 +90,18 @@ struct gpio_lines_sim {
     } lines[GPIO_INPUT_COUNT];
     uint32_t dropped;                 /* Number of dropped edges of all lines. */
     uint8_t outputs[GPIO_ROLE_COUNT]; /* Level of each output; 1 means active. */
-    uint8_t rests[GPIO_ROLE_COUNT];   /* Level of each output while it is not driven. The bias sets
-                                         this level; without a bias it is low. */
+    uint8_t rests[GPIO_ROLE_COUNT];   /* Level of each output while no driver drives it. The bias
+                                         sets this level; without a bias the level is low. */
     struct gpio_sim_set sets[GPIO_SIM_SETS_MAX]; /* Ring buffer of the newest output changes. */
     uint32_t set_count;                          /* Number of output changes so far. */
 };
 
-/* Initializes released lines, a chip, a kernel without delay, and queues as with libgpiod 2.x. */
+/* Initializes the simulation: the lines are released, the chip is present, the kernel has no delay,
+ * and the queues work as with libgpiod 2.x. */
 void gpio_lines_sim_init(struct gpio_lines_sim *sim, struct gpio_sim_script script, uint32_t seed);
 
-/* Script of `count` events in memory, which must stay valid. `next` must be 0 at first. */
+/* A script of `count` events in memory. The array `events` must stay valid. The caller initializes
+ * `next` with 0. */
 struct gpio_sim_events {
     const struct gpio_sim_event *events;
     uint32_t count, next;

@@ -14,10 +14,10 @@ struct hid_device_list_sim {
     /* Connected device of each row, owned by the caller; null means that no device is connected. */
     const struct hid_device_info *face[CONTROLLER_MAX];
     uint8_t chosen[CONTROLLER_MAX];
-    uint8_t barred[CONTROLLER_MAX]; /* 1 if the device of the row may not play, for example a
-                                       keyboard, otherwise 0. */
-    /* Identity of the last device of each row. It names a controller in the state
-     * CONTROLLER_LOST. */
+    uint8_t barred[CONTROLLER_MAX]; /* 1 if the kiosk must not use the device of the row, for
+                                       example a keyboard; otherwise 0. */
+    /* Identity of the last device of each row. For a lost controller (CONTROLLER_LOST) the list
+     * returns this identity. */
     struct hid_identity who[CONTROLLER_MAX];
     uint8_t denied[CONTROLLER_MAX]; /* 1 if opening the device fails because of missing permission,
                                        otherwise 0. */

@@ -47,8 +47,7 @@ struct hid_port_sim {
     uint8_t absent;     /* 1 while no device is attached, otherwise 0; the caller may change it. */
     uint8_t busy;       /* 1 if send() returns HAL_ERR_BUSY, otherwise 0. */
 
-    uint32_t said_count; /* Number of reports sent so far, which is also the number of the next
-                            report. */
+    uint32_t said_count; /* Number of reports sent so far. The next report gets this number. */
     uint8_t is_open, gone;
     struct hid_raw last; /* Last report that was sent. */
     struct hid_raw ring[HID_REPORTS_MAX];

@@ -95,7 +95,8 @@ static uint32_t storage_sim_saved_id(void *self)
     return sim->polls_since++ >= sim->delay_polls ? sim->entry.id : 0;
 }
 
-/* Returns HAL_ERR_BUSY or HAL_ERR_IO by the same fault counters that append() uses. */
+/* Stores an edit of a species. Returns HAL_ERR_BUSY or HAL_ERR_IO by the same fault counters that
+ * append() uses. */
 static int storage_sim_store_edit(void *self, const struct graph_edit_record *edit)
 {
     struct storage_sim *sim = self;

@@ -1,5 +1,7 @@
-/* storage_sim.h -- a simulated store in memory. Its writes can be busy, can fail, or can reach the
- * disk late. */
+/* storage_sim.h -- simulates the kiosk's database in memory.
+ *
+ * A test selects how many writes return HAL_ERR_BUSY or HAL_ERR_IO, and how many polls pass until
+ * an entry counts as written to disk. */
 #ifndef KINGYO_DRIVERS_SIM_STORAGE_SIM_H
 #define KINGYO_DRIVERS_SIM_STORAGE_SIM_H
 
@@ -17,12 +19,13 @@ struct storage_sim {
     uint32_t write_refused_count;
     uint32_t busy_left;   /* Number of further writes that return HAL_ERR_BUSY. */
     int edit_failed;      /* 1 if the last edit could not be stored, otherwise 0. */
-    uint32_t fail_left;   /* Number of writes that return HAL_ERR_IO, after the busy writes. */
+    uint32_t fail_left;   /* Number of further writes that return HAL_ERR_IO, after the writes that
+                             return HAL_ERR_BUSY. */
     uint32_t delay_polls; /* Number of saved_id() calls before an accepted entry counts as on
                              disk. */
     uint32_t polls_since; /* Number of saved_id() calls after the last accepted entry. */
-    uint8_t *replay;      /* Buffer of the caller for one replay; null means that replays are not
-                             stored. */
+    uint8_t *replay;      /* Buffer for one replay, owned by the caller; null means that replays are
+                             not stored. */
     size_t replay_room;
     uint32_t replay_id; /* Id of the round whose replay is stored; 0 means none. */
     size_t replay_size;

@@ -13,22 +13,23 @@
 
 struct touch_sim {
     struct hal_clock clock;
-    const struct touch_event *events; /* Events sorted by time; must outlive the device. */
+    const struct touch_event *events; /* Events to play, sorted by time. The array must outlive the
+                                         device. */
     uint32_t event_count;
     uint32_t next; /* Index of the next event to play. */
     /* Index of the event before which the screen is unplugged; TOUCH_SIM_NEVER means never. */
     uint32_t unplug_at;
     uint64_t replug_ns;            /* Time from which open() finds the screen again. */
-    uint32_t double_every;         /* Interval of doubled events: every n-th event arrives twice. 0
-                                      means none. */
-    uint32_t mute_every;           /* Interval of lost events: every n-th event is lost if it lifts
-                                      a finger. 0 means none. */
+    uint32_t double_every;         /* Interval n of doubled events: every n-th event arrives twice.
+                                      0 means that no event is doubled. */
+    uint32_t mute_every;           /* Interval n of lost events: every n-th event is lost if it
+                                      lifts a finger. 0 means that no event is lost. */
     uint32_t jump_at;              /* Index of the event that jumps to the top right corner;
-                                      TOUCH_SIM_NEVER means none. */
+                                      TOUCH_SIM_NEVER means that there is no such event. */
     uint32_t spoil_from, spoil_to; /* Index of the first event with random bits, and index after the
-                                      last such event. */
-    uint64_t silent_from_ns, silent_to_ns; /* Start and end of the silence. Events of that time
-                                              arrive together at its end. */
+                                      last event with random bits. */
+    uint64_t silent_from_ns, silent_to_ns; /* Start and end of the time without events. The events
+                                              of this time arrive together at its end. */
     uint8_t gone;                          /* 1 while the screen is unplugged, otherwise 0. */
     uint32_t open_count;
     struct touch_fingers fingers;

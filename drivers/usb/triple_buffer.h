@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 #define TRIPLE_BUFFER_SLOTS 3u
-/* Flag in `middle` beside the slot index: the value was not read yet. */
+/* Flag that `middle` contains in addition to the slot index while the value was not read yet. */
 #define TRIPLE_BUFFER_FRESH 4u
 
 struct triple_buffer {
@@ -29,8 +29,8 @@ static inline void triple_buffer_init(struct triple_buffer *mail)
     atomic_init(&mail->middle, 2u);
 }
 
-/* For the writer: publishes the slot `mail->writing` and selects another slot for the next value.
- * Returns 1 if the previous value was never read, otherwise 0. */
+/* Publishes the slot `mail->writing` and selects another slot for the next value. Called only by
+ * the writer. Returns 1 if the previous value was never read, otherwise 0. */
 static inline int triple_buffer_post(struct triple_buffer *mail)
 {
     const unsigned old = atomic_exchange_explicit(
@@ -39,8 +39,8 @@ static inline int triple_buffer_post(struct triple_buffer *mail)
     return (old & TRIPLE_BUFFER_FRESH) != 0;
 }
 
-/* For the reader: selects the newest value as slot `mail->reading`. Returns 1 if the value is new,
- * otherwise 0. */
+/* Selects the newest value as slot `mail->reading`. Called only by the reader. Returns 1 if the
+ * value is new, otherwise 0. */
 static inline int triple_buffer_fetch(struct triple_buffer *mail)
 {
     if (!(atomic_load_explicit(&mail->middle, memory_order_relaxed) & TRIPLE_BUFFER_FRESH)) {

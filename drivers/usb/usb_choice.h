@@ -2,12 +2,12 @@
  *
  * A slot is the place of one of up to POI_MAX controllers. A controller is claimed if the operator
  * selected it in the menu (stored in a file) or if the option --usb names it. Kingyo's poi
- * controller (poi_descriptor.h) is always claimed unless a rule forbids it. It has no fixed vendor
- * id and is recognized by its report descriptor.
+ * controller (poi_descriptor.h) is always claimed unless a rule forbids it. Kingyo's poi controller
+ * has no fixed vendor id and is recognized by its report descriptor.
  *
- * Some descriptors can only be read after claiming. For this purpose only selected ids and the test
- * id of pid.codes are claimed. An interface with the keys of a keyboard is never claimed, even if
- * it was selected. Pure: uses no device and no clock. */
+ * Some report descriptors can only be read after claiming. A device is claimed for this purpose
+ * only if its id is selected or is the test id of pid.codes. An interface with the keys of a
+ * keyboard is never claimed, even if it was selected. Pure: uses no device and no clock. */
 #ifndef KINGYO_DRIVERS_USB_USB_CHOICE_H
 #define KINGYO_DRIVERS_USB_USB_CHOICE_H
 
@@ -63,8 +63,9 @@ void usb_choice_request(struct usb_choice *choice, const struct usb_key *key, in
 /* Copies the keys of all rules that allow playing. Returns the number of keys. */
 uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_REQUEST_MAX]);
 
-/* Parses one line of the file of rules: "plays KEY", "rests KEY", or a comment that starts with
- * '#'. Returns 0, or -1 with one sentence in `error`. */
+/* Parses one line of the file of rules. "plays KEY" allows a controller to play, "rests KEY"
+ * forbids it, and a line that starts with '#' is a comment. Returns 0, or -1 with one sentence in
+ * `error`. */
 int usb_choice_read_line(struct usb_choice *choice, const char *line, char error[USB_ERROR_SIZE]);
 
 /* Size of the buffer for usb_choice_line(). */
@@ -109,7 +110,8 @@ enum usb_verdict {
     USB_PLAYS,
 };
 
-/* Returns whether an interface may be claimed, by its kind and by the most specific rule. */
+/* Returns whether the kiosk may claim an interface. The kind of the interface and the most specific
+ * rule determine the result. */
 enum usb_verdict usb_choice_evaluate(const struct usb_choice *choice,
                                      const struct usb_candidate *subject);
 
@@ -120,7 +122,7 @@ enum usb_verdict usb_choice_evaluate(const struct usb_choice *choice,
 int usb_choice_is_better(const struct usb_choice *choice, const struct usb_candidate *a,
                          const struct usb_candidate *b);
 
-/* State of a slot: the controller that has the slot now, or had it last. */
+/* State of a slot, with the controller that has the slot now or had it last. */
 struct usb_place {
     uint8_t was_taken; /* 1 if `identity` is valid, otherwise 0. */
     uint8_t is_taken;  /* 1 if the controller is attached now, otherwise 0. */
@@ -130,9 +132,9 @@ struct usb_place {
     struct hid_identity identity;
 };
 
-/* Returns the slot for a new controller, or POI_MAX if there is none. The former slot of the
- * controller is preferred, which is found by serial number or port. Next is a slot that was never
- * used, then a vacant slot that is not held. */
+/* Returns the slot for a new controller, or POI_MAX if there is none. The first choice is the
+ * former slot of the controller, found by serial number or port. The second choice is a slot that
+ * was never used, and the third a vacant slot that is not held. */
 uint32_t usb_choice_slot(const struct usb_place place[POI_MAX],
                          const struct hid_identity *identity);
 

@@ -81,7 +81,7 @@ int usb_choice_save(const struct usb_choice *choice, const char *path)
     if ((size_t)snprintf(part, sizeof part, "%s.part", path) >= sizeof part) {
         return -ENAMETOOLONG;
     }
-    unlink(part); /* A power loss or another process can have left the temporary file. */
+    unlink(part); /* The temporary file can remain from a power loss or from another process. */
     FILE *file = fopen(part, "wxe");
     int error = file ? write_lines(choice, file) : -errno;
     if (!error && rename(part, path) != 0) {

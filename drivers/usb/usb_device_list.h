@@ -37,16 +37,17 @@ struct usb_device_list {
 void usb_device_list_init(struct usb_device_list *device_list, void (*wake)(void *self),
                           void *wake_self);
 
-/* For the event thread: copies and publishes `rows`. */
+/* Copies and publishes `rows`. Called only by the event thread. */
 void usb_device_list_publish(struct usb_device_list *device_list, const struct device_table *rows);
-/* For the event thread: takes the next command. Returns 1 and fills `out`, or returns 0 if there is
- * no command. */
+/* Takes the next command. Called only by the event thread. Returns 1 and fills `out`, or returns 0
+ * if there is no command. */
 int usb_device_list_take_command(struct usb_device_list *device_list, struct usb_command *out);
 
-/* For the frame loop: copies the keys of the selected controllers and returns their number. */
+/* Copies the keys of the selected controllers and returns their number. Called only by the frame
+ * loop. */
 uint32_t usb_device_list_wanted(struct usb_device_list *device_list,
                                 struct usb_key out[USB_REQUEST_MAX]);
-/* For the frame loop: returns the device list interface for the controller manager. */
+/* Returns the device list interface for the controller manager. Called only by the frame loop. */
 struct hid_device_list usb_device_list_device(struct usb_device_list *device_list);
 
 #endif

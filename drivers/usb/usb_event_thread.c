@@ -219,8 +219,8 @@ static void init(struct usb_event_thread *usb_thread)
     }
     usb_thread->fds_changed = usb_thread->rows_changed = 1;
     atomic_store(&usb_thread->stop, 0);
-    /* Published before the thread starts, because other drivers read the selected controllers
-     * before that. */
+    /* The rows and keys are published before the thread starts, because other drivers already read
+     * the selected controllers. */
     usb_event_thread_publish(usb_thread);
     usb_thread->rows_changed = 1;
 }

@@ -39,7 +39,7 @@ struct usb_device_entry {
     uint8_t told_trouble;
     uint8_t failures; /* Number of consecutive opening attempts without a response. Each such
                          attempt blocked the thread. */
-    uint8_t is_seen;  /* 1 if the current comparison found the device, otherwise 0. */
+    uint8_t is_seen;  /* 1 if the current comparison with the bus found the device, otherwise 0. */
     /* Indexes of the device's row, link and slot. USB_INDEX_NONE means none. For `row`,
      * CONTROLLER_MAX means none too. */
     uint32_t row, link, seat;
@@ -73,8 +73,10 @@ struct usb_event_thread {
     libusb_hotplug_callback_handle hotplug;
     uint8_t has_hotplug;
     uint8_t bus_changed, fds_changed, rows_changed;
-    uint64_t compare_ns; /* Time of the next comparison, unless a hot-plug event comes first. */
-    uint64_t settled_ns; /* Time until which comparisons are repeated at short intervals. */
+    uint64_t compare_ns; /* Time of the next comparison with the bus. A hot-plug event causes an
+                            earlier comparison. */
+    uint64_t settled_ns; /* Time until which the comparisons with the bus are repeated at short
+                            intervals. */
     uint32_t fd_count;
     struct pollfd fd[USB_FD_MAX];
     struct usb_device_entry entry[USB_DEVICE_MAX];

@@ -168,7 +168,8 @@ static void open_it(struct usb_event_thread *usb_thread, struct usb_device_entry
     } else if (entry->trouble != USB_FINE) {
         say_trouble(usb_thread, entry);
     } else {
-        /* By its report descriptor the controller may not play, so the device is examined again. */
+        /* The report descriptor shows that the controller may not play, so the device is examined
+         * again. */
         entry->due_ns = usb_event_thread_now_ns(usb_thread);
     }
 }

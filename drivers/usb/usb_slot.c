@@ -106,8 +106,8 @@ static int port_take(void *self, struct hid_raw *out)
     if (seat->is_never) {
         return HAL_ERR_ABSENT;
     }
-    /* Read before the queue, because all reports of earlier generations are then already in the
-     * queue. */
+    /* The generation is read before the queue. If the opened controller was detached, all of its
+     * reports are then already in the queue. */
     const uint32_t generation = generation_now(seat);
     const struct report_ring_slot *slot = newest_sitting(seat);
     if (slot && slot->generation == seat->opened) {

@@ -1,8 +1,9 @@
 /* usb_sysfs.h -- reads the data that Linux provides about a USB device in /sys, without opening the
  * device.
  *
- * The data give a device its name in the menu and its kind by the report descriptor, even while a
- * kernel driver uses the device. `root` is "/sys", or a folder of a test. */
+ * The menu shows the name of the device, and the report descriptor determines the kind of the
+ * device. Both are available even while a kernel driver uses the device. `root` is "/sys", or a
+ * folder of a test. */
 #ifndef KINGYO_DRIVERS_USB_USB_SYSFS_H
 #define KINGYO_DRIVERS_USB_USB_SYSFS_H
 
@@ -25,7 +26,7 @@ uint32_t usb_sysfs_descriptor(const char *root, const char *port, uint8_t config
 void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT_SIZE]);
 
 /* Cleans a text of a device in place: removes trailing spaces and newlines, removes an incomplete
- * character at the end, and applies printable(). */
+ * character at the end, and replaces bytes that are not printable UTF-8. */
 void usb_sysfs_clean_text(char text[HID_TEXT_SIZE]);
 
 #endif

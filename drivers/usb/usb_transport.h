@@ -23,8 +23,8 @@ struct usb_transport_config {
                                      clock too. */
     const char *choices;          /* Path of the file of rules (usb_choice.h); null means that rules
                                      are not stored. */
-    const struct usb_key *listed; /* Controllers that the option --usb names. They play regardless
-                                     of the file. */
+    const struct usb_key *listed; /* Controllers that the option --usb names. These controllers play
+                                     regardless of the file of rules. */
     uint32_t listed_count;
     const char *sysfs; /* Root of sysfs; null means "/sys". Tests use another folder. */
     /* Callback that receives one line for each controller that should play and cannot be opened.
@@ -45,12 +45,13 @@ struct usb_seats *usb_transport_start(const struct usb_transport_config *config,
  * its former slot, which is found by vendor:product:serial or by port. */
 struct hid_port usb_transport_port(struct usb_seats *seats, uint32_t index);
 
-/* Returns the device list for the controller manager. */
+/* Returns the list of connected and selected controllers (hid_device_list.h) for the controller
+ * manager. */
 struct hid_device_list usb_transport_roster(struct usb_seats *seats);
 
-/* Copies the keys that the file or the option --usb selects, whether their controllers are plugged
- * in or not. Other drivers must not open these controllers. Returns the number of keys, or 0
- * without USB. */
+/* Copies to `out` the keys of all controllers that the file of rules or the option --usb selects,
+ * even if they are not plugged in. Other drivers must not open these controllers. Returns the
+ * number of keys, or 0 without USB. */
 uint32_t usb_transport_wanted(struct usb_seats *seats, struct usb_key out[USB_REQUEST_MAX]);
 
 /* Cancels all transfers, closes all devices, attaches the kernel drivers again and ends the
