@@ -38,8 +38,8 @@ static uint64_t hash_of(const char *name)
     return hash;
 }
 
-/* Sums the hashes of the connectors' names. A sum is used because the kernel may list the directory
- * in a different order each time. */
+/* The result is the sum of the hashes of the connectors' names. A sum is independent of the order
+ * of the names, which may differ each time that the kernel lists the directory. */
 struct connectors connectors_read(const char *root)
 {
     struct connectors found = { 0 };

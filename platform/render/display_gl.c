@@ -1,4 +1,5 @@
-/* display_gl.c -- window, OpenGL context and window events. renderer.c draws the picture. */
+/* display_gl.c -- manages the window, the OpenGL context and the window events. renderer.c draws
+ * the picture. */
 #include "platform/render/display_gl.h"
 
 #include <stdio.h>
@@ -12,10 +13,11 @@
 
 #define WINDOW_WIDTH 1280
 #define WINDOW_HEIGHT 720
-/* The connectors are read once a second, which takes 40 microseconds. */
+/* Interval in ns between two reads of the connectors. One read takes 40 microseconds. */
 #define LOOK_NS 1000000000ull
 #define LOOKS 2u
-/* Number of frames in which a fish of the growth lab or the album is painted at full resolution. */
+/* Number of frames that are drawn before a capture of the growth lab or the album. In these frames,
+ * the fish are painted at full resolution. */
 #define PAINT_DRAWS 20u
 
 static int display_gl_fail(struct display_gl *display, const char *what, const char *why)
@@ -36,7 +38,7 @@ static void on_broken(void *context)
     display->broken = true;
 }
 
-/* Releases everything, so that a second open() after HAL_ERR_GONE starts from zero. */
+/* Releases all resources, so that the next open() after HAL_ERR_GONE creates them again. */
 static void display_gl_release(struct display_gl *display)
 {
     if (display->context && !display->broken) {
@@ -52,9 +54,9 @@ static void display_gl_release(struct display_gl *display)
     display->has_shown = false;
 }
 
-/* Returns true if SDL chose a driver without a visible picture ("offscreen" or "dummy") that was
- * not requested, for example because the window system stopped. `off_screen` or SDL_VIDEODRIVER can
- * request such a driver. */
+/* Returns true if SDL unexpectedly chose a driver without a visible picture ("offscreen" or
+ * "dummy"), for example because the window system stopped. Returns false if `off_screen` or the
+ * environment variable SDL_VIDEODRIVER requested the driver. */
 static int shows_nothing(const struct display_gl *display)
 {
     const char *driver = SDL_GetCurrentVideoDriver();
@@ -73,8 +75,8 @@ static uint64_t display_gl_now_ns(void)
     return clock.ops->now_ns(clock.self);
 }
 
-/* Returns true if SDL runs without a window system and no connector has a screen. The caller then
- * does not open SDL, because SDL's own detection takes long. */
+/* Returns true if no window system runs and no connector has a screen. The caller then does not
+ * initialize SDL, because SDL takes long to detect that no screen is connected. */
 static int has_nothing_plugged(struct display_gl *display)
 {
     const char *driver = SDL_getenv("SDL_VIDEODRIVER");
@@ -119,8 +121,8 @@ static int create_window(struct display_gl *display)
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
         return error;
     }
-    if (!config->off_screen) { /* Off-screen pictures have exactly the requested size, so that no
-                                  minimum applies. */
+    if (!config->off_screen) { /* An off-screen picture has exactly the requested size. The minimum
+                                  window size does not apply. */
         SDL_SetWindowMinimumSize(display->window, HAL_WINDOW_WIDTH_MIN, HAL_WINDOW_HEIGHT_MIN);
     }
     display->full_screen = (flags & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
@@ -134,8 +136,8 @@ static int create_context(struct display_gl *display)
         return display_gl_fail(display, "no OpenGL ES 3.0 context", SDL_GetError());
     }
     if (SDL_GL_SetSwapInterval(display->config.off_screen ? 0 : 1) != 0) {
-        SDL_ClearError(); /* Some drivers do not support a swap interval. The frame loop then sets
-                             the frame rate. */
+        SDL_ClearError(); /* Some drivers do not support a swap interval. For these drivers, the
+                             frame loop limits the frame rate. */
     }
     int width = 0;
     int height = 0;
@@ -156,8 +158,9 @@ static int create_context(struct display_gl *display)
     return HAL_OK;
 }
 
-/* Starts the quality governor, unless the display is off-screen or the configuration sets the scale
- * or the samples. Off-screen pictures must be identical on every machine. */
+/* Starts the quality governor. Does nothing if the display is off-screen, because off-screen
+ * pictures must be identical on every machine. Also does nothing if the configuration sets the
+ * scene scale or the samples. */
 static void begin_to_govern(struct display_gl *display)
 {
     const struct display_gl_config *const config = &display->config;
@@ -176,8 +179,8 @@ static int govern(struct display_gl *display, const struct scene *scene)
 {
     const uint32_t looks = atomic_load(&display->thermal.looks);
     if (!display->is_governed || display->renderer.transform.light <= 0.0f) {
-        return HAL_OK; /* A night picture is black and draws nothing, so that its frame time does
-                          not measure the cost of drawing. */
+        return HAL_OK; /* The picture of the configured night hours is black and costs nothing to
+                          draw. Its frame time would therefore mislead the governor. */
     }
     if (looks != display->heat_looks) {
         display->heat_looks = looks;
@@ -222,9 +225,9 @@ static int display_open(void *self)
     return HAL_OK;
 }
 
-/* Closes the display after the set of connectors with a screen changed, so that no frame blocks on
- * an absent screen. The change must last for LOOKS seconds because a plug makes and breaks contact
- * while it is pushed in. */
+/* Closes the display after the set of connectors with a screen has changed, so that no frame blocks
+ * on an absent screen. The change must persist in LOOKS reads, because the contacts of a plug close
+ * and open several times while the plug is pushed in. */
 static void watch_plugs(struct display_gl *display)
 {
     const uint64_t now = display_gl_now_ns();
@@ -279,8 +282,8 @@ static int follow_size(struct display_gl *display)
     int height = 0;
     SDL_GL_GetDrawableSize(display->window, &width, &height);
     if ((SDL_GetWindowFlags(display->window) & SDL_WINDOW_MINIMIZED) || width <= 0 || height <= 0) {
-        return HAL_ERR_BUSY; /* A minimized or empty window has no area to draw on, which is not an
-                                error. */
+        return HAL_ERR_BUSY; /* A minimized or empty window has no area to draw on. This state is
+                                not an error. */
     }
     const struct renderer_config *const drawn = &display->renderer.config;
     if (drawn->width == (uint32_t)width && drawn->height == (uint32_t)height) {
@@ -345,8 +348,8 @@ static int display_toggle_full_screen(void *self)
     return HAL_OK;
 }
 
-/* Draws the frame. If no frame was drawn before, the fish of the growth lab and the album are first
- * painted at full resolution. */
+/* Draws the scene `shown`. For a picture on demand of the growth lab or the album, first draws
+ * PAINT_DRAWS frames, in which the fish are painted at full resolution. */
 static void draw_picture(struct display_gl *display)
 {
     const uint8_t phase = display->shown.phase;

@@ -23,15 +23,15 @@ struct display_gl_config {
                                `full_screen` is true. */
     bool full_screen;
     bool off_screen;   /* True to use SDL's offscreen driver, which needs no window system. */
-    bool on_demand;    /* True to draw nothing until a picture is captured. Used together with
+    bool on_demand;    /* True to draw only when a picture is captured. Used together with
                           `off_screen`. */
     const char *title; /* Window title. Null means "Kingyo". */
     float scene_scale; /* Scene pixels per screen pixel along each axis, [0.25, 2]. 0 means that the
                           renderer chooses the value (quality.h). */
     uint32_t samples;  /* Number of multisampling samples. 0 means that the renderer chooses the
                           number. */
-    const struct library *library; /* Library of the makers' species, as in struct
-                                      renderer_config. */
+    const struct library *library; /* Library of the makers' species, as in struct renderer_config.
+                                      Null means none. */
     const char *sockets;           /* Directory in which the kernel lists the connectors. Null means
                                       /sys/class/drm. */
 };
@@ -43,17 +43,19 @@ struct display_gl {
     struct renderer renderer;
     struct scene shown; /* Last scene shown. capture() draws the scene again because a buffer swap
                            destroys the back buffer. */
-    struct display_settings display_settings; /* Display geometry. The settings also apply to the
-                                                 next screen after a screen is lost. */
+    struct display_settings display_settings; /* Display geometry. The settings stay valid when a
+                                                 lost screen is replaced. */
     bool has_shown, full_screen, is_placed;
-    bool lost;    /* True after the screen was lost, so that the display shows nothing. open()
+    bool lost;    /* True after the screen was lost. The display then shows nothing until open()
                      restarts the display. */
     bool broken;  /* True after the connection to an X server broke. No later call may use the
                      connection. */
-    bool is_bare; /* True without a window system, when SDL draws directly on the graphics card. */
+    bool is_bare; /* True if SDL draws directly on the graphics card because no window system
+                     runs. */
     struct connectors plugged; /* Connectors when the display was opened. */
-    uint64_t looked_ns;        /* Time of the last read of the connectors, in ns. */
-    uint8_t changed_looks;     /* Consecutive reads in which the connectors differed from
+    uint64_t looked_ns;        /* Time of the last read of the connectors, in ns of the monotonic
+                                  clock. */
+    uint8_t changed_looks;     /* Number of consecutive reads in which the connectors differed from
                                   `plugged`. */
     void (*on_lost)(void *context);
     void *on_lost_context;
@@ -61,18 +63,20 @@ struct display_gl {
     struct thermal thermal;
     uint32_t heat_looks; /* Number of temperature measurements that the governor has received from
                             the thermal thread. */
-    bool is_governed;    /* True while the governor chooses the picture's quality. */
+    bool is_governed;    /* True while the quality governor (governor.h) chooses the picture's
+                            quality. */
     char text[HAL_TEXT_SIZE];
 };
 
 struct hal_display display_gl_device(struct display_gl *display);
 
-/* Registers `hook`, which is called when an X11 connection breaks, from inside the SDL or OpenGL
- * call that detected the break. Without the handler of x11_guard.h, Xlib would end the process in
- * that call. The next poll() also reports `lost`. A lost X server cannot be opened again.
+/* Registers `hook`, which is called when the connection to the X server breaks. The call comes from
+ * inside the SDL or OpenGL function that detected the break. Without the handlers of x11_guard.h,
+ * Xlib would end the process in that function. The next poll() also reports `lost`. This program
+ * cannot connect to the X server again.
  *
- * A screen that is unplugged, or whose driver has reset, causes HAL_ERR_GONE instead. open() then
- * finds the screen when it is back. */
+ * In contrast, an unplugged screen or a reset of the graphics driver causes HAL_ERR_GONE. A later
+ * open() succeeds when the screen is available again. */
 void display_gl_on_lost(struct display_gl *display, void (*hook)(void *context), void *context);
 
 #endif

@@ -1,5 +1,5 @@
-/* drm_card.c -- reads the graphics cards and their connectors, such as "card1-HDMI-A-1", from
- * /sys/class/drm. */
+/* drm_card.c -- finds the graphics card with the monitor in /sys/class/drm, which lists cards
+ * ("card1") and connectors ("card1-HDMI-A-1"). */
 #include "platform/render/drm_card.h"
 
 #include <SDL.h>
@@ -8,16 +8,17 @@
 #include <stdio.h>
 #include <string.h>
 
-/* State of a connector, in ascending order. The state of a card is the highest state of its
- * connectors. */
+/* State of a connector, in ascending order: absent, without a monitor, with a monitor. The state of
+ * a card is the highest state of its connectors. */
 enum socket_state {
     SOCKET_NONE = 0,
     SOCKET_FREE,
     SOCKET_CONNECTED,
 };
 
-/* Returns the number N of "cardN-CONNECTOR". Returns -1 for the name of a card without a connector,
- * and for a writeback connector, which writes into memory and has no monitor. */
+/* Returns the number N of the connector name "cardN-CONNECTOR". Returns -1 for a card's own name,
+ * such as "card1". Returns -1 for a writeback connector, which writes into memory and has no
+ * monitor. */
 static int card_of(const char *name)
 {
     int card = -1, length = 0;

@@ -7,9 +7,10 @@
 #include "platform/render/paint_atlas.h"
 
 #define KEY_SIZE sizeof(struct species_point)
-#define SURFACE_SIZE 4u /* Size in bytes of u, v, part and flexibility. */
-#define RIDES_SIZE 4u   /* Size in bytes of the anchor, the side, and two bytes of padding. */
-/* Size in bytes of the paint coordinates, which are two 16-bit fractions. */
+#define SURFACE_SIZE 4u /* Size in bytes of the attribute with u, v, part and flexibility. */
+#define RIDES_SIZE                                                                                 \
+    4u /* Size in bytes of the attribute with the anchor, the side, and two bytes of padding. */
+/* Size in bytes of the attribute with the paint coordinates, which are two 16-bit fractions. */
 #define PAINT_SIZE_BYTES 4u
 #define BYTES_SIZE (SURFACE_SIZE + MORPH_CURVE_MAX + RIDES_SIZE)
 #define REST_SIZE (BYTES_SIZE + PAINT_SIZE_BYTES)
@@ -49,8 +50,8 @@ static bool is_fin(const struct species_mesh *source, uint32_t triangle)
     return part != PART_BODY && part != PART_EYE;
 }
 
-/* Copies the triangles of the fins if `fins` is true, otherwise all other triangles. Returns the
- * number of indices written. */
+/* Copies the triangles of the fins if `fins` is true, otherwise the triangles of the body and the
+ * eyes. Returns the number of indices written. */
 static uint32_t gather(uint16_t *out, const struct species_mesh *source, bool fins)
 {
     uint32_t count = 0;
@@ -76,9 +77,9 @@ static void describe_vertex(uint32_t key_count)
     const size_t rest = key_count * KEY_SIZE;
     const GLsizei stride = (GLsizei)(rest + REST_SIZE);
     for (uint32_t key = key_count; key < MORPH_KEY_MAX; key++) {
-        glDisableVertexAttribArray(key); /* The species has no shape for this key. A disabled
-                                            attribute is read as a constant, which has a weight of 0
-                                            in the blend. */
+        glDisableVertexAttribArray(key); /* The species has fewer keys, so that this attribute has
+                                            no data. The shader reads a disabled attribute as a
+                                            constant, whose weight in the blend is 0. */
     }
     for (uint32_t key = 0; key < key_count; key++) {
         glEnableVertexAttribArray(key);

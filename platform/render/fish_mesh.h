@@ -1,9 +1,10 @@
-/* fish_mesh.h -- a species' key shapes (modelled growth stages), packed into the vertex attributes
- * of morph.glsl.
+/* fish_mesh.h -- uploads a species' key shapes (modelled growth stages) as the vertex attributes
+ * that the shader morph.glsl reads.
  *
  * Each key shape stores eight bytes per vertex, as in species.h: the position as three 16-bit
- * fractions of the mesh's reach, and the normal as an octahedral code in 16 bits. OpenGL ES 3.0
- * guarantees sixteen attributes. Eight key shapes and the instance's attributes fit in them. */
+ * fractions of the mesh's reach, and the normal as a 16-bit octahedral code. OpenGL ES 3.0
+ * guarantees sixteen attributes, which is enough for eight key shapes and the attributes of an
+ * instance. */
 #ifndef KINGYO_PLATFORM_RENDER_FISH_MESH_H
 #define KINGYO_PLATFORM_RENDER_FISH_MESH_H
 
@@ -11,7 +12,7 @@
 #include "platform/render/gl_util.h"
 
 /* Locations of the vertex attributes, as in assets/shaders. Key shapes use the locations 0 to 7.
- * Instances use the locations that are not listed here. */
+ * The attributes of instances use the locations that this enum does not list. */
 enum fish_attribute {
     FISH_ATTRIBUTE_SURFACE = 8,
     FISH_ATTRIBUTE_PAINT = 9, /* Location of the paint coordinates of specimens. The tank's fish
@@ -20,15 +21,17 @@ enum fish_attribute {
     FISH_ATTRIBUTE_RIDES = 13,
 };
 
-/* Maximum size of a vertex in bytes: one point for each of eight key shapes, then surface, masks,
- * anchor bytes and paint coordinates. */
+/* Maximum size of a vertex in bytes. A vertex consists of one point for each of up to eight key
+ * shapes, then the surface, mask, anchor and paint bytes. */
 #define FISH_VERTEX_SIZE_MAX (MORPH_KEY_MAX * sizeof(struct species_point) + 16u)
 
-/* One level of detail of a fish. The index buffer holds body and eyes first, then the fins. */
+/* One level of detail of a fish. The index buffer holds the indices of the body and the eyes first,
+ * then the indices of the fins. */
 struct fish_mesh {
     GLuint vertex_array, vertex_buffer, index_buffer;
     GLsizei body_index_count, fin_index_count;
-    float reach; /* Value of the shader uniform `reach`: the unit of the packed positions. */
+    float reach; /* Length that the largest packed coordinate stands for, in body lengths. The
+                    shaders read it as the uniform `reach`. */
 };
 
 /* Buffer in which a mesh is packed before its upload. The caller owns the buffer and may reuse it
@@ -46,8 +49,8 @@ void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
                     const struct species_mesh *source, uint32_t key_count);
 void fish_mesh_close(struct fish_mesh *mesh);
 
-/* Draws `instance_count` fish with the bound program and instance attributes: the fins if `fins` is
- * true, otherwise the body and eyes. */
+/* Draws `instance_count` fish. Draws only the fins if `fins` is true, otherwise only the body and
+ * the eyes. The caller has bound the shader program and the instance attributes. */
 void fish_mesh_draw(const struct fish_mesh *mesh, bool fins, GLsizei instance_count);
 
 #endif

@@ -26,8 +26,9 @@ uint32_t fish_poses_pack(float out[][4], const struct morph_pose *pose, uint32_t
     return at;
 }
 
-/* Returns the value of morph.glsl's constant ANCHORS: 0 means no anchors, 1 means anchors that keep
- * the body's axes, 2 means anchors that turn. */
+/* Returns the value of the macro ANCHORS for morph.glsl. 0 means that no vertex has an anchor. 1
+ * means that the anchors keep the orientation of the body's axes. 2 means that at least one anchor
+ * rotates. */
 static uint32_t riding(const struct species_mesh *mesh, bool fins)
 {
     uint32_t most = 0;

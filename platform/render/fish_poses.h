@@ -1,8 +1,8 @@
-/* fish_poses.h -- the poses of many fish of one mesh, one texture row for each fish, for
- * morph.glsl.
+/* fish_poses.h -- stores the poses of many fish of one mesh in a texture for morph.glsl, with one
+ * texture row for each fish.
  *
- * A row is written again only if the fish has grown. Otherwise the row costs one comparison in each
- * frame. */
+ * A row is uploaded again only if the fish has grown. Otherwise the row costs one comparison in
+ * each frame. */
 #ifndef KINGYO_PLATFORM_RENDER_FISH_POSES_H
 #define KINGYO_PLATFORM_RENDER_FISH_POSES_H
 
@@ -27,14 +27,17 @@ void fish_poses_defines(char *out, size_t size, const struct species *species, b
 struct fish_poses {
     const struct species_mesh *mesh;
     GLuint texture;
-    uint32_t curve_count, width;    /* Number of curves in a pose, and texels in a texture row. */
-    float progress[SCENE_FISH_MAX]; /* Progress through life that each texture row shows, [0, 1]. A
-                                       negative value means that the row is not written yet. */
+    uint32_t curve_count, width;    /* Number of curves in a pose, and number of texels in a texture
+                                       row. */
+    float progress[SCENE_FISH_MAX]; /* Progress through life that each texture row shows, [0, 1].
+                                       A negative value means that the row has not been written
+                                       yet. */
     uint32_t run_first, run_count;  /* First row and number of rows in `run` that are not uploaded
                                        yet. */
     float run[POSE_RUN * POSE_TEXELS_MAX][4];
     struct morph_pose pose;
-    uint32_t posed_count; /* Number of rows written after fish_poses_begin(), for measurements. */
+    uint32_t posed_count; /* Number of rows written since the last fish_poses_begin(), for
+                             measurements. */
 };
 
 void fish_poses_open(struct gl_status *status, struct fish_poses *poses,
@@ -43,8 +46,8 @@ void fish_poses_close(struct fish_poses *poses);
 
 /* Starts an update of the poses. Call fish_poses_set() for each fish, then fish_poses_end(). */
 void fish_poses_begin(struct fish_poses *poses);
-/* Makes `row` show a fish with the curves of `rig` at `progress`, [0, 1]. Ascending rows are the
- * fastest order. */
+/* Writes the pose of a fish with the curves of `rig` at `progress` [0, 1] to the texture row `row`.
+ * Fastest if the rows are written in ascending order. */
 void fish_poses_set(struct fish_poses *poses, const struct morph_rig *rig, uint32_t row,
                     float progress);
 /* Uploads the rows that are not uploaded yet. */

@@ -5,12 +5,13 @@
 
 #include "core/base/panic.h"
 
-/* Threshold, of 255. A texel is painted from four points if its coarse neighbours differ by
- * more. */
+/* Maximum colour difference, of 255, between neighbouring coarse points. If the difference is
+ * larger, the texel is painted from four points. */
 #define EDGE 20
-#define SCALE_ROWS_MIN 6u /* Minimum number of rows of dot marks that are drawn as scales. */
-/* Minimum number of bands round a body that are drawn as lines, because they are too fine for a
- * painted sheet. */
+#define SCALE_ROWS_MIN                                                                             \
+    6u /* Minimum number of rows of a dot mark whose dots are drawn as fish scales. */
+/* Minimum number of bands of a mark round the body that the shader draws as lines, because so many
+ * bands are too fine for a painted sheet. */
 #define LINES_MIN 40u
 
 static GLuint sheets(struct gl_status *status, GLenum internal_format, GLenum format)
@@ -37,7 +38,8 @@ void fish_texture_close(struct fish_texture *skin)
 
 float fish_texture_scales(const struct fish_texture *skin)
 {
-    /* Number of scales along the body: a carp has about 30, a bream 50. */
+    /* Number of fish scales from head to tail for each body form. A carp has about 30, a bream
+     * 50. */
     static const float along[] = { [FORM_FUSIFORM] = 31.0f,
                                    [FORM_COMPRESSED] = 50.0f,
                                    [FORM_DEPRESSED] = 80.0f,
@@ -48,8 +50,9 @@ float fish_texture_scales(const struct fish_texture *skin)
     return bare ? 0.0f : along[card->form];
 }
 
-/* Removes dot marks that stand for scales from the painting if the shader draws scales with rims.
- * The entries stay in the coat, because marks of two key shapes correspond by their index. */
+/* Removes dot marks that stand for fish scales from the painting if the shader draws the scales
+ * with rims. The marks keep their place in the array, because marks of two key shapes correspond to
+ * each other by their index. */
 static void leave_out_dots(struct fish_texture *skin)
 {
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
@@ -58,8 +61,8 @@ static void leave_out_dots(struct fish_texture *skin)
             struct species_mark *const mark = &coat->marks[i];
             if (mark->kind == MARK_ROWS && mark->part == PART_BODY &&
                 mark->seed >= SCALE_ROWS_MIN) {
-                mark->part = PART_COUNT; /* PART_COUNT matches no body part, so that the mark is not
-                                            painted. */
+                mark->part = PART_COUNT; /* The value PART_COUNT matches no body part. Therefore the
+                                            mark is not painted. */
             }
         }
     }
@@ -107,7 +110,7 @@ static uint8_t byte(float x)
     return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
-/* Input for the painting of one sheet. */
+/* Parameters for painting one sheet. */
 struct painting {
     const struct species *species;
     float weights[MORPH_KEY_MAX];
@@ -146,7 +149,8 @@ static void fish_texture_put(const struct painting *painting, uint32_t index,
     painting->brush->shine[index] = byte(paint->shine);
 }
 
-/* Paints the band of texels that begins at row `first`, from one point per texel. */
+/* Paints the band of texels that begins at texel row `first`. Each texel gets the paint at its
+ * centre. */
 static void paint_plainly(const struct painting *painting, uint32_t first)
 {
     struct paint paint;
@@ -159,8 +163,7 @@ static void paint_plainly(const struct painting *painting, uint32_t first)
     }
 }
 
-/* ---- Coarse painting: points at a distance of several texels, and interpolation between them
- * -- */
+/* ---- Coarse painting: points several texels apart, with interpolation between them ----------- */
 
 static void paint_coarse_points(const struct painting *painting)
 {
@@ -179,7 +182,8 @@ static void paint_coarse_points(const struct painting *painting)
 }
 
 /* Writes the indices of the two coarse points between which texel `at` lies. Both points are within
- * the texel's atlas cell of `size` texels. Returns the weight of the second point. */
+ * the texel's atlas cell, which is `size` texels wide. Returns the interpolation weight of the
+ * second point. */
 static float beside(uint32_t at, uint32_t size, uint32_t points[2])
 {
     const float first = (float)(at - at % size) / (float)FISH_TEXTURE_COARSE;
@@ -222,7 +226,7 @@ static bool differ(const uint8_t a[4], const uint8_t b[4])
     return most > EDGE;
 }
 
-/* Paints texel (x, y) as the mean of four points. */
+/* Paints texel (x, y) as the mean of the paint at four points. */
 static void paint_finely(const struct painting *painting, uint32_t index, uint32_t x, uint32_t y)
 {
     struct paint mean = { .colour = { 0.0f, 0.0f, 0.0f } }, paint;
@@ -238,8 +242,8 @@ static void paint_finely(const struct painting *painting, uint32_t index, uint32
     fish_texture_put(painting, index, &mean);
 }
 
-/* Smooths the edges of marks. An edge may be narrower than a texel, and would be ragged if it were
- * painted from one point per texel. */
+/* Smooths the edges of marks in the band that begins at texel row `first`. An edge may be narrower
+ * than a texel and would be jagged if each texel were painted from one point. */
 static void smooth_rims(const struct painting *painting, uint32_t first)
 {
     bool rim[FISH_TEXTURE_BAND * PAINT_SIZE] = { false };
@@ -314,8 +318,8 @@ void fish_texture_request(struct fish_texture *skin, struct fish_texture_brush *
     out[2] = at - (float)first;
 }
 
-/* Returns the unfinished sheet that is nearest to the visible sheet, or sheet_count if all sheets
- * are finished. */
+/* Returns the unfinished sheet whose number is nearest to the visible sheet, or sheet_count if all
+ * sheets are finished. */
 static uint32_t next_sheet(const struct fish_texture *skin)
 {
     uint32_t best = skin->sheet_count;
@@ -373,9 +377,10 @@ static struct fish_texture_lines lines_of(const struct species_mark *mark, float
     };
 }
 
-/* Writes the lines of the keys with the largest weights. Each set of lines is faded by its key's
- * weight, as paint_at() fades marks that keys do not share. Neighbouring keys of a larva differ in
- * the number of muscles, so that their lines cannot be blended. */
+/* Writes the line sets of the two keys with the largest weights. The opacity of each line set is
+ * its key's weight divided by the sum of all weights. paint_at() fades marks that exist in only one
+ * key in the same way. Two neighbouring keys of a larva have different numbers of muscles, so that
+ * their lines cannot be interpolated. */
 void fish_texture_lines(const struct fish_texture *skin, const float weights[MORPH_KEY_MAX],
                         struct fish_texture_lines lines[FISH_TEXTURE_LINES])
 {

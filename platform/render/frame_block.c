@@ -7,24 +7,25 @@
 
 #define NEAR_M 0.05f
 #define FAR_M 8.0f
-/* Rate of caustics layers per second. A loop of 32 layers takes about three seconds. */
+/* Number of layers of the caustics animation that are shown per second. A loop of 32 layers takes
+ * about three seconds. */
 #define CAUSTIC_LAYERS_HZ 11.0f
 #define SECONDS_WRAP_TICKS (3600u * CORE_TICK_HZ)
-/* Width of the shadow map relative to the floor. The shadow map is larger than the floor, so that
- * the whole shadow of a fish at a wall lies in the map. */
+/* Width of the shadow map divided by the width of the floor. The shadow map is larger than the
+ * floor, so that it contains the whole shadow of a fish near a wall. */
 #define SHADOW_MARGIN 1.06f
-/* Tangent, along x, of the angle of the light that reaches the floor. The lamps hang to the right
- * of and behind the player. */
+/* Tangent, along x, of the angle between the vertical and the light that reaches the floor. The
+ * lamps hang to the right of the player and behind the player. */
 #define SHADOW_DRIFT_X 0.26f
-/* Tangent, along z, of the angle of the light that reaches the floor. */
+/* Tangent, along z, of the angle between the vertical and the light that reaches the floor. */
 #define SHADOW_DRIFT_Z 0.16f
 
-/* Absorption multiplied by the depth. The product is constant, so that a shallow tank is as blue as
- * a deep one. */
+/* Light absorption of the water multiplied by the depth. The product is constant, so that a shallow
+ * tank looks as blue as a deep tank. */
 #define ABSORPTION_OVER_DEPTH 0.55f
 
-/* Displacement of the refracted picture per unit of surface slope, in water depths. Refraction
- * causes 0.25; the rest is an artistic exaggeration. */
+/* Displacement of the refracted picture per unit of surface slope, in water depths. Physically the
+ * value is 0.25. The larger value makes refraction more visible. */
 #define REFRACTION 0.36f
 
 static void multiply(float out[16], const float a[16], const float b[16])
@@ -92,8 +93,8 @@ void frame_close(struct frame *frame)
     glDeleteBuffers(1, &frame->buffer);
 }
 
-/* Writes the matrix from the picture's clip space to the screen's clip space, so that every pass
- * draws at its final place. */
+/* Writes the matrix from the picture's clip space to the screen's clip space. Every pass can
+ * therefore draw directly at the final place on the screen. */
 static void frame_block_screen_transform(float out[16], const struct display_transform *transform)
 {
     float turned[4], move[2];
@@ -126,9 +127,9 @@ static void set_camera(struct frame *frame, const struct view *view,
     frame->view.focal_px = 0.5f * transform->height / tan_y;
 }
 
-/* Sets the distance by which the refracted picture moves on the screen per unit of slope: one
- * metre at the camera's target, projected to the screen. The error is a few per cent over the
- * whole tank. */
+/* Sets how far the refracted picture moves on the screen per unit of surface slope. The distance
+ * is computed for a point at the camera's target. Elsewhere in the tank the error is a few per
+ * cent. */
 static void set_bend(struct frame *frame, const struct scene *scene, float aspect)
 {
     const struct view *const view = &scene->view;
@@ -141,8 +142,9 @@ static void set_bend(struct frame *frame, const struct scene *scene, float aspec
                     0.0f);
 }
 
-/* Adds the elliptical shadows, those of the fans first. Only the floor and the walls take the
- * shadows of the pois from the shadow map, which includes the holes in the paper. */
+/* Adds the elliptical shadows of the fans, then those of the pois. Fish below the water receive all
+ * of these shadows. All other objects receive only the fans' shadows. The floor gets the shadows of
+ * the pois from the shadow map, which includes the holes in the paper. */
 static void set_shades(struct frame_block *block, const struct scene *scene)
 {
     uint32_t count = 0;

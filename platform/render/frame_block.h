@@ -1,5 +1,5 @@
-/* frame_block.h -- the values of one frame that every shader may read, as the uniform block
- * `Frame`.
+/* frame_block.h -- computes and uploads the uniform block `Frame`: the values of one frame that
+ * every shader may read.
  *
  * The layout is identical to the block in assets/shaders/common.glsl (std140). */
 #ifndef KINGYO_PLATFORM_RENDER_FRAME_BLOCK_H
@@ -26,7 +26,8 @@ _Static_assert(sizeof(struct frame_block) == 288, "the block has the layout of c
 /* Camera values that the C code needs in addition to the uniform block. */
 struct frame_view {
     vec3 eye_m;
-    float focal_px; /* Length in pixels of one metre at a distance of one metre. */
+    float focal_px; /* Length in pixels, on the screen, of one metre at a distance of one metre from
+                       the camera. */
 };
 
 struct frame {

@@ -1,4 +1,5 @@
-/* gl_util.c -- implementation of gl_util.h: error status, textures, buffers and render targets. */
+/* gl_util.c -- implementation of gl_util.h: failure status, textures, buffers and render
+ * targets. */
 #include "platform/render/gl_util.h"
 
 #include <stdarg.h>
@@ -204,8 +205,8 @@ void gl_target_close(struct gl_target *target)
 {
     const GLuint framebuffers[2] = { target->framebuffer, target->resolve };
     const GLuint buffers[2] = { target->color, target->depth };
-    glDeleteFramebuffers(2, framebuffers); /* OpenGL ignores the name 0 in this call and the next
-                                              ones. */
+    glDeleteFramebuffers(2, framebuffers); /* OpenGL ignores the name 0 in this call and in the
+                                              following delete calls. */
     glDeleteRenderbuffers(2, buffers);
     glDeleteTextures(1, &target->texture);
     *target = (struct gl_target){ 0 };

@@ -14,20 +14,20 @@
 
 #include "platform/hal.h"
 
-/* Number of textures that are filled in turn, for texels that change in each frame. */
+/* Number of textures in a ring buffer (struct gl_ring) for texels that change in each frame. */
 #define GL_RING 3u
 #define GL_TEXTURE_SURE 2048u /* Texture side in texels that every OpenGL ES 3.0 driver supports. */
 /* Number of layers of an array texture that every OpenGL ES 3.0 driver supports. */
 #define GL_LAYERS_SURE 256u
 
-/* The first failure, as one line that names the object and the reason. The text is empty while
- * there is no failure. */
+/* The first failure, as one line that names the object and the reason. The text is empty if nothing
+ * has failed. */
 struct gl_status {
     char text[HAL_TEXT_SIZE];
 };
 
-/* Stores the message if it is the first. Ignores later failures because they are consequences of
- * the first. */
+/* Stores the message if no earlier failure is stored. Later failures are ignored because they are
+ * consequences of the first failure. */
 void gl_fail(struct gl_status *status, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 bool gl_is_well(const struct gl_status *status);
@@ -43,19 +43,19 @@ struct gl_texture_desc {
     GLenum wrap;  /* Wrap mode. 0 means GL_CLAMP_TO_EDGE. */
 };
 
-/* Creates a texture. Fails if the size is larger than the driver supports. The message then
- * contains the requested and the supported size. */
+/* Creates a texture. If the size is larger than the driver supports, the failure message contains
+ * the requested and the supported size. */
 GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_texture_desc *desc);
 
 /* Creates a buffer of `size` bytes. `data` may be null for a buffer that is filled every frame. */
 GLuint gl_buffer(GLenum target, const void *data, size_t size);
 
-/* Replaces the whole content of the buffer bound to `target`, in new storage. The driver therefore
- * does not wait for a frame that still reads the old content. */
+/* Replaces the whole content of the buffer bound to `target` and allocates new storage for it. The
+ * driver therefore does not wait for a frame that still reads the old content. */
 void gl_buffer_refill(GLenum target, const void *data, size_t size);
 
-/* GL_RING textures of equal size without initial pixels. The texture that is filled next is never
- * the texture that was drawn from last. */
+/* Ring buffer of GL_RING textures of equal size without initial pixels. The next texture to fill is
+ * never the texture that was drawn from last. */
 struct gl_ring {
     GLuint textures[GL_RING];
     uint32_t now;
@@ -75,10 +75,10 @@ struct gl_target {
     GLuint framebuffer;
     uint32_t width, height;
     GLuint color;   /* Texture, or renderbuffer if `samples` > 1. */
-    GLuint depth;   /* Depth renderbuffer. 0 means no depth. */
-    GLuint resolve; /* Framebuffer of `texture`, which gl_target_resolve() fills. 0 means no
-                       multisampling. */
-    GLuint texture; /* Texture of the drawn picture, from which later passes read. */
+    GLuint depth;   /* Depth renderbuffer. 0 means that the target has no depth buffer. */
+    GLuint resolve; /* Framebuffer whose colour buffer is `texture`. gl_target_resolve() fills this
+                       framebuffer. 0 means no multisampling. */
+    GLuint texture; /* Texture with the finished picture, from which later passes read. */
 };
 
 struct gl_target_desc {
@@ -94,13 +94,13 @@ void gl_target_open(struct gl_status *status, const char *name, struct gl_target
 void gl_target_close(struct gl_target *target);
 void gl_target_bind(const struct gl_target *target);
 
-/* Copies the drawn picture to `texture`. Invalidates samples and depth, so that a tiled GPU does
- * not write them to memory. */
+/* Copies the drawn picture to `texture`. Then invalidates the samples and the depth buffer, so that
+ * a tiled GPU does not write them to memory. */
 void gl_target_resolve(const struct gl_target *target);
 
 void gl_bind_texture(uint32_t unit, GLenum kind, GLuint texture);
 
-/* Describes a float attribute of an interleaved buffer, which must be bound to GL_ARRAY_BUFFER.
+/* Describes a float attribute of the interleaved vertex buffer that is bound to GL_ARRAY_BUFFER.
  * `stride` and `offset` are in bytes. */
 void gl_attribute_floats(GLuint location, GLint count, size_t stride, size_t offset);
 

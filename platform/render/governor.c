@@ -5,13 +5,15 @@
 
 #define NS_PER_S 1000000000ull
 #define STALL_NS (NS_PER_S / 4u)
-/* Number of consecutive stalls after which drawing itself is assumed to be slow. */
+/* Number of consecutive stalls after which slow drawing is assumed to be their cause. */
 #define STALLS 3u
 #define HZ 60u
-/* Limit of the mean frame duration, in per cent of a refresh period. At the limit one frame in nine
- * is one period late. */
+/* Limit of the mean frame duration, in per cent of a refresh period. At the limit, one frame in
+ * nine is late by one refresh period. */
 #define LATE_PERCENT 111u
-#define HELD_S 60u /* Seconds with frames on time after which a finer step is no longer on trial. */
+#define HELD_S                                                                                     \
+    60u /* Number of seconds without late frames after which the trial of a finer step has
+           succeeded. */
 
 void governor_begin(struct governor *governor, uint32_t refresh_hz)
 {

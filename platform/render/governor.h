@@ -1,44 +1,49 @@
-/* governor.h -- the quality governor, which adapts the drawing quality to the machine.
+/* governor.h -- the quality governor, which adapts the drawing quality to the speed of the machine.
  *
  * The governor lowers the quality if frames are late or the machine is hot, so that the game never
  * waits for a picture. The governor raises the quality again when frames are on time.
  *
- * A screen shows a frame at its next refresh. A frame's duration therefore shows whether drawing
- * was too slow, but not how much time was left. For that reason the governor tries a finer quality
- * step between two games. After each failed trial the governor waits longer before the next one. */
+ * A finished frame waits for the next refresh of the screen. The duration of a frame therefore
+ * shows whether drawing was too slow, but not how much time was left. For that reason the governor
+ * tries a finer quality step between two games. After each failed trial the governor waits longer
+ * before the next trial. */
 #ifndef KINGYO_PLATFORM_RENDER_GOVERNOR_H
 #define KINGYO_PLATFORM_RENDER_GOVERNOR_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-#define GOVERNOR_LOOK_S 2u /* Duration in seconds of the frames that are judged together. */
-/* Number of seconds with frames on time after which a finer quality step is tried. */
+#define GOVERNOR_LOOK_S                                                                            \
+    2u /* Measurement interval in seconds. The mean frame duration is computed over this
+          interval. */
+/* Number of seconds without late frames after which a finer quality step is tried. */
 #define GOVERNOR_PATIENCE_S 30u
 /* Maximum wait in seconds before a trial, about half an hour. Each failed trial doubles the
  * wait. */
 #define GOVERNOR_PATIENCE_MAX_S 1920u
-/* Temperature distance in m°C. A machine is hot if it is less than this distance below its
- * throttling temperature. */
+/* Temperature difference in m°C. A machine is hot if its temperature is less than this difference
+ * below the temperature at which it throttles itself. */
 #define GOVERNOR_HOT_MDEG 3000
-/* Temperature distance in m°C. A hot machine is cool again if it is more than this distance below
- * its throttling temperature. */
+/* Temperature difference in m°C. A hot machine has cooled down if its temperature is more than this
+ * difference below the temperature at which it throttles itself. */
 #define GOVERNOR_COOL_MDEG 8000
 
 struct governor {
     uint64_t turn_ns;       /* Refresh period of the screen in ns, the shortest possible frame
                                duration. */
     uint64_t last_ns;       /* Time of the previous frame in ns. 0 means no previous frame. */
-    uint64_t sum_ns, count; /* Total duration in ns, and number, of the frames that are judged
-                               together. */
-    uint32_t stalls;        /* Consecutive frames that took too long for drawing to be the cause. */
-    uint32_t timely_s;      /* Consecutive seconds with frames on time. */
-    /* Seconds with frames on time that are required before the next trial. */
+    uint64_t sum_ns, count; /* Total duration in ns of the frames in the current measurement
+                               interval, and number of these frames. */
+    uint32_t stalls;        /* Number of consecutive stalls. A stall is a frame that took too long
+                               for drawing to be the cause. */
+    uint32_t timely_s;      /* Number of consecutive seconds without late frames. */
+    /* Number of seconds without late frames that must pass before the next trial of a finer
+     * step. */
     uint32_t patience_s;
-    uint8_t step;      /* Quality step that frames need in order to be on time. */
-    uint8_t heat;      /* Quality step that keeps the machine cool, at most QUALITY_STEP_MAX. */
-    uint8_t is_trying; /* 1 while a finer step is on trial, otherwise 0. The step may be too slow to
-                          draw. */
+    uint8_t step;      /* Number of quality steps below the best that the drawing speed requires. */
+    uint8_t heat;      /* Number of quality steps below the best that keeps the machine cool, at
+                          most QUALITY_STEP_MAX. */
+    uint8_t is_trying; /* 1 while a finer quality step is on trial, otherwise 0. */
 };
 
 /* Initializes the governor. `refresh_hz` is the screen's refresh rate. A value of 0 or above 60
@@ -46,12 +51,12 @@ struct governor {
 void governor_begin(struct governor *governor, uint32_t refresh_hz);
 
 /* Updates the governor. Call after each frame. `may_refine` is true between two games. A frame
- * longer than a quarter of a second is a stall and does not count as drawing time, unless it is at
- * least the third stall in a row. Returns the step of quality_lower() for the next frame. */
+ * longer than a quarter of a second is a stall. A stall counts as drawing time only if at least two
+ * stalls directly precede it. Returns the argument `step` of quality_lower() for the next frame. */
 uint32_t governor_frame(struct governor *governor, uint64_t now_ns, bool may_refine);
 
-/* Updates the quality step `heat`. Call every few seconds. `margin_mdeg` is the margin in m°C below
- * the temperature at which the machine throttles itself. */
+/* Updates the quality step `heat`. Call every few seconds. `margin_mdeg` is the difference in m°C
+ * between the temperature at which the machine throttles itself and its current temperature. */
 void governor_set_temperature(struct governor *governor, int32_t margin_mdeg);
 
 #endif

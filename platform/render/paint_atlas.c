@@ -30,8 +30,8 @@ static struct place paint_atlas_place_of(uint32_t cell)
                            PAINT_CELL_WIDTH, PAINT_CELL_HEIGHT };
 }
 
-/* Returns the atlas cell of a vertex. A median fin has one cell, regardless of its side. A vertex
- * of a paired fin without a side uses the right fin's cell. */
+/* Returns the atlas cell of a vertex. A fin in the midplane has one cell, regardless of the
+ * vertex's side. A vertex of a paired fin without a side uses the right fin's cell. */
 static struct place paint_atlas_find_cell(const struct species_vertex *vertex)
 {
     uint32_t found = CELL_COUNT;
@@ -50,7 +50,7 @@ static struct place paint_atlas_find_cell(const struct species_vertex *vertex)
 }
 
 /* Returns the centre of a texel row or column, as a fraction of the atlas. `t` in [0, 1] selects
- * one of the `count` rows that begin at row `first`. */
+ * one of the `count` rows or columns that begin at number `first`. */
 static float middle(uint32_t first, uint32_t count, float t)
 {
     const float at = (float)first + 0.5f + f_clamp(t, 0.0f, 1.0f) * (float)(count - 1u);

@@ -1,10 +1,10 @@
-/* paint_atlas.h -- the layout of a fish's paint atlas: the place of each body part on a sheet of
- * PAINT_SIZE x PAINT_SIZE texels.
+/* paint_atlas.h -- computes the layout of a fish's paint atlas: the place of each body part on a
+ * sheet of PAINT_SIZE x PAINT_SIZE texels.
  *
- * The upper half of the sheet is the body, with u to the right and v downward. Below the body are
- * cells of PAINT_CELL_WIDTH x PAINT_CELL_HEIGHT texels, four in a row. Each median fin has one
- * cell, and each pair of fins has two cells. The ends of u and v are at texel centres, so that
- * texture filtering never reaches another part. */
+ * The upper half of the sheet shows the body, with the surface coordinate u to the right and v
+ * downward. Below the body are cells of PAINT_CELL_WIDTH x PAINT_CELL_HEIGHT texels, four in a row.
+ * Each fin in the midplane has one cell, and each pair of fins has two cells. The ends of u and v
+ * are at texel centres, so that texture filtering never reads texels of another body part. */
 #ifndef KINGYO_PLATFORM_RENDER_PAINT_ATLAS_H
 #define KINGYO_PLATFORM_RENDER_PAINT_ATLAS_H
 

@@ -1,13 +1,14 @@
 /* poi_pool.c -- implementation of poi_pool.h. */
 #include "platform/render/poi_pool.h"
 
-/* Number of samples along each side of the square around the paper. Samples are 6.7 mm apart. */
+/* Number of samples along each side of the square around the paper. Neighbouring samples are 6.7 mm
+ * apart. */
 #define LINES 12u
-/* Number of bisection steps. They reduce a range of some centimetres to a hundredth of a
+/* Number of bisection steps. They narrow a range of some centimetres to a hundredth of a
  * millimetre. */
 #define HALVINGS 12
 
-/* Heights of the paper above the ring's centre, at sample points of the disc. */
+/* Heights of the paper above the ring's centre, at the sample points on the paper. */
 struct relief {
     uint32_t count;
     float height_m[LINES * LINES];
@@ -34,7 +35,8 @@ static void survey(struct relief *relief, const struct scene_poi *poi)
     }
 }
 
-/* Returns the mean depth, over the whole paper, of water with its surface at `level_m`. */
+/* Returns the mean depth of the water, over the whole paper, if the water's surface is at
+ * `level_m`. */
 static float mean_depth(const struct relief *relief, float level_m)
 {
     float sum = 0.0f;

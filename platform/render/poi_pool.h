@@ -1,4 +1,4 @@
-/* poi_pool.h -- computes the place of the water that a poi (the paper scoop) carries. Uses no
+/* poi_pool.h -- computes where the water lies that a poi (the paper scoop) carries. Uses no
  * OpenGL. */
 #ifndef KINGYO_PLATFORM_RENDER_POI_POOL_H
 #define KINGYO_PLATFORM_RENDER_POI_POOL_H
@@ -8,16 +8,18 @@
 /* Maximum thickness of the water film on each face of the paper. Further water collects in the
  * pool. */
 #define POI_FILM_M 0.0006f
-#define POI_NO_POOL_M -1e3f /* Pool level below all objects, which means that a poi has no pool. */
+#define POI_NO_POOL_M                                                                              \
+    -1e3f /* Level of the water pool, far below all objects, that means that a poi carries no
+             pool. */
 
 struct poi_pool {
     float level_m; /* World height of the pool's surface. POI_NO_POOL_M means no pool. */
     float film_m;  /* Thickness of the film on the paper, at most POI_FILM_M. */
 };
 
-/* Returns the pool of a poi. The pool's surface is level in every pose. The water lies in the
- * sagging paper, against the low side of the ring, or, if the poi is upside down, in the ring. The
- * pool's volume equals the scene's `water_m`. */
+/* Returns the pool of a poi. The pool's surface is horizontal in every pose of the poi. The water
+ * lies in the sagging paper, against the low side of the ring, or, if the poi is upside down,
+ * inside the ring. The pool's volume equals the scene's `water_m`. */
 struct poi_pool poi_pool_of(const struct scene_poi *poi);
 
 #endif

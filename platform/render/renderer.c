@@ -8,8 +8,8 @@ static void step_done(const struct renderer *renderer, enum render_step step)
     }
 }
 
-/* Sets the OpenGL state for the scene, because the user interface and other users of the context
- * change the state. */
+/* Sets the OpenGL state for drawing the scene, because the user interface and other users of the
+ * context change the state. */
 static void reset_state(void)
 {
     glDisable(GL_BLEND);
@@ -40,8 +40,8 @@ static void draw_light(const struct renderer *renderer, const struct scene *scen
 static void draw_ground(const struct renderer *renderer)
 {
     gl_target_bind(&renderer->ground);
-    glClearColor(0.05f, 0.24f, 0.30f, 1.0f); /* The clear colour is visible where refraction samples
-                                                points beyond the walls. */
+    glClearColor(0.05f, 0.24f, 0.30f, 1.0f); /* The clear colour is visible where the refracted
+                                                picture is sampled beyond the walls. */
     glClear(GL_COLOR_BUFFER_BIT);
     basin_pass_ground(&renderer->basin, renderer->light.caustics.texture,
                       renderer->light.shadows.texture);
@@ -92,8 +92,8 @@ static void bind_screen(const struct renderer *renderer)
     }
 }
 
-/* Draws the water surface with depth, so that objects drawn later are visible only above the
- * surface. Then removes the surface's depth in the mouth of each bowl. */
+/* Draws the water surface and its depth, so that objects drawn later are visible only above the
+ * surface. Then removes the surface's depth inside the mouth of each bowl. */
 static void draw_surface(const struct renderer *renderer, const struct scene *scene)
 {
     bind_screen(renderer);
@@ -133,24 +133,24 @@ static void draw_pois(const struct renderer *renderer, const struct scene *scene
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_above(&scene->poi[i])) {
             poi_pass_paper(&renderer->poi, scene, i, &renderer->textures);
-            /* The ring and the handle are drawn after the paper because the ring's outline fades
-             * over the paper. */
+            /* The ring and the handle are drawn after the paper because the smoothed outline of the
+             * ring is blended with the paper. */
             poi_pass_frame(&renderer->poi, &scene->poi[i]);
         }
     }
     fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
 }
 
-/* Draws the fish parts above the surface without the water's tint. The depth of the surface hides
- * the parts below the surface. */
+/* Draws the parts of gulping fish that are above the surface, without the water's tint. The depth
+ * of the surface hides the parts below the surface. */
 static void draw_snouts(const struct renderer *renderer)
 {
     fish_pass_rings(&renderer->fish);
     fish_pass_snouts(&renderer->fish, &renderer->textures, renderer->light.caustics.texture);
 }
 
-/* Draws the objects above the water. The rim may hide a bowl, but a poi always hides the rim, and a
- * fan hides all of them. */
+/* Draws the objects above the water. The rim may hide a bowl. A poi always hides the rim. A fan
+ * hides all other objects. */
 static void draw_above(const struct renderer *renderer, const struct scene *scene)
 {
     draw_snouts(renderer);
@@ -193,8 +193,8 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     draw_above(renderer, scene);
 }
 
-/* Draws the user interface. Painting of the growth lab's and the album's fish is postponed during a
- * round. */
+/* Draws the user interface. Outside a round, first continues painting the fish of the growth lab
+ * and the album. */
 static void draw_ui(struct renderer *renderer, const struct scene *scene)
 {
     if (scene->phase != PHASE_READY && scene->phase != PHASE_ROUND) {

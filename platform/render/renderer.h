@@ -1,8 +1,9 @@
-/* renderer.h -- draws one scene. renderer.c alone defines the order of drawing in a frame;
+/* renderer.h -- draws one scene. renderer.c alone defines the order of drawing in a frame.
  * renderer_open.c creates all objects.
  *
- * Needs a current OpenGL ES 3.0 context and does not use SDL. The picture depends only on the scene
- * and the size: drawing a scene twice produces the same pixels on the same machine. */
+ * The renderer requires a current OpenGL ES 3.0 context and does not use SDL. The picture depends
+ * only on the scene and the size. Drawing a scene twice on one machine therefore produces the same
+ * pixels. */
 #ifndef KINGYO_PLATFORM_RENDER_RENDERER_H
 #define KINGYO_PLATFORM_RENDER_RENDERER_H
 
@@ -28,15 +29,16 @@
 
 struct renderer_config {
     uint32_t width, height; /* Picture size in pixels, > 0. */
-    float scene_scale;      /* Scene scale, as in struct display_gl_config. */
+    float scene_scale;      /* Ratio of scene pixels to screen pixels, as in struct
+                               display_gl_config. */
     /* Number of multisampling samples. 0 means that the renderer chooses the number. */
     uint32_t samples;
-    const struct library *library; /* Library of the makers' species; null means none. The library
+    const struct library *library; /* Library of the makers' species. Null means none. The library
                                       must stay valid and at the same address while the renderer is
                                       open. */
 };
 
-/* The steps of drawing a frame, for measurements of their duration. */
+/* Steps of drawing a frame, whose durations are measured. */
 enum render_step {
     STEP_PREPARE = 0, /* Sorting of the fish, and uploads. */
     STEP_LIGHT,       /* Caustics and shadows. */
@@ -55,9 +57,10 @@ struct renderer {
     struct display_transform transform; /* Display geometry of the picture on a screen of the
                                            current size. */
     struct quality quality;
-    uint32_t step;                  /* Current argument of quality_lower(). */
-    uint32_t samples_max, side_max; /* Maximum samples and maximum target side of the OpenGL
-                                       context. */
+    uint32_t step;                  /* Current quality step, which is the argument `step` of
+                                       quality_lower(). */
+    uint32_t samples_max, side_max; /* Limits of the OpenGL context: the maximum number of samples,
+                                       and the maximum side of a render target in pixels. */
     char gl_name[HAL_TEXT_SIZE / 2];
     struct frame frame;
     struct textures textures;
@@ -73,7 +76,7 @@ struct renderer {
     struct specimen_pass specimens;
     struct ui ui;
     struct gl_target ground, life;
-    struct gl_target screen; /* Multisampled target of the screen. Without multisampling, its
+    struct gl_target screen; /* Multisampled render target of the screen. Without multisampling, its
                                 framebuffer is 0, the default framebuffer. */
     uint8_t row[RENDERER_WIDTH_MAX * 4u]; /* Buffer of one pixel row, used to read back a captured
                                              image. */
@@ -83,12 +86,12 @@ struct renderer {
     void *on_step_context;
 };
 
-/* Creates all programs, textures and buffers. Returns HAL_OK, or HAL_ERR_GONE on failure.
- * renderer_error() then returns the reason. */
+/* Creates all programs, textures and buffers. Returns HAL_OK, or HAL_ERR_GONE on failure. After a
+ * failure, renderer_error() returns the reason. */
 int renderer_open(struct renderer *renderer, const struct renderer_config *config);
 void renderer_close(struct renderer *renderer);
 
-/* Adapts the render targets to the window size. Costs nothing if the size did not change. Returns
+/* Adapts the render targets to the window size. Does nothing if the size did not change. Returns
  * HAL_ERR_GONE if the new targets cannot be created. */
 int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height);
 
@@ -96,19 +99,19 @@ int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height);
  * screen. `display_settings` is copied. */
 void renderer_place(struct renderer *renderer, const struct display_settings *display_settings);
 
-/* Sets the quality step (quality_lower()) for all later pictures. Costs nothing if the step did not
+/* Sets the quality step (quality_lower()) for all later pictures. Does nothing if the step did not
  * change. Returns HAL_ERR_GONE if the new targets cannot be created. */
 int renderer_lower(struct renderer *renderer, uint32_t step);
 
-/* Draws into the default framebuffer and leaves the swap to the caller. */
+/* Draws the scene into the default framebuffer. The caller swaps the buffers. */
 void renderer_draw(struct renderer *renderer, const struct scene *scene);
 
 /* Copies the default framebuffer to `image`, top row first. Call before a buffer swap. Returns
  * HAL_ERR_IO if `image` is too small. */
 int renderer_read(struct renderer *renderer, struct hal_image *image);
 
-/* Returns false after OpenGL has reported a lost device or a lack of memory. renderer_error() then
- * returns the reason. */
+/* Returns false after OpenGL has reported a lost device or a lack of memory. After that,
+ * renderer_error() returns the reason. */
 bool renderer_is_alive(struct renderer *renderer);
 
 const char *renderer_error(const struct renderer *renderer);

@@ -1,5 +1,5 @@
-/* renderer_open.c -- opens and closes a renderer, with its targets and passes, and describes the
- * OpenGL context. */
+/* renderer_open.c -- opens and closes a renderer with its render targets and passes, and describes
+ * the OpenGL context. */
 #include "platform/render/renderer.h"
 
 #include <stdio.h>
@@ -18,7 +18,7 @@ static const char *gl_string(GLenum name)
 }
 
 /* Combines a version such as "OpenGL ES 3.2 Mesa 22.3.6" and a renderer such as "llvmpipe (LLVM
- * 15.0.6, 256 bits)" into one short name. */
+ * 15.0.6, 256 bits)" to a short name such as "OpenGL ES 3.2 llvmpipe". */
 static void name_context(struct renderer *renderer)
 {
     const char *const version = gl_string(GL_VERSION);
@@ -179,8 +179,8 @@ int renderer_read(struct renderer *renderer, struct hal_image *image)
     if (image->size < row * height || width > RENDERER_WIDTH_MAX) {
         return HAL_ERR_IO;
     }
-    /* OpenGL's first row is the lowest row. RGBA is the only layout in which every OpenGL ES 3
-     * driver can read pixels. */
+    /* OpenGL returns the lowest pixel row first. RGBA is the only pixel format that every OpenGL ES
+     * 3 driver can read back. */
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     for (uint32_t y = 0; y < height; y++) {
         uint8_t *out = image->rgb + row * (height - 1u - y);

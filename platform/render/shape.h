@@ -1,4 +1,5 @@
-/* shape.h -- small solids, computed from formulas when the renderer opens. */
+/* shape.h -- builds small solids, such as the bowl, as meshes. The vertices are computed from
+ * formulas when the renderer opens. */
 #ifndef KINGYO_PLATFORM_RENDER_SHAPE_H
 #define KINGYO_PLATFORM_RENDER_SHAPE_H
 
@@ -14,15 +15,16 @@ struct shape_vertex {
     float u, v;
 };
 
-/* Solid under construction. The size of about 130 KiB is small enough for the stack of a pass' open
- * function. */
+/* Mesh under construction. The size of about 130 KiB is small enough for the stack of the function
+ * that opens a pass. */
 struct shape {
     uint32_t vertex_count, index_count;
     struct shape_vertex vertices[SHAPE_VERTEX_MAX];
     uint16_t indices[SHAPE_INDEX_MAX];
 };
 
-/* Solid in OpenGL buffers. Attribute 0 is the position, 1 the normal, 2 the pair (u, v). */
+/* Mesh of a solid in OpenGL buffers. Vertex attribute 0 is the position, 1 the normal, 2 the
+ * surface coordinates (u, v). */
 struct shape_buffers {
     GLuint vertex_array, vertex_buffer, index_buffer;
     GLsizei index_count;
@@ -31,9 +33,9 @@ struct shape_buffers {
 /* Returns the vertex of a surface at (u, v), each in [0, 1]. `context` is the last argument of
  * shape_grid(). */
 typedef struct shape_vertex (*shape_point)(float u, float v, const void *context);
-/* Appends a grid of `columns` x `rows` vertices, at least 2 each, at the points that `point`
- * returns. Normals are computed from neighbouring points. A face is a front face if the direction
- * of the columns turns counter-clockwise into the direction of the rows. */
+/* Appends a grid of `columns` x `rows` vertices, at least 2 of each, at the points that `point`
+ * returns. Normals are computed from neighbouring points. Front faces are visible from the side on
+ * which a turn from the direction of u to the direction of v is counter-clockwise. */
 void shape_grid(struct shape *shape, uint32_t columns, uint32_t rows, shape_point point,
                 const void *context);
 

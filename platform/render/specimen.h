@@ -1,10 +1,10 @@
 /* specimen.h -- a specimen: one fish of any species and age, seen from any side, as the growth lab
- * and the album show it. This header has plain data and arithmetic; specimen_pass.h draws
+ * and the album show it. This header contains plain data and arithmetic. specimen_pass.h draws
  * specimens.
  *
  * A screen adds specimens to its batch (ui_batch.h) between its quads. Coordinates are pixels with
- * the origin at the top left and +y downward. There is no perspective: `length_px` is the fish's
- * length at every place. */
+ * the origin at the top left and +y downward. The projection has no perspective, so that
+ * `length_px` is the fish's length everywhere on the screen. */
 #ifndef KINGYO_PLATFORM_RENDER_SPECIMEN_H
 #define KINGYO_PLATFORM_RENDER_SPECIMEN_H
 
@@ -13,16 +13,17 @@
 
 #include "core/morph/morph.h"
 
-/* Maximum number of specimens on a screen: the lab's fish, its comparison fish and eight key
- * shapes, or the pictures of one album page. */
+/* Maximum number of specimens on a screen. The growth lab shows its fish, a comparison fish and
+ * eight key shapes. The album shows one specimen for each picture of a page. */
 #define SPECIMEN_MAX 24u
 
 struct specimen {
-    const struct species *species; /* Species data, which must not change until the frame is
+    const struct species *species; /* Species data, which must not change until the frame has been
                                       drawn. */
-    uint32_t edition;              /* Number that changes whenever `species` holds another fish. */
-    const struct morph_rig *rig;   /* Rig, which must be valid until the frame is drawn. Null means
-                                      the species' own curves. */
+    uint32_t edition;              /* Number that changes whenever the memory at `species` receives
+                                      the data of another fish. */
+    const struct morph_rig *rig;   /* Prepared deformation graphs, which must be valid until the
+                                      frame has been drawn. Null means the species' own graphs. */
     float progress;                /* Progress through life, [0, 1]. */
     float x_px, y_px;              /* Screen position in pixels of the body's centre, which is the
                                       point z = 0 of the body's coordinate system. */
@@ -40,13 +41,13 @@ struct specimen {
                         alpha. 0 shows only the paint. */
     uint32_t look;   /* Number from which the pattern of a goldfish is selected, as in struct
                         scene_fish. Unused for other species. */
-    float ripe;      /* Fraction of the juvenile coat that the pattern of a goldfish has replaced,
-                        [0, 1]. Unused for other species. */
-    float maturity;  /* Fraction of the juvenile grey of a goldfish that has turned into colour, as
-                        in struct scene_fish. Unused for other species. */
+    float ripe;      /* Opacity of a goldfish's adult pattern over its juvenile paint, [0, 1].
+                        Unused for other species. */
+    float maturity;  /* Fraction of a goldfish's juvenile grey that has turned into colour, as in
+                        struct scene_fish. Unused for other species. */
 };
 
-/* Screen directions (right, up, toward the viewer) of the body's axes. */
+/* Directions on the screen (right, up, toward the viewer) of the axes of the fish's body. */
 struct specimen_axes {
     vec3 right, up, toward;
 };
@@ -56,10 +57,11 @@ struct specimen_axes specimen_axes(const struct specimen *specimen);
  * returned by morph_shape(), without the swimming motion. */
 void specimen_project(const struct specimen *specimen, vec3 point, float *x_px, float *y_px);
 
-/* Maximum distances from the body's centre over all key shapes, in body lengths. A box with these
- * distances contains the fish at every age, without the swimming motion. */
+/* Maximum extent of a fish from its body's centre over all key shapes, in body lengths. A box of
+ * this extent contains the fish at every age, without the swimming motion. */
 struct specimen_bounds {
-    float left, right, up, down; /* Distances, each >= 0. */
+    float left, right, up, down; /* Extents to the left, to the right, upward and downward, each >=
+                                    0. */
 };
 /* Returns the bounds of the specimen with its rotation. */
 struct specimen_bounds specimen_bounds(const struct specimen *specimen);
@@ -69,9 +71,9 @@ struct specimen_bounds specimen_bounds(const struct specimen *specimen);
 void specimen_fit(struct specimen *specimen, float x_px, float y_px, float width_px,
                   float height_px);
 
-/* Sets yaw and pitch to the usual view of an illustration: most species from the left, an eel from
- * slightly above so that its wave is visible, a stingray from high above. Leaves all other fields
- * unchanged. */
+/* Sets yaw and pitch to the usual view of an illustration. Most species are seen from the left, an
+ * eel from slightly above so that its wave is visible, and a stingray from high above. Leaves all
+ * other fields unchanged. */
 void specimen_portrait(struct specimen *specimen);
 
 #endif

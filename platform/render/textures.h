@@ -1,11 +1,13 @@
-/* textures.h -- the OpenGL textures of the baked pictures, which are uploaded once. */
+/* textures.h -- uploads the OpenGL textures of the pictures that the build generates. Each texture
+ * is uploaded once. */
 #ifndef KINGYO_PLATFORM_RENDER_TEXTURES_H
 #define KINGYO_PLATFORM_RENDER_TEXTURES_H
 
 #include "platform/render/gl_util.h"
 
 struct textures {
-    GLuint caustics;    /* Array texture: one loop of the light pattern on the floor. */
+    GLuint caustics;    /* Array texture of the light pattern (caustics) on the floor. The layers
+                           are the frames of one animation loop. */
     GLuint patterns;    /* Array texture: the red patches and the scales of the goldfish. */
     GLuint environment; /* Environment map that the water reflects. */
     GLuint wood;
@@ -13,9 +15,10 @@ struct textures {
 };
 
 void textures_open(struct gl_status *status, struct textures *textures);
-/* Returns the layer of `patterns` for a fish with this appearance (`look` of struct scene_fish). */
+/* Returns the layer of `patterns` for a fish with the appearance number `look` (see struct
+ * scene_fish). */
 float textures_pattern(uint32_t look);
-/* Returns the hue of a fish with this appearance, [0, 1]. */
+/* Returns the hue of a fish with the appearance number `look` (see struct scene_fish), [0, 1]. */
 float textures_hue(uint32_t look);
 
 void textures_close(struct textures *textures);

@@ -10,7 +10,7 @@ struct guard {
     void *context;
 };
 
-/* Xlib keeps a pointer to `guard` for the life of the connection. Only one connection exists. */
+/* Xlib keeps a pointer to `guard` until the connection ends. Only one connection exists. */
 static struct guard guard;
 
 #if defined(SDL_VIDEO_DRIVER_X11)
@@ -21,7 +21,7 @@ typedef void (*set_exit_handler)(Display *display, exit_handler handler, void *c
 
 static int keep_quiet(Display *display)
 {
-    (void)display; /* After this handler returns, Xlib calls the exit handler. */
+    (void)display; /* After this error handler returns, Xlib calls the exit handler. */
     return 0;
 }
 
@@ -58,7 +58,8 @@ void x11_guard(SDL_Window *window, void (*on_broken)(void *context), void *conte
     if (library) {
         guard = (struct guard){ .on_broken = on_broken, .context = context };
         install(library, info.info.x11.display);
-        dlclose(library); /* SDL also has the library open, so that the functions remain loaded. */
+        dlclose(library); /* SDL has also opened the library. Therefore the functions stay
+                             loaded. */
     }
 }
 #else

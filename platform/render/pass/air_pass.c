@@ -5,7 +5,8 @@
 #include "shaders.h"
 
 #define STONE_COUNT 1
-/* Maximum number of bubbles. About a third of them float on the surface after their ascent. */
+/* Maximum number of bubbles. At any time about a third of the bubbles have risen and float on the
+ * surface. */
 #define BUBBLE_COUNT 72
 
 void air_pass_open(struct gl_status *status, struct air_pass *pass)

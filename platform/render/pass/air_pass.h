@@ -14,8 +14,8 @@ struct air_pass {
 void air_pass_open(struct gl_status *status, struct air_pass *pass);
 void air_pass_close(struct air_pass *pass);
 
-/* Draws the stone and its bubbles into a target with depth. Call after all opaque objects. Draws
- * nothing if the tank has no air stone. */
+/* Draws the air stone and its bubbles into a render target with depth. Call after all opaque
+ * objects have been drawn. Draws nothing if the tank has no air stone. */
 void air_pass_draw(const struct air_pass *pass, const struct scene *scene);
 
 #endif

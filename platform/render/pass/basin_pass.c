@@ -7,8 +7,8 @@
 #include "platform/render/gl_program.h"
 #include "shaders.h"
 
-/* A corner of the tank. Coordinates are small integers, which the vertex shaders tank.vert.glsl and
- * deck.vert.glsl scale to the tank's size. */
+/* A corner of the tank. The coordinates are small integers. The vertex shaders tank.vert.glsl and
+ * deck.vert.glsl map these integers to the tank's dimensions. */
 struct corner {
     float position[3], normal[3];
 };
@@ -32,8 +32,8 @@ enum contact_solver {
 #define VERTICES_PER_FACE 6u
 #define SLOPE_UNIT                                                                                 \
     (1.0f / 508.0f) /* Slope that stands for a difference of 1 in the scene's surface data. */
-/* Period after which the wind's time restarts at 0, so that sines stay exact. The surface jumps
- * slightly at each restart. */
+/* Period after which the time of the wind waves restarts at 0, so that the arguments of the sines
+ * stay small and exact. The surface jumps slightly at each restart. */
 #define WIND_WRAP_TICKS (600u * CORE_TICK_HZ)
 
 static const struct face faces[] = {
@@ -56,7 +56,7 @@ static const struct face faces[] = {
     { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 1, -1 }, { -1, 1, -1 }, { 0, 0, 1 } },
     { { -1, 0, -1 }, { -1, 0, 1 }, { -1, 1, 1 }, { -1, 1, -1 }, { 1, 0, 0 } },
     { { 1, 0, -1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 1, 1, -1 }, { -1, 0, 0 } },
-    /* Outer side of the rim; only the near one is visible. */
+    /* Outer side of the rim. Only the near outer side is visible. */
     { { -2, -1, 2 }, { 2, -1, 2 }, { 2, 1, 2 }, { -2, 1, 2 }, { 0, 0, 1 } },
     /* Top of the rim, in the order far, near, left, right. */
     { { -2, 1, -2 }, { 2, 1, -2 }, { 2, 1, -1 }, { -2, 1, -1 }, UP },
@@ -121,8 +121,8 @@ void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
     gl_ring_open(
         status, "slopes", &pass->slope_ring,
         &(struct gl_texture_desc){
-            /* The texels are 16-bit floats because the reflections of the lanterns would show 8-bit
-             * steps as tiles. */
+            /* The texels are 16-bit floats because 8-bit slopes would make steps visible in the
+             * reflections of the lanterns. */
             .internal_format = GL_RGBA16F,
             .format = GL_RGBA,
             .width = RIPPLE_X,
@@ -142,9 +142,9 @@ void basin_pass_close(struct basin_pass *pass)
     gl_ring_close(&pass->slope_ring);
 }
 
-/* A wave of the light wind. The wind adds a few long, low waves to the slopes that the core
- * computes, so that the reflections of the lanterns always move. `slope` is in the scene's units of
- * 1/508. */
+/* A surface wave of a light wind. A few long, low waves are added to the surface slopes that the
+ * core computes, so that the reflections of the lanterns always move. `slope` is in the scene's
+ * units of 1/508. */
 struct wind_wave {
     float x_rad_m, z_rad_m, rad_s, slope;
 };
@@ -155,8 +155,9 @@ static const struct wind_wave wind[] = {
     { 58.0f, -13.0f, 5.3f, 4.5f },
 };
 
-/* Adds one wave to the whole grid. Two columns of sines are sufficient because sin(a + b) = sin a
- * cos b + cos a sin b. */
+/* Adds one wave to the slopes of the whole grid. The wave is sin(p + q) with the phase p along x
+ * and the phase q along z. Because sin(p + q) = sin p * cos q + cos p * sin q, the sines are
+ * computed once for each column and each row and not for each grid point. */
 static void add_wind(struct basin_pass *pass, const struct wind_wave *wave, vec3 size_m,
                      float time_s)
 {
@@ -183,10 +184,10 @@ static void add_wind(struct basin_pass *pass, const struct wind_wave *wave, vec3
     }
 }
 
-/* Maximum slope that refracts the picture below the surface. Without a maximum, folds and streaks
- * appear where the slope changes sign within a grid cell. With this maximum, two neighbouring cells
- * shift the picture by at most four fifths of their distance (0.65 in the festival tank, 0.89 in
- * the deep tank of the thesis). */
+/* Maximum slope that refracts the picture below the surface. A steeper slope would cause folds and
+ * streaks where the slope changes sign within a grid cell. With this maximum, the refraction at two
+ * neighbouring cells differs by at most 0.65 cell widths in the festival tank and 0.89 in the deep
+ * tank of the 2013 thesis. */
 #define SEEN_SLOPE_MAX 0.05f
 
 static void put_slope(float texel[4], float x, float z)
@@ -231,8 +232,8 @@ void basin_pass_deck(const struct basin_pass *pass, const struct textures *textu
 {
     gl_bind_texture(0, GL_TEXTURE_2D, textures->wood);
     glDepthMask(GL_FALSE);
-    glUseProgram(pass->counter_program); /* The faces are drawn from the lowest to the highest
-                                            because the counter writes no depth. */
+    glUseProgram(pass->counter_program); /* The counter writes no depth. Therefore the faces are
+                                            drawn from the lowest to the highest. */
     draw_part(pass, PART_COUNTER);
     glUseProgram(pass->side_program);
     draw_part(pass, PART_SIDES);

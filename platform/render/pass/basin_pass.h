@@ -1,5 +1,5 @@
-/* basin_pass.h -- draws the tank: floor and walls below the surface, rim and counter above it, and
- * the water surface. */
+/* basin_pass.h -- draws the tank: the floor and the walls below the water surface, the water
+ * surface, and the rim and the counter above the surface. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_BASIN_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_BASIN_PASS_H
 
@@ -12,8 +12,9 @@ struct basin_pass {
     GLuint vertex_array, vertex_buffer;
     struct gl_ring slope_ring;
     float waves[RIPPLE_Z][RIPPLE_X][2];
-    float slopes[RIPPLE_Z][RIPPLE_X][4]; /* Slopes along x and z for the reflection, then slopes
-                                            along x and z, limited for the refraction. */
+    float slopes[RIPPLE_Z][RIPPLE_X][4]; /* Four slopes for each point of the surface: along x and
+                                            along z for the reflection, then along x and along z for
+                                            the refraction, limited to SEEN_SLOPE_MAX. */
 };
 
 void basin_pass_open(struct gl_status *status, struct basin_pass *pass);
@@ -22,14 +23,14 @@ void basin_pass_close(struct basin_pass *pass);
 /* Uploads the slopes of the water surface. */
 void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene);
 
-/* Draws floor and walls. The target needs no depth buffer. */
+/* Draws the floor and the walls. The render target needs no depth buffer. */
 void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint shadows);
 
-/* Draws rim and counter. The depth buffer hides them behind nearer objects. They write no depth,
- * because a poi is always held over the rim. */
+/* Draws the rim and the counter. Nearer objects hide them by the depth buffer. The rim and the
+ * counter write no depth, because a poi is always held over the rim. */
 void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures);
-/* Draws the water surface with depth. `ground` and `life` are the pictures of the objects below the
- * surface. */
+/* Draws the water surface and its depth. `ground` is the picture of the floor and the walls, and
+ * `life` is the picture of all other objects below the surface. */
 void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,
                       GLuint life);
 

@@ -1,5 +1,5 @@
-/* bowl_pass.c -- implementation of bowl_pass.h. The bowl's shell is a surface of revolution. Its
- * units are the mouth radius and the bowl depth. */
+/* bowl_pass.c -- implementation of bowl_pass.h. The bowl's shell is a surface of revolution.
+ * Horizontal lengths are in mouth radii, and vertical lengths in bowl depths. */
 #include "platform/render/pass/bowl_pass.h"
 
 #include "platform/render/gl_program.h"
@@ -14,12 +14,13 @@
 #define DISC_ROWS 2u
 
 struct lathe {
-    float from, to; /* Range of the profile parameter. 0 is the bottom, 1 is the lip. */
+    float from, to; /* Range of the profile parameter t of profile(). 0 is the bottom, 1 is the
+                       lip. */
     bool outside;
 };
 
-/* Writes the radius and height of one point of the profile. The profile is a superellipse, between
- * the shapes of a cup and a dish. */
+/* Writes the radius and the height of the profile's point `t`. The profile is a superellipse, whose
+ * shape is between a cup and a dish. */
 static void profile(float t, bool outside, float *r, float *y)
 {
     const float angle = t * 0.5f * F_PI;
@@ -41,7 +42,7 @@ static struct shape_vertex shell_point(float u, float v, const void *context)
                                   .v = t };
 }
 
-/* Returns a point of the rounded lip, from the inner edge (v = 0) to the outer edge. */
+/* Returns a point of the rounded lip. `v` runs from the inner edge (0) to the outer edge (1). */
 static struct shape_vertex lip_point(float u, float v, const void *context)
 {
     (void)context;

@@ -5,13 +5,14 @@
 #include "shaders.h"
 
 #define DROPS_MAX 5
-/* Minimum mean depth of the water on the paper from which drops fall. A thinner layer adheres to
- * the paper. */
+/* Minimum mean depth of the water on the paper at which drops fall. A thinner layer adheres to the
+ * paper. */
 #define DRIPS_FROM_M 0.0002f
 #define DRIPS_FULL_M 0.0015f
-/* Height above the water to which the poi's low side must be raised before drops fall. */
+/* Minimum height above the water surface of the poi's low side at which drops fall. */
 #define CLEAR_M 0.008f
-/* Distance in paper radii of the drops from the centre. Drops fall from the ring's outer edge. */
+/* Distance of the drops from the paper's centre, in paper radii. Drops fall from the ring's outer
+ * edge. */
 #define RING_REACH 1.17f
 
 void drip_pass_open(struct gl_status *status, struct drip_pass *pass)
@@ -32,7 +33,7 @@ void drip_pass_close(struct drip_pass *pass)
 static vec3 low_side(const struct scene_poi *poi)
 {
     const vec3 up = vec_basis_from_angles(poi->angles).up;
-    /* Direction of steepest descent in the ring's plane. */
+    /* Direction of steepest descent in the plane of the poi's ring. */
     const vec3 down = v3(up.x * up.y, up.y * up.y - 1.0f, up.z * up.y);
     const float steep = v3_length(down);
     const float reach_m = RING_REACH * poi->ring_radius_m * f_smoothstep(0.03f, 0.20f, steep);

@@ -13,8 +13,8 @@ struct drip_pass {
 void drip_pass_open(struct gl_status *status, struct drip_pass *pass);
 void drip_pass_close(struct drip_pass *pass);
 
-/* Draws the drops into a target with depth. Call after the bowls and before the pois. Draws nothing
- * while every poi is dry or in the water. */
+/* Draws the drops into a render target with depth. Call after the bowls and before the pois. Draws
+ * nothing if every poi is dry or in the water. */
 void drip_pass_draw(const struct drip_pass *pass, const struct scene *scene);
 
 #endif

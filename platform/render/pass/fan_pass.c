@@ -5,12 +5,13 @@
 #include "platform/render/pass/poi_pass.h"
 #include "shaders.h"
 
-/* Height of the fan above the water. At this height the fan hides, from the player's eye, half of
- * its shadow on the water and little of the floor. */
+/* Height of the hand-held fan above the water. At this height, from the player's eye, the fan hides
+ * half of its shadow on the water and little of the floor. */
 #define FAN_HEIGHT_M 0.15f
-/* Tilt of the fan. The far edge is lower, so that the player sees the picture on the fan. */
+/* Tilt of the hand-held fan. The far edge is lower, so that the player sees the picture on the
+ * fan. */
 #define FAN_PITCH_RAD (-7.0f * F_DEG)
-/* Amplitude of the fan's sway, because no human hand is quite still. */
+/* Amplitude of the fan's sway. The sway imitates a human hand, which is never quite still. */
 #define SWAY_RAD (1.6f * F_DEG)
 #define SWAY_HZ 0.23f
 #define SEEN_THROUGH 0.34f
@@ -41,8 +42,8 @@ static void draw_fan(const struct fan_pass *pass, const struct scene_fan *fan, u
                                    .roll_rad = SWAY_RAD * f_cos(sway) };
     frame_pose(pose, v3(fan->x_m, FAN_HEIGHT_M, fan->z_m), angles, fan->radius_m);
     glUniformMatrix4fv(pass->pose, 1, GL_FALSE, pose);
-    /* A fan that is held still becomes partly transparent, so that its player sees the fish behind
-     * it. */
+    /* A fan that is not moved becomes partly transparent, so that its player sees the fish behind
+     * the fan. */
     const float through = SEEN_THROUGH * f_smoothstep(SEEN_FROM_S, SEEN_TO_S, fan->still_s);
     const float *const paint = poi_paint(fan->owner);
     glUniform4f(pass->trim, paint[0], paint[1], paint[2], 1.0f - through);

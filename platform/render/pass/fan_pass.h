@@ -1,7 +1,7 @@
-/* fan_pass.h -- draws the fans that the players hold over the water.
+/* fan_pass.h -- draws the hand-held fans that the players hold over the water.
  *
- * The frame block (frame_block.h) contains the fans' shadows, for every shader that draws objects
- * below the fans. */
+ * The frame block (frame_block.h) contains the fans' shadows, so that every shader that draws
+ * objects below the fans can apply them. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_FAN_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_FAN_PASS_H
 
@@ -17,8 +17,8 @@ struct fan_pass {
 void fan_pass_open(struct gl_status *status, struct fan_pass *pass);
 void fan_pass_close(struct fan_pass *pass);
 
-/* Draws the fans over all other objects of the scene, with blending. The target needs no depth
- * buffer. */
+/* Draws the hand-held fans over all other objects of the scene, with blending. The render target
+ * needs no depth buffer. */
 void fan_pass_draw(const struct fan_pass *pass, const struct scene *scene,
                    const struct textures *textures);
 

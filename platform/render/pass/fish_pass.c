@@ -60,8 +60,8 @@ void fish_pass_close(struct fish_pass *pass)
     }
 }
 
-/* Sorts the fish by height into 256 levels, lowest first. Fish of one level keep the order of the
- * scene, so that the same scene always gives the same picture. */
+/* Sorts the fish by height into 256 levels, lowest level first. Fish of one level keep their order
+ * in the scene, so that equal scenes produce equal pictures. */
 static void sort_by_height(struct fish_pass *pass, const struct scene *scene)
 {
     uint16_t start[SORT_LEVELS + 1u] = { 0 };
@@ -120,8 +120,8 @@ static bool is_far(enum fish_group group)
     return group == FISH_FAR || group == FISH_GULPING_FAR;
 }
 
-/* Updates the poses. Each fish's texture row is its index in the scene. A row is written again only
- * if the fish has grown or its level of detail has changed. */
+/* Updates the poses. The texture row of each fish is its index in the scene. A row is written again
+ * only if the fish has grown or its level of detail has changed. */
 static void pose(struct fish_pass *pass, const struct scene *scene)
 {
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
@@ -160,8 +160,8 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
     gl_buffer_refill(GL_ARRAY_BUFFER, pass->instances, scene->fish_count * sizeof *pass->instances);
 }
 
-/* Sets the instance attributes to begin at instance `first`, because OpenGL ES 3.0 has no base
- * instance. */
+/* Sets the instance attributes so that they begin at instance `first`, because OpenGL ES 3.0 has no
+ * base instance. */
 static void point_instances(uint32_t first)
 {
     static const struct instance_attribute {

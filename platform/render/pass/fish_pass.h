@@ -1,4 +1,4 @@
-/* fish_pass.h -- draws every goldfish of the scene as instances of one species' meshes.
+/* fish_pass.h -- draws every goldfish of the scene as an instance of one species' meshes.
  *
  * Bodies are opaque. Fins are translucent and are drawn from the lowest fish to the highest. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_FISH_PASS_H
@@ -11,7 +11,7 @@
 #include "platform/render/quality.h"
 #include "platform/render/textures.h"
 
-/* Group of a fish. The groups have this order in the instance buffer. */
+/* Group of a fish. The instance buffer contains the groups in this order. */
 enum fish_group {
     FISH_FAR = 0, /* In the tank and small on the screen, drawn with the far mesh. */
     FISH_NEAR,
@@ -25,12 +25,14 @@ enum fish_group {
 struct fish_instance {
     float place[4], right_phase[4], up_amplitude[4];
     float character[4];
-    float gulp[3]; /* Opening of the mouth, phase of the gulp, and the fish's row of poses. */
+    float gulp[3]; /* Opening of the mouth, phase of the gulp, and texture row of the fish's
+                      pose. */
 };
 
 struct fish_program {
     GLuint name;
-    GLint reach; /* Location of the shader uniform `reach`, the unit of the packed positions. */
+    GLint reach; /* Location of the shader uniform `reach`, the length that the largest packed
+                    coordinate stands for. */
 };
 
 struct fish_pass {
@@ -56,24 +58,24 @@ void fish_pass_close(struct fish_pass *pass);
 void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
                        const struct frame_view *view, const struct quality *quality);
 
-/* Draws the bodies of one group of fish into a target with depth, without blending. Only the part
- * below the surface of a gulping fish is drawn. */
+/* Draws the bodies of one group of fish into a render target with depth, without blending. For
+ * gulping fish, draws only the part below the water surface. */
 void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
                       const struct textures *textures, GLuint caustics);
 /* Draws the fins of one group of fish with premultiplied blending. */
 void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint caustics);
 
-/* Draws the snouts of gulping fish. The fish are drawn whole into a target whose depth hides the
- * part below the surface. */
+/* Draws the snouts of gulping fish. Each whole fish is drawn into a render target whose depth hides
+ * the part below the surface. */
 void fish_pass_snouts(const struct fish_pass *pass, const struct textures *textures,
                       GLuint caustics);
 
-/* Draws the rings that gulping fish make on the surface. Call after the water and before objects
- * above the water. */
+/* Draws the rings on the water surface that gulping fish cause. Call after the water and before
+ * objects above the water. */
 void fish_pass_rings(const struct fish_pass *pass);
 
-/* Sets attributes 0, 1 and 2 of the bound vertex array to the instances of the fish that cast
- * shadows, which are the fish in the tank and on the poi. Returns the number of those instances. */
+/* Binds the instances of the fish that cast shadows to attributes 0, 1 and 2 of the bound vertex
+ * array. These fish are in the tank or on a poi. Returns the number of these instances. */
 GLsizei fish_pass_shadow_casters(const struct fish_pass *pass);
 
 #endif

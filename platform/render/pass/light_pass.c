@@ -7,7 +7,8 @@
 #include "platform/render/gl_program.h"
 #include "shaders.h"
 
-/* Width of the shadow map in texels. A texel of 1.7 mm is finer than the edge of any shadow. */
+/* Width of the shadow map in texels. A texel is 1.7 mm wide, which is narrower than the soft edge
+ * of any shadow. */
 #define SHADOW_WIDTH 512u
 #define SHADOW_HEIGHT 320u
 #define DEFINES_SIZE 48
@@ -60,8 +61,8 @@ void light_pass_caustics(const struct light_pass *pass, const struct textures *t
 static void disc_shadow(const struct light_pass *pass, const float pose[16], float height_m,
                         float radius_m, const float shape[3])
 {
-    /* A shadow's edge blurs with the height of the object above the floor, as for the shadows of
-     * fish. */
+    /* The width of a shadow's soft edge increases with the height of the object above the floor, as
+     * for the shadows of fish. */
     const float blur = (0.004f + f_max(height_m, 0.0f) * 0.10f) / radius_m;
     glUniformMatrix4fv(pass->disc_pose, 1, GL_FALSE, pose);
     glUniform4f(pass->disc_softness, f_clamp(blur, 0.08f, 0.9f), shape[0], shape[1], shape[2]);
@@ -73,8 +74,8 @@ static void poi_shadow(const struct light_pass *pass, const struct scene *scene,
     const struct scene_poi *const poi = &scene->poi[index];
     float pose[16];
     frame_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
-    glUniform1f(pass->disc_slant, 0.0f); /* The shadow of a poi lies straight below the poi, because
-                                            fish respond to it there. */
+    glUniform1f(pass->disc_slant, 0.0f); /* The shadow of a poi is drawn vertically below the poi,
+                                            because the fish react to a shadow at this place. */
     disc_shadow(pass, pose, poi->position_m.y + scene->tank_size_m.y, poi->ring_radius_m,
                 (const float[3]){ 3.7f, 0.34f, (float)index });
 }
@@ -97,8 +98,9 @@ void light_pass_shadows(const struct light_pass *pass, const struct scene *scene
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT);
     glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR); /* With this blending, overlapping shadows darken
-                                                    each other and never exceed full darkness. */
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR); /* With this blend function, overlapping shadows
+                                                    darken each other and never exceed full
+                                                    darkness. */
     glUseProgram(pass->fish_program);
     glBindVertexArray(pass->casters);
     const GLsizei count = fish_pass_shadow_casters(fish);

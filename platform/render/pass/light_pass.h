@@ -1,5 +1,5 @@
-/* light_pass.h -- draws the light on the floor: the caustics at the current time and the shadows of
- * all objects. */
+/* light_pass.h -- draws two textures of the light on the floor: the caustics at the current time,
+ * and the shadows of all objects. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_LIGHT_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_LIGHT_PASS_H
 
@@ -12,10 +12,11 @@ struct light_pass {
     GLuint caustics_program, fish_program, disc_program;
     GLint disc_pose, disc_softness, disc_slant;
     GLuint no_attributes, casters; /* Vertex array without attributes, and vertex array with the
-                                      attributes of the shadow casters. */
-    struct gl_target caustics;     /* One tile of caustics, which is repeated over the floor. */
-    struct gl_target shadows;      /* Shadow map of the floor from above. A value of 0 means fully
-                                      lit. */
+                                      instances of the shadow casters. */
+    struct gl_target caustics;     /* One tile of the caustics texture, which is repeated over the
+                                      floor. */
+    struct gl_target shadows;      /* Shadow map of the floor, seen from above. A value of 0 means
+                                      that the floor is fully lit. */
 };
 
 void light_pass_open(struct gl_status *status, struct light_pass *pass);

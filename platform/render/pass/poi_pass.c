@@ -1,5 +1,5 @@
-/* poi_pass.c -- implementation of poi_pass.h. Lengths of the solids are in inner radii of the
- * ring. */
+/* poi_pass.c -- implementation of poi_pass.h. The meshes of the ring and the handle have lengths in
+ * inner radii of the ring. */
 #include "platform/render/pass/poi_pass.h"
 
 #include <string.h>
@@ -16,20 +16,21 @@
 #define RING_COLUMNS 57u
 #define RING_ROWS 11u
 #define HANDLE_START 1.10f
-#define HANDLE_LENGTH 2.55f /* Length of the handle, which stands for 10 cm. */
+#define HANDLE_LENGTH 2.55f /* Length of the handle, 10 cm in the real poi. */
 #define HANDLE_ROWS 22u
 #define HANDLE_COLUMNS 13u
 #define PAPER_COLUMNS 49u
 #define PAPER_ROWS 11u
-/* Maximum number of fish that darken the paper. Must equal the array size of `rests` in
- * poi_paper.frag.glsl. Further fish would be hidden by the shade of these fish. */
+/* Maximum number of fish that darken the paper from below. Must equal the array size of `rests` in
+ * poi_paper.frag.glsl. More fish would add no visible shade. */
 #define RESTS_MAX 2
-#define REACH 3.8f /* Distance from the centre to the handle's end, in ring radii. */
+#define REACH 3.8f /* Distance from the ring's centre to the handle's end, in ring radii. */
 
 const float *poi_paint(uint8_t owner)
 {
     static const float paints[POI_MAX][4] = {
-        { 0.97f, 0.30f, 0.46f, 0.0f }, /* Peach pink, the most common colour at stalls. */
+        { 0.97f, 0.30f, 0.46f, 0.0f }, /* Peach pink, the most common colour of pois at festival
+                                          stalls. */
         { 0.20f, 0.52f, 0.95f, 2.0f },
         { 0.25f, 0.76f, 0.36f, 3.0f },
         { 0.98f, 0.74f, 0.16f, 4.0f },
@@ -48,8 +49,8 @@ static struct shape_vertex ring_point(float u, float v, const void *context)
     return (struct shape_vertex){ .position = p, .u = u, .v = v };
 }
 
-/* Returns a point of the handle, which is a flat bar with a slim neck at the ring, a broader grip
- * and a round end. */
+/* Returns a point of the handle. The handle is a flat bar with a slim neck at the ring, a broader
+ * grip and a round end. */
 static struct shape_vertex handle_point(float u, float v, const void *context)
 {
     (void)context;
@@ -69,10 +70,10 @@ static struct shape_vertex paper_point(float u, float v, const void *context)
 {
     (void)context;
     const float around = -u * F_TAU;
-    const float r = f_sqrt(v) * 1.01f; /* The square root gives the areas between the rings of
-                                          vertices the same size. The factor 1.01 places the
-                                          outermost vertices inside the plastic of the poi's
-                                          ring. */
+    const float r = f_sqrt(v) * 1.01f; /* Because of the square root, the areas between
+                                          consecutive rings of vertices are equal. The factor
+                                          1.01 places the outermost vertices inside the plastic
+                                          of the poi's ring. */
     return (struct shape_vertex){ .position = v3(r * f_cos(around), r * f_sin(around), 0.0f) };
 }
 
@@ -162,8 +163,8 @@ void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi)
     glDisable(GL_BLEND);
 }
 
-/* Sets the positions of the first RESTS_MAX fish on the paper. A fish of length 0 causes no
- * shade. */
+/* Sets the shader uniforms for the first RESTS_MAX fish on the paper. A fish length of 0 means that
+ * the entry is unused. */
 static void set_rests(const struct poi_pass *pass, const struct scene *scene,
                       const struct scene_poi *poi)
 {

@@ -10,13 +10,15 @@
 
 #define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"
 #define SAMPLERS "paints shines patterns"
-#define NEAR_PX 150.0f /* Length in pixels below which a fish is drawn with the far mesh. */
-/* Maximum distance, in body lengths, by which swimming moves a vertex out of the mesh's reach. */
+#define NEAR_PX 150.0f /* Fish length in pixels. A shorter fish is drawn with the far mesh. */
+/* Maximum distance, in body lengths, by which the swimming motion moves a vertex beyond the mesh's
+ * extent. */
 #define SWAY_LENGTHS 0.3f
-#define WORK_NS 10000000u /* Time in ns for painting per frame while a visible texture is coarse. */
-/* Time in ns for painting per frame while all unfinished textures are invisible. */
+#define WORK_NS                                                                                    \
+    10000000u /* Maximum painting time per frame in ns while a visible texture is coarse. */
+/* Maximum painting time per frame in ns while no visible texture is coarse. */
 #define REST_NS 3000000u
-#define CLEAR_MIN 0.02f /* Minimum transparency of a body that is drawn as transparent. */
+#define CLEAR_MIN 0.02f /* Minimum transparency at which a body is drawn as transparent. */
 
 static struct specimen_screen screen_of(GLuint program)
 {
@@ -88,8 +90,9 @@ void specimen_pass_close(struct specimen_pass *pass)
     }
 }
 
-/* Returns the fish texture of a built-in species whose coats are identical to those of `species`,
- * or null. The ordinary morph of a species therefore shares the texture of the species. */
+/* Returns the fish texture of a built-in species whose paint is identical to the paint of
+ * `species`. Returns null if no built-in species has this paint. The ordinary morph of a species
+ * therefore shares the texture of the species. */
 static struct fish_texture *skin_like(struct specimen_pass *pass, const struct species *species)
 {
     const struct species_card *const card = &species->card;
@@ -122,8 +125,8 @@ static void specimen_pass_fill_slot(struct specimen_pass *pass, struct specimen_
     }
 }
 
-/* Returns the slot that is reserved for a built-in species, or null for any other species. Built-in
- * tables never change, so that `edition` need not be compared. */
+/* Returns the cache slot that is reserved for a built-in species. Returns null for any other
+ * species. `edition` is not compared because the data of built-in species never change. */
 static struct specimen_slot *home_of(struct specimen_pass *pass, const struct species *species)
 {
     for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN; i++) {
@@ -134,8 +137,8 @@ static struct specimen_slot *home_of(struct specimen_pass *pass, const struct sp
     return NULL;
 }
 
-/* Returns the slot that holds a species that is not built in. If no slot holds the species, returns
- * the least recently used slot for species that are not built in. */
+/* Returns the cache slot that holds a species that is not built in. If no slot holds the species,
+ * returns the least recently used of the slots for species that are not built in. */
 static struct specimen_slot *other_of(struct specimen_pass *pass, const struct specimen *specimen)
 {
     struct specimen_slot *rested = &pass->slots[SPECIES_BUILT_IN];
@@ -160,9 +163,9 @@ static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct sp
     return slot;
 }
 
-/* Returns the texture to paint next, or null if all are finished. A visible coarse texture comes
- * first, in descending size of its fish, then any unfinished texture. `is_seen` receives whether
- * the texture is visible. */
+/* Returns the texture to paint next, or null if all textures are finished. A visible coarse texture
+ * has priority over all other unfinished textures. Among equals, the texture with the largest fish
+ * is painted first. Writes whether the returned texture is visible and coarse to `is_seen`. */
 static struct fish_texture *unfinished(struct specimen_pass *pass, bool *is_seen)
 {
     struct fish_texture *found = NULL;
@@ -183,7 +186,8 @@ static struct fish_texture *unfinished(struct specimen_pass *pass, bool *is_seen
     return found;
 }
 
-/* Fills the first empty slot of a built-in species, which takes about a millisecond. */
+/* Loads the next built-in species that has no data in its cache slot yet, which takes about a
+ * millisecond. */
 static void fill_ahead(struct specimen_pass *pass)
 {
     for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN; i++) {
@@ -287,8 +291,8 @@ static void draw_shadow(const struct specimen_pass *pass, const struct specimen 
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-/* Clears the depth around the specimen. The depth of earlier specimens is not needed because every
- * specimen has its own place on the page. */
+/* Clears the depth around the specimen. The depth of earlier specimens is not needed because
+ * specimens do not overlap on a page. */
 static void clear_depth(const struct specimen *specimen, float reach_lengths,
                         const struct display_transform *p)
 {
@@ -310,8 +314,8 @@ static void draw_part(const struct specimen_program *program, const struct fish_
     fish_mesh_draw(mesh, fins, 1);
 }
 
-/* Draws the fin parts that are behind the body. They are drawn first, so that the body's smooth
- * outline blends with them and a transparent body shows its far fins. */
+/* Draws the fin parts that are behind the body. These parts are drawn before the body, so that the
+ * body's smooth outline blends with them and they are visible through a transparent body. */
 static void draw_behind(const struct specimen_pass *pass, const struct fish_mesh *mesh, bool clear,
                         const float look[4])
 {

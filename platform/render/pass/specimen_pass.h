@@ -1,11 +1,11 @@
 /* specimen_pass.h -- draws specimens (specimen.h). A specimen is one fish of any species with the
  * species' own paint.
  *
- * Each built-in species has its own slot, which is filled at first use or when there is time. Any
- * other species is uploaded at first use, into the least recently used of the remaining slots. A
- * fish texture is first painted coarsely and then finely over the following frames, for a limited
- * time in each frame. All memory is reserved at the start: about 0.2 MiB in struct specimen_pass
- * and 37 MiB of textures. */
+ * Each built-in species has its own cache slot, which is filled at first use or in a frame without
+ * other work. Any other species is uploaded at first use, into the least recently used of the
+ * remaining cache slots. A fish texture is first painted coarsely. The following frames paint the
+ * texture finely, for a limited time in each frame. All memory is reserved when the pass opens:
+ * about 0.2 MiB in struct specimen_pass and 37 MiB of textures. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_SPECIMEN_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_SPECIMEN_PASS_H
 
@@ -15,13 +15,13 @@
 #include "platform/render/specimen.h"
 #include "platform/render/textures.h"
 
-/* Number of slots for species that are not built in: the lab's comparison fish and one more
- * species. */
+/* Number of cache slots for species that are not built in: the growth lab's comparison fish and one
+ * more species. */
 #define SPECIMEN_OTHERS 2u
 #define SPECIMEN_SLOTS (SPECIES_BUILT_IN + SPECIMEN_OTHERS)
 
-/* Locations of the shader uniforms for the screen size and for the rotation and position of the
- * picture. */
+/* Locations of the shader uniforms for the screen size, the picture's rotation and the picture's
+ * position. */
 struct specimen_screen {
     GLint size, turn, move;
 };
@@ -34,12 +34,13 @@ struct specimen_program {
 };
 
 struct specimen_slot {
-    const struct species *species; /* Species in the slot. Null means that the slot is empty. */
+    const struct species *species; /* Species in the cache slot. Null means that the slot is
+                                      empty. */
     uint32_t edition;
-    uint32_t last_used; /* Value of draw_count at the last use of the slot, from which the least
-                           recently used slot is found. */
-    struct fish_texture *worn; /* Texture with which the species is drawn: the slot's own texture,
-                                  or the texture of a built-in species with identical paint. */
+    uint32_t last_used;        /* Value of draw_count when the slot was last used. The slot with
+                                  the smallest value is the least recently used. */
+    struct fish_texture *worn; /* Texture with which the species is drawn: the slot's own `skin`, or
+                                  the texture of a built-in species with identical paint. */
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
     struct morph_rig rig; /* Prepared deformation graphs of the species. */
     struct fish_texture skin;
@@ -57,23 +58,23 @@ struct specimen_pass {
     struct fish_texture_brush brush;
 };
 
-/* Creates programs and buffers. `textures` must stay open as long as the pass. Only its patterns
- * are used. */
+/* Creates programs and buffers. `textures` must stay open until the pass is closed, because the
+ * pass uses its patterns. */
 void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass,
                         const struct textures *textures);
 void specimen_pass_close(struct specimen_pass *pass);
 
-/* Paints unfinished textures. A call takes 10 ms while a visible texture is coarse, otherwise 3 ms.
- * If `ahead` is true, built-in species that were not shown yet are also prepared. Call once per
- * frame. */
+/* Paints unfinished textures, for about 10 ms while a visible texture is coarse, otherwise for
+ * about 3 ms. If all textures are finished and `ahead` is true, prepares one built-in species that
+ * has not been shown yet. Call once per frame. */
 void specimen_pass_work(struct specimen_pass *pass, bool ahead);
 
 /* Paints the texture of the specimen's species completely, for a caller that stores a single
  * picture. */
 void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *specimen);
 
-/* Draws one specimen over the picture in the bound framebuffer, which must have depth and be the
- * screen of `transform`. Clears the depth around the specimen.
+/* Draws one specimen over the picture in the bound framebuffer, which must have a depth buffer and
+ * the screen size of `transform`. Clears the depth around the specimen.
  *
  * State afterwards: blending is on with (ONE, ONE_MINUS_SRC_ALPHA). Depth test, culling and scissor
  * test are off. The vertex array is 0. */

@@ -8,7 +8,8 @@
 #include "platform/render/ui/text.h"
 
 #define GAPS_MAX 6u /* Maximum number of gaps for names and figures in a line. */
-/* Maximum depth of lines within lines, such as "no store: PATH: disk I/O error; ..." */
+/* Maximum depth of messages that contain messages, such as "no store: PATH: disk I/O error;
+ * ...". */
 #define DEPTH_MAX 3u
 
 struct span {
@@ -31,7 +32,8 @@ static void message_translate_put(struct sink *sink, const char *at, size_t size
         while (size > 0 && ((unsigned char)at[size] & 0xc0u) == 0x80u) {
             size--;
         }
-        sink->size = sink->used + size + 1u; /* From here on the sink counts as full. */
+        sink->size = sink->used + size + 1u; /* After this assignment the sink has no room left, so
+                                                that later bytes are dropped. */
     }
     memcpy(sink->out + sink->used, at, size);
     sink->used += size;
@@ -43,8 +45,8 @@ static bool starts_with(struct span text, const char *literal, size_t size)
     return text.size >= size && memcmp(text.at, literal, size) == 0;
 }
 
-/* Returns the position of the first `literal` in `text`, or a position past the end if `text` does
- * not contain it. An empty literal matches at the end. */
+/* Returns the position of the first occurrence of `literal` in `text`. Returns a position past the
+ * end if `text` does not contain `literal`. An empty literal matches at the end of `text`. */
 static size_t message_translate_find(struct span text, const char *literal, size_t size)
 {
     size_t at = size == 0 ? text.size : 0;
@@ -55,9 +57,9 @@ static size_t message_translate_find(struct span text, const char *literal, size
     return at;
 }
 
-/* Returns true if `line` was made from `pattern`, and writes the text of each gap. A gap ends at
- * the first occurrence of the literal behind the gap. The last literal must be at the end of the
- * line. */
+/* Returns true if `line` matches `pattern`, and writes the text of each gap {} to `gap`. A gap ends
+ * at the first occurrence of the literal text that follows the gap in the pattern. The last literal
+ * text must be at the end of the line. */
 static bool matches(struct span line, const char *pattern, struct span gap[GAPS_MAX])
 {
     const char *brace = strstr(pattern, "{}");
@@ -95,8 +97,8 @@ static enum text_key pattern_of(struct span line, struct span gap[GAPS_MAX])
 
 static void write(struct sink *sink, uint8_t language, struct span line, uint32_t depth);
 
-/* Writes the translation of `key` with the gaps filled in. The text of a gap may be a translatable
- * line, such as the reason of a failure. */
+/* Writes the translation of `key` with the gaps filled in. The text of a gap is translated too if
+ * it is a message, such as the reason of a failure. */
 static void message_translate_fill_gap(struct sink *sink, uint8_t language, enum text_key key,
                                        const struct span gap[GAPS_MAX], uint32_t depth)
 {
@@ -110,8 +112,8 @@ static void message_translate_fill_gap(struct sink *sink, uint8_t language, enum
     message_translate_put(sink, words, strlen(words));
 }
 
-/* Translates the whole line if its pattern is known, otherwise each part between "; ". Recurses at
- * most DEPTH_MAX deep. */
+/* Translates the whole line if its pattern is known. Otherwise translates each part that "; "
+ * separates. The recursion depth is at most DEPTH_MAX. */
 static void write(struct sink *sink, uint8_t language, struct span line, uint32_t depth)
 {
     struct span gap[GAPS_MAX] = { { NULL, 0 } };

@@ -9,7 +9,8 @@ const char *text_words(uint8_t language, enum text_key key)
     return text_table[language < LANGUAGE_COUNT ? language : LANGUAGE_JA][key];
 }
 
-/* Returns the number of bytes that follow a lead byte of UTF-8. 4 means an invalid lead byte. */
+/* Returns the number of bytes that follow the first byte of a UTF-8 character. 4 means an invalid
+ * first byte. */
 static uint32_t tail_length(unsigned char lead)
 {
     if (lead < 0x80u) {

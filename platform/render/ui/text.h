@@ -1,8 +1,8 @@
 /* text.h -- the user interface's text: UTF-8 decoding, translations, glyphs and their widths. Uses
  * no OpenGL.
  *
- * The texts are in assets/text and are found by key and language. A new text in assets/text needs
- * no change in this module. */
+ * The texts are in assets/text and are selected by key and language. A new text in assets/text
+ * needs no change in this module. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_TEXT_H
 #define KINGYO_PLATFORM_RENDER_UI_TEXT_H
 
@@ -13,9 +13,9 @@
 #include "fonts.h"
 #include "text_keys.h"
 
-/* Code point that text_next() returns for bytes that are not UTF-8. */
+/* Code point that text_next() returns for bytes that are not valid UTF-8. */
 #define TEXT_MALFORMED 0xfffdu
-/* Maximum bytes of a line, including its inserted number and the terminating zero. */
+/* Maximum size of a text line in bytes, including the inserted number and the terminating zero. */
 #define TEXT_LINE_MAX 256u
 
 /* Returns the text of `key`, never null. Returns Japanese for an unknown language. */
@@ -25,15 +25,16 @@ const char *text_words(uint8_t language, enum text_key key);
  * after a whole character. */
 void text_number(char *out, size_t out_size, const char *words, uint32_t number);
 
-/* Returns the code point at `*at` and advances `*at` past it. Returns 0 at the end. Malformed bytes
- * are consumed one by one and return TEXT_MALFORMED. */
+/* Returns the code point at `*at` and advances `*at` past this code point. Returns 0 at the end of
+ * the text. Malformed bytes are consumed one by one, and each returns TEXT_MALFORMED. */
 uint32_t text_next(const char **at);
 
 /* Returns the glyph of a character, or null if the font was baked without the character. */
 const struct font_glyph *text_glyph(enum font_id font, uint32_t code);
 
 /* Returns the glyph that is drawn for a character: its own glyph, otherwise the glyph of `?`.
- * Returns null if the font has neither, so that nothing is drawn and the width is 0. */
+ * Returns null if the font has neither glyph. The caller then draws nothing and uses a width of
+ * 0. */
 const struct font_glyph *text_glyph_or_mark(enum font_id font, uint32_t code);
 
 /* Returns the width of a text in ems, from the first pen position to the last. `spacing_em` is

@@ -1,5 +1,5 @@
-/* ui.c -- draws the batch of quads from one vertex buffer. Consecutive quads of one kind share a
- * draw call. */
+/* ui.c -- draws the batch of quads from one vertex buffer. Consecutive quads of one kind are drawn
+ * by one draw call. */
 #include "platform/render/ui/ui.h"
 
 #include <GLES3/gl3.h>
@@ -25,8 +25,8 @@ static GLuint make_program(struct gl_status *status, GLuint vertex, const char *
     const char *const parts[3] = { numbers, ui_fragment_head, body };
     const GLuint fragment = gl_compile(status, "words", GL_FRAGMENT_SHADER, parts, 3);
     const GLuint program = gl_link(status, "words", vertex, fragment);
-    glDeleteShader(fragment); /* OpenGL ignores the name 0. OpenGL keeps a shader as long as a
-                                 program uses it. */
+    glDeleteShader(fragment); /* OpenGL ignores the name 0, and keeps a deleted shader until no
+                                 program uses the shader. */
     if (program != 0) {
         gl_program_bind(program, "font paper");
     }
@@ -71,8 +71,8 @@ static void add_attribute(GLuint location, GLint count, GLenum type, size_t offs
                           (const void *)offset);
 }
 
-/* Creates the buffers. The indices of all quads are constant; only vertices change from frame to
- * frame. */
+/* Creates the vertex buffer and the index buffer. The indices of all quads are constant, and only
+ * the vertices change from frame to frame. */
 static void make_buffers(struct ui *ui)
 {
     static uint16_t indices[UI_QUADS_MAX * INDICES_PER_QUAD];
@@ -126,8 +126,8 @@ static void set_state(const struct ui *ui, const struct display_transform *trans
     glBindBuffer(GL_ARRAY_BUFFER, ui->vertex_buffer);
 }
 
-/* Draws consecutive quads of one kind, from `first` to at most `limit`, in one call. Returns the
- * index of the next quad. */
+/* Draws consecutive quads of one kind in one draw call. The first quad has the index `first`, and
+ * all indices are below `limit`. Returns the index of the first quad that was not drawn. */
 static uint32_t draw_run(const struct ui *ui, uint32_t first, uint32_t limit,
                          const struct display_transform *transform)
 {

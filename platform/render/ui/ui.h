@@ -1,13 +1,13 @@
-/* ui.h -- the user interface over the tank: title, mode selection, countdown, score, calls and
- * fouls, hints, results.
+/* ui.h -- draws the user interface over the tank: title, mode selection, countdown, score,
+ * announcements, hints and results.
  *
- * The user interface depends only on the scene, and is drawn in the scene's language as one batch
- * of quads. Letters are distance fields and shapes are formulas, so that both are sharp at every
- * size. The layout scales with the screen, from 720p to 4K and for upright screens, and keeps the
- * tank's middle free during a round.
+ * The user interface depends only on the scene, is drawn in the scene's language, and consists of
+ * one batch of quads. Letters are distance fields and shapes are computed from formulas, so that
+ * both are sharp at every size. The layout scales from 720p to 4K, supports upright screens, and
+ * keeps the tank's middle free during a round.
  *
- * The caller owns `struct ui` (about 85 KB, no pointers) and a current OpenGL ES 3.0 context. This
- * program's code allocates no memory after ui_init(). */
+ * The caller owns `struct ui` (about 85 KB, no pointers) and provides a current OpenGL ES 3.0
+ * context. This program's code allocates no memory after ui_init(). */
 #ifndef KINGYO_PLATFORM_RENDER_UI_UI_H
 #define KINGYO_PLATFORM_RENDER_UI_UI_H
 
@@ -25,7 +25,8 @@ struct ui {
     uint32_t programs[UI_KIND_COUNT];                 /* OpenGL programs, one for each enum
                                                          ui_kind. */
     int32_t to_clip[UI_KIND_COUNT];                   /* Locations of the shader uniforms for the
-                                                         factors from pixels to clip space. */
+                                                         factors that convert pixels to clip
+                                                         space. */
     int32_t turn[UI_KIND_COUNT], move[UI_KIND_COUNT]; /* Locations of the shader uniforms for the
                                                          rotation and the position of the
                                                          picture. */
@@ -33,28 +34,28 @@ struct ui {
     uint32_t font_texture, paper_texture;
 };
 
-/* Compiles the shaders and uploads the font and the paper texture. Returns 1, or 0 with a one-line
- * reason in `why`. */
+/* Compiles the shaders and uploads the font and the paper texture. Returns 1. On failure returns 0
+ * and writes a one-line reason to `why`. */
 int ui_init(struct ui *ui, char *why, size_t why_size);
 
-/* Draws the user interface over the bound framebuffer, which must be the screen of `transform`.
- * `specimens` draws the specimens of the batch between the quads. If `specimens` is null, no
- * specimens are drawn and the framebuffer needs no depth. ui_draw() needs no other OpenGL state
- * than the bound framebuffer.
+/* Draws the user interface over the bound framebuffer, whose size must be the screen size of
+ * `transform`. `specimens` draws the specimens of the batch between the quads. If `specimens` is
+ * null, no specimens are drawn and the framebuffer needs no depth buffer. ui_draw() sets all other
+ * OpenGL state that it needs.
  *
  * State afterwards: the viewport is the screen. Blending is on with (ONE, ONE_MINUS_SRC_ALPHA).
- * Depth test, face culling and scissor test are off, and depth writes are on, as in OpenGL's
- * initial state. One of the user interface's programs is current, the vertex array is 0, and
- * texture units 0 and 1 have textures. */
+ * Depth test, face culling and scissor test are off, and depth writes are on. One of the user
+ * interface's programs is current, the vertex array is 0, and texture units 0 and 1 have
+ * textures. */
 void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
              const struct display_transform *transform);
 
-/* Draws the current content of the batch, with the same requirements and the same state afterwards
- * as ui_draw(). */
+/* Draws the current content of the batch. The requirements and the OpenGL state afterwards are
+ * those of ui_draw(). */
 void ui_show(struct ui *ui, struct specimen_pass *specimens,
              const struct display_transform *transform);
 
-/* Frees the OpenGL objects. The same context must be current. */
+/* Deletes the OpenGL objects. The context of ui_init() must be current. */
 void ui_close(struct ui *ui);
 
 #endif

@@ -1,5 +1,5 @@
 /* ui_album.c -- draws the album of caught fish: a page of pictures. Each picture is a small
- * aquarium in which a fish grows up. */
+ * aquarium that shows how a fish grows up. */
 #include <math.h>
 #include <stdio.h>
 
@@ -8,7 +8,8 @@
 
 #define TAU 6.28318531f
 #define SEAL_SIZE 19.0f
-#define YOUNG_SIZE 0.40f /* Size of the hatchling, as a fraction of its picture. */
+#define YOUNG_SIZE                                                                                 \
+    0.40f /* Length of the hatchling, as a fraction of its full length in the picture. */
 
 /* ---- Layout of the pictures ----------------------------------------------------------------- */
 
@@ -52,9 +53,9 @@ static struct ui_box ui_album_place_of(const struct spatial_grid *grid, uint32_t
 
 /* ---- Picture of one fish -------------------------------------------------------------------- */
 
-/* Returns the visibility of the fish's own pattern, [0, 1]. The coats of the last two keys are red,
- * and the pattern appears during them. For a fish that was caught at a younger age, the pattern is
- * complete on the day of the catch. */
+/* Returns the opacity of the fish's adult pattern, [0, 1]. The pattern appears between the last two
+ * keys (modelled growth stages), whose coats are red. For a fish that was caught at a younger age,
+ * the pattern is complete on the day of the catch. */
 static float ripe(const struct scene_grown *fish)
 {
     const struct species_card *card = &species_wakin.card;
@@ -85,7 +86,7 @@ static void swim(const struct ui_frame *frame, struct ui_box water, uint32_t ind
     ui_specimen(frame->batch, &specimen);
 }
 
-/* Draws the fish's lifeline with a mark on the day of the catch. */
+/* Draws the fish's lifeline, which is a time axis with a mark on the day of the catch. */
 static void life(const struct ui_frame *frame, struct ui_box line, const struct scene_grown *fish)
 {
     const float u = frame->unit;
@@ -103,7 +104,7 @@ static void life(const struct ui_frame *frame, struct ui_box line, const struct 
                                                .shape = { 0, 0, r, 2.5f * u } });
 }
 
-/* Draws the seal, which appears when the lifeline reaches the day of the catch. */
+/* Draws the seal of the catch, which appears when the animated age reaches the day of the catch. */
 static void met_seal(const struct ui_frame *frame, struct ui_box water,
                      const struct scene_grown *fish)
 {

@@ -1,10 +1,12 @@
-/* ui_announcements.c -- draws the announcements over the tank: the remaining time, a foul, and the
- * pause. */
+/* ui_announcements.c -- draws the announcements over the tank: the countdown of the last seconds, a
+ * foul, and the pause. */
 #include <math.h>
 
 #include "platform/render/ui/ui_widgets.h"
 
-#define CALL_S 1.9f /* Display time of a call in seconds, longer than the time for reading it. */
+#define CALL_S                                                                                     \
+    1.9f /* Time in seconds for which an announcement is shown, which is longer than reading it
+            takes. */
 #define FOUL_S 2.6f
 #define COUNTDOWN_S 5.0f
 
@@ -13,7 +15,7 @@ static float shown(float age_s, float length_s)
     return ui_smooth(0.0f, 0.12f, age_s) * (1.0f - ui_smooth(length_s - 0.5f, length_s, age_s));
 }
 
-/* Draws one digit per second, which grows and fades. */
+/* Draws the last seconds of a round as one large digit per second, which grows and fades out. */
 static void countdown(const struct ui_frame *frame, const struct scene *scene)
 {
     if (scene->phase != PHASE_ROUND || scene->seconds_left <= 0.0f ||
@@ -101,8 +103,8 @@ static void fouls(const struct ui_frame *frame, const struct scene *scene)
     }
 }
 
-/* Draws the word with which a sumo referee pauses a bout, over a band across the tank. The word is
- * shown while the game is paused. */
+/* Draws the word with which a sumo referee pauses a bout, on a band across the tank. Drawn while
+ * the game is paused. */
 static void pause(const struct ui_frame *frame, const struct scene *scene)
 {
     const float u = frame->unit, y = 0.46f * frame->height, height = 220.0f * u;

@@ -21,7 +21,7 @@ static void best_tag(const struct ui_frame *frame, const struct scene *scene, fl
     ui_ribbon(frame, &tag, words);
 }
 
-/* Draws the help for the keys. If no poi is present, the line about the mouse is omitted. */
+/* Draws the help lines for the keyboard. Omits the line about the mouse if no poi is present. */
 static void key_lines(const struct ui_frame *frame, const struct scene *scene)
 {
     const float u = frame->unit;
@@ -49,8 +49,8 @@ void ui_attract(const struct ui_frame *frame, const struct scene *scene)
     if (risen < 1.0f) {
         ui_noren(frame, risen);
     }
-    if (board > 0.0f) { /* The curtain leaves room for the leaderboard, and the credits move to the
-                           side. */
+    if (board > 0.0f) { /* The curtain is raised to leave room for the leaderboard, and the credits
+                           move to the side. */
         ui_leaderboard(frame, &scene->leaderboard, 16.0f * u, frame->height - 160.0f * u);
         ui_credits(frame, scene, 128.0f * u, 62.0f * u);
     } else {
@@ -61,7 +61,7 @@ void ui_attract(const struct ui_frame *frame, const struct scene *scene)
     key_lines(frame, scene);
 }
 
-/* Draws the mode of the next round and its paper. */
+/* Draws a tag with the mode and the paper grade of the next round. */
 static void mode_tag(const struct ui_frame *frame, const struct scene *scene, float y, float alpha)
 {
     char paper[TEXT_LINE_MAX], words[2u * TEXT_LINE_MAX];
@@ -80,7 +80,7 @@ static void mode_tag(const struct ui_frame *frame, const struct scene *scene, fl
     frame->batch->opacity = 1.0f;
 }
 
-/* Draws the start of a round: the curtain rises, then a ring over the water counts down three
+/* Draws the start of a round. The curtain rises, then a ring over the water counts down three
  * seconds. */
 void ui_ready(const struct ui_frame *frame, const struct scene *scene,
               const struct ui_memory *memory)

@@ -3,8 +3,8 @@
 
 #include "assets.h"
 
-/* Maximum width of an outline in atlas pixels. The distance field is constant beyond this width,
- * and the bake leaves a margin of the same width around each letter. */
+/* Maximum width of an outline in atlas pixels. Beyond this width the distance field of the font is
+ * constant. The font atlas leaves a margin of this width around each letter. */
 #define REACH_PX ((float)ASSET_FONT_EDGE / (float)ASSET_FONT_STEP)
 
 void ui_batch_clear(struct ui_batch *batch)
@@ -24,7 +24,8 @@ static void unpack(uint8_t out[4], uint32_t colour, float opacity)
     out[3] = (uint8_t)((float)(colour & 0xffu) * opacity + 0.5f);
 }
 
-/* Adds four vertices that differ only in their corner. Returns null if the batch is full. */
+/* Adds the four vertices of a quad. The caller sets their positions and texture coordinates.
+ * Returns null if the batch is full. */
 static struct ui_vertex *add_quad(struct ui_batch *batch, const struct ui_shape *shape)
 {
     if (batch->opacity <= 0.0f) {
@@ -111,9 +112,9 @@ float ui_text_middle(const struct ui_text *style, float y)
     return y + 0.5f * asset_fonts[style->font].cap_em * style->size_px;
 }
 
-/* Returns the part of the margin REACH_PX, in atlas pixels, that a quad can omit. A quad includes
- * only the part of the margin that it paints. The quad never includes the outer half of a texel,
- * because filtering would mix in the neighbouring letter. */
+/* Returns the width, in atlas pixels, by which each margin of a letter's quad can be reduced
+ * because this part of the margin is not painted. The result is at least half a texel. Otherwise
+ * texture filtering would mix in the neighbouring letter. */
 static float trim_px(const float shape[4])
 {
     const float painted = shape[0] + shape[1] + shape[2] + 0.5f / shape[3] + 0.5f;
@@ -168,7 +169,8 @@ float ui_text(struct ui_batch *batch, const struct ui_text *style, float x, floa
 {
     const float size_px = ui_text_size(style, words), width_px = ui_text_width(style, words);
     const float left = x - style->align * width_px;
-    /* All outlines are added before the letters, so that no outline covers a letter. */
+    /* The outlines of all letters are added before the letters, so that no outline covers a
+     * neighbouring letter. */
     if (style->outline_em + style->soft_em > 0.0f) {
         struct ui_text outline = *style;
         outline.fill = 0;

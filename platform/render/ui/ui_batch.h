@@ -1,8 +1,8 @@
-/* ui_batch.h -- the batch: a list of quads with a fixed maximum size, filled and drawn in painter's
- * order.
+/* ui_batch.h -- the batch: a list of quads with a fixed maximum size. A quad that is added later is
+ * drawn over earlier quads.
  *
  * Coordinates are pixels with the origin at the top left and +y downward. Colours are 0xRRGGBBAA
- * with straight alpha. The batch uses no OpenGL, so that layouts are tested without a screen. */
+ * with straight alpha. The batch uses no OpenGL, so that layouts can be tested without a screen. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_UI_BATCH_H
 #define KINGYO_PLATFORM_RENDER_UI_UI_BATCH_H
 
@@ -11,39 +11,41 @@
 #include "platform/render/specimen.h"
 #include "platform/render/ui/text.h"
 
-/* Maximum number of quads. The growth lab needs the most: nine curves of up to 40 segments each. A
- * test measures the largest screen. */
+/* Maximum number of quads in the batch. The screen of the growth lab needs the most quads,
+ * because its graph has nine curves of up to 40 segments each. A test checks that the largest
+ * screen fits. */
 #define UI_QUADS_MAX 2048u
 
-/* Kind of a quad, and the meaning of `shape` for each kind. Lengths in `shape` are pixels. */
+/* Kind of a quad. The comment on each kind lists the meaning of the values of `shape`, in order.
+ * Lengths in `shape` are pixels. */
 enum ui_kind {
-    UI_GLYPH = 0,   /* A letter. `shape` is: thickening, outline, softness (all in atlas pixels),
-                       screen pixels per atlas pixel. */
-    UI_PANEL = 1,   /* A plain panel. `shape` is: half width, half height, corner radius, border
+    UI_GLYPH = 0,   /* A letter. `shape`: thickening of the strokes, outline width, softness of the
+                       outline (these three in atlas pixels), screen pixels per atlas pixel. */
+    UI_PANEL = 1,   /* A plain panel. `shape`: half width, half height, corner radius, border
                        width. */
-    UI_WASHI = 2,   /* Paper with fibres. `shape` is the same as for UI_PANEL. */
-    UI_WAVES = 3,   /* Cloth with a faint pattern of waves. `shape` is the same as for UI_PANEL. */
-    UI_RING = 4,    /* A ring. `shape` is: outer radius, width, fraction [0, 1] of the ring that has
-                       the colour `fill`, clockwise from the top. The rest of the ring has the
-                       colour `line`. */
-    UI_GLOW = 5,    /* A glow. `shape` is: half width, half height, 1 to add light or 0 to cover. */
-    UI_LANTERN = 6, /* A paper lantern. `shape` is: half width, half height, brightness [0, 1]. */
-    UI_FISH = 7,    /* A goldfish. `shape` is: half width, half height, deflection of the tail
-                       [-1, 1]. */
-    UI_POI = 8,     /* A poi (paper scoop). `shape` is: radius of the ring, fraction of the paper
-                       that is left [0, 1]. */
-    UI_WOOD = 9,    /* Planed wood. `shape` is the same as for UI_PANEL. */
-    UI_HEAT = 10,   /* The colours of the paper's stress, from left to right. `shape` is the same as
-                       for UI_PANEL. */
-    UI_WATER = 11,  /* An aquarium at night. `shape` is: half width, half height, corner radius,
-                       time in seconds. */
+    UI_WASHI = 2,   /* Paper with fibres. `shape`: the values of UI_PANEL. */
+    UI_WAVES = 3,   /* Cloth with a faint pattern of waves. `shape`: the values of UI_PANEL. */
+    UI_RING = 4,    /* A ring. `shape`: outer radius, ring width, fraction [0, 1] of the ring in the
+                       colour `fill`, clockwise from the top. The rest of the ring has the colour
+                       `line`. */
+    UI_GLOW = 5,    /* A glow. `shape`: half width, half height, 1 to add light or 0 to cover. */
+    UI_LANTERN = 6, /* A paper lantern. `shape`: half width, half height, brightness [0, 1]. */
+    UI_FISH = 7,    /* A goldfish. `shape`: half width, half height, deflection of the tail [-1,
+                       1]. */
+    UI_POI = 8,     /* A poi (paper scoop). `shape`: radius of the ring, fraction [0, 1] of the
+                       paper that is not torn. */
+    UI_WOOD = 9,    /* Planed wood. `shape`: the values of UI_PANEL. */
+    UI_HEAT = 10,   /* The colour scale of the paper's stress, from left (no stress) to right.
+                       `shape`: the values of UI_PANEL. */
+    UI_WATER = 11,  /* An aquarium at night. `shape`: half width, half height, corner radius, time
+                       in seconds. */
     UI_KIND_COUNT,
 };
 
 struct ui_vertex {
     float x, y; /* Position in pixels. */
-    float u, v; /* Texture coordinates in atlas texels for a letter. Position relative to the
-                   shape's centre, in pixels, for any other kind. */
+    float u, v; /* Texture coordinates in atlas texels if the quad is a letter. Otherwise the vertex
+                   position relative to the shape's centre, in pixels. */
     float shape[4];
     uint8_t fill[4]; /* Main colour, with straight alpha. */
     uint8_t line[4]; /* Colour of the outline or border, or a second colour. */
@@ -54,11 +56,11 @@ struct ui_batch {
                                                      right, bottom left, bottom right. */
     uint8_t kinds[UI_QUADS_MAX];                  /* Kind of each quad (enum ui_kind). */
     uint32_t quad_count;
-    uint32_t dropped_count; /* Number of quads dropped because the batch was full. A test requires
-                               0. */
-    uint32_t unbaked_count; /* Number of drawn letters that the font was baked without. A test
-                               requires 0. */
-    float opacity;          /* Opacity of all quads that are added later, [0, 1]. */
+    uint32_t dropped_count; /* Number of quads and specimens that were dropped because the batch was
+                               full. Tests check that the number is 0. */
+    uint32_t unbaked_count; /* Number of drawn characters for which the font has no glyph. Tests
+                               check that the number is 0. */
+    float opacity;          /* Opacity that is applied to all quads that are added later, [0, 1]. */
     struct specimen specimens[SPECIMEN_MAX];
     uint16_t specimen_quad[SPECIMEN_MAX]; /* Number of quads that are drawn before each specimen. */
     uint32_t specimen_count;
@@ -71,10 +73,11 @@ struct ui_box {
 struct ui_shape {
     struct ui_box box;
     enum ui_kind kind;
-    float shape[4]; /* Values of enum ui_kind. Half sizes are computed from `box` and need not be
-                       set. */
+    float shape[4]; /* Values whose meaning enum ui_kind defines. ui_shape() computes half widths
+                       and half heights from `box`. */
     uint32_t fill, line;
-    float lean_px; /* Shift of the lower edge to the right, in pixels, for cloth in the wind. */
+    float lean_px; /* Distance in pixels by which the lower edge is shifted to the right, for cloth
+                      that moves in the wind. */
 };
 
 /* Empties the batch and sets the opacity to 1. */
@@ -88,17 +91,18 @@ void ui_shape(struct ui_batch *batch, const struct ui_shape *shape);
 void ui_segment(struct ui_batch *batch, const float from[2], const float to[2], float width_px,
                 uint32_t colour);
 
-/* Adds a specimen over all earlier quads and under all later quads. The specimen is faded by the
- * batch's opacity. A specimen beyond SPECIMEN_MAX is dropped and counted in `dropped_count`. */
+/* Adds a specimen, which is drawn over all earlier quads and under all later quads. The batch's
+ * opacity applies to the specimen. A specimen beyond SPECIMEN_MAX is dropped and counted in
+ * `dropped_count`. */
 void ui_specimen(struct ui_batch *batch, const struct specimen *specimen);
 
 struct ui_text {
     enum font_id font;
     float size_px; /* Size of one em in pixels. */
-    float align;   /* Alignment. 0 means that x is the left end of the text, 0.5 its middle, 1 its
-                      right end. */
+    float align;   /* Horizontal alignment. 0 means that x is the left end of the text, 0.5 its
+                      middle, 1 its right end. */
     float spacing_em;
-    float weight_em;  /* Thickness in ems that is added to each side of the strokes. */
+    float weight_em;  /* Distance in ems by which the strokes are thickened on each side. */
     float outline_em; /* Width of the outline around the strokes, in colour `line`. 0 means no
                          outline. */
     float soft_em;    /* Additional width in ems over which the outline fades out, for a shadow or a
@@ -108,16 +112,16 @@ struct ui_text {
                      maximum. */
 };
 
-/* Draws one line of text with its baseline at `y`. Returns its width in pixels. */
+/* Adds one line of text with its baseline at `y`. Returns the width of the text in pixels. */
 float ui_text(struct ui_batch *batch, const struct ui_text *style, float x, float y,
               const char *words);
 
 /* Returns the width in pixels of the text as ui_text() draws it. */
 float ui_text_width(const struct ui_text *style, const char *words);
-/* Returns the letter size in pixels with which ui_text() draws the text. */
+/* Returns the em size in pixels with which ui_text() draws the text. */
 float ui_text_size(const struct ui_text *style, const char *words);
 
-/* Returns the baseline with which capitals and digits are vertically centred on `y`. */
+/* Returns the y of the baseline at which capitals and digits are vertically centred on `y`. */
 float ui_text_middle(const struct ui_text *style, float y);
 
 #endif

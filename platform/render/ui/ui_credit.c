@@ -6,15 +6,15 @@
 #include "core/game/accounting/credit.h"
 #include "platform/render/ui/ui_widgets.h"
 
-/* Time in seconds during which the plate is enlarged after a coin was inserted. */
+/* Time in seconds for which the credit plate is enlarged after a coin was inserted. */
 #define CLINK_S 0.5f
-#define COMING_WIDTH 84.0f /* Width of "+99" and its margins, in layout units. */
-/* Time in seconds during which the request for coins is emphasized after a player tried to start
- * without credit. */
+#define COMING_WIDTH 84.0f /* Width of the text "+99" with its margins, in layout units. */
+/* Time in seconds for which the coin request is emphasized after a player tried to start without
+ * credit. */
 #define ASK_S 1.2f
 
-/* Size, in layout units, of the plates at the sides of a round. The legend of ui_round.c is the
- * widest and the lowest plate. */
+/* Width and lower edge, in layout units, of the plates at the sides of the screen during a round.
+ * The stress legend of ui_round.c is the widest and the lowest plate. */
 #define PLATES_WIDTH 284.0f
 #define PLATES_REACH 240.0f
 
@@ -22,15 +22,16 @@ static void credit_words(const struct ui_frame *frame, const struct scene_credit
                          size_t out_size)
 {
     text_number(out, TEXT_LINE_MAX, text_words(frame->language, TEXT_CREDITS), credit->credits);
-    if (credit->units > 0 && credit->units < credit->price) { /* A partly paid credit is kept and
-                                                                 shown to the next player. */
+    if (credit->units > 0 && credit->units < credit->price) { /* A credit that does not pay for a
+                                                                 whole round is kept and shown to
+                                                                 the next player. */
         const size_t length = strlen(out);
         snprintf(out + length, out_size - length, "  +  %u/%u", credit->units, credit->price);
     }
 }
 
-/* Draws the number of credits that are not on disk yet, as an outline beside the plate. `left` is
- * the outline's left edge. */
+/* Draws the number of credits that are not on disk yet, as an outlined text beside the plate.
+ * `left` is the left edge of the text in pixels. */
 static void coming(const struct ui_frame *frame, const struct scene_credit *credit, float left,
                    float y)
 {
@@ -138,7 +139,7 @@ void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
                                           TEXT_WARN_STORE };
     const int in_round = scene->phase == PHASE_ROUND || scene->phase == PHASE_READY;
     uint32_t shown = scene->credit.warnings;
-    /* The warnings are below the curtain, or during a round below the plates. */
+    /* The warnings are below the curtain in attract mode, and below the plates during a round. */
     float y = (scene->phase == PHASE_ATTRACT ? 0.335f : 0.215f) * frame->height;
     const float beside = in_round && y < PLATES_REACH * frame->unit ? PLATES_WIDTH : 16.0f;
     const float room_px = frame->width - 2.0f * beside * frame->unit;

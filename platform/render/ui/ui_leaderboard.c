@@ -1,16 +1,17 @@
-/* ui_leaderboard.c -- draws the leaderboard on a sheet of paper, like a sumo ranking list with the
- * best first. */
+/* ui_leaderboard.c -- draws the leaderboard on a sheet of paper, in the style of a sumo ranking
+ * list with the best player first. */
 #include "platform/render/ui/ui_leaderboard.h"
 
 #include <math.h>
 
 #include "core/game/ranking/ranking.h"
 
-/* Minimum number of rows, because a sheet with a single name would look empty. */
+/* Minimum number of rows on the sheet, because a sheet with a single row would look empty. */
 #define ROWS_MIN 5u
 #define COME_S 0.45f
 #define GO_S 0.35f
-#define ROW_COMES_S 0.07f /* Time in seconds between the appearance of one row and the next. */
+#define ROW_COMES_S                                                                                \
+    0.07f /* Delay in seconds from the appearance of one row to the appearance of the next row. */
 
 enum text_key ui_place_key(uint8_t period)
 {
@@ -42,7 +43,7 @@ float ui_leaderboard_in(const struct scene_leaderboard *board)
                : 0.0f;
 }
 
-/* Draws a heading such as "Festival: today's best", white on a band of dyed cloth. */
+/* Draws a heading such as "Festival: today's best" in white on a band of dyed cloth. */
 static void ui_leaderboard_heading(const struct ui_frame *frame,
                                    const struct scene_leaderboard *board, struct ui_box box)
 {
@@ -69,7 +70,7 @@ static void ui_leaderboard_heading(const struct ui_frame *frame,
             text_words(frame->language, ui_leaderboard_key(board->period)));
 }
 
-/* Draws the place number on a medal of gold, silver or bronze. Other places have no medal. */
+/* Draws the number of a place. Places 1 to 3 have a medal of gold, silver or bronze. */
 static void place_mark(const struct ui_frame *frame, float x, float y, uint32_t place)
 {
     static const uint32_t medals[] = { 0xe2a92fffu, 0xa9b0baffu, 0xb9794affu };
@@ -109,7 +110,7 @@ void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
     ui_words_in(frame, box, &word, text_words(frame->language, TEXT_BOARD_SEAL));
 }
 
-/* Draws the background of a new row in the colour of the player's ring. */
+/* Draws the background of a newly added row in the colour of the player's ring. */
 static void new_ground(const struct ui_frame *frame, const struct scene_row *row, struct ui_box box)
 {
     const float u = frame->unit;

@@ -23,8 +23,8 @@ const char *ui_mode_name(uint8_t language, uint8_t mode)
     return text_words(language, tags[mode < CHOICE_COUNT ? mode : MODE_FESTIVAL].name);
 }
 
-/* Writes a time in minutes if it is a whole number of minutes and at least two minutes, otherwise
- * in seconds: "3 minutes", but "90 seconds". */
+/* Writes a duration such as "3 minutes" or "90 seconds". Minutes are used only for a whole number
+ * of minutes from two upward. */
 static void time_words(uint8_t language, uint32_t seconds, char *out, size_t out_size)
 {
     const int even = seconds >= 120u && seconds % 60u == 0;
@@ -71,8 +71,8 @@ static void tag_words(const struct ui_frame *frame, const struct scene *scene, u
             text_words(frame->language, tags[mode].ends));
 }
 
-/* Returns how far a tag is raised, [0, 1]. The selected tag rises while the previously selected tag
- * sinks. */
+/* Returns how far a tag is raised, [0, 1]. When the selection changes, the selected tag rises and
+ * the previously selected tag sinks. */
 static float raised(const struct scene *scene, const struct ui_memory *memory, uint8_t mode)
 {
     const float age_s = (float)(scene->tick - memory->pointed_tick) * CORE_TICK_S;
@@ -80,7 +80,7 @@ static float raised(const struct scene *scene, const struct ui_memory *memory, u
     return mode == scene->choice ? moved : mode == memory->pointed_before ? 1.0f - moved : 0.0f;
 }
 
-/* Draws a mode's tag. The selected tag hangs higher and is brighter. */
+/* Draws the wooden tag of a mode. The selected tag hangs higher and is brighter. */
 static void wooden_tag(const struct ui_frame *frame, const struct scene *scene, uint8_t mode,
                        struct ui_box box, float pole_y)
 {
@@ -89,7 +89,7 @@ static void wooden_tag(const struct ui_frame *frame, const struct scene *scene, 
     tag_words(frame, scene, mode, box);
 }
 
-/* Draws the remaining time of the selection as a ring. */
+/* Draws the time that remains for the selection as a ring. */
 static void seconds_ring(const struct ui_frame *frame, const struct scene *scene, float x, float y)
 {
     const float u = frame->unit, radius = 36.0f * u;
@@ -150,8 +150,9 @@ void ui_choose(const struct ui_frame *frame, const struct scene *scene,
     for (uint8_t mode = 0; mode < CHOICE_COUNT; mode++) {
         count += scene->modes >> mode & 1u;
     }
-    const float tags_max = fmaxf((float)count, 3.0f); /* Two tags together are as wide as three, so
-                                                         that they are not too broad. */
+    const float tags_max = fmaxf((float)count, 3.0f); /* Two tags together are as wide as three
+                                                         tags, because two wider tags would be too
+                                                         broad. */
     const float gap = (count > 3u ? 14.0f : 24.0f) * u, height = 300.0f * u;
     const float room = frame->width - (count > 3u ? 36.0f : 60.0f) * u;
     const float width = fminf(316.0f * u, (room - (tags_max - 1.0f) * gap) / tags_max);

@@ -1,5 +1,5 @@
-/* ui_name.c -- draws the name entry: the line, the letters and four function keys. Coordinates are
- * on the core's canvas. */
+/* ui_name.c -- draws the name entry: the line for the name, the letter keys and four function keys.
+ * Coordinates are on the core's canvas, the layout area that is scaled to the screen. */
 #include <math.h>
 
 #include "core/game/ranking/name_keyboard.h"
@@ -12,7 +12,7 @@ _Static_assert(SCENE_NAME_LETTERS == NAME_LETTERS_MAX, "every letter can be show
 #define KEY_PAPER_LIT 0xffd978ffu
 #define WARN_PAPER 0xb8301ee8u
 
-/* The canvas on the screen, and the name that the player enters. */
+/* Position and scale of the canvas on the screen, and the name that the player enters. */
 struct slate {
     struct ui_frame frame; /* Drawing context whose `unit` is one canvas unit. */
     const struct scene_name *name;
@@ -40,7 +40,7 @@ static struct ui_box place(const struct slate *slate, struct layout_box box)
                             box.height * u };
 }
 
-/* Darkens the tank, so that the letters stand out from the tank's lights. */
+/* Darkens the tank, so that the letters are readable over the bright lights of the tank. */
 static void veil(const struct slate *slate)
 {
     const struct ui_box box = { 0.0f, 0.0f, slate->frame.width, slate->frame.height };
@@ -95,8 +95,8 @@ static void title(const struct slate *slate, const struct scene *scene)
     }
 }
 
-/* Draws the remaining seconds, but only the last few, because a longer countdown makes guests
- * nervous. */
+/* Draws the remaining seconds. Only the last few seconds are shown, because a longer countdown
+ * makes players nervous. */
 static void seconds(const struct slate *slate, const struct scene *scene)
 {
     const float u = slate->frame.unit, radius = 34.0f * u;
@@ -135,7 +135,7 @@ static void one_letter(const struct slate *slate, struct ui_box box, uint16_t le
     ui_words_in(&slate->frame, box, &style, words);
 }
 
-/* Draws eight places for letters. The next place to fill has the player's colour. */
+/* Draws eight places for letters. The place of the next letter has the player's colour. */
 static void line(const struct slate *slate)
 {
     const int upright = slate->name->upright;
@@ -163,7 +163,7 @@ static void line(const struct slate *slate)
 
 /* ---- Keyboard ------------------------------------------------------------------------------- */
 
-/* Returns a key's box, which is slightly lower while the key is pressed. */
+/* Returns the box of a key. The box is slightly lower while the key is pressed. */
 static struct ui_box key_paper(const struct slate *slate, uint32_t key)
 {
     const struct scene_name *name = slate->name;

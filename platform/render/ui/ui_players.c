@@ -1,11 +1,11 @@
-/* ui_players.c -- draws the players: their numbers, foul lamps, and plates if there are several
- * players. */
+/* ui_players.c -- draws the player numbers, the foul lamps, and the plates of several players. */
 #include <math.h>
 
 #include "core/view.h"
 #include "platform/render/ui/ui_widgets.h"
 
-#define POP_S 0.45f /* Time in seconds during which the count is enlarged after a catch. */
+#define POP_S                                                                                      \
+    0.45f /* Time in seconds for which the number of caught fish is enlarged after a catch. */
 #define PLATE_WIDTH 200.0f
 #define PLATE_WIDTH_MIN 152.0f
 
@@ -76,14 +76,15 @@ void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius,
     }
 }
 
-/* Draws, at the right of a plate, the player's paper or the reason why the player waits. */
+/* Draws at the right of a player's plate either the player's paper or the reason why the player
+ * does not play. */
 static void player_state(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                          float x, float y)
 {
     const float u = frame->unit;
     const struct scene_player *state = &scene->player[player];
-    if (state->out) { /* `out` is set for a player who is out of the round, and also for a player
-                         whose wait has timed out. */
+    if (state->out) { /* `out` is also set for a player whose waiting time has expired, besides a
+                         player who is out of the round. */
         const struct ui_text stamp = { .font = FONT_STALL,
                                        .size_px = 28.0f * u,
                                        .align = 0.5f,
@@ -143,7 +144,8 @@ float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
     const float beside = frame->width - 2.0f * edge - right_px - gap;
     const int fits = count * (PLATE_WIDTH_MIN * frame->unit + gap) <= beside;
     const float room = (fits ? beside : frame->width - 2.0f * edge) / count - gap;
-    /* If there are few plates, each plate is as large as the plate of a single player. */
+    /* If the row has room, the plates are enlarged, at most to the size of a single player's
+     * plate. */
     struct ui_frame larger = *frame;
     larger.unit *= fminf(fmaxf(room / (PLATE_WIDTH * frame->unit), 1.0f), fits ? 1.2f : 1.0f);
     struct ui_box box = { edge, (fits ? 16.0f : 110.0f) * frame->unit,

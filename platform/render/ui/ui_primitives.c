@@ -1,4 +1,5 @@
-/* ui_primitives.c -- drawing primitives of the user interface: curtain, lanterns, ribbons. */
+/* ui_primitives.c -- drawing primitives of the user interface: shop curtain, lanterns and
+ * ribbons. */
 #include "platform/render/ui/ui_primitives.h"
 
 #include <math.h>
@@ -67,7 +68,8 @@ void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size,
             ui_text_middle(&brush, top + 0.52f * size), text_words(frame->language, TEXT_LANTERN));
 }
 
-/* Draws one strip of cloth: two loops over the pole, the cloth, and a white hem. */
+/* Draws one strip of the shop curtain. The strip consists of two loops over the pole, the cloth and
+ * a white hem. */
 static void noren_strip(const struct ui_frame *frame, struct ui_box box, uint32_t index)
 {
     const float u = frame->unit;
@@ -111,7 +113,7 @@ static void noren_title(const struct ui_frame *frame, float left, float top, flo
                 ui_text_middle(&title, top + 0.50f * height), words);
         return;
     }
-    /* Each strip shows one character, as on a dyed curtain. */
+    /* Each strip of the curtain shows one character of the title, like a real shop curtain. */
     for (uint32_t i = 0; i < NOREN_STRIPS && *words != 0; i++) {
         char one[8] = "";
         const char *from = words;
@@ -163,7 +165,8 @@ void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct u
 void ui_card(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit;
-    /* Only the visible part of the shadow is drawn, because a card covers many pixels. */
+    /* Only the visible lower part of the card's shadow is drawn, because drawing all of it would
+     * cost many pixels. */
     const struct ui_box shade = { box.x - 2.0f * u, box.y + box.height - 28.0f * u,
                                   box.width + 4.0f * u, 38.0f * u };
     ui_shape(frame->batch, &(struct ui_shape){ .box = shade,

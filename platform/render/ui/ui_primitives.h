@@ -1,12 +1,12 @@
-/* ui_primitives.h -- drawing primitives of the user interface: colours, curtain, lanterns, ribbons
- * and small signs. */
+/* ui_primitives.h -- drawing primitives of the user interface: colours, shop curtain, lanterns,
+ * ribbons and wooden tags. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_UI_PRIMITIVES_H
 #define KINGYO_PLATFORM_RENDER_UI_UI_PRIMITIVES_H
 
 #include "platform/render/ui/ui_batch.h"
 
-#define UI_INDIGO 0x1b2452ffu /* Colour of dyed cloth. */
-/* Colour of translucent dyed cloth, for plates through which the tank is visible. */
+#define UI_INDIGO 0x1b2452ffu /* Indigo, the colour of dyed cloth. */
+/* Translucent indigo, for plates through which the tank is visible. */
 #define UI_NIGHT 0x10142eb8u
 #define UI_VERMILION 0xd9402affu
 #define UI_GOLD 0xe8b85cffu
@@ -15,11 +15,12 @@
 #define UI_INK 0x241a20ffu
 #define UI_INK_SOFT 0x5a4648ffu
 
-/* Drawing context of all screens. `unit` is 1 px on a 1280x720 screen. */
+/* Drawing context of all screens. `unit` is the layout unit in pixels, which is 1 px on a 1280x720
+ * screen. */
 struct ui_frame {
     struct ui_batch *batch;
     float width, height, unit;
-    float time_s; /* Time in seconds, for swaying and pulsing. */
+    float time_s; /* Time in seconds that animates swaying and pulsing objects. */
     uint8_t language;
 };
 
@@ -30,17 +31,17 @@ float ui_smooth(float from, float to, float x);
 /* Returns a smooth pulse from 0 to 1 and back to 0 with period `period_s`. */
 float ui_pulse(float time_s, float period_s);
 
-/* Draws the shop curtain: a pole, strips of dyed cloth, and the title. `lift` in [0, 1] raises the
- * curtain; at 1 it is out of view. */
+/* Draws the shop curtain: a pole, strips of dyed cloth, and the title. `lift` in [0, 1] is how far
+ * the curtain is raised. At 1 the curtain is out of view. */
 void ui_noren(const struct ui_frame *frame, float lift);
 /* Draws a paper lantern that hangs from (x, y). `size` is the height of its body in pixels. */
 void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size, float phase);
 
-/* Draws a bamboo pole centred at (x, y). */
+/* Draws a horizontal bamboo pole centred at (x, y). */
 void ui_pole(const struct ui_frame *frame, float x, float y, float width);
-/* Draws the two cords from which a tag hangs. */
+/* Draws the two cords by which a tag hangs from the pole at height `pole_y`. */
 void ui_cords(const struct ui_frame *frame, struct ui_box box, float pole_y);
-/* Draws a blank wooden tag, which is brighter if `pointed` is 1. */
+/* Draws a blank wooden tag. The tag is brighter if `pointed` is 1. */
 void ui_wooden_tag(const struct ui_frame *frame, struct ui_box box, int pointed);
 
 /* Draws a large card of paper with a shadow. */
@@ -55,7 +56,7 @@ struct ui_ribbon {
     float x, y, size_px;
     enum font_id font;
     uint32_t fill, line, ink;
-    float room_px; /* Maximum width in pixels. A longer text is shrunk. */
+    float room_px; /* Maximum width of the ribbon in pixels. A longer text is shrunk to fit. */
 };
 /* Draws a rounded ribbon with one line of text, centred at (x, y). Returns the ribbon's width in
  * pixels. */

@@ -7,12 +7,14 @@
 #include "platform/render/ui/ui_widgets.h"
 
 #define GRADES 6u
-#define COUNT_UP_S 1.0f /* Time in seconds in which the shown number rises from 0 to the catch. */
+#define COUNT_UP_S                                                                                 \
+    1.0f /* Time in seconds in which the displayed number of fish rises from 0 to the catch. */
 #define CALL_TIME_S 1.3f
 
 struct grade {
-    uint32_t at_least; /* Minimum number of fish for this grade. A guest of a stall catches three to
-                          five; national titles were won with 35 to 87. */
+    uint32_t at_least; /* Minimum number of fish for this grade. A visitor of a festival stall
+                          catches three to five fish. Winners of national championships caught 35 to
+                          87. */
     enum text_key praise, words;
 };
 
@@ -100,8 +102,8 @@ static void ui_result_heading(const struct ui_frame *frame, const struct scene *
     ui_text(frame->batch, &text, box.x + 0.5f * box.width, box.y + 56.0f * u, words);
 }
 
-/* Draws the day's best in the mode of the round. After a practice round, draws a comment of the
- * stallkeeper. */
+/* Draws the best score of the day in the mode of the round. After a practice round, draws a comment
+ * of the stallkeeper instead. */
 static void last_line(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
 {
     const float u = frame->unit;
@@ -142,7 +144,8 @@ static void praise(const struct ui_frame *frame, const struct scene *scene, uint
     frame->batch->opacity = 1.0f;
 }
 
-/* Draws the result of a refunded round, which does not count and has no figure, place or seal. */
+/* Draws the result card of a refunded round. A refunded round does not count, so that the card
+ * shows no score, place or seal. */
 static void given_back(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit, x = box.x + 0.5f * box.width;
@@ -182,8 +185,8 @@ static void one_players_result(const struct ui_frame *frame, const struct scene 
     }
 }
 
-/* Returns the number of players who caught more than `player`. Players with equal catches share a
- * place. */
+/* Returns the number of players who caught more fish than `player`. Players with equal catches get
+ * an equal place. */
 static uint32_t ui_result_place_of(const struct scene *scene, uint32_t player)
 {
     uint32_t ahead = 0;
@@ -243,8 +246,8 @@ static void ranking(const struct ui_frame *frame, const struct scene *scene, str
     }
 }
 
-/* Returns the player with the best place on the leaderboard. POI_MAX means that no player has a
- * place. */
+/* Returns the index of the player with the best place on the leaderboard. POI_MAX means that no
+ * player has a place. */
 static uint32_t proudest(const struct scene *scene)
 {
     uint32_t best = POI_MAX;
@@ -257,7 +260,7 @@ static uint32_t proudest(const struct scene *scene)
     return best;
 }
 
-/* Writes a place such as "Best of the day!" or "No. 3 this week". */
+/* Writes a text about a place, such as "Best of the day!" or "No. 3 this week". */
 static void place_words(const struct scene *scene, uint32_t player, char *out, size_t out_size)
 {
     const struct scene_player *of = &scene->player[player];
@@ -288,8 +291,8 @@ static void counted(const struct ui_frame *frame, const struct scene *scene, str
     seal_of(frame, scene, box);
 }
 
-/* Returns the card's opacity. The call "time!" remains visible for CALL_TIME_S before the card
- * covers it. */
+/* Returns the opacity of the result card. The announcement "time!" stays visible for CALL_TIME_S
+ * before the card fades in. */
 static float after_call(const struct scene *scene)
 {
     return scene->call == CALL_TIME ? ui_smooth(CALL_TIME_S, CALL_TIME_S + 0.4f, scene->call_s)

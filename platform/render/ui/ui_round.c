@@ -1,11 +1,13 @@
-/* ui_round.c -- draws the screen during a round: catch, paper, remaining time and hint. */
+/* ui_round.c -- draws the screen during a round: the catch, the paper, the remaining time and the
+ * hint. */
 #include <math.h>
 #include <stdio.h>
 
 #include "platform/render/ui/ui_widgets.h"
 
-#define HURRY_S 10.0f /* Remaining time in seconds from which the clock is red. */
-#define POP_S 0.45f   /* Time in seconds during which the count is enlarged after a catch. */
+#define HURRY_S 10.0f /* Remaining time in seconds below which the clock is red. */
+#define POP_S                                                                                      \
+    0.45f /* Time in seconds for which the number of caught fish is enlarged after a catch. */
 #define BOWL_MARKS_S 3.0f
 #define LONG_ROUND_S 99.5f
 #define TIME_WIDTH 136.0f /* Width of the text "9:59", in layout units. */
@@ -33,7 +35,7 @@ static void caught_plate(const struct ui_frame *frame, const struct scene *scene
     ui_text(frame->batch, &unit, unit_x, baseline, words);
 }
 
-/* Draws the word "Fouls" and three lamps, one for each foul. */
+/* Draws the word "Fouls" and three lamps. One lamp is lit for each foul. */
 static void foul_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player)
 {
     const float u = frame->unit, left = 18.0f * u, top = 112.0f * u, height = 46.0f * u;
@@ -95,8 +97,8 @@ static int is_long(const struct scene *scene)
     return scene->phase_s + scene->seconds_left > LONG_ROUND_S;
 }
 
-/* Draws paper and remaining time at the top right. If the player has several papers, only their
- * number is written. Returns the plate's width. */
+/* Draws the paper and the remaining time at the top right. If the player has several papers, draws
+ * their number instead of their state. Returns the plate's width. */
 static float state_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                          int alone)
 {

@@ -1,5 +1,5 @@
-/* ui_score_playback.c -- draws the ribbon over a score playback, which shows the round and whether
- * its score is verified. A score playback is the recording of a round. */
+/* ui_score_playback.c -- draws the ribbon over a score playback, which is the replayed recording of
+ * a round. The ribbon shows the round and whether its score is verified. */
 #include "platform/render/ui/ui_score_playback.h"
 
 #include "platform/render/ui/text.h"

@@ -59,8 +59,8 @@ static void phase_screen(const struct ui_frame *frame, struct ui_memory *memory,
         break;
     case PHASE_MENU:
         ui_menu(frame, scene);
-        return; /* The menu draws the warnings. */
-    default:    /* PHASE_WORDLESS has no text. */
+        return; /* The menu draws the warnings itself. */
+    default:    /* In the remaining phase, PHASE_WORDLESS, the screen has no text. */
         return;
     }
     ui_warnings(frame, scene);

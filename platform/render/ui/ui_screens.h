@@ -10,25 +10,27 @@
 #include "platform/render/ui/ui_batch.h"
 #include "platform/species/library.h"
 
-/* Last values shown by the screens, so that a change can fade in. Zero is a valid initial value. */
+/* Values that the screens showed last, so that a changed value can be animated. A zeroed struct is
+ * a valid initial state. */
 struct ui_memory {
     uint32_t hint_tick;            /* Tick of the last change of the hint. */
     uint32_t caught_tick[POI_MAX]; /* Tick of the last change of each player's number of caught
                                       fish. */
     uint32_t caught[POI_MAX];
     uint32_t pointed_tick;           /* Tick of the last change of the selected mode. */
-    uint8_t pointed, pointed_before; /* Selected mode, and the mode that was selected before it. */
+    uint8_t pointed, pointed_before; /* Selected mode, and the mode that was selected before the
+                                        last change. */
     uint8_t hint;
     const struct library *library; /* Library of the makers' species. Null means none. */
     struct ui_lab_preview bench;   /* State of the growth lab between frames. */
 };
 
-/* Records the values of `scene` without drawing them, so that the next picture fades in from
- * there. */
+/* Records the values of `scene` in `memory` without drawing. If a later scene has other values, its
+ * screen animates the change from the recorded values. */
 void ui_screens_notice(struct ui_memory *memory, const struct scene *scene);
 
-/* Clears `batch` and fills it with the whole screen of `scene`. `width_px` and `height_px` must be
- * > 0. */
+/* Clears `batch` and fills it with the whole screen of `scene`. `width_px` and `height_px` are the
+ * screen size, > 0. */
 void ui_screens(struct ui_batch *batch, struct ui_memory *memory, const struct scene *scene,
                 float width_px, float height_px);
 

@@ -1,8 +1,9 @@
 /* ui_shader.c -- the user interface's shaders.
  *
- * Every shape is a signed distance in pixels, so that each edge is smoothed over exactly one pixel.
- * The output is premultiplied: (colour * alpha, alpha). Additive light has alpha 0. In the shaders,
- * `at` is `u, v` of struct ui_vertex, `s` is `shape`, `inner` is `fill` and `outer` is `line`. */
+ * Every shape is defined by its signed distance in pixels, so that each edge is smoothed over
+ * exactly one pixel. The output has premultiplied alpha. Additive light has alpha 0. Names in the
+ * shaders: `at` is (u, v) of struct ui_vertex, `s` is `shape`, `inner` is `fill`, and `outer` is
+ * `line`. */
 #include "platform/render/ui/ui_shader.h"
 
 /* clang-format off */
@@ -14,7 +15,7 @@ const char *const ui_vertex_source =
     "layout(location = 3) in vec4 fill;\n"
     "layout(location = 4) in vec4 line;\n"
     "uniform vec2 to_clip;\n" /* Factors from pixels to clip space: 2 / width and -2 / height. */
-    "uniform mat2 turn;\n"    /* Display geometry (rotation and scale) of the picture. */
+    "uniform mat2 turn;\n"    /* Rotation and scale of the picture on the screen. */
     "uniform vec2 move;\n"
     "out highp vec2 at;\n"
     "flat out highp vec4 s;\n"
@@ -65,7 +66,8 @@ const char *const ui_fragment_head =
 
 #define PANEL "void main() { colour = framed(inner); }\n"
 
-/* Paper. A card has a second, finer line inside its border. */
+/* Fragment shader of paper (UI_WASHI). Paper with a border also has a second, finer line inside the
+ * border. */
 #define WASHI                                                                                      \
     "void main() {\n"                                                                              \
     "    float f = fibre(at * 0.0034) - 0.5;\n"                                                    \
@@ -76,7 +78,8 @@ const char *const ui_fragment_head =
     "    colour = framed(body);\n"                                                                 \
     "}\n"
 
-/* Planed cedar: soft bands of grain along the tag, and a bevel with a bright upper edge. */
+/* Fragment shader of planed cedar (UI_WOOD), with soft bands of grain along the tag and a bevel
+ * with a bright upper edge. */
 #define WOOD                                                                                       \
     "void main() {\n"                                                                              \
     "    vec2 p = at / s.y;\n"                                                                     \
@@ -91,7 +94,8 @@ const char *const ui_fragment_head =
     "    colour = framed(vec4(body, inner.a));\n"                                                  \
     "}\n"
 
-/* The colour ramp is the one in assets/shaders/poi_paper.frag.glsl. */
+/* Fragment shader of the stress colours (UI_HEAT), which are those of
+ * assets/shaders/poi_paper.frag.glsl. */
 #define HEAT                                                                                       \
     "void main() {\n"                                                                              \
     "    float t = clamp(at.x / s.x * 0.5 + 0.5, 0.0, 1.0);\n"                                     \
@@ -102,8 +106,8 @@ const char *const ui_fragment_head =
     "    colour = framed(vec4(c, inner.a));\n"                                                     \
     "}\n"
 
-/* Sea waves: rows of overlapping arcs of three lines each, in which a lower row hides the row
- * above. The cloth has two soft folds. */
+/* Fragment shader of cloth with sea waves (UI_WAVES). Each wave consists of three arcs, and each
+ * row of waves hides a part of the row above. The cloth has two soft folds. */
 #define WAVES                                                                                      \
     "float arcs(vec2 p) {\n"                                                                       \
     "    float row = floor(p.y * 2.0);\n"                                                          \
@@ -142,7 +146,7 @@ const char *const ui_fragment_head =
     "    colour = vec4(light.rgb, light.a * (1.0 - s.z));\n"                                       \
     "}\n"
 
-/* Lantern: paper over bamboo ribs, brightest at the candle. */
+/* Fragment shader of a lantern (UI_LANTERN): paper over bamboo ribs, brightest at the candle. */
 #define LANTERN                                                                                    \
     "void main() {\n"                                                                              \
     "    vec2 q = at / s.xy;\n"                                                                    \
@@ -157,7 +161,8 @@ const char *const ui_fragment_head =
     "    colour = vec4(lit, 1.0) * (edge * inner.a);\n"                                            \
     "}\n"
 
-/* A goldfish from above, nose to the left: body, fan tail, two fins, white patches, eyes. */
+/* Fragment shader of a goldfish (UI_FISH), seen from above with the nose to the left: body, fan
+ * tail, two fins, white patches and eyes. */
 #define FISH                                                                                       \
     "float fin(vec2 p, vec2 root, float lean, vec2 size) {\n"                                      \
     "    p = vec2(p.x, abs(p.y)) - root;\n"                                                        \
@@ -194,7 +199,8 @@ const char *const ui_fragment_head =
     "    colour = over(paint(vec4(0.07, 0.04, 0.05, inner.a), cover(eye * s.x)), colour);\n"       \
     "}\n"
 
-/* The scoop: ring, handle, and the remaining paper, which is torn from the middle. */
+/* Fragment shader of a poi (UI_POI): the ring, the handle, and the paper, whose torn hole is in the
+ * middle. */
 #define POI                                                                                        \
     "void main() {\n"                                                                              \
     "    float r = length(at), width = 0.15 * s.x;\n"                                              \
@@ -212,8 +218,8 @@ const char *const ui_fragment_head =
     "    colour = over(paint(inner, cover(body)), paint(vec4(washi, inner.a * 0.94), sheet));\n"   \
     "}\n"
 
-/* Aquarium: slow shafts of light from above, water that becomes darker downward, and drifting
- * particles. */
+/* Fragment shader of an aquarium (UI_WATER): slow shafts of light from above, water that becomes
+ * darker downward, and drifting particles. */
 #define WATER                                                                                      \
     "float shaft(float x, float t) {\n"                                                            \
     "    return 0.5 + 0.5 * sin(x * 5.0 + 0.9 * sin(x * 2.3 + t * 0.21) + t * 0.13);\n"            \

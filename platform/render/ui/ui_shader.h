@@ -9,8 +9,8 @@
 
 extern const char *const ui_vertex_source;
 
-/* Common head of every source in ui_fragment_sources: inputs and shared functions. The head
- * requires that FONT_EDGE and FONT_STEP are defined. */
+/* Source code at the start of every fragment shader in ui_fragment_sources: inputs and shared
+ * functions. Macros FONT_EDGE and FONT_STEP must be defined before this code. */
 extern const char *const ui_fragment_head;
 extern const char *const ui_fragment_sources[UI_KIND_COUNT];
 

@@ -5,7 +5,7 @@
 
 #define HINT_FADE_S 0.35f
 
-/* The colours of the players' pois in the tank. */
+/* These colours equal the colours of the players' pois in the tank. */
 const uint32_t ui_player_colours[POI_MAX] = { 0xf74c75ffu, 0x3385f2ffu, 0x40c25cffu, 0xfabd29ffu };
 
 void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width)
@@ -22,7 +22,8 @@ void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width)
 void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, float paper_left,
                  uint32_t ring)
 {
-    const float reach = 1.5f * radius; /* The poi's handle points to the lower right. */
+    const float reach = 1.5f * radius; /* The box is larger than the ring because the poi's handle
+                                          extends to the lower right. */
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = { x - reach, y - reach, 2.0f * reach, 2.0f * reach },
                                  .kind = UI_POI,
@@ -67,8 +68,8 @@ struct hint_paint {
     uint32_t fill, line;
 };
 
-/* Returns the colours of a hint: red for a failure, green for the right moment to act, dark for
- * advice. */
+/* Returns the colours of a hint. Red means a failure, green means the right moment to act, and dark
+ * means advice. */
 static struct hint_paint ui_widgets_paint_of(uint8_t hint)
 {
     switch (hint) {

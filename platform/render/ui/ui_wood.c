@@ -1,5 +1,5 @@
-/* ui_wood.c -- draws the hanging wooden parts of a stall: a bamboo pole, red cords, and tags of
- * cedar. */
+/* ui_wood.c -- draws the wooden parts that hang in a festival stall: a bamboo pole, red cords, and
+ * tags of cedar. */
 #include "platform/render/ui/ui_primitives.h"
 
 #define CEDAR 0xd9a667ffu

@@ -17,7 +17,8 @@
 #define BUTTON_ON 0xc8341fffu
 #define BUTTON_INK 0xfff4deffu
 #define REFUSED 0xf0c089ffu
-#define TURN_S 4.0f /* Time in seconds for which each of the alternating help lines is shown. */
+#define TURN_S                                                                                     \
+    4.0f /* Time in seconds for which one help line is shown before the next line replaces it. */
 
 /* ---- Coordinates and texts ------------------------------------------------------------------ */
 
@@ -65,8 +66,8 @@ void lab_words_in(const struct lab_page *page, struct ui_box box, const struct u
 struct button {
     enum lab_part part;
     const char *words;
-    int is_on, is_idle; /* `is_on` is 1 if the button is selected. `is_idle` is 1 if the button has
-                           no effect at present. */
+    int is_on, is_idle; /* `is_on` is 1 if the button is selected. `is_idle` is 1 if the button
+                           currently has no effect. */
 };
 
 static uint32_t button_fill(const struct lab_page *page, const struct button *button)
@@ -75,7 +76,7 @@ static uint32_t button_fill(const struct lab_page *page, const struct button *bu
     return button->is_on ? BUTTON_ON : pointed && !button->is_idle ? BUTTON_LIT : BUTTON;
 }
 
-/* Returns the box of a button, which is slightly lower while the button is pressed. */
+/* Returns the box of a button. The box is slightly lower while the button is pressed. */
 static struct ui_box tag(const struct lab_page *page, const struct button *button)
 {
     const float u = page->frame.unit;
@@ -203,8 +204,8 @@ static void name_plate(const struct lab_page *page)
             ui_text_middle(&small, box.y + 0.5f * box.height), of);
 }
 
-/* Returns the box of the help line. The box is beside the name, or on a tall upright screen above
- * the name. */
+/* Returns the box of the help line. The box is beside the species' name. On a tall upright screen,
+ * the box is above the name. */
 static struct ui_box line_room(const struct lab_page *page)
 {
     const float u = page->frame.unit;
@@ -226,7 +227,7 @@ static void refused_words(const struct lab_page *page, struct ui_box room)
     lab_words_in(page, room, &style, words);
 }
 
-/* Draws a rejected file's name above the reason. */
+/* Draws the name of a rejected file, and below the name the reason. */
 static void fault_words(const struct lab_page *page, struct ui_box room,
                         const struct library_line *fault)
 {
@@ -239,8 +240,8 @@ static void fault_words(const struct lab_page *page, struct ui_box room,
     lab_words_in(page, lower, &style, fault->why);
 }
 
-/* Draws the help line. The line alternates with the operator's messages: the number of rejected
- * makers' files, then the reason for each rejected file. */
+/* Draws the help line. In turn, the help line is replaced by messages for the operator: the number
+ * of rejected makers' files, then the reason for each rejected file. */
 static void help_line(const struct lab_page *page)
 {
     const struct ui_box room = line_room(page);
@@ -291,15 +292,17 @@ static struct lab_page open_page(const struct ui_frame *frame, const struct scen
     struct lab_page page = { .frame = *frame, .lab = &scene->lab, .bench = bench };
     page.frame.unit = fminf(frame->width / canvas.x, frame->height / canvas.y);
     if (scene->lab.upright) {
-        page.frame.unit = frame->width / canvas.x; /* The scale equals the camera's scale. */
+        page.frame.unit = frame->width / canvas.x; /* The scale of the canvas equals the camera's
+                                                      scale. */
     }
     page.x = 0.5f * (frame->width - canvas.x * page.frame.unit);
     page.y = 0.5f * (frame->height - canvas.y * page.frame.unit);
     return page;
 }
 
-/* Returns the species that the lab shows, or null if this kiosk lacks the species. A recording may
- * contain makers' species of another kiosk; the graph is then shown without a fish. */
+/* Returns the species that the growth lab shows, or null if this kiosk lacks the species. A
+ * recording may show a maker's species that exists only on another kiosk. In this case the graph is
+ * shown without a fish. */
 static const struct species *species_of(const struct ui_memory *memory, const struct scene_lab *lab)
 {
     const uint32_t index = lab->species;

@@ -1,7 +1,7 @@
-/* ui_lab.h -- functions and colours that the files of the growth lab's screen share.
+/* ui_lab.h -- functions and colours that the source files of the growth lab's screen share.
  *
- * All coordinates are on the core's canvas (core/game/lab/lab_layout.h), which the pointer also
- * uses. */
+ * All coordinates are on the core's canvas (core/game/lab/lab_layout.h), which is the layout area
+ * in which the pointer also moves. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_H
 #define KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_H
 
@@ -10,38 +10,42 @@
 #include "platform/render/ui/ui_primitives.h"
 #include "platform/species/library.h"
 
-#define LAB_PURPLE 0x8a3fb5ffu /* Colour of the scale curve: purple, as in the 2005 thesis. */
+#define LAB_PURPLE                                                                                 \
+    0x8a3fb5ffu /* Colour of the curve that shows the fish's length. The 2005 thesis also uses
+                   purple for this curve. */
 #define LAB_PAPER 0xfbf2ddffu
 #define LAB_PAPER_LINE 0xb5762fffu
 #define LAB_INK 0x2a2024ffu
 #define LAB_INK_SOFT 0x6b5a50ffu
-#define LAB_MIST 0xdff3f2ffu /* Colour of text on water. */
+#define LAB_MIST 0xdff3f2ffu /* Colour of text that is drawn on the water. */
 
 struct lab_page {
     struct ui_frame frame; /* Drawing context whose `unit` is one canvas unit. */
     const struct scene_lab *lab;
-    struct ui_lab_preview *bench; /* Previewed species. Null means that this kiosk lacks the
-                                     species. */
+    struct ui_lab_preview *bench; /* State of the previewed species. Null means that this kiosk
+                                     lacks the species. */
     const struct library
-        *library; /* Species library with the rejected makers' files. Null means no library. */
+        *library; /* Species library, which also lists the rejected makers' files. Null means no
+                     library. */
     float x, y;   /* Position of the upper left corner of the canvas on the screen, in pixels. */
 };
 
-/* Returns the screen position of a part of the lab. */
+/* Returns the box on the screen of a part of the growth lab. */
 struct ui_box lab_place(const struct lab_page *page, enum lab_part part);
-/* Converts a canvas coordinate to a horizontal screen position in pixels. */
+/* Converts a horizontal canvas coordinate to pixels on the screen. */
 float lab_px_x(const struct lab_page *page, float x);
-/* Converts a canvas coordinate to a vertical screen position in pixels. */
+/* Converts a vertical canvas coordinate to pixels on the screen. */
 float lab_px_y(const struct lab_page *page, float y);
 
-/* Returns the colour of a key, key_colour(), as opaque 0xRRGGBBAA. */
+/* Returns the colour of a key (modelled growth stage) as opaque 0xRRGGBBAA. The colour is that of
+ * key_colour(). */
 uint32_t lab_key_colour(uint32_t key_count, uint32_t key);
 
-/* Returns 1 if the pointer is over a part or drags the part, otherwise 0. */
+/* Returns 1 if the pointer is over the part or drags the part, otherwise 0. */
 int lab_is_pointed(const struct lab_page *page, enum lab_part part);
 
-/* Returns a text style. `size` is in canvas units. 22 is the smallest size that a standing player
- * can read. */
+/* Returns a text style. `size` is in canvas units. A standing player can read sizes of at least
+ * 22. */
 struct ui_text lab_text(const struct lab_page *page, float size, uint32_t fill);
 
 /* Draws a line of text that is centred in a box and shrunk to the width of the box. */
@@ -62,11 +66,13 @@ const char *lab_key_name(uint8_t language, const char *name);
 
 /* Draws the aquarium with the fish. */
 void lab_stage(const struct lab_page *page);
-/* Draws the key shapes, their weights and the lifeline. */
+/* Draws the key shapes (modelled growth stages), the weight of each key at the current age, and the
+ * lifeline, on which the player selects the age. */
 void lab_keys(const struct lab_page *page);
-/* Draws the deformation graph. */
+/* Draws the deformation graph, which shows the weight of each key over the fish's progress through
+ * life. */
 void lab_graph(const struct lab_page *page);
-/* Draws the growth curve. */
+/* Draws the growth curve, which shows the fish's length over its age. */
 void lab_chart(const struct lab_page *page);
 
 #endif

@@ -1,5 +1,5 @@
-/* ui_lab_graph.c -- draws the deformation graph on paper, with one curve for each key and one for
- * the size, and the growth curve below the graph. */
+/* ui_lab_graph.c -- draws the deformation graph on paper, with one weight curve for each key
+ * (modelled growth stage) and one curve for the fish's length. Below it, draws the growth curve. */
 #include <math.h>
 #include <stdio.h>
 
@@ -64,8 +64,8 @@ static void percent_axis(const struct lab_page *page, struct ui_box field)
     const float u = page->frame.unit;
     struct ui_text style = lab_text(page, 15.0f, LAB_INK_SOFT);
     style.align = 1.0f;
-    style.fit_px = 38.0f * u; /* The maximum width keeps the label clear of the paper's frame and of
-                                 a dragged knot. */
+    style.fit_px = 38.0f * u; /* The maximum width separates the label from the paper's frame and
+                                 from a dragged knot. */
     for (uint32_t i = 0; i <= 4u; i++) {
         const float share = 0.25f * (float)i;
         char words[8];
@@ -81,8 +81,8 @@ static void percent_axis(const struct lab_page *page, struct ui_box field)
     }
 }
 
-/* Draws the right-hand axis with the labels 1 mm, 10 mm, 100 mm and 1 m, if they are in the curve's
- * range. */
+/* Draws the right-hand axis of lengths. Of the labels 1 mm, 10 mm, 100 mm and 1 m, draws those
+ * within the curve's range. */
 static void length_axis(const struct lab_page *page, struct ui_box field)
 {
     static const struct {
@@ -115,7 +115,7 @@ static void key_marks(const struct lab_page *page, struct ui_box field)
     }
 }
 
-/* Draws a weight curve. A straight line between two knots needs only one segment. */
+/* Draws the weight curve of a key. A straight line between two knots is drawn as one segment. */
 static void weight_curve(const struct lab_page *page, struct ui_box field, uint32_t key,
                          float width)
 {
@@ -180,7 +180,7 @@ static void size_knots(const struct lab_page *page, struct ui_box field)
     }
 }
 
-/* Draws all curves, with the dragged curve on top. */
+/* Draws all curves. The curve that the player drags is drawn last. */
 static void curves(const struct lab_page *page, struct ui_box field)
 {
     const struct scene_lab *lab = page->lab;
@@ -224,7 +224,7 @@ static void title(const struct lab_page *page)
     lab_words_in(page, room, &style, text_words(page->frame.language, TEXT_LAB_TITLE));
 }
 
-/* Draws a small tool button on the paper, slightly lower while the button is pressed. */
+/* Draws a small tool button on the paper. The button is slightly lower while it is pressed. */
 static void tool(const struct lab_page *page, enum lab_part part, enum text_key key, int is_on,
                  uint32_t colour)
 {
@@ -282,7 +282,7 @@ static void chart_axes(const struct lab_page *page, struct ui_box field, float m
             text_words(page->frame.language, TEXT_LAB_CHART));
 }
 
-/* A point of the growth curve: age and length as fractions of the chart. */
+/* A point of the growth curve: age and length, as fractions of the chart's width and height. */
 struct moment {
     float x, y;
 };
@@ -303,8 +303,8 @@ static float longest_m(const struct species_card *card)
     return most_m;
 }
 
-/* Draws the growth curve in even steps of age. Even steps of progress would be concentrated in the
- * first weeks. */
+/* Draws the growth curve in equal steps of age. Equal steps of progress through life would put most
+ * points in the first weeks. */
 static void chart_curve(const struct lab_page *page, struct ui_box field, float most_days,
                         float most_m)
 {

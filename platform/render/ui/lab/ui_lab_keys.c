@@ -1,5 +1,5 @@
-/* ui_lab_keys.c -- draws the key shapes (modelled growth stages) as drawn, their current weights,
- * and the lifeline. */
+/* ui_lab_keys.c -- draws the key shapes (modelled growth stages) as their maker drew them, the
+ * weight of each key at the current age, and the lifeline. */
 #include <math.h>
 #include <stdio.h>
 
@@ -88,7 +88,7 @@ static void key_card(const struct lab_page *page, uint32_t key)
                key);
 }
 
-/* ---- Lifeline: progress from hatching to adult ---------------------------------------------- */
+/* ---- Lifeline: axis of progress from hatching to adult -------------------------------------- */
 
 static void notch(const struct lab_page *page, uint32_t key, float y)
 {

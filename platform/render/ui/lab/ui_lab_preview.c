@@ -1,5 +1,5 @@
-/* ui_lab_preview.c -- computes the prepared deformation graphs (rigs) and the point trajectories of
- * the species shown in the growth lab. */
+/* ui_lab_preview.c -- computes the prepared deformation graphs (rigs) and the trajectories of
+ * points of the species that the growth lab shows. */
 #include "platform/render/ui/lab/ui_lab_preview.h"
 
 #include <string.h>
@@ -8,8 +8,8 @@
 
 /* ---- Trajectories --------------------------------------------------------------------------- */
 
-/* Returns the position of one vertex. The position is computed with a mesh of one vertex that
- * shares all tables with the species' mesh. */
+/* Returns the position of one vertex at `progress` through life. The position is computed with a
+ * mesh of only this vertex, which shares all other tables with the species' mesh. */
 static vec3 ui_lab_preview_point_at(struct ui_lab_preview *bench, const struct species *species,
                                     const struct morph_rig *rig, uint32_t vertex, float progress)
 {
@@ -41,8 +41,8 @@ static void walk(struct ui_lab_preview *bench, uint32_t vertex, struct lab_previ
     }
 }
 
-/* Traces an eye. The left eye is traced because a side view shows it. If the right eye migrates,
- * the right eye is traced instead. */
+/* Computes the trajectory of an eye. If the right eye migrates to the left side, the right eye is
+ * traced. Otherwise the left eye is traced because a side view shows it. */
 static void walk_eye(struct ui_lab_preview *bench)
 {
     const struct species_mesh *mesh = &bench->species->lod[0];

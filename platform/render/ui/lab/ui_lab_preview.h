@@ -1,6 +1,6 @@
-/* ui_lab_preview.h -- the growth lab's state between frames: the selected species with the rig of
- * the lab and with the rig of the ordinary morph (eq. 3.1 of the thesis), and the trajectories of
- * two points of the fish. */
+/* ui_lab_preview.h -- the growth lab's state between frames: the selected species and the
+ * trajectories of two points of the fish. Each trajectory is computed twice: with the deformation
+ * graphs of the growth lab, and with the ordinary morph (2005 thesis, eq. 3.1). */
 #ifndef KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_PREVIEW_H
 #define KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_PREVIEW_H
 
@@ -10,22 +10,23 @@
 #include "core/scene.h"
 #include "platform/render/specimen.h"
 
-#define LAB_PREVIEW_STEPS 64u /* Number of steps of a trajectory, which begins at hatching. */
+#define LAB_PREVIEW_STEPS                                                                          \
+    64u /* Number of steps of a trajectory, which begins at hatching and ends at the adult. */
 
 enum lab_preview_point { LAB_PREVIEW_DORSAL = 0, LAB_PREVIEW_EYE, LAB_PREVIEW_POINT_COUNT };
 
 struct lab_preview_path {
-    bool is_there; /* True if the species has the point. A stingray, for example, has no dorsal
-                      fin. */
+    bool is_there; /* True if the species has the traced point. A stingray, for example, has no
+                      dorsal fin. */
     vec3 at[LAB_PREVIEW_STEPS + 1u]; /* Positions of the point from hatching on, in body lengths, in
                                         the body's coordinate system. */
     vec3 ordinary[LAB_PREVIEW_STEPS + 1u]; /* Positions of the point in the ordinary morph. */
-    float bow; /* Largest distance of the trajectory from the straight line between its ends, in
-                  body lengths. */
+    float bow; /* Largest distance between the trajectory and the straight line from its start to
+                  its end, in body lengths. */
 };
 
-/* State of the growth lab's picture, about 180 KB, mostly the tables of the ordinary morph. Zero
- * means that no species is selected yet. */
+/* State of the growth lab's picture. The size is about 180 KB, mostly the tables of the ordinary
+ * morph. A zeroed struct means that no species is selected yet. */
 struct ui_lab_preview {
     const struct species *species; /* Selected species. Null means none. */
     uint32_t edition;              /* Number that increases with each selection of a species. */
@@ -36,12 +37,13 @@ struct ui_lab_preview {
     struct species ordinary;
     struct straight_memory memory;
     struct lab_preview_path ways[LAB_PREVIEW_POINT_COUNT];
-    struct specimen_bounds bounds; /* Extent of the fish over all ages, in the fish's usual view. */
-    struct morph_pose pose;        /* Scratch memory. */
+    struct specimen_bounds bounds; /* Extent of the fish over all ages, in the usual view
+                                      (specimen_portrait()). */
+    struct morph_pose pose;        /* Scratch memory for computing trajectories. */
 };
 
-/* Selects `species` with the edited `card` and recomputes only the fields that changed. `card` must
- * have as many keys as the species. */
+/* Selects `species` with the card `card` that the player edited. Recomputes only the fields that
+ * changed. `card` must have as many keys as the species. */
 void ui_lab_preview_set(struct ui_lab_preview *bench, const struct species *species,
                         const struct species_card *card);
 

@@ -1,5 +1,5 @@
-/* ui_lab_stage.c -- draws the aquarium of the growth lab (its stage): the fish at its age, its
- * ruler, its comparison fish, and the trajectories of points of the fish. */
+/* ui_lab_stage.c -- draws the aquarium of the growth lab (the stage): the fish at the selected age,
+ * its ruler, a comparison fish, and the trajectories of points of the fish. */
 #include <math.h>
 #include <stdio.h>
 
@@ -7,26 +7,27 @@
 
 #define TAU 6.28318531f
 #define BEAT_HZ 1.1f
-/* Maximum number of marks on the ruler. Marks are at least 7 px apart, so that a ruler has about
- * 110. */
+/* Maximum number of marks on the ruler. A ruler has about 110 marks, because marks are at least
+ * 7 px apart. */
 #define RULE_MARKS_MAX 260u
-/* Fraction of the stage that the hatchling fills. The fraction is below 1 so that growth is
- * visible. */
+/* Length of the hatchling, as a fraction of the adult's length on the stage. The value is below 1
+ * so that growth is visible. */
 #define YOUNG_SIZE 0.74f
 #define WAY_GOLD 0xffd24affu
 #define WAY_PINK 0xff8fb0ffu
 #define CHORD 0xffffff90u
-/* Margin above the fish in canvas units, because the fish turns a little as it swims. */
+/* Margin above the fish in canvas units. The margin is needed because the fish turns a little while
+ * it swims. */
 #define TOP 40.0f
 #define TOP_CAPTION 62.0f /* Margin above the fish in canvas units if a caption is shown. */
 #define FOOT 12.0f        /* Margin above the ruler in canvas units. */
-/* Length in pixels from which the dots of a trajectory have their full size. */
+/* Length of a trajectory in pixels from which its dots have their full size. */
 #define DOT_WAY 120.0f
 
 /* ---- Area of a fish ------------------------------------------------------------------------- */
 
-/* Area of one fish on the screen: the whole stage, or half of the stage beside a comparison
- * fish. */
+/* Area of one fish on the screen. The area is the whole stage, or half of the stage if a comparison
+ * fish is shown. */
 struct tank_room {
     struct ui_box box;
     float ruler_y;
@@ -46,7 +47,7 @@ static struct tank_room room_of(const struct lab_page *page, uint32_t half)
     return (struct tank_room){ .box = box, .ruler_y = box.y + box.height - 40.0f * u };
 }
 
-/* Vertical range of the fish in pixels. */
+/* Vertical range in pixels that the fish occupies. */
 struct span_px {
     float top, foot;
 };
@@ -58,8 +59,8 @@ static struct span_px free_span(const struct lab_page *page, const struct tank_r
                              room->ruler_y - FOOT * u };
 }
 
-/* Returns the largest length in pixels at which the fish fits at every age. The length is reduced
- * while the fish is young. */
+/* Returns the fish's length in pixels. The fish fits on the stage at every age, and is drawn
+ * shorter while it is young. */
 static float length_px(const struct lab_page *page, const struct tank_room *room)
 {
     const struct ui_lab_preview *bench = page->bench;
@@ -88,7 +89,7 @@ static struct specimen fish_in(const struct lab_page *page, const struct tank_ro
     fish.x_px =
         room->box.x + 0.5f * room->box.width + 0.5f * (reach->left - reach->right) * fish.length_px;
     fish.y_px = 0.5f * (span.top + span.foot) + 0.5f * (reach->up - reach->down) * fish.length_px;
-    if (!page->lab->path) { /* The fish moves only while no trajectories are drawn on it. */
+    if (!page->lab->path) { /* The fish swims only while no trajectories are drawn. */
         fish.yaw_rad += 0.16f * sinf(0.5f * time_s);
         fish.pitch_rad += 0.05f * sinf(0.37f * time_s + 1.0f);
         fish.phase_rad = fmodf(TAU * BEAT_HZ * time_s, TAU);
@@ -99,7 +100,8 @@ static struct specimen fish_in(const struct lab_page *page, const struct tank_ro
 
 /* ---- Ruler ---------------------------------------------------------------------------------- */
 
-/* Returns a step of 1, 2 or 5 times a power of ten metres that is at least `least_px` wide. */
+/* Returns the distance in metres between two marks of the ruler. The distance is 1, 2 or 5 times a
+ * power of ten, and at least `least_px` pixels on the screen. */
 static float step_m(float px_per_m, float least_px)
 {
     static const float steps[3] = { 1.0f, 2.0f, 5.0f };
@@ -114,8 +116,8 @@ static float step_m(float px_per_m, float least_px)
     return power;
 }
 
-/* Draws a bracket over the measured length. A disc-shaped body is measured across its width, which
- * a ruler below the fish cannot show. */
+/* Draws a bracket over the measured length. Draws nothing for a disc-shaped body, because its width
+ * is measured, and a ruler below the fish cannot show the width. */
 static void bracket(const struct lab_page *page, float x, float length_px, float y)
 {
     const float u = page->frame.unit;
@@ -139,7 +141,7 @@ static void ui_lab_stage_draw_mark(const struct lab_page *page, float x, float y
     ui_segment(page->frame.batch, from, to, (is_coarse ? 1.8f : 1.1f) * u, 0x4a3018ffu);
 }
 
-/* Draws a figure of the ruler. Only the first figure includes the unit. */
+/* Draws a number of the ruler. Only the first number is followed by the unit. */
 static void figure(const struct lab_page *page, float x, float y, float length_m, int in_cm)
 {
     const float u = page->frame.unit;
@@ -153,8 +155,8 @@ static void figure(const struct lab_page *page, float x, float y, float length_m
     ui_text(page->frame.batch, &style, x - (is_first ? 3.0f * u : 0.0f), y + 28.0f * u, number);
 }
 
-/* Draws a bamboo ruler from the snout to the right, which shows the fish's length in the measure of
- * its species. */
+/* Draws a bamboo ruler from the fish's snout to the right. The ruler shows the length that is
+ * usually measured for the species, for example with or without the tail fin. */
 static void ruler(const struct lab_page *page, const struct tank_room *room,
                   const struct specimen *fish)
 {
@@ -219,8 +221,8 @@ static void ui_lab_stage_draw_words(const struct lab_page *page, const struct ta
             room->box.y + 44.0f * u, line);
 }
 
-/* Draws a caption that names the fish's morph. Without captions, the two fish could be confused
- * because they have the same age and length. */
+/* Draws a caption that names the fish's morph. Without the captions, a player could confuse the two
+ * fish, because they have the same age and length. */
 static void caption(const struct lab_page *page, const struct tank_room *room, enum text_key key)
 {
     const float u = page->frame.unit;
@@ -273,8 +275,8 @@ static void way_dot(const struct lab_page *page, const struct specimen *fish, ve
                                  .shape = { 0, 0, r, fminf(2.0f * page->frame.unit, 0.35f * r) } });
 }
 
-/* Returns the dot size, which is smaller for a short trajectory. An eye's trajectory is about 20 px
- * long. */
+/* Returns the size of the dots on a trajectory. The dots are smaller on a short trajectory, for
+ * example on an eye's trajectory of about 20 px. */
 static float dot_size(const struct lab_page *page, const struct specimen *fish,
                       const struct lab_preview_path *way)
 {
@@ -289,8 +291,9 @@ static float dot_size(const struct lab_page *page, const struct specimen *fish,
     return fminf(fmaxf(share, 0.4f), 1.0f);
 }
 
-/* Draws the trajectory of a point (figures 3.4 and 3.5 of the thesis) and the straight line of the
- * ordinary morph (figure 3.2). A dot marks each key, and a ring marks the current position. */
+/* Draws the trajectory of a point (2005 thesis, figures 3.4 and 3.5) and the straight line of the
+ * ordinary morph (2005 thesis, figure 3.2). A dot marks each key, and a ring marks the current
+ * position. */
 static void one_way(const struct lab_page *page, const struct specimen *fish,
                     const struct lab_preview_path *way, uint32_t colour)
 {
@@ -307,19 +310,20 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
             (uint32_t)((float)key / (float)(keys - 1u) * (float)LAB_PREVIEW_STEPS + 0.5f);
         way_dot(page, fish, way->at[step], 6.5f * size, lab_key_colour(keys, key), 0xffffffffu);
     }
-    /* The ring is large enough to leave the eye visible. */
+    /* The ring is large enough that the eye is visible inside it. */
     way_dot(page, fish, way->at[now], 12.0f, 0x00000000u, colour);
 }
 
-/* Returns the name of a traced point. A stingray has a sting instead of a dorsal fin. */
+/* Returns the name of a traced point. For a stingray, the traced point is the sting instead of the
+ * dorsal fin. */
 static enum text_key way_name(const struct lab_page *page, uint32_t point)
 {
     const int stings = page->lab->card.motion == MOTION_WING;
     return point == LAB_PREVIEW_EYE ? TEXT_LAB_EYE : stings ? TEXT_LAB_STING : TEXT_LAB_DORSAL;
 }
 
-/* Draws the legend above the snout, where the stage has space. The legend lists the distance of
- * each trajectory from the straight line, in body lengths. */
+/* Draws the legend in the free area above the fish's snout. For each trajectory, the legend shows
+ * the largest distance from the straight line, in body lengths. */
 static void way_legend(const struct lab_page *page, const struct tank_room *room)
 {
     static const uint32_t colours[LAB_PREVIEW_POINT_COUNT] = { WAY_GOLD, WAY_PINK };
@@ -375,8 +379,8 @@ static void frame_line(const struct lab_page *page)
                                                     .shape = { 0, 0, 16.0f * u, 2.0f * u } });
 }
 
-/* Draws the comparison fish, which is the result of eq. 3.1 of the thesis for the first and the
- * last key. */
+/* Draws the comparison fish, which is the ordinary morph (2005 thesis, eq. 3.1) between the first
+ * and the last key. */
 static void rival(const struct lab_page *page)
 {
     const struct tank_room room = room_of(page, 1);

@@ -7,7 +7,7 @@
 #include "platform/render/ui/text.h"
 
 #define DAYS_PER_YEAR 365.25f
-#define DAYS_TO_TELL 700.0f /* Age in days from which an age is written in years. */
+#define DAYS_TO_TELL 700.0f /* Minimum age in days that is written in years. */
 
 struct known {
     const char *id;

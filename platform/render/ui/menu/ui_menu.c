@@ -1,4 +1,4 @@
-/* ui_menu.c -- draws the operator's menu as wooden tags over the darkened tank. */
+/* ui_menu.c -- draws the operator's menu: wooden tags over the darkened tank. */
 #include "platform/render/ui/menu/ui_menu.h"
 
 #include <math.h>
@@ -61,7 +61,7 @@ struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag)
     return box;
 }
 
-/* Writes the keys of a tag's name and description. A tag that leads to a page has the page's
+/* Writes the text keys of a tag's name and description. A tag that leads to a page shows the page's
  * title. */
 static void name_hung(const struct menu_view *view, uint32_t tag, enum text_key *name,
                       enum text_key *line)
@@ -72,7 +72,7 @@ static void name_hung(const struct menu_view *view, uint32_t tag, enum text_key 
     *line = page < MENU_PAGE_COUNT ? menu_words_of(page)->about : words->lines[tag];
 }
 
-/* Returns 1 for a page that the operator must check, otherwise 0. */
+/* Returns 1 if the page shows a fault that the operator must check, otherwise 0. */
 static int calls_for_a_look(const struct menu_view *view, uint8_t page)
 {
     const struct scene_machine *machine = &view->devices->machine;
@@ -80,8 +80,8 @@ static int calls_for_a_look(const struct menu_view *view, uint8_t page)
            (machine->aside > 0 || machine->missed > 0 || view->devices->files_refused > 0);
 }
 
-/* Draws the sign in the upper corner of a tag: an exclamation mark on red, or the seal of a changed
- * setting. */
+/* Draws the sign in the upper corner of a tag. The sign is an exclamation mark on red for a page to
+ * check, or the seal for a changed setting. */
 static void corner(const struct menu_view *view, struct ui_box box, uint8_t page)
 {
     const float u = view->frame.unit, r = 17.0f * u;
@@ -133,8 +133,8 @@ static void foot_tag(const struct menu_view *view, uint32_t tag, uint32_t foot)
                 &name, menu_text(view, foot_name(view, foot)));
 }
 
-/* Draws a pole over each row of hanging tags. A row begins at a tag whose left neighbour is in
- * another row. */
+/* Draws a pole over each row of hanging tags. A new row begins at each tag that is lower than the
+ * tag before it. */
 static void poles(const struct menu_view *view, uint32_t body_count)
 {
     const float u = view->frame.unit;
@@ -176,7 +176,7 @@ static void tags(const struct menu_view *view)
 
 /* ---- Whole page of the menu ----------------------------------------------------------------- */
 
-/* Darkens the tank, so that text stands out from the tank's lights. */
+/* Darkens the tank, so that the menu's text is readable over the bright lights of the tank. */
 static void veil(const struct menu_view *view)
 {
     const struct ui_box box = { 0.0f, 0.0f, view->frame.width, view->frame.height };
@@ -222,8 +222,9 @@ static void hand(const struct menu_view *view)
     }
 }
 
-/* Returns the view with the largest scale at which the canvas fits. On an upright screen the scale
- * equals the camera's scale, which the pointer uses. */
+/* Returns the view with the largest scale at which the whole canvas fits on the screen. On an
+ * upright screen the scale equals the camera's scale, because the pointer uses the camera's
+ * scale. */
 static struct menu_view open_view(const struct ui_frame *frame, const struct scene *scene)
 {
     const struct layout_point canvas = pointer_layout_size(scene->menu.upright);

@@ -1,7 +1,7 @@
-/* ui_menu.h -- functions and types that the files of the operator's menu share.
+/* ui_menu.h -- functions and types that the source files of the operator's menu share.
  *
- * All coordinates are on the core's canvas (core/game/pointer_mapping.h), which the pointer also
- * uses. */
+ * All coordinates are on the core's canvas (core/game/pointer_mapping.h), which is the layout area
+ * in which the pointer also moves. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_MENU_UI_MENU_H
 #define KINGYO_PLATFORM_RENDER_UI_MENU_UI_MENU_H
 
@@ -23,14 +23,14 @@ struct menu_view {
 
 /* Texts of a page and of its tags, and the function that draws the page. */
 struct menu_words {
-    enum text_key title, about;        /* Name and description of the page, for the tag that leads
-                                          to the page. */
-    enum text_key foot[MENU_FOOT_MAX]; /* Texts of the tags at the foot of the page, in order. */
-    enum text_key names[8], lines[8];  /* Names and descriptions of hanging tags that lead to no
+    enum text_key title, about;        /* Name and description of the page. They are shown on the
+                                          tag that leads to the page. */
+    enum text_key foot[MENU_FOOT_MAX]; /* Texts of the tags at the bottom of the page, in order. */
+    enum text_key names[8], lines[8];  /* Names and descriptions of the hanging tags that lead to no
                                           page. */
     void (*draw)(const struct menu_view *view); /* Function that draws the page. Null means that the
-                                                   page has only tags. */
-    uint8_t is_whole; /* 1 if the page covers the whole picture, with only the tags over it,
+                                                   page consists only of tags. */
+    uint8_t is_whole; /* 1 if the page covers the whole picture and only its tags are drawn over it,
                          otherwise 0. */
 };
 const struct menu_words *menu_words_of(uint8_t page);
@@ -41,38 +41,39 @@ const struct menu_words *menu_words_of(uint8_t page);
  * which no setting uses. */
 struct setting_words {
     enum text_key name, help;
-    enum text_key unit, zero, one; /* `unit` is a pattern such as "{} min". `zero` and `one` are
-                                      texts that replace the values 0 and 1. */
+    enum text_key unit, zero, one; /* `unit` is the pattern of the value, such as "{} min". `zero`
+                                      and `one` are texts that replace the values 0 and 1. */
     enum text_key choices[SETTING_CHOICES_MAX];
 };
 const struct setting_words *menu_setting_words_of(uint32_t id);
 
-/* Writes the value of a setting, such as "5 min", "never" or "18:30". */
+/* Writes the value of a setting as a text, such as "5 min", "never" or "18:30". */
 void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, char *out,
                       size_t out_size);
 
-/* Writes the range and the default of a setting, such as "free / paid / event    standard free". */
+/* Writes the range and the default of a setting as a text, such as "free / paid / event standard
+ * free". */
 void menu_range_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size);
 
-/* Returns the screen position of a canvas box. */
+/* Converts a box on the canvas to a box on the screen. */
 struct ui_box menu_place(const struct menu_view *view, struct layout_box box);
 
 /* Returns the box of a tag on the screen. The box is empty if the tag is not available. */
 struct ui_box menu_tag_place(const struct menu_view *view, uint32_t tag);
 
-/* Draws the blank board of a tag and returns its box, which is slightly lower while the tag is
+/* Draws a tag without text and returns its box. The box is slightly lower while the tag is
  * pressed. */
 struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag);
 
 /* Returns the text with the key `key` in the screen's language. */
 const char *menu_text(const struct menu_view *view, enum text_key key);
 
-/* Returns a text style of `size` canvas units in the common font. 22 is the smallest size that is
- * readable from a metre. */
+/* Returns a text style of `size` canvas units in the common font. Text is readable from a distance
+ * of one metre if `size` is at least 22. */
 struct ui_text menu_style(const struct menu_view *view, float size, uint32_t fill);
 
-/* Returns the same style as menu_style(), but in a brush font for Japanese and in the stall's font
- * for other languages. */
+/* Returns the style of menu_style() with another font: a brush font for Japanese, and the stall's
+ * font for other languages. */
 struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fill);
 
 /* Draws text whose start (align 0), centre (0.5) or end (1) is at `x`. The text is vertically
@@ -80,10 +81,11 @@ struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fil
 void menu_words_at(const struct menu_view *view, float x, float y, float room, float align,
                    const struct ui_text *style, const char *words);
 
-/* Draws the operator's vermilion seal, which marks a value that differs from its default. */
+/* Draws the operator's vermilion seal, which marks a setting whose value differs from its
+ * default. */
 void menu_seal(const struct menu_view *view, float x, float y);
 
-/* Returns the number of bytes of `words` that fill a line of `room_px`. The line ends at the last
+/* Returns how many bytes of `words` fit on one line of `room_px` pixels. The line ends at the last
  * space that fits, or after the last whole character if no space fits. The line has at least one
  * character. */
 size_t menu_fill_line(const struct ui_text *style, const char *words, float room_px);

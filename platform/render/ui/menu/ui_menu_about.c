@@ -1,5 +1,5 @@
-/* ui_menu_about.c -- draws the page about this machine: its version, its account books, and the
- * status line of each device. */
+/* ui_menu_about.c -- draws the page about this machine: the program's version, the state of the
+ * account books, and the status line of each device. */
 #include <stdio.h>
 #include <string.h>
 
@@ -31,8 +31,8 @@ static const struct places upright_places = {
     .line_count = 3,
 };
 
-/* Draws a line such as "Kingyo 0.1.0 Start no. 12 Running for 340 min", and the extent to which the
- * account books are on disk. */
+/* Draws a line such as "Kingyo 0.1.0 Start no. 12 Running for 340 min", and whether all entries of
+ * the account books are on disk. */
 static void ui_menu_about_heading(const struct menu_view *view, const struct places *places,
                                   struct ui_box box)
 {

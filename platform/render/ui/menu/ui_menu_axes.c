@@ -1,5 +1,6 @@
-/* ui_menu_axes.c -- draws, for the controller of each slot, its reported position over the tank,
- * its rotation, its report rate and its longest silence. */
+/* ui_menu_axes.c -- draws for the controller of each slot (place of one of up to four controllers):
+ * the position over the tank, the rotation, the report rate and the longest time between two
+ * reports. */
 #include <math.h>
 #include <stdio.h>
 
@@ -9,17 +10,19 @@
 #define AXIS_COUNT 6u
 #define NEGATIVE_PAINT 0x2b4c8cffu
 #define POSITIVE_PAINT 0x17754effu
-/* A controller is treated as unreliable if the longest gap between two reports is at least this
- * number of ms, see core/game/control/input_validation.h. */
+/* Longest time in ms between two reports from which a controller is treated as unreliable. See
+ * core/game/control/input_validation.h. */
 #define GAP_BAD_MS 100.0f
 
 struct axis {
     char name[4];
-    float full; /* Value of half a bar, in metres or radians. */
+    float full; /* Axis value, in metres or radians, at which the bar is drawn to the end of its
+                   half. */
 };
 
-/* Half a bar is half of a tank's length for x, and the height of an arm for y. Half a bar is half a
- * turn for yaw, and a quarter turn for pitch and roll. */
+/* The axes of a controller. A full half of the bar stands for half of the tank's length (x), half
+ * of the tank's width (z), the height of an arm (y), half a turn (yaw), or a quarter turn (pitch
+ * and roll). */
 static const struct axis axes[AXIS_COUNT] = {
     { "x", 0.70f },        { "y", 0.30f },        { "z", 0.40f },
     { "yaw", 3.1415927f }, { "pit", 1.5707964f }, { "rol", 1.5707964f },
@@ -43,8 +46,8 @@ static struct ui_box cell(const struct menu_view *view, uint32_t seat)
                                          120.0f + 240.0f * (float)(seat / 2u), 590.0f, 228.0f });
 }
 
-/* Draws a bar from the middle to the right or to the left. The value is beside the bar, in mm or
- * degrees. */
+/* Draws a bar from the middle to the right for a positive value and to the left for a negative
+ * value. Beside the bar, draws the value in mm or degrees. */
 static void ui_menu_axes_bar(const struct menu_view *view, const struct scene_axes *seat,
                              struct ui_box box, uint32_t axis)
 {
@@ -82,7 +85,8 @@ static enum text_key link_name(uint8_t link)
                                      : TEXT_AXIS_ABSENT;
 }
 
-/* Draws slot, state, report rate and longest gap above the bars. */
+/* Draws the slot, the controller's state, the report rate and the longest time between two reports
+ * above the bars. */
 static void ui_menu_axes_heading(const struct menu_view *view, const struct scene_axes *seat,
                                  uint32_t index, struct ui_box box)
 {
@@ -120,7 +124,7 @@ static void seat_sheet(const struct menu_view *view, uint32_t index)
         return;
     }
     const float pitch = (box.height - 68.0f * u) / 3.0f, width = 0.5f * box.width - 34.0f * u;
-    for (uint32_t axis = 0; axis < AXIS_COUNT; axis++) { /* Positions are on the left side,
+    for (uint32_t axis = 0; axis < AXIS_COUNT; axis++) { /* Positions are drawn on the left side,
                                                             rotations on the right side. */
         const float x = box.x + 22.0f * u + (axis >= 3u ? width + 24.0f * u : 0.0f);
         ui_menu_axes_bar(

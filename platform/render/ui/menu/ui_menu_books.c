@@ -1,5 +1,5 @@
-/* ui_menu_books.c -- draws the pages of the account books: earnings, plays, plays by hour, and
- * faults. */
+/* ui_menu_books.c -- draws the pages of the account books, which are the operator's counters:
+ * earnings, plays, plays by hour, and faults. */
 #include <math.h>
 #include <stdio.h>
 
@@ -10,13 +10,14 @@
 #define BAR_PAINT 0x2b4c8cffu
 #define NUMBER_SIZE 24u
 
-/* A line of an account book: a name, and either a counter or the quotient of two counters. */
+/* One line of an account book: a name, and a counter or the quotient of two counters. */
 struct book_line {
     enum text_key name;
-    uint8_t audit, by; /* Counter, and counter that divides it. A divisor of 0 means no division,
-                          because counter 0 is never a divisor. */
-    uint16_t over;     /* Additional constant divisor, for example from seconds to hours. 0 means no
-                          division. */
+    uint8_t audit, by; /* Index of the shown counter, and index of the counter by which it is
+                          divided. A divisor index of 0 means no division, because counter 0 is
+                          never a divisor. */
+    uint16_t over;     /* Additional constant divisor, for example 3600 to convert seconds to hours.
+                          0 means no division. */
 };
 
 /* ---- Sheets of paper and numbers ------------------------------------------------------------ */
@@ -56,8 +57,8 @@ static void write_count(char out[NUMBER_SIZE], uint32_t count)
     out[at] = 0;
 }
 
-/* Writes the value of a line: a count, a mean with one decimal, or a dash if nothing was
- * counted. */
+/* Writes the value of a line: a count, a quotient with one decimal place, or a dash if the counter
+ * that divides is 0. */
 static void write_line(const struct menu_view *view, const struct book_line *line,
                        char out[NUMBER_SIZE])
 {
@@ -92,9 +93,9 @@ static void lines(const struct menu_view *view, struct ui_box box, uint32_t colu
         write_line(view, &line[i], words);
         menu_words_at(view, x, y, 0.62f * width, 0.0f, &name, menu_text(view, line[i].name));
         menu_words_at(view, x + width, y, 0.36f * width, 1.0f, &number, words);
-        if (i % rows + 1u < rows && i + 1u < count) { /* The last line of a column needs no rule,
-                                                         because the border of the sheet is below
-                                                         it. */
+        if (i % rows + 1u < rows && i + 1u < count) { /* The last line of a column needs no
+                                                         separating rule, because the border of the
+                                                         sheet is below it. */
             rule(view, x, y + 0.5f * pitch, width);
         }
     }
@@ -161,7 +162,7 @@ static void by_mode(const struct menu_view *view, struct ui_box box)
     const float column = (box.x + box.width - 24.0f * u - first) / (float)AUDIT_GRADES;
     const struct ui_text name = menu_style(view, 24.0f, UI_INK_SOFT);
     const struct ui_text number = menu_style(view, 22.0f, UI_INK); /* Four digits of this size fit
-                                                                      in a column. */
+                                                                      in one column of the table. */
     char words[TEXT_LINE_MAX];
     menu_words_at(view, box.x + 0.5f * box.width, box.y + 28.0f * u, box.width - 40.0f * u, 0.5f,
                   &name, menu_text(view, TEXT_AUD_BY_MODE));
@@ -211,7 +212,7 @@ void menu_plays(const struct menu_view *view)
 
 /* ---- Page of plays by hour and weekday ------------------------------------------------------ */
 
-/* Draws a bar chart with names below the bars. The highest bar has the full height. */
+/* Draws a bar chart with a name below each bar. The highest bar fills the height of the chart. */
 static void bars(const struct menu_view *view, struct ui_box box, enum text_key title,
                  uint32_t first, uint32_t count,
                  void (*name)(const struct menu_view *view, uint32_t index, char *out,
@@ -243,7 +244,7 @@ static void bars(const struct menu_view *view, struct ui_box box, enum text_key 
                          .fill = BAR_PAINT,
                          .shape = { 0, 0, 3.0f * u } });
         }
-        if (plays == most) { /* Only the highest bars show their value. */
+        if (plays == most) { /* Only the highest bars show their value as a number. */
             write_count(words, plays);
             menu_words_at(view, x, base - height - 18.0f * u, 3.0f * pitch, 0.5f, &top, words);
         }
@@ -253,7 +254,7 @@ static void bars(const struct menu_view *view, struct ui_box box, enum text_key 
     rule(view, left, base, box.width - 48.0f * u);
 }
 
-/* Writes every third hour, because 24 labels would be too small to read. */
+/* Writes the label of every third hour only, because 24 labels would be too small to read. */
 static void name_hour(const struct menu_view *view, uint32_t index, char *out, size_t out_size)
 {
     (void)view;

@@ -1,6 +1,6 @@
-/* ui_menu_calibrate.c -- draws the calibration page. The page shows the tank from above with its
- * four marks and the next instruction, then a side view of the water on which the operator lays the
- * poi. */
+/* ui_menu_calibrate.c -- draws the calibration page. First, the page shows the tank from above with
+ * four marks and the next instruction. In the last step, the page shows the water from the side,
+ * and the operator lays the poi on the water. */
 #include <math.h>
 #include <stdio.h>
 
@@ -130,7 +130,8 @@ static void ring(const struct menu_view *view, float x, float y, float radius, f
                                  .shape = { radius, 7.0f * view->frame.unit, part } });
 }
 
-/* Converts a position on the water to a position in the box that shows the tank from above. */
+/* Converts a position on the water to a point in the box `pool`, which shows the tank from
+ * above. */
 static void place_in(const struct menu_view *view, struct ui_box pool, vec3 at_m, float *x,
                      float *y)
 {
@@ -141,8 +142,9 @@ static void place_in(const struct menu_view *view, struct ui_box pool, vec3 at_m
     *y = pool.y + pool.height * (0.5f + fmaxf(-0.5f, fminf(near, 0.5f)));
 }
 
-/* Draws the marks: a fish for each finished step, a large ring for the current step, and a small
- * ring for each later step. The large ring fills while the poi is held still. */
+/* Draws a mark for each calibration step: a fish for a finished step, a large ring for the current
+ * step, and a small ring for a later step. The large ring fills while the operator holds the poi
+ * still. */
 static void marks(const struct menu_view *view, struct ui_box pool)
 {
     const float u = view->frame.unit;
@@ -163,7 +165,7 @@ static void marks(const struct menu_view *view, struct ui_box pool)
     }
 }
 
-/* Draws the current position of the poi with the calibration applied. */
+/* Draws the current position of the poi, as computed with the new calibration. */
 static void live_poi(const struct menu_view *view, struct ui_box pool)
 {
     const struct scene_menu *menu = view->menu;
@@ -179,7 +181,7 @@ static void live_poi(const struct menu_view *view, struct ui_box pool)
     ui_poi_sign(&view->frame, x, y, 24.0f * view->frame.unit, 1.0f, ui_player_colours[menu->seat]);
 }
 
-/* Draws the side view, in which the poi sinks onto the water and lies there. */
+/* Draws the water from the side. An animated poi sinks onto the water and stays there. */
 static void laid_flat(const struct menu_view *view, struct ui_box pool)
 {
     const float u = view->frame.unit, t = fmodf(view->frame.time_s, 2.4f);

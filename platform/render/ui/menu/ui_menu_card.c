@@ -1,11 +1,12 @@
-/* ui_menu_card.c -- draws the test card, which makes a screen's faults visible.
+/* ui_menu_card.c -- draws the test card, a picture that makes faults of the screen visible.
  *
- * A white line follows the picture's edge. If an edge is invisible, the operator must correct the
- * overscan setting. A grid of squares and a circle are undistorted on a screen of square pixels.
- * The card shows eight colours, eleven greys, and four further greys that a badly adjusted screen
- * shows as black or white. Letters are in the middle and in the corners. The smallest letters are
- * sharp only if every pixel is shown separately. Amber lines, a twentieth of the picture inside the
- * edge, enclose the safe area for text. */
+ * A white line runs along the edge of the picture. If the line is not visible at all four sides,
+ * the operator must correct the overscan setting. The grid's squares and the circle look
+ * undistorted if the screen's pixels are square. The card shows eight colours, eleven greys, and
+ * four further greys that a badly adjusted screen shows as black or white. Letters are in the
+ * middle and in the corners. The smallest letters are sharp only if the screen shows every pixel
+ * separately. Four amber lines enclose the safe area for text. The distance of each amber line from
+ * the picture's edge is 5 % of the picture's size. */
 #include "platform/render/ui/menu/ui_menu.h"
 
 #include <math.h>
@@ -14,11 +15,15 @@
 #define CARD_GREY 0x404040ffu
 #define CARD_WHITE 0xffffffffu
 #define CARD_AMBER 0xffa800ffu
-/* Number of squares from top to bottom, or from side to side on an upright screen. */
+/* Number of grid squares from top to bottom. On an upright screen, number of grid squares from left
+ * to right. */
 #define GRID_ROWS 9.0f
-/* Maximum number of lines on each side of the middle, enough for a screen of 14 to 1. */
+/* Maximum number of grid lines on each side of the middle. The number is enough for an aspect ratio
+ * of 14 to 1. */
 #define GRID_LINES_MAX 64u
-#define SAFE 0.05f /* Distance of the safe area from the edge, as a fraction of each side. */
+#define SAFE                                                                                       \
+    0.05f /* Distance of the safe area from each edge, as a fraction of the picture's width or
+             height. */
 #define COLOUR_COUNT 8u
 #define GREY_COUNT 11u
 #define SUBTLE_COUNT 4u
@@ -28,8 +33,8 @@ static void ui_menu_card_fill_box(const struct menu_view *view, struct ui_box bo
     ui_shape(view->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = colour });
 }
 
-/* Draws a horizontal line on whole pixels. A line on half pixels would be two pixels wide and half
- * as bright. */
+/* Draws a horizontal line at whole pixel positions. A line between two pixel rows would be two
+ * pixels wide and half as bright. */
 static void line_across(const struct menu_view *view, float y, float from, float to, float px,
                         uint32_t colour)
 {
@@ -44,7 +49,7 @@ static void line_down(const struct menu_view *view, float x, float from, float t
         view, (struct ui_box){ floorf(x), floorf(from), px, floorf(to) - floorf(from) }, colour);
 }
 
-/* Draws an outline whose lines are inside the box. */
+/* Draws the outline of a box. The lines are inside the box. */
 static void outline(const struct menu_view *view, struct ui_box box, float px, uint32_t colour)
 {
     const float right = box.x + box.width, bottom = box.y + box.height;
@@ -54,16 +59,17 @@ static void outline(const struct menu_view *view, struct ui_box box, float px, u
     line_down(view, right - px, box.y, bottom, px, colour);
 }
 
-/* Returns the number of lines within half of `length`, including the line in the middle. The
- * maximum is GRID_LINES_MAX. */
+/* Returns the number of grid lines from the middle of the picture to one edge, including the line
+ * in the middle. `length` is the picture's width or height, and `side` is the side of a grid
+ * square. The maximum is GRID_LINES_MAX. */
 static uint32_t grid_lines(float length, float side)
 {
     const float lines = ceilf(0.5f * length / side);
     return lines < (float)GRID_LINES_MAX ? (uint32_t)lines : GRID_LINES_MAX;
 }
 
-/* Draws the grid from the middle outward, so that it is symmetric. The lines are counted, so that
- * the loop ends even if a square is smaller than a pixel. */
+/* Draws the grid from the middle of the picture to the edges, so that the grid is symmetric. The
+ * limit of grid_lines() ends the loops even if a square is smaller than a pixel. */
 static void grid(const struct menu_view *view, float side)
 {
     const float width = view->frame.width, height = view->frame.height;
@@ -109,8 +115,8 @@ static uint32_t grey_of(uint32_t level)
     return level << 24 | level << 16 | level << 8 | 0xffu;
 }
 
-/* Draws eleven greys from black to white. The black has two slightly lighter patches, and the white
- * has two slightly darker patches. */
+/* Draws eleven greys from black to white. The black field contains two slightly lighter patches,
+ * and the white field contains two slightly darker patches. */
 static void greys(const struct menu_view *view, struct ui_box band)
 {
     static const uint32_t subtle[SUBTLE_COUNT] = { 5, 10, 245, 250 };
@@ -131,7 +137,7 @@ static void greys(const struct menu_view *view, struct ui_box band)
     }
 }
 
-/* Draws letters in three sizes. The smallest size is in screen pixels instead of canvas units. */
+/* Draws letters in three sizes. The sizes are in screen pixels instead of canvas units. */
 static void letters(const struct menu_view *view, float x, float y)
 {
     static const float sizes_px[] = { 28.0f, 18.0f, 11.0f };

@@ -18,8 +18,8 @@ static const struct state_words states[CONTROLLER_STATE_COUNT] = {
     [CONTROLLER_DENIED] = { TEXT_STATE_DENIED, TEXT_ROW_DENIED, 0xb3261effu },
 };
 
-/* Writes a name such as "057e:2009 Pro Controller, port 3-1.2". A recording contains no controller
- * names. */
+/* Writes the name of a controller, such as "057e:2009 Pro Controller, port 3-1.2". Without a name,
+ * as in a recording, writes the number of the row. */
 static void name_of(const struct menu_view *view, uint32_t row, char *out, size_t out_size)
 {
     const char *name = view->devices->controller[row];
@@ -30,7 +30,7 @@ static void name_of(const struct menu_view *view, uint32_t row, char *out, size_
     }
 }
 
-/* Draws a paper slip with the controller's state. */
+/* Draws a paper slip with the controller's state as a word. */
 static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t state)
 {
     const float u = view->frame.unit;
@@ -45,7 +45,7 @@ static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t 
                 &style, menu_text(view, states[state].name));
 }
 
-/* Draws a whole poi for a controller that is in use or available, otherwise a torn poi. */
+/* Draws an intact poi if the controller is in use or available, otherwise a torn poi. */
 static void state_sign(const struct menu_view *view, float x, float y, float radius, uint8_t state)
 {
     const float paper = state == CONTROLLER_ACTIVE || state == CONTROLLER_FREE ? 1.0f : 0.2f;
@@ -76,7 +76,7 @@ static void row(const struct menu_view *view, uint32_t index)
                state);
 }
 
-/* Draws the reason why no controller is connected, as the controller manager reports it. */
+/* Draws the controller manager's status line, which states why no controller is connected. */
 static void nothing_there(const struct menu_view *view)
 {
     char said[MESSAGE_TRANSLATE_SIZE];
@@ -106,8 +106,8 @@ void menu_rows(const struct menu_view *view)
     }
 }
 
-/* Draws the controller's name and state above the tags, and the meaning of the state below the
- * tags. */
+/* Draws the page of one controller: its name and state above the tags, and an explanation of the
+ * state below the tags. */
 void menu_one_controller(const struct menu_view *view)
 {
     const int upright = view->menu->upright;

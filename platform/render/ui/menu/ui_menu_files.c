@@ -1,5 +1,5 @@
-/* ui_menu_files.c -- draws the page of files. A paper slip for each file shows whether the file is
- * in use, and otherwise the reason. */
+/* ui_menu_files.c -- draws the page of files. For each file, a paper slip shows whether the program
+ * uses the file. If the program does not use the file, the slip also shows the reason. */
 #include <stdio.h>
 #include <string.h>
 
@@ -11,8 +11,8 @@
 struct places {
     float x, y, width, pitch, height;
     float name_height, line_height;
-    uint32_t line_count; /* Number of lines of a reason, enough for SCENE_LINE_SIZE letters of usual
-                            widths. */
+    uint32_t line_count; /* Number of lines that are available for a reason. SCENE_LINE_SIZE letters
+                            of average width fit in these lines. */
     struct layout_box count;
 };
 
@@ -50,7 +50,7 @@ static const struct state_look looks[FILE_STATE_COUNT] = {
     [FILE_SEEN] = { TEXT_FILE_SEEN, 0x5b6172ffu },
 };
 
-/* ---- Texts of the slips --------------------------------------------------------------------- */
+/* ---- Texts on the paper slips --------------------------------------------------------------- */
 
 size_t menu_fill_line(const struct ui_text *style, const char *words, float room_px)
 {
@@ -68,7 +68,8 @@ size_t menu_fill_line(const struct ui_text *style, const char *words, float room
     return strlen(words);
 }
 
-/* Draws a reason in several lines. The last line is shrunk to contain the rest of the text. */
+/* Draws a reason in several lines. The last line is shrunk so that it contains the rest of the
+ * text. */
 static void wrap(const struct menu_view *view, const struct ui_box *box, const char *words,
                  const struct places *places)
 {
@@ -102,8 +103,8 @@ static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t 
                 &style, menu_text(view, looks[state].name));
 }
 
-/* Writes a file's name. The store has no entry in the list of names, and a recording contains no
- * file names. */
+/* Writes a file's name. Row 0 is the store, whose name is a text of the menu. If the name is
+ * unknown, as in a recording, writes the number of the row. */
 static void name_of(const struct menu_view *view, uint32_t row, const struct scene_file *file,
                     char *out, size_t out_size)
 {
@@ -116,8 +117,8 @@ static void name_of(const struct menu_view *view, uint32_t row, const struct sce
     }
 }
 
-/* Writes the text beside a file's state and returns `out`. For the store, the number of lost scores
- * comes first. */
+/* Writes the text beside a file's state to `out` and returns `out`. The store's text begins with
+ * the number of lost scores. */
 static const char *words_of(const struct menu_view *view, uint32_t row,
                             const struct scene_file *file, char *out, size_t out_size)
 {

@@ -1,17 +1,20 @@
-/* ui_menu_learn.c -- draws the page on which the operator teaches the axes of a controller. A poi
- * in a basin shows the motion to make. */
+/* ui_menu_learn.c -- draws the page on which the operator teaches the program the axes of a
+ * controller. An animated poi in a basin demonstrates the motion that the operator must make. */
 #include <math.h>
 
 #include "platform/render/ui/menu/ui_menu.h"
 
 #define LOOP_S 2.4f /* Period of the demonstrated motion in seconds. */
-#define WAY_S 0.9f  /* Time in seconds at which the outward motion ends. */
-#define BACK_S 2.1f /* Time in seconds at which the poi is back. */
+#define WAY_S                                                                                      \
+    0.9f            /* Time in seconds from the start of the period to the end of the outward
+                       motion. */
+#define BACK_S 2.1f /* Time in seconds from the start of the period to the poi's return. */
 #define STEPS (LEARN_DIP - LEARN_REST + 1)
 
 struct step_words {
     enum text_key name, words;
-    float x, y; /* Direction of the poi's motion, in halves of the basin's size. */
+    float x, y; /* Direction of the poi's motion, in units of half of the basin's width and
+                   height. */
 };
 
 static const struct step_words steps[LEARN_STEP_COUNT] = {
@@ -27,7 +30,7 @@ static const struct step_words steps[LEARN_STEP_COUNT] = {
     [LEARN_NOT_SAVED] = { TEXT_LEARN_UNKEPT, TEXT_LEARN_UNKEPT_WORDS, 0.0f, 0.0f },
 };
 
-/* Positions of the parts of the page, on the canvas. */
+/* Boxes of the parts of the page, on the canvas. */
 struct places {
     struct layout_box basin, name, words, dots;
 };
@@ -45,8 +48,8 @@ static const struct places upright_places = {
     .dots = { 27.0f, 1090.0f, 800.0f, 50.0f },
 };
 
-/* Returns how far the demonstrating poi has moved outward, [0, 1]. The poi moves outward, stops,
- * and moves back. */
+/* Returns how far the demonstrating poi has moved outward at `time_s`, [0, 1]. The poi moves
+ * outward, waits, and moves back. */
 static float way(float time_s)
 {
     const float t = fmodf(time_s, LOOP_S);
@@ -68,8 +71,8 @@ static void arrow(const struct menu_view *view, const struct step_words *step, f
     }
 }
 
-/* Draws the water from above. For the dip, draws the water from the side, with the surface in the
- * middle of the box. */
+/* Draws the water of the basin from above. If `from_the_side` is 1, draws the water from the side
+ * instead, with its surface in the middle of the box. */
 static void water(const struct menu_view *view, struct ui_box box, int from_the_side)
 {
     const float u = view->frame.unit;
@@ -96,7 +99,8 @@ static void water(const struct menu_view *view, struct ui_box box, int from_the_
                                  .shape = { 0, 0, 10.0f * u, view->frame.time_s } });
 }
 
-/* Draws the progress of the current step, [0, 1], as a ring round the demonstrating poi. */
+/* Draws the progress of the current step as a ring round the demonstrating poi. `part` in [0, 1] is
+ * the finished fraction. */
 static void progress_ring(const struct menu_view *view, float x, float y, float part)
 {
     const float u = view->frame.unit, radius = 78.0f * u;
@@ -116,7 +120,7 @@ static void teacher(const struct menu_view *view, struct ui_box box, uint8_t ste
     float x = 0.5f, y = 0.5f;
     const int plays = step == LEARN_TRY || step == LEARN_NOT_SAVED;
     float paper = step == LEARN_FAILED ? 0.15f : 1.0f, radius = 46.0f * u;
-    if (plays && menu->has_hand) { /* The controller that the operator teaches moves this poi. */
+    if (plays && menu->has_hand) { /* The controller that is being taught moves this poi. */
         x = menu->x / canvas.x;
         y = menu->y / canvas.y;
         radius *= menu->presses ? 0.75f : 1.0f;

@@ -1,6 +1,7 @@
-/* ui_menu_lines.c -- draws the page of input lines: a lamp for each button, lit while the button is
- * pressed, and the number of coins inserted. The corner of each cell shows the raw input line: its
- * level, its changes and its faults. */
+/* ui_menu_lines.c -- draws the page of input lines. A cell for each button has a lamp, which is lit
+ * while the button is pressed. A further cell shows the number of inserted coins. The lower corners
+ * of each cell show the input line before debouncing: its level, its number of changes and its
+ * number of faults. */
 #include <stdio.h>
 #include <string.h>
 
@@ -9,7 +10,7 @@
 
 #define CLINK_S 0.5f
 #define MISSING_PAINT 0xb3261effu
-#define STATE_ROWS 2u /* Number of text rows that report the state of the input lines. */
+#define STATE_ROWS 2u /* Number of text rows for the status line of the input lines. */
 
 static const enum text_key names[INPUT_BUTTON_COUNT + 1u] = {
     TEXT_LINE_START, TEXT_LINE_LEFT,    TEXT_LINE_RIGHT, TEXT_LINE_OK,   TEXT_LINE_LANGUAGE,
@@ -53,7 +54,7 @@ static void lamp(const struct menu_view *view, float x, float y, float radius, f
                                  .shape = { 0, 0, radius, 3.0f * u } });
 }
 
-/* Draws a red slip instead of a lamp for an input line that is configured but missing. */
+/* Draws a red slip instead of a lamp if a configured input line is missing. */
 static void not_there(const struct menu_view *view, struct ui_box box)
 {
     const float u = view->frame.unit;
@@ -68,8 +69,8 @@ static void not_there(const struct menu_view *view, struct ui_box box)
                 &style, menu_text(view, TEXT_LINE_MISSING));
 }
 
-/* Returns the input line of a cell. The coin cell combines all coin lines. `is_raw` receives 1 if a
- * raw level is available. */
+/* Returns the input line of a cell. For the coin cell, returns the sums of all coin lines. Sets
+ * `*is_raw` to 1 if the level before debouncing is active, otherwise to 0. */
 static struct scene_line line_of(const struct menu_view *view, uint32_t index, int *is_raw)
 {
     const struct scene_devices *devices = view->devices;
@@ -84,8 +85,8 @@ static struct scene_line line_of(const struct menu_view *view, uint32_t index, i
     return sum;
 }
 
-/* Draws the raw input line in the corner: a square lamp for the level before debouncing, the number
- * of changes, and in red the number of invalid changes. */
+/* Draws the state of the input line before debouncing in the lower corners of `box`: a square lamp
+ * for the level, the number of changes, and in red the number of invalid changes. */
 static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box box)
 {
     const float u = view->frame.unit, size = 16.0f * u;
@@ -110,8 +111,8 @@ static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box
     }
 }
 
-/* Draws lamp, name and count below each other. On an upright screen the lamp is beside the name and
- * the count. */
+/* Draws the cell of an input line. The lamp is above the name and the count. On an upright screen
+ * the lamp is beside the name and the count. */
 static void line(const struct menu_view *view, uint32_t index, float lit, uint32_t count)
 {
     const struct ui_box box = cell(view, index);
@@ -144,8 +145,9 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
     raw_line(view, index, box);
 }
 
-/* Draws the program or device that uses the input lines and the missing lines, in rows of normal
- * size. The last row is shrunk to fit. */
+/* Draws the status line of the input lines in STATE_ROWS rows. The status line names the program or
+ * device that uses the input lines, and the input lines that are missing. The last row is shrunk to
+ * fit. */
 static void state_of_lines(const struct menu_view *view, float x, float y, float width)
 {
     const uint32_t paint = view->devices->buttons_missing ? 0xff9c86ffu : 0xc9d2eeffu;
@@ -165,8 +167,8 @@ static void state_of_lines(const struct menu_view *view, float x, float y, float
     }
 }
 
-/* Draws the state of the input lines, the note that a coin on this page is a test, and the number
- * of failures. */
+/* Draws the status line of the input lines, the note that coins inserted on this page count only as
+ * a test, and the number of input faults. */
 static void notes(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
@@ -182,7 +184,7 @@ static void notes(const struct menu_view *view)
     ui_words_in(&view->frame,
                 menu_place(view, (struct layout_box){ x, y + 28.0f * STATE_ROWS, width, 32.0f }),
                 &warm, words);
-    if (upright) { /* One row is too narrow for both notes. */
+    if (upright) { /* On an upright screen, one row is too narrow for both notes. */
         ui_words_in(&view->frame,
                     menu_place(view, (struct layout_box){ x, y + 28.0f * STATE_ROWS + 32.0f, width,
                                                           32.0f }),

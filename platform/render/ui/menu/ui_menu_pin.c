@@ -22,8 +22,8 @@ static char digit_at(const struct scene_menu *menu, uint32_t index)
     return (char)('0' + pin % 10u);
 }
 
-/* Draws the places of the digits. The digits of a new PIN are visible. Otherwise a fish stands for
- * each entered digit. */
+/* Draws one place for each digit. The digits of a new PIN are visible. When an existing PIN is
+ * entered, a fish replaces each digit. */
 static void slots(const struct menu_view *view)
 {
     const struct scene_menu *menu = view->menu;

@@ -1,11 +1,11 @@
-/* ui_menu_ranking.c -- draws the leaderboard page for the operator, with a board for each score,
+/* ui_menu_ranking.c -- draws the operator's leaderboard page, with a wooden board for each score,
  * and the page of one score. */
 #include "core/game/ranking/ranking.h"
 #include "platform/render/ui/menu/ui_menu.h"
 #include "platform/render/ui/ui_leaderboard.h"
 
-/* Draws the name of the visible leaderboard beside the title, or under the title on an upright
- * screen. */
+/* Draws the name of the shown leaderboard beside the title. On an upright screen the name is below
+ * the title. */
 static void board_words(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
@@ -26,7 +26,7 @@ static void board_words(const struct menu_view *view)
                 &period, menu_text(view, ui_leaderboard_key(board->period)));
 }
 
-/* Draws a score such as "3.  きんぎょ  12 fish" on a board. */
+/* Draws a score such as "3.  きんぎょ  12 fish" on a wooden board. */
 static void score_words(const struct menu_view *view, uint32_t index, struct ui_box box)
 {
     const struct scene_row *row = &view->scene->leaderboard.row[index];
@@ -82,7 +82,7 @@ void menu_ranking(const struct menu_view *view)
     }
 }
 
-/* Draws one score. The tags below it are the operator's actions on the score. */
+/* Draws the page of one score. The tags below the score are the operator's actions. */
 void menu_score(const struct menu_view *view)
 {
     const int upright = view->menu->upright;

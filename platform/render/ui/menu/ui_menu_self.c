@@ -1,5 +1,5 @@
-/* ui_menu_self.c -- draws the self-test page: a row for each check, with its result and, if the
- * check failed, the remedy. A summary follows. */
+/* ui_menu_self.c -- draws the self-test page. A row for each check shows the result and, if the
+ * check failed, the remedy. A summary of all checks follows the rows. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -12,11 +12,11 @@
 #define BAD_PAINT 0xb3261effu
 #define ASK_PAINT 0xa85a12ffu
 #define ROW_LINES 2u
-#define ROW_FILL 0.88f /* Size of letters as a fraction of a line's height. */
+#define ROW_FILL 0.88f /* Letter height as a fraction of the height of a text line. */
 
 struct places {
-    uint32_t columns, rows; /* Number of columns and of rows. Each column is filled from top to
-                               bottom. */
+    uint32_t columns, rows; /* Number of columns and number of rows of the list of checks. Each
+                               column is filled from top to bottom. */
     float x, y, width, height, gap, pitch;
     float name_width;
     struct layout_box verdict;
@@ -48,7 +48,7 @@ static const struct places upright_places = {
 };
 _Static_assert(SELF_CHECKS == 14u, "both sheets have a row for each check");
 
-/* A text key and the number that replaces the {} in its text. */
+/* A text key, and the number that replaces {} in the text. */
 struct said {
     enum text_key key;
     uint32_t number;
@@ -66,8 +66,8 @@ static const enum text_key names[SELF_CHECKS] = {
     [SELF_COINS] = TEXT_CHECK_COINS,     [SELF_POIS] = TEXT_CHECK_POIS,
 };
 
-/* Texts of each check in the states that need no figure. 0 means that figures_say() supplies the
- * text, or that the state does not occur. */
+/* Texts of each check for the states whose text contains no number. 0 means that figures_say()
+ * supplies the text, or that the check never has the state. */
 static const enum text_key plain[SELF_CHECKS][SELF_STATES] = {
     [SELF_STORE] = { [SELF_GOOD] = TEXT_CHECK_STORE_GOOD,
                      [SELF_LOOK] = TEXT_CHECK_STORE_LOOK,
@@ -122,7 +122,7 @@ static struct said heat_says(const struct scene_machine *machine, uint8_t state)
                                 : (struct said){ TEXT_CHECK_HEAT_BAD, 0 };
 }
 
-/* Returns the text of a check whose text contains a figure. */
+/* Returns the text of a check whose text contains a number. */
 static struct said figures_say(const struct menu_view *view, uint32_t self_test_check_row,
                                uint8_t state)
 {
@@ -154,15 +154,14 @@ static struct said figures_say(const struct menu_view *view, uint32_t self_test_
     }
 }
 
-/* Writes date and time of the clock, such as "2026-08-15 18:30", so that the operator can check
- * them. */
+/* Writes the date and the time of the clock, such as "2026-08-15 18:30", so that the operator can
+ * compare them with the true time. */
 static void clock_words(const struct scene_self_test *self, char *out, size_t out_size)
 {
     static const uint8_t months[12] = { 31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
     uint32_t year = 2000, month = 0, day = self->day, length = 366;
-    for (; day >= length; length = year % 4u == 0 ? 366u : 365u) { /* The leap year rule "every
-                                                                      fourth year" is correct until
-                                                                      2099. */
+    for (; day >= length; length = year % 4u == 0 ? 366u : 365u) { /* Every fourth year is a leap
+                                                                      year until 2099. */
         day -= length;
         year++;
     }
@@ -203,8 +202,9 @@ static uint32_t ui_menu_self_paint_of(uint8_t state)
     return state == SELF_GOOD ? GOOD_PAINT : state == SELF_BAD ? BAD_PAINT : ASK_PAINT;
 }
 
-/* Draws the sign of a check: a tick, a cross, or an exclamation mark. A question mark means that
- * the operator must do the check. Three dots mean that the check has no result yet. */
+/* Draws the sign of a check. A tick means passed, a cross means failed, and an exclamation mark
+ * means a warning. A question mark means that the operator must do the check. Three dots mean that
+ * the check has no result yet. */
 static void self_test_draw_mark(const struct menu_view *view, float x, float y, uint8_t state)
 {
     const float u = view->frame.unit, r = 13.0f * u;
@@ -237,9 +237,9 @@ static void sheet(const struct menu_view *view, struct ui_box box, uint32_t edge
                                                     .shape = { 0, 0, 8.0f * u, 2.0f * u } });
 }
 
-/* Returns the position after the last comma or full stop that leaves at most one line of text
- * behind it. A Japanese text is best broken at this position. 0 means that no such position
- * exists. */
+/* Returns the position after the last comma or full stop behind which the rest of the text fits on
+ * one line. This position is the best line break in a Japanese text. 0 means that the text has no
+ * such position. */
 static size_t sentence_end(const struct ui_text *style, const char *words, float room_px)
 {
     const char *at = words;
@@ -252,8 +252,8 @@ static size_t sentence_end(const struct ui_text *style, const char *words, float
     return end;
 }
 
-/* Draws the text in one line if it fits. Otherwise draws two lines of smaller text, of which the
- * second is shrunk to fit. */
+/* Draws the text in one line if it fits. Otherwise draws two lines in a smaller size. The second
+ * line is shrunk to fit. */
 static void wrap(const struct menu_view *view, struct ui_box box, const struct ui_text *style,
                  const char *words)
 {
@@ -313,7 +313,7 @@ static void verdict_words(const struct menu_view *view, uint32_t next,
     text_number(out, out_size, menu_text(view, key), number);
 }
 
-/* Draws the summary, and the next step below the summary. */
+/* Draws the summary of all checks, and below the summary the next step for the operator. */
 static void verdict(const struct menu_view *view, const struct places *places, uint32_t next,
                     const uint8_t state[SELF_CHECKS])
 {

@@ -1,20 +1,21 @@
-/* ui_menu_settings.c -- draws the pages of settings. A board for each setting shows its name,
- * range, default and value. */
+/* ui_menu_settings.c -- draws the pages of settings. A wooden board for each setting shows its
+ * name, range, default and value. */
 #include <stdio.h>
 #include <string.h>
 
 #include "platform/render/ui/menu/ui_menu.h"
 
-/* Colour of a changed value, dark enough to be readable on the board's wood. */
+/* Colour of a value that differs from its default, dark enough to be readable on wood. */
 #define CHANGED_PAINT 0x94140cffu
 
-/* Positions of the parts of a board, in canvas units from the left and the right edge of the
+/* Positions of the texts on a board, in canvas units from the left or the right edge of the
  * board. */
 struct places {
     float name_size, value_size, range_size;
     float inset, name_width, value_width;
     float range_x, range_width;
-    int two_lines; /* 1 if the range is below the name, 0 if the range is beside the name. */
+    int two_lines; /* 1 if the range is below the name, 0 if the range and the name are in one
+                      line. */
     struct layout_box help, saved;
     uint32_t help_lines;
 };
@@ -78,7 +79,8 @@ void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, 
     default:
         break;
     }
-    if (words->unit == TEXT_VAL_PER_MILLE) { /* Per mille are shown as per cent with one decimal. */
+    if (words->unit == TEXT_VAL_PER_MILLE) { /* A value in per mille is shown in per cent with one
+                                                decimal place. */
         snprintf(out, out_size, "%d.%d %%", (int)value / 10, (int)value % 10);
         return;
     }
@@ -103,9 +105,9 @@ static void choice_words(const struct menu_view *view, uint32_t id, char *out, s
     }
 }
 
-/* Writes the range of a setting, such as "5 - 240 min" or "0.0 - 10.0 %". A value 0 that has a text
- * of its own is listed separately ("silent / 1 - 10"), unless the default beside the range shows
- * this text. */
+/* Writes the range of a setting, such as "5 - 240 min" or "0.0 - 10.0 %". If the value 0 has its
+ * own text, the text is listed before the range ("silent / 1 - 10"), unless the default beside the
+ * range already shows this text. */
 static void span_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
 {
     const struct setting_words *words = menu_setting_words_of(id);
@@ -192,7 +194,7 @@ static void setting_board(const struct menu_view *view, const struct places *pla
     }
 }
 
-/* Draws a board that leads to a page and has no value. */
+/* Draws the board of a tag that leads to a page. This board shows no value. */
 static void page_board(const struct menu_view *view, const struct places *places, struct ui_box box,
                        uint8_t page)
 {
@@ -200,7 +202,7 @@ static void page_board(const struct menu_view *view, const struct places *places
     ui_words_in(&view->frame, box, &name, menu_text(view, menu_words_of(page)->title));
 }
 
-/* Draws the description of the selected setting above the tags at the foot. */
+/* Draws the description of the selected setting above the tags at the bottom of the page. */
 static void help(const struct menu_view *view, const struct places *places, const char *words)
 {
     const struct ui_text style = menu_style(view, 25.0f, MENU_CREAM);
@@ -218,7 +220,8 @@ static void help(const struct menu_view *view, const struct places *places, cons
     }
 }
 
-/* Draws whether the last change of a setting is on disk. Draws nothing before the first change. */
+/* Draws whether the last change of a setting has been written to disk. Draws nothing before the
+ * first change. */
 static void saved(const struct menu_view *view, const struct places *places)
 {
     const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
@@ -244,8 +247,8 @@ static void board(const struct menu_view *view, const struct places *places, uin
     }
 }
 
-/* Draws the description of the selected row. For the tag that restores a default
- * (SETTINGS_STANDARD), draws the setting's name and default. */
+/* Draws the description of the selected row. If the tag that restores a default (SETTINGS_STANDARD)
+ * is selected, draws the name and the default of the setting. */
 static void tell_pointed(const struct menu_view *view, const struct places *places)
 {
     const struct scene_menu *menu = view->menu;
@@ -285,8 +288,8 @@ void menu_settings(const struct menu_view *view)
     saved(view, places);
 }
 
-/* Draws the board of a single bit of a setting. The board has a range, a default and a seal, as the
- * board of a setting has. */
+/* Draws the board of one bit of a setting. Like the board of a whole setting, the board shows a
+ * range, a default and a seal. */
 static void bit_board(const struct menu_view *view, const struct places *places, uint32_t id,
                       uint32_t bit)
 {

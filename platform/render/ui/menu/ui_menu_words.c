@@ -1,5 +1,5 @@
-/* ui_menu_words.c -- tables of the texts of the operator's pages and settings, one row for each
- * page or setting. */
+/* ui_menu_words.c -- tables with the texts of the operator's pages and settings. Each page and each
+ * setting has one row. */
 #include "platform/render/ui/menu/ui_menu.h"
 
 #define BACK TEXT_MENU_BACK
@@ -132,7 +132,8 @@ const struct menu_words *menu_words_of(uint8_t page)
     return &pages[page < MENU_PAGE_COUNT ? page : (uint8_t)MENU_TOP];
 }
 
-/* Returns the texts of a setting. Calibration settings are never shown as numbers. */
+/* Returns the texts of a setting. Calibration settings are never shown as numbers. For these
+ * settings, returns the texts of setting 0. */
 const struct setting_words *menu_setting_words_of(uint32_t id)
 {
     return &settings[id < SET_CALIBRATION ? id : 0u];
