@@ -1,4 +1,5 @@
-/* fish.h -- the state of one goldfish: size, pose, stamina and current goals. */
+/* fish.h -- the state of one goldfish: size, pose, stamina and current goals. A poi is the paper
+ * scoop of a player; a tick is 1/120 s. */
 #ifndef KINGYO_CORE_TANK_FISH_H
 #define KINGYO_CORE_TANK_FISH_H
 
@@ -7,7 +8,8 @@
 #include "core/tank/behavior_params.h"
 #include "core/tank/collision/box.h"
 
-/* Largest number of fish in the kiosk. preset.h limits the number for each tank. */
+/* Largest number of fish in the kiosk. A tank preset can have a lower limit
+ * (tank_preset_fish_max()). */
 #define TANK_FISH_KIOSK 2048u
 /* Capacity of struct tank. `kingyoctl tank` and the benchmark are compiled with a larger capacity
  * (platform/ctl/tank/tank.mk). */
@@ -21,9 +23,9 @@ typedef uint16_t fish_index; /* Index of a fish, or a number of fish from 0 to T
 typedef uint32_t fish_index;
 #endif
 
-/* Returns the capacity from which the limits of a tank with `fish_count` fish are computed. Every
- * build uses the kiosk's capacity for up to TANK_FISH_KIOSK fish, so that all builds reach equal
- * state hashes. */
+/* Returns the fish capacity from which a tank with `fish_count` fish derives its limits, for
+ * example the length of its contact list. Every build returns TANK_FISH_KIOSK for up to
+ * TANK_FISH_KIOSK fish, so that all builds compute equal state hashes. */
 static inline uint32_t fish_capacity(uint32_t fish_count)
 {
     return fish_count <= TANK_FISH_KIOSK ? TANK_FISH_KIOSK : TANK_FISH_MAX;
@@ -39,8 +41,8 @@ enum fish_gait {
     GAIT_BURST = 2,
     GAIT_ESCAPE = 3,  /* The fish escapes from a poi or another stimulus. */
     GAIT_SURFACE = 4, /* The fish gulps at the surface. */
-    GAIT_HELD = 5,    /* The fish lies on the paper of a poi and the poi moves it, or the fish is in
-                         reentry; see `holder`. */
+    GAIT_HELD = 5,    /* The fish lies on the paper of a poi, which moves the fish, or the fish is
+                         in reentry; see `holder`. */
     GAIT_BOWL = 6,    /* The fish was caught and its bowl moves it. */
     GAIT_COUNT,
 };
@@ -74,65 +76,67 @@ struct fish {
     float speed_m_s; /* Speed >= 0 along the fish's forward axis by its own fins. */
     struct angles angles;
     float yaw_rate_rad_s;
-    vec3 push_m_s;     /* Velocity by repulsion from near fish (as in the 2013 thesis), by the flow
-                          and by sidesteps. */
-    float climb_m_s;   /* Vertical speed by swim bladder, fins and pitch; > 0 is upward. */
+    vec3 push_m_s;     /* Velocity that is added to the fish's own motion: repulsion by near fish
+                          (as in the 2013 thesis), the flow around a poi, and sidesteps. */
+    float climb_m_s;   /* Vertical speed caused by swim bladder, fins and pitch; > 0 is upward. */
     float heading_rad; /* Goal of the yaw, which the fish approaches at a bounded rate. */
-    float drawn_rad;   /* Offset of the yaw goal from the heading by the attraction of a shade; > 0
-                          is to the left. */
-    float brake;       /* Share [0, 1] of its speed that the fish may keep because of a fish
-                          ahead. */
-    float room;        /* Share [0, 1] of its turning rate that the fish may use because of fish
-                          beside it. */
+    float drawn_rad;   /* Offset from `heading_rad` to the goal of the yaw, caused by the attraction
+                          of shades; > 0 is to the left. */
+    float brake;       /* Factor [0, 1] on the goal of the speed. The factor is below 1 if another
+                          fish is close ahead. */
+    float room;        /* Factor [0, 1] on the largest turning rate. The factor is below 1 if other
+                          fish are close beside the fish. */
 
-    /* The next members and `heading_rad` are goals. Each decision of the fish sets them, and every
-     * tick follows them. */
-    float speed_goal_m_s; /* Goal of `speed_m_s`, before `brake` reduces it. */
-    float speed_up_keep;  /* Share [0, 1) of a speed deficit that remains after one tick. 0 means
-                             not yet computed. */
-    float slow_keep;      /* Share [0, 1) of a speed excess that remains after one tick if the fish
-                             does not brake. */
+    /* The next members and `heading_rad` are goals. Each decision of the fish sets the goals, and
+     * the fish approaches the goals in every tick. */
+    float speed_goal_m_s; /* Goal of `speed_m_s`, before the multiplication by `brake`. */
+    float speed_up_keep;  /* Fraction [0, 1) of the difference to a higher speed goal that remains
+                             after one tick. 0 means that the fraction is not yet computed. */
+    float slow_keep;      /* Fraction [0, 1) of the difference to a lower speed goal that remains
+                             after one tick if the fish does not brake. */
     float turn_rate_max_rad_s;
-    float haste; /* Factor >= 1 on the speed of turning, pitching, bending and changing the tail
-                    beat. */
+    float haste; /* Factor >= 1 on the rates at which the fish turns, pitches, bends and changes its
+                    tail beat. */
     float climb_goal_m_s, pitch_goal_rad;
     float beats; /* 1 while the tail drives the fish, 0 while the fish glides. */
 
-    float length_m;          /* Total length, from the growth curve at `age_days`. */
+    float length_m;          /* Total length. */
     float height_m, width_m; /* Height and width of the body box. */
     float stamina;           /* Stamina [0, 1]; 0 means exhausted. */
-    vec3 velocity_m_s;       /* World velocity: the real motion of the last tick, including
-                                pushes. */
+    vec3 velocity_m_s;       /* Velocity in world coordinates, computed from the real motion of the
+                                last tick including pushes. */
     float bend_rad;
     float tail_phase_rad, tail_beat_hz, tail_amplitude;
-    float bend_goal_rad; /* Goal of the bend. The bend along the arc of a turn is added to the
-                            goal. */
+    float bend_goal_rad; /* Goal of `bend_rad`. swim_settle() adds the bend along the arc of a
+                            turn. */
     float age_days;
 
     uint32_t look;        /* Random bits that select the fish's appearance and individual traits. */
     uint8_t gait;         /* Present gait (enum fish_gait). */
     uint8_t avoiding;     /* Present avoidance of another fish (enum fish_avoiding). */
-    uint8_t holder;       /* Index of the poi in GAIT_HELD or of the bowl in GAIT_BOWL.
-                             FISH_HOLDER_WATER means reentry. */
+    uint8_t holder;       /* Index of the poi that holds the fish (GAIT_HELD) or of the bowl that
+                             holds the fish (GAIT_BOWL). FISH_HOLDER_WATER in GAIT_HELD means
+                             reentry. */
     uint8_t thought_tick; /* Low 8 bits of the tick in which the fish last decided. */
     float gait_left_s;    /* Time until the fish chooses its next gait. For a fish in reentry: time
                              since it came back into the water. */
-    float avoid_left_s;   /* Time left of the current avoidance. After the avoidance: time left in
-                             which the fish keeps its depth. */
+    float avoid_left_s;   /* Time left of the current avoidance. If `avoiding` is AVOID_NONE: time
+                             left in which the fish keeps its depth. */
     float avoid_turn;     /* Direction of avoidance. By yaw: -1 (right) to +1 (left). By pitch: -1
                              (down) or +1 (up). */
-    uint32_t avoid_since; /* First tick of the current encounter with the fish `avoid_with`. */
+    uint32_t avoid_since; /* First tick of the current encounter with the fish of index
+                             `avoid_with`. */
     fish_index avoid_with;
-    uint8_t avoid_kind; /* Role of the fish in the encounter when the encounter began (enum
+    uint8_t avoid_kind; /* Role of the fish at the beginning of the encounter (enum
                            meeting_kind). */
     uint8_t falls;      /* 1 while the fish falls through the air and only gravity and water
                            resistance move it, otherwise 0. */
     uint8_t air;        /* Stage of surface breathing (enum fish_air). */
     uint8_t startle;    /* Cause of a startle whose latency has not yet ended (enum startle_cause);
                            0 means none. */
-    float depth_goal_m; /* Preferred y coordinate, < 0. */
-    float depth_stray;  /* Offset of the preferred depth from the depth for the fish's stamina, as a
-                           share of the water depth; > 0 is upward. */
+    float depth_goal_m; /* Preferred depth as a y coordinate, < 0. */
+    float depth_stray;  /* Random offset of the preferred depth from the depth for the fish's
+                           stamina, as a fraction of the water depth; > 0 is upward. */
 
     /* The next members are the state of the startle response; see startle.h and escape.h. */
     float alarm;     /* Alarm [0, 1], which decays over time. */
@@ -146,8 +150,8 @@ struct fish {
     float escape_course_rad; /* Turn of the body in the whole C-start; > 0 is to the left. */
 };
 
-/* Returns the largest height above the surface that the top of the fish's box may have while the
- * fish still counts as in the water, m. A gulping fish may rise by its own height. */
+/* Returns the largest height above the still surface, m, at which the top of the fish's box still
+ * counts as in the water. A gulping fish may rise by its own height. */
 static inline float fish_emerges_m(const struct fish *fish)
 {
     return (fish->gait == GAIT_SURFACE ? fish->height_m : 0.0f) + FISH_AIRBORNE_M;
@@ -160,7 +164,8 @@ static inline int fish_swims(const struct fish *fish)
     return fish->gait != GAIT_HELD && fish->gait != GAIT_BOWL;
 }
 
-/* Sets the length, and the height and width of the box by the behavior parameters of the tank. */
+/* Sets the length of the fish, and computes the height and width of its box from the behavior
+ * parameters of the tank. */
 void fish_grow(struct fish *fish, float length_m, const struct behavior_params *params);
 
 struct box fish_box(const struct fish *fish);

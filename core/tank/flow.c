@@ -1,20 +1,21 @@
-/* flow.c -- Lamb's flow around a disc that moves broadside, and an estimate for a disc that moves
- * along its plane. */
+/* flow.c -- the potential flow around a disc that moves along its normal (Lamb, Hydrodynamics), and
+ * an estimate of the flow around a disc that moves along its plane. */
 #include "core/tank/flow.h"
 
-/* Speed of the water at the ring as a share of the disc's speed along its plane. */
+/* Speed of the water at the disc's ring as a fraction of the disc's speed along its plane. */
 #define EDGE_SHARE 0.16f
-/* Smallest distance from the disc's sharp edge at which the flow is computed, in disc radii. The
+/* Smallest distance from the disc's sharp edge for which the flow is computed, in disc radii. The
  * flow acts on a fish, which is larger than a point. */
 #define BODY_SHARE 0.3f
-/* A level disc passes from dry to submerged over twice this distance. */
+/* A level disc counts as dry at this height above the surface and as submerged at this depth below
+ * the surface. */
 #define ENTRY_HALF_M 0.005f
 #define STILL_M_S 1e-4f
-/* Largest distance of the flow in disc radii. A five-hundredth of the disc's speed remains at this
- * distance. */
+/* Distance from the disc's centre, in disc radii, beyond which the flow counts as zero. At this
+ * distance the water has a five-hundredth of the disc's speed. */
 #define FAR 6.0f
 
-/* Returns the share [0, 1] of the disc that is under water, computed from the heights of its lowest
+/* Returns the fraction [0, 1] of the disc that is under water, computed from the heights of its lowest
  * and highest points. */
 static float immersed(const struct obstacle *disc)
 {
@@ -23,14 +24,14 @@ static float immersed(const struct obstacle *disc)
     return f_clamp(0.5f - 0.5f * disc->centre_m.y / half_m, 0.0f, 1.0f);
 }
 
-/* Position or velocity relative to a disc of radius 1: component along the normal and distance from
- * the axis. */
+/* Position or velocity relative to a disc of radius 1. `along` is the component along the disc's
+ * normal, and `off` is the component perpendicular to the normal. */
 struct place {
     float along, off;
 };
 
-/* Oblate spheroidal coordinates of a point, in which along = zeta mu and off = sqrt((1 + zeta^2)(1
- * - mu^2)). */
+/* Oblate spheroidal coordinates zeta and mu of a point in struct place. The point has along = zeta
+ * * mu and off = sqrt((1 + zeta^2) * (1 - mu^2)). */
 struct spheroidal {
     float zeta, mu;
 };
@@ -45,9 +46,10 @@ static struct spheroidal spheroidal(struct place at)
 }
 
 /* Returns the velocity of the water around a disc of radius 1 that moves with speed 1 along its
- * normal. The component along the axis is (2 / pi) (acot zeta - zeta / (zeta^2 + mu^2)). The
- * component off the axis is (2 / pi) mu sqrt(1 - mu^2) / ((zeta^2 + mu^2) sqrt(1 + zeta^2)). The
- * denominators are bounded from below, because the velocity at the sharp edge would be infinite. */
+ * normal. zeta and mu are the spheroidal coordinates of the point. The member `along` of the result
+ * is (2 / pi) * (acot(zeta) - zeta / (zeta^2 + mu^2)). The member `off` is (2 / pi) * mu * sqrt(1 -
+ * mu^2) / ((zeta^2 + mu^2) * sqrt(1 + zeta^2)). A lower limit for zeta^2 + mu^2 keeps the velocity
+ * at the disc's sharp edge finite. */
 static struct place broadside(struct place at)
 {
     const struct spheroidal s = spheroidal(at);
@@ -60,8 +62,9 @@ static struct place broadside(struct place at)
     };
 }
 
-/* Returns the velocity of the water around a disc of radius 1 that moves with speed 1 along its
- * plane. The velocity decays with the cube of the distance from the disc. */
+/* Returns the speed of the water around a disc of radius 1 that moves with speed 1 along its plane.
+ * The water moves in the direction of the disc. The speed decays with the cube of the distance from
+ * the disc. */
 static float edgewise(struct place at)
 {
     const float beyond = f_max(0.0f, at.off - 1.0f);

@@ -8,18 +8,21 @@
 #define REFERENCE_C 25.0f
 #define KELVIN 273.15f
 #define HPA_PER_ATM 1013.25f
-/* Exchange coefficient k_L of a still surface, for which 2 to 5 cm/h are published. */
+/* Exchange coefficient k_L of a still surface. Published values are 2 to 5 cm/h. */
 #define STILL_M_H 0.03f
-/* Exchange rate kLa of an air stone, for which 2 to 10 per hour are published. */
+/* Exchange rate kLa of an air stone. Published values are 2 to 10 per hour. */
 #define PUMP_PER_H 5.0f
-/* Oxygen for swimming, mg per kg of fish and metre (goldfish of 5 cm; Li). */
+/* Oxygen that a fish consumes for swimming, mg per kg of fish and metre of path (goldfish of 5 cm;
+ * Li). */
 #define COST_MG_KG_M 0.6f
-#define STEP_H 0.005f /* Longest step of the balance. Rates are constant within a step. */
+#define STEP_H                                                                                     \
+    0.005f /* Longest step of the oxygen balance. All rates are constant within a step. */
 #define LITRES_PER_M3 1000.0f
 
-/* Returns 1000 K / T minus the value of 1000 K / T at 25 C. The published polynomials in 1 / T have
- * terms in the hundreds and a sum of 2, so single precision would lose a thousandth. Therefore the
- * polynomials in this file are expanded around 25 C, the usual water temperature at a festival
+/* Returns 1000 K / T minus the value of 1000 K / T at 25 C, where T is the absolute temperature.
+ * The published polynomials in 1 / T have terms in the hundreds, but the sum of the terms is
+ * only about 2. Single precision would cause an error of a thousandth in the sum. Therefore the
+ * polynomials in this file are expanded around 25 C, a usual water temperature at a festival
  * stall. */
 static float inverse_kelvin(float temperature_c)
 {
@@ -35,8 +38,9 @@ static float saturation_at_1_atm(float z)
                  z * (1.63790983f + z * (0.53350163f + z * (0.870736542f - z * 0.8621949f))));
 }
 
-/* Returns the pressure of water vapour, atm: exp(11.8571 - 3840.70 / T - 216961 / T^2). `z` is the
- * result of inverse_kelvin(). */
+/* Returns the pressure of water vapour, atm. The published formula is exp(11.8571 - 3840.70 / T
+ * - 216961 / T^2), where T is the absolute temperature in K. `z` is the result of
+ * inverse_kelvin(). */
 static float vapour_atm(float z)
 {
     return f_exp(-3.46535769f - z * (5.29608152f + z * 0.216961f));
@@ -51,9 +55,10 @@ float oxygen_saturation_mg_l(float temperature_c, float pressure_hpa)
     return saturation_at_1_atm(z) * ((p - u) * (1.0f - theta * p)) / ((1.0f - u) * (1.0f - theta));
 }
 
-/* Routine oxygen rate of young Carassius auratus grandoculis from 15 to 30 C (Yamanaka): 0.0674
- * W^-0.193 e^(0.0562 T) mg per g and hour, with W in g. The rate grows by a factor of 1.75 per 10 K
- * (Q10). */
+/* Adds the routine respiration and the respiration for swimming. Young Carassius auratus
+ * grandoculis have a routine respiration of 0.0674 * W^-0.193 * exp(0.0562 * T) mg per g and hour
+ * from 15 to 30 C (Yamanaka). W is the mass in g and T the temperature in C. The routine
+ * respiration grows by a factor of 1.75 per 10 K (Q10). */
 float oxygen_breath_mg_h(float mass_kg, float temperature_c, float speed_m_s)
 {
     const float mass_g = 1000.0f * mass_kg;
@@ -61,7 +66,8 @@ float oxygen_breath_mg_h(float mass_kg, float temperature_c, float speed_m_s)
     return routine + COST_MG_KG_M * mass_kg * 3600.0f * speed_m_s;
 }
 
-/* Critical concentration after Yamanaka: 1.35 W^-0.107 mg/L with W in g, at any temperature. */
+/* Uses the formula of Yamanaka, 1.35 * W^-0.107 mg/L at any temperature, where W is the mass in
+ * g. */
 float oxygen_critical_mg_l(float mass_kg)
 {
     return 1.35f * f_exp(-0.107f * f_log(1000.0f * mass_kg));
@@ -72,9 +78,10 @@ float oxygen_exchange_per_h(float water_depth_m, int pump)
     return STILL_M_H / water_depth_m + (pump ? PUMP_PER_H : 0.0f);
 }
 
-/* Advances the balance by one step. During the step, respiration removes a constant share of the
- * dissolved oxygen. The balance is then a linear equation, which the step solves exactly and
- * stably. The form of 1 - exp(-x) avoids cancellation, with an error of 1e-6 for x below 0.2. */
+/* Advances the oxygen balance by one step. During the step, the fish remove a constant fraction of
+ * the dissolved oxygen per hour, so the balance is a linear differential equation. The solution of
+ * the equation is stable for a step of any length. The approximation of 1 - exp(-x) avoids
+ * cancellation and has an error of 1e-6 for x below 0.2. */
 static float relax_oxygen(float dissolved_mg_l, const struct oxygen_balance *balance, float hours)
 {
     const float share_per_h =

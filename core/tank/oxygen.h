@@ -1,10 +1,13 @@
 /* oxygen.h -- the dissolved oxygen of the water and its consumption by the fish.
  *
- * The concentration C follows dC/dt = kLa (C* - C) - breath / V. The air supplies oxygen in
- * proportion to the deficit from the saturation C*. The fish consume oxygen according to mass,
- * temperature and speed. Because little changes in a round of three minutes, the oxygen can run
- * faster than the fish: `time_compression` hours of the oxygen balance pass in one hour. Nothing
- * else runs faster. */
+ * The concentration C of the oxygen follows dC/dt = kLa * (C* - C) - R / V. kLa is the rate of gas
+ * exchange with the air, C* the saturation concentration, R the respiration of all fish and V the
+ * volume of the water. The respiration of a fish depends on its mass, its speed and the water
+ * temperature.
+ *
+ * During a round of three minutes the concentration hardly changes. Therefore the oxygen balance
+ * can run faster than real time: `time_compression` hours of the balance pass in one hour. All
+ * other parts of the simulation run in real time. */
 #ifndef KINGYO_CORE_TANK_OXYGEN_H
 #define KINGYO_CORE_TANK_OXYGEN_H
 
@@ -14,10 +17,11 @@
 
 #define OXYGEN_TEMPERATURE_MIN_C 0.0f
 #define OXYGEN_TEMPERATURE_MAX_C 40.0f
-/* Lowest pressure at sea level that was measured, in the eye of a typhoon. */
+/* Lowest air pressure that was ever measured at sea level, in the eye of a typhoon. */
 #define OXYGEN_PRESSURE_MIN_HPA 870.0f
-#define OXYGEN_PRESSURE_MAX_HPA 1085.0f /* Highest pressure at sea level that was measured. */
-#define OXYGEN_PRESSURE_HPA 1013.25f    /* Pressure of the standard atmosphere. */
+#define OXYGEN_PRESSURE_MAX_HPA                                                                    \
+    1085.0f                          /* Highest air pressure that was ever measured at sea level. */
+#define OXYGEN_PRESSURE_HPA 1013.25f /* Pressure of the standard atmosphere. */
 #define OXYGEN_MAX_MG_L 20.0f
 #define OXYGEN_TIME_COMPRESSION_MAX 1000.0f
 
@@ -25,12 +29,12 @@ struct oxygen {
     float dissolved_mg_l;   /* Dissolved oxygen, 0 .. OXYGEN_MAX_MG_L. */
     float temperature_c;    /* Temperature of the water. */
     float pressure_hpa;     /* Pressure of the air above the water. */
-    float time_compression; /* Speed of the oxygen balance, 0 .. OXYGEN_TIME_COMPRESSION_MAX. 0
-                               keeps the oxygen constant. */
+    float time_compression; /* Speed of the oxygen balance relative to real time, 0 ..
+                               OXYGEN_TIME_COMPRESSION_MAX. 0 keeps the oxygen constant. */
     float breath_mg_h;      /* Sum of the respiration of the fish that were sampled in the current
                                second. Every fish is sampled once per second. */
-    float critical_mg;      /* Sum of the critical concentrations of the sampled fish, each weighted
-                               by the fish's respiration. */
+    float critical_mg;      /* Sum of the critical concentrations of the sampled fish, each
+                               multiplied by the respiration of the fish. */
     uint8_t pump;           /* 1 while the air stone bubbles, otherwise 0. */
 };
 
@@ -39,21 +43,23 @@ struct oxygen {
  * formula for OXYGEN_TEMPERATURE_MIN_C .. _MAX_C and OXYGEN_PRESSURE_MIN_HPA .. _MAX_HPA. */
 float oxygen_saturation_mg_l(float temperature_c, float pressure_hpa);
 
-/* Returns the oxygen that one fish consumes in an hour, mg. The sum has two parts: the routine rate
- * for mass and temperature, and 0.6 mg per kg and metre of swimming. `mass_kg` must be > 0. */
+/* Returns the oxygen that one fish consumes in an hour, mg. The result is the sum of two parts: the
+ * routine respiration for the fish's mass and the water temperature, and 0.6 mg per kg of fish and
+ * metre of path. `mass_kg` must be > 0. */
 float oxygen_breath_mg_h(float mass_kg, float temperature_c, float speed_m_s);
 
 /* Returns the critical oxygen concentration of a fish, mg/L. Below that concentration, respiration
  * falls in proportion to the concentration. Example: 1.2 mg/L for a fish of 5 cm. */
 float oxygen_critical_mg_l(float mass_kg);
 
-/* Returns the rate of gas exchange kLa, 1/h. A still surface exchanges 3 cm of water depth per
- * hour. A pump (`pump` = 1) adds five tank volumes per hour. */
+/* Returns the rate of gas exchange kLa, 1/h. The surface contributes 0.03 m/h divided by the water
+ * depth. A running pump (`pump` = 1) adds 5 per hour. */
 float oxygen_exchange_per_h(float water_depth_m, int pump);
 
-/* Rates of one step of the balance. Oxygen enters at the rate `exchange_per_h` times the deficit
- * from `saturation_mg_l`. The fish consume `breath_mg_l_h` if the concentration is at least
- * `critical_mg_l`, which must be > 0. */
+/* Input of one step of the oxygen balance. Oxygen enters the water at the rate `exchange_per_h`
+ * times the difference between `saturation_mg_l` and the concentration. The fish consume
+ * `breath_mg_l_h` if the concentration is at least `critical_mg_l`. Below `critical_mg_l`, the
+ * consumption falls in proportion to the concentration. `critical_mg_l` must be > 0. */
 struct oxygen_balance {
     float saturation_mg_l, exchange_per_h, breath_mg_l_h, critical_mg_l;
 };
@@ -62,10 +68,11 @@ struct oxygen_balance {
  * any duration and never negative. */
 float oxygen_after(float dissolved_mg_l, const struct oxygen_balance *balance, float hours);
 
-/* Advances the oxygen by one tick (1/120 s). Each tick samples a share of the fish, so that all
- * fish are sampled within a second. Each second applies one step of the balance. Fish on a poi or
- * in a bowl are not counted. Fish that gulp at the surface are not counted either, because the
- * surface film is always near saturation. */
+/* Advances the oxygen by one tick (1/120 s). Each tick samples the respiration of a part of the
+ * fish, so that every fish is sampled once per second. At the end of each second, the function
+ * advances the concentration by one step. Fish on a poi (the paper scoop) or in a bowl are not
+ * counted. Fish that gulp at the surface are not counted either, because the surface film is always
+ * near saturation. */
 void oxygen_tick(struct oxygen *oxygen, const struct fish *fish, uint32_t fish_count, vec3 size_m,
                  uint32_t tick);
 

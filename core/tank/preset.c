@@ -5,40 +5,41 @@
 #include "core/morph/morph.h"
 #include "core/tank/fish.h"
 
-/* Largest share of the water that fish bodies may fill; 600 fish in the festival tank fill 0.11.
- * A fuller tank would take too much computing time. contact_solver.h keeps bodies apart in any
- * tank. */
+/* Largest fraction of the water that fish bodies may fill; 600 fish in the festival tank fill 0.11.
+ * The simulation of a fuller tank would take too much computing time, although the contact solver
+ * (contact_solver.h) would still keep the bodies apart. */
 #define BODY_FILL_MAX 0.12f
 #define AGE_SAMPLES 32
 
 #define UNBOUND 1e9f
 
-/* Behavior parameters that all presets share, in body lengths of the 2013 thesis' fish of 5 cm.
- * "Section" means a section of that thesis.
+/* Behavior parameters that all presets have in common. Lengths are in body lengths of the fish in
+ * the 2013 thesis, which are 5 cm long. Section numbers are those of the 2013 thesis.
  *
- * Section 3.3 gives 15, 5.25 and 7.5 cm/s, half of the speeds that section 2.1 measures on a single
- * fish. In section 3.2 a resting fish "stands still". Real fish never do so completely, so a
- * resting fish drifts at 0 to 0.5 cm/s. Section 3.4 gives 1 cm of personal space.
+ * Section 3.3 gives speeds of 15, 5.25 and 7.5 cm/s, half of the speeds that section 2.1 measures
+ * on a single fish. In section 3.2 a resting fish "stands still". Real fish never stand completely
+ * still, so a resting fish drifts at 0 to 0.5 cm/s. Section 3.4 gives 1 cm of personal space.
  *
- * Section 3.3 changes the heading with the gait but gives no amount. A uniform choice of 360
- * degrees would make the fish spin at every change. Therefore the change of a swimming fish has a
- * normal distribution with a standard deviation of 45 degrees. */
+ * Section 3.3 changes the heading with the gait but gives no angle. A uniform random angle within
+ * 360 degrees would make the fish spin at every change of gait. Therefore the angle for a swimming
+ * fish has a normal distribution with a standard deviation of 45 degrees. */
 /* clang-format off */
 #define THESIS_CORE                                                                                \
     .burst_speed = 3.0f, .swim_speed = 1.05f, .swim_speed_max = 1.5f, .drift_speed = 0.10f,        \
     .space_per_length = 0.2f, .turn_swim_rad = 45.0f * F_DEG
 
-/* The 2013 thesis without changes.
+/* The rules of the 2013 thesis without changes. Section numbers are those of the 2013 thesis.
  *
- * Section 3.1: a body of 5 x 2 x 1 cm. Section 3.4: a fish avoids everything in its personal space
- * immediately and turns as fast as its gait allows. The fish predicts nothing and never slows down.
- * A wall in the space counts like any other object. The spaces keep their size at every density:
- * the spaces of 600 fish fill 28 % of the water.
+ * Section 3.1 gives a body of 5 x 2 x 1 cm. In section 3.4 a fish immediately avoids every object
+ * in its personal space, including walls, and turns as fast as its gait allows. The fish predicts
+ * nothing and never slows down. The personal spaces keep their size at every density: the spaces of
+ * 600 fish fill 28 % of the water.
  *
- * Section 3.5: a shade attracts all fish at their present speed, including fish in a burst. Section
- * 3.6: each of the four stamina bands has one depth, equal for all fish. A fish gulps for 3 s when
- * its stamina is below 25 of 100, and then has full stamina. In the code, stamina grows steadily
- * while the mouth is in the film, because otherwise all fish would dive in step. */
+ * In section 3.5 a shade attracts all fish at their present speed, including fish in a burst. In
+ * section 3.6 each of four ranges of stamina has one depth, which is equal for all fish. A fish
+ * gulps for 3 s when its stamina is below 25 of 100, and then has full stamina. In the code,
+ * stamina grows steadily while the mouth is in the surface film, because otherwise all fish would
+ * dive at the same time. */
 #define THESIS_LAW                                                                                 \
     {                                                                                              \
         THESIS_CORE, .height_per_length = 0.40f, .width_per_length = 0.20f,                        \
@@ -49,15 +50,15 @@
 
 /* A living wakin (a goldfish variety): the speeds and choices of the 2013 thesis with additions.
  *
- * The thesis' box of 5 x 2 x 1 cm holds 10 g, but a fish of 5 cm weighs 2.3 to 2.9 g. Therefore the
- * body of the wakin is slimmer.
+ * A box of 5 x 2 x 1 cm, as in the 2013 thesis, holds 10 g of water, but a fish of 5 cm weighs 2.3
+ * to 2.9 g. Therefore the body of the wakin is slimmer.
  *
- * With the personal spaces of the thesis, 1,000 fish of 5 cm would fill 95 % of the water of the
- * official tank, and 1,000 fish of 4 cm would fill 46 %. Therefore the spaces shrink if they would
- * fill more than 35 %.
+ * With the personal spaces of the 2013 thesis, 1,000 fish of 5 cm would fill 95 % of the water of
+ * the official tank, and 1,000 fish of 4 cm would fill 46 %. Therefore the spaces shrink if they
+ * would fill more than 35 %.
  *
- * Braking 0.25 s instead of 0.15 s before contact would cost a tenth of the speed in that tank and
- * would not reduce the number of contacts. */
+ * A fish brakes 0.15 s before contact. Braking 0.25 s before contact would reduce the speed of the
+ * fish in the official tank by a tenth, and would not reduce the number of contacts. */
 #define LIVING_WAKIN                                                                               \
     {                                                                                              \
         THESIS_CORE, .height_per_length = 0.36f, .width_per_length = 0.20f,                        \
@@ -74,7 +75,8 @@
 static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     [TANK_PRESET_FESTIVAL] = {
         .name = "festival",
-        /* Size of the federation's type B tank, but with 12 cm of water instead of 10 cm. */
+        /* Size of the type B tank of the goldfish-scooping federation, but with 12 cm of water
+         * instead of 10 cm. */
         .size_m = { 0.85f, 0.12f, 0.55f },
         .wall_height_m = 0.15f,
         .fish_count = 300,
@@ -87,10 +89,10 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
                     { -0.335f, 0.012f, 0.185f },
                     { 0.335f, 0.012f, -0.035f },
                     { -0.335f, 0.012f, -0.035f } },
-        .bowl_radius_m = 0.080f, /* The federation allows a bowl with a diameter of at most
-                                    160 mm. */
+        .bowl_radius_m = 0.080f, /* The goldfish-scooping federation allows a bowl with a diameter
+                                    of at most 160 mm. */
         .temperature_c = 24.0f,
-        .time_compression = 60.0f, /* One minute of play is one hour for the oxygen. */
+        .time_compression = 60.0f, /* One minute of play is one hour of the oxygen balance. */
         .pump = 1,
         .params = LIVING_WAKIN,
         .view = {
@@ -102,10 +104,11 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     },
     [TANK_PRESET_THESIS] = {
         .name = "thesis",
-        .size_m = { 1.36f, 0.20f, 0.65f }, /* Section 3.1 of the 2013 thesis gives the floor,
-                                              section 3.6 the water depth. */
+        .size_m = { 1.36f, 0.20f, 0.65f }, /* Section 3.1 of the 2013 thesis gives the width and the
+                                              length of the tank. Section 3.6 of the 2013 thesis
+                                              gives the water depth. */
         .wall_height_m = 0.23f,
-        .fish_count = 600, /* Section 4.1 of the 2013 thesis. */
+        .fish_count = 600, /* Number of fish in section 4.1 of the 2013 thesis. */
         .age_days_min = 120.0f, /* At an age of 120 days the fish is red all over. */
         .age_days_max = 120.0f,
         .length_m = 0.05f,
@@ -120,9 +123,9 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .time_compression = 1.0f,
         .params = THESIS_LAW,
         .view = {
-            .eye_m = { 0.0f, 1.622f, 0.448f }, /* The view is steeper than in the festival preset,
-                                                  because the thesis' tank is twice as wide (x) as
-                                                  it is long (z). */
+            .eye_m = { 0.0f, 1.622f, 0.448f }, /* The camera looks down more steeply than in the
+                                                  festival preset, because the tank of the 2013
+                                                  thesis is twice as wide (x) as it is long (z). */
             .target_m = { 0.0f, -0.02f, 0.008f },
             .half_height_tan = 0.258f,
             .aspect_min = 16.0f / 9.0f,
@@ -130,7 +133,8 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
     },
     [TANK_PRESET_OFFICIAL] = {
         .name = "official",
-        .size_m = { 1.36f, 0.10f, 0.65f }, /* The federation's type A tank with 10 cm of water. */
+        .size_m = { 1.36f, 0.10f, 0.65f }, /* The type A tank of the goldfish-scooping federation,
+                                              with 10 cm of water. */
         .wall_height_m = 0.23f,
         .fish_count = 1000,
         .age_days_min = 90.0f,
@@ -144,12 +148,13 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
                     { 0.53f, 0.012f, -0.02f },
                     { -0.53f, 0.012f, -0.02f } },
         .bowl_radius_m = 0.080f,
-        .temperature_c = 25.0f, /* The federation's rules allow 20 to 30 C and the pump is off. */
+        .temperature_c = 25.0f, /* The rules of the goldfish-scooping federation allow 20 to 30 C.
+                                   The pump is off. */
         .time_compression = 1.0f,
         .params = LIVING_WAKIN,
         .view = {
-            .eye_m = { 0.0f, 1.622f, 0.421f }, /* The view passes over a wall that stands 13 cm
-                                                  above the water. */
+            .eye_m = { 0.0f, 1.622f, 0.421f }, /* From this position the camera sees the water over
+                                                  a wall that stands 13 cm above the surface. */
             .target_m = { 0.0f, -0.02f, -0.019f },
             .half_height_tan = 0.274f,
             .aspect_min = 16.0f / 9.0f,

@@ -27,20 +27,22 @@ struct tank_preset {
                             (z). */
     float wall_height_m; /* Height of the walls from the floor to the rim. */
     uint32_t fish_count;
-    float age_days_min, age_days_max; /* Youngest and oldest age. The number of fish per day of age
-                                         falls as 1 / sqrt(age - age_days_min), because most fish of
-                                         a stall hatched in the current summer. */
+    float age_days_min, age_days_max; /* Youngest and oldest age of a fish. The number of fish
+                                         per day of age is proportional to 1 / sqrt(age -
+                                         age_days_min), because most fish of a stall hatched in
+                                         the current summer. */
     float length_m;                   /* Mean length of all fish, varied by `length_spread`. 0 means
                                          that each fish has the length for its age. */
-    float length_spread;              /* Largest deviation from `length_m` as a share of the length,
-                                         [0, 0.3]. Lengths are uniform within the deviation. */
-    float stamina_min, stamina_max;   /* Range of the stamina at the start, within [0, 1];
-                                         uniform. */
-    vec3 bowl_m[POI_MAX];             /* Centres of the mouths of the players' bowls, which are
-                                         moored at the front and at the sides. */
+    float length_spread;              /* Largest deviation from `length_m` as a fraction of
+                                         `length_m`, [0, 0.3]. The random deviation has a uniform
+                                         distribution. */
+    float stamina_min, stamina_max;   /* Range of the stamina at the start, within [0, 1]. The
+                                         random stamina has a uniform distribution. */
+    vec3 bowl_m[POI_MAX];             /* Centres of the mouths of the players' bowls, which float at
+                                         fixed places at the front and at the sides of the tank. */
     float bowl_radius_m;              /* Radius of a bowl's rim. Fish start outside the bowls. */
     float temperature_c;              /* Initial temperature of the water. */
-    float time_compression;           /* Speed of the oxygen balance relative to the fish
+    float time_compression;           /* Speed of the oxygen balance relative to real time
                                          (oxygen.h). */
     uint8_t pump;                     /* 1 if the air stone bubbles, otherwise 0. */
     struct behavior_params params;
@@ -53,9 +55,9 @@ const struct tank_preset *tank_preset(uint8_t id);
 /* Returns the age of a fish in days. `draw` is a random number in [0, 1). */
 float tank_preset_age_days(const struct tank_preset *preset, float draw);
 
-/* Returns the largest number of fish in a tank whose floor is scaled by `area_scale`, 1 ..
- * TANK_FISH_MAX. At that number the fish boxes, averaged over the ages, fill 12 % of the water.
- * With more fish the contact solver would not converge. */
+/* Returns the largest number of fish, 1 .. TANK_FISH_MAX, in a tank whose floor area is
+ * `area_scale` times the floor area of the preset. With this number, fish boxes of the mean volume
+ * fill 12 % of the water. More fish would take too much computing time. */
 uint32_t tank_preset_fish_max(const struct tank_preset *preset, float area_scale);
 
 #endif

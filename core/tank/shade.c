@@ -6,20 +6,21 @@
 #include "core/tank/behavior/gait.h"
 
 #define EDGE_TAU_S 0.10f
-/* Eq. 3.5 of the 2013 thesis: S = 0.01 per frame at 60 frames per second. */
+/* Factor S in eq. 3.5 of the 2013 thesis, converted to 1/s: 0.01 per frame at 60 frames per
+ * second. */
 #define PULL_PER_S 0.60f
 /* Smallest speed at which the sum of course and attraction has a usable direction. Below that speed
  * the fish keeps its yaw. */
 #define HARDLY_M_S 0.005f
-/* Speed of the push by near fish that cancels the attraction completely. The speed is measured
- * against the attraction, in body lengths per second. */
+/* Speed of an opposing push by near fish that cancels the attraction completely, in body lengths
+ * per second. */
 #define FULL_LENGTHS_PER_S 0.1f
-/* Distance outside a shade's edge at which a fish already sees the shade approach. */
+/* Distance from a shade's edge at which a fish outside the shade already sees the shade. */
 #define FRIGHT_RIM_M 0.02f
-/* Time in which the shade of a fan raises the alarm of a fish from 0 to 1. The nerve latency
- * follows (startle.h). */
+/* Time in which the shade of a hand-held fan raises the alarm of a fish from 0 to 1. The nerve
+ * latency (startle.h) begins afterwards. */
 #define FRIGHT_TIME_S 0.04f
-/* Share of light taken from which the alarm has its full value. Darker shades cause no more
+/* A shade that takes this fraction of the light causes the full alarm. Darker shades cause no more
  * alarm. */
 #define FRIGHT_PLAIN_DARK 0.60f
 
@@ -111,8 +112,8 @@ static vec3 pull_of_all(const struct shade *shades, uint32_t count,
     return sum;
 }
 
-/* Reduces the attraction by the opposing push of the fish in the shade, so that no fish presses
- * into a full shade. */
+/* Reduces the attraction if fish in the shade push the fish in the opposite direction. Therefore no
+ * fish presses into a full shade. */
 static vec3 less_crowd(vec3 pull_m_s, const struct fish *fish)
 {
     const vec3 toward = v3_normalize_or(pull_m_s, pull_m_s);
@@ -138,9 +139,10 @@ int shade_draw(const struct shade *shades, uint32_t count, const struct behavior
     return 1;
 }
 
-/* Returns the factor [0, 1] on the alarm for the share of light that a shade takes. A weak shade
- * causes little alarm whatever its motion. The paper of a poi takes a third of the light and causes
- * a twentieth of the alarm of a fan, which takes two thirds. */
+/* Returns the factor [0, 1] on the alarm of a shade that takes the fraction `dark` of the light. A
+ * weak shade causes little alarm, however fast it moves. The paper of a poi takes a third of the
+ * light, and a hand-held fan takes two thirds. The paper causes a twentieth of the alarm that the
+ * fan causes. */
 static float contrast(float dark)
 {
     const float share =
@@ -157,8 +159,8 @@ float shade_alarm(const struct shade *shade, const struct behavior_params *param
         shade_distance_m(cast, position_m) > cast->radius_m + FRIGHT_RIM_M) {
         return 0.0f;
     }
-    /* Limits the time to the age of the shade. The fish cannot have seen the shade earlier, even if
-     * the fish's last decision is older. */
+    /* Limits the time to the age of the shade, because the fish cannot have seen the shade earlier.
+     * The fish's last decision may be older than the shade. */
     return contrast(cast->dark) * f_min(dt_s, shade->age_s) / FRIGHT_TIME_S;
 }
 

@@ -10,21 +10,23 @@
 #include "core/tank/behavior/swim.h"
 #include "core/tank/collision/reentry.h"
 
-/* Motion per tick above which an obstacle counts as a poi in use; equal to 12 mm/s. */
+/* Motion per tick above which an obstacle counts as a poi (paper scoop) in use. The limit equals 12
+ * mm/s. */
 #define STIRS_M 0.0001f
-#define BUBBLE_TICKS 6u  /* Ticks between two bubbles of the pump: 20 bubbles per second. */
-#define BUBBLES_M 0.014f /* Radius around the air stone within which bubbles rise. */
+#define BUBBLE_TICKS 6u /* Ticks between two bubbles of the pump: 20 bubbles per second. */
+#define BUBBLES_M                                                                                  \
+    0.014f /* Radius of the circle above the air stone within which bubbles reach the surface. */
 #define STONE_INSET_M 0.045f
 #define BUBBLE_RADIUS_M 0.012f
 #define BUBBLE_M 0.0011f /* Height by which a bubble lifts the surface. */
 #define GULP_RADIUS_M 0.010f
 #define GULP_DEPTH_M 0.0004f
-/* Share of the difference by which a fish's push approaches the new push at each query. Pushes rise
- * and decay with a time constant of a twelfth of a second. */
+/* Fraction of the difference between the new and the old push by which each query changes the push
+ * of a fish. Pushes therefore rise and decay with a time constant of a twelfth of a second. */
 #define PUSH_SHARE 0.344f
 #define BORNE_M_S 0.05f
-/* Recovery of `room`: after other fish blocked its turn, a fish regains its full turning rate in
- * half a second. */
+/* Increase of the member `room` per second. A fish whose turn other fish blocked regains its full
+ * turning rate in half a second. */
 #define ROOM_PER_S 2.0f
 
 struct tank_bounds tank_bounds(const struct tank *tank)
@@ -38,8 +40,8 @@ const struct behavior_params *tank_behavior_params(const struct tank *tank)
     return &tank_preset(tank->preset)->params;
 }
 
-/* Returns one more than the index of the last shade that is present. The result is usually 0, so
- * that the fish test no shades. */
+/* Returns one more than the index of the last shade that is present. Returns 0 if no shade is
+ * present, which is the usual case; the fish then test no shades. */
 static uint32_t shade_count(const struct tank *tank)
 {
     uint32_t count = TANK_SHADE_MAX;
@@ -82,7 +84,8 @@ static void ring(struct tank *tank, const struct fish *fish, const struct percep
     }
 }
 
-/* Returns 1 if other fish support a fallen fish. In water alone the fish would sink at 12 cm/s. */
+/* Returns 1 if other fish carry a fish that fell into the water, otherwise 0. A fish that nothing
+ * carries sinks at 12 cm/s. */
 static int is_borne(const struct fish *fish)
 {
     return fish->position_m.y < 0.0f && fish->velocity_m_s.y > -BORNE_M_S;
@@ -138,7 +141,8 @@ static void heed(struct tank *tank, const struct perception *around)
     }
 }
 
-/* Runs a broad-phase query if it is due by schedule, or if the last query is stale. */
+/* Runs a full broad-phase query every BROAD_PHASE_UPDATE_TICKS ticks. In other ticks, runs a query
+ * for contacts only if the last query is stale. */
 static void update_broad_phase(struct tank *tank, uint32_t station, const struct perception *around)
 {
     struct broad_phase *broad_phase = &tank->broad_phase;
@@ -152,8 +156,8 @@ static void update_broad_phase(struct tank *tank, uint32_t station, const struct
         return;
     }
     struct broad_phase_search how = tank_search(tank);
-    how.contacts_only = !is_time; /* A query off schedule finds only contacts and no avoidance
-                                     advice. */
+    how.contacts_only = !is_time; /* A query outside the schedule finds only contacts and no
+                                     avoidance advice. */
     broad_phase_update(broad_phase, tank->fish, how, around);
     if (is_time) {
         struct perception then = *around;
@@ -212,8 +216,8 @@ static void bubble(struct tank *tank, uint32_t tick)
     water_press(&tank->water, tank->size_m, v3_add(stone, off), BUBBLE_RADIUS_M, -BUBBLE_M);
 }
 
-/* Returns the largest distance in a tick by which other bodies may push a fish. The value is large
- * near a moving poi, so that fish make way for it. */
+/* Returns the largest distance by which other bodies may push a fish in one tick, m. The distance
+ * is larger near a moving poi, so that fish make way for the poi. */
 static float push_max_m(const struct obstacle *obstacles, uint32_t obstacle_count)
 {
     int stirs = 0; /* 1 if an obstacle moves faster than STIRS_M per tick. A bowl that rocks on

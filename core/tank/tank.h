@@ -25,27 +25,28 @@ _Static_assert(TANK_OBSTACLE_MAX == 2u * POI_MAX, "a poi and a bowl of each play
 struct tank {
     uint32_t seed;
     uint8_t preset;        /* Preset of the tank (enum tank_preset_id). */
-    uint8_t lanes, search; /* Number of SIMD lanes and pair search, copied from struct tank_config.
-                              The state hashes do not cover `lanes` and `search`. */
+    uint8_t lanes, search; /* Number of SIMD lanes (`lanes`) and pair search (`search`), copied
+                              from struct tank_config. The state hashes do not include these two
+                              members. */
     vec3 size_m;
     float wall_height_m;
     float wall_follow;   /* Strength [0, 1] of the attraction of walls. */
     uint8_t ball_spaces; /* 1 if personal spaces are balls instead of boxes, otherwise 0. */
     uint32_t fish_count;
     struct fish fish[TANK_FISH_MAX];
-    float space; /* Personal space of a fish beyond its body, in body lengths. The value is computed
-                    when the tank is opened. */
+    float space; /* Size of the personal space of a fish beyond its body, in body lengths. The value
+                    is computed when the tank is opened. */
     struct water water;
     struct shade shade[TANK_SHADE_MAX];
     struct oxygen oxygen;
     uint32_t reentry_count; /* Upper bound of the number of fish in reentry. reentry_tick() sets it
                                to the exact number. */
-    /* Results of the last broad-phase query. The results are state, so broad_phase_hash() covers
+    /* Results of the last broad-phase query. Later ticks use the results, so tank_hash() includes
      * them. */
     struct broad_phase broad_phase;
-    struct contact_solver solver; /* Scratch memory of one tick, which no state hash covers. The
-                                     solver is a member because the stack of a board is too small
-                                     for it. */
+    struct contact_solver solver; /* Scratch memory of one tick, which no state hash includes. The
+                                     solver is a member of struct tank because the stack of an
+                                     embedded board is too small for it. */
 };
 
 /* Parameters of a tank to be opened. */
@@ -59,10 +60,12 @@ struct tank_config {
                                        component of 0 selects the preset's value. */
     float wall_follow;              /* Strength [0, 1] of the attraction of walls; 0 in every
                                        preset. */
-    uint8_t ball_spaces;            /* 1 if personal spaces are balls around the boxes and each fish
-                                       is tested against each other fish; only for comparison with
-                                       section 3.4 of the 2013 thesis. 0 means boxes. */
-    float stamina_min, stamina_max; /* Range of the stamina at the start, within [0, 1]; uniform. */
+    uint8_t ball_spaces;            /* 1 if personal spaces are balls around the bodies, otherwise 0
+                                       (boxes). Balls serve only for comparison with section 3.4 of
+                                       the 2013 thesis, and with balls each fish is tested against
+                                       each other fish. */
+    float stamina_min, stamina_max; /* Range of the stamina at the start, within [0, 1]. The random
+                                       stamina has a uniform distribution. */
     float temperature_c;            /* Temperature of the water, OXYGEN_TEMPERATURE_MIN_C ..
                                        OXYGEN_TEMPERATURE_MAX_C. */
     float pressure_hpa;             /* Pressure of the air, OXYGEN_PRESSURE_MIN_HPA ..
@@ -93,8 +96,8 @@ struct tank_config {
 /* Returns the configuration with the values of a preset, seed 1 and one bowl. */
 struct tank_config tank_config_of(uint8_t preset);
 
-/* Returns the largest number of fish in a tank of the preset with the scaled floor; at most
- * TANK_FISH_MAX. */
+/* Returns the largest number of fish, at most TANK_FISH_MAX, in a tank whose floor area is
+ * `area_scale` times the floor area of the preset. */
 uint32_t tank_fish_max(uint8_t preset, float area_scale);
 
 /* Returns the largest number of fish in a tank with this configuration; ignores config->fish_count.
@@ -103,12 +106,11 @@ uint32_t tank_config_fish_max(const struct tank_config *config);
 
 /* Opens a tank: fills `tank` with still water and with fish that do not overlap. Returns 1 on
  * success. Returns 0 and leaves `tank` unchanged if a value of `config` is out of range. Also
- * returns 0 if the fish found no room, which happens only in tanks shorter than a fish. In that
- * case `tank` must not be used. */
+ * returns 0 if the function finds no places at which the fish do not overlap, which happens only in
+ * tanks shorter than a fish. In that case `tank` must not be used. */
 int tank_open(struct tank *tank, const struct tank_config *config);
 
-/* Opens a preset with `fish_count` fish. Asserts that `preset` and `fish_count` are in range and
- * that the fish find room. */
+/* Opens a preset with `fish_count` fish. Asserts that tank_open() returns 1. */
 void tank_init(struct tank *tank, uint8_t preset, uint32_t fish_count, uint32_t seed);
 
 /* Pose and state of a fish that is placed to set up an encounter. */

@@ -11,13 +11,13 @@
 #include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/behavior/swim.h"
 
-/* Number of random places tried for a fish until one is clear of the bowls. If none is clear, the
- * last place is used. */
+/* Number of random places that are tried for a fish until a place is not under a bowl. If all
+ * places are under bowls, the last place is used. */
 #define PLACE_TRIES 12u
 /* Largest number of rounds that separate the fish at the start. Full tanks take 3 to 48 rounds. */
 #define START_ROUNDS_MAX 100u
-/* Largest number of random placements of all fish. In 1 % of the smallest tanks the first placement
- * gets stuck. */
+/* Largest number of random placements of all fish. In 1 % of the smallest tanks, the fish of the
+ * first placement cannot be separated. */
 #define START_DRAWS_MAX 8u
 #define START_SHOVE_M 0.004f /* Largest push of a fish in one round. */
 
@@ -129,15 +129,16 @@ static int under_bowl(vec3 point_m, const vec3 *bowls_m, uint32_t bowl_count, fl
     return 0;
 }
 
-/* The part of the floor in which a fish is placed. Position and size are shares of the floor. */
+/* The part of the floor in which a fish is placed, in fractions of the floor. `x` and `z` are the
+ * corner of the part, `width` and `breadth` its size. */
 struct plot {
     float x, z, width, breadth;
 };
 
 /* Returns the plot of a fish. Each fish has its own, nearly square plot, and the plots are numbered
  * row by row. Therefore fish that are near each other at the start are also near each other in
- * memory. A tank of 100,000 fish is a third faster while the fish keep about this order, which
- * lasts about ten minutes. */
+ * memory. A tank of 100,000 fish runs a third faster as long as this order remains, which is about
+ * ten minutes. */
 static struct plot plot_of(const struct tank *tank, uint32_t index)
 {
     const float wide = f_sqrt((float)tank->fish_count * tank->size_m.x / tank->size_m.z);
@@ -187,7 +188,7 @@ static float hatch_length_m(const struct tank *tank, const struct tank_preset *p
                                    : growth_length_m(&species_wakin.card.growth, age_days);
 }
 
-/* Returns a random initial gait. The probability of a gait is its share of time, as if the fish had
+/* Returns a random initial gait. The probability of a gait is its fraction of time, as if the fish had
  * been in the water for a long time. */
 static enum fish_gait start_gait(const struct tank *tank, uint32_t index, float stamina)
 {
@@ -218,13 +219,13 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     fish.heading_rad = fish.angles.yaw_rad; /* Restores the heading, which gait_enter() turned,
                                                because the fish has not yet changed its gait. */
     swim_resolve(&fish, &around);
-    /* A random share of the gait's duration has already passed. */
+    /* Shortens the first gait by a random fraction, as if the gait had begun before the start. */
     fish.gait_left_s *= rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_LEFT });
     return fish;
 }
 
-/* Pushes the fish apart until none overlap. Pushing is faster than drawing new places until none
- * overlap. Returns 1 on success, otherwise 0. */
+/* Pushes the fish apart until no two fish overlap. Pushing takes less time than choosing new random
+ * places. Returns 1 on success, otherwise 0. */
 static int spread_out(struct tank *tank)
 {
     const struct solver_context place = { tank->fish, tank_bounds(tank), NULL,

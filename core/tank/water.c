@@ -10,17 +10,18 @@
 
 #define WAVE_SPEED_M_S 0.23f
 #define STEP_S (1.0f / 60.0f)
-/* Share of the vertical velocity that remains after a step; waves decay in about a second. */
+/* Fraction of the vertical velocity that remains after a step; waves decay in about a second. */
 #define WAVE_KEEP 0.986f
-/* Share of the height that remains after a step; the surface returns to height 0. */
+/* Fraction of the height that remains after a step; the surface returns to height 0. */
 #define LEVEL_KEEP 0.9985f
-/* Limit of (c dt / dx)^2 along each axis. The scheme diverges if the sum of both axes reaches 1. */
+/* Limit of (c * dt / dx)^2 along each axis, where c is the wave speed, dt the step and dx the cell
+ * size. The explicit scheme diverges if the sum over both axes reaches 1. */
 #define COURANT_MAX 0.45f
 /* Largest height of a wave. Higher waves would leave a tank whose walls stand 6 cm above the
  * water. */
 #define HEIGHT_MAX_M 0.02f
-/* Factor from a slope to the integer of the scene (scene.h), in which +-127 means a slope of
- * +-0.25. */
+/* Factor that converts a slope to the 8-bit integer of struct scene (scene.h), in which +-127 means
+ * a slope of +-0.25. */
 #define SLOPE_SCALE 508.0f
 
 void water_init(struct water *water)
@@ -28,16 +29,17 @@ void water_init(struct water *water)
     memset(water, 0, sizeof *water);
 }
 
-/* Returns the depth of a push relative to its depth at the centre. `s` is the squared distance from
- * the centre, where 1 is the squared radius. The depth is < 0 in a raised rim and 0 from the radius
- * outward. The volume of the push is zero, because water is incompressible. */
+/* Returns the depth of a push at a point as a fraction of the depth at the centre of the push. `s`
+ * is the squared distance from the centre divided by the squared radius. The result is < 0 in the
+ * raised rim of the push and 0 from the radius outward. The volume of the push is zero, because
+ * water is incompressible. */
 static float press_profile(float s)
 {
     return s < 1.0f ? (1.0f - s) * (1.0f - s) * (1.0f - 4.0f * s) : 0.0f;
 }
 
-/* First and last cell whose centre can lie within `radius` cells of position `at`. No cell lies
- * within the radius if `first` is greater than `last`. */
+/* First and last cell whose centre can lie within `radius` cells of the position `at`. If `first`
+ * is greater than `last`, no cell lies within the radius. */
 struct span {
     int32_t first, last;
 };
@@ -51,8 +53,8 @@ static struct span span_of(float at, float radius, int32_t count)
                           span.last >= count ? count - 1 : span.last };
 }
 
-/* Changes the heights of the current step and of the previous step equally. Therefore the push
- * itself adds no velocity, and waves start from rest. */
+/* Changes the heights of the current step and of the previous step equally. Therefore the push adds
+ * no velocity, and waves start from rest. */
 void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m, float depth_m)
 {
     if (f_abs(point_m.x) > 0.5f * size_m.x || f_abs(point_m.z) > 0.5f * size_m.z) {

@@ -27,7 +27,8 @@ float water_height_m(const struct water *water, vec3 size_m, float x_m, float z_
 /* Advances the wave equation by one step of 1/60 s; called every second tick. */
 void water_step(struct water *water, vec3 size_m);
 
-/* Writes the slopes of the surface along x and z. +-127 means a slope of +-0.25, as in scene.h. */
+/* Writes the slopes of the surface along x to slope[..][..][0] and along z to slope[..][..][1]. The
+ * values +127 and -127 mean slopes of +0.25 and -0.25, as in scene.h. */
 void water_slopes(const struct water *water, vec3 size_m, int8_t slope[RIPPLE_Z][RIPPLE_X][2]);
 
 uint64_t water_hash(uint64_t hash, const struct water *water);

@@ -10,25 +10,27 @@
 /* Probability that the hitting fish passes behind the struck fish (section 3.4 of the 2013
  * thesis). */
 #define STRAIGHT_CHANCE 0.9f
-/* Longest avoidance by yaw; afterwards the fish avoids by pitch (section 3.4). */
+/* Longest duration of avoidance by yaw. Afterwards the fish avoids by pitch (2013 thesis, section
+ * 3.4). */
 #define YAW_TIME_S 0.5f
 #define PITCH_TIME_S 0.5f
 /* Time for which a fish keeps its depth after it avoided another fish by pitch. The preferred depth
  * would lead the fish back to the other fish. */
 #define HOLD_DEPTH_S 0.5f
-/* Closing speed below which fish do not avoid each other. Two resting fish drift together at this
- * speed, and repulsion separates them. */
+/* Closing speed below which fish do not avoid each other. Two resting fish can drift together at
+ * this speed; repulsion then separates them. */
 #define CLOSING_MIN_M_S 0.010f
 /* Smallest share of the speed that a braking fish keeps. With a smaller share, a burst in a dense
  * tank would lose more than half its speed. */
 #define BRAKE_MIN 0.4f
-/* Angle from the fish's yaw to its heading while the fish avoids by yaw. */
+/* Angle from the fish's yaw to its new heading while the fish avoids by yaw. */
 #define LEAD_RAD (75.0f * F_DEG)
-/* Share of LEAD_RAD for the struck fish, which then turns at 67 deg/s and hardly swings its
+/* Fraction of LEAD_RAD for the struck fish, which then turns at 67 deg/s and hardly swings its
  * tail. */
 #define STRUCK_SHARE 0.15f
 #define TURN_LAG_S 0.12f /* Time constant with which a turn decays. */
-/* Repulsion speed at contact. Section 3.3: (7.5 - 5.25) cm/s for fish of 5 cm. */
+/* Repulsion speed at contact in body lengths per second: (7.5 - 5.25) cm/s for a fish of 5 cm (2013
+ * thesis, section 3.3). */
 #define REPULSION_LENGTHS_PER_S 0.45f
 #define REPULSION_RANGE 0.2f /* Range of the repulsion in body lengths: 1 cm for a fish of 5 cm. */
 
@@ -149,8 +151,8 @@ static int is_far_off(float gap_m, float closing_m_s, const struct behavior_para
     return params->meet_within_s > 0.0f && gap_m > params->meet_within_s * closing_m_s;
 }
 
-/* Returns the share of its speed that a fish keeps. The share is below 1 if the gap would close
- * within `brake_s` and the fish swims toward the gap. */
+/* Returns the factor on the speed of a fish. The factor is below 1 if the fish swims toward the gap
+ * and the gap would close within `brake_s`. */
 static float brake_for(float faces, float gap_m, float closing_m_s, float brake_s)
 {
     const float stop_m = brake_s * closing_m_s;
@@ -205,8 +207,8 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
     return pair;
 }
 
-/* Returns the possible vertical direction: -1 (down) or +1 (up). A rise near the surface becomes a
- * dive, and a dive near the floor becomes a rise. */
+/* Returns `rise` or its opposite: -1 means down, +1 means up. The result is the opposite if the
+ * surface or the floor is too near in the direction `rise`. */
 static float possible_rise(const struct fish *fish, float rise, float water_depth_m)
 {
     const float room_m = 1.0f * fish->height_m;
@@ -223,8 +225,8 @@ static void yaw_away(struct fish *fish)
     fish->heading_rad = f_wrap_angle(fish->angles.yaw_rad + fish->avoid_turn * LEAD_RAD);
 }
 
-/* Ends an avoiding turn. The new heading is the fish's yaw plus the angle by which the fish
- * continues to turn because of its lag. */
+/* Ends an avoiding turn. The fish's new heading includes the angle by which the fish continues to
+ * turn because its yaw rate decays slowly. */
 static void straighten(struct fish *fish)
 {
     const float carries_rad = TURN_LAG_S * fish->yaw_rate_rad_s;
@@ -266,9 +268,9 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
                 const struct perception *around)
 {
     const int meets = advice->kind != MEET_NONE;
-    /* A fish releases its brake within a third of a second. */
+    /* The factor `brake` rises from 0 to 1 in a third of a second at the earliest. */
     fish->brake = f_min(brake, fish->brake + 3.0f * around->dt_s);
-    /* The avoidance ends three times as fast if the way is clear. */
+    /* The time left runs three times as fast if the fish meets no other fish any more. */
     const float pace = fish->avoiding != AVOID_NONE && !meets ? 3.0f : 1.0f;
     fish->avoid_left_s = f_max(0.0f, fish->avoid_left_s - pace * around->dt_s);
     if (fish->avoiding == AVOID_NONE) {

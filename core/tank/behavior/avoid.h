@@ -1,25 +1,26 @@
 /* avoid.h -- avoidance between two fish that approach each other head-on, from the side or from
  * behind.
  *
- * The functions implement section 3.4 of the 2013 thesis. The rules below were chosen for cases in
- * which the thesis gives no rule or contradicts itself.
+ * The functions implement section 3.4 of the 2013 thesis. All section, figure and equation numbers
+ * are those of the 2013 thesis. The rules below were chosen for cases in which the thesis gives no
+ * rule or contradicts itself.
  *
- * - Section 3.4 reacts to "something within the space", but section 3.7 tests space against space.
- * The code follows section 3.7.
+ * - In section 3.4 a fish reacts to "something within the space". In section 3.7 a fish reacts if
+ * its personal space overlaps the personal space of another fish. The code follows section 3.7.
  *
  * - By headings alone, two harmless cases would count as encounters: fish that have passed each
  * other head-on, and fish that swim side by side. Therefore the code requires that a fish
  * approaches. In a rear-end encounter, the fish ahead must lie within 45 degrees of the follower's
  * course.
  *
- * - Eq. 3.4 uses the angle in space, so a head-on encounter with a pitched fish would count as an
- * encounter from the side. The code uses the angle between the headings seen from above. The
- * comparison uses cosines, so no angle is out of range.
+ * - Eq. 3.4 uses the angle between the headings in three dimensions, so a head-on encounter with a
+ * pitched fish would count as an encounter from the side. The code uses the angle between the
+ * headings seen from above. The code compares cosines, so that it needs no arc cosine.
  *
  * - "The one that hits" is the fish that faces the other fish more. In a tie, the fish with the
  * lower index hits.
  *
- * - The fish that is hit "turns left" in the thesis, whichever side is hit. Half of these turns
+ * - In the thesis, the fish that is hit "turns left", whichever side is hit. Half of these turns
  * would lead into the fish that hits. In the code the struck fish turns away from the side that is
  * hit.
  *
@@ -29,20 +30,20 @@
  *
  * - A fish with several encounters follows the advice for the soonest contact. A fish that has
  * begun to turn keeps its direction. If the path is still blocked after 0.5 s, even by a different
- * fish, avoidance by yaw has failed and pitch is used.
+ * fish, avoidance by yaw has failed and the fish avoids by pitch.
  *
- * - The class of an encounter is fixed when two fish meet. While a fish of the pair avoids, the
- * class and the roles stay unchanged, even after the fish have turned.
+ * - The class of an encounter (enum meeting_kind) is determined when two fish meet. While a fish of
+ * the pair avoids, the class and the roles stay unchanged, even after the fish have turned.
  *
  * - Fig. 3.6 sends both fish of a pair up, or both down. In the code the upper fish goes up and the
  * lower fish goes down, unless the surface or the floor is within one body height.
  *
- * - The preferred depths of section 3.6 would undo a climb or a dive. The depths are suspended
- * while a fish avoids by pitch and for 0.5 s afterwards. (If they were suspended during yaw too,
- * 600 fish would drift away from their depths by 3 to 6 cm.)
+ * - The preferred depths of section 3.6 would undo a climb or a dive. A fish ignores its preferred
+ * depth while it avoids by pitch and for 0.5 s afterwards. If a fish also ignored its preferred
+ * depth during avoidance by yaw, 600 fish would drift away from their depths by 3 to 6 cm.
  *
- * - Sections 1.1 and 4.5 name a repulsion but never define it. avoid_repulsion_m_s() documents the
- * repulsion of the code. */
+ * - Sections 1.1 and 4.5 name a repulsion but never define it. The comment on avoid_repulsion_m_s()
+ * describes the repulsion in this code. */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_AVOID_H
 #define KINGYO_CORE_TANK_BEHAVIOR_AVOID_H
 
@@ -50,8 +51,8 @@
 #include "core/tank/fish.h"
 
 enum meeting_kind {
-    MEET_NONE = 0, /* No encounter: the fish do not approach, or approach no faster than resting
-                      fish drift. */
+    MEET_NONE = 0, /* No encounter. The fish move apart, or approach each other no faster than two
+                      resting fish drift. */
     MEET_HEAD_ON,  /* The headings differ by more than 160 degrees. */
     MEET_REAR_END, /* The headings differ by less than 20 degrees, and the other fish is ahead. */
     MEET_SIDE,     /* The fish runs into the side of the other fish. */
@@ -75,8 +76,8 @@ struct avoid_party {
 /* Advice for one fish of a pair. All zeros mean that there is no advice. */
 struct avoid_advice {
     uint8_t kind;    /* Role of the fish in the encounter (enum meeting_kind). */
-    int8_t rise;     /* Direction of the pitch if yaw fails within 0.5 s: -1 means down, +1 means
-                        up. */
+    int8_t rise;     /* Direction of the pitch if avoidance by yaw fails within 0.5 s: -1 means
+                        down, +1 means up. */
     fish_index with; /* Index of the other fish. */
     uint32_t since;  /* Tick in which the first fish of the pair began to avoid. */
     float contact_s; /* Time to contact at the present speeds. */
@@ -85,12 +86,13 @@ struct avoid_advice {
 
 struct avoid_pair {
     struct avoid_advice a, b;
-    float brake_a, brake_b; /* Share [0, 1] of its speed that each fish keeps. */
+    float brake_a, brake_b; /* Factor [0, 1] on the speed of fish a and of fish b. */
 };
 
-/* Returns the advice for both fish of a pair. `gap_m` is the gap between their bodies. One random
- * number decides the whole encounter. The key of the random number is the tick in which the first
- * fish began to avoid, so the second fish gets the same number later. */
+/* Returns the advice for both fish of a pair. `gap_m` is the gap between their bodies. All
+ * random choices of an encounter depend on one random number. The key of the random number
+ * contains the tick in which the first fish began to avoid, so that the second fish gets the
+ * same number later. */
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
                              const struct behavior_params *params, uint32_t seed, uint32_t tick);
 
@@ -99,14 +101,15 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
 int avoid_holds_depth(const struct fish *fish);
 
 /* Advances the avoidance of a fish by `around->dt_s`. `advice` is the advice for the soonest
- * contact. `brake` is the smallest share of speed that any neighbour leaves. */
+ * contact. `brake` is the smallest factor on the fish's speed that any near fish requires. */
 void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake,
                 const struct perception *around);
 
-/* Returns the speed at which repulsion separates two bodies with the gap `gap_m`. `length_m` is the
- * length of the smaller fish. The speed is 0 beyond the personal space of that fish, a fifth of its
- * length. At contact the speed is the difference between 5.25 and 7.5 cm/s of section 3.3, which is
- * the limit of all "other forces". */
+/* Returns the speed at which repulsion separates two bodies, m/s. `gap_m` is the gap between the
+ * bodies, and `length_m` is the length of the smaller fish. Returns 0 if the gap exceeds a fifth of
+ * `length_m`, which is the personal space of the smaller fish. At contact, the result for a fish of
+ * 5 cm is the difference between 5.25 and 7.5 cm/s. Section 3.3 of the 2013 thesis gives that
+ * difference as the limit of all "other forces". */
 float avoid_repulsion_m_s(float gap_m, float length_m);
 
 #endif

@@ -14,13 +14,15 @@
 #define KICK_TICKS (5u * FISH_BEHAVIOR_TICKS) /* Duration of a kick, 0.17 s. */
 #define KICK_MAX_RAD (80.0f * F_DEG)
 
-/* Drag coefficient of a gliding koi per wetted surface. The coefficient is 0.242 while the tail
- * beats. */
+/* Drag coefficient of a gliding koi, relative to its wetted surface. The coefficient is 0.242 while
+ * the tail beats. */
 #define COAST_DRAG 0.060f
-#define MASS_KG_PER_M3 23.1f /* Mass per cubed length: 2.9 g at 5 cm, as in fish_mass_kg(). */
-/* Mass of the water that moves along with a slender body, as a share of the fish's mass. */
+#define MASS_KG_PER_M3                                                                             \
+    23.1f /* Mass of a fish divided by the cube of its length: 2.9 g at 5 cm, as in
+             fish_mass_kg(). */
+/* Mass of the water that moves along with a slender body, as a fraction of the fish's mass. */
 #define ADDED_MASS 0.10f
-/* Wetted surface per squared length, including both sides of the fins. */
+/* Wetted surface of a fish divided by its squared length, including both sides of the fins. */
 #define SURFACE_PER_LENGTH2 0.65f
 #define GLIDE_LENGTHS                                                                              \
     (2.0f * (1.0f + ADDED_MASS) * MASS_KG_PER_M3 / (WATER_KG_M3 * SURFACE_PER_LENGTH2 * COAST_DRAG))
@@ -51,8 +53,8 @@ int burst_coast_kicks(const struct fish *fish, uint32_t tick)
     return ticks_into(fish, tick) < KICK_TICKS;
 }
 
-/* The first decision during a beat turns the fish. The random key is the first tick of the beat, so
- * the turn does not depend on the tick of the decision. */
+/* Turns the fish at its first decision during a beat. The random key contains the first tick of the
+ * beat, so the turn does not depend on the tick of the decision. */
 void burst_coast_turn(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const uint32_t into = ticks_into(fish, around->tick);
@@ -72,7 +74,7 @@ float burst_coast_glide_m(float length_m)
 }
 
 /* Returns ln(1 + x) / x with an error below 1e-3 for x up to 1. The result is the distance of a
- * glide with drag as a share of the distance without drag. */
+ * glide with drag divided by the distance of a glide without drag. */
 static float glided(float x)
 {
     return (6.0f + x) / (6.0f + 4.0f * x);
@@ -90,8 +92,8 @@ float burst_coast_share(const struct fish *fish, float mean_m_s)
                                                  estimate. The dependence is weak, so three rounds
                                                  suffice. */
         const float x = share * mean_m_s * glide_s / glide_m;
-        const float lost = x / (1.0f + x); /* Share of the top speed that the fish loses in the
-                                              glide. */
+        const float lost = x / (1.0f + x); /* Fraction of its initial speed that the fish loses in
+                                              the glide. */
         share = (beat_s + glide_s) / (beat_s - lost * run_up_s + glide_s * glided(x));
     }
     return share;

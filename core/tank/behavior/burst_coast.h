@@ -12,7 +12,8 @@
 #include "core/tank/behavior/perception.h"
 #include "core/tank/fish.h"
 
-/* Value of fish->haste during a kick: a turn by any angle is 90 % complete after 0.16 s. */
+/* Value of `haste` in struct fish during a kick. With this value, a turn by any angle is 90 %
+ * complete after 0.16 s. */
 #define BURST_COAST_KICK_HASTE 6.0f
 
 /* Returns 1 if the tail drives the fish in this tick, 0 if the fish glides. The cycle of beat and
@@ -27,13 +28,14 @@ int burst_coast_kicks(const struct fish *fish, uint32_t tick);
  * the angle is `kick_rad` of the behavior parameters. */
 void burst_coast_turn(struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Returns the speed goal during a beat as a multiple of the mean speed over beat and glide.
+/* Returns the speed goal during a beat divided by `mean_m_s`, the mean speed over beat and glide.
  * `mean_m_s` must be > 0. */
 float burst_coast_share(const struct fish *fish, float mean_m_s);
 
-/* Returns the distance of a glide during which the speed falls to 1 / e, m. The distance is 2 m /
- * (rho S C) = 1.3 body lengths. m includes the added mass of the water, S is the wetted surface and
- * C = 0.060 the drag coefficient. */
+/* Returns the distance of a glide during which the speed falls to 1 / e, m. The distance is 2 *
+ * m / (rho * S * C), which equals 1.3 body lengths. m is the mass of the fish plus the added
+ * mass of the water, rho the density of the water, S the wetted surface and C = 0.060 the drag
+ * coefficient. */
 float burst_coast_glide_m(float length_m);
 
 #endif

@@ -1,4 +1,4 @@
-/* escape.c -- the C-start as a profile over time of turn, bend and thrust. */
+/* escape.c -- the C-start: turn, bend and thrust of a startled fish as functions of time. */
 #include "core/tank/behavior/escape.h"
 
 #include "core/base/rng.h"
@@ -13,8 +13,8 @@
 #define TURN_MIN_RAD (60.0f * F_DEG)
 #define TURN_MAX_RAD (120.0f * F_DEG)
 #define STRAY_RAD (45.0f * F_DEG)
-/* Angle between the direction away from the danger and the course of a fish that first turned
- * toward the danger. The fish swims past the danger, not into it. */
+/* Angle between the direction away from the danger and the final course of a fish that first turned
+ * toward the danger. Because of this angle the fish swims past the danger, not into it. */
 #define PAST_RAD (100.0f * F_DEG)
 /* Largest angle by which the flip of stage 2 reduces the turn of stage 1. */
 #define FLIP_BACK_RAD (45.0f * F_DEG)
@@ -26,15 +26,17 @@
 
 /* Probability of a C-start away from the danger in open water (Mirjany et al. 2011). */
 #define AWAY_CHANCE 0.77f
-/* Probability of a C-start away from the danger if a wall blocks that way (design value). */
+/* Probability of a C-start away from the danger if a wall blocks the way away from the danger
+ * (design value). */
 #define AWAY_CHANCE_WALL 0.45f
 #define WALL_FELT_LENGTHS 2.0f /* Distance in body lengths within which a wall blocks the way. */
 
 /* BEND_PER_TURN is the curvature of the C-bend per angle of the head's turn. HEAD_SHARE is the
- * share of the curve in front of the pivot of assets/shaders/fish.vert.glsl. */
+ * fraction of the curve in front of the pivot around which assets/shaders/fish.vert.glsl bends the
+ * fish. */
 #define BEND_PER_TURN 1.3f
 #define HEAD_SHARE 0.38f
-/* Bend in the opposite direction after the flip, as a share of the C-bend. */
+/* Bend in the opposite direction after the flip, as a fraction of the C-bend. */
 #define RECOIL 0.4f
 #define RECOIL_STAGES 2.0f /* Duration of the recoil after the flip, in multiples of a stage. */
 
@@ -42,7 +44,7 @@
 #define PEAK_LENGTHS_MIN 8.0f
 #define PEAK_LENGTHS_MAX 10.0f
 #define PEAK_TIME_S 0.12f /* Time from the beginning of the C-start to the glide. */
-#define DASH_LENGTHS 2.0f /* Speed at the end of the glide, in body lengths per second. */
+#define DASH_LENGTHS 2.0f /* Speed at the end of the dash, in body lengths per second. */
 #define DASH_BEAT_MIN_S 0.70f
 #define DASH_SPREAD_S 0.08f
 /* Stamina cost of the C-start, equal to the cost of one second of burst. */
@@ -70,8 +72,8 @@ float escape_stage_s(float length_m)
     return CORE_TICK_S * f_max(1.0f, f_floor(stage_s * (float)CORE_TICK_HZ + 0.5f));
 }
 
-/* Returns 1 if the C-start is younger than `end_s`, otherwise 0. Times are sums of ticks, so a
- * tolerance of half a tick suffices. */
+/* Returns 1 if the time since the beginning of the C-start is below `end_s`, otherwise 0. Times are
+ * sums of ticks, so a tolerance of half a tick suffices. */
 static int before(const struct fish *fish, float end_s)
 {
     return fish->escape_s < end_s - 0.5f * CORE_TICK_S;
@@ -92,8 +94,8 @@ int escape_on_path(const struct fish *fish)
     return fish->gait == GAIT_ESCAPE && before(fish, end_s);
 }
 
-/* Returns the distance to the wall ahead on one axis along a course, m. `course` is the component
- * of the course on that axis. */
+/* Returns the distance that a fish can swim along a course before it reaches a wall of one axis, m.
+ * `course` is the component of the course on that axis. */
 static float room_m(float at_m, float course, float half_m)
 {
     const float gap_m = course > 0.0f ? half_m - at_m : half_m + at_m;
@@ -106,8 +108,8 @@ static float open_m(const struct fish *fish, vec3 course, vec3 size_m)
                  room_m(fish->position_m.z, course.z, 0.5f * size_m.z));
 }
 
-/* Returns `yaw_rad`, or a yaw along the wall and slightly away from the wall if a wall blocks the
- * course. */
+/* Returns `yaw_rad`. If a wall blocks the course `yaw_rad`, returns a yaw along the wall and
+ * slightly away from the wall. */
 static float unbarred_rad(const struct fish *fish, float yaw_rad, vec3 size_m)
 {
     const float felt_m = WALL_FELT_LENGTHS * fish->length_m;
@@ -171,7 +173,8 @@ void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct p
 {
     enter(fish, index, around);
     aim(fish, from_m, index, around);
-    fish->escape_s = -around->dt_s; /* escape_tick() then begins with time 0 in the next tick. */
+    fish->escape_s = -around->dt_s; /* The negative time makes escape_tick() begin with time 0 in
+                                       the next tick. */
     fish->stamina = f_max(0.0f, fish->stamina - COST);
 }
 

@@ -20,17 +20,18 @@ enum escape_stage {
 
 enum escape_stage escape_stage(const struct fish *fish);
 
-/* Returns 1 while turn and bend follow the path of the C-start (stage 1, stage 2 and the recoil),
- * otherwise 0. */
+/* Returns 1 while the C-start determines the turn and the bend of the fish (stage 1, stage 2 and
+ * the recoil), otherwise 0. */
 int escape_on_path(const struct fish *fish);
 
 /* Returns the duration of stage 1 for a fish of this length, s; stage 2 lasts equally long. The
  * duration is 20 ms at 5 cm and proportional to the square root of the length. The result is
- * rounded to ticks: 16.7 ms, or 25 ms from 5.5 cm on. */
+ * rounded to whole ticks: 16.7 ms for a fish of 5 cm, and 25 ms for a fish of 5.5 cm. */
 float escape_stage_s(float length_m);
 
-/* Begins a C-start away from a stimulus at `from_m`. Side, angle and course are random. Near a wall
- * more fish turn toward the stimulus, because the wall blocks the way out. */
+/* Begins a C-start away from a stimulus at `from_m`. The side, the angle of the turn and the final
+ * course are random. Near a wall more fish turn toward the stimulus, because the wall blocks the
+ * way out. */
 void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct perception *around);
 
 /* Begins a dash along the fish's forward axis without a C-bend, for a fish that was thrown or fell

@@ -12,12 +12,13 @@
 #include "core/tank/behavior/wall_following.h"
 #include "core/tank/flow.h"
 
-/* Time constant with which `drawn_rad` follows the attraction of a shade. A fish then does not turn
- * at every small change. */
+/* Time constant with which `drawn_rad` follows the attraction of a shade. Because of the delay, a
+ * fish does not turn at every small change of the attraction. */
 #define DRAWN_TAU_S 0.5f
-/* Rate at which a push decays. A lasting push moves the fish at the speed of the push. */
+/* Rate at which a push decays. A lasting push is multiplied by this rate, and therefore moves the
+ * fish at the speed of the push. */
 #define PUSH_PER_S 12.0f
-/* Distance below a bowl. A fish whose back is deeper than this need not turn away from the bowl. */
+/* A fish whose back is deeper than this distance below a bowl does not turn away from the bowl. */
 #define HULL_SHUN_DEPTH_M 0.01f
 
 int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct perception *around)
@@ -31,8 +32,8 @@ int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct p
 
 float fish_behavior_dt_s(const struct fish *fish, uint32_t tick)
 {
-    /* Ticks since the last decision, modulo 256. The upper limit below is for a fish that did not
-     * decide for a long time, because a poi or bowl carried it. */
+    /* Ticks since the last decision, modulo 256. The upper limit of the result is for a fish that
+     * did not decide for a long time, because a poi or bowl carried it. */
     const uint32_t ticks = (uint8_t)(tick - fish->thought_tick);
     return CORE_TICK_S * f_clamp((float)ticks, 1.0f, (float)FISH_BEHAVIOR_TICKS);
 }

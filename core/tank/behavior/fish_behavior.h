@@ -13,13 +13,14 @@
 /* Ticks between two decisions of an undisturbed fish: 33 ms, its reaction time. */
 #define FISH_BEHAVIOR_TICKS 4u
 
-/* Returns 1 if the fish decides in this tick, otherwise 0. A fish decides in its turn, at the
- * surface, while it escapes or falls, and near a startling object. A C-start follows its cause
- * after 8 to 15 ms, so a startled fish cannot wait for its turn. */
+/* Returns 1 if the fish decides in this tick, otherwise 0. A fish decides in every
+ * FISH_BEHAVIOR_TICKS-th tick. A fish decides in every tick at the surface, while it escapes or
+ * falls, and near an object that can startle it. A C-start follows its cause after 8 to 15 ms,
+ * which is less than FISH_BEHAVIOR_TICKS. */
 int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Returns the time since the fish's last decision, 1 to FISH_BEHAVIOR_TICKS ticks, in seconds. The
- * result is the value for `around->dt_s`. */
+ * caller stores the result in `around->dt_s`. */
 float fish_behavior_dt_s(const struct fish *fish, uint32_t tick);
 
 /* Makes one decision of the fish and sets its goals. A fish in the air only falls: `falls` is set

@@ -7,8 +7,8 @@
 #include "core/tank/behavior/escape.h"
 #include "core/tank/behavior/surface_breathing.h"
 
-/* Stamina per second of each gait. Section 3.2 of the 2013 thesis gives -1 (burst), -0.2 (swim) and
- * +0.1 (rest) of 100. */
+/* Change of stamina per second in each gait. Section 3.2 of the 2013 thesis gives -1 (burst), -0.2
+ * (swim) and +0.1 (rest) for stamina from 0 to 100. */
 #define BURST_COST_PER_S 0.010f
 #define SWIM_COST_PER_S 0.002f
 #define REST_GAIN_PER_S 0.001f
@@ -16,7 +16,7 @@
 #define BURST_MAX_S 3.0f
 #define STEADY_MIN_S 5.0f /* Shortest and longest duration of a swim and of a rest. */
 #define STEADY_MAX_S 20.0f
-/* Stamina per second of an escape: twice the cost of a burst (design value). */
+/* Stamina that an escape costs per second: twice the cost of a burst (design value). */
 #define ESCAPE_COST_PER_S 0.020f
 
 struct gait_chance gait_chance(float stamina)
@@ -67,9 +67,9 @@ float gait_depth_m(float stamina, float water_depth_m)
     return -share * water_depth_m;
 }
 
-/* Returns the random change of heading at a change of gait. The 2013 thesis gives no amount. Real
- * fish do not turn by any of 360 degrees, so the change has a normal distribution (45 degrees for a
- * swim). A burst begins with a sharp turn of 60 to 120 degrees. */
+/* Returns the random change of heading at a change of gait. The 2013 thesis gives no angle. Real
+ * fish rarely turn far, so the angle has a normal distribution, with a standard deviation of 45
+ * degrees for a swim. A burst begins with a sharp turn of 60 to 120 degrees. */
 static float turn_rad(enum fish_gait gait, struct luck luck, const struct behavior_params *params)
 {
     const float bell = rng_normal(key(luck, RNG_FISH_TURN));
@@ -80,7 +80,7 @@ static float turn_rad(enum fish_gait gait, struct luck luck, const struct behavi
     return bell * (gait == GAIT_SWIM ? params->turn_swim_rad : params->turn_rest_rad);
 }
 
-/* Returns the preferred depth of the fish for its present stamina (section 3.6). */
+/* Returns the preferred depth of the fish for its present stamina (2013 thesis, section 3.6). */
 static float depth_goal_m(const struct fish *fish, float water_depth_m)
 {
     const float margin_m = 0.6f * fish->height_m;
@@ -164,9 +164,10 @@ int gait_beats(const struct fish *fish, const struct perception *around)
     return fish->gait == GAIT_BURST || (fish->gait == GAIT_ESCAPE && escape_beats(fish));
 }
 
-/* Returns the speed to which the gait factors apply. Section 3.3 gives s = d (0.8 + H / 5). The
- * code uses H / 100 instead of H, because otherwise a rested fish would swim at 20.8 d. The result
- * is one body length per second at full stamina. */
+/* Returns the speed that is multiplied by a factor of the gait. Section 3.3 of the 2013 thesis
+ * gives s = d * (0.8 + H / 5) for a stamina H from 0 to 100, where d is one body length per second.
+ * The code uses H / 100 instead of H, because otherwise a rested fish would swim at 20.8 * d. The
+ * result is one body length per second at full stamina. */
 static float able_m_s(const struct fish *fish)
 {
     return fish->length_m * (0.8f + 0.2f * fish->stamina);
@@ -208,7 +209,8 @@ float gait_speed_max_m_s(const struct fish *fish, const struct behavior_params *
 float gait_run_up_s(float length_m)
 {
     const float log10_length_cm = f_log(100.0f * length_m) * 0.434294482f;
-    /* The factor 3 turns the time to 95 % into a time constant, because 1 - exp(-3) is 0.95. The
-     * lower limit is for fry below 1 cm, whose logarithm is negative. */
+    /* Dividing by 3 converts the time to 95 % of the speed into a time constant, because 1 -
+     * exp(-3) is 0.95. The lower limit is for fry below 1 cm, for which the logarithm is
+     * negative. */
     return f_max(0.02f, (0.1772f * log10_length_cm + 0.040f) / 3.0f);
 }

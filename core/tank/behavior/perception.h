@@ -1,4 +1,4 @@
-/* perception.h -- everything that the decision of a fish may use. */
+/* perception.h -- the input of a fish's decision: parameters, tank, obstacles and shades. */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_PERCEPTION_H
 #define KINGYO_CORE_TANK_BEHAVIOR_PERCEPTION_H
 

@@ -20,18 +20,18 @@
 /* Factor on the strength of a visual stimulus that the fish sees through the rippled surface. */
 #define IN_AIR_SHARE 0.25f
 
-/* Smallest pressure that fish feel. A paper that rises at 0.1 m/s under a fish causes less
- * pressure. */
+/* Smallest pressure, divided by the water density, that fish detect. A paper that rises at 0.1 m/s
+ * under a fish causes less pressure. */
 #define PUSH_M2_S2 0.005f
 /* Excess of the pressure over PUSH_M2_S2 that is a stimulus of strength 1. A paper that rises at
  * 0.15 m/s causes this excess. */
 #define PUSH_SPAN_M2_S2 0.016f
 #define WAKE_SHARE 0.5f
 /* Length of a fish whose sensitivity to pressure is 1. Smaller fish are more sensitive: fish of
- * 1.6 g hear sounds that are 15 dB fainter than fish of 23.6 g do (Asa et al.). Their threshold
- * pressure is 5.6 times lower at a length that is 2.5 times smaller. */
+ * 1.6 g hear sounds that are 15 dB fainter than fish of 23.6 g do (Asa et al.). 15 dB is a factor
+ * of 5.6 in pressure, and the masses differ by a factor of 2.5 in length. */
 #define LENGTH_M 0.05f
-/* Smallest apparent height of a disc as a share of its apparent width. A disc seen edge-on has the
+/* Smallest apparent height of a disc as a fraction of its apparent width. A disc seen edge-on has the
  * height of its ring. */
 #define LINE_THICKNESS 0.07f
 
@@ -40,14 +40,15 @@
 /* Alarm threshold of the most timid fish. The boldest fish has twice this threshold. */
 #define THRESHOLD 0.45f
 #define THRESHOLD_MAX 0.95f
-/* Share of the missing habituation that a C-start adds. Full habituation doubles the threshold. */
+/* Fraction of the difference to full habituation that a C-start adds. Full habituation doubles the
+ * threshold. */
 #define HABIT_STEP 0.25f
 #define HABIT_FADE_S 60.0f
 #define HABIT_NONE 1e-3f
 
 /* A moving disc whose rim is within ALERT_M makes a fish decide in every tick. At this distance the
- * disc has a visual angle of 21 degrees. Above 1 m/s the pressure of its water reaches farther, at
- * most in proportion to its speed. */
+ * disc has a visual angle of 21 degrees. For a disc faster than 1 m/s, the distance from the disc's
+ * centre is multiplied by the speed in m/s, because the pressure of the water reaches farther. */
 #define ALERT_M 0.20f
 #define ALERT_M_S 0.05f
 
@@ -77,8 +78,9 @@ struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m)
     };
 }
 
-/* Returns the pressure of the water at a point, m^2/s^2. Behind a disc the water follows more
- * slowly than the disc pushes it ahead, so the pressure behind the disc is lower. */
+/* Returns the pressure of the water at a point divided by the water density, m^2/s^2. Behind a
+ * moving disc the pressure is lower than ahead of it, because the water follows the disc more
+ * slowly than the disc pushes water ahead. */
 static float push_m2_s2(const struct obstacle *disc, vec3 point_m)
 {
     const float ahead = v3_dot(disc->velocity_m_s, v3_sub(point_m, disc->centre_m));

@@ -5,8 +5,8 @@
  * grows with the square of the disc's speed. Shadows add the alarm of shade.h. All stimuli add to
  * one alarm. If the alarm exceeds the threshold of the fish, a C-start (escape.h) begins after a
  * latency. The latency is 8 to 15 ms after a blow to the water (Eaton et al. 1977) and 60 to 150 ms
- * after a visual stimulus. The stimulus constants are design values found by playing, except the
- * visual angle. */
+ * after a visual stimulus. The constants of the stimuli are design values from play tests, except
+ * the visual angle. */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_STARTLE_H
 #define KINGYO_CORE_TANK_BEHAVIOR_STARTLE_H
 
@@ -29,10 +29,10 @@ struct startle_view {
 
 struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m);
 
-/* Alarm per second that a disc causes in a fish, and the sense (vision or pressure) with the
- * stronger stimulus. */
+/* Alarm per second that a disc causes in a fish, and the sense (vision or pressure) that receives
+ * the stronger stimulus. */
 struct startle_stimulus {
-    uint8_t cause; /* Sense with the stronger stimulus (enum startle_cause). */
+    uint8_t cause; /* Sense that receives the stronger stimulus (enum startle_cause). */
     float alarm_per_s;
 };
 
@@ -55,7 +55,7 @@ void startle_alarm(struct fish *fish, enum startle_cause cause, vec3 from_m, flo
 void startle_tick(struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Returns 1 if the fish must decide in every tick, because it is alarmed or escapes, or because a
- * disc moves near it. Otherwise returns 0. */
+ * disc moves near the fish. Otherwise returns 0. */
 int startle_alert(const struct fish *fish, const struct perception *around);
 
 #endif

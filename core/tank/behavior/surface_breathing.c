@@ -6,12 +6,13 @@
 #include "core/input.h"
 #include "core/tank/behavior/gait.h"
 
-/* CHANCE_HALF_MG_L is the oxygen concentration at which half of the choices are a rise. Fish begin
- * aquatic surface respiration between 0.8 and 5 kPa of oxygen and soon spend most of the time at
- * the surface. For goldfish the range is 3 to 5 kPa, 1.2 to 2 mg/L. */
+/* Oxygen concentration at which a fish rises in half of its choices of gait. Fish begin aquatic
+ * surface respiration between 0.8 and 5 kPa of oxygen and soon spend most of the time at the
+ * surface. For goldfish the range is 3 to 5 kPa, which equals 1.2 to 2 mg/L. */
 #define CHANCE_HALF_MG_L 1.8f
 #define CHANCE_WIDTH_MG_L 0.25f
-/* Difference of that concentration between a rested and an exhausted fish. */
+/* An exhausted fish rises in half of its choices at a concentration that is higher by TIRED_MG_L
+ * than the concentration for a rested fish. */
 #define TIRED_MG_L 0.4f
 /* Concentration below which the water costs stamina; see behavior_params.stifle_per_s. */
 #define STIFLE_MG_L 4.0f
@@ -19,18 +20,21 @@
 #define TIRED_BELOW 0.25f
 
 #define NOSE_OUT_M 0.002f
-#define FILM_M 0.003f /* Depth of the surface film. A mouth that is not deeper is in the film. */
-/* Depth in body lengths. A rising fish pitches up while its snout is within this depth. */
+#define FILM_M                                                                                     \
+    0.003f /* Depth of the surface film. A mouth that is at most this deep is in the film. */
+/* A rising fish pitches up when its snout is nearer to the surface than this distance, in body
+ * lengths. */
 #define NEAR_LENGTHS 0.45f
-/* Depth of the top of the body at which a rising fish counts as at the surface. */
+/* A rising fish has reached the surface when the top of its body is less deep than this
+ * distance. */
 #define SNOUT_M 0.003f
 #define PITCH_MIN (35.0f * F_DEG)
 #define PITCH_SPREAD (15.0f * F_DEG)
 #define NOD_RAD (5.0f * F_DEG)
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 3.0f
-/* Vertical speed of the bobbing. The amplitude is half a millimetre, because the vertical speed
- * follows its goal slowly. */
+/* Amplitude of the goal of the vertical speed while the fish bobs. The fish moves by only half a
+ * millimetre, because its vertical speed follows the goal slowly. */
 #define BOB_M_S 0.012f
 #define DUCK_M_S 0.06f
 #define DUCK_HASTE 8.0f
@@ -43,7 +47,7 @@
 /* Shortest gulp, 0.63 s. Individual fish add up to 0.26 s, which gives 67 to 95 gulps per
  * minute. */
 #define GULP_TICKS_MIN 76u
-#define GAPE_SHARE 0.55f /* Share of a gulp during which the mouth is open. */
+#define GAPE_SHARE 0.55f /* Fraction of a gulp during which the mouth is open. */
 
 float surface_chance(float oxygen_mg_l, float stamina)
 {
@@ -163,8 +167,9 @@ static void breathe(struct fish *fish, const struct perception *around)
     fish->stamina = f_clamp(fish->stamina + per_s * around->dt_s, 0.0f, 1.0f);
 }
 
-/* Continues or ends the bout of gulps. A living fish repeats the bout while the oxygen is low. A
- * fish of the 2013 thesis has full stamina after its bout of 3 s and dives. */
+/* Continues or ends a bout of gulps. A living fish begins another bout while the oxygen is low, and
+ * otherwise dives. A fish of the 2013 thesis dives after one bout of 3 s, in which its stamina
+ * becomes full. */
 static void gulp(struct fish *fish, uint32_t index, const struct perception *around)
 {
     if (surface_breathes(fish)) {
@@ -180,7 +185,8 @@ static void gulp(struct fish *fish, uint32_t index, const struct perception *aro
     }
 }
 
-/* Ends surface breathing: the fish is under water and swims with a normal duration of the gait. */
+/* Ends surface breathing of a fish that is under water. The fish then swims for a normal duration
+ * of GAIT_SWIM. */
 static void leave_surface(struct fish *fish, uint32_t index, const struct perception *around)
 {
     fish->air = AIR_ENOUGH;

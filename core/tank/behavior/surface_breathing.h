@@ -12,7 +12,7 @@
 #include "core/tank/behavior/perception.h"
 #include "core/tank/fish.h"
 
-/* Returns the probability that a fish rises, or stays at the surface, at one choice. The
+/* Returns the probability that a fish rises, or stays at the surface, when it chooses its gait. The
  * probability is 1 / (1 + exp((C - M) / 0.25)) for an oxygen concentration of C mg/L. M is 2.0 at
  * stamina 0, 1.8 at stamina 0.5 and 1.6 at stamina 1. */
 float surface_chance(float oxygen_mg_l, float stamina);
@@ -22,8 +22,8 @@ float surface_chance(float oxygen_mg_l, float stamina);
  * rise. */
 int surface_calls(const struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Begins the rise. The fish swims whatever its gait was. A tired fish of the 2013 thesis rests, and
- * a resting fish would never reach the surface. */
+/* Begins the rise to the surface in GAIT_SWIM. In the 2013 thesis a tired fish rests, but a resting
+ * fish would never reach the surface. */
 void surface_rise(struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Sets the state of a gulping fish that tank_stage_all() places. The longest bout begins
@@ -59,7 +59,7 @@ int surface_gulps(const struct fish *fish, uint32_t tick, float dt_s);
 int surface_ducks(struct fish *fish);
 
 /* Returns the factor on the startle threshold. The factor is above 1 for a gulping fish, which
- * notices a stimulus late. */
+ * notices a stimulus late, and 1 for any other fish. */
 float surface_nerve(const struct fish *fish);
 
 #endif

@@ -30,10 +30,11 @@
  * swimming fish. */
 #define START_TAU_S 0.03f
 #define DASH_OUT_TAU_S 0.25f
-#define RUN_OUT_TAU_S 0.20f /* Time constant from burst speed to swimming speed. */
+#define RUN_OUT_TAU_S                                                                              \
+    0.20f /* Time constant with which a fish slows down from burst speed to swimming speed. */
 
-/* Returns exp(-dt / tau) with an error below 1e-4 for dt up to tau: the share of a difference that
- * remains. */
+/* Returns the fraction of a difference that remains after `dt_s`: exp(-dt_s / tau_s). The error is
+ * below 1e-4 for `dt_s` up to `tau_s`. */
 static float kept(float dt_s, float tau_s)
 {
     const float x = f_min(1.0f, dt_s / tau_s), even = 1.0f + x * x * (1.0f / 12.0f);
@@ -77,7 +78,8 @@ void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, 
     if (into < -0.15f) {
         return;
     }
-    /* If the course is straight into the surface, each fish turns to its own fixed side. */
+    /* A fish that swims straight toward the wall or bowl turns to a side that is fixed for each
+     * fish. */
     const float own_side = fish->look & 1u ? 1.0f : -1.0f;
     const float side = f_abs(along) > 0.05f ? (along > 0.0f ? 1.0f : -1.0f) : own_side;
     const float new_into = into - (into + 0.15f) * avoidance->weight;
@@ -128,8 +130,8 @@ static float climb_goal_m_s(const struct fish *fish)
     return avoid_holds_depth(fish) ? 0.0f : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
 }
 
-/* Returns the share of a speed deficit that remains after one tick of acceleration. Except in an
- * escape, the share depends only on the length, so its value is cached. */
+/* Returns the fraction of the difference to a higher speed goal that remains after one tick. Except
+ * in an escape, the fraction depends only on the length, so its value is cached. */
 static float speed_up_keep(const struct fish *fish)
 {
     const float start_keep = kept(DT, START_TAU_S);
@@ -140,7 +142,7 @@ static float speed_up_keep(const struct fish *fish)
     return known ? fish->speed_up_keep : kept(DT, gait_run_up_s(fish->length_m));
 }
 
-/* Returns the share of a speed excess that remains after one tick of deceleration. */
+/* Returns the fraction of the difference to a lower speed goal that remains after one tick. */
 static float slow_keep(const struct fish *fish, const struct behavior_params *params)
 {
     if (fish->gait == GAIT_ESCAPE) {
@@ -148,7 +150,8 @@ static float slow_keep(const struct fish *fish, const struct behavior_params *pa
     }
     const int runs_out =
         fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, params);
-    /* The drag of a glide is dv/dt = -v^2 / D, where D is burst_coast_glide_m(). */
+    /* In a glide, drag changes the speed v by dv/dt = -v^2 / D, where D is
+     * burst_coast_glide_m(). */
     if (params->glides && fish->gait == GAIT_SWIM && !runs_out) {
         return kept(DT, burst_coast_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
     }
@@ -186,12 +189,13 @@ void swim_resolve(struct fish *fish, const struct perception *around)
                   : kicks(fish, around)         ? BURST_COAST_KICK_HASTE
                                                 : 1.0f;
     fish->climb_goal_m_s = climb_goal_m_s(fish);
-    /* The pitch follows the path. The constant keeps a fish that hardly moves nearly level. */
+    /* The pitch follows the path. The constant that is added to the speed keeps a fish that hardly
+     * moves nearly level. */
     const float pitch_rad = f_atan2(fish->climb_m_s, fish->speed_m_s + 0.035f);
     fish->pitch_goal_rad = f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX);
     if (starts) { /* A C-start ignores the brake. */
         fish->brake = 1.0f;
-    } else { /* The reset is also needed for a fish that was scooped during its C-start. */
+    } else { /* This reset is also needed for a fish that a poi scooped during its C-start. */
         fish->bend_goal_rad = 0.0f;
     }
     surface_resolve(fish, around);

@@ -7,13 +7,13 @@
 #include "core/tank/collision/body.h"
 #include "core/tank/fish.h"
 
-/* Time constant of the speed without tail beats. The drag of a gliding koi is a quarter of the drag
- * while its tail beats. */
+/* Time constant with which a fish without tail beats loses speed. A gliding koi has a quarter of
+ * the drag of a koi that beats its tail. */
 #define SWIM_GLIDE_TAU_S 0.55f
 
-/* Sum over the walls and bowls (surfaces) near a fish. Because of the sum, a fish leaves a corner
- * as one obstacle and does not turn back and forth between two walls. All zeros mean that no
- * surface is near. */
+/* Sum over the surfaces near a fish. A surface is a wall or a bowl. Because of the sum, a fish
+ * avoids a corner as one obstacle and does not turn back and forth between two walls. All zeros
+ * mean that no surface is near. */
 struct swim_avoidance {
     vec3 into;    /* Weighted sum of the horizontal unit normals that point into the walls and
                      bowls. */
@@ -42,8 +42,8 @@ void swim_resolve_drawn(struct fish *fish, float speed_goal_m_s);
 
 /* Advances a fish by one tick according to its goals: the fish turns, climbs, accelerates or
  * glides, and moves. The speed including pushes is at most gait_speed_max_m_s(), or the fish's own
- * speed if that is higher. The excess speed of a burst or an escape decays within half a second.
- * Returns the largest distance that any point of the body moved, m. */
+ * speed if that is higher. Speed above the limit after a burst or an escape decays within half a
+ * second. Returns the largest distance that any point of the body moved, m. */
 float swim_move(struct fish *fish, const struct behavior_params *params);
 
 /* Advances a fish in the air by one tick, for example a fish that a poi dropped. Returns 1 if the
@@ -59,8 +59,8 @@ void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward);
 /* All fish of a tank as arrays that are indexed by fish. */
 struct shoal {
     struct fish *fish;
-    struct body *body;    /* Bodies of the swimming fish. The functions leave the bodies of all
-                             other fish unchanged. */
+    struct body *body;    /* Bodies of the swimming fish. The functions below leave the bodies of
+                             all other fish unchanged. */
     float *way_m;         /* Sum of the largest distances that any point of a body moved since the
                              last query. */
     const vec3 *before_m; /* Positions at the start of the tick. SIMD code reads one element beyond

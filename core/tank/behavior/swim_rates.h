@@ -17,23 +17,25 @@
 
 #define CLIMB_TAU_S 0.35f
 #define PITCH_TAU_S 0.30f
-/* exp(-tick / 80 ms): share of a speed excess that remains after one tick of braking with spread
- * pectoral fins. */
+/* Fraction of the difference to a lower speed goal that remains after one tick of braking with
+ * spread pectoral fins: exp(-tick / 80 ms). */
 #define BRAKE_KEEP 0.9010756f
 
-#define BLOCKED_SHARE 0.25f /* Share of the blocked speed that the fish loses in one tick. */
+#define BLOCKED_SHARE                                                                              \
+    0.25f /* Fraction of its blocked speed that a blocked fish loses in one tick. */
 #define TAIL_TAU_S 0.15f
 #define STROKE_TAU_S 0.20f
 /* Bend per yaw rate. In a left turn the tail lies to the left, along the arc. */
 #define BEND_PER_RAD_S (-0.20f)
 #define BEND_TAU_S 0.08f
 
-/* Value of `haste` from which turn and bend reach their goals within one tick and no arc bends the
- * body. A C-start must follow its path exactly in every tick. */
+/* With this or a larger value of `haste`, turn and bend reach their goals within one tick, and the
+ * arc of the turn does not bend the body. A C-start must follow its path exactly in every tick. */
 #define HASTE_START (1.0f / (TURN_GAIN_PER_S * DT))
 
-/* Frequency f of the tail beat at speed U and length L (Bainbridge 1958, with his range of low
- * speeds): f = U / 0.6 L up to 4 L/s, and f = 4/3 (U / L + 1) above 4 L/s. */
+/* The next three constants define the frequency f of the tail beat at speed U and length L
+ * (Bainbridge 1958). f is U / (0.6 * L) for U up to 4 * L per second, and (4 / 3) * (U / L + 1)
+ * above. */
 #define BEAT_LENGTHS 0.6f
 #define BEAT_FAST_LENGTHS_PER_S 4.0f
 #define BEAT_MIN_HZ 0.5f
@@ -44,7 +46,7 @@
 #define STROKE_SLOW 0.25f /* Stroke width at the lowest frequency. */
 #define STROKE_FULL_HZ 5.0f
 #define STROKE_GLIDE 0.15f
-/* In a glide, this share of the stroke width above STROKE_SLOW remains. */
+/* Fraction of the stroke width above STROKE_SLOW that remains in a glide. */
 #define STROKE_TRAIL 0.35f
 
 #endif

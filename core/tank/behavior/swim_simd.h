@@ -12,8 +12,8 @@ SIMD_BEGIN
 void swim_move_block_4(const struct shoal *shoal, uint32_t first);
 void swim_move_block_8(const struct shoal *shoal, uint32_t first);
 
-/* Moves each fish of the block that begins at `first` to the position of its body and calls for it
- * the SIMD form of swim_settle(). The caller guarantees that all fish of the block swim and that
+/* Moves each fish of the block that begins at `first` to the position of its body, and does for
+ * each fish what swim_settle() does. The caller guarantees that all fish of the block swim and that
  * none falls. */
 void swim_settle_block_4(const struct shoal *shoal, uint32_t first);
 void swim_settle_block_8(const struct shoal *shoal, uint32_t first);

@@ -8,8 +8,8 @@
 #define FALL_OFF_M 0.09f /* Distance over which the attraction of a wall falls to 1 / e. */
 /* Distance from a wall, in body lengths, within which the wall no longer attracts the fish. */
 #define BESIDE_LENGTHS 0.8f
-/* Turning rate in rad/s of a heading perpendicular to the attraction, at the wall and at full
- * strength. */
+/* Turning rate in rad/s of a fish at a wall whose heading is perpendicular to the attraction, if
+ * `wall_follow` is 1. */
 #define TURN_PER_S 6.0f
 
 float wall_pull(float gap_m, float length_m)

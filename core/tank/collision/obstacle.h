@@ -29,7 +29,7 @@ struct obstacle {
     vec3 centre_m;
     vec3 normal;       /* Unit normal of a disc's plane, pointing to the disc's upper side. */
     vec3 velocity_m_s; /* Velocity of the obstacle if no fish blocks it. */
-    float stalled;     /* Share [0, 1] of the intended motion that fish blocked at the last
+    float stalled;     /* Fraction [0, 1] of the intended motion that fish blocked at the last
                           attempt. */
     float radius_m;    /* Outer radius of the ring or of the bowl's mouth. */
     float depth_m;     /* Depth of a bowl's hull below its mouth. */
@@ -45,7 +45,7 @@ struct obstacle {
      * borrowed for the tick. Null means that there is no paper. */
     const uint8_t *paper;
     float paper_radius_m;
-    float open; /* Share [0, 1] of a disc through which water flows because its paper is torn. */
+    float open; /* Fraction [0, 1] of a disc through which water flows because its paper is torn. */
 
     /* The contact solver writes `reaction` and `reaction_count`. */
     uint8_t reaction; /* Motion that the obstacle gave up: bits of enum obstacle_reaction. */
