@@ -30,7 +30,7 @@ struct audio {
     uint32_t device;    /* SDL's device id. 0 means no open device. */
     struct synth synth; /* Synthesizer. Only the audio thread uses it while the device is open. */
     char text[HAL_TEXT_SIZE];
-    uint64_t tried_ns; /* Time of the last search that found no card. */
+    uint64_t tried_ns; /* Time in nanoseconds of the last search that found no sound card. */
     uint64_t cards_ns; /* Modification time of the folder `cards` at the last search. */
 
     /* Ring buffer with one producer (the frame loop) and one consumer (the audio thread). `pushed`

@@ -29,7 +29,7 @@ enum board_keyboard {
 #define BOARD_USB_MAX 8u
 /* Size in bytes of "VVVV:PPPP:" and a serial number of 63 bytes, with the terminating zero. */
 #define BOARD_USB_SIZE 74u
-/* Maximum number of GPIO line options. Each role may appear once and be overridden once. */
+/* Maximum number of GPIO line options. Each role may be set once and overridden once. */
 #define BOARD_LINE_MAX 32u
 /* Size in bytes of a GPIO line option, for example
  * "coin-counter=LABEL:OFFSET,low,up,pulse=100ms/100ms", with a reserve. */
@@ -44,9 +44,10 @@ struct board_options {
     const char (*usb)[BOARD_USB_SIZE];
     uint32_t line_count; /* Number of GPIO line options. The last option for a role is used. */
     const char (*line)[BOARD_LINE_SIZE];
-    uint8_t keyboard;   /* ON or OFF of enum board_keyboard. The caller resolves AUTO. */
+    uint8_t keyboard;   /* Keyboard mode: BOARD_KEYBOARD_ON or BOARD_KEYBOARD_OFF. The caller has
+                           replaced BOARD_KEYBOARD_AUTO by one of the two. */
     uint8_t off_screen; /* 1 if frames are rendered without a screen, to write pictures. */
-    uint8_t on_demand;  /* 1 if only the frames that become pictures are drawn. Used only off
+    uint8_t on_demand;  /* 1 if only those frames are drawn that become pictures. Used only off
                            screen. */
     uint8_t full_screen;
     uint8_t waits_for_screen; /* 1 if a screen may be connected after program start. Without a
@@ -57,10 +58,9 @@ struct board_options {
     struct view view;              /* Camera view from which the rays of a pointer device start. */
     const struct library *library; /* Installed species files to show (platform/species/library.h).
                                       Null means no species files. */
-    /* Callback for a permanent loss of the display. The display function that detected the loss
-     * calls it. The callback must end the program, because the windowing library and the
-     * renderer are not usable after the loss, so that no call may return into them. Null means
-     * no callback. */
+    /* Callback for a permanent loss of the display, called by the display function that detected
+     * the loss. The callback must end the program and must not return, because the windowing
+     * library and the renderer are not usable after the loss. Null means no callback. */
     void (*on_display_lost)(void *self);
     void *on_display_lost_self;
     /* Callback for each rejected line in a file of the data folder. board_open() calls it with

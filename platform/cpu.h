@@ -11,9 +11,9 @@ uint8_t cpu_lanes(void);
 
 /* Sets the calling thread's floating-point control register to the IEEE 754 default: round to
  * nearest, denormal numbers kept, no traps. The register is MXCSR on x86-64, FPCR on AArch64, FPSCR
- * on 32-bit Arm and fcsr on RISC-V. On other machines the function has no effect. Each thread that
- * runs the core's ticks must call this function first. The kiosk calls it before each frame, a
- * command-line tool once. Returns 1 if the register was changed, otherwise 0. */
+ * on 32-bit Arm and fcsr on RISC-V. On other machines the function has no effect. Each thread must
+ * call cpu_set_float() before it runs the core's ticks. The kiosk calls it before the ticks of each
+ * frame, a command-line tool once. Returns 1 if the register was changed, otherwise 0. */
 int cpu_set_float(void);
 
 /* Error message if core_init() or core_tick() returns CORE_ERR_FLOAT after cpu_set_float(). */

@@ -45,8 +45,8 @@ struct hal_clock_ops {
     uint64_t (*now_ns)(void *self); /* Returns the monotonic time in nanoseconds since an arbitrary
                                        start. */
     /* Writes the local date and time of day in the units of input.day and input.minute. Writes 0 to
-     * both if the system clock was evidently never set. The pointer is null in a clock that only
-     * measures durations. */
+     * both if the system clock was never set. The pointer is null in a clock that only measures
+     * durations. */
     void (*civil)(void *self, uint16_t *day, uint16_t *minute);
 };
 
@@ -99,13 +99,13 @@ struct poi_sample {
     uint8_t was_stamped; /* 1 if a report arrived at `time_ns`; 0 if the driver synthesized the
                             sample between two reports or for a controller at rest. */
     uint8_t has_wrist;
-    uint8_t trembles;         /* 1 if the sensor is noisy, so that identical values in a row mean a
-                                 frozen sensor. */
+    uint8_t trembles;         /* 1 if the sensor is noisy. Identical values in consecutive samples
+                                 then mean that the sensor is frozen. */
     struct poi_target target; /* Values from the device, not validated. Each float may have any bit
                                  pattern. */
 };
-/* Maximum number of samples that one poll returns: 16 samples of a 1,000 Hz controller in a 16 ms
- * frame, with a reserve for a slow frame. */
+/* Maximum number of samples that one poll returns. A 1,000 Hz controller sends 16 samples in a
+ * 16 ms frame; the rest is a reserve for slow frames. */
 #define HAL_POI_SAMPLES_MAX 64u
 
 struct hal_poi_ops {
@@ -148,14 +148,14 @@ struct button_sample {
     struct line_sample {    /* Counts of one line since the last poll. The array index is the bit
                                number of the line in `missing`. */
         uint32_t edges;     /* Level changes of the line, including contact bounces. */
-        uint32_t faults;    /* Faults of this line. `faults` of struct button_sample is the sum over
-                               all lines. */
+        uint32_t faults;    /* Faults of the line. The sum over all lines is `faults` of struct
+                               button_sample. */
     } line[HAL_LINE_COUNT];
     uint32_t coin_count[COIN_LINE_COUNT];
     uint32_t faults;     /* Line faults since the last poll: stuck coin inputs, lost edges, and
                             lines that disappeared or were absent at program start. */
-    uint32_t missing;    /* Configured inputs whose GPIO line does not exist: bits of enum
-                            input_button, and HAL_MISSING_COIN. */
+    uint32_t missing;    /* Configured inputs whose GPIO line does not exist. The bits are those of
+                            enum input_button and, for coin lines, HAL_MISSING_COIN. */
     uint8_t quit;        /* 1 if the quit key of a desktop keyboard was pressed. Always 0 in a
                             cabinet. */
     uint8_t full_screen; /* 1 if the full-screen key of a desktop keyboard was pressed, otherwise
@@ -193,8 +193,8 @@ enum hal_switch {
 struct hal_switches_ops {
     /* Sets the level of a lamp or of the coin lockout: `active` is 1 for on, 0 for off. */
     int (*set)(void *self, enum hal_switch which, int active);
-    /* Queues `count` additional pulses. The driver sends the queued pulses one after another at its
-     * own rate. */
+    /* Queues `count` additional pulses. The driver sends all queued pulses one after another at the
+     * rate of the driver. */
     int (*pulse)(void *self, enum hal_switch which, uint32_t count);
     const char *(*describe)(void *self);
     /* Returns the number of pulses that pulse() accepted and that are not yet complete. Pulses for
@@ -228,8 +228,8 @@ struct hal_audio_ops {
 
 struct persistent_state; /* Defined in core/persistent_state.h. */
 
-/* Change of the credit balance. Units that were due may have become credits between `from` and
- * `to`. */
+/* Credit balances before (`from`) and after (`to`) a change. Coin units of the first balance may
+ * have become credits in the second balance. */
 struct balance_change {
     struct balance from, to;
 };
@@ -289,11 +289,11 @@ struct hal_storage_ops {
 };
 
 struct hal_watchdog_ops {
-    /* Notifies the watchdog that the kiosk is alive. The kiosk calls kick() once in each frame that
-     * had ticks. */
+    /* Notifies the watchdog that the kiosk runs. The kiosk calls kick() once in each frame that had
+     * ticks. */
     void (*kick)(void *self);
-    uint8_t (*watches)(void *self); /* Returns an enum scene_watch, which states whether missing
-                                       kicks restart the kiosk. */
+    uint8_t (*watches)(void *self); /* Returns a value of enum scene_watch: whether the service
+                                       manager restarts the kiosk if kick() is not called. */
     const char *(*describe)(void *self);
 };
 

@@ -1,4 +1,4 @@
-/* huge_pages.h -- allocates large arrays on pages of 2 MiB, for arrays that are accessed at
+/* huge_pages.h -- allocates large arrays on memory pages of 2 MiB. The arrays are accessed at
  * random. */
 #ifndef KINGYO_PLATFORM_HUGE_PAGES_H
 #define KINGYO_PLATFORM_HUGE_PAGES_H

@@ -1,4 +1,4 @@
-/* key_colour.c -- picks evenly spaced colours of the spectrum for key shapes. */
+/* key_colour.c -- selects evenly spaced colours of the spectrum for key shapes. */
 #include "platform/key_colour.h"
 
 #include "core/morph/species.h"

@@ -1,6 +1,5 @@
-/* key_colour.h -- the colours of key shapes in all graphs, contact sheets and documentation pages.
- *
- * key shape = one modelled growth stage of a fish. */
+/* key_colour.h -- returns the colours of key shapes for all graphs, contact sheets and
+ * documentation pages. A key shape is one modelled growth stage of a fish. */
 #ifndef KINGYO_PLATFORM_KEY_COLOUR_H
 #define KINGYO_PLATFORM_KEY_COLOUR_H
 

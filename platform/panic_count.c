@@ -105,8 +105,8 @@ const char *panics_left_name(uint32_t left)
 
 /* ---- Reading and writing the file ---------------------------------------------------------- */
 
-/* Returns a descriptor of a regular file, or a negative errno. Reads the file type from the
- * descriptor, so that the file cannot be exchanged between the check and the use. */
+/* Returns a descriptor of a regular file, or a negative errno. Reads the file type from the open
+ * descriptor, so that no other file can take its place between the check and the use. */
 static int open_file(int folder, int flags)
 {
     struct stat about;

@@ -1,12 +1,14 @@
-/* panic_count.h -- counts panics in a small file in the data folder, and selects the data that the
- * next program start leaves out.
+/* panic_count.h -- counts panics in a small file in the data folder, and selects the stored data
+ * that the next program start leaves out (deletes after making a copy).
  *
  * A panic is a failed assertion or a fatal signal. After three panics within ten minutes, or after
- * one panic before the first frame, the next start leaves out a part of the stored data. The parts
- * grow with each attempt: first settings, then also replays, then also names. The ledger (the list
- * of money events) is never left out. Times are seconds since power-on because a board may have no
- * clock. Panics from before the last power-on count in the total. An old panic causes data to be
- * left out only if it came before the first frame.
+ * one panic before the first frame, the next start leaves out a part of the stored data. The part
+ * grows with each attempt: first settings, then also replays, then also names. The ledger (the list
+ * of money events) is never left out.
+ *
+ * Times are seconds since power-on because a board may have no clock. Panics from before the last
+ * power-on count in the total. A panic from before the last power-on causes data to be left out
+ * only if it came before the first frame.
  *
  * The module has no side effects except that it reads and writes the file. */
 #ifndef KINGYO_PLATFORM_PANIC_COUNT_H
@@ -21,7 +23,8 @@
 #define PANICS_RECENT 3u /* Number of the newest panics that the file stores. */
 /* Period in seconds. PANICS_RECENT panics within this period cause data to be left out. */
 #define PANICS_WITHIN_S 600u
-/* Number of file names that are tried to rename an object that is not a regular file. */
+/* Maximum number of names ".other-1", ".other-2" and so on that are tried when an object that is
+ * not a regular file is renamed. */
 #define PANICS_OTHER_MAX 100u
 /* Number of replays of panics that are stored, in panic-0.kgr to panic-9.kgr. */
 #define PANICS_FILES 10u
@@ -31,14 +34,14 @@ enum panics_left { LEFT_NOTHING = 0, LEFT_SETTINGS, LEFT_REPLAYS, LEFT_NAMES, LE
 /* Count of panics. A structure of zeros means that there was no panic. */
 struct panics {
     uint32_t total;     /* Panics since the file was created. The count stops at UINT32_MAX. */
-    uint32_t left;      /* Data left out by the last start that left data out (enum panics_left). */
-    uint64_t left_boot; /* Boot id (panics_boot()) of the start that set `left`. */
+    uint32_t left;      /* Data that the last successful attempt left out (enum panics_left). */
+    uint64_t left_boot; /* Id (panics_boot()) of the boot in which `left` was set. */
     uint32_t is_early;  /* 1 if the newest panic came before the first frame, otherwise 0. */
     uint32_t count;     /* Number of valid entries in `recent`, which has the newest panic first. */
-    uint32_t attempt;   /* Data that a start tries to leave out (enum panics_left). 0 when no
-                           attempt is in progress. */
+    uint32_t attempt;   /* Data that the current start tries to leave out (enum panics_left). 0
+                           means that no attempt is in progress. */
     struct {
-        uint64_t boot; /* Boot id (panics_boot()) of the panic. */
+        uint64_t boot; /* Id (panics_boot()) of the boot in which the panic occurred. */
         uint32_t up_s; /* Seconds between the boot and the panic. */
     } recent[PANICS_RECENT];
 };
@@ -60,7 +63,8 @@ int panics_is_due(const struct panics *panics);
  * panics.attempt. */
 enum panics_left panics_try(struct panics *panics);
 
-/* Records that the attempt succeeded on the boot `boot`, and clears the recent panics. */
+/* Copies `attempt` to `left` because the attempt to leave out data succeeded in the boot `boot`.
+ * Clears the attempt and the recent panics. */
 void panics_set_left_out(struct panics *panics, uint64_t boot);
 
 /* Clears the attempt and the recent panics, so that the next program start leaves no data out. */

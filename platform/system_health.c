@@ -36,7 +36,8 @@ static bool path_in(const struct system_health *machine, const char *name, char 
     return length > 0 && (unsigned)length < PATH_SIZE;
 }
 
-/* Returns the result that check-data wrote at this boot, or KEEPS_UNKNOWN if there is no result. */
+/* Returns the result that the script check-data wrote during the current boot, or KEEPS_UNKNOWN if
+ * there is no result. */
 static uint8_t keeps_as_checked(const struct system_health *machine)
 {
     char line[16] = "";
@@ -113,8 +114,8 @@ static void look_at_backup(struct system_health *machine, struct scene_machine *
     out->backup_min = age_min < UINT32_MAX ? (uint32_t)age_min : UINT32_MAX;
 }
 
-/* Returns the newest modification time of the store's files in seconds, or 0 if there is no file.
- * If this time is in the future, the system clock was set back. */
+/* Returns the newest modification time of the store's files in seconds, or 0 if there is no file. A
+ * modification time in the future means that the system clock was set back. */
 static int64_t newest_file_s(const struct system_health *machine)
 {
     static const char *const names[] = { STORAGE_FILE, STORAGE_FILE STORAGE_BACKUP_SUFFIX };

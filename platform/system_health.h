@@ -16,7 +16,7 @@
 #define SYSTEM_HEALTH_PERIOD_S 5u
 /* File to which the script board/kiosk/check-data writes its result. */
 #define SYSTEM_HEALTH_CHECK_PATH "/run/kingyo-data"
-/* Tolerance in seconds for file times in the future. A smaller difference may come from daylight
+/* Tolerance in seconds for file times in the future. A smaller difference may result from daylight
  * saving time. */
 #define SYSTEM_HEALTH_CLOCK_SLACK_S 7200
 /* Maximum number of quarantined files that are counted. Additional files are ignored. */
@@ -38,7 +38,7 @@ struct system_health {
     bool ends, acknowledges;
     struct scene_machine newest;
 
-    /* Only the thread uses the following fields. */
+    /* Only the health monitor's thread uses the following fields. */
     int64_t written_s; /* Modification time of the newest store file at the first check. 0 means no
                           file. */
     struct {
@@ -66,13 +66,13 @@ enum system_health_quarantine {
     SYSTEM_HEALTH_QUARANTINE_DAMAGED,  /* Damaged database, for example "kingyo.db.damaged-3". */
     SYSTEM_HEALTH_QUARANTINE_MISSING,  /* Marker for a missing database, for example
                                           "kingyo.db.missing-3". */
-    SYSTEM_HEALTH_QUARANTINE_LEFT,     /* Database from before a part was deleted, for example
-                                          "kingyo.db.left-out-3". */
-    SYSTEM_HEALTH_QUARANTINE_OTHER,    /* File of another ledger, for example
+    SYSTEM_HEALTH_QUARANTINE_LEFT,     /* Copy of the database from before a part of the data was
+                                          deleted, for example "kingyo.db.left-out-3". */
+    SYSTEM_HEALTH_QUARANTINE_OTHER,    /* File of a foreign ledger, for example
                                           "kingyo.db.tail.other-3". */
 };
 
-/* Returns the kind of the file `file`, a name without the folder. */
+/* Returns the kind of the quarantined file `file`, a name without the folder. */
 enum system_health_quarantine system_health_quarantine_of(const char *file);
 
 /* Returns true if the operator has acknowledged the quarantined file `file` in `folder`. */

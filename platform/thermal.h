@@ -1,4 +1,5 @@
-/* thermal.h -- measures how far the temperature is below the limit at which the machine slows down.
+/* thermal.h -- measures the temperature margin: how far the temperature is below the limit at which
+ * the machine slows down.
  *
  * A separate thread reads the kernel's sensors every THERMAL_LOOK_S seconds, because some sensors
  * take milliseconds and the frame loop must not block. */
@@ -11,15 +12,15 @@
 #include <stdint.h>
 
 #define THERMAL_LOOK_S 5u
-/* Default temperature limit in thousandths of a degree Celsius, for a zone without a limit of its
- * own. Typical boards slow down above this temperature. */
+/* Default temperature limit in thousandths of a degree Celsius, used for a thermal zone without its
+ * own limit. Typical boards slow down above this temperature. */
 #define THERMAL_LIMIT_MDEG 80000
-/* Margin in thousandths of a degree that means no sensor was found. */
+/* Value of the margin if no sensor was found. */
 #define THERMAL_UNKNOWN_MDEG 999000
 
-/* Returns the smallest margin of all thermal zones under `root`, a folder like /sys/class/thermal.
- * The margin is the zone's limit minus its temperature in thousandths of a degree. Returns
- * THERMAL_UNKNOWN_MDEG if there is no sensor. */
+/* Returns the smallest temperature margin of all thermal zones under `root`, a folder like
+ * /sys/class/thermal. The margin of a zone is its limit minus its temperature, in thousandths of a
+ * degree Celsius. Returns THERMAL_UNKNOWN_MDEG if there is no sensor. */
 int32_t thermal_read(const char *root);
 
 /* State of the temperature monitor. The caller owns the structure and initializes it to zero. The

@@ -1,5 +1,5 @@
-/* watchdog.c -- sends READY=1 after the first frame, then WATCHDOG=1 several times within each time
- * limit. */
+/* watchdog.c -- sends READY=1 after the first frame. Afterwards sends WATCHDOG=1 several times
+ * within each time limit of the service manager. */
 #include "platform/watchdog.h"
 
 #include <stdio.h>

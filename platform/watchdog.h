@@ -1,8 +1,8 @@
 /* watchdog.h -- notifies the service manager that the kiosk still draws frames.
  *
- * Implements systemd's notification protocol: the kiosk sends one datagram to the socket in
- * $NOTIFY_SOCKET. Without a service manager that uses this protocol, the board uses the null
- * watchdog. */
+ * The kiosk implements systemd's notification protocol: it sends each notification as one datagram
+ * to the socket in $NOTIFY_SOCKET. Without a service manager that uses this protocol, the board
+ * uses the null watchdog. */
 #ifndef KINGYO_PLATFORM_WATCHDOG_H
 #define KINGYO_PLATFORM_WATCHDOG_H
 

@@ -220,8 +220,8 @@ static void tell_rest(const struct warnings *warnings)
     }
 }
 
-/* Checks the number of fish. The check runs at the end of the file, because only then the tank is
- * known. `line` is the number of the line that set the number of fish. */
+/* Checks the number of fish at the end of the file, because the tank is known only then. `line` is
+ * the number of the line that set the number of fish. */
 static void check_fish(struct reading *reading, unsigned line, struct warnings *warnings)
 {
     char says[OPTION_TEXT_MAX], why[WHY_MAX];

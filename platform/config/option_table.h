@@ -21,8 +21,8 @@ struct option {
                                                                Returns 1, or 0 if the value is
                                                                invalid. */
     /* Section of the option in the configuration file. "" means that a setting has replaced the
-     * option, so that old files may have the option before the first section. Null means that no
-     * file may contain the option. */
+     * option; old files may have the option before the first section. Null means that no file may
+     * contain the option. */
     const char *section;
 };
 
@@ -45,9 +45,9 @@ const char *option_objects(const struct option *option, const char *value,
  * Otherwise returns 0. */
 int option_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX]);
 
-/* Returns 1 if the tank cannot hold the number of fish that was set. Then writes the error message
- * without its first words to `says`. Checks the configuration file if options->is_file is 1,
- * otherwise the command line. */
+/* Returns 1 if the tank cannot hold the configured number of fish, and writes the reason to `says`.
+ * Otherwise returns 0. Checks the configuration file if options->is_file is 1, otherwise the
+ * command line. */
 int option_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX]);
 
 #endif

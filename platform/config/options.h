@@ -35,7 +35,7 @@ struct options_query_result {
 
 struct options {
     uint8_t help, version;
-    uint8_t demo;           /* 1 if the kiosk plays off screen and writes pictures. */
+    uint8_t demo;           /* 1 if the demonstration runs off screen and writes pictures. */
     uint32_t demo_s;        /* Length of the demonstration in seconds. */
     uint32_t width, height; /* Window size in pixels. 0 means full screen. */
     uint8_t poi;            /* Controller that plays (enum board_poi). */

@@ -11,8 +11,8 @@
 #include "core/settings.h"
 #include "platform/hal.h"
 
-/* Length in seconds of one part of attract mode. Sounds are played only in each n-th part, where n
- * is the setting SET_ATTRACT_SOUND. */
+/* Length in seconds of one section of attract mode. Sounds are played only in each n-th section,
+ * where n is the setting SET_ATTRACT_SOUND. If n is 0, no section has sounds. */
 #define AUDIO_OUTPUT_SHOW_S 60u
 
 struct audio_output {

@@ -27,7 +27,8 @@
 #define IN_ROUND_TICKS                                                                             \
     (3u * CORE_TICK_HZ / 4u) /* Ticks after the start of the round until each poi is over its
                                 part of the water. */
-/* Seconds after the round: time to move the last fish to the bowl and to show the result. */
+/* Seconds that the demonstration continues after the round, to move the last fish to the bowl and
+ * to show the result. */
 #define AFTER_ROUND_S 5u
 /* Minimum length of the round in seconds. A shorter demonstration ends during the round. */
 #define ROUND_S_MIN 25u

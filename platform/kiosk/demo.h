@@ -1,8 +1,8 @@
-/* demo.h -- plays one round with the bot off screen, on a simulated clock, and writes pictures of
- * the round.
+/* demo.h -- runs the demonstration: the core's bot plays one round without a screen, on a simulated
+ * clock, and pictures of the round are written.
  *
- * The first picture is taken when the pois are over the water. The time from START to this moment
- * is simulated without pictures. Equal options give identical games. */
+ * The first picture is taken when the pois are over the water. The time from the press of START to
+ * the first picture is simulated without pictures. Equal options give identical games. */
 #ifndef KINGYO_PLATFORM_KIOSK_DEMO_H
 #define KINGYO_PLATFORM_KIOSK_DEMO_H
 

@@ -10,9 +10,9 @@
 /* Maximum time step in milliseconds. Limits the change of brightness after a delayed frame. */
 #define STEP_MS_MAX 100u
 
-/* Periods of the horizontal and vertical movement in milliseconds. The periods have no common
- * divisor, so that within a day the picture reaches every position in its range. The picture moves
- * by one pixel every few minutes. */
+/* Periods of the horizontal and vertical movement in milliseconds. The numbers of minutes (37 and
+ * 23) have no common divisor. Therefore the picture reaches every position in its range within a
+ * day. The picture moves by one pixel every few minutes. */
 #define WANDER_X_MS (37u * 60000u)
 #define WANDER_Y_MS (23u * 60000u)
 #define WANDER_MS (37u * WANDER_Y_MS)

@@ -11,14 +11,14 @@
 #include "core/input.h"
 #include "core/settings.h"
 
-/* Seconds without input after which the picture becomes dark at night. Within this time a player
- * can start a game. */
+/* Seconds without input after which the picture becomes dark at night. The time is long enough to
+ * start a game. */
 #define DIMMER_NIGHT_IDLE_S 60u
 /* Distance in metres that a poi must move to count as input. Shorter movements may be sensor
  * noise. */
 #define DIMMER_STIR_M 0.03f
-/* Maximum shift in each direction as a share of the picture height: 4 pixels of 720, 6 pixels of
- * 1080. */
+/* Maximum shift of the picture in each direction, as a share of the picture height: 4 pixels at a
+ * height of 720 pixels, 6 pixels at 1080. */
 #define DIMMER_SHIFT (1.0f / 180.0f)
 
 struct dimmer {
@@ -30,7 +30,7 @@ struct dimmer {
                              its period. */
     uint8_t was_stirred;  /* 1 if a button, a coin, a poi movement or a running game was detected
                              after the previous dimmer_step(). */
-    vec3 hand_m[POI_MAX]; /* Position of each poi at its last detected movement. */
+    vec3 hand_m[POI_MAX]; /* Position in metres of each poi at its last detected movement. */
 };
 
 /* Detects input: a pressed button, a coin or a running game. Call before the ticks of the frame. */

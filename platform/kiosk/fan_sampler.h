@@ -1,9 +1,9 @@
-/* fan_sampler.h -- samples the fans for the frame loop. A fan is a device that casts a shadow on
- * the water.
+/* fan_sampler.h -- samples the fans for the frame loop. A fan is a device that a player holds above
+ * the water and that casts a shadow on the water.
  *
- * A device reports its fan's position once per frame. Each tick of the frame gets its own position
- * on the line between two reports. Otherwise the shadow would stop for one tick and jump in the
- * next, and the jump would count as a fast movement. */
+ * A fan device reports its position once per frame, but a frame may run several ticks. Each tick
+ * gets its own position on the line between two reports. Otherwise the shadow would stop for one
+ * tick and jump in the next, and the core would detect a fast movement. */
 #ifndef KINGYO_PLATFORM_KIOSK_FAN_SAMPLER_H
 #define KINGYO_PLATFORM_KIOSK_FAN_SAMPLER_H
 
@@ -20,12 +20,13 @@ struct fan_sampler {
                                     POI_SOURCE_BOT. */
 };
 
-/* Opens the device. Returns 1 if opening failed with a fault, otherwise 0. */
+/* Opens the fan device. Returns 1 if opening failed with a fault. Returns 0 on success, or if there
+ * is no fan device. */
 uint32_t fan_sampler_open(struct fan_sampler *hand, const struct hal_fan *device, uint64_t now_ns);
 
-/* Reads the newest report. Retries to open a lost device once per second. Until then the fan counts
- * as absent. Rejects a report with a non-finite number or a value beyond 1,000 m. Returns the
- * number of faults. */
+/* Reads the newest report. Tries to reopen a lost fan once per second. While a fan is lost, the fan
+ * counts as absent. Rejects a report with a non-finite number or a value beyond 1,000 m. Returns
+ * the number of faults. */
 uint32_t fan_sampler_sample(struct fan_sampler *hand, const struct hal_fan *device,
                             uint64_t now_ns);
 
@@ -34,8 +35,8 @@ uint32_t fan_sampler_sample(struct fan_sampler *hand, const struct hal_fan *devi
 struct shade_input fan_sampler_at(const struct fan_sampler *hand, uint32_t index,
                                   uint32_t tick_count);
 
-/* Makes the newest position the start of the next frame's line. Call after the last tick of the
- * frame. */
+/* Makes the newest position the first point of the next frame's line. Call after the last tick of
+ * the frame. */
 void fan_sampler_end(struct fan_sampler *hand);
 
 #endif

@@ -1,5 +1,5 @@
-/* file_notes.c -- stores notes in two groups: files that were not used, then files that were
- * used. */
+/* file_notes.c -- stores the notes in one array: first the files that were not used, then the files
+ * that were used. */
 #include "platform/kiosk/file_notes.h"
 
 #include <assert.h>

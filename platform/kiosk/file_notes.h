@@ -10,9 +10,9 @@
 
 #include "core/scene.h"
 
-/* Maximum number of notes, enough for every species and graph, 64 controllers and a page of other
- * lines. The operator's menu counts rows in one byte, together with the store's row and the last
- * row. Additional notes are only counted, and the last row shows their number. */
+/* Maximum number of notes: enough for every species and graph, 64 controllers and one page of other
+ * notes. The operator's menu counts its rows in one byte, and needs one row for the store and one
+ * last row. Notes beyond the maximum are only counted, and the last row shows their number. */
 #define FILE_NOTES_MAX 253u
 
 struct file_notes {

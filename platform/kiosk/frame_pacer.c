@@ -12,15 +12,17 @@
 /* Maximum difference from FRAME_NS of a frame that certainly belongs to a 60 Hz display: 55 ..
  * 66 Hz. */
 #define SURE_60_HZ_NS 1500000ull
-/* Maximum error of the due time: jitter of 3 ms at the starts of two frames. */
+/* Maximum difference in nanoseconds between the simulated time and the clock in snap(). Jitter of
+ * 3 ms at the starts of two frames causes this difference. */
 #define SNAP_NS 6000000ll
-/* Share of the due time that each frame corrects, because no display has exactly 60 Hz. */
+/* Divisor of the difference from the clock: each frame of a 60 Hz display removes 1/8 of the
+ * difference. A correction is necessary because no display has exactly 60 Hz. */
 #define DRIFT_SHARE 8
 
-/* Minimum frame time of a screen that paces the loop with its vertical synchronization (62 Hz or
- * less). */
+/* Minimum mean frame time that shows that vertical synchronization limits the frame rate (to 62 Hz
+ * or less). */
 #define WAITS_NS 16000000ull
-/* Number of frames over which the mean frame time is computed: a quarter of a second. */
+/* Number of frames in the moving average of the frame time: a quarter of a second. */
 #define REST_SHARE 16
 
 static uint64_t distance(uint64_t a, uint64_t b)
@@ -28,8 +30,8 @@ static uint64_t distance(uint64_t a, uint64_t b)
     return a > b ? a - b : b - a;
 }
 
-/* Returns 1 if the frame runs exactly two ticks, otherwise 0. A frame runs exactly two ticks if it
- * lasts about 1/60 s and the due time is near two ticks. */
+/* Returns 1 if the frame must run exactly two ticks, otherwise 0. Two ticks are correct if the
+ * frame lasted about 1/60 s and the time in `owed` is near two ticks. */
 static int snap(struct frame_pacer *pace, uint64_t elapsed_ns)
 {
     const int64_t left = pace->owed - (int64_t)(FRAME_TICKS * NS_PER_S);

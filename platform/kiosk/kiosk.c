@@ -93,8 +93,8 @@ static int prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_count
     return 1;
 }
 
-/* Adds the waiting time of each poi report to the statistics. The time uses the clock of the
- * reports' time stamps. */
+/* Adds the waiting time of each poi report to the statistics. The end of the waiting time is read
+ * from the clock that also stamped the reports. */
 static void time_reports(struct kiosk *kiosk, const struct hal *hal)
 {
     const uint64_t now_ns = hal_now_ns(hal->clock);
@@ -104,8 +104,8 @@ static void time_reports(struct kiosk *kiosk, const struct hal *hal)
 }
 
 /* Runs one tick. Returns 1. If the core rejects the tick, sets kiosk->end and returns 0.
- * session_recorder_before() must be the first call, because it stops this thread if another thread
- * panics. */
+ * session_recorder_before() must be the first call, because it blocks the calling thread if another
+ * thread panics. */
 static int run_tick(struct kiosk *kiosk)
 {
     const struct kiosk_tap *tap = &kiosk->config.tap;
@@ -196,7 +196,8 @@ static void begin_frame(struct kiosk *kiosk)
     kiosk->frames++;
 }
 
-/* Reads the system health and passes on the operator's acknowledgement. Never blocks. */
+/* Copies the newest system health to kiosk->machine, and forwards the operator's acknowledgement to
+ * the health monitor. Never blocks. */
 static void meet_machine(struct kiosk *kiosk, const struct hal *hal)
 {
     struct system_health *machine = kiosk->config.machine;
@@ -251,8 +252,8 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     return kiosk->end;
 }
 
-/* Adds the final health entry, which has the uptime, to the ledger at a regular end. Adds no entry
- * while other entries wait for the store. */
+/* Adds a last health entry, which contains the uptime, to the ledger when the program ends
+ * regularly. Adds no entry while other entries wait for the store. */
 static void tell_last_word(struct kiosk *kiosk, const struct hal *hal)
 {
     struct ledger_entry entry;

@@ -1,4 +1,5 @@
-/* kiosk.h -- the frame loop: samples the devices, runs the due ticks and presents the result.
+/* kiosk.h -- runs the frame loop. Each frame samples the devices, runs the ticks that are due and
+ * presents the result.
  *
  * The caller owns `struct kiosk` (about 1.5 MB: static storage). No function allocates memory after
  * kiosk_init(). No function blocks, except that the display waits for the screen and
@@ -39,7 +40,8 @@ struct kiosk_tap {
     void *self;
 };
 
-/* Source of each tick's input that replaces the devices. The replayer uses a source. */
+/* Callback that provides each tick's input in place of the devices. Used to play a recording
+ * (replayer.h). */
 struct kiosk_source {
     int (*next)(void *self, struct input *out); /* Writes the input of the next tick. Returns 1, or
                                                    0 at the end of the recording. */
@@ -50,7 +52,7 @@ struct kiosk_config {
     struct core_config core;
     uint8_t bot[POI_MAX];           /* 1 if the core's bot controls this poi, regardless of the
                                        connected devices. */
-    struct hal_clock stopwatch;     /* Clock for time measurements only. Its time has no effect on
+    struct hal_clock stopwatch;     /* Clock that only measures durations. Its time has no effect on
                                        the core. */
     const struct file_notes *notes; /* Messages for the operator's menu. Must outlive the kiosk.
                                        Null means no messages. */
@@ -62,19 +64,19 @@ struct kiosk_config {
                                           playback. */
     struct kiosk_tap tap;              /* Callbacks of a recorder. Null functions mean no
                                           callbacks. */
-    struct kiosk_source source;        /* Input source. A null function means that the devices are
-                                          the source. */
+    struct kiosk_source source;        /* Source of the input of each tick. If the function is null,
+                                          the devices provide the input. */
 };
 
 enum kiosk_end {
     KIOSK_RUNS = 0,
-    KIOSK_QUIT,         /* Pressing the quit key twice, closing the window, or the end of the
-                           desktop session. */
-    KIOSK_DISPLAY_LOST, /* Permanent loss of the display. */
-    KIOSK_SOURCE_END,   /* End of the replay. */
-    KIOSK_FLOAT,        /* CORE_ERR_FLOAT from the core, which rejected a tick. */
-    KIOSK_RESTART,      /* Restart, requested by the operator or needed because a store appeared
-                           after program start. */
+    KIOSK_QUIT,         /* The user pressed the quit key twice or closed the window, or the desktop
+                           session ended. */
+    KIOSK_DISPLAY_LOST, /* The display was lost permanently. */
+    KIOSK_SOURCE_END,   /* The replay ended. */
+    KIOSK_FLOAT,        /* The core rejected a tick with CORE_ERR_FLOAT. */
+    KIOSK_RESTART,      /* The operator requested a restart, or a store appeared after program
+                           start. */
 };
 
 /* Faults per device type since program start. The kiosk continued after each fault. */
@@ -91,8 +93,8 @@ struct kiosk {
     struct input input; /* Input of the next tick. Presses and coins remain until one tick has used
                            them. */
     struct output output;
-    struct poi_force felt[POI_MAX]; /* Strongest force of all ticks in the frame for each poi;
-                                       see output_merge_force(). */
+    struct poi_force felt[POI_MAX]; /* Strongest force on each poi in the frame's ticks; see
+                                       output_merge_force(). */
     struct scene scene;
     struct frame_pacer pace;
     struct poi_sampler hands[POI_MAX];
@@ -109,8 +111,8 @@ struct kiosk {
     struct offline_flush late;
     struct audio_output voice;
     struct output_lines switches;
-    uint64_t restart_ns;    /* Time at which a requested restart no longer waits for the store. 0
-                               means no request. */
+    uint64_t restart_ns;    /* Latest time of a requested restart. Until then the restart waits for
+                               the store. 0 means no request. */
     uint64_t quit_until_ns; /* Time until which a second press of the quit key ends the kiosk. 0
                                means no first press. */
     uint32_t told_orders;   /* Number of commands in `output` that were already executed. Compared
@@ -124,22 +126,23 @@ struct kiosk {
 
     uint64_t frames;
     struct kiosk_faults faults;
-    uint32_t float_resets; /* Frames before which the floating-point control register was restored
-                              because a library had changed it. */
+    uint32_t float_resets;            /* Number of frames at whose start a library had changed
+                                         the floating-point control register. The kiosk then
+                                         restored the register. */
     struct operator_view_lines lines; /* Statistics of the button and coin lines. */
-    struct timing frame_time;         /* Time between the starts of two frames, on the stopwatch. */
-    struct timing work_time;          /* Time from the start to the end of kiosk_frame() on the
-                                         stopwatch. */
-    struct timing report_wait;        /* Time from the arrival of a poi's report to the tick that
-                                         uses the report. */
+    struct timing frame_time;         /* Time between the starts of two consecutive frames, measured
+                                         with `stopwatch`. */
+    struct timing work_time;          /* Duration of kiosk_frame(), measured with `stopwatch`. */
+    struct timing report_wait;        /* Time from the arrival of a controller's report to the tick
+                                         that uses the report. */
     uint64_t core_ns;                 /* Total time in nanoseconds that was spent in ticks and in
                                          filling the scene. */
     uint64_t frame_begin_ns;
 };
 
-/* Initializes the kiosk and opens the pois. The board must have opened all other devices. Sets the
- * calling thread's floating-point control register. Returns CORE_OK or the error of core_init().
- * After an error the caller must not use `kiosk`. */
+/* Initializes the kiosk and opens the pois, the fans and the sound card. The board must have opened
+ * all other devices. Sets the calling thread's floating-point control register. Returns CORE_OK or
+ * the error of core_init(). After an error the caller must not use `kiosk`. */
 enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
                            const struct kiosk_config *config);
 
@@ -148,13 +151,13 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
 int kiosk_asks_to_quit(const struct kiosk *kiosk);
 
 /* Runs one displayed frame. Sets the calling thread's floating-point control register before the
- * ticks. Returns KIOSK_RUNS, or the reason for the end. After any other value than KIOSK_RUNS the
- * caller must not call the function again. */
+ * ticks. Returns KIOSK_RUNS, or the reason why the frame loop ends. After a value other than
+ * KIOSK_RUNS, the caller must not call the function again. */
 enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal);
 
 /* Closes the store and counts its last faults. Call after the last frame. May block on the store.
- * Returns the number of lost ledger entries: entries that were not written, or that an existing
- * store never accepted. */
+ * Returns the number of lost ledger entries. An entry is lost if the store did not write it, or if
+ * an existing store never accepted it. */
 uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal);
 
 #endif

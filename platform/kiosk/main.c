@@ -152,8 +152,8 @@ static enum exit_code kiosk_main_run(struct run_common *session)
     return run_interactive_run(session);
 }
 
-/* Executes the program file again with the same options. After an update of the package the new
- * version runs. */
+/* Replaces the process by a new one with the same options. If the package was updated, the new
+ * process runs the new version. */
 static void begin_anew(const struct run_common *session, char **argv)
 {
     if (session->options.record[0]) {

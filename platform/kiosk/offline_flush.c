@@ -39,8 +39,8 @@ static void offline_flush_add_entry(struct batch *batch, uint8_t kind, uint32_t 
     }
 }
 
-/* Adds the coins of each coin line. The audits have only the total value of all lines, which is
- * assigned to the first line with coins. */
+/* Adds one entry for each coin line that received coins. The audits have only the total value of
+ * all coin lines. Therefore the first entry gets the total value, and the other entries get 0. */
 static void add_coins(struct batch *batch, const struct offline_flush *flush)
 {
     uint32_t units = untold(flush, batch->core, AUDIT_UNITS);
@@ -77,8 +77,8 @@ static void add_credits(struct batch *batch, const struct offline_flush *flush)
     }
 }
 
-/* Adds the tickets as a round without players. The balance already contains these tickets, and the
- * entry makes the audits count them. */
+/* Adds the offline tickets as an entry for a round (LEDGER_ROUND) without players. The balance
+ * already contains the tickets. The entry only makes the audits count the tickets. */
 static void add_tickets(struct batch *batch, const struct offline_flush *flush)
 {
     const uint32_t count = untold(flush, batch->core, AUDIT_TICKETS);
@@ -94,8 +94,8 @@ static int offline_flush_is_same(const struct balance *a, const struct balance *
            a->service == b->service && a->unlogged == b->unlogged && a->tickets == b->tickets;
 }
 
-/* Returns 1 if no transfer is in progress, because the store has written the last one or none was
- * started. Otherwise returns 0. */
+/* Returns 1 if no transfer is in progress, otherwise 0. When the store has written a transfer,
+ * records its amounts as transferred. */
 static int is_written(struct offline_flush *flush, const struct hal_storage *storage)
 {
     if (flush->is_asked && storage->ops->offline_merged(storage->self) == HAL_OK) {
@@ -122,7 +122,7 @@ int offline_flush_step(struct offline_flush *flush, const struct hal_storage *st
     }
     if (batch.count == 0) {
         offline_flush_add_entry(&batch, LEDGER_HEALTH, 0, 0,
-                                0); /* A health entry without counts, which only stores the changed
+                                0); /* A health entry without counts only stores the changed
                                        balance. */
     }
     if (storage->ops->merge_offline(storage->self, &step, batch.entries, batch.count) == HAL_OK) {

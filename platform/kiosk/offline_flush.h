@@ -1,18 +1,18 @@
-/* offline_flush.h -- transfers offline credits to the store: coins and credits from the time in
- * which no store was available.
+/* offline_flush.h -- transfers offline credits to the store. Offline credits are coins and credits
+ * that the kiosk received while it had no store.
  *
  * A kiosk that started without a store must restart to use a store that appears later. The restart
- * would lose data that is only in memory: coins, the credits that the coins bought, and service
- * credits. Therefore the kiosk first transfers these data to the store. Amounts that were already
- * transferred are subtracted. Coins inserted during a write are queued for the next transaction, so
- * that each coin is stored exactly once. */
+ * would lose data that are only in memory: coins, the credits that the coins bought, and service
+ * credits. Therefore the kiosk first transfers these data to the store. Each transfer contains only
+ * amounts that no earlier transfer contained. Coins that are inserted during a transfer wait for
+ * the next transfer. Each coin is therefore stored exactly once. */
 #ifndef KINGYO_PLATFORM_KIOSK_OFFLINE_FLUSH_H
 #define KINGYO_PLATFORM_KIOSK_OFFLINE_FLUSH_H
 
 #include "core/core.h"
 #include "platform/hal.h"
 
-/* State of the transfer. A structure of zeros means that nothing was transferred yet. */
+/* State of the transfer. A structure of zeros means that nothing has been transferred. */
 struct offline_flush {
     struct audits told;        /* Part of this kiosk's audits that the store has written to disk. */
     struct balance told_purse; /* Part of this kiosk's balance that the store has written to
@@ -23,9 +23,9 @@ struct offline_flush {
     uint8_t is_asked;
 };
 
-/* Transfers the remaining amounts. Call once per frame while a new store exists and no game runs.
- * Returns 1 if all amounts are on disk, so that the kiosk may restart in this frame. Otherwise
- * returns 0. */
+/* Transfers the amounts that are not yet on disk. Call once per frame while a new store exists and
+ * no game runs. Returns 1 if all amounts are on disk, so that the kiosk may restart in this frame.
+ * Otherwise returns 0. */
 int offline_flush_step(struct offline_flush *flush, const struct hal_storage *storage,
                        const struct core *core);
 

@@ -3,8 +3,9 @@
 
 #include <string.h>
 
-/* Returns the position at which a line that is too long is cut: after a remark that ends with ';',
- * because a complete remark can be translated. Without such a remark, returns the end of a word. */
+/* Returns the position, at most `limit`, at which a long line is cut. The line is cut after the
+ * last remark that ends with ';', because the menu can translate only complete remarks. Without a
+ * ';', the line is cut at the end of a word. */
 static size_t end_before(const char *line, size_t limit)
 {
     for (size_t at = limit; at > 1u; at--) {

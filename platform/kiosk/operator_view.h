@@ -1,5 +1,5 @@
-/* operator_view.h -- fills the operator's menu with device names and texts that the core does not
- * have. */
+/* operator_view.h -- fills the operator's menu with device names and texts. The core does not have
+ * these data. */
 #ifndef KINGYO_PLATFORM_KIOSK_OPERATOR_VIEW_H
 #define KINGYO_PLATFORM_KIOSK_OPERATOR_VIEW_H
 
@@ -7,13 +7,13 @@
 #include "platform/kiosk/file_notes.h"
 #include "platform/kiosk/poi_sampler.h"
 
-/* Returns the number of rows on the page of files: the row of the store, then the rows of `notes`.
- * `notes` may be null. */
+/* Returns the number of rows on the menu page of files: one row for the store, and the rows of
+ * `notes`. `notes` may be null. */
 uint8_t operator_view_file_count(const struct file_notes *notes);
 
 /* State of all button and coin lines, with counts since program start. */
 struct operator_view_lines {
-    uint32_t raw, missing; /* Levels and missing lines in the newest struct button_sample. */
+    uint32_t raw, missing; /* Values of the newest struct button_sample. */
     struct line_sample line[HAL_LINE_COUNT];
     uint32_t coins[COIN_LINE_COUNT];
 };

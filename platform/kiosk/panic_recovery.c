@@ -33,8 +33,8 @@ static int write_count(const struct evidence *evidence)
     return error;
 }
 
-/* Clears the recent panics after ten minutes without a panic, because the stored data are no longer
- * suspected. A panic at the same time takes precedence. */
+/* Clears the recent panics after ten minutes without a panic, because the stored data are then not
+ * the cause. If a panic occurs at the same time, nothing is cleared. */
 static void forget_refused(struct evidence *evidence)
 {
     atomic_store(&evidence->is_clearing, 1);
@@ -70,8 +70,8 @@ static void wait_for_good_run(struct evidence *evidence)
     pthread_sigmask(SIG_SETMASK, &before, NULL);
 }
 
-/* Leaves a part of the data out. The attempt is written to disk first, because leaving data out may
- * panic again. */
+/* Leaves out a part of the stored data (ledger_leave_out()). The function first notes the attempt
+ * on disk, because the attempt itself may panic. */
 static void leave_out(struct evidence *evidence)
 {
     struct panics *panics = &evidence->panics;
@@ -94,7 +94,8 @@ static void leave_out(struct evidence *evidence)
               result == 0 ? "leaves out" : "cannot leave out", panics_left_name(left), words);
 }
 
-/* Leaves no data out, because the process of the last attempt ended during the attempt. */
+/* Clears the count without leaving out data, because the previous start ended during its attempt to
+ * leave out data. */
 static void skip_leave_out(struct evidence *evidence)
 {
     log_print(LOG_LEVEL_ERROR,
@@ -109,9 +110,9 @@ static int has_work(const struct panics *panics)
     return panics->attempt != LEFT_NOTHING || panics_is_due(panics);
 }
 
-/* Locks the data folder and leaves data out if necessary. A file system without locks counts as
- * locked by this process. The count is read again because another process may have changed it
- * before the lock. */
+/* Locks the data folder and leaves out data if necessary. If the file system has no locks, the
+ * function continues without a lock. The count is read again because another process may have
+ * changed it before the lock. */
 static void hold_and_leave_out(struct evidence *evidence)
 {
     struct panics *panics = &evidence->panics;

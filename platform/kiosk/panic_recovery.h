@@ -2,11 +2,11 @@
  * at the next start.
  *
  * A panic is a failed assertion or a fatal signal. The panic handler writes the running session
- * (session_recorder.h), up to the newest input, to panic-N.kgr with N from 0 to 9. The oldest
- * file is replaced. `kingyoctl replay verify` replays the file. A panic inside the core then
- * occurs at the same tick. After any other panic, the last state of the replay is equal. The
- * file's mode is 0600 because inputs and settings may contain the operator's PIN. panic_count.h
- * counts the panics. */
+ * (session_recorder.h), up to the newest input, to panic-N.kgr with N from 0 to 9. The tenth panic
+ * after a file was written replaces that file. `kingyoctl replay verify` replays the file. If the
+ * panic occurred inside the core, the replay panics at the same tick. After any other panic, the
+ * replay ends in the state that the core had at the panic. The file's mode is 0600 because inputs
+ * and settings may contain the operator's PIN. panic_count.h counts the panics. */
 #ifndef KINGYO_PLATFORM_KIOSK_PANIC_RECOVERY_H
 #define KINGYO_PLATFORM_KIOSK_PANIC_RECOVERY_H
 
@@ -28,20 +28,25 @@ struct evidence {
     const struct core *core;
     pid_t thread; /* Id of the thread that runs the core's ticks. */
     uint64_t boot;
-    uint32_t begun_s;          /* Program start in seconds, in the units of panics_up_s(). */
-    struct panics panics;      /* Count of panics, as in the file of panic_count.h. */
+    uint32_t begun_s;          /* Time of the program start in seconds since the machine's boot
+                                  (panics_up_s()). */
+    struct panics panics;      /* Count of panics. The file of panic_count.h stores the same
+                                  count. */
     atomic_uchar has_frame;    /* 1 if the first frame was shown, otherwise 0. */
-    atomic_uchar has_panicked; /* 1 if evidence_write() has started. From then on only
+    atomic_uchar has_panicked; /* 1 if evidence_write() has started. Afterwards only
                                   evidence_write() uses `panics`. */
     atomic_uchar is_clearing;  /* 1 while a thread clears `panics` after ten minutes without a
                                   panic. */
 };
 
 /* Opens the data folder and reads the count of panics. Call on the thread that will run the ticks,
- * before the store is opened. After three panics within ten minutes, or one panic before the first
- * frame, leaves out a part of the stored data (platform/store/sqlite/ledger_omit.h) and logs the
- * result. If leaving out fails, the next start tries again. If this process runs for ten minutes, a
- * thread clears the count. Without a data folder, panics are only reported. */
+ * before the store is opened.
+ *
+ * After three panics within ten minutes, or one panic before the first frame, the stored data may
+ * be the cause. The function then leaves out a part of the data
+ * (platform/store/sqlite/ledger_omit.h): it copies the database and deletes this part. The result
+ * is logged. If the deletion fails, the next start tries again. If this process runs for ten
+ * minutes, a thread clears the count. Without a data folder, panics are only reported. */
 void evidence_open(struct evidence *evidence, const char *data, struct session_recorder *chapters,
                    const struct core *core);
 
@@ -49,8 +54,9 @@ void evidence_open(struct evidence *evidence, const char *data, struct session_r
 void evidence_note_frame(struct evidence *evidence);
 
 /* Handles a panic: stops the thread that runs the ticks, writes the replay and the count, and
- * reports `reason` and the results in one line. Returns 1. Returns 0 if the thread may still change
- * the core and its recordings, or if a change was interrupted. Async-signal-safe. */
+ * reports `reason` and the results in one line. Returns 1. Returns 0 if the thread that runs the
+ * ticks may still change the core and its recordings, or if a change was interrupted.
+ * Async-signal-safe. */
 int evidence_write(struct evidence *evidence, const char *reason);
 
 #endif

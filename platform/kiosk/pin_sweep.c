@@ -41,8 +41,9 @@ static void seek(struct pin_sweep *sweep, struct ledger_file *file)
     }
 }
 
-/* Returns the result of `hash` for a core as if its PIN had been withheld from the start. Restores
- * the PIN before the return. The PIN has no other effect on the state until digits are typed. */
+/* Returns the hash that the core would have if its PIN had been withheld from the start. Withholds
+ * the PIN, calls `hash`, and restores the PIN. Until digits are typed, the PIN affects no other
+ * part of the state. */
 static uint64_t hash_without_pin(struct core *core, uint64_t (*hash)(const struct core *core))
 {
     int32_t *kept = &core->config.persistent.settings.value[SET_PIN];
@@ -91,8 +92,9 @@ static void record_tick(struct pin_sweep *sweep)
     replay_add(writer, &sweep->judge.input, digest, &totals);
 }
 
-/* Processes the end of a replay. The first end starts the check of the new recording. After the
- * check, the new recording replaces the old one in the store. Returns an SQLite result code. */
+/* Handles the end of a simulation. The first simulation replays the stored recording and creates
+ * the new recording. The second simulation verifies the new recording. If both verifications
+ * succeed, the new recording replaces the stored one. Returns an SQLite result code. */
 static int end_play(struct pin_sweep *sweep, struct ledger_file *file)
 {
     struct replay_verifier *judge = &sweep->judge;

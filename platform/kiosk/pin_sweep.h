@@ -1,12 +1,14 @@
 /* pin_sweep.h -- removes the operator menu's PIN from replays that an older version stored.
  *
- * The state hashes of such a recording (`rules_7`, core/core.h) include the PIN, so that replacing
- * the initial state is not enough. Instead the replay is simulated without a picture and verified
- * (replay_verifier.h). During the simulation the inputs are recorded again, with the PIN withheld
- * and with new state hashes. The new recording is verified too, and replaces the old recording in
- * one transaction. A replay remains unchanged and is counted if a verification fails, or if digits
- * of a PIN are typed in the replay. The caller owns `struct pin_sweep` (8 MiB: static storage) and
- * initializes it to zero. */
+ * The state hashes in a recording of an older version include the PIN (`rules_7`, core/config.h).
+ * Replacing only the initial state would therefore make the hashes wrong. Instead the replay is
+ * simulated without a picture and verified (replay_verifier.h). During the simulation the inputs
+ * are recorded again, with the PIN withheld and with new state hashes. The new recording is
+ * verified too, and replaces the old recording in one transaction.
+ *
+ * A replay remains unchanged and is counted if a verification fails, or if digits of a PIN are
+ * typed in the replay. The caller owns `struct pin_sweep` (8 MiB: static storage) and initializes
+ * it to zero. */
 #ifndef KINGYO_PLATFORM_KIOSK_PIN_SWEEP_H
 #define KINGYO_PLATFORM_KIOSK_PIN_SWEEP_H
 
@@ -24,7 +26,7 @@ enum pin_sweep_stage {
 struct pin_sweep {
     uint8_t stage;     /* Current step (enum pin_sweep_stage). */
     uint8_t is_check;  /* 0 while the stored recording is parsed and simulated; 1 while the new
-                          recording is checked. */
+                          recording is verified. */
     uint32_t round_id; /* Round id of the newest examined replay. 0 means none yet. */
     uint32_t cleaned;  /* Number of replays whose PIN was removed. */
     uint32_t left;     /* Number of replays that still contain a PIN. */

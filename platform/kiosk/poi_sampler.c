@@ -6,7 +6,8 @@
 #define RETRY_NS 1000000000ull
 #define NS_PER_S 1000000000ull
 #define TICK_NS (NS_PER_S / CORE_TICK_HZ)
-/* Time without ticks after which the motion of a poi is not interpolated. */
+/* Time in nanoseconds by which the reports may span more than the frame's ticks. If the reports
+ * span more, their motion is not interpolated. */
 #define UNSEEN_NS 100000000ull
 
 uint32_t poi_sampler_open(struct poi_sampler *hand, const struct hal_poi *device, uint64_t now_ns)
@@ -19,8 +20,8 @@ uint32_t poi_sampler_open(struct poi_sampler *hand, const struct hal_poi *device
     return (uint32_t)hal_is_fault(result);
 }
 
-/* Tries to open a lost device once per second. The device stays lost until open() returns HAL_OK.
- * Returns 1 if open() failed, otherwise 0. */
+/* Tries to open a lost controller once per second. The controller stays lost until open() returns
+ * HAL_OK. Returns 1 if open() failed, otherwise 0. */
 static uint32_t look_for(struct poi_sampler *hand, const struct hal_poi *device, uint64_t now_ns)
 {
     if (now_ns < hand->retry_ns) {
@@ -121,8 +122,9 @@ static uint16_t age_ticks(const struct poi_sampler *hand, uint64_t now_ns)
     return ticks < UINT16_MAX ? (uint16_t)ticks : UINT16_MAX;
 }
 
-/* Returns 1 if the kiosk was delayed and dropped ticks, otherwise 0. If the motion of the delay
- * were compressed into the remaining ticks, it would be faster than the player's motion. */
+/* Returns 1 if the reports span much more time than the frame's ticks, otherwise 0. The kiosk was
+ * then delayed and has dropped ticks. Interpolation would compress the motion of the whole delay
+ * into the remaining ticks, faster than the player's motion. */
 static int was_unseen(const struct poi_sampler *hand, uint32_t tick_count)
 {
     const struct resampler *path = &hand->path;
@@ -130,8 +132,8 @@ static int was_unseen(const struct poi_sampler *hand, uint32_t tick_count)
     return span_ns > tick_count * TICK_NS + UNSEEN_NS;
 }
 
-/* Gives the core the motion during a delay as late reports. The first tick repeats the old pose
- * with the age INPUT_SILENT_TICKS, which is below the limit of input loss. All later ticks have the
+/* Passes the motion during a delay to the core as late reports. The first tick gets the old pose
+ * with the age INPUT_SILENT_TICKS, which is below the limit of input loss. Each later tick gets the
  * newest pose. */
 static void pass_over(const struct poi_sampler *hand, uint32_t index, struct poi_input *out)
 {

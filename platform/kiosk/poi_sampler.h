@@ -35,15 +35,17 @@ struct poi_sampler {
     uint8_t was_seen; /* 1 if the controller has sent a report since program start, otherwise 0. */
     uint64_t waiting_ns[HAL_POI_SAMPLES_MAX]; /* Arrival times of reports that no tick has used
                                                  yet. */
-    uint32_t waiting_count;                   /* Number of entries in waiting_ns. The waiting times
-                                                 of additional reports are not measured. */
+    uint32_t waiting_count;                   /* Number of entries in `waiting_ns`. When
+                                                 `waiting_ns` is full, the waiting time of a further
+                                                 report is not measured. */
 };
 
-/* Opens the device. Returns 1 if opening failed with a fault, otherwise 0. */
+/* Opens the controller. Returns 1 if open() returned a device fault (hal_is_fault()), otherwise
+ * 0. */
 uint32_t poi_sampler_open(struct poi_sampler *hand, const struct hal_poi *device, uint64_t now_ns);
 
-/* Reads the reports since the last frame. Retries to open a lost device once per second. Returns
- * the number of faults: failed calls, and reports with invalid numbers. */
+/* Reads the reports that arrived since the last frame. Tries to reopen a lost controller once per
+ * second. Returns the number of faults: failed calls, and reports with invalid numbers. */
 uint32_t poi_sampler_sample(struct poi_sampler *hand, const struct hal_poi *device,
                             uint64_t now_ns);
 
@@ -59,7 +61,7 @@ void poi_sampler_at(const struct poi_sampler *hand, uint32_t index, uint32_t tic
  * of the frame. */
 void poi_sampler_time(struct poi_sampler *hand, uint64_t now_ns, struct timing *wait);
 
-/* Makes the newest report the start of the next frame's path. Call after the last tick of the
+/* Makes the newest report the first point of the next frame's path. Call after the last tick of the
  * frame. */
 void poi_sampler_end(struct poi_sampler *hand);
 

@@ -34,9 +34,10 @@ static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
         kiosk->core.game.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
 }
 
-/* Sets the lamps, the coin lockout, the coin counter and the tickets. A replay sets no outputs,
- * because its coins were counted when they were inserted. During a replay the coin lockout rejects
- * coins, because coins would be lost. */
+/* Sends the start lamp, the coin lockout, the coin counter and the tickets to the driver. A replay
+ * sends nothing, because its coins were counted when they were inserted. During a replay the
+ * driver's coin lockout therefore stays on. The coin slot then returns each coin, which would
+ * otherwise be lost. */
 static void present_switches(struct kiosk *kiosk, const struct hal *hal)
 {
     if (!kiosk->config.source.next) {
@@ -68,9 +69,9 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
 }
 
 /* Returns 1 if the kiosk must restart to use a store that appeared after program start. Otherwise
- * returns 0. The kiosk restarts only if no game, replay or recording runs and the store has all
- * money that was only in memory. A remaining credit does not delay the restart, because a credit
- * that is not stored cannot be played. */
+ * returns 0. The kiosk restarts only while no game, replay or recording runs, and only after the
+ * store has all money that was only in memory. A remaining credit does not delay the restart,
+ * because a credit cannot be played before it is stored. */
 static int is_called_back(struct kiosk *kiosk, const struct hal *hal)
 {
     return kiosk->core.game.phase == PHASE_ATTRACT && !kiosk->config.source.next &&
@@ -104,8 +105,9 @@ static void present_forces(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-/* Stores data that must survive a power cut. A replay stores no entries, because they were stored
- * when the game was played. The recording of a score is stored after the score is on disk. */
+/* Stores data that must survive a power cut. A replay stores no entries, because its entries
+ * were stored during the recorded game. The recording of a score is stored after the score is on
+ * disk. */
 static void present_savings(struct kiosk *kiosk, const struct hal *hal)
 {
     const struct hal_storage *storage = &hal->storage;

@@ -1,4 +1,5 @@
-/* present.h -- the last part of a frame, which writes to all devices. */
+/* present.h -- runs the last part of a frame, which sends the results of the ticks to the
+ * devices. */
 #ifndef KINGYO_PLATFORM_KIOSK_PRESENT_H
 #define KINGYO_PLATFORM_KIOSK_PRESENT_H
 
@@ -8,8 +9,8 @@
  * of them has changed. */
 void present_view(struct kiosk *kiosk, const struct hal *hal);
 
-/* Presents the picture. If the frame had ticks, also sends sounds, outputs, commands, forces and
- * data to store. Counts faults. Sets kiosk->end if the kiosk must restart. */
+/* Presents the picture. If the frame had ticks, also plays sounds, sets outputs, executes commands,
+ * sends forces and stores data. Counts faults. Sets kiosk->end if the kiosk must restart. */
 void present_frame(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count);
 
 #endif

@@ -44,8 +44,8 @@ int recorder_end(struct recorder *recorder);
 
 /* Ends the recording in a panic. Call on the thread that runs the ticks, or while that thread is
  * stopped. An interrupted tick is written with its input and REPLAY_HASH_NONE, because its state is
- * incomplete. Returns as recorder_end() does. Returns -EINTR if the panic interrupted a write; the
- * file then ends with its last complete second. */
+ * incomplete. If the panic interrupted a write, returns -EINTR, and the file ends with its last
+ * complete second. Otherwise returns 0 or a negative errno as recorder_end() does. */
 int recorder_end_in_panic(struct recorder *recorder);
 
 #endif

@@ -1,16 +1,18 @@
 /* replay_verifier.h -- replays a score and verifies that the score is genuine.
  *
- * A score is genuine if every digest and the state hash of every second equal the recorded ones. In
- * addition, the round's ledger entry of the simulation must equal the ranking's rows and the stored
- * ledger entry. The entry contains the boot, the ticks, the tank's seed, the mode, the paper grade,
- * the players, and each player's catch, papers and fouls. The verification proves that the inputs
- * give exactly this score in this program, in a tank with this seed, for this number of ticks.
+ * The verifier simulates the recorded inputs. A score is genuine if every digest and the state hash
+ * of every second equal the recorded values. In addition, the ledger entry that the simulation
+ * creates for the round must agree with the ranking's rows and with the stored ledger entry. The
+ * compared data are the boot number, the ticks, the tank's seed, the mode, the paper grade, the
+ * players, and each player's catch, papers and fouls. The verification proves that the inputs give
+ * exactly this score in this program, in a tank with this seed, for this number of ticks.
  *
  * The verification does not prove who played. An older ledger entry does not contain the number of
  * fish in the tank; `kingyoctl scores verify` prints the number in the replay. An attacker who can
  * write to the disk can change ledger, ranking and replay together, because no secret key is used.
- * A round that the ledger no longer contains is compared with the ranking only. An entry with a
- * wrong checksum disproves the score. The caller owns the verifier (1.3 MB: static storage). */
+ * If the ledger no longer contains the round, only the ranking is compared. If the stored entry has
+ * a wrong checksum, the score is not genuine. The caller owns the verifier (1.3 MB: static
+ * storage). */
 #ifndef KINGYO_PLATFORM_KIOSK_REPLAY_VERIFIER_H
 #define KINGYO_PLATFORM_KIOSK_REPLAY_VERIFIER_H
 
@@ -36,8 +38,8 @@ struct replay_verifier {
     struct input input;
     struct output output;
     struct replay_totals said; /* Totals that are stored in the replay. */
-    uint32_t round_tick;       /* Number of recorded ticks when the last round was first counted.
-                                  The round starts in the same second. */
+    uint32_t round_tick;       /* Number of the first tick, counted from 1, in the recorded second
+                                  in which the last round starts. */
     struct ledger_entry round; /* Newest round entry of the simulated game. The id is 0 before the
                                   first round. */
     uint32_t seen_id;
@@ -65,8 +67,8 @@ int replay_verifier_begin(struct replay_verifier *verifier, const uint8_t *bytes
  * the core rejected the tick. */
 int replay_verifier_tick(struct replay_verifier *verifier);
 
-/* Returns 1 if the simulation has reached the second in which the last round starts. The score
- * belongs to the last round. Otherwise returns 0. */
+/* Returns 1 if the simulation has reached the second in which the last round starts, otherwise 0.
+ * The verified score is the score of the last round. */
 int replay_verifier_is_at_round(const struct replay_verifier *verifier);
 
 /* Returns the result of the verification. Call after replay_verifier_tick() has returned 0. At

@@ -36,8 +36,8 @@ int resample_push(struct resampler *resampler, const struct poi_sample *sample)
     return input_pose_is_finite(&next.target);
 }
 
-/* Returns the pose at the share `t` of the way between two reports. Before a jump or an invalid
- * report, returns the earlier pose until t = 1. */
+/* Returns the pose between two reports. `t` is 0 at the first report and 1 at the second report.
+ * Before a jump or an invalid second report, returns the pose of the first report until t = 1. */
 static struct poi_target target_on_way(const struct poi_sample *from, const struct poi_sample *to,
                                        float t)
 {
@@ -70,8 +70,9 @@ struct poi_target resample_at(const struct resampler *resampler, uint32_t index,
         next++;
     }
     const uint64_t from_ns = path[next - 1].time_ns;
-    const uint64_t gap_ns = path[next].time_ns - from_ns; /* gap_ns is 0 only if the whole path is a
-                                                             few nanoseconds long. */
+    const uint64_t gap_ns = path[next].time_ns - from_ns; /* The gap is 0 only if the reports of the
+                                                             whole path lie within a few
+                                                             nanoseconds. */
     const float t = gap_ns > 0 ? (float)(time_ns - from_ns) / (float)gap_ns : 1.0f;
     return target_on_way(&path[next - 1], &path[next], t);
 }

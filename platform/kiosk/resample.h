@@ -1,11 +1,11 @@
 /* resample.h -- computes exactly one pose per tick from time-stamped reports. Pure functions.
  *
- * If a tick repeated a pose, the poi would seem to stop and start, with the speeds 2v, 0, 2v. The
- * drag force grows with the square of the speed and would be four times too large. Therefore the
- * reports of a frame are distributed over the frame's ticks. The last tick gets the newest report,
- * so that no latency is added. The earlier ticks get points on the path from the end of the
- * previous frame, linear between reports. Invalid numbers and jumps are not interpolated but appear
- * in the tick to which they belong. */
+ * If a tick repeated a pose, a poi that moves with the constant speed v would seem to move with the
+ * speeds 2v, 0 and 2v. The drag force grows with the square of the speed and would be four times
+ * too large. Therefore the reports of a frame are distributed over the frame's ticks. The last tick
+ * gets the newest report, so that no latency is added. The earlier ticks get points on the path
+ * from the end of the previous frame, linear between reports. A jump or a report with invalid
+ * numbers is not interpolated but appears unchanged in the tick to which it belongs. */
 #ifndef KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 #define KINGYO_PLATFORM_KIOSK_RESAMPLE_H
 
@@ -13,8 +13,8 @@
 
 #include "platform/hal.h"
 
-/* Capacity: the reports of one frame and of a few frames without ticks, and the last used
- * report. */
+/* Maximum number of reports in the path: the last used report, the reports of one frame, and the
+ * reports of a few frames without ticks. */
 #define RESAMPLE_MAX (2u * HAL_POI_SAMPLES_MAX)
 
 struct resampler {

@@ -57,8 +57,8 @@ static void tell_seats(const struct kiosk *kiosk)
     }
 }
 
-/* Prints the duration of a frame, from the first device poll to the end of the buffer swap, and the
- * core's share of it. */
+/* Prints the duration of a frame, from the first device poll to the end of the buffer swap. Also
+ * prints the core's share of this duration. */
 static void tell_work(const struct kiosk *kiosk)
 {
     const struct timing *work = &kiosk->work_time;
@@ -113,8 +113,8 @@ static enum exit_code code_of_end(enum kiosk_end end)
                                        : EXIT_OK;
 }
 
-/* Returns the exit code of the store, else of the recording, else of the display. The first code
- * that is not EXIT_OK is returned. */
+/* Returns the first exit code that is not EXIT_OK, in the order store, recording, display. Returns
+ * EXIT_OK if there is no other exit code. */
 static enum exit_code end_play(struct run_common *session, enum kiosk_end end)
 {
     const enum exit_code told = tell_end(session, end);
@@ -123,8 +123,8 @@ static enum exit_code end_play(struct run_common *session, enum kiosk_end end)
     return told != EXIT_OK ? told : code != EXIT_OK ? code : ended;
 }
 
-/* Ends the program inside the display call. Xlib and the software renderer's threads are not usable
- * after the loss of their connection, so that no call may return into them. */
+/* Ends the program inside the display call. After the connection is lost, Xlib and the software
+ * renderer's threads are not usable. Therefore the function must not return to them. */
 static void on_display_lost(void *self)
 {
     struct run_common *session = self;

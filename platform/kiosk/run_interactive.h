@@ -4,11 +4,13 @@
 
 #include "platform/kiosk/run_common.h"
 
-/* Returns 1 if the kiosk may start without a screen and wait for one, otherwise 0. The kiosk waits
- * if a service manager ($NOTIFY_SOCKET) started it, because then no user reads error messages. */
+/* Returns 1 if a service manager started the kiosk ($NOTIFY_SOCKET is set), otherwise 0. In a
+ * service, the kiosk starts without a screen and waits for one, because no user would read an error
+ * message. */
 int run_interactive_waits_for_screen(void);
 
-/* Opens the board. Returns 1 if session->hal has a display or waits for one, otherwise 0. */
+/* Opens the board's devices. Returns 1 if the display is open, or if the kiosk waits until a screen
+ * is connected. Otherwise returns 0. */
 int run_interactive_open(struct run_common *session);
 
 /* Runs frames until the end. Returns an exit code. Reports all errors before it returns. */

@@ -3,8 +3,8 @@
 
 #include "core/game/menu/menu_pages.h"
 
-/* Time for the second press of the quit key, equal to MENU_ASK_TICKS, the time for the second press
- * of TEST in a round. */
+/* Maximum time between two presses of the quit key. The time is equal to MENU_ASK_TICKS, the
+ * maximum time between two presses of TEST in a round. */
 #define QUIT_ASK_NS 5000000000ull
 
 static void read_wall(struct kiosk *kiosk, const struct hal *hal)
@@ -47,8 +47,8 @@ void sample_open(struct kiosk *kiosk, const struct hal *hal)
 }
 
 /* Handles the quit key. A desktop requires a second press within QUIT_ASK_NS, because Esc is easily
- * pressed by accident. Any other button cancels. A replay ends immediately. In the operator's menu
- * the key goes back one page. */
+ * pressed by accident. Any other button cancels the first press. A replay ends at the first press.
+ * In the operator's menu the key goes back one page. */
 static void heed_quit(struct kiosk *kiosk, const struct button_sample *buttons)
 {
     const int is_menu = kiosk->core.game.phase == PHASE_MENU;

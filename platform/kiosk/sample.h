@@ -1,4 +1,4 @@
-/* sample.h -- the first part of a frame, which reads all devices. */
+/* sample.h -- runs the first part of a frame, which reads all devices. */
 #ifndef KINGYO_PLATFORM_KIOSK_SAMPLE_H
 #define KINGYO_PLATFORM_KIOSK_SAMPLE_H
 

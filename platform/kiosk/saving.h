@@ -1,6 +1,6 @@
 /* saving.h -- passes ledger entries and edits to a store that may be busy, fail or be absent.
  *
- * Data count as accepted only after the store has accepted them. */
+ * An entry or edit is offered again until the store accepts it. */
 #ifndef KINGYO_PLATFORM_KIOSK_SAVING_H
 #define KINGYO_PLATFORM_KIOSK_SAVING_H
 

@@ -16,7 +16,8 @@
 #define SCORE_PLAYBACK_END_TICKS (10u * CORE_TICK_HZ)
 /* Maximum time per frame for seeking. A desktop computer runs at least 40 ticks in this time. */
 #define SCORE_PLAYBACK_SEEK_NS 10000000ull
-/* Maximum number of seconds or ticks processed per frame. Ends the loop if the clock stops. */
+/* Maximum number of parsed seconds or simulated ticks per frame. The limit ends the seek loop if
+ * the clock stops. */
 #define SCORE_PLAYBACK_SEEK_TICKS 240u
 
 struct score_playback {
@@ -44,8 +45,8 @@ int score_playback_handle_input(struct score_playback *playback, uint32_t presse
                                 const struct poi_input poi[POI_MAX]);
 
 /* score_playback_frame() advances the playback by `tick_count` ticks; call it once per frame.
- * score_playback_show() replaces the sounds of `output`. From the start of the round on, it also
- * replaces `scene`. */
+ * score_playback_show() replaces the sounds of `output`. After the playback has reached the start
+ * of the round, score_playback_show() also replaces `scene`. */
 void score_playback_frame(struct score_playback *playback, const struct hal *hal,
                           const struct hal_clock *stopwatch, const struct ranking *ranking,
                           uint32_t tick_count);

@@ -81,9 +81,10 @@ int session_recorder_offer(struct session_recorder *chapters, const struct hal_s
 
 /* ---- PIN in a recording -------------------------------------------------------------------- */
 
-/* Withholds the PIN (core/pin.h) in the initial configuration of a recording. The game remains the
- * same: a setting and its last logged value stay equal or different, because the core writes a
- * ledger entry if they differ. `told` is the logged value of a running core, or null. */
+/* Withholds the PIN (core/pin.h) in the initial configuration of a recording. `told` is the last
+ * logged PIN of a running core, or null. If the PIN and its logged value were equal before the
+ * call, they are equal afterwards; otherwise they differ afterwards. The simulated game therefore
+ * stays the same, because the core writes a ledger entry only if the two values differ. */
 void session_recorder_withhold_pin(struct core_config *config, int32_t *told);
 
 /* Returns 1 if the initial configuration of a recording contains a PIN, otherwise 0. */

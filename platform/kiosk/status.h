@@ -17,16 +17,17 @@
 
 #define STATUS_FILE "status.json"
 #define STATUS_PERIOD_NS 1000000000ull
-/* Size of the file's text in bytes, enough for the numbers and every device text with each
- * character escaped (6 bytes). */
+/* Size of the file's text in bytes. The size is enough for all numbers and for all device texts,
+ * even if each character is escaped (6 bytes). */
 #define STATUS_TEXT_MAX 24576u
 /* Maximum number of devices in a report. */
 #define STATUS_DEVICES_MAX (10u + POI_MAX + SHADE_MAX)
 
 /* One status report. A structure of zeros is the report of a kiosk that has just started. */
 struct status_report {
-    uint64_t written_ms; /* Time since power-on in milliseconds, including sleep. A monitoring tool
-                            detects an outdated file by this time. */
+    uint64_t written_ms; /* Time at which the report was made, in milliseconds since power-on,
+                            including sleep. A monitoring tool detects an outdated file by this
+                            field. */
     uint32_t pid;
     uint32_t up_s;
     uint32_t boot; /* Number of program starts that the store counted. 0 means no store. */
@@ -42,8 +43,8 @@ struct status_report {
     uint32_t ticks;
     uint64_t frame_median_ns, frame_p99_ns;
     struct kiosk_faults faults;
-    uint32_t float_resets; /* Frames before which the floating-point control register was restored;
-                              see struct kiosk. */
+    uint32_t float_resets; /* Number of frames before which the floating-point control register was
+                              restored; see struct kiosk. */
     uint32_t buttons_missing;
     uint16_t day, minute;   /* Date and time in the units of struct input. A day of 0 means that the
                                clock was never set. */

@@ -15,7 +15,8 @@ static uint64_t clock_now_ns(void *self)
 }
 
 /* Returns the days from 2000-01-01 to `date`. The calculation starts the year in March, so that the
- * leap day is the last day of a year. The days before month m are then (153 m + 2) / 5. */
+ * leap day is the last day of a year. The number of days before month m is then (153 * m + 2) / 5,
+ * where m is 0 for March. */
 static int32_t days_since_2000(const struct tm *date)
 {
     const int32_t is_early = date->tm_mon < 2;

@@ -1,4 +1,4 @@
-/* json_char.h -- escapes text for JSON that comes from outside the program.
+/* json_char.h -- escapes text from outside the program for JSON.
  *
  * The name of a file or a device may contain any byte. Quotes, backslashes and all characters that
  * core/base/printable.h rejects are escaped. U+FFFD replaces each byte that is not valid UTF-8. */

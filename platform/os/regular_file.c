@@ -79,8 +79,8 @@ FILE *regular_file_open(const char *path, uint32_t size_max)
     return bounded_open(handle, size_max);
 }
 
-/* Reads the file type from the descriptor, so that the file cannot be exchanged between the check
- * and the use. */
+/* Reads the file type from the open descriptor, so that no other file can take its place between
+ * the check and the use. */
 int regular_file_handle(const char *path, int flags, mode_t mode)
 {
     const int added = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;

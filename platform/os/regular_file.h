@@ -10,11 +10,11 @@
 /* Read limit in bytes for kernel files in /proc and /sys, which have a size of a few pages. */
 #define REGULAR_FILE_KERNEL_SIZE_MAX (1u << 20)
 
-/* Opens a file for reading whose path comes from the user. Symbolic links are followed. The caller
- * closes the returned stream, which does not support seeking. On an error returns null and sets
- * errno: EISDIR for a folder, ENOTSUP for a FIFO, a device or a socket, EFBIG for more than
- * `size_max` bytes. Some files in /proc return more bytes than their size. If such a file exceeds
- * `size_max`, a read fails with EFBIG. */
+/* Opens a file for reading. The path comes from the user, therefore symbolic links are followed.
+ * The caller closes the returned stream, which does not support seeking. On an error returns null
+ * and sets errno: EISDIR for a folder, ENOTSUP for a FIFO, a device or a socket, EFBIG for more
+ * than `size_max` bytes. Some files in /proc return more bytes than their reported size. If one of
+ * these files exceeds `size_max`, a read fails with EFBIG. */
 FILE *regular_file_open(const char *path, uint32_t size_max);
 
 /* Opens a file in the data folder with the `flags` and `mode` of open(2). The function adds

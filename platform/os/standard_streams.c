@@ -12,8 +12,9 @@ int standard_streams_open(void)
         if (fcntl(fd, F_GETFD) >= 0) {
             continue;
         }
-        /* /dev/null is opened in the wrong direction, so that each read or write fails. open()
-         * returns the lowest free descriptor, which is `fd`. */
+        /* /dev/null is opened for writing as standard input, and for reading as standard output or
+         * standard error. Each use therefore fails. open() returns the lowest free descriptor,
+         * which is `fd`. */
         if (open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) != fd) {
             return errno != 0 ? -errno : -EIO;
         }

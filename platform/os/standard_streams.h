@@ -5,9 +5,9 @@
 
 #include <stdio.h>
 
-/* Opens each of the descriptors 0, 1 and 2 that the parent process left closed, so that no data
- * file gets one of these numbers. Reads and writes on a descriptor opened here fail with EBADF.
- * Must be called before any other file is opened. Returns 0 or a negative errno. */
+/* Opens those of the descriptors 0, 1 and 2 that the parent process left closed. No data file can
+ * then get one of these numbers. Reads and writes on a descriptor opened here fail with EBADF. Must
+ * be called before any other file is opened. Returns 0 or a negative errno. */
 int standard_streams_open(void);
 
 /* Flushes standard output. Returns 0, or the negative errno of the first failed write since program

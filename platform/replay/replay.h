@@ -86,8 +86,8 @@ struct replay_header {
                                           Zero-terminated. */
 };
 
-/* Hash of a tick that a panic interrupted, because there is no complete state. Only a reader with
- * `as_is` interprets 0 in this way. */
+/* Value in place of the hash of a tick that a panic interrupted, because there is no complete
+ * state. Only a reader with `as_is` interprets 0 in this way. */
 #define REPLAY_HASH_NONE 0u
 
 /* Totals from the start of the recording to the end of a chunk or of the recording. */
@@ -127,8 +127,8 @@ struct replay_writer {
     uint64_t offset; /* Offset of the end mark from the start of the recording, in bytes. */
     uint64_t sum;    /* Checksum at the end of the last complete chunk. */
     struct input last;
-    struct replay_totals totals, saved; /* `totals` covers all recorded ticks; `saved` covers the
-                                           ticks of the written chunks. */
+    struct replay_totals totals, saved; /* `totals` has the totals of all recorded ticks. `saved`
+                                           has the totals of the ticks in the written chunks. */
     uint32_t digest_ticks;
     uint32_t chunk_ticks;
     size_t payload_size;
@@ -183,7 +183,7 @@ size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *o
 /* Progress of recomputing the checksums of a recording in memory. */
 struct replay_seal {
     uint8_t *part; /* Next chunk of the recording, or its end mark. */
-    uint64_t sum;  /* Checksum at the end of the part before `part`. */
+    uint64_t sum;  /* Checksum of the part that precedes `part`. */
 };
 
 /* Replaces the initial state of a complete recording made by replay_copy(). Afterwards the

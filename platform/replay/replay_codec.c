@@ -18,8 +18,8 @@
 
 enum {
     HAS_HELD = 1u << 0,
-    HAS_PRESSED = 1u << 1, /* Presses and coins are stored as values, not as differences. A cleared
-                              bit means none. */
+    HAS_PRESSED = 1u << 1, /* Presses and coins are stored as values, not as differences. If the bit
+                              is 0, the tick has no presses (HAS_PRESSED) or no coins. */
     HAS_COINS = 1u << 2,
     HAS_MACHINE = 1u << 3,
     HAS_HANDS = 1u << 4,

@@ -100,8 +100,8 @@ static void walk_memory(struct replay_serializer *walk, struct persistent_state 
     walk_ranking(walk, &memory->ranking);
 }
 
-/* Clears the fields that did not exist in the balances of format 7, where their bytes were
- * padding. */
+/* Clears the fields that did not exist in the balances of format 7. The bytes of these fields were
+ * padding in format 7. */
 static void clear_later_fields(struct ledger *ledger)
 {
     struct balance *const purses[] = { &ledger->balance, &ledger->committed };

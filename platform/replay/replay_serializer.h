@@ -1,5 +1,5 @@
-/* replay_serializer.h -- a serializer that reads or writes fields, so that one function defines the
- * order of fields for both directions.
+/* replay_serializer.h -- reads or writes fields in sequence, so that one function defines the order
+ * of fields for both directions.
  *
  * Each call writes the field if `out` is not null, and otherwise reads it. Numbers are
  * little-endian, and floats are stored as their bits. Pure functions. */

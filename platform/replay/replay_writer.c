@@ -184,8 +184,9 @@ static void restore(struct replay_writer *writer)
     (void)error; /* A second error is ignored because the recording has already failed. */
 }
 
-/* Completes the current chunk and appends an end mark. `chunk` already contains the payload after
- * its head. Returns the size of the chunk without the end mark, and sets `*sum` to its checksum. */
+/* Completes the current chunk and appends an end mark. The caller has already written the payload
+ * after the head of `chunk`. Returns the size of the chunk without the end mark, and sets `*sum` to
+ * its checksum. */
 static size_t close_chunk(uint8_t *chunk, size_t payload_size, uint32_t ticks,
                           const struct replay_totals *totals, uint64_t *sum)
 {

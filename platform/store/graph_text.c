@@ -68,7 +68,7 @@ struct reading {
     uint32_t knot_line[GRAPH_KNOT_MAX], scale_line[GRAPH_KNOT_MAX];
     char *why;
     int is_unreadable; /* 1 if the file has ended or a line is malformed. `why` then has the reason,
-                          and all later checks are skipped. */
+                          and the parser skips all later checks. */
 };
 
 __attribute__((format(printf, 2, 3))) static int graph_text_error(struct reading *reading,

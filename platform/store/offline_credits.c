@@ -66,8 +66,9 @@ static void put_behind(struct offline_credits *late, const struct ledger_start *
     }
 }
 
-/* Returns true if the entries are already in the file, because a failed commit may have succeeded.
- * The content that was read when the file was opened is on disk. */
+/* Returns true if the file already contains the entries of the transfer, because a commit that
+ * reported an error may have succeeded. The content that was read when the file was opened is on
+ * disk. */
 static bool has_them(struct storage *storage)
 {
     const struct ledger_entry *first = &storage->late.entries[0];

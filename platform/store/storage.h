@@ -1,19 +1,20 @@
-/* storage.h -- the store: an SQLite database with the ledger (platform/store/sqlite/ledger_file.h),
- * which a separate thread writes. The ledger is the append-only list of money events and rounds.
+/* storage.h -- the store: an SQLite database with the ledger (platform/store/sqlite/ledger_file.h).
+ * The ledger is the append-only list of money events and rounds. A separate thread writes the
+ * database.
  *
- * The frame loop never blocks on the card. append() copies an entry into a queue of
- * STORAGE_QUEUE_MAX entries and returns. The thread writes and syncs all queued entries in one
- * transaction. Afterwards saved_id() returns the id of the newest entry. After a failed sync, an
- * entry counts as saved only when its bytes were written again and synced
- * (platform/store/sqlite/ledger_log.c), in the database and in the ledger mirror. The ledger mirror
+ * The frame loop never blocks on the card, which contains the database's folder. append() copies an
+ * entry into a queue of STORAGE_QUEUE_MAX entries and returns. The store's thread writes and syncs
+ * all queued entries in one transaction. Afterwards saved_id() returns the id of the newest entry.
+ * After a failed sync, an entry counts as saved only when its bytes were written again and synced,
+ * in the database (platform/store/sqlite/ledger_log.c) and in the ledger mirror. The ledger mirror
  * is a second copy of the newest entries.
  *
  * A card that is slow, full, busy, read-only or absent is retried once per second while the queue
  * fills. A file that must be read completely to detect a change is retried less often
  * (storage_card.c). When the queue is full, append() returns HAL_ERR_BUSY and the entries wait in
- * the output of the core. If the card is full at program start, the store reads it, and writes it
- * as soon as it has free space. Each failed write is counted. close() tries once more and returns
- * the number of lost entries.
+ * the core's output. If the card is full at program start, the store only reads the database until
+ * the card has free space. Each failed write is counted. close() tries once more and returns the
+ * number of lost entries.
  *
  * The database is copied to a backup file in the same folder: at program start, every hour, and
  * after STORAGE_BACKUP_ENTRIES entries. The backup is validated before it replaces the previous
@@ -22,13 +23,13 @@
  *
  * A damaged database is renamed (quarantined). It is never repaired in place and never deleted. The
  * replacement consists of the backup and of all later entries that can be read from the damaged
- * database or the mirror. A missing database is replaced in the same way, and an empty marker file
- * records the loss. If the card has no space for the replacement, all files stay unchanged and are
- * only read.
+ * database or the ledger mirror. A missing database is replaced in the same way, and an empty
+ * marker file records the loss. If the card has no space for the replacement, all files stay
+ * unchanged and are only read.
  *
- * If the open database or its folder is removed, renamed, replaced or mounted over, the store
- * detects this within one second (storage_moved.c). No entry counts as saved until the file is
- * back.
+ * The open database or its folder may be removed, renamed, replaced or mounted over. The store
+ * detects each of these events within one second (storage_moved.c). Afterwards no entry counts as
+ * saved until the file is back.
  *
  * Edits of the growth lab become text files in the same folder. Edits are stored even if the
  * database cannot be opened. */
@@ -49,27 +50,32 @@
 #define STORAGE_FILE "kingyo.db"
 #define STORAGE_BACKUP_SUFFIX ".backup"
 #define STORAGE_MIRROR_SUFFIX ".tail"
-/* Suffix of the complete replacement of a damaged database, until it is renamed to STORAGE_FILE. */
+/* Suffix of the complete replacement of a damaged database, before the replacement is renamed to
+ * STORAGE_FILE. */
 #define STORAGE_NEW_SUFFIX ".new"
-/* Suffix of the backup of a database that the operator replaced by a copy. */
+/* Suffix of an old backup that is kept when the operator restores a copy of the database. The old
+ * backup belongs to the replaced database. */
 #define STORAGE_BEFORE_SUFFIX ".before-restore"
-/* Suffix of a database that the operator replaced by a copy. A number follows. */
+/* Suffix of an old database that is kept when the operator restores a copy. A number follows. */
 #define STORAGE_REPLACED_SUFFIX ".before-"
-/* Suffix of a quarantined damaged database. A number follows. */
+/* Suffix of a damaged database that is kept but no longer used (quarantined). A number follows. */
 #define STORAGE_QUARANTINE_SUFFIX ".damaged-"
-/* Suffix of the empty marker for a missing database. A number follows. */
+/* Suffix of the empty marker file that records that the database was missing. A number follows. */
 #define STORAGE_MISSING_SUFFIX ".missing-"
-/* Suffix of a backup or mirror that belongs to a foreign ledger. A number follows. */
+/* Suffix of a quarantined backup or ledger mirror that belongs to a foreign ledger. A number
+ * follows. */
 #define STORAGE_OTHER_SUFFIX ".other-"
-/* Suffix of a copy that ledger_leave_out() makes. A number follows. */
+/* Suffix of the copy of the database that ledger_leave_out() makes before it deletes data. A number
+ * follows. */
 #define STORAGE_LEFT_SUFFIX ".left-out-"
-/* Suffix of the marker that the operator has acknowledged a quarantined file. The marker has the
- * file's full name before the suffix. */
+/* Suffix of the empty marker file that records that the operator has acknowledged a quarantined
+ * file. The suffix follows the full name of the quarantined file. */
 #define STORAGE_SEEN_SUFFIX ".seen"
-/* Time after which a write that still blocks makes the store unhealthy. The longest internal pause
- * of good cards is one second. */
+/* Time in milliseconds after which a blocked write makes the store unhealthy. The longest internal
+ * pause of good cards is one second. */
 #define STORAGE_STUCK_MS 3000
-/* Shortest and longest interval between two complete reads of an unusable file. The interval
+/* STORAGE_RETRY_MS is the shortest and STORAGE_RETRY_MS_MAX the longest interval in milliseconds
+ * between two attempts to open an unusable file, which is read completely each time. The interval
  * doubles after each attempt. */
 #define STORAGE_RETRY_MS 1000
 #define STORAGE_RETRY_MS_MAX 60000
@@ -77,17 +83,19 @@
  * is ignored because other programs also write to the card. */
 #define STORAGE_ROOM_MORE (256u * 1024u)
 #define STORAGE_BACKUP_S 3600 /* Maximum interval between two backups in seconds. */
-/* Number of new entries after which a backup is made before the interval ends. */
+/* Number of new entries after which a backup is made, even if less than STORAGE_BACKUP_S has
+ * passed. */
 #define STORAGE_BACKUP_ENTRIES (LEDGER_MIRROR_SLOTS / 2u)
 /* Size in bytes of the database's path. */
 #define STORAGE_PATH_SIZE 512u
-/* Capacity of the queue: twice the number of entries that the core can hold unwritten. While the
- * card responds, the queue is therefore never full. */
+/* Capacity of the queue of ledger entries: twice the number of unwritten entries that the core can
+ * hold. While the card responds, the queue is therefore never full. */
 #define STORAGE_QUEUE_MAX (2u * LEDGER_RING)
-/* Capacity of the queue of edits. The operator's menu permits far less than four edits per
- * second. */
+/* Capacity of the queue of growth-lab edits. The operator's menu permits far less than four edits
+ * per second. */
 #define STORAGE_EDITS_MAX 4u
-/* Time after which the store abandons a replay that the card rejects. */
+/* Time in milliseconds after which the store stops trying to write a replay that the card
+ * rejects. */
 #define STORAGE_REPLAY_MS 10000
 /* Maximum memory of SQLite in bytes. The highest measured use was 4.2 MiB, with 100,000 entries, a
  * backup, and a replay of maximum length (SESSION_RECORDER_SIZE) for each ranked round. */
@@ -95,8 +103,9 @@
 
 #define STORAGE_RANKS (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
 
-/* Request to write or read a replay. The frame loop sets all other fields first and then `state` to
- * WAITS. The thread sets `state` to IDLE when the request is complete. */
+/* States of a request to write or read a replay. The frame loop first sets all other fields of the
+ * request, and then sets `state` to STORAGE_REPLAY_WAITS. The store's thread sets `state` to
+ * STORAGE_REPLAY_IDLE when the request is complete. */
 enum storage_replay_state { STORAGE_REPLAY_IDLE = 0, STORAGE_REPLAY_WAITS };
 struct storage_replay {
     uint32_t round_id;
@@ -116,13 +125,14 @@ struct storage_replay {
  * (-shm). */
 #define STORAGE_PLACES 3u
 
-/* Identity of a file when it was first seen. Zeros mean that the file did not exist yet. */
+/* Identity of a monitored file when the store first saw the file. Zeros mean that the file did not
+ * exist yet. */
 struct storage_place {
     uint64_t device, inode;
 };
 
-/* State of a transfer of offline credits: credits of a kiosk that started without a store, for a
- * database that appears later. */
+/* States of a transfer of offline credits. Offline credits are coins and credits that the kiosk
+ * received before a database was available. */
 enum offline_credits_state {
     OFFLINE_CREDITS_NONE = 0,
     OFFLINE_CREDITS_NEW,
@@ -131,17 +141,19 @@ enum offline_credits_state {
 struct offline_credits {
     struct ledger_entry entries[OFFLINE_CREDITS_MAX];
     uint32_t count;
-    uint32_t boot; /* Boot number of the entries in the database. 0 means not yet assigned. */
+    uint32_t boot; /* Boot number that the transferred entries get in the database. 0 means not yet
+                      assigned. */
     struct balance_change step; /* Change that the transfer makes to the database's balance. */
-    atomic_int state;           /* State of the transfer (enum offline_credits_state). The thread
-                                   handles NEW immediately. */
+    atomic_int state;           /* State of the transfer (enum offline_credits_state). The store's
+                                   thread handles OFFLINE_CREDITS_NEW immediately. */
 };
 
-/* Background work on the open database, without a deadline. The thread calls `step` repeatedly for
- * at most STORAGE_CHORE_MS, while no entry waits and the last write succeeded. One call takes at
- * most a few milliseconds. `step` returns SQLITE_OK, SQLITE_DONE when no work is left, or the code
- * of a failed write. After a failed write the next call continues with another part. A null `step`
- * means no work. */
+/* Background work on the open database that has no deadline. The store's thread calls `step`
+ * repeatedly, for at most STORAGE_CHORE_MS milliseconds in one period. The thread calls `step` only
+ * while no entry waits and the last write succeeded. One call takes at most a few milliseconds.
+ * `step` returns SQLITE_OK if work is left, SQLITE_DONE if no work is left, or the code of a failed
+ * write. After a failed write, the next call of `step` must continue with another part of the work.
+ * A null `step` means no work. */
 struct storage_chore {
     int (*step)(void *self, struct ledger_file *file);
     void *self;
@@ -151,7 +163,7 @@ struct storage_chore {
 #define STORAGE_CHORE_WAIT_MS 40
 
 /* State of the store. The caller owns the structure, sets `dir`, `how`, `by_hand` and `chore`, and
- * clears the other fields. The address must not change while the store is open. */
+ * clears the other fields. The address of the structure must not change while the store is open. */
 struct storage {
     const char *dir; /* Folder of the database. Must outlive the store. Null means that nothing is
                         stored. */
@@ -160,8 +172,8 @@ struct storage {
     uint8_t by_hand; /* 1 if no thread is started and the caller calls storage_work() instead. */
     struct storage_chore chore;
 
-    struct ledger_file file;     /* Open database. While the thread runs, only the thread uses
-                                    it. */
+    struct ledger_file file;     /* Open database. While the store's thread runs, only this thread
+                                    uses the database. */
     struct ledger_content start; /* Content of the database when open() read it. */
     char path[STORAGE_PATH_SIZE];
     char text[HAL_TEXT_SIZE];
@@ -176,23 +188,25 @@ struct storage {
                              only then. */
     bool has_to_rebuild;  /* True if the database is damaged or missing and has not been replaced
                              yet. */
-    atomic_uint aside;    /* Number of the quarantined database. 0 means no quarantined database. */
-    atomic_uint strange;  /* Index + 1 in storage_suffixes of an object that was renamed because it
-                             was not a regular file. 0 means no such object. */
+    atomic_uint aside;    /* Number at the end of the quarantined database's file name. 0 means that
+                             no database was quarantined. */
+    atomic_uint strange;  /* Position in storage_suffixes, counted from 1, of the suffix of a
+                             renamed object. An object is renamed if it is not a regular file. 0
+                             means that no object was renamed. */
     bool was_missing;     /* True if the replaced database was missing; false if it was damaged. */
     uint32_t from_backup; /* Newest entry id in the backup from which the replacement was made. */
-    struct ledger_recovered salvaged; /* Newer entries that were recovered from the damaged database
-                                         and the mirror. */
-    atomic_int error;      /* SQLite code of the last failed write. 0 means that the last write
-                              succeeded. */
-    atomic_int edit_error; /* errno of the last failed write of an edit. 0 means that the last write
-                              succeeded. */
+    struct ledger_recovered salvaged; /* Entries newer than the backup that were recovered from the
+                                         damaged database and the ledger mirror. */
+    atomic_int error;      /* SQLite code of the last write if it failed. 0 means that the last
+                              write succeeded. */
+    atomic_int edit_error; /* errno of the last write of an edit if it failed. 0 means that the last
+                              write succeeded. */
     atomic_uint refused;   /* Number of failed writes, including retries. */
     atomic_llong busy_since_ms; /* Start time of the current write on the monotonic clock. 0 means
                                    that no write is in progress. */
 
-    /* Queue of entries with one producer (the frame loop) and one consumer (the thread). `pushed`
-     * and `written` only increase. */
+    /* Queue of ledger entries with one producer (the frame loop) and one consumer (the store's
+     * thread). `pushed` and `written` only increase. */
     struct ledger_entry queue[STORAGE_QUEUE_MAX];
     atomic_uint pushed, written;
     /* Queue of edits of the growth lab. Each edit becomes a text file (graph_file.h). */
@@ -203,44 +217,46 @@ struct storage {
 
     int hold;             /* Descriptor of the locked folder plus 1. The lock excludes other kiosk
                              processes. 0 means not locked. */
-    uint32_t accepted_id; /* Newest id that append() has accepted, so that a repeated call does not
-                             store an entry twice. */
+    uint32_t accepted_id; /* Newest entry id that append() has accepted. A second call with the same
+                             entry stores nothing. */
     atomic_uint saved_id;
-    atomic_bool is_unproven; /* True if the log that was read may not be on disk. saved_id() then
-                                returns 0 and the store counts as unhealthy. */
-    uint32_t saved_boot, saved_tick; /* Boot and tick of the entry `saved_id`. Used by the thread
-                                        only. */
-    uint64_t sight;       /* Hash of the file attributes at the last attempt to open. Used by the
-                             thread only. */
-    uint64_t room;        /* Free bytes on the card at the last attempt to open. Used by the thread
-                             only. */
-    int64_t look_due_ms;  /* Time of the next attempt to open on the monotonic clock. 0 means
-                             immediately. Used by the thread only. */
-    int64_t look_wait_ms; /* Current interval between two attempts to open. Used by the thread
-                             only. */
-    struct storage_place places[STORAGE_PLACES]; /* Identities of the open files. Used by the thread
-                                                    only. */
-    bool moved;  /* True if the open database is no longer at its path. Used by the thread only. */
-    bool prunes; /* True if entries, rounds or replays may exceed their limits, so that
-                    ledger_file_prune() must delete some. Used by the thread only. */
+    atomic_bool is_unproven; /* True if the write-ahead log that the store has read may not be on
+                                disk. saved_id() then returns 0 and the store counts as
+                                unhealthy. */
+    uint32_t saved_boot, saved_tick; /* Boot number and tick of the entry `saved_id`. Used by the
+                                        store's thread only. */
+    uint64_t sight;       /* Hash of the database file's attributes at the last attempt to open the
+                             database. Used by the store's thread only. */
+    uint64_t room;        /* Free bytes on the card at the last attempt to open the database. Used
+                             by the store's thread only. */
+    int64_t look_due_ms;  /* Time of the next attempt to open the database, on the monotonic clock.
+                             0 means immediately. Used by the store's thread only. */
+    int64_t look_wait_ms; /* Current interval between two attempts to open the database. Used by the
+                             store's thread only. */
+    struct storage_place places[STORAGE_PLACES]; /* Identities of the database, its log and the
+                                                    log's index. Used by the store's thread only. */
+    bool moved;  /* True if the open database is no longer at its path. Used by the store's thread
+                    only. */
+    bool prunes; /* True if entries, rounds or replays may exceed their limits. ledger_file_prune()
+                    must then delete some of them. Used by the store's thread only. */
     struct ledger_mirror tail;   /* Ledger mirror, the second copy of the newest entries. Used by
-                                    the thread only. */
-    uint32_t tail_from;          /* First entry id that the mirror lacks. 0 means that the mirror is
-                                    complete. Used by the thread only. */
-    atomic_int tail_error;       /* errno of the last mirror write. 0 means that the write
-                                    succeeded. */
-    struct ledger_backup backup; /* Backup in progress. Used by the thread only. */
+                                    the store's thread only. */
+    uint32_t tail_from;          /* First entry id that the ledger mirror lacks. 0 means that the
+                                    mirror is complete. Used by the store's thread only. */
+    atomic_int tail_error;       /* errno of the last write to the ledger mirror. 0 means that the
+                                    write succeeded. */
+    struct ledger_backup backup; /* Backup in progress. Used by the store's thread only. */
     uint32_t backup_id;          /* Newest entry id when the last backup was started. */
     int64_t backup_due_s;        /* Time of the next backup on the monotonic clock. */
 
     struct offline_credits late;
     struct storage_replay put, get;
-    int64_t put_since_ms; /* Time when the card first rejected the current replay. 0 means that no
-                             write was rejected. */
+    int64_t put_since_ms; /* Time when the card first rejected the requested replay. 0 means that
+                             the card has not rejected the replay. */
     atomic_uint put_id;   /* Round id of the newest replay that was written or abandoned. */
     atomic_int got;       /* Value that replay_fetched() returns when the request is complete. */
-    atomic_uint sealed[STORAGE_RANKS]; /* Round ids of the ranking's rows whose replay is on disk. 0
-                                          means no replay. */
+    atomic_uint sealed[STORAGE_RANKS]; /* Round id of each ranking row whose replay is on disk. 0
+                                          means that the row has no replay on disk. */
 };
 
 /* Returns the HAL device that uses `storage`. `storage` must outlive the returned device. open()
@@ -248,7 +264,8 @@ struct storage {
  * another program locks the database. */
 struct hal_storage storage_device(struct storage *storage);
 
-/* Does all pending work of the thread on the calling thread. The caller must have set `by_hand`. */
+/* Does all pending work of the store's thread on the calling thread. The caller must have set
+ * `by_hand`. */
 void storage_work(struct storage *storage);
 
 #endif

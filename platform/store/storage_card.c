@@ -90,7 +90,7 @@ static bool is_worth_a_look(const struct storage *storage)
            sight_of(storage) != storage->sight || has_more_room(storage);
 }
 
-/* Returns true if the result `code` required reading the whole file. */
+/* Returns true if the store has read the whole file to get the result `code`. */
 static bool was_dear(int code)
 {
     return code == LEDGER_FILE_FOREIGN || code == LEDGER_FILE_NEWER || code == LEDGER_FILE_MOVED ||
@@ -116,9 +116,10 @@ static void note_look(struct storage *storage, int code)
 
 /* ---- Identity of the ledger ---------------------------------------------------------------- */
 
-/* Returns true if the file contains a foreign ledger: from another card, or from a card that was
- * absent at program start. A new card or a backup has fewer entries and is accepted. The file may
- * also contain one batch of entries that was not acknowledged. */
+/* Returns true if the open file contains a foreign ledger. A foreign ledger comes from another
+ * card, or from a card that was absent at program start. A new card or a backup has fewer entries
+ * and is accepted. The file may also contain queued entries, because a write that reported an error
+ * may have succeeded. */
 static bool is_anothers(struct storage *storage)
 {
     const unsigned pushed = atomic_load(&storage->pushed);
@@ -198,9 +199,10 @@ static int storage_card_probe(struct storage *storage)
     return code;
 }
 
-/* Returns true if the store may now open the file at the path in place of the file that moved. The
- * first call only reports the loss, so that the status shows even a loss that the next call
- * repairs. During close() the first call may also return true, because there is no next call. */
+/* Returns true if the store may open the file that is now at the database's path, in place of the
+ * open file that moved. The first call only reports the loss. The status therefore shows each loss,
+ * even if the next call repairs the loss. During close() the first call may also return true,
+ * because there is no next call. */
 static bool leave_moved(struct storage *storage)
 {
     const bool is_first = !storage->moved;
@@ -240,7 +242,8 @@ bool storage_has_card(struct storage *storage)
     const int code = storage_card_probe(storage);
     note_look(storage, code);
     if (code != SQLITE_OK || storage_unwritten(storage) == 0) {
-        storage_note_result(storage, code); /* If entries wait, the next write sets the status. */
+        storage_note_result(storage, code); /* If entries wait in the queue, the result of their
+                                               write sets the store's status. */
     }
     return code == SQLITE_OK;
 }

@@ -37,9 +37,9 @@ int storage_end_rebuilding(struct storage *storage);
 /* Renames the backup or the mirror because it belongs to a foreign ledger. Returns 0, or -1 and
  * sets errno. */
 int storage_quarantine_other(struct storage *storage, const char *suffix);
-/* Reads the backup, the mirror and the damaged database if no replacement can be made. `refusal` is
- * the SQLite code of the reason. The content is displayed and never written. Returns true if there
- * is any content. */
+/* Reads the backup, the ledger mirror and the damaged database if no replacement can be made.
+ * `refusal` is the SQLite code of the reason. The read content is displayed and never written.
+ * Returns true if any content was read. */
 bool storage_read_remnants(struct storage *storage, int refusal);
 
 /* storage_card.c: locks the folder and then opens the database as storage_open_file() does. */
@@ -67,8 +67,8 @@ int storage_write_entries(struct storage *storage, const struct ledger_entry *en
                           uint32_t count);
 /* Returns true if the file at the path may be opened in place of the database that moved. */
 bool storage_may_follow(struct storage *storage);
-/* storage_mark_log_removed() logs which file or folder has moved. storage_restore_log() logs that a
- * database is in use again. */
+/* storage_mark_log_removed() logs which file or folder has moved. storage_restore_log() logs that
+ * the store uses a database again. */
 void storage_mark_log_removed(const struct storage *storage);
 void storage_restore_log(const struct storage *storage);
 /* Saves a deleted database and all queued entries as a backup. Does nothing if a database, backup
@@ -100,7 +100,8 @@ int64_t storage_stuck_ms(const struct storage *storage);
 int storage_mirror_write(struct storage *storage, const struct ledger_entry *entries,
                          uint32_t count);
 
-/* Completes the mirror from the database after a failed write, if no entry waits. */
+/* Copies missing entries from the database to the ledger mirror after a failed write, if no entry
+ * waits. */
 void storage_mirror_repair(struct storage *storage);
 
 /* storage_thread.c: closes the database and aborts a backup in progress. */
@@ -111,7 +112,8 @@ void storage_share_file(struct storage *storage);
 /* Thread function of the store. Runs until storage->stop is set. */
 void *storage_thread(void *storage);
 
-int64_t storage_now_ms(void); /* Returns the monotonic time in milliseconds, never 0. */
+int64_t storage_now_ms(void); /* Returns the time of the monotonic clock in milliseconds, never
+                                 0. */
 
 /* storage_replays.c: the replay functions of hal_storage. The frame loop calls them. */
 int storage_store_replay(void *storage, uint32_t round_id, const uint8_t *bytes, size_t size);

@@ -22,7 +22,7 @@ static bool is_of_another_list(const struct storage *storage)
            (entry.boot != storage->saved_boot || entry.tick != storage->saved_tick);
 }
 
-/* Sets `tail_from` to the first saved entry that the mirror lacks. */
+/* Sets `tail_from` to the id of the first saved entry that the mirror lacks. */
 static void note_lack(struct storage *storage)
 {
     const uint32_t saved_id = atomic_load(&storage->saved_id);
@@ -123,8 +123,8 @@ int storage_mirror_write(struct storage *storage, const struct ledger_entry *ent
     return result;
 }
 
-/* Completes the mirror. While entries wait, the next batch completes the mirror, and the store must
- * stay unhealthy until then. */
+/* Completes the mirror if no entry waits in the queue. If entries wait, the write of the next batch
+ * completes the mirror, and the store must stay unhealthy until then. */
 void storage_mirror_repair(struct storage *storage)
 {
     if (storage->tail_from > 0 && storage_unwritten(storage) == 0 && storage->file.db &&

@@ -100,8 +100,8 @@ static enum others backup_is(struct storage *storage)
     return result;
 }
 
-/* Compares the mirror with the database. If the database is intact and the mirror starts after its
- * end, the mirror belongs to a foreign ledger. */
+/* Compares the ledger mirror with the database. If the mirror has only entries that are newer than
+ * the newest entry of an intact database, the mirror belongs to a foreign ledger. */
 static enum others tail_is(struct storage *storage)
 {
     const uint32_t last_id = storage->file.content.memory.ledger.last_id;
@@ -137,9 +137,9 @@ static bool is_emptied(const struct storage *storage)
            (has_bytes(backup) || has_bytes(log) || has_tail(storage));
 }
 
-/* Accepts a copy that the operator put in place of the database. The operator intends to drop newer
- * entries of the backup; the backup is renamed and kept. The mirror belongs to the replaced
- * database and is deleted. Returns an SQLite code. */
+/* Accepts a copy that the operator restored in place of the database. The backup may have newer
+ * entries, which the operator intends to drop. The backup is renamed and kept. The mirror belongs
+ * to the replaced database and is deleted. Returns an SQLite code. */
 static int take_copy(struct storage *storage)
 {
     char backup[LEDGER_PATH_SIZE], before[LEDGER_PATH_SIZE], tail[LEDGER_PATH_SIZE];
@@ -157,7 +157,7 @@ static int take_copy(struct storage *storage)
 }
 
 /* Returns true if the database path is a symbolic link. The link may lead to a card that is not
- * mounted yet, so that the link is neither removed nor followed. */
+ * mounted yet. Therefore the link is neither removed nor followed. */
 static bool is_link(const struct storage *storage)
 {
     struct stat about;

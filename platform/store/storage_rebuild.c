@@ -1,13 +1,13 @@
 /* storage_rebuild.c -- makes the replacement of a database that is damaged or missing.
  *
  * The replacement contains the last valid backup and all newer entries of the damaged database and
- * the mirror. The replacement is first written and synced completely under a temporary name, and
- * then renamed to STORAGE_NEW_SUFFIX. Only then is the damaged database renamed, and after that the
- * replacement gets its final name. After a power cut at any point, the next start repeats or
- * completes the procedure. A card without enough space is left unchanged.
+ * the ledger mirror. The replacement is first written and synced completely under a temporary name.
+ * Then it is renamed to STORAGE_NEW_SUFFIX, the damaged database is renamed, and finally the
+ * replacement gets the name of the database. After a power cut at any point, the next start repeats
+ * or completes the procedure. A card without enough space is left unchanged.
  *
- * If the newest entry is unknown, its id may be assigned again. Ids rise by one (core/ledger.h),
- * and the entries of a quarantined file differ in their boot numbers. */
+ * If the id of the newest lost entry is unknown, a later entry may get the same id, because ids
+ * rise by one (core/ledger.h). The two entries then differ in their boot numbers. */
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>

@@ -166,8 +166,8 @@ static void drain_edits(struct storage *storage)
 
 /* ---- Write-ahead log ----------------------------------------------------------------------- */
 
-/* Syncs a log that could not be rewritten when the database was opened, because another program
- * held a lock. If the lock remains, the next call retries. */
+/* Writes and syncs the write-ahead log again if another program's lock prevented the rewrite when
+ * the database was opened. If the lock remains, the next call retries. */
 static void prove_log(struct storage *storage)
 {
     if (!atomic_load(&storage->is_unproven) || !storage_has_card(storage)) {

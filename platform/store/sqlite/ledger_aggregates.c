@@ -12,7 +12,7 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-/* A new field of a rank also needs a column (ledger_tables.c) and code in put_rank() and
+/* A new field of struct rank_row also needs a column (ledger_tables.c) and code in put_rank() and
  * take_rank(). */
 _Static_assert(sizeof(struct rank_row) == 12 + LEDGER_NAME_SIZE, "a field of a rank is not kept");
 _Static_assert(sizeof(struct ranking) ==

@@ -90,8 +90,8 @@ int ledger_checksum_put(sqlite3 *db)
     return code;
 }
 
-/* Verifies one checksum. A file that a version without checksums wrote last has no checksum and is
- * accepted. */
+/* Verifies one checksum. A file without a checksum is accepted, because a version of Kingyo without
+ * checksums may have written the file last. */
 static int ledger_checksum_compare(sqlite3 *db, const struct tally *tally)
 {
     int64_t kept = 0, sum = 0;
@@ -102,8 +102,9 @@ static int ledger_checksum_compare(sqlite3 *db, const struct tally *tally)
 
 int ledger_checksum_check(sqlite3 *db)
 {
-    int code = sql_run(db, "BEGIN"); /* The transaction prevents that another program writes between
-                                        the checksum and its rows. */
+    int code = sql_run(db, "BEGIN"); /* The transaction prevents another program from writing
+                                        between the read of the checksum and the read of its
+                                        rows. */
     for (size_t i = 0; code == SQLITE_OK && i < TALLY_COUNT; i++) {
         code = ledger_checksum_compare(db, &tallies[i]);
     }

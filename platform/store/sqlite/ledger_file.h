@@ -60,14 +60,14 @@ enum ledger_statement {
     LEDGER_STATEMENT_COUNT,
 };
 
-/* Content of the file that is on disk. */
+/* Content of the database on disk, without entries and replays. */
 struct ledger_content {
     struct persistent_state memory;     /* Persistent state of the core. ledger.boots is the boot
                                            number of the newest entry. */
     uint32_t tick;                      /* Tick of the newest entry. */
     uint8_t has_setting[SETTING_COUNT]; /* 1 if the operator has changed the setting, otherwise
                                            0. */
-    bool has_read;                      /* True if a file was read. */
+    bool has_read;                      /* True if the content was read from a database. */
 };
 
 /* Open database. The caller owns the structure. Zeros mean that no database is open. */
@@ -75,14 +75,15 @@ struct ledger_file {
     struct sqlite3 *db;
     struct sqlite3_stmt *statement[LEDGER_STATEMENT_COUNT];
     struct ledger_content content;
-    bool is_suspect; /* True if a sync may have failed. The log must then be written again
-                        (ledger_log.c) before it is copied into the database. */
-    int refusal; /* Reason why the file is read-only. 0 means that the file can be written. Values
-                    are SQLITE_READONLY, SQLITE_FULL if the card has no space for the index of the
-                    log, or the reason why a damaged file could not be replaced. */
+    bool is_suspect; /* True if a sync may have failed. The write-ahead log must then be written
+                        again (ledger_log.c) before SQLite copies the log into the database. */
+    int refusal;     /* Reason why the file is read-only. 0 means that the file can be written.
+                        SQLITE_FULL means that the card has no space for the log's index. Other
+                        values are SQLITE_READONLY, or the reason why a damaged file could not be
+                        replaced. */
 };
 
-/* Options for opening a file. A null pointer means the default. */
+/* Options for opening a file. Each field may be null, which means the default. */
 struct ledger_file_options {
     const char *vfs;     /* SQLite's name of a file system layer (vfs). */
     const char *journal; /* Values of journal_mode and synchronous, for example "WAL FULL". Used to
@@ -102,27 +103,27 @@ int ledger_file_inspect(struct ledger_file *file, const char *path);
 /* Validates a whole database. Returns SQLITE_OK, or the reason why the database cannot be used. */
 int ledger_check(struct sqlite3 *db);
 
-/* Object in a database that Kingyo did not create. The texts come from the file and are not
- * trusted. */
+/* Schema object (table, index, view or trigger) that Kingyo did not create. `type` and `name` come
+ * from the file and are not trusted. */
 struct ledger_foreign {
     char type[16];   /* Type of the object: "table", "index", "view" or "trigger". */
     char name[64];   /* Name of the object. Longer names are cut. */
     bool is_changed; /* True if the object is one of Kingyo's tables with a changed definition. */
 };
 
-/* Returns true and writes the first foreign object to `out` if the schema contains an object that
- * Kingyo does not create in the file's version. Returns false if there is none or if the schema
- * cannot be read. */
+/* Searches the schema for an object that Kingyo does not create in the file's version. If there is
+ * an object, writes the first one to `out` and returns true. Returns false if there is no object,
+ * or if the schema cannot be read. */
 bool ledger_schema_foreign(struct sqlite3 *db, struct ledger_foreign *out);
 
-/* ledger_log.c: writes the whole log again and syncs the log and the folder. Data that are read
- * from the log afterwards are on disk. Returns SQLITE_BUSY while another program holds the write
- * lock. After an error `is_suspect` stays true. */
+/* ledger_log.c: writes the whole write-ahead log again, and syncs the log and its folder. All data
+ * that are read from the log afterwards are on disk. Returns SQLITE_BUSY while another program
+ * holds the write lock. After an error `is_suspect` stays true. */
 int ledger_log_secure(struct ledger_file *file);
 
-/* Writes entries with rising ids. Entries that the file already contains are skipped. Returns
- * SQLITE_OK if all entries are written. After an error no entry is written, and `content` is read
- * again because a failed commit may have succeeded. */
+/* Writes entries with rising ids in one transaction. Entries that the file already contains are
+ * skipped. Returns SQLITE_OK if all entries are written. After a failed transaction, `content` is
+ * read again, because SQLite may have written all entries in spite of the error. */
 int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entries, uint32_t count);
 
 /* Reads the entry `id`. Returns SQLITE_NOTFOUND if there is no such entry, or SQLITE_CORRUPT if its
@@ -162,9 +163,9 @@ int ledger_file_renew_replay(struct ledger_file *file, uint32_t round_id, const 
  * read. */
 int ledger_file_has_replay(struct ledger_file *file, uint32_t round_id);
 
-/* Deletes replays of rounds that are no longer ranked, and entries and rounds beyond their maximum
- * numbers. Returns quickly if there is little to delete. Call when no other work is pending.
- * Returns an SQLite code. */
+/* Deletes the replays of rounds that are no longer ranked. Also deletes the oldest entries and
+ * rounds if there are more than the maximum number. Returns quickly if there is little to delete.
+ * Call when no other work is pending. Returns an SQLite code. */
 int ledger_file_prune(struct ledger_file *file);
 
 /* Closes the file and its statements. Has no effect on a closed file. */

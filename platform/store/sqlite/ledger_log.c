@@ -71,7 +71,7 @@ static int sync_names(struct ledger_file *file)
     return !path || !path[0] || ledger_sync_folder(path) == 0 ? SQLITE_OK : SQLITE_IOERR;
 }
 
-/* Writes the log again. The write lock prevents that another program restarts the log during the
+/* Writes the log again. The write lock prevents another program from restarting the log during the
  * rewrite. */
 int ledger_log_secure(struct ledger_file *file)
 {

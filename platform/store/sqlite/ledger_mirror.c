@@ -17,13 +17,14 @@
 
 #define FILE_SIZE ((off_t)LEDGER_MIRROR_SLOTS * LEDGER_MIRROR_SLOT_SIZE)
 
-/* Version of a slot. A slot of version 4 has padding in place of the balance's `returned` and
- * `tickets`, which are read as 0. The number 100 is higher than any version of the database. */
+/* Versions of the layout of a slot. A slot of version 4 has padding in place of the balance's
+ * fields `returned` and `tickets`. Both fields are then read as 0. The number 100 is higher than
+ * any schema version of the database. */
 #define SLOT_VERSION 100u
 #define SLOT_VERSION_4 4u
 
-/* Content of a slot. The entry has the memory layout of this machine, because only this machine
- * reads it. Entries of another version are detected by `version` and `size`. */
+/* Content of a slot. The field `entry` is written as it is in memory, because only this machine
+ * reads the file. An entry of another version is detected by `version` and `size`. */
 struct slot {
     uint32_t version, size;
     struct ledger_entry entry;
@@ -159,7 +160,8 @@ static int write_slot(struct ledger_mirror *tail, const struct ledger_entry *ent
     return done == (ssize_t)sizeof sector ? 0 : -1;
 }
 
-/* Writes the slots again that contain a PIN as plain digits. Returns 0 or -1. */
+/* Finds the slots that contain a PIN as plain digits, and writes them again with the hidden PIN.
+ * Returns 0 or -1. */
 static int hide_pins(struct ledger_mirror *tail)
 {
     struct slot slot;

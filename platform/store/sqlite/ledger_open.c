@@ -220,8 +220,8 @@ static bool is_full(struct ledger_file *file, int code)
            (code == SQLITE_IOERR && sqlite3_extended_errcode(file->db) == SQLITE_IOERR_SHMSIZE);
 }
 
-/* Opens a file on a full card, with the index of the log in memory. Only one program at a time may
- * do so, therefore other programs must wait until the file is closed. If the file had a log,
+/* Opens a file on a full card, with the log's index in memory. Only one program at a time may open
+ * a file in this way. Other programs must wait until the file is closed. If the file had a log,
  * `is_suspect` stays true because the log cannot be written again. */
 static int open_full(struct ledger_file *file, const char *path,
                      const struct ledger_file_options *how)

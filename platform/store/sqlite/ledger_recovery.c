@@ -9,8 +9,8 @@
 
 #define BATCH 64u /* Maximum number of entries in one transaction. */
 
-/* Maximum number of ids that are searched, slightly more than a file can contain. Ids beyond this
- * range do not belong to the ledger. */
+/* Maximum number of ids that are searched, slightly more than a database can contain. Ids beyond
+ * this range do not belong to the ledger. */
 #define SALVAGE_MAX (LEDGER_FILE_ENTRIES + 512u)
 
 struct salvage {
@@ -63,8 +63,8 @@ enum ledger_relation ledger_recovery_relation_of_file(struct ledger_file *file, 
     return find_kin(file, last_id, NULL, other);
 }
 
-/* Returns true if the mirror is newer than `content`, or if the mirror is empty. Used if the two
- * have no common entry. */
+/* Returns true if the mirror is newer than `content`, or if the mirror is empty. Called only if the
+ * mirror and the ledger have no common entry. */
 static bool comes_later(const struct ledger_content *content, const struct ledger_mirror *tail)
 {
     struct ledger_entry newest;

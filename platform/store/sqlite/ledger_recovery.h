@@ -25,8 +25,10 @@ struct ledger_recovered {
     uint32_t entries;     /* Number of recovered entries. */
     uint32_t lost;        /* Number of lost entries: ids between the last id of `to` and the newest
                              known id that were not recovered. */
-    bool is_open_ended;   /* True if the newest id is unknown, so that more entries may be lost. */
-    bool has_others_tail; /* True if the mirror belongs to a foreign ledger and was not used. */
+    bool is_open_ended;   /* True if the newest id is unknown. More entries than `lost` may then be
+                             lost. */
+    bool has_others_tail; /* True if the ledger mirror belongs to a foreign ledger and was not
+                             used. */
 };
 
 /* Copies all valid entries that are newer than the entries of `to` into `to`. An entry is read from

@@ -9,8 +9,8 @@
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-/* A new field also needs a column (ledger_tables.c), code in this file, and a term in
- * entry_sum(). */
+/* A new field of struct balance also needs a column (ledger_tables.c), code in this file, and a
+ * term in entry_sum(). */
 _Static_assert(sizeof(struct balance) == 24, "a field of the purse is not kept");
 _Static_assert(sizeof(struct health) == 12, "a field of the health is not kept");
 _Static_assert(sizeof(struct player_record) == 24, "a field of the player's record is not kept");

@@ -30,8 +30,8 @@ static const char fill_4[] = "INSERT INTO rounds SELECT *, 0, 0, 0 FROM old_roun
 static const char set_old_aside[] = "ALTER TABLE rounds RENAME TO old_rounds;"
                                     "ALTER TABLE round_players RENAME TO old_round_players;";
 
-/* SQL text that sets values that the old file did not record to NULL. The column `entry` counts the
- * old rounds in the order of their numbers. */
+/* SQL text that sets a value to NULL if the old file did not record the value. The column `entry`
+ * counts the old rounds in the order of their numbers. */
 static const char forget_unknown[] =
     "UPDATE round_players SET sheets = NULL;"
     "UPDATE round_players SET scoops = NULL, hole_area_mm2 = NULL, torn_tick = NULL"

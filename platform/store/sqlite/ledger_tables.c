@@ -15,8 +15,9 @@
 
 #define NOW LEDGER_FILE_VERSION
 
-/* Tables of all versions. Columns have the names of core/ledger.h. A zero takes no byte. NULL in a
- * player's column means that an earlier version did not record the number. */
+/* Tables of all versions. The columns have the names of the fields in core/ledger.h. SQLite stores
+ * a zero without any byte of data. NULL in a player's column means that an earlier version did not
+ * record the number. */
 static const struct table {
     uint8_t first, last; /* First and last `user_version` that have this table. */
     const char *name, *text;

@@ -15,7 +15,8 @@ struct sqlite3_stmt;
  * after an error. */
 int sql_open(const char *path, int flags, const char *vfs, struct sqlite3 **out);
 
-/* Opens a database for reading that no process can write. The log is not read. */
+/* Opens a database read-only, without a lock and without reading its write-ahead log. The caller
+ * guarantees that no process can write the database. */
 int sql_open_unwritable(const char *path, struct sqlite3 **out);
 
 /* Runs one or more statements that have no results. */
@@ -39,8 +40,8 @@ uint32_t sql_uint(struct sqlite3_stmt *statement, int column, uint32_t max);
 /* Copies a text column: at most `size` - 1 bytes. Fills the rest of `out` with zeros. */
 void sql_text(struct sqlite3_stmt *statement, int column, char *out, int size);
 
-/* Finalizes a statement after a loop over its rows. Returns SQLITE_OK if `code` is SQLITE_DONE,
- * otherwise `code`. */
+/* Finalizes a statement after a loop over its rows. `code` is the last result of sqlite3_step().
+ * Returns SQLITE_OK if `code` is SQLITE_DONE, otherwise `code`. */
 int sql_end(struct sqlite3_stmt *statement, int code);
 
 #endif
