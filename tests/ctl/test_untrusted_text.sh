@@ -17,9 +17,9 @@ speaks() { # LINES PROGRAM WORDS...: clean, an error of LINES lines
     cat -v "$work/out" "$work/err"
     clean "$work/out" "$work/err" && [ "$(wc -l <"$work/err")" -eq "$lines" ]
 }
-one_way() { # Errors go through print_error() and say(); what is left counts progress or is our own text.
+one_way() { # Errors go through print_error() and log_print(); what is left counts progress or is our own text.
     ! grep -rnE 'f(printf|puts|putc)\(.*stderr' --include=*.c platform drivers board |
-        grep -vE '^platform/(print|say)\.c:|\\r|"\\n" : ""|fputs\(usage, stderr\)|fputc\(.\\n., stderr\)'
+        grep -vE '^platform/os/(print|log)\.c:|\\r|"\\n" : ""|fputs\(usage, stderr\)|fputc\(.\\n., stderr\)'
 }
 check 'every error message goes through the one function' one_way
 commands=(tank paper play morph replay hid lines status scores audits backup config doctor)
