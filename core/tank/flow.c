@@ -15,8 +15,8 @@
  * distance the water has a five-hundredth of the disc's speed. */
 #define FAR 6.0f
 
-/* Returns the fraction [0, 1] of the disc that is under water, computed from the heights of its lowest
- * and highest points. */
+/* Returns the fraction [0, 1] of the disc that is under water, computed from the heights of its
+ * lowest and highest points. */
 static float immersed(const struct obstacle *disc)
 {
     const float slope = f_sqrt(f_max(0.0f, 1.0f - disc->normal.y * disc->normal.y));

@@ -188,8 +188,8 @@ static float hatch_length_m(const struct tank *tank, const struct tank_preset *p
                                    : growth_length_m(&species_wakin.card.growth, age_days);
 }
 
-/* Returns a random initial gait. The probability of a gait is its fraction of time, as if the fish had
- * been in the water for a long time. */
+/* Returns a random initial gait. The probability of a gait is its fraction of time, as if the fish
+ * had been in the water for a long time. */
 static enum fish_gait start_gait(const struct tank *tank, uint32_t index, float stamina)
 {
     const struct gait_chance share = gait_shares(stamina);

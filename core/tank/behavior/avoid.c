@@ -20,8 +20,8 @@
 /* Closing speed below which fish do not avoid each other. Two resting fish can drift together at
  * this speed; repulsion then separates them. */
 #define CLOSING_MIN_M_S 0.010f
-/* Smallest share of the speed that a braking fish keeps. With a smaller share, a burst in a dense
- * tank would lose more than half its speed. */
+/* Smallest factor on the speed of a braking fish. With a smaller factor, a burst in a dense tank
+ * would lose more than half its speed. */
 #define BRAKE_MIN 0.4f
 /* Angle from the fish's yaw to its new heading while the fish avoids by yaw. */
 #define LEAD_RAD (75.0f * F_DEG)

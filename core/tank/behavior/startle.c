@@ -31,8 +31,8 @@
  * 1.6 g hear sounds that are 15 dB fainter than fish of 23.6 g do (Asa et al.). 15 dB is a factor
  * of 5.6 in pressure, and the masses differ by a factor of 2.5 in length. */
 #define LENGTH_M 0.05f
-/* Smallest apparent height of a disc as a fraction of its apparent width. A disc seen edge-on has the
- * height of its ring. */
+/* Smallest apparent height of a disc as a fraction of its apparent width. A disc seen edge-on has
+ * the height of its ring. */
 #define LINE_THICKNESS 0.07f
 
 #define GULPING_LATE 1.5f /* Factor on the startle latency of a gulping fish, which reacts late. */

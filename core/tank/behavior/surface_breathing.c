@@ -39,7 +39,7 @@
 #define DUCK_M_S 0.06f
 #define DUCK_HASTE 8.0f
 #define DIVE_PITCH (-14.0f * F_DEG)
-/* RISE_SHARE and DRIFT_SHARE are the shares of the swimming speed during the rise and at the
+/* RISE_SHARE and DRIFT_SHARE are the factors on the swimming speed during the rise and at the
  * surface, where the fish hardly drifts. */
 #define RISE_SHARE 0.6f
 #define DRIFT_SHARE 0.16f

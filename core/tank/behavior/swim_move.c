@@ -13,7 +13,7 @@ static float ease(float from, float to, float tau_s)
     return from + (to - from) * f_min(1.0f, DT / tau_s);
 }
 
-/* Returns the fraction of a difference that the fish covers in one tick. The share grows with
+/* Returns the fraction of a difference that the fish covers in one tick. The fraction grows with
  * `haste`. */
 static float hasten(const struct fish *fish, float tau_s)
 {

@@ -1,5 +1,5 @@
-/* body.h -- the oriented box of a fish in one cache line, which broad phase and contact solver
- * share.
+/* body.h -- the oriented box of a fish in one cache line, for the broad phase and the contact
+ * solver.
  *
  * A body consists of four quads (groups of four floats), so that SIMD code loads a quad with one
  * instruction. */

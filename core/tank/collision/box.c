@@ -123,8 +123,9 @@ vec3 box_axis(const struct basis *a, const struct basis *b, vec3 way, uint8_t wh
     return v3_dot(along, way) < 0.0f ? v3_scale(along, -1.0f) : along;
 }
 
-/* Tries all axes until one of them separates the boxes enlarged by their margins. Returns 1 if an
- * axis separates them, otherwise 0. The order right, back, up separates most near fish soonest. */
+/* Tries the axes until an axis separates the boxes enlarged by their margins. Returns 1 if an axis
+ * separates the boxes, otherwise 0. For most pairs of near fish, the order right, back, up finds a
+ * separating axis soonest. */
 static int are_apart(struct verdict *verdict, struct view_of_b *view)
 {
     static const int order[3] = { 0, 2, 1 };

@@ -1,9 +1,9 @@
 /* broad_phase.h -- the broad phase: finds near fish, advises fish that meet, and lists the fish
  * that could touch.
  *
- * Every array is indexed by fish. A fish that does not swim has an element in each array but takes
- * no part in a query. Such a fish is on a poi (the paper scoop), in a bowl or in reentry
- * (reentry.h). */
+ * A query is one search for near pairs among all swimming fish. Every array is indexed by fish. A
+ * fish that does not swim has an element in each array but takes no part in a query. Such a fish is
+ * on a poi (the paper scoop), in a bowl or in reentry (reentry.h). */
 #ifndef KINGYO_CORE_TANK_COLLISION_BROAD_PHASE_H
 #define KINGYO_CORE_TANK_COLLISION_BROAD_PHASE_H
 
@@ -36,8 +36,8 @@ struct neighbours {
 /* Ticks between full queries, 33 ms, which is also the time between two decisions of a fish. A fish
  * that moves farther than expected causes an earlier query. */
 #define BROAD_PHASE_UPDATE_TICKS 4u
-/* Gap below which two fish could touch because the contact solver moves their bodies. By default
- * the solver may move each body by half of the gap. */
+/* Gap below which two fish could touch in one tick because the contact solver moves their bodies.
+ * By default the solver may move each body by half of this gap. */
 #define BROAD_PHASE_CONTACT_M 0.002f
 
 /* Two fish whose bodies could touch before the next query. */
@@ -119,8 +119,8 @@ uint64_t broad_phase_hash(uint64_t hash, const struct broad_phase *broad_phase);
 
 /* Finds every pair whose personal spaces overlap. Sets the avoidance advice and the repulsion of
  * near fish, lists the pairs that could touch before the next query, and calls
- * broad_phase_select_contacts(). With how.contacts_only, the function sets no advice and no
- * repulsion, at half the cost. `fish` are the fish of the bodies. */
+ * broad_phase_select_contacts(). If `how.contacts_only` is 1, the function sets neither advice nor
+ * repulsion, at half the cost. `fish` holds the fish to which the bodies belong. */
 void broad_phase_update(struct broad_phase *broad_phase, const struct fish *fish,
                         struct broad_phase_search how, const struct perception *around);
 

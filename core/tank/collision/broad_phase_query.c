@@ -5,10 +5,12 @@
 #include "core/base/rng.h"
 #include "core/tank/behavior/swim.h"
 
-#define ROOM_GAP_M 0.005f /* Gap that a tail sweeps in a few ticks of a hard turn. */
+#define ROOM_GAP_M                                                                                 \
+    0.005f /* Gap to a near fish below which a fish may turn only slowly. The fish's tail sweeps
+              this distance in a few ticks of a hard turn. */
 #define ROOM_MIN 0.2f
-/* Number of pairs by which prefetching runs ahead. Testing that many pairs takes as long as one
- * memory access. */
+/* Number of pairs by which prefetching precedes the test of a pair. Testing that many pairs takes
+ * as long as one memory access. */
 #define FETCH_AHEAD 8u
 
 static void take_advice(struct avoid_advice *kept, const struct avoid_advice *advice)
@@ -171,9 +173,9 @@ static float ball_m(const struct body *body)
     return v3_length(v3(body->half_x_m + m, body->half_y_m + m, body->half_z_m + m));
 }
 
-/* Compares the personal spaces as balls, the alternative that section 3.4 of the 2013 thesis
- * rejected. Tests each fish against each other fish, because the test serves only for comparison
- * and is not used in a kiosk. */
+/* Finds the pairs whose personal spaces overlap if each space is a ball. Section 3.4 of the 2013
+ * thesis rejected such balls, so the function serves only for comparison and is not used in a
+ * kiosk. The function tests each fish against each other fish. */
 static void meet_balls(const struct snapshot *look)
 {
     const struct broad_phase *broad_phase = look->broad_phase;
@@ -215,8 +217,8 @@ void broad_phase_update(struct broad_phase *broad_phase, const struct fish *fish
         .breadth_m = around->size_m.z,
     };
     seek(&look, &of, 1);
-    /* The list overflowed. The second search lists only the nearest contacts, and a new query is
-     * due soon. */
+    /* The contact list overflowed. The second search lists only the pairs that could touch in this
+     * tick, and a new query is due soon. */
     if (broad_phase->touch_count > broad_phase_contact_max(broad_phase)) {
         seek(&look, &of, 0);
     }

@@ -123,7 +123,8 @@ static int part_pair(const struct solver_step *all, struct contact *contact, int
     const vec3 solver = v3_scale(gap.axis, depth_m);
     const vec3 left_a = shove(all, contact->a, v3_scale(solver, -share_a));
     const vec3 left_b = shove(all, contact->b, v3_sub(v3_scale(solver, 1.0f - share_a), left_a));
-    /* If a fish cannot move by its full share, the other fish moves by the rest. */
+    /* If a fish cannot move by its full part of the separation, the other fish moves by the
+     * rest. */
     shove(all, contact->a, v3_scale(left_b, -1.0f));
     return 1;
 }
@@ -209,7 +210,8 @@ static void clear_shoved(const struct solver_step *all, uint32_t index)
     note_moved_body(all, index);
 }
 
-/* Contacts that may be used up, collected so that several gaps are measured at a time. */
+/* Contacts whose stored gap no longer proves that the bodies are apart. The contacts are collected
+ * so that SIMD code measures several gaps at a time. */
 struct close {
     uint32_t count;
     uint32_t contact[CLOSE_MAX];
@@ -305,8 +307,9 @@ static void clear_one(const struct solver_step *all, uint32_t index)
         solver->step_max_m[index] + v3_length(led_m) + contact_sweep_m(all, index);
 }
 
-/* Returns 1 if contact_solver_project_block() may process the fish from `first` on, otherwise 0.
- * Then `width` fish exist, and each fish swims, does not gulp and is not in the air. */
+/* Returns 1 if contact_solver_project_block() may process `width` fish from `first` on, otherwise
+ * 0. The result is 1 if `width` fish exist, and each of them swims, does not gulp and is not in the
+ * air. */
 static int is_plain(const struct broad_phase *broad_phase, uint32_t first, uint32_t width)
 {
     uint32_t all_same = broad_phase->count - first >= width;

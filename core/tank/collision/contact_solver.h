@@ -24,7 +24,7 @@
 /* Largest number of obstacles: a poi and a bowl for each of four players. */
 #define TANK_OBSTACLE_MAX 8u
 
-#define SOLVER_FREE_M 0.0003f /* Largest penetration that still counts as apart. */
+#define SOLVER_FREE_M 0.0003f /* Largest penetration of two bodies that counts as no penetration. */
 /* Usual value of `push_max_m` in struct solver_context. A larger push would appear as a jump. */
 #define SOLVER_PUSH_M 0.002f
 /* Value of `push_max_m` in struct solver_context while no poi moves the water: 6 cm/s. */

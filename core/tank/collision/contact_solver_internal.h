@@ -1,5 +1,5 @@
-/* contact_solver_internal.h -- internal declarations that contact_solver.c and penetration_check.c
- * share. */
+/* contact_solver_internal.h -- internal declarations for contact_solver.c and
+ * penetration_check.c. */
 #ifndef KINGYO_CORE_TANK_COLLISION_CONTACT_SOLVER_INTERNAL_H
 #define KINGYO_CORE_TANK_COLLISION_CONTACT_SOLVER_INTERNAL_H
 

@@ -3,9 +3,11 @@
 #include "core/input.h"
 #include "core/tank/collision/contact_solver.h"
 
-/* Largest motion of an obstacle in a substep. Ring and fish together are four times as thick. */
+/* Largest motion of an obstacle in a substep. The ring of a poi (the paper scoop) and a fish are
+ * together four times as thick, so the ring cannot pass the fish within one substep. */
 #define STATION_M 0.003f
-/* Largest number of substeps, reached at 2.1 m/s. The substeps of a faster poi are longer. */
+/* Largest number of substeps, which a poi at 2.1 m/s needs. The substeps of a faster poi are
+ * longer. */
 #define STATIONS_MAX 6u
 
 void contact_solver_begin(struct contact_solver *solver, const struct fish *fish,

@@ -1,12 +1,13 @@
 /* narrow_phase.h -- the search for pairs of near bodies: exact, in a time proportional to their
  * number.
  *
- * Bodies are sorted into square cells of the floor plan. The reach of a body is the distance at
- * which the search still finds it. The cell side is the largest sum of two reaches. Therefore a
- * near body lies in the same cell or in one of the eight cells around it. The side is 8.602 cm for
- * pitching fish of 5 cm with personal spaces of 7 x 4 x 3 cm. The cells of 3.5 cm in the 2013
- * thesis lose a quarter of the pairs. Half of the nine cells suffices, because each pair needs to
- * be found from only one of its fish.
+ * Bodies are sorted into square cells of the floor plan. The reach of a body is the distance beyond
+ * its skin at which the search still finds the body. The side of a cell is twice the radius of the
+ * largest ball that contains a body with its reach and its personal space. Therefore a near body
+ * lies in the same cell or in one of the eight cells around it. The side is 8.602 cm for pitching
+ * fish of 5 cm with personal spaces of 7 x 4 x 3 cm. The cells of 3.5 cm in the 2013 thesis lose a
+ * quarter of the pairs. Half of the nine cells suffices, because each pair needs to be found from
+ * only one of its fish.
  *
  * The search has two steps, both with SIMD. At the density of the 2013 thesis, a fish has 22
  * candidates in the cells. The first step tests balls, heights and sides and leaves 2.9 pairs per
@@ -32,8 +33,8 @@ enum pair_search {
 /* Input of a search. Arrays are indexed by fish. */
 struct narrow_phase_query {
     const struct body *body;
-    const uint8_t *flags; /* Flags of each fish. A fish with at least one of the bits of `which` is
-                             searched. */
+    const uint8_t *flags; /* Flags of each fish. The search includes a fish if its flags contain at
+                             least one bit of `which`. */
     const float *reach_m; /* Reach of each body: distance beyond its skin at which the search still
                              finds the body. */
     uint32_t count;

@@ -7,9 +7,9 @@
 #define APART_M 1e9f
 #define PARALLEL simd_splat(1e-6f) /* Value of PARALLEL in box.c. */
 
-/* Axes with the largest gaps so far for SIMD_LANES pairs. A gap is squared and keeps its sign, so
- * that a cross product of any length costs a division but no root. The last four bits of a square
- * hold the index of its axis, so that the maximum of the squares also selects the axis. */
+/* Largest gaps of SIMD_LANES pairs over the axes tried so far. A gap is squared and keeps its sign,
+ * so that a cross product of any length costs a division but no root. The last four bits of a
+ * square hold the index of its axis, so that the maximum of the squares also selects the axis. */
 struct verdict {
     flanes square; /* Square of the gap between the bodies, with the sign of the gap. */
     flanes space;  /* A value > 0 means that the personal spaces are apart. */

@@ -32,8 +32,8 @@ static inline flanes length_of(flanes x, flanes y, flanes z)
     return simd_sqrt(x * x + y * y + z * z);
 }
 
-/* Returns the radius of the ball that contains the personal space, and also the body enlarged by
- * its reach. */
+/* Returns the radius of the ball around a body's centre that contains both the personal space and
+ * the body enlarged by its reach. */
 static inline flanes ball_of(const struct body_simd *all, flanes reach)
 {
     const flanes x = all->centre[3], y = all->right[3], z = all->up[3], margin = all->back[3];
@@ -41,8 +41,8 @@ static inline flanes ball_of(const struct body_simd *all, flanes reach)
            simd_max(length_of(x + margin, y + margin, z + margin), length_of(x, y, z) + reach);
 }
 
-/* Returns half the height of the volume that contains the personal space, and the body enlarged by
- * its reach. */
+/* Returns half the height of the volume that contains both the personal space and the body enlarged
+ * by its reach. */
 static inline flanes slab_of(const struct body_simd *all, flanes reach)
 {
     const flanes x = simd_abs(all->right[1]), y = simd_abs(all->up[1]), z = simd_abs(all->back[1]);
@@ -186,9 +186,9 @@ static inline uint32_t note_near_pairs(struct narrow_phase *narrow_phase, uint32
     return noted;
 }
 
-/* Appends pairs of `item` and the near items of a range, beginning at item *other at the earliest.
- * Returns 1 at the end of the range. Returns 0 if the list of pairs is full; *other is then the
- * item at which to continue. */
+/* Appends pairs of `item` and the near items of a range; skips the items before *other. Returns 1
+ * at the end of the range. Returns 0 if the list of pairs is full; *other is then the item at which
+ * to continue. */
 static inline int note_range(struct narrow_phase *narrow_phase, const struct seeker *me,
                              uint32_t item, struct spatial_grid_range range, uint32_t *noted,
                              uint32_t *other)

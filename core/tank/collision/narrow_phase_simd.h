@@ -8,11 +8,12 @@
 
 #include "core/tank/collision/narrow_phase.h"
 
-/* Number of items or pairs by which prefetching runs ahead, which covers the latency of memory. */
+/* Number of items or pairs by which prefetching precedes the computation. The number covers the
+ * latency of memory. */
 #define NARROW_PHASE_PREFETCH (2u * SIMD_LANES)
 
 /* Writes the horizontal positions of `count` > 0 members to narrow_phase->x_m and z_m. Returns the
- * radius of the largest ball in which a member is found. */
+ * largest value of `ball_m` (struct narrow_phase) among the members. */
 #define NARROW_PHASE_MEASURE(name)                                                                 \
     float name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,             \
                const fish_index *member, uint32_t count)

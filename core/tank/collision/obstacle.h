@@ -22,15 +22,15 @@ enum obstacle_reaction {
     REACTION_ROTATION = 2, /* The obstacle does not have its intended orientation. */
 };
 
-/* An obstacle in this tick, which the poi or bowl fills in. The contact solver may revert a part of
- * the obstacle's motion if a fish cannot move out of the way. */
+/* State of an obstacle in one tick. The code of the poi or of the bowl sets the state. The contact
+ * solver may undo a part of the obstacle's motion if a fish cannot move out of the way. */
 struct obstacle {
     uint8_t kind; /* Kind of the obstacle (enum obstacle_kind). */
     vec3 centre_m;
     vec3 normal;       /* Unit normal of a disc's plane, pointing to the disc's upper side. */
     vec3 velocity_m_s; /* Velocity of the obstacle if no fish blocks it. */
-    float stalled;     /* Fraction [0, 1] of the intended motion that fish blocked at the last
-                          attempt. */
+    float stalled;     /* Fraction [0, 1] of the intended motion that fish blocked when the obstacle
+                          last tried to move. */
     float radius_m;    /* Outer radius of the ring or of the bowl's mouth. */
     float depth_m;     /* Depth of a bowl's hull below its mouth. */
 
@@ -52,11 +52,11 @@ struct obstacle {
     uint8_t reaction_count;
 };
 
-/* Radius of the tube of a disc's ring, which is a torus, per outer radius. */
+/* Radius of the tube of a disc's ring, divided by the ring's outer radius. The ring is a torus. */
 #define RING_TUBE_PER_RADIUS 0.07f
 
 /* Returns the velocity with which the obstacle pushes water and approaches fish. The velocity is
- * zero for an obstacle that fish block completely, however hard the player pulls. */
+ * zero for an obstacle that fish block completely, even if the player continues to move the poi. */
 static inline vec3 obstacle_goes_m_s(const struct obstacle *obstacle)
 {
     return v3_scale(obstacle->velocity_m_s, 1.0f - obstacle->stalled);
@@ -77,11 +77,11 @@ vec3 obstacle_clear(const struct obstacle *obstacle, const struct box *box);
 /* Returns 1 if the box could touch the obstacle before the tick ends, otherwise 0. */
 int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box);
 
-/* Returns the distance of a point from a disc including its paper, m. */
+/* Returns the distance of a point from a disc, which includes the ring and its paper, m. */
 float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m);
 
 /* Returns the horizontal velocity at which a fish at `position_m` steps aside, m/s. Fish beside a
- * moving disc drift away from the disc. For fish over or under the disc's paper, returns zero. */
+ * moving disc drift away from the disc. Returns zero for fish over or under the disc's paper. */
 vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m);
 
 #endif

@@ -5,13 +5,13 @@
 #include "core/input.h"
 #include "core/tank/collision/ring_contact.h"
 
-/* Largest initial speed in the water, which absorbs any higher speed immediately. */
+/* Largest initial speed of a fish in reentry. The water absorbs any higher speed immediately. */
 #define SPEED_MAX_M_S 0.5f
 #define DRAG_PER_S 6.0f
 #define SINK_M_S 0.03f /* Speed at which a fish in reentry sinks. */
 /* Largest push per tick: 0.3 m/s, like a fish that slips between other fish. */
 #define PUSH_MAX_M 0.0025f
-/* Largest fall per tick of a fish that slides off paper over the water. */
+/* Largest descent per tick of a fish that slides off paper above the water. */
 #define FALL_MAX_M 0.010f
 /* Speed at which a fish slides off paper that would otherwise lift it. */
 #define SLIDE_M_S 0.3f
@@ -28,7 +28,7 @@
 #define AGAIN_TICKS 8u /* Ticks between two searches for a gap. */
 #define SEEK_M_S 0.3f
 /* Largest distance from the fish to a gap, about one body length. ring_contact.c detects paper on
- * the way within 6 cm. */
+ * the way only within 6 cm. */
 #define SEEK_M 0.05f
 #define SEEK_SHELLS 14u
 
@@ -48,8 +48,8 @@ static float reach_m(const struct fish *fish)
     return 0.5f * (fish->length_m + fish->height_m);
 }
 
-/* Keeps the fish within the walls and above the floor. The highest possible position is just below
- * the surface, or `high_m` if `high_m` is higher. */
+/* Keeps the fish within the walls and above the floor. The upper limit is just below the surface,
+ * or `high_m` if `high_m` is higher. */
 static void stay_within(const struct tank *tank, struct fish *fish, float high_m)
 {
     const struct box box = fish_box(fish);
@@ -140,9 +140,9 @@ static int part_from_obstacles(const struct fish *fish, vec3 before_m,
     return clear;
 }
 
-/* Moves the fish along with paper that leaves no room for it, over the surface if necessary. The
- * fish then slides off over the ring, so no fish passes through paper. Returns 1 if the fish was
- * moved along, otherwise 0. */
+/* Handles a fish that the paper of a poi presses although the fish has no room to move away. Moves
+ * the fish along with the paper, even above the water surface. The fish later slides off over the
+ * ring, so no fish passes through paper. Returns 1 if the fish was moved along, otherwise 0. */
 static int keep_off_paper(struct fish *fish, vec3 before_m, const struct obstacle *obstacles,
                           uint32_t obstacle_count)
 {
@@ -192,8 +192,9 @@ static vec3 way_out(uint32_t which)
 }
 
 /* Finds the nearest place within SEEK_M that is free of fish and obstacles and on the fish's side
- * of every paper. In a full tank a third of all places is free, so the nearest shells usually
- * contain one. Returns 1 and writes the place to `gap_m`, or returns 0 if no place is free. */
+ * of every paper. Tries 26 directions at SEEK_SHELLS distances. In a full tank a third of all
+ * places is free, so the smallest distances usually contain a free place. Returns 1 and writes the
+ * place to `gap_m`, or returns 0 if no place is free. */
 static int find_gap(const struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                     uint32_t obstacle_count, vec3 *gap_m)
 {
@@ -226,8 +227,8 @@ static void swim_off(const struct tank *tank, struct fish *fish)
     fish->falls = 0;
 }
 
-/* Moves a fish that pushes did not free toward the nearest gap. After PUT_TICKS, places the fish
- * into the gap. */
+/* Moves a fish toward the nearest gap if the pushes did not free it within SEEK_TICKS. After
+ * PUT_TICKS, places the fish into the gap. */
 static void seek_gap(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                      uint32_t obstacle_count)
 {

@@ -12,9 +12,9 @@
 
 #include "core/tank/tank.h"
 
-/* Begins the reentry of a fish at its present place, with pitch and roll 0, within the walls and
- * with at most `velocity_m_s`. At the end of reentry the fish bursts away if its alarm is high;
- * otherwise it swims. */
+/* Begins the reentry of a fish at its present place. Sets the fish's pitch and roll to 0, keeps the
+ * fish within the walls, and sets its velocity to `velocity_m_s`, limited to 0.5 m/s. At the end of
+ * reentry the fish bursts away if its alarm is high; otherwise it swims. */
 void reentry_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s);
 
 /* Advances all fish in reentry by one tick; called after the contact solver. */

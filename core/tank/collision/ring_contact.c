@@ -10,9 +10,10 @@
 /* Extra distance by which a poi gives up motion, so that rounding does not leave a penetration. */
 #define GIVE_MIN_M 0.00002f
 #define SIDE_GAP_M 0.0005f /* Least distance of a fish's centre from the paper. */
-/* Distance per tick by which the paper pushes out a body that came into it over the ring. */
+/* Distance per tick by which the paper pushes out a body that entered the paper from the side, over
+ * the ring. */
 #define PAPER_PUSH_M 0.0025f
-/* Speed of the paper at which a fish on the paper moves along at half of the paper's speed. */
+/* Speed of the paper at which the paper carries a fish on it along at half of the paper's speed. */
 #define PIN_M_S 0.12f
 /* Slope at which a fish slides off a ring at half the body's height: 37 degrees. */
 #define GLIDE 1.5f
@@ -78,8 +79,8 @@ static struct side disc_side_of(const struct obstacle *disc, const struct body *
     const vec3 q1 = vec_basis_to_body(&disc->axes, away);
     const vec3 q0 = vec_basis_to_body(&old.axes, v3_sub(before_m, old.centre_m));
     const float side = q0.y < 0.0f ? -1.0f : 1.0f;
-    /* Fraction of the path at which the fish crossed the plane of the paper. 1 means that the fish did
-     * not cross the plane, so its present place is tested. */
+    /* Fraction of the path at which the fish crossed the plane of the paper. 1 means that the fish
+     * did not cross the plane, so its present place is tested. */
     const float t = side * q1.y < 0.0f ? q0.y / (q0.y - q1.y) : 1.0f;
     if (!paper_holds(disc, f_lerp(q0.x, q1.x, t), f_lerp(q0.z, q1.z, t)) ||
         f_abs(q1.y) > NEAR_PLANE_M) {
@@ -89,8 +90,9 @@ static struct side disc_side_of(const struct obstacle *disc, const struct body *
 }
 
 /* Returns the velocity at which a fish moves along the plane of the paper. The flow through the
- * moving paper presses the fish flat onto it, at 0.3 m/s with 0.04 N, which is more than the fish's
- * weight in air. Friction then moves the fish along with the paper, also sideways. */
+ * moving paper presses the fish flat onto the paper. At 0.3 m/s the force is 0.04 N, which is
+ * more than the fish's weight in air. Friction then moves the fish along with the paper, also
+ * sideways. */
 static vec3 pinned_along(const struct obstacle *disc, float closing_m_s)
 {
     const vec3 v = disc->velocity_m_s, up = disc->axes.up;

@@ -1,5 +1,6 @@
-/* ring_contact.h -- contact between a poi (the paper scoop) and a fish in one tick: the penetration
- * into ring and paper, and the choice which of the two moves.
+/* ring_contact.h -- contact between a poi (the paper scoop) and a fish in one tick. The functions
+ * compute the penetration of the fish into the poi's ring and paper, and decide whether the fish or
+ * the poi moves.
  *
  * A poi moves before the fish do, and pushes fish out of its way. If a fish cannot move because of
  * other fish, a wall or the floor, the poi gives up as much of its step as needed. Giving up the

@@ -125,9 +125,10 @@ static struct nearest close_in(struct nearest best, const struct circle *circle)
     return best;
 }
 
-/* Returns the number of steps from `east`, in each direction, that cover all points of the circle
- * within `reach_m` of the box's centre. The box's centre lies `in_plane_m` to the east of the
- * ring's centre, in total `away_m` from it. `middle_m` is the radius of the circle. */
+/* Returns the number of coarse points on each side of `east` that cover all points of the circle
+ * within `reach_m` of the box's centre. The vector from the ring's centre to the box's centre has
+ * the length `away_m` and the component `in_plane_m` along `east`. `middle_m` is the radius of the
+ * circle. */
 static int window_of(float in_plane_m, float away_m, float middle_m, float reach_m)
 {
     /* A point of the circle is within `reach_m` if 2 * middle_m * in_plane_m * cos(angle) > least
@@ -148,9 +149,9 @@ static struct turn turn_of(int step)
     return (struct turn){ ring_cos[size], step < 0 ? -sine : sine };
 }
 
-/* Finds the point nearest to the box. The box can be near two parts of the ring, and the coarse
- * minimum that is slightly worse can be better after refinement. Therefore every coarse minimum is
- * refined. */
+/* Finds the point of the ring nearest to the box. The box can be near two parts of the ring, and
+ * the coarse minimum that is slightly worse can be better after refinement. Therefore every coarse
+ * minimum is refined. */
 static struct nearest nearest_on(const struct circle *circle, int window, float maybe_m)
 {
     struct nearest best = { { 1.0f, 0.0f }, SHAPE_TOUCH_FAR_M };
@@ -227,9 +228,10 @@ static float part_of(vec3 v, int i)
     return i == 0 ? v.x : i == 1 ? v.y : v.z;
 }
 
-/* Returns the point of the box that lies deepest in an ellipsoid. At that point |S (c + R u)| is
- * least. S holds the inverse half axes of the ellipsoid, c and R are the centre and axes of the
- * box, and u is within the half sizes. Each of the three coordinates of u is optimised in turn. */
+/* Returns the point of the box that lies deepest in an ellipsoid. At that point |S * (c + R * u)|
+ * is least. S is the diagonal matrix of the ellipsoid's inverse half axes, c is the centre of the
+ * box, and R is the matrix of the box's axes. u is a point in the coordinates of the box. The
+ * function optimises the three coordinates of u in turn. */
 static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
 {
     const vec3 axis[3] = { box->axes.right, box->axes.up, box->axes.back };
@@ -250,8 +252,8 @@ static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
     return v3_muladd(v3_muladd(v3_muladd(centre, axis[0], u[0]), axis[1], u[1]), axis[2], u[2]);
 }
 
-/* Uses the first-order distance to an ellipsoid, (k - 1) k / |gradient|, which is accurate near the
- * skin of the ellipsoid. */
+/* Uses the first-order distance to an ellipsoid, (k - 1) * k / |gradient|, where k is 1 on the skin
+ * of the ellipsoid. The distance is accurate near the skin. */
 struct touch shape_touch_hull(const struct hull *hull, const struct box *box)
 {
     const struct touch far = { SHAPE_TOUCH_FAR_M, { 0.0f, -1.0f, 0.0f } };
