@@ -1,4 +1,4 @@
-/* hand_spring.c -- the hand spring: one implicit integration step of a spring between hand and
+/* hand_spring.c -- moves the ring by one implicit integration step of the spring between hand and
  * ring. */
 #include "core/poi/hand_spring.h"
 
@@ -6,30 +6,34 @@
 #include "core/poi/disc.h"
 #include "core/poi/load.h"
 
-/* The spring between the player's hand and the ring has a constant stiffness. The damping grows
- * with the added mass of water, so that the spring is critically damped along the normal under
- * water. The ring lags behind a moving hand by damping / stiffness: 25 ms in air, and 56 ms under
- * water for motion along the normal. */
+/* Stiffness of the spring between the player's hand and the ring. The damping increases with the
+ * added mass of water, so that the spring is critically damped along the normal under water. The
+ * ring lags behind a moving hand by damping / stiffness: 25 ms in air, and 56 ms for motion along
+ * the normal under water. */
 #define HAND_N_M 215.0f
 #define HAND_LAG_AIR_S 0.0250f
-#define HAND_N_MAX 20.0f /* Largest force of the spring: the limit of a human wrist. */
+#define HAND_N_MAX 20.0f /* Largest force of the spring, which is the limit of a human wrist. */
 
-/* Limit of the ring's speed. A hand that pushes against a slow obstacle moves ahead of the ring and
- * stretches the spring. Without a limit, the spring would shoot the ring off at 3.7 m/s once the
- * obstacle is gone. The limit is the recent speed of the hand (pace) plus CATCH_UP_PER_S times the
- * distance to the target. A freely moving ring never reaches this limit, because the ring's speed
- * stays at or below pace exp(lag / 0.3 s). */
-/* Additional speed of the ring per metre of distance to its target, in 1/s. */
+/* The following constants limit the speed of the ring. A hand that pushes against a slow obstacle
+ * moves ahead of the ring and stretches the spring. Without a limit, the spring would accelerate
+ * the ring to 3.7 m/s when the obstacle disappears. The limit is the recent speed of the hand
+ * (pace_m_s) plus CATCH_UP_PER_S times the distance to the target. A freely moving ring never
+ * reaches this limit, because its speed is at most pace_m_s * exp(lag / 0.3 s). */
+/* Additional allowed speed of the ring per metre of distance to its target, in 1/s. */
 #define CATCH_UP_PER_S 4.0f
-#define CATCH_UP_M_S 1.0f /* Highest additional speed while the ring catches up with its target. */
-#define PACE_TAU_S 0.30f  /* Time constant with which the stored recent speed of the hand decays. */
-/* Limit of the stored hand speed. No arm is faster, but a faulty input report may be. */
+#define CATCH_UP_M_S                                                                               \
+    1.0f /* Upper limit of the additional speed of the ring while the ring catches up with its
+            target. */
+#define PACE_TAU_S                                                                                 \
+    0.30f /* Time constant with which the stored recent speed of the hand decreases. */
+/* Upper limit of the stored recent speed of the hand. No arm is faster, but a wrong input report
+ * may contain a higher speed. */
 #define PACE_MAX_M_S 4.0f
-#define EDGE_ADDED_KG 0.010f /* Added mass of water when the ring moves along its plane. */
+#define EDGE_ADDED_KG 0.010f /* Added mass of water for motion of the ring along its plane. */
 
-/* Returns the speed of the ring on one axis after one backward Euler step. The mass moves under the
- * spring force, the damping and the force `other_n`. A stiffness of 0 means that the spring force
- * is constant. */
+/* Returns the speed of the ring on one axis after one backward Euler step. The spring force, the
+ * damping and the additional force `other_n` act on the mass. A stiffness of 0 means that the
+ * spring force is constant. */
 static float axis_speed(float mass_kg, float speed_m_s, float spring_n, float stiffness_n_m,
                         float damping_n_s_m, float other_n)
 {
@@ -38,8 +42,8 @@ static float axis_speed(float mass_kg, float speed_m_s, float spring_n, float st
            (mass_kg + dt * damping_n_s_m + dt * dt * stiffness_n_m);
 }
 
-/* Returns the spring force, limited to HAND_N_MAX. Writes the stiffness, or 0 if the force is
- * limited. */
+/* Returns the spring force, limited to HAND_N_MAX. Writes the stiffness of the spring to
+ * `stiffness_n_m`, or 0 if the limit applies. */
 static vec3 spring_force(vec3 stretch_m, float *stiffness_n_m)
 {
     const vec3 full = v3_scale(stretch_m, HAND_N_M);
@@ -48,8 +52,8 @@ static vec3 spring_force(vec3 stretch_m, float *stiffness_n_m)
     return v3_limit(full, HAND_N_MAX);
 }
 
-/* Returns the slam force: the reaction of the water that a submerging disc sets in motion, v dm/dt.
- * Returns 0 for a disc that leaves the water. */
+/* Returns the slam force, with which water resists a disc that submerges: the normal speed times
+ * the increase of the added mass per second. Returns 0 if the disc is leaving the water. */
 static float slam_n(const struct poi *poi, float immersed, float added_kg, float normal_m_s)
 {
     if (immersed <= poi->immersed) {
@@ -59,7 +63,7 @@ static float slam_n(const struct poi *poi, float immersed, float added_kg, float
     return -normal_m_s * added_kg * share / CORE_TICK_S;
 }
 
-/* Updates the recent speed of the hand (`pace_m_s`) and the position of the hand. */
+/* Updates `pace_m_s`, the recent speed of the hand, and `hand_m`, the position of the hand. */
 static void feel_pace(struct poi *poi, vec3 hand_m)
 {
     const float now_m_s = v3_length(v3_sub(hand_m, poi->hand_m)) * (float)CORE_TICK_HZ;
@@ -92,8 +96,8 @@ vec3 hand_spring_mass_kg(const struct poi *poi)
     return v3(plane_kg, load_kg + poi->added_kg, plane_kg);
 }
 
-/* Computes the water forces on a ring at velocity `v` in the ring's own axes. Water passes through
- * the holes of a torn poi, so that only its ring feels the water. */
+/* Computes the water forces on a ring with the velocity `v` in the ring's own axes. Water passes
+ * through the holes of torn paper, so that only the ring and the remaining paper cause drag. */
 static void meet_water(struct poi *poi, vec3 v, float immersed)
 {
     const float plane_m_s = f_sqrt(v.x * v.x + v.z * v.z);
@@ -104,8 +108,9 @@ static void meet_water(struct poi *poi, vec3 v, float immersed)
     poi->slam_n = slam_n(poi, immersed, poi->added_kg, v.y);
 }
 
-/* Returns the velocity of the ring after this tick in the ring's axes, before the speed limit. `k`
- * is the stiffness of the spring, and `burden_n` is the weight with the meniscus and the slaps. */
+/* Returns the velocity of the ring after this tick, in the ring's axes and before the speed limit.
+ * `v` is the present velocity, `k` is the stiffness of the spring, and `burden_n` is the sum of the
+ * weight, the meniscus force and the slaps. */
 static vec3 free_m_s(const struct poi *poi, vec3 v, vec3 spring_n, float k, vec3 burden_n)
 {
     const vec3 mass_kg = hand_spring_mass_kg(poi);

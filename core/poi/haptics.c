@@ -1,4 +1,5 @@
-/* haptics.c -- the force and the torque that the player's hand feels on the handle of the poi. */
+/* haptics.c -- computes the force and the torque that act on the player's hand at the handle of the
+ * poi. */
 #include "core/poi/haptics.h"
 
 #include "core/poi/disc.h"
@@ -10,8 +11,8 @@ static vec3 clamp_vector(vec3 v, float most)
     return v3(f_clamp(v.x, -most, most), f_clamp(v.y, -most, most), f_clamp(v.z, -most, most));
 }
 
-/* Returns the sum of all forces on the ring except the hand's force. The fish count as if they lay
- * at the centre of the ring. */
+/* Returns the sum of all forces on the ring except the force of the hand. The fish count as if they
+ * were at the centre of the ring. */
 static vec3 burden_n(const struct poi *poi, const struct basis *axes)
 {
     const vec3 down_n = v3(0.0f, -poi->meniscus_n, 0.0f);
@@ -24,8 +25,8 @@ static int is_held_up(const struct poi *poi)
     return poi->stopped || poi->reaction;
 }
 
-/* Returns the total force that produced the velocity change of the ring, its load and its water in
- * this tick. */
+/* Returns the total force that caused the change of velocity in this tick. The accelerated mass
+ * consists of the ring and the carried and displaced water and fish. */
 static vec3 moved_n(const struct poi *poi, const struct basis *axes)
 {
     const vec3 mass_kg = hand_spring_mass_kg(poi);
@@ -34,8 +35,8 @@ static vec3 moved_n(const struct poi *poi, const struct basis *axes)
     return v3_scale(vec_basis_to_world(axes, took), (float)CORE_TICK_HZ);
 }
 
-/* Returns the force of the hand on the ring. The force follows from the motion if the ring moves
- * freely. If the ring is blocked, the result is the force of the stretched hand spring. */
+/* Returns the force of the hand on the ring. For a freely moving ring, the force is computed from
+ * the motion. For a blocked ring, the force is that of the stretched hand spring. */
 static vec3 hand_n(const struct poi *poi, const struct basis *axes)
 {
     return is_held_up(poi) ? hand_spring_force_n(poi, axes)
@@ -43,7 +44,7 @@ static vec3 hand_n(const struct poi *poi, const struct basis *axes)
 }
 
 /* Returns the torque of the contact force if the ring is blocked, otherwise 0. A wall, the floor, a
- * bowl or fish push at the nearest point of the ring. */
+ * bowl or fish push at the point of the ring that is nearest to them. */
 static vec3 push_torque_n_m(const struct poi *poi, const struct basis *axes, vec3 hand)
 {
     if (!is_held_up(poi)) {
@@ -56,7 +57,7 @@ static vec3 push_torque_n_m(const struct poi *poi, const struct basis *axes, vec
     return v3_cross(v3_scale(toward, -POI_OUTER_RADIUS_M), push);
 }
 
-/* Returns the torque of the fish that lie or slap away from the centre of the ring. */
+/* Returns the torque of the fish that lie or slap at a distance from the centre of the ring. */
 static vec3 fish_torque_n_m(const struct poi *poi, const struct basis *axes)
 {
     vec3 torque = v3(0.0f, 0.0f, 0.0f);

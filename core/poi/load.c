@@ -1,20 +1,22 @@
-/* load.c -- the forces on the ring and on its paper, computed from the motion in this tick. */
+/* load.c -- computes the forces on the ring and on its paper from the motion of the ring in this
+ * tick. */
 #include "core/poi/load.h"
 
 #include "core/base/physics.h"
 #include "core/poi/disc.h"
 
-/* Time constant of the acceleration filter. A pointer device moves in whole pixels, which causes a
- * jitter of half a pixel at 8 to 30 Hz. The filter keeps the jitter from acting on the paper as
- * water pressure. The filter has two poles, because a single pole would need twice the delay. */
+/* Time constant of the low-pass filter for the acceleration. A pointing device reports whole
+ * pixels, which causes a jitter of half a pixel at 8 to 30 Hz. Without the filter, this jitter
+ * would act on the paper as water pressure. The filter has two stages, because a single stage would
+ * need twice the delay. */
 #define FEEL_TAU_S 0.050f
-/* Limit of the filtered acceleration, because a sudden stop at a wall acts on the ring and not on
- * the paper. */
+/* Upper limit of the filtered acceleration. The force of a sudden stop at a wall acts on the ring
+ * and not on the paper. */
 #define FEEL_M_S2_MAX 6.0f
 
 #define SIGMA_N_M 0.072f
 /* Height to which a rising plate lifts the water surface before the surface separates from the
- * plate: 2 sqrt(sigma / (rho g)). */
+ * plate: 2 * sqrt(sigma / (rho * g)), where sigma is the surface tension. */
 #define CLING_M 0.0054f
 
 vec3 load_weight_n(const struct poi *poi)
@@ -31,8 +33,8 @@ vec3 load_water_n(const struct poi *poi, const struct basis *axes)
     return vec_basis_to_world(axes, water_n);
 }
 
-/* Returns the share [0, 1] of the ring's edge that is above the water, but by at most CLING_M, so
- * that the meniscus still clings there. */
+/* Returns the fraction [0, 1] of the ring's edge to which the meniscus still clings: the part that
+ * is above the water by at most CLING_M. */
 static float clinging_share(float centre_y_m, float up_y)
 {
     const float half_m = f_max(POI_RADIUS_M * f_sqrt(f_max(0.0f, 1.0f - up_y * up_y)), 1e-4f);
@@ -56,8 +58,8 @@ float load_kick_n(const struct poi *poi)
     return kick_n;
 }
 
-/* Updates the filtered acceleration from the actual motion of the ring. A hand that pulls at a
- * blocked ring therefore causes no acceleration. */
+/* Updates the filtered acceleration from the actual motion of the ring. If the hand pulls at a
+ * blocked ring, the acceleration is therefore 0. */
 static void feel_jolt(struct poi *poi)
 {
     const vec3 gain_m_s = v3_sub(poi->velocity_m_s, poi->before_m_s);
@@ -68,17 +70,17 @@ static void feel_jolt(struct poi *poi)
     poi->acceleration_m_s2 = v3_limit(felt, FEEL_M_S2_MAX);
 }
 
-/* Returns the pressure due to a rotation about the disc's own diameter, from the mean square of the
- * normal speed. The rotation presses the two halves in opposite directions, but the strain depends
- * only on the magnitude. */
+/* Returns the water pressure that a rotation about a diameter of the disc causes, computed from the
+ * mean square of the normal speed. The pressure has opposite directions on the two halves of the
+ * disc, but the strain of the paper depends only on its magnitude. */
 static float turning_pa(const struct poi *poi)
 {
     const float rate_rad_s = v3_length(poi->spin_rad_s);
     return poi->immersed * disc_turn_pa(POI_RADIUS_M, rate_rad_s);
 }
 
-/* Returns the force of weight and meniscus on the paper along the normal. The lower face carries
- * half of the meniscus force. */
+/* Returns the force of the weight and the meniscus on the paper, along the normal. The meniscus at
+ * the lower face accounts for half of the meniscus force. */
 static float burden_n(const struct poi *poi, float area_m2, float up_y, float lift_m_s2)
 {
     const float paper_kg = sheet_grade(poi->sheet.grade)->areal_kg_m2 * area_m2;

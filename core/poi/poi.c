@@ -1,4 +1,5 @@
-/* poi.c -- one tick of the poi, and the poi as an obstacle for fish and as a shade on the water. */
+/* poi.c -- simulates one tick of the poi, and returns the poi as an obstacle for fish and as a
+ * shade on the water. */
 #include "core/poi/poi.h"
 
 #include "core/base/hash.h"
@@ -11,8 +12,8 @@
 #include "core/poi/ring_constraints.h"
 #include "core/poi/wrist.h"
 
-/* Immersed share of the disc from which a dip counts as a scoop. For a level disc the share means
- * that its centre is 3 mm under water. */
+/* Immersed fraction of the disc above which a dip counts as a scoop. With this fraction, the centre
+ * of a level disc is 3 mm under water. */
 #define SCOOP_IMMERSED 0.2f
 
 _Static_assert(OBSTACLE_PAPER_SIDE == SHEET_SIDE && OBSTACLE_PAPER_HOLDS == CELL_PAPER,
@@ -85,7 +86,7 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     poi->stopped = v3_dot(off_m, off_m) > 0.0f;
 }
 
-/* Returns the share [0, 1] of the intended speed that fish blocked in the last tick, or 0 if no
+/* Returns the fraction [0, 1] of the ring's speed that fish blocked in the last tick, or 0 if no
  * fish blocked the ring. */
 static float stalled(const struct poi *poi)
 {
@@ -140,8 +141,8 @@ void poi_apply_reaction(struct poi *poi, const struct obstacle *ring)
     strain_paper(poi);
 }
 
-/* Thin paper absorbs a third of the light, and holes absorb none. A tilted ring casts an elliptical
- * shade, which is replaced by a round shade of equal area. */
+/* Thin paper absorbs a third of the light, and holes absorb no light. A tilted ring casts an
+ * elliptical shade. The function approximates the ellipse by a circle of equal area. */
 struct shade_cast poi_shade(const struct poi *poi)
 {
     const float flat = f_abs(vec_basis_from_angles(poi->angles).up.y);

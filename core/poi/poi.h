@@ -1,4 +1,4 @@
-/* poi.h -- the poi: a paper scoop, which is a rigid ring with a sheet of paper.
+/* poi.h -- the poi: a paper scoop that consists of a rigid ring and a sheet of paper.
  *
  * A spring (hand_spring.h) pulls the ring toward the player's hand. y points up, and the still
  * water surface is at y = 0. One tick is 1/120 s. */
@@ -21,9 +21,9 @@
 #define POI_OUTER_RADIUS_M 0.0465f
 #define POI_THICKNESS_M 0.003f
 #define POI_MASS_KG 0.007f
-#define POI_PAPER_DARK 0.34f /* Share of the light that thin paper above the water absorbs. */
-/* Largest number of fish that lie on the paper. 16 fish of 4 cm cover the paper side by side, and
- * further fish slip off over the ring. */
+#define POI_PAPER_DARK 0.34f /* Fraction of the light that thin paper absorbs above the water. */
+/* Largest number of fish that a poi carries. 16 fish of 4 cm cover the paper side by side, and
+ * additional fish slip off over the ring. */
 #define POI_CARRIED_MAX 16u
 _Static_assert(SHEET_LOAD_MAX == 2u * POI_CARRIED_MAX, "a body and a slap of each");
 
@@ -35,126 +35,131 @@ static inline float poi_half_extent_m(float n)
            0.5f * POI_THICKNESS_M * f_abs(n);
 }
 
-/* Input for one tick: the target pose, and whether the player's hand controls the angles of the
+/* Input for one tick: the target pose, and whether the input device controls the angles of the
  * poi. */
 struct poi_grip {
     struct poi_target target;
-    int has_wrist; /* 1 if the input controls the angles. 0 means no wrist input, so that the poi
-                      tips over its bowl automatically. */
+    int has_wrist; /* 1 if the input controls the angles. 0 means that the input has no angles, and
+                      therefore the poi tips over its bowl automatically. */
 };
 
 struct poi {
     uint8_t link;                  /* Source of the last input (enum poi_source). */
-    uint8_t damage_immune;         /* 1 if no player controls the poi, so that its paper takes no
-                                      damage; otherwise 0. */
-    uint32_t seed;                 /* Random seed of this poi: its paper and the slaps of its
-                                      fish. */
+    uint8_t damage_immune;         /* 1 if the paper takes no damage, because no player controls the
+                                      poi; otherwise 0. */
+    uint32_t seed;                 /* Random seed of the poi, which determines its paper and the
+                                      slaps of its fish. */
     vec3 position_m, velocity_m_s; /* Position and velocity of the ring's centre, in world axes. */
     struct angles angles;
     vec3 before_m, before_m_s;   /* `position_m` and `velocity_m_s` at the start of the tick. */
-    struct angles before_angles; /* `angles` at the start of the tick, restored if fish block the
-                                    rotation. */
-    vec3 hand_m;                 /* Target position of the ring in this tick, given by the player's
-                                    hand. */
-    float pace_m_s;              /* Recent highest speed of the hand; the value decays with time. */
-    uint8_t reaction;  /* Bits of enum obstacle_reaction: motion of the ring that fish blocked in
-                          the last tick. */
+    struct angles before_angles; /* `angles` at the start of the tick. The poi returns to these
+                                    angles if fish block the rotation. */
+    vec3 hand_m;                 /* Target position of the ring in this tick, which is the position
+                                    of the player's hand. */
+    float pace_m_s;              /* Highest recent speed of the hand; the stored value decreases
+                                    with time. */
+    uint8_t reaction;  /* Bits of enum obstacle_reaction, one for each motion of the ring that fish
+                          blocked in the last tick. */
     uint8_t stopped;   /* 1 if walls, floor, a bowl or another ring blocked the ring in this
                           tick, otherwise 0. */
-    uint8_t jam_ticks; /* Consecutive ticks in which fish block the ring while the hand pulls it up;
-                          at most 255. */
+    uint8_t jam_ticks; /* Number of consecutive ticks in which fish block the ring while the hand
+                          pulls it up; at most 255. */
     uint8_t clings; /* 1 if the ring was in the water and the meniscus may still cling to its edge,
                        otherwise 0. */
-    vec3 angular_velocity_rad_s; /* Rates of the yaw, pitch and roll angles, as x, y and z. */
-    vec3 spin_rad_s;             /* Rate at which the poi's normal rotates, as a vector in world
-                                    axes. The rotation about the normal itself is not included. */
+    vec3 angular_velocity_rad_s; /* Angular velocity: the rates of change of yaw, pitch and roll are
+                                    stored as x, y and z. */
+    vec3 spin_rad_s;             /* Angular velocity of the poi's normal, as a vector in world axes.
+                                    The rotation about the normal itself is not included. */
     vec3 acceleration_m_s2;      /* Low-pass filtered acceleration of the ring, which acts on the
                                     carried water and fish. */
-    vec3 jolt_m_s2;              /* Output of the first of the two filter stages of
+    vec3 jolt_m_s2;              /* Output of the first of the two low-pass filter stages for
                                     `acceleration_m_s2`. */
-    float drag_n_s_m, slam_n;    /* Water forces along the normal in this tick: drag coefficient in
-                                    N s/m, and slam force. */
-    float edge_n_s_m;            /* Coefficient of water friction along the plane of the ring. */
-    float added_kg;              /* Added mass of water for motion along the normal. */
-    float meniscus_n;            /* Downward pull of the meniscus at the ring's edge. */
+    float drag_n_s_m, slam_n;    /* Forces of the water along the normal in this tick: the drag
+                                    coefficient `drag_n_s_m` and the slam force `slam_n`. */
+    float edge_n_s_m;            /* Coefficient of the water's friction for motion along the plane
+                                    of the ring. */
+    float added_kg;              /* Added mass of water for motion along the ring's normal. */
+    float meniscus_n;            /* Downward pull of the meniscus at the edge of the ring. */
     float immersed;              /* Share [0, 1] of the disc that is below the water surface. */
     float splash_m_s;            /* Speed at which the ring entered the water (> 0) or left the
                                     water (< 0) in this tick; 0 if it did neither. */
-    float water_kg;              /* Mass of the water on the paper. Only the share of the disc in
-                                    air carries its weight. */
-    float film_kg, pool_kg;      /* The two parts of `water_kg`: the film on both faces and the pool
-                                    in the sag. */
-    float drip_kg;               /* Drained water that hangs below the paper until it forms a
-                                    drop. */
+    float water_kg;              /* Mass of the water on the paper. Its weight counts only for the
+                                    fraction of the disc that is in air. */
+    float film_kg, pool_kg;      /* The two parts of `water_kg`: the film on both faces of the paper
+                                    (`film_kg`), and the pool in its sag (`pool_kg`). */
+    float drip_kg;               /* Mass of drained water that hangs below the paper until the water
+                                    forms a drop. */
     uint8_t drops;               /* Number of drops that fell in the last tick. */
-    uint8_t laden_ticks;         /* Remaining ticks in which the poi stays tipped after its last
+    uint8_t laden_ticks;         /* Number of ticks for which the poi stays tipped after its last
                                     fish left. */
-    float tip;                   /* Progress [0, 1] of the automatic tip toward the bowl. */
+    float tip;                   /* Progress of the automatic tip toward the bowl: 0 is not tipped,
+                                    1 is fully tipped. */
     vec3 tip_toward;             /* Direction of the tip: a horizontal unit vector that is chosen
                                     when the tip starts. */
     float pressure_pa;           /* Pressure on the paper in the last tick, positive toward the
                                     poi's up axis. */
-    uint32_t dips;               /* Number of scoops: dips into the water while a player controls
-                                    the poi. */
-    uint8_t is_in;               /* 1 while the poi is in the water during a counted dip, otherwise
-                                    0. */
+    uint32_t dips;               /* Number of scoops: times that the poi entered the water while a
+                                    player controlled it. */
+    uint8_t is_in;               /* 1 if the poi is in the water and was immersed deeply enough to
+                                    count as a scoop, otherwise 0. */
     uint32_t slap_tick, tear_tick; /* Tick numbers of the last slap sound and the last tear sound; 0
-                                      means none yet. */
+                                      means that there was no sound yet. */
     struct sheet sheet;
-    struct sheet_events strain; /* Effect of the last tick on the paper: torn cells and tension. */
+    struct sheet_events strain; /* Effect of the last tick on the paper: number of torn cells and
+                                   highest tension. */
 
-    float carried_kg;       /* Mass of the carried fish that the paper supports, without the part
-                               that floats. */
+    float carried_kg;       /* Mass of the carried fish that the paper supports. The mass that water
+                               supports is not included. */
     uint32_t carried_count; /* Number of entries in `carried_fish`, at most POI_CARRIED_MAX. */
     struct carried_fish carried_fish[POI_CARRIED_MAX];
-    uint32_t load_count; /* Number of entries in `loads`, gathered by the last catch_tick(); at most
+    uint32_t load_count; /* Number of entries in `loads`, written by the last catch_tick(); at most
                             SHEET_LOAD_MAX. */
-    uint32_t slap_count; /* Number of slaps, which are the first entries of `loads`. The other
-                            entries are weights. */
+    uint32_t slap_count; /* Number of slaps in `loads`. Slaps are the first entries of `loads`, and
+                            the other entries are weights. */
     struct sheet_load loads[SHEET_LOAD_MAX];
 };
 
-/* Initializes a new poi at rest with paper of `grade` 4 (strong) to 7 (weak). The paper starts dry.
- * `seed` selects the random properties of the paper. */
+/* Initializes a poi at rest with dry paper. `grade` is the paper grade, from 4 (strong) to 7
+ * (weak). `seed` determines the random properties of the paper. */
 void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed);
 
-/* Advances the ring by one tick. The hand spring pulls the ring, and water, floor, walls and the
- * player's own bowl hold the ring back. Without wrist input, a poi that carries fish over the
- * bowl's mouth rises and tips toward the bowl. When a blocked ring becomes free, its speed
+/* Advances the ring by one tick. The hand spring pulls the ring. Water, floor, walls and the
+ * player's own bowl act against the spring. If the input has no angles, a poi that carries fish
+ * rises over the bowl's mouth and tips toward the bowl. When a blocked ring becomes free, its speed
  * exceeds the recent speed of the hand by at most 1 m/s. Asserts that the target is finite.
- * haptics.h computes the force feedback, and surface_disturbance.h computes the effect on the
- * water surface. */
+ * haptics.h computes the force feedback, and surface_disturbance.h computes the effect on the water
+ * surface. */
 void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
               const struct bowl *bowl);
 
-/* Returns the poi as an obstacle for fish, with its motion in this tick. The result borrows the
- * paper cells of `poi`. */
+/* Returns the poi as an obstacle for fish, including its motion in this tick. The result points to
+ * the paper cells of `poi` and is valid only as long as `poi`. */
 struct obstacle poi_obstacle(const struct poi *poi);
 
-/* Applies `ring.reaction` to the poi after the tick of the fish: the ring stays back where a fish
- * could not give way. The remaining motion then wets, strains and tears the paper, together with
- * the fish loads from the last catch_tick(). */
+/* Applies `ring.reaction` to the poi: a motion that fish blocked is undone. The remaining motion
+ * then wets, strains and tears the paper, together with the fish loads that the last catch_tick()
+ * wrote. The caller must call this function after the tick of the fish. */
 void poi_apply_reaction(struct poi *poi, const struct obstacle *ring);
 
-/* Returns the share of the water force along the normal that still acts on the poi. A poi without
- * paper keeps 15 %, which act on the bare ring. */
+/* Returns the fraction of the normal water force that still acts on a poi with torn paper. A poi
+ * without paper keeps 15 %, which is the force on the bare ring. */
 static inline float poi_whole(const struct poi *poi)
 {
     return 0.15f + 0.85f * sheet_left(&poi->sheet);
 }
 
-/* Returns the volume of the carried water divided by the area of the paper. Water on the immersed
- * part of the poi does not count. */
+/* Returns the volume of the carried water divided by the area of the paper. The function excludes
+ * water on the immersed part of the poi. */
 float carried_water_m(const struct poi *poi);
 
-/* Returns the shade that the poi casts on the water. There is no shade once the poi touches the
- * water. */
+/* Returns the shade of the poi on the water. The poi casts no shade while it touches the water. */
 struct shade_cast poi_shade(const struct poi *poi);
 
-/* Adds all members of the poi that influence the game to `hash`. */
+/* Adds all members of the poi that affect the game to `hash` and returns the new hash. */
 uint64_t poi_hash(uint64_t hash, const struct poi *poi);
 
-/* Adds the most important members of the poi to `hash`, which is faster than poi_hash(). */
+/* Adds the most important members of the poi to `hash` and returns the new hash. This function is
+ * faster than poi_hash(). */
 uint64_t poi_hash_quick(uint64_t hash, const struct poi *poi);
 
 #endif

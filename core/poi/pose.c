@@ -1,4 +1,4 @@
-/* pose.c -- rotations of rigid bodies; core/base/vec.h defines the order of the angles. */
+/* pose.c -- rotates rigid bodies; core/base/vec.h defines the order of the angles. */
 #include "core/poi/pose.h"
 
 struct angles pose_angles(const struct basis *axes)
@@ -8,8 +8,8 @@ struct angles pose_angles(const struct basis *axes)
     struct angles angles = { .pitch_rad = f_atan2(forward.y, level) };
     if (level > 1e-4f) {
         angles.yaw_rad = f_atan2(-forward.x, -forward.z);
-    } else { /* The body faces straight up or down. Yaw and roll are then one rotation, which is
-                stored as yaw. */
+    } else { /* If the body faces straight up or down, yaw and roll rotate about the same axis. The
+                function returns the whole rotation as yaw. */
         angles.yaw_rad = f_atan2(-axes->right.z, axes->right.x);
     }
     const struct basis flat =

@@ -1,16 +1,18 @@
-/* ring_constraints.c -- position constraints of the ring, applied one after another.
+/* ring_constraints.c -- applies the position constraints of the ring one after another.
  *
- * The order is bowl, floor, walls and reach. */
+ * The order is bowl, floor, walls and reach of the arm. */
 #include "core/poi/ring_constraints.h"
 
-/* Distance beyond the tank walls that a player can reach over the rim. */
+/* Distance beyond the tank walls to which a player's arm reaches over the rim of the tank. */
 #define REACH_SIDE_M 0.15f
 #define REACH_HEIGHT_M 0.30f
-#define ASIDE_M_S 0.6f /* Highest speed at which the ring slides sideways off a bowl's hull. */
-/* Gap between ring and floor, because the ring is thick and its paper must not be pinched. */
+#define ASIDE_M_S 0.6f /* Highest speed at which a ring slides sideways off the hull of a bowl. */
+/* Gap between the ring and the floor of the tank. The gap keeps the paper from being pressed
+ * between a thick ring and the floor. */
 #define FLOOR_GAP_M 0.003f
 
-/* Clamps a coordinate to [low, high] and removes the speed beyond the limit. */
+/* Clamps a coordinate to [low, high]. If the coordinate was beyond a limit, also removes the speed
+ * in this direction. */
 static void clamp_coordinate(float *place, float *speed, float low, float high)
 {
     if (*place < low) {
@@ -22,17 +24,17 @@ static void clamp_coordinate(float *place, float *speed, float low, float high)
     }
 }
 
-/* Returns the horizontal distance of a point beyond a room centred on the origin; at most 0 if the
- * point is inside. */
+/* Returns the horizontal distance by which a point is outside a rectangle around the origin. The
+ * result is 0 or less if the point is inside. */
 static float beyond_m(vec3 at_m, float room_x_m, float room_z_m)
 {
     return f_max(f_abs(at_m.x) - room_x_m, f_abs(at_m.z) - room_z_m);
 }
 
 /* Applies the tank walls. A ring inside the walls stays inside, unless its lowest edge is above the
- * rim. A ring beyond the walls or across the rim rests on the rim. The ring's previous position
- * decides which case applies. Its angles do not decide, because a rotation alone must never move
- * the ring over a wall. */
+ * rim of the tank. A ring beyond the walls or across the rim rests on the rim. The ring's position
+ * at the start of the tick decides between the two cases. The ring's angles do not decide, because
+ * a rotation must never move the ring over a wall. */
 static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before_m, vec3 up)
 {
     const float low = poi_half_extent_m(up.y);
@@ -54,8 +56,9 @@ static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before
     }
 }
 
-/* Applies a bowl. A ring that comes from above rests on the mouth, a ring from below stops under
- * the hull, and a ring from the side slides around the hull. */
+/* Applies a bowl as a constraint. A ring that comes from above rests on the bowl's mouth. A ring
+ * that comes from below stops under the hull. A ring that comes from the side slides around the
+ * hull. */
 static void yield_to(struct poi *poi, const struct bowl *bowl, vec3 before_m, vec3 up)
 {
     const float low = poi_half_extent_m(up.y);

@@ -1,17 +1,20 @@
-/* ring_pairs.c -- contact of two flat discs: overlap, direction of least overlap, and
- * separation. */
+/* ring_pairs.c -- tests two flat discs for overlap, finds the direction of least overlap, and
+ * separates the discs. */
 #include "core/poi/ring_pairs.h"
 
-/* Sliding speed of two rings that press on each other, equal to ASIDE_M_S in ring_constraints.c. */
+/* Speed at which two rings slide sideways while they press against each other, equal to ASIDE_M_S
+ * in ring_constraints.c. */
 #define ASIDE_M_S 0.6f
-#define PARALLEL 1e-4f /* Squared sine below which two normals count as parallel. */
-#define GAP_M 0.0002f  /* Gap left between two separated rings. */
+#define PARALLEL                                                                                   \
+    1e-4f             /* Squared sine of the angle between two normals below which the normals
+                         count as parallel. */
+#define GAP_M 0.0002f /* Gap between two rings after their separation. */
 
 /* Geometry of two rings in one tick. */
 struct rings {
     vec3 up_a, up_b;        /* Unit normals of ring a and ring b. */
-    vec3 apart_m, before_m; /* Vectors from the centre of ring a to the centre of ring b: at the end
-                               and at the start of the tick. */
+    vec3 apart_m, before_m; /* Vectors from the centre of ring a to the centre of ring b: `apart_m`
+                               at the end of the tick and `before_m` at its start. */
 };
 
 static float extents_m(const struct rings *rings, vec3 axis)
@@ -20,16 +23,16 @@ static float extents_m(const struct rings *rings, vec3 axis)
            poi_half_extent_m(v3_dot(rings->up_b, axis));
 }
 
-/* Returns the overlap of the two rings along a unit axis; a result of at most 0 means that the
- * rings are apart. */
+/* Returns the overlap of the two rings along the unit vector `axis`. A result of 0 or less means
+ * that the rings do not overlap. */
 static float shared_m(const struct rings *rings, vec3 axis)
 {
     return extents_m(rings, axis) - f_abs(v3_dot(rings->apart_m, axis));
 }
 
-/* Returns the overlap of the two rings along `normal`. Reverses `normal` if necessary, so that it
- * points from ring a to ring b as they were at the start of the tick. Rings that passed through
- * each other in this tick overlap by more than their thickness. */
+/* Returns the overlap of the two rings along `normal`, and reverses `normal` if necessary. The
+ * written `normal` points from ring a to ring b according to their positions at the start of the
+ * tick. Rings that passed through each other in this tick overlap by more than their thickness. */
 static float shared_through_m(const struct rings *rings, vec3 *normal)
 {
     const float side = v3_dot(rings->before_m, *normal) < 0.0f ? -1.0f : 1.0f;
@@ -37,15 +40,16 @@ static float shared_through_m(const struct rings *rings, vec3 *normal)
     return extents_m(rings, *normal) - v3_dot(rings->apart_m, *normal);
 }
 
-/* Returns the unit vector `apart_m` projected on the plane with the given normal. */
+/* Returns the unit vector along the projection of `apart_m` onto the plane with the given
+ * normal. */
 static vec3 along_plane(vec3 apart_m, vec3 normal)
 {
     const vec3 along = v3_muladd(apart_m, normal, -v3_dot(apart_m, normal));
     return v3_normalize_or(along, normal);
 }
 
-/* Returns 1 if one of the possible separating axes of two discs separates the two rings, otherwise
- * 0. */
+/* Returns 1 if one of the candidate axes separates the two rings (separating axis theorem for two
+ * discs), otherwise 0. */
 static int are_apart(const struct rings *rings)
 {
     const vec3 edge = v3_cross(rings->up_a, rings->up_b);
@@ -56,7 +60,8 @@ static int are_apart(const struct rings *rings)
             shared_m(rings, v3_normalize_or(edge, rings->up_a)) <= 0.0f);
 }
 
-/* Moves a ring by `way_m` along the unit vector `out`, and removes its speed against `out`. */
+/* Moves a ring by `way_m` along the unit vector `out`, and removes the part of its velocity that
+ * points against `out`. */
 static void move(struct poi *poi, vec3 out, float way_m)
 {
     const float inward_m_s = f_min(v3_dot(poi->velocity_m_s, out), 0.0f);
@@ -65,8 +70,9 @@ static void move(struct poi *poi, vec3 out, float way_m)
     poi->stopped = 1;
 }
 
-/* Moves a ring sideways by at most `need_m`. The step cancels the ring's own approach and adds at
- * most ASIDE_M_S. A ring above another ring therefore cannot hold the lower ring down forever. */
+/* Moves a ring sideways along `out` by at most `need_m`. The step cancels the motion of the ring
+ * against `out` in this tick, and moves the ring at most at the speed ASIDE_M_S beyond that. A ring
+ * therefore cannot block a ring below it forever. */
 static void slide(struct poi *poi, vec3 out, float need_m)
 {
     const float came_m = f_max(0.0f, -v3_dot(v3_sub(poi->position_m, poi->before_m), out));

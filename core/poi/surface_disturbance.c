@@ -1,26 +1,27 @@
-/* surface_disturbance.c -- disturbances of the water surface by a poi (paper scoop).
+/* surface_disturbance.c -- disturbs the water surface by a poi (paper scoop).
  *
- * A ring that cuts the surface presses on the surface at two points of its edge. Each point draws a
- * V-shaped wake if the ring is faster than the ripples, which move at 0.23 m/s. */
+ * A ring that cuts through the surface presses the surface down at two points of its edge. If the
+ * ring is faster than the ripples (0.23 m/s), a V-shaped wake forms at each point. */
 #include "core/poi/surface_disturbance.h"
 
-/* Share of a disc's vertical motion that the water surface above the disc follows. */
+/* Fraction of an immersed disc's vertical motion that the water surface above it follows. */
 #define HEAVE_SHARE 0.5f
-#define HEAVE_DEPTH_M 0.03f /* Depth over which HEAVE_SHARE decays by a factor of e. */
-/* Largest rise or fall of the surface per tick due to an immersed disc. */
+#define HEAVE_DEPTH_M 0.03f /* Depth of the disc at which HEAVE_SHARE is reduced to 1/e. */
+/* Largest rise or fall of the water surface that an immersed disc causes in one tick. */
 #define HEAVE_MAX_M 0.003f
 #define PLUNGE_MAX_M 0.004f
 #define BOW_RADIUS_M 0.012f
-/* Depth of the dent at a cutting edge, as a share of the edge's horizontal motion. */
+/* Depth of the dent at a cutting point of the edge, as a fraction of the edge's horizontal
+ * motion. */
 #define BOW_SHARE 0.25f
-#define BOW_MAX_M 0.0012f /* Largest depth of a cutting edge's dent per tick. */
-/* Sine of the tilt (9 degrees) below which a ring counts as level. A level ring has no two cutting
- * points. */
+#define BOW_MAX_M 0.0012f /* Largest depth of the dent at a cutting point in one tick. */
+/* Sine of the tilt (9 degrees) below which a ring counts as level. The edge of a level ring has no
+ * cutting points. */
 #define LEVEL_SLOPE 0.15f
 #define DROP_RADIUS_M 0.008f
 #define DROP_M 0.0005f
 
-/* Returns the unit vector that points up the slope of the paper along its plane. Writes the sine of
+/* Returns the unit vector in the plane of the paper that points up the slope. Writes the sine of
  * the tilt to `slope`. */
 static vec3 uphill(vec3 up, float *slope)
 {
@@ -29,7 +30,7 @@ static vec3 uphill(vec3 up, float *slope)
     return v3_normalize_or(rise, v3(0.0f, 0.0f, 0.0f));
 }
 
-/* Presses the surface at the two points where the ring's edge passes through it. */
+/* Presses the water surface down at the two points where the edge of the ring passes through it. */
 static void cut(const struct poi *poi, struct water *water, vec3 tank_size_m, vec3 up)
 {
     float slope;
@@ -50,8 +51,8 @@ static void cut(const struct poi *poi, struct water *water, vec3 tank_size_m, ve
     }
 }
 
-/* Presses the surface where drops fall: below the lowest point of a tilted ring, or below the sag
- * of a level ring. */
+/* Presses the water surface down where drops fall. Drops fall from the lowest point of a tilted
+ * ring, or from the sag of a level ring. */
 static void drip(const struct poi *poi, struct water *water, vec3 tank_size_m, vec3 up)
 {
     float slope;

@@ -1,8 +1,9 @@
-/* world.h -- everything that physics acts on: the tank, the pois and the bowls.
+/* world.h -- struct world: all objects that the physics simulates, which are the tank, the pois and
+ * the bowls.
  *
- * The game is above the world: a phase of the game acts on the world, and the physics of the world
- * knows no phase and no player. A poi is the paper scoop together with its sheet of paper. Element
- * i of `poi` and element i of `bowl` belong to player i. */
+ * A poi is the paper scoop with its sheet of paper. Element i of `poi` and element i of `bowl`
+ * belong to player i. The game changes the world, but the physics does not depend on the phases or
+ * the players of the game. */
 #ifndef KINGYO_CORE_POI_WORLD_H
 #define KINGYO_CORE_POI_WORLD_H
 

@@ -1,41 +1,44 @@
-/* wrist.c -- rotation of the ring: the wrist as a damped spring about three axes, and the tip over
- * the bowl. */
+/* wrist.c -- rotates the ring: the wrist is a damped spring about three axes, and the ring tips
+ * over the bowl automatically. */
 #include "core/poi/wrist.h"
 
 #include "core/poi/disc.h"
 #include "core/poi/pose.h"
 
-/* Natural frequency of the wrist spring in air, which gives a lag of 25 ms. */
+/* Natural angular frequency of the wrist spring in air, which causes a lag of 25 ms. */
 #define TURN_RAD_S 80.0f
-#define TURN_KG_M2 1.2e-4f /* Inertia of a 7 g poi about the hand, 13 cm away. */
-/* Stiffness of the wrist: torque in N m per radian. */
+#define TURN_KG_M2                                                                                 \
+    1.2e-4f /* Moment of inertia of a poi of 7 g about the hand, which is 13 cm away. */
+/* Torsional stiffness of the wrist, in N m per radian. */
 #define TURN_N_M (TURN_KG_M2 * TURN_RAD_S * TURN_RAD_S)
 
-/* Largest automatic tip, steep enough for a fish to roll over the ring. */
+/* Largest angle of the automatic tip. At this angle, a fish rolls over the ring. */
 #define TIP_RAD (55.0f * F_DEG)
 #define TIP_PER_S 3.0f
-/* Distance between the centres of ring and bowl mouth, divided by the sum of their radii, up to
- * which the ring tips fully. */
+/* Limit below which the ring tips fully. The limit is compared with the horizontal distance between
+ * the centres of the ring and the bowl's mouth, divided by the sum of their radii. */
 #define TIP_NEAR 0.45f
-/* Distance between the centres of ring and bowl mouth, divided by the sum of their radii, from
- * which the ring does not tip. */
+/* Limit above which the ring does not tip. The limit is compared with the horizontal distance
+ * between the centres of the ring and the bowl's mouth, divided by the sum of their radii. */
 #define TIP_FAR 0.95f
-#define TIP_FALL_M 0.040f /* Distance from the ring's centre at which a fish leaves the ring. */
-/* Distance of the fish's landing point from the centre of the bowl's mouth, divided by the radius
- * of the mouth, up to which the ring tips fully. */
+#define TIP_FALL_M 0.040f /* Distance from the ring's centre at which a fish falls off the ring. */
+/* Limit below which the ring tips fully. The limit is compared with the distance between the
+ * landing point of a fish and the centre of the bowl's mouth, divided by the radius of the
+ * mouth. */
 #define TIP_HIT 0.65f
 #define TIP_BACK_SHARE 0.4f
-/* Ticks for which the poi stays tipped after its last fish left, so that a fish still rolling over
- * the ring falls into the bowl. */
+/* Number of ticks for which the poi stays tipped after its last fish left. A fish that still rolls
+ * over the ring then falls into the bowl. */
 #define TIP_LADEN_TICKS (CORE_TICK_HZ / 2u)
-/* Height of the ring's lower edge above the bowl's mouth while the poi is tipped. */
+/* Height of the ring's lowest edge above the bowl's mouth while the poi is tipped. */
 #define TIP_EDGE_M 0.010f
 
 /* ---- Automatic tip over the bowl ------------------------------------------------------------ */
 
-/* Returns the goal [0, 1] of the tip. The goal is 1 if the ring is over the mouth of its bowl and
- * above the water, and if a fish would fall into the mouth. `way` is the horizontal vector from the
- * ring to the bowl. */
+/* Returns the target in [0, 1] for the progress of the tip: 0 means level, 1 means fully tipped.
+ * The target is 1 if the ring is over the mouth of its bowl and above the water, and if a fish that
+ * fell off would land in the mouth. `way` is the horizontal vector from the centre of the ring to
+ * the centre of the bowl's mouth. */
 static float over_bowl(const struct poi *poi, const struct bowl *bowl, vec3 way)
 {
     if (!bowl->present) {
@@ -49,9 +52,10 @@ static float over_bowl(const struct poi *poi, const struct bowl *bowl, vec3 way)
     return goal * (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
 }
 
-/* Returns the direction of the tip for a bowl in direction `way`. Prefers roll to pitch, because a
- * wrist rolls a handle more easily than it raises it. The tip never lowers the handle, because the
- * handle would pass through the bowl. The poi only rolls if the bowl is between ring and hand. */
+/* Returns the horizontal direction of the tip for a bowl in the direction `way`. The function
+ * prefers roll to pitch, because a wrist rolls a handle more easily than it raises the handle. The
+ * tip never lowers the handle, because the handle would then pass through the bowl. If the bowl is
+ * between the ring and the hand, the poi therefore only rolls. */
 static vec3 rather_sideways(vec3 way, float yaw_rad)
 {
     const vec3 right = v3(f_cos(yaw_rad), 0.0f, -f_sin(yaw_rad));
@@ -76,8 +80,8 @@ void wrist_tip(struct poi *poi, const struct bowl *bowl, int has_wrist)
     poi->tip += f_clamp(goal - poi->tip, -step, step);
 }
 
-/* The tip also lifts the ring, because the fish would otherwise slide out below the bowl's
- * mouth. */
+/* The function also lifts the ring while the poi is tipped, because the fish would otherwise slide
+ * out below the bowl's mouth. */
 struct poi_target wrist_target(const struct poi *poi, const struct bowl *bowl,
                                struct poi_target target)
 {
@@ -97,8 +101,8 @@ struct poi_target wrist_target(const struct poi *poi, const struct bowl *bowl,
 
 /* ---- Rotation of the ring -------------------------------------------------------------------- */
 
-/* Added inertia and drag of the water for a rotation about one axis. Both are 0 for a rotation
- * about the disc's normal. */
+/* Added inertia and drag coefficient of the water for a rotation about one axis. Both members are 0
+ * for a rotation about the disc's normal. */
 struct turn_water {
     float kg_m2, n_m_s;
 };
@@ -112,8 +116,8 @@ static struct turn_water turn_water(const struct poi *poi, float along, float ra
     };
 }
 
-/* Rotates one angle toward `goal` by one implicit step of a critically damped spring, which is
- * stable at any stiffness. */
+/* Rotates one angle toward `goal` by one implicit integration step of a critically damped spring.
+ * The implicit step is stable at any stiffness. */
 static void turn_angle(float *angle, float *speed, float goal, struct turn_water water)
 {
     const float error = f_wrap_angle(goal - *angle), dt = CORE_TICK_S;

@@ -1,5 +1,5 @@
-/* recipe.c -- the parameters of all sounds. The pitches are taken from the yo scale on D, which
- * Japanese festival music uses. */
+/* recipe.c -- defines the parameters of all sounds. The pitches come from the yo scale on D, which
+ * is used in Japanese festival music. */
 #include "core/sound/recipe.h"
 
 /* clang-format off */
@@ -12,7 +12,7 @@
       .damping = (damp), .roughness = (rough) }
 
 const struct sound_recipe sound_recipes[SOUND_COUNT] = {
-    /* A poi dips into the water ("chapun"): the water closes over a bubble, whose pitch rises as
+    /* A poi dips into the water ("chapun"): the water closes over an air bubble. The pitch rises as
      * the bubble shrinks. */
     [SOUND_DIP] = {
         .layer = {
@@ -56,7 +56,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 700.0f,
     },
-    /* The paper is gone: the last rip of the paper, and a low plucked string. */
+    /* The paper of a poi becomes useless: a last rip of the paper, and a low plucked string. */
     [SOUND_GONE] = {
         .layer = {
             NOISE(0.50f, 0.0f, 8.0f, 110.0f, 2200.0f, 4200.0f, 160.0f, 0.8f, 1.0f),
@@ -75,7 +75,7 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 1600.0f,
     },
-    /* The clock ticks: two sticks struck on wood. */
+    /* The countdown of the round ticks: two sticks struck on wood. */
     [SOUND_TICK] = {
         .layer = {
             TONE(0.32f, 0.0f, 0.5f, 20.0f, 1244.5f, 1200.0f, 20.0f),
@@ -84,8 +84,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 250.0f,
     },
-    /* The result is shown ("don, ka"): a drum, the rim of the drum, and a string that rings out
-     * over both. */
+    /* The result of a round is shown ("don, ka"): a drum, the rim of the drum, and a plucked string
+     * that continues after both drum sounds. */
     [SOUND_RESULT] = {
         .layer = {
             TONE(0.70f, 0.0f, 2.0f, 190.0f, 150.0f, 78.0f, 50.0f),
@@ -96,9 +96,9 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         .string_hz = 293.7f, .string_gain = 0.55f, .string_delay_ms = 520.0f,
         .string_keep = 0.994f, .length_ms = 2800.0f,
     },
-    /* Hyoshigi ("chon, chon"): two bars of hard oak struck together, as the stall keeper does
-     * before an announcement. Each blow has one bright mode and the crack of the edges, and the
-     * second blow is slightly lower. */
+    /* The hyoshigi, two bars of hard oak, are struck together ("chon, chon"), as a stall keeper
+     * does before an announcement. Each stroke has one bright mode and the crack of the edges, and
+     * the second stroke has a slightly lower pitch. */
     [SOUND_CALL] = {
         .layer = {
             TONE(0.34f, 0.0f, 0.3f, 34.0f, 2120.0f, 2090.0f, 12.0f),
@@ -108,8 +108,9 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 600.0f,
     },
-    /* The umpire's whistle: a short pip, followed by a blast with breath noise. Two close tones
-     * beat 36 times per second, like the pea that rolls inside a whistle. */
+    /* An umpire's whistle signals a foul: a short note, followed by a long note with breath noise.
+     * Two tones close in pitch beat 36 times per second, which imitates the rolling pea in a
+     * whistle. */
     [SOUND_FOUL] = {
         .layer = {
             TONE(0.24f, 0.0f, 6.0f, 32.0f, 2780.0f, 2820.0f, 20.0f),
@@ -119,8 +120,8 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 1300.0f,
     },
-    /* The choice changes ("ka-ta"): a wooden tag swings around on its cord and knocks against the
-     * next tag. */
+    /* The selection moves to another game mode ("ka-ta"): a wooden tag swings around on its cord
+     * and knocks against the next tag. */
     [SOUND_CHOOSE] = {
         .layer = {
             TONE(0.26f, 0.0f, 0.4f, 17.0f, 930.0f, 905.0f, 14.0f),
@@ -130,8 +131,9 @@ const struct sound_recipe sound_recipes[SOUND_COUNT] = {
         },
         .length_ms = 260.0f,
     },
-    /* A coin hits the rim of a brass bowl ("chirin"). Two modes of a small bell, slightly more than
-     * a fourth apart, are struck twice as the coin tips over. */
+    /* A coin is accepted ("chirin"): a coin hits the rim of a brass bowl. Two modes of a small
+     * bell, slightly more than a musical fourth apart, are struck twice because the coin tips
+     * over. */
     [SOUND_COIN] = {
         .layer = {
             TONE(0.30f, 0.0f, 0.4f, 90.0f, 2349.3f, 2349.3f, 0.0f),

@@ -9,33 +9,34 @@
 
 enum layer_kind {
     LAYER_NONE = 0,
-    LAYER_TONE,  /* A sine wave whose pitch glides, for bubbles, drum skins and wood. */
-    LAYER_NOISE, /* Noise through a band-pass filter, for splashes, slaps and paper. */
+    LAYER_TONE,  /* A sine wave whose pitch glides. Used for bubbles, drum skins and wood. */
+    LAYER_NOISE, /* Noise through a band-pass filter. Used for splashes, slaps and paper. */
 };
 
 struct layer_recipe {
     uint8_t kind;         /* Kind of the layer (enum layer_kind). */
-    float gain;           /* Peak level of the layer, about [0, 1]. */
+    float gain;           /* Peak level of the layer, about 0 to 1. */
     float delay_ms;       /* Delay of the layer after the start of the sound. */
     float attack_ms;      /* Duration of the linear rise to the peak level. */
-    float decay_ms;       /* Time in which the level falls to 1/e. */
-    float hz_from, hz_to; /* Pitch of a tone, or centre of a noise band, at the start and after the
-                             glide, in (0, 8000]. */
+    float decay_ms;       /* Time in which the level decreases to 1/e. */
+    float hz_from, hz_to; /* Pitch of a tone, or centre frequency of a noise band: `hz_from` at the
+                             start and `hz_to` after the glide, each in (0, 8000]. */
     float glide_ms;       /* Time constant of the glide from hz_from to hz_to; 0 means that the
                              frequency stays at hz_from. */
-    float damping;        /* Damping of a noise layer's band-pass filter, 1 / Q, in (0, 2]. */
-    float roughness;      /* Random variation of a noise layer's level, in [0, 1]. */
+    float damping;        /* Damping 1 / Q of the band-pass filter of a noise layer, in (0, 2]. */
+    float roughness;      /* Random variation of the level of a noise layer, in [0, 1]. */
 };
 
 struct sound_recipe {
     struct layer_recipe layer[SYNTH_LAYER_MAX];
-    float string_hz; /* Pitch of the plucked string, at least 190; 0 means no string. */
+    float string_hz; /* Pitch of the plucked string, at least 190; 0 means that the sound has no
+                        string. */
     float string_gain;
     float string_delay_ms;
-    float string_keep; /* Share of the string's wave that remains after one pass through the delay
-                          line, in (0, 1). */
+    float string_keep; /* Fraction of the string's wave that remains after one pass through its
+                          delay line, in (0, 1). */
     float length_ms;   /* Duration of the sound, after which its voice is free. All layers and the
-                          string have decayed by this time. */
+                          string must be inaudible when the duration ends. */
 };
 
 extern const struct sound_recipe sound_recipes[SOUND_COUNT];

@@ -10,14 +10,15 @@
 #include "core/base/panic.h"
 #include "core/sound/recipe.h"
 
-/* Number of frames between two changes of the parameters. Steps of 0.67 ms are inaudible. */
+/* Number of frames (0.67 ms) between two updates of the control values. Steps at this rate are
+ * inaudible. */
 #define CONTROL_FRAMES 32u
 #define FRAMES_PER_MS ((float)SYNTH_RATE_HZ / 1000.0f)
 #define FULL_SCALE 32000.0f
-/* Frames (10 ms) over which the end of a voice fades out to avoid a click. */
+/* Number of frames (10 ms) over which a voice fades out at its end, to avoid a click. */
 #define FADE_FRAMES 480.0f
 
-/* Active layer of a voice, with its parameters converted to frames. */
+/* Active layer of a voice, with delay and attack converted to frames. */
 struct drive {
     const struct layer_recipe *recipe;
     struct synth_layer *state;
@@ -26,7 +27,7 @@ struct drive {
 };
 
 /* Returns white noise in [-1, 1) from a linear congruential generator. The high bits of the
- * generator are random enough for the sound of water and paper. */
+ * generator are sufficiently random for the sounds of water and paper. */
 static float noise_next(uint32_t *state)
 {
     *state = *state * 1664525u + 1013904223u;
@@ -82,8 +83,8 @@ static float layer_next(struct drive *drive, uint32_t age_frames, uint32_t *nois
 
 /* ---- Plucked string ------------------------------------------------------------------------- */
 
-/* Returns the next sample of a plucked string by the Karplus-Strong method: a noise burst
- * circulates in a delay line and loses high frequencies on each pass. */
+/* Returns the next sample of a plucked string by the Karplus-Strong algorithm: a noise burst
+ * circulates in a delay line and loses high frequencies in each pass. */
 static float string_next(struct synth_voice *voice, const struct sound_recipe *recipe)
 {
     if (voice->string_count == 0 || voice->age_frames < frames_of(recipe->string_delay_ms)) {
@@ -97,14 +98,14 @@ static float string_next(struct synth_voice *voice, const struct sound_recipe *r
     return wave * recipe->string_gain;
 }
 
-/* Fills the delay line of the string with noise that is smoothed, as if plucked by a fingertip. The
- * mean of the noise is removed, because it would be audible as a thump at the end. */
+/* Fills the delay line of the string with noise, smoothed to imitate a soft fingertip. The mean of
+ * the noise is subtracted, because it would be audible as a thump when the sound ends. */
 static void string_pluck(struct synth_voice *voice, float hz)
 {
     float mean = 0.0f;
     float smooth = 0.0f;
-    /* The mean of two neighbouring samples adds a delay of half a frame, so that the length of the
-     * line is rounded down. */
+    /* The averaging of two adjacent samples in string_next() adds a delay of half a frame. The
+     * length of the delay line is therefore rounded down. */
     voice->string_count = (uint32_t)(int32_t)((float)SYNTH_RATE_HZ / hz);
     CORE_ASSERT(voice->string_count <= SYNTH_PLUCK_MAX);
     for (uint32_t i = 0; i < voice->string_count; i++) {
@@ -137,8 +138,8 @@ static uint32_t gather_drives(struct synth_voice *voice, const struct sound_reci
     return count;
 }
 
-/* Adds the next frames of a voice to `mix`, up to the end of the voice's control step. Returns the
- * number of frames. */
+/* Adds the next frames of a voice to `mix`, up to the end of the voice's present control step.
+ * Returns the number of frames that this step contains, at most `frame_count`. */
 static uint32_t voice_step(struct synth_voice *voice, float *mix, uint32_t frame_count)
 {
     const struct sound_recipe *recipe = &sound_recipes[voice->sound];
@@ -182,8 +183,8 @@ static struct synth_voice *free_or_oldest(struct synth *synth)
     return oldest;
 }
 
-/* Clips softly: the curve is linear at low levels and flattens near full scale, so that many
- * simultaneous sounds fit the sample format. */
+/* Returns the sample for the level `x` with soft clipping. The curve is linear at low levels and
+ * becomes flat near full scale, so that many simultaneous sounds fit the sample format. */
 static int16_t to_sample(float x)
 {
     const float c = f_clamp(x, -3.0f, 3.0f);
@@ -208,8 +209,9 @@ void synth_play(struct synth *synth, const struct sound_event *event)
     const float pan = f_clamp(event->pan, -1.0f, 1.0f);
     struct synth_voice *voice = free_or_oldest(synth);
     *voice = (struct synth_voice){ .sound = event->sound, .noise = ++synth->played * 2654435761u };
-    voice->left = gain * f_sqrt(0.5f * (1.0f - pan)); /* The gains of left and right keep the total
-                                                         power equal for every pan. */
+    voice->left = gain * f_sqrt(0.5f * (1.0f - pan)); /* The sum of the squares of the left gain and
+                                                         the right gain is the same for every pan,
+                                                         so that the total power is constant. */
     voice->right = gain * f_sqrt(0.5f * (1.0f + pan));
     for (uint32_t i = 0; i < SYNTH_LAYER_MAX; i++) {
         voice->layer[i].hz = recipe->layer[i].hz_from;

@@ -1,4 +1,5 @@
-/* bowl.c -- the hull of a bowl, its content, and pouring the content back into the tank. */
+/* bowl.c -- implements the hull of a bowl and its content, and returns the fish of a full bowl to
+ * the tank. */
 #include "core/poi/bowl/bowl.h"
 
 #include "core/base/hash.h"
@@ -9,7 +10,7 @@
 #include "core/tank/collision/reentry.h"
 
 #define FREEBOARD_MIN_M 0.002f
-/* Moment of inertia of the bowl about its centre, with the added mass of water. */
+/* Moment of inertia of the bowl about its centre, including the added mass of water. */
 #define ROCK_KG_M2 0.0012f
 
 void bowl_init(struct bowl *bowl, vec3 position_m)
@@ -28,7 +29,8 @@ float bowl_hull_radius_m(float below_m)
     return BOWL_RADIUS_M * f_sqrt(1.0f - share * share);
 }
 
-/* The volume is the integral of pi r^2 from the depth `below_m` to the bottom. */
+/* The result is the integral of pi * r^2 over the depth, from `below_m` to the bottom of the
+ * hull. */
 float bowl_room_m3(float below_m)
 {
     const float share = f_clamp(below_m / BOWL_DEPTH_M, 0.0f, 1.0f);
@@ -36,8 +38,8 @@ float bowl_room_m3(float below_m)
     return F_PI * BOWL_RADIUS_M * BOWL_RADIUS_M * BOWL_DEPTH_M * left;
 }
 
-/* Solves for the level by Newton's method, because the derivative of the volume is the area of the
- * water surface. */
+/* Newton's method finds the level, because the derivative of the volume with respect to the level
+ * is the area of the water surface. */
 float bowl_level_m(const struct bowl *bowl)
 {
     const float wanted_m3 = (bowl->water_kg + bowl->fish_kg) / WATER_KG_M3;
@@ -55,8 +57,8 @@ int bowl_is_full(const struct bowl *bowl)
     return bowl->fish_count >= BOWL_FISH_MAX || bowl->fish_kg >= BOWL_FISH_KG_MAX;
 }
 
-/* Adds the momentum of a fish that falls in, which moves the bowl and rotates it about its
- * centre. */
+/* Adds the momentum of a fish that falls into the bowl. The momentum moves the bowl and rotates it
+ * about its centre. */
 static void rock(struct bowl *bowl, vec3 place_m, float kg, vec3 velocity_m_s)
 {
     const float all_kg = BOWL_HULL_KG + bowl->water_kg + bowl->fish_kg + kg;
@@ -84,14 +86,15 @@ void bowl_take(struct bowl *bowl, uint32_t bowl_index, struct tank *tank, struct
     bowl->fish_count++;
 }
 
-/* ---- Pouring back into the tank ------------------------------------------------------------- */
+/* ---- Returning the fish to the tank --------------------------------------------------------- */
 
 static float draw_pour(uint32_t seed, uint32_t fish, uint32_t which)
 {
     return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_POUR });
 }
 
-/* Returns a random place for a fish beside the hull: under water and inside the tank walls. */
+/* Returns a random place for a fish in the tank: beside the hull, under water and inside the tank
+ * walls. */
 static vec3 pouring_place(const struct bowl *bowl, const struct tank *tank, uint32_t index)
 {
     const float length_m = tank->fish[index].length_m;
@@ -120,7 +123,7 @@ void bowl_empty(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
     bowl->fish_kg = 0.0f;
 }
 
-/* ---- Obstacle, scene and hash ---------------------------------------------------------------- */
+/* ---- Obstacle, angles and hash --------------------------------------------------------------- */
 
 struct obstacle bowl_obstacle(const struct bowl *bowl)
 {

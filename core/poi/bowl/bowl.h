@@ -1,8 +1,8 @@
 /* bowl.h -- the bowl that floats beside a player and holds the caught fish.
  *
- * The bowl is a thin half ellipsoid filled with water. A soft spring moors the bowl to its home
- * position. bowl_buoyancy.h moves the bowl, and bowl_fish.h moves the fish in it. y points up, and
- * the still water surface is at y = 0. */
+ * The bowl is a thin half ellipsoid filled with water. A soft spring (the mooring) connects the
+ * bowl to its home position. bowl_buoyancy.h moves the bowl, and bowl_fish.h moves the fish in it.
+ * y points up, and the still water surface of the tank is at y = 0. */
 #ifndef KINGYO_CORE_POI_BOWL_BOWL_H
 #define KINGYO_CORE_POI_BOWL_BOWL_H
 
@@ -16,67 +16,70 @@
 #define BOWL_RADIUS_M 0.080f
 #define BOWL_DEPTH_M 0.059f
 #define BOWL_HULL_KG 0.030f
-/* Number of 4 cm fish that fit into the bowl without overlap; the record catch is 107 fish. */
+/* Number of 4 cm fish that fit into the bowl without overlap. The record catch is 107 fish. */
 #define BOWL_FISH_MAX 112u
-/* Mass of 112 fish of 4 cm, which limits the number of larger fish. */
+/* Mass of 112 fish that are 4 cm long. This mass limits the number of larger fish in the bowl. */
 #define BOWL_FISH_KG_MAX 0.172f
 
 struct bowl {
     uint8_t present;
-    vec3 home_m;     /* Mooring position, in the axes of `position_m`; only x and z have an
-                        effect. */
+    vec3 home_m;     /* Home position, to which the mooring returns the bowl, in the same axes as
+                        `position_m`. Only x and z have an effect. */
     vec3 position_m; /* Centre of the bowl's mouth, slightly above the water. */
     vec3 before_m;   /* `position_m` at the start of the tick. */
     vec3 velocity_m_s;
-    float heel_x, heel_z; /* Tilt of the bowl: x and z components of the mouth's unit normal in
+    float heel_x, heel_z; /* Tilt of the bowl: the x and z components of the mouth's unit normal in
                              world axes. */
     float heel_x_rad_s, heel_z_rad_s;
     float water_kg;      /* Mass of the water in the bowl. */
-    float fish_kg;       /* Mass of the fish in the bowl, computed in the last tick. */
+    float fish_kg;       /* Mass of the fish in the bowl, updated once per tick and with each caught
+                            fish. */
     uint32_t fish_count; /* Number of fish in the bowl, at most BOWL_FISH_MAX. */
 };
 
-/* The tank and the bowls with which pois and fish interact. bowls[i] belongs to player i. Functions
- * borrow the struct for the duration of a call. */
+/* The tank and the bowls of all players. bowls[i] belongs to player i. Functions use the pointers
+ * only during a call. */
 struct stall {
     struct tank *tank;
     struct bowl *bowls;
     uint32_t bowl_count; /* Number of entries in `bowls`, at most POI_MAX. */
 };
 
-/* Initializes an empty bowl that is moored at `position_m`. The height is clamped so that the mouth
- * is 2 mm to BOWL_DEPTH_M / 2 above the water. The amount of water in the bowl is chosen so that
- * the bowl floats at rest there. */
+/* Initializes an empty bowl that is moored at `position_m`. The height of the mouth is clamped to
+ * the range from 2 mm to BOWL_DEPTH_M / 2 above the tank's water. The bowl gets the mass of water
+ * with which it floats at rest at this height. */
 void bowl_init(struct bowl *bowl, vec3 position_m);
 
 /* Returns 1 if the bowl has reached its largest number or mass of fish, otherwise 0. */
 int bowl_is_full(const struct bowl *bowl);
 
-/* Adds a fish of the tank that falls into the bowl at a world velocity, which rocks the bowl.
- * `bowl_index` is the index of the bowl in its stall. A full bowl is first poured back into the
- * tank, as an umpire would do. The caller keeps the score. Asserts that the bowl is present. */
+/* Adds a fish of the tank that falls into the bowl with the world velocity `velocity_m_s`. The
+ * impact rocks the bowl. `bowl_index` is the index of the bowl in struct stall. If the bowl is
+ * already full, its fish first return to the tank, as if an umpire had emptied the bowl. The caller
+ * counts the score. Asserts that the bowl is present. */
 void bowl_take(struct bowl *bowl, uint32_t bowl_index, struct tank *tank, struct fish *fish,
                vec3 velocity_m_s);
 
-/* Puts every fish of the bowl back into the tank, beside the bowl and below it. */
+/* Returns every fish of the bowl to the tank, at random places beside the bowl. */
 void bowl_empty(struct bowl *bowl, uint32_t bowl_index, struct tank *tank);
 
-/* Returns the radius of the half-ellipsoid hull at the depth `below_m` under the mouth. */
+/* Returns the radius of the hull at the depth `below_m` below the bowl's mouth. */
 float bowl_hull_radius_m(float below_m);
 
-/* Returns the volume of the hull below the level that is `below_m` under the mouth. The level is
- * clamped to the hull. */
+/* Returns the volume of the hull below the depth `below_m`, which is measured from the bowl's
+ * mouth. `below_m` is clamped to the hull. */
 float bowl_room_m3(float below_m);
 
-/* Returns the distance from the bowl's mouth down to the water level in the bowl. The fish in the
- * bowl raise the level. */
+/* Returns the distance from the bowl's mouth down to the water surface in the bowl. The fish in the
+ * bowl raise this surface. */
 float bowl_level_m(const struct bowl *bowl);
 
-/* Returns the bowl as an obstacle for the fish of the tank, with its motion in this tick. */
+/* Returns the bowl as an obstacle for the fish of the tank. The obstacle includes the motion of the
+ * bowl in this tick. */
 struct obstacle bowl_obstacle(const struct bowl *bowl);
 
-/* Applies `hull.reaction` to the bowl after the tick of the fish: the bowl stays back where a fish
- * could not give way. */
+/* Copies the position and velocity of `hull` to the bowl if `hull.reaction` shows that a fish
+ * blocked the bowl. The caller must call this function after the tick of the fish. */
 void bowl_apply_reaction(struct bowl *bowl, const struct obstacle *hull);
 
 /* Returns the tilt of the bowl as angles for the renderer's scene. */

@@ -1,44 +1,48 @@
-/* bowl_buoyancy.c -- motion of the bowls by the backward Euler method on each axis.
+/* bowl_buoyancy.c -- moves the bowls: integrates the forces on each bowl by the backward Euler
+ * method, axis by axis.
  *
- * The method is stable at any stiffness. */
+ * The backward Euler method is stable at any stiffness. */
 #include "core/poi/bowl/bowl_buoyancy.h"
 
 #include "core/base/panic.h"
 #include "core/base/physics.h"
 #include "core/poi/hand_spring.h"
 
-/* Stiffness of the mooring, which returns the bowl in about two seconds. */
+/* Stiffness of the mooring spring, which returns a displaced bowl to its home position in about two
+ * seconds. */
 #define MOORING_N_M 2.0f
-#define DRAG_N_S_M 1.6f /* Coefficient of linear drag on the hull. */
-/* Coefficient of quadratic drag on the hull: half the density of water times a drag coefficient of
- * 0.6 times an area of 50 cm2. */
+#define DRAG_N_S_M 1.6f /* Coefficient of the linear drag of the water on the hull. */
+/* Coefficient of the quadratic drag of the water on the hull: half the density of water times a
+ * drag coefficient of 0.6 times an area of 50 cm^2. */
 #define DRAG_N_S2_M2 1.5f
-#define ALONG_SHARE 0.5f /* Added mass of water, as a share of the displaced water. */
-/* Highest horizontal speed of the bowl, which is lower than the speed of a ring that slides off the
- * hull. */
+#define ALONG_SHARE 0.5f /* Added mass of water, as a fraction of the displaced mass of water. */
+/* Highest horizontal speed of the bowl. The value is lower than the speed at which a ring slides
+ * off the hull. */
 #define SPEED_MAX_M_S 0.5f
-/* Damping of the vertical motion: a quarter of the critical damping. */
+/* Coefficient of damping for vertical motion: a quarter of the critical damping. */
 #define HEAVE_DAMP_N_S_M 5.0f
-/* Largest mass of the bowl with its water and fish, at which the mouth is 4 mm above the tank's
- * water. Additional water spills. */
+/* Largest mass of the bowl including its water and fish. With this mass, the mouth is 4 mm above
+ * the water of the tank. Additional water spills out of the bowl. */
 #define LOAD_KG_MAX 0.710f
 #define MOUTH_MIN_M 0.002f
-/* Highest ripple that lifts the bowl, because steeper ripples break at the hull. */
+/* Largest height of a ripple that lifts the bowl. Higher ripples break at the hull and lift the
+ * bowl no further. */
 #define RIPPLE_MAX_M 0.006f
-#define HEEL_RAD_S 13.0f /* Natural frequency of the tilt: the bowl rocks at 2 Hz. */
-/* Damping ratio of the tilt, with which the bowl is still after a few swings. */
+#define HEEL_RAD_S 13.0f /* Natural angular frequency of the tilt: the bowl rocks at about 2 Hz. */
+/* Damping ratio of the tilt, with which the bowl comes to rest after a few swings. */
 #define HEEL_DAMP 0.22f
-/* Largest tilt (8 degrees), because water would flow into the mouth at a larger tilt. */
+/* Largest tilt (8 degrees). At a larger tilt, water would flow into the mouth. */
 #define HEEL_MAX 0.14f
-/* Tilt due to a horizontal push, as a share of push divided by weight. */
+/* Tilt in radians per ratio of a horizontal pushing force to the weight of the bowl. */
 #define HEEL_SHARE 0.25f
 #define WALL_GAP_M 0.001f
-/* Number of passes that separate the bowls, enough for a row of four bowls at a wall. */
+/* Number of passes in which overlapping bowls are separated. Four passes are enough for a row of
+ * four bowls at a wall. */
 #define PART_ROUNDS 4u
 #define TOUCH_M 0.0015f
-/* Largest horizontal force of a ring, because a larger force would throw the bowl. */
+/* Largest horizontal force of a ring on the hull. A larger force would throw the bowl. */
 #define PUSH_N_MAX 4.0f
-/* Largest downward force of a ring on the mouth, which sinks the bowl by 5 mm. */
+/* Largest downward force of a ring on the bowl's mouth. This force sinks the bowl by 5 mm. */
 #define PRESS_N_MAX 0.8f
 
 static float load_kg(const struct bowl *bowl)
@@ -53,7 +57,8 @@ static void spill(struct bowl *bowl)
 
 /* ---- Forces of a ring on a bowl ------------------------------------------------------------- */
 
-/* Returns the force of a poi's ring on the hull, which comes from the poi's hand spring. */
+/* Returns the force of a poi's ring on the hull. The force is the force of the poi's hand spring,
+ * within limits; the force is 0 if the ring does not touch the hull. */
 static vec3 ring_push_on_hull(const struct bowl *bowl, const struct poi *poi)
 {
     const vec3 none = { 0.0f, 0.0f, 0.0f };
@@ -76,7 +81,7 @@ static vec3 ring_push_on_hull(const struct bowl *bowl, const struct poi *poi)
         const int rests = poi->position_m.y - low <= mouth + TOUCH_M;
         return v3(0.0f, rests ? f_clamp(hand_n.y, -PRESS_N_MAX, 0.0f) : 0.0f, 0.0f);
     }
-    /* A ring whose centre is above the mouth slides along the rim and does not push. */
+    /* A ring whose centre is above the mouth slides along the bowl's rim and exerts no force. */
     const float most_n = poi->position_m.y < mouth ? PUSH_N_MAX : 0.0f;
     return v3_scale(out, f_clamp(v3_dot(hand_n, out), -most_n, 0.0f));
 }
@@ -95,7 +100,7 @@ static vec3 pushes_of(const struct bowl *bowl, const struct poi *pois, const uin
 
 /* ---- Forces of the water on a bowl ---------------------------------------------------------- */
 
-struct swell { /* Height and slope of the water surface under the hull. */
+struct swell { /* Mean height and slope of the water surface under the hull. */
     float height_m, slope_x, slope_z;
 };
 
@@ -179,8 +184,8 @@ static void stay_inside(struct bowl *bowl, const struct tank *tank)
     }
 }
 
-/* Separates two bowls that overlap. Each bowl moves by half of the overlap, and the two bowls then
- * have a common speed along the line between them. */
+/* Separates two bowls that overlap. Each bowl moves by half of the overlap. If the bowls approach
+ * each other, both get their mean speed along the line between their centres. */
 static void keep_apart(struct bowl *a, struct bowl *b)
 {
     const vec3 way = v3(b->position_m.x - a->position_m.x, 0.0f, b->position_m.z - a->position_m.z);

@@ -1,25 +1,25 @@
-/* bowl_fish.c -- fish in a bowl, modelled as upright oval capsules that circle the bowl's
- * centre. */
+/* bowl_fish.c -- moves the fish in a bowl. Each fish is modelled as an upright oval capsule that
+ * circles the bowl's centre. */
 #include "core/poi/bowl/bowl_fish.h"
 
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 
-/* Mean angular speed of the circling fish: one lap in about four seconds. */
+/* Mean angular speed of a circling fish: one lap in about four seconds. */
 #define ROUND_RAD_S 1.6f
-#define SETTLE_PER_S 2.0f /* Rate at which a new fish approaches its depth and its radius. */
-/* Share by which SETTLE_PER_S is reduced in a full bowl, because its fish cannot choose their
- * place. */
+#define SETTLE_PER_S                                                                               \
+    2.0f /* Rate at which a fish approaches the depth and the radius of its circle. */
+/* Fraction by which SETTLE_PER_S is reduced in a full bowl, in which other fish are in the way. */
 #define SETTLE_CROWD 0.9f
 #define HULL_GAP_M 0.003f
-/* Mass of fish in the bowl from which all fish circle at a common speed. */
+/* Mass of the fish in a bowl above which all fish circle at the same angular speed. */
 #define CROWD_KG 0.080f
-/* Half the length of the capsule's axis per body length; snout and tail fin are too thin to
- * count. */
+/* Half the length of the capsule's axis, in body lengths. The capsule excludes the thin snout and
+ * tail fin. */
 #define SPINE_HALF 0.32f
-#define GIRTH 0.40f        /* Radius of the capsule per body width. */
-#define PART_SHARE 0.6f    /* Share of an overlap that is removed per tick. */
-#define PART_MAX_M 0.0012f /* Largest separation step per tick, equal to 14 cm/s. */
+#define GIRTH 0.40f        /* Radius of the capsule as a fraction of the body width. */
+#define PART_SHARE 0.6f    /* Fraction of an overlap that is removed in each tick. */
+#define PART_MAX_M 0.0012f /* Largest separation step in one tick, equal to 14 cm/s. */
 #define CROSSED 0.3f
 #define ENDS 0.45f /* Distance of the snout and the tail from the fish's centre, in body lengths. */
 #define SPEED_MAX_M_S 0.22f
@@ -31,19 +31,19 @@ static float draw_bowl_fish(uint32_t seed, uint32_t fish, uint32_t which)
 
 /* ---- Circling in the bowl -------------------------------------------------------------------- */
 
-/* Returns the crowding of the bowl in [0, 1]. At 1, all fish circle at a common speed, because a
- * faster fish would swim into other fish. */
+/* Returns the crowding of the bowl in [0, 1]. At 1, all fish circle at the same angular speed,
+ * because a faster fish would collide with other fish. */
 static float crowd_of(const struct bowl *bowl)
 {
     return f_smoothstep(0.0f, CROWD_KG, bowl->fish_kg);
 }
 
-struct round { /* Circle that a fish would swim without other fish. */
+struct round { /* Circle on which a fish would swim if there were no other fish. */
     float below_m, radius_m, rad_s;
 };
 
-/* Returns a random circle at which the snout and the tail of the fish stay inside the hull. Shallow
- * circles can be wider, because the bowl is wider at the top. */
+/* Returns a random circle on which the snout and the tail of the fish stay inside the hull. A
+ * shallow circle can have a larger radius, because the bowl is wider at the top. */
 static struct round round_of(const struct fish *fish, uint32_t index, const struct bowl *bowl,
                              float level_m, uint32_t seed)
 {
@@ -78,8 +78,8 @@ static void beat(struct fish *fish, float bend_rad)
     fish->tail_phase_rad -= fish->tail_phase_rad >= F_TAU ? F_TAU : 0.0f;
 }
 
-/* Moves the fish along its circle, and toward the circle's depth and radius. `way` (1 or -1) is the
- * direction around the bowl. */
+/* Moves the fish for one tick along its circle and toward the depth and the radius of the circle.
+ * `way` is the direction around the bowl: 1 or -1. */
 static void swim_in_bowl(struct fish *fish, const struct bowl *bowl, float way,
                          const struct round *round)
 {
@@ -101,8 +101,8 @@ static void swim_in_bowl(struct fish *fish, const struct bowl *bowl, float way,
 
 /* ---- Separation of fish ---------------------------------------------------------------------- */
 
-/* Returns the factor for vertical distances between fish. A fish is higher than wide, and the
- * factor makes its capsule round. */
+/* Returns the scale factor for vertical distances between fish. A fish is higher than wide, and the
+ * factor makes the cross-section of its capsule circular. */
 static float flatten(const struct fish *fish)
 {
     return fish->width_m / fish->height_m;
@@ -117,8 +117,8 @@ static struct spine spine_of(const struct fish *fish)
     return (struct spine){ -f_sin(fish->angles.yaw_rad), -f_cos(fish->angles.yaw_rad) };
 }
 
-/* Returns the shortest vector from the capsule axis of `a` to the capsule axis of `b`, with scaled
- * vertical distance. */
+/* Returns the shortest vector from the capsule axis of `a` to the capsule axis of `b`. The vertical
+ * component is multiplied by the smaller flatten() of the two fish. */
 static vec3 way_between(const struct fish *a, struct spine on_a, const struct fish *b,
                         struct spine on_b)
 {
@@ -157,8 +157,8 @@ static void separate_bowl_fish(struct fish *a, struct spine on_a, struct fish *b
     if (square >= girths * girths) {
         return;
     }
-    /* The distance of crossing axes is 0, so that the vector between the centres gives the
-     * direction. */
+    /* If the axes of two fish cross, their distance is 0. The vector between the centres then gives
+     * the direction of the separation. */
     const float deep = 1.0f - f_sqrt(square) / girths;
     const vec3 out = v3_normalize_or(v3_muladd(way, d, CROSSED * deep), v3(0.0f, 1.0f, 0.0f));
     const float step_m = f_min(PART_SHARE * deep * girths, PART_MAX_M);
@@ -178,7 +178,8 @@ static void part_all(struct fish *fish, const fish_index *mine, uint32_t count)
     }
 }
 
-/* Keeps a fish below the water level of the bowl, and its snout and tail inside the hull. */
+/* Keeps a fish below the water surface in the bowl, and keeps its snout and tail inside the
+ * hull. */
 static void stay_in_hull(struct fish *fish, const struct bowl *bowl, float level_m)
 {
     const float half = 0.5f * fish->height_m;
@@ -202,8 +203,8 @@ static void stay_in_hull(struct fish *fish, const struct bowl *bowl, float level
 
 /* ---- Tick of the bowl's fish ---------------------------------------------------------------- */
 
-/* Writes the indices of this bowl's fish to `mine` and computes their mass. Returns the number of
- * fish, at most BOWL_FISH_MAX. */
+/* Writes the indices of the bowl's fish to `mine` and the mass of these fish to `fish_kg`. Returns
+ * the number of fish, at most BOWL_FISH_MAX. */
 static uint32_t gather_bowl_fish(struct bowl *bowl, uint32_t bowl_index, const struct tank *tank,
                                  fish_index mine[BOWL_FISH_MAX])
 {
@@ -219,8 +220,8 @@ static uint32_t gather_bowl_fish(struct bowl *bowl, uint32_t bowl_index, const s
     return count;
 }
 
-/* Ends the tick of a fish that was at `from_m` at the start of the tick. The speed limit makes a
- * new fish sink in gradually. `moved_m` is the motion of the bowl. */
+/* Completes the tick of a fish that was at `from_m` at the start of the tick. A speed limit makes a
+ * new fish sink gradually to its circle. `moved_m` is the motion of the bowl in this tick. */
 static void end_tick(struct fish *fish, const struct bowl *bowl, float level_m, vec3 from_m,
                      vec3 moved_m)
 {
@@ -239,8 +240,8 @@ void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
         return;
     }
     const uint32_t count = gather_bowl_fish(bowl, bowl_index, tank, mine);
-    const float way = bowl_index % 2u == 0 ? 1.0f : -1.0f; /* Direction around the bowl, common to
-                                                              all fish of a bowl. */
+    const float way = bowl_index % 2u == 0 ? 1.0f : -1.0f; /* Direction around the bowl, which is
+                                                              the same for all fish in one bowl. */
     const float level_m = bowl_level_m(bowl);
     for (uint32_t i = 0; i < count; i++) {
         struct fish *fish = &tank->fish[mine[i]];

@@ -1,34 +1,34 @@
-/* capture.c -- capture: tests whether a fish becomes a carried fish, and writes its first state. */
+/* capture.c -- decides whether a fish becomes a carried fish, and initializes the carried fish. */
 #include "core/poi/catch/capture.h"
 
 #include "core/base/rng.h"
 #include "core/poi/catch/fall.h"
 #include "core/poi/catch/paper_contact.h"
 
-/* Lowest vertical component of the paper's normal at which a poi captures fish (a tilt of 70
- * degrees). */
+/* Lowest vertical component of the paper's unit normal at which a poi captures fish. At this value,
+ * the tilt is 70 degrees. */
 #define LEVEL_MIN 0.35f
-/* Depth of water over the paper, in body heights, from which a fish can stand upright. */
+/* Depth of water over the paper above which a fish can stand upright, in body heights. */
 #define STAND_SHARE 1.05f
-/* Additional depth of water for a fish that lies across the ring, which is 3 mm higher. */
+/* Additional depth of water that a fish needs, because a fish may lie across the ring, which is
+ * 3 mm higher than the paper. */
 #define STAND_SPARE_M 0.0045f
 #define HELD_SHARE (CAPTURE_FLOAT_SHARE - 0.05f)
-/* Horizontal speed of a fish that leaves the poi over the ring, because the paper has no room for
- * the fish. */
+/* Horizontal speed of a fish that slips off over the ring because the paper has no room. */
 #define SPILL_M_S 0.4f
 #define WALL_GAP_M 0.015f
-/* Lowest speed of the ring that counts as motion toward a wall; a trembling hand is slower. */
+/* Lowest speed of the ring toward a wall that counts as a motion toward the wall. The motion of a
+ * trembling hand is slower. */
 #define WALL_M_S 0.02f
-/* Distance of the hand's target beyond a ring that a wall stops, from which the hand counts as
- * pushing (0.9 N). */
+/* Smallest distance from the ring to the hand's target, toward a wall, at which the hand counts as
+ * pushing the ring toward the wall (0.9 N). */
 #define WALL_PRESS_M 0.004f
-/* Slap strength of a fish that was calm before the capture, relative to a fleeing fish. A calm fish
- * is surprised and slaps less. */
+/* Slap strength of a fish that was calm before its capture, relative to a fleeing fish. */
 #define CALM_VIGOUR 0.55f
 
 /* Returns 1 if the water over the paper is deep enough for the fish to stand upright, otherwise 0.
- * While the hand pulls up a ring that fish block, a fish between paper and surface counts as lying
- * on the paper, unless the water would float the fish off again. */
+ * If fish jam the ring (paper_contact_jams()), the limit is deeper: the fish is captured unless it
+ * would float off again immediately. */
 static int can_stand(const struct poi *poi, const struct basis *axes, vec3 place,
                      const struct fish *fish)
 {
@@ -45,8 +45,8 @@ void capture_slip_off(const struct poi *poi, struct tank *tank, struct fish *fis
     fall_set_free(tank, fish, v3_scale(out, SPILL_M_S));
 }
 
-/* Returns 1 if the ring presses the fish against one wall of the tank, otherwise 0. The wall is
- * `half_m` from the tank's centre in the direction `out`. */
+/* Returns 1 if the ring presses the fish against one wall of the tank, otherwise 0. `out` is the
+ * unit vector from the tank's centre toward the wall, and `half_m` is the distance to the wall. */
 static int is_pressed(const struct poi *poi, const struct basis *axes, const struct fish *fish,
                       vec3 out, float half_m)
 {
@@ -70,7 +70,8 @@ int capture_is_walled(const struct poi *poi, const struct basis *axes, const str
            is_pressed(poi, axes, fish, v3(0.0f, 0.0f, -1.0f), half_z);
 }
 
-/* Returns the initial slap strength [0, 1] of a captured fish, from its stamina and its alarm. */
+/* Returns the initial slap strength [0, 1] of a captured fish. The strength depends on the fish's
+ * stamina and alarm. */
 static float vigour_of(const struct fish *fish)
 {
     const int flees = fish->gait == GAIT_BURST || fish->gait == GAIT_ESCAPE;

@@ -1,4 +1,4 @@
-/* carried_fish.c -- motion of a carried fish on the paper: slaps, sliding, and the roll onto its
+/* carried_fish.c -- moves a carried fish on the paper: slaps, sliding, and the roll onto its
  * side. */
 #include "core/poi/catch/carried_fish.h"
 
@@ -7,45 +7,51 @@
 #include "core/poi/disc.h"
 #include "core/poi/pose.h"
 
-/* Roll angle of a lying fish, which is not 90 degrees because its fins are under it. */
+/* Roll angle of a lying fish. The angle is less than 90 degrees, because fins are between the body
+ * and the paper. */
 #define LIE_RAD (80.0f * F_DEG)
 #define LIE_PER_S 8.0f
-/* Coefficient of static friction between skin and wet paper: a fish starts to slide at a tilt of 20
- * degrees. */
+/* Coefficient of static friction between the fish's skin and wet paper. A fish starts to slide at a
+ * tilt of 20 degrees. */
 #define STICK 0.36f
-#define SLIP 0.30f /* Coefficient of sliding friction. */
-/* Ratio of the acceleration along the paper to the acceleration onto the paper, above which a fish
- * rolls over the 3 mm high ring (a tilt of 40 degrees). */
+#define SLIP 0.30f /* Coefficient of kinetic friction between the fish's skin and wet paper. */
+/* Limit of the ratio of the acceleration along the paper to the acceleration onto the paper. Above
+ * the limit (a tilt of 40 degrees), a fish rolls over the 3 mm high ring. */
 #define WALL_STICK 0.84f
-#define WALL_JUMP_M_S 0.40f /* Outward speed at which a fish passes over the ring at any tilt. */
-/* Distance from the fish's centre to the ring when its belly touches the ring. */
+#define WALL_JUMP_M_S 0.40f /* Outward speed above which a fish passes over the ring at any tilt. */
+/* Distance between the fish's centre and the ring when the fish's belly touches the ring. */
 #define WALL_MARGIN_M 0.004f
 #define SLAP_S 0.020f
-#define SLAP_M_S2_MIN 10.0f /* Lower limit of a slap's force, divided by the mass of the fish. */
+#define SLAP_M_S2_MIN                                                                              \
+    10.0f /* Lower limit of the force of a slap divided by the mass of the fish, for a fish with
+             full vigour. */
 #define SLAP_M_S2_MAX 30.0f
 #define SLAP_N_MAX 0.15f
-#define CALM_TAU_S 3.0f /* Time constant with which the slaps of a fish out of water weaken. */
-/* Factor by which a fish calms faster while its head is higher than its tail. */
+#define CALM_TAU_S                                                                                 \
+    3.0f /* Time constant with which the slaps of a fish become weaker out of water. */
+/* Factor by which a fish calms down faster while its head is higher than its tail. */
 #define CALM_HEAD_UP 2.5f
-/* Factor by which a fish calms faster in a deep sag, where the paper surrounds it. */
+/* Factor by which a fish calms down faster in a deep sag, where the paper surrounds the fish. */
 #define CALM_CRADLE 1.5f
-#define CRADLE_M 0.003f /* Depth of the sag at which CALM_CRADLE applies fully. */
-/* Highest speed at which a slap throws the fish; few slaps reach this speed. */
+#define CRADLE_M 0.003f /* Depth of the sag from which CALM_CRADLE applies fully. */
+/* Highest speed that a slap gives to the fish. Few slaps reach this speed. */
 #define FLOP_M_S 0.35f
-/* Longest hop after a slap. A slap of 20 m/s^2 for 20 ms would throw the whole body up for 80 ms,
- * but only the tail slaps. */
+/* Longest duration of a hop after a slap. A slap of 20 m/s^2 for 20 ms would lift the whole body
+ * for 80 ms, but only the tail slaps. */
 #define HOP_S 0.060f
-#define HOP_SLIP 0.05f /* Coefficient of friction during a hop. */
-/* Share of the weight that water does not support, above which a fish can slap and the ring can
- * block it. */
+#define HOP_SLIP 0.05f /* Coefficient of kinetic friction during a hop. */
+/* Fraction of the weight that water does not support. Above this fraction, a fish can slap, and the
+ * ring can block the fish. */
 #define AGROUND 0.3f
-#define FOOT_M 0.010f /* Radius of the patch of paper on which a body lies. */
-/* Limit of the slope due to a single body, because the ring supports a part of a load beside it. */
+#define FOOT_M 0.010f /* Radius of the patch of paper that supports a body. */
+/* Limit of the slope that a single body causes. The limit exists because the ring supports part of
+ * the load near it. */
 #define LEAN_MAX 0.25f
-/* Speed of a fish that swims off the paper, in body lengths per second. */
+/* Speed of a fish that swims off the paper with full vigour, in body lengths per second. */
 #define SWIM_LENGTHS 4.0f
-#define SWIM_PER_S 10.0f /* Rate at which the fish reaches SWIM_LENGTHS. */
-/* Strength of slaps toward which a fish calms, because a fish never stops slapping completely. */
+#define SWIM_PER_S 10.0f /* Rate at which a swimming fish approaches the speed SWIM_LENGTHS. */
+/* Lowest slap strength of a fish that calms down, because a fish never stops slapping
+ * completely. */
 #define VIGOUR_MIN 0.08f
 
 enum { DRAW_GAP = 0, DRAW_PAUSE, DRAW_FORCE, DRAW_FOOT, DRAW_TURN, DRAW_FLOP, DRAW_COUNT };
@@ -83,8 +89,8 @@ static void throw_about(struct carried_fish *carried, float strength, uint32_t s
     carried->slide_z_m_s -= flop * f_cos(carried->heading_rad + turn);
 }
 
-/* Starts one slap and draws the pause until the next slap. Slaps come in series at 5 to 10 Hz, and
- * pauses are more frequent for a calmer fish. Returns the force of the slap. */
+/* Starts one slap and sets `rest_s`, the random time until the next slap: 0.1 to 0.2 s, or 0.5 s
+ * more after a pause. Pauses are more frequent for a calmer fish. Returns the force of the slap. */
 static float begin_slap(struct carried_fish *carried, const struct fish *fish, uint32_t seed,
                         uint32_t tick)
 {
@@ -120,10 +126,11 @@ static float slap(struct carried_fish *carried, const struct fish *fish,
 
 /* ---- Sliding on the paper ------------------------------------------------------------------- */
 
-/* Returns the slope of the paper under a carried fish, divided by the distance from the centre. A
- * load on the whole paper makes a sag in the form of a paraboloid. A single body of force F on a
- * round membrane of tension T and radius a sinks deepest at the centre as well: F / (2 pi T)
- * ln((a^2 - r^2) / (a FOOT_M)). */
+/* Returns the slope of the paper under a carried fish, divided by the distance of the fish from the
+ * centre. Two sags add up. The load on the whole paper makes a sag in the form of a paraboloid. A
+ * single body of force F at the distance r from the centre sinks by F / (2 * pi * T) * ln((a^2 -
+ * r^2) / (a * FOOT_M)), where T is the tension and a is the radius of the paper. A body therefore
+ * also sinks deepest at the centre. */
 static float lean_per_m(const struct carried_fish *carried, const struct paper_surface *ride,
                         float press_n)
 {
@@ -133,8 +140,8 @@ static float lean_per_m(const struct carried_fish *carried, const struct paper_s
     return 2.0f * ride->belly_m / wide + f_min(own, LEAN_MAX / ride->radius_m);
 }
 
-/* Accelerates a floating fish toward its nose. `afloat` is the share [0, 1] of its weight that
- * water supports. */
+/* Accelerates a floating fish toward its nose. `afloat` is the fraction [0, 1] of the fish's weight
+ * that water supports. */
 static void make_off(struct carried_fish *carried, const struct fish *fish, float afloat)
 {
     const float goal_m_s = SWIM_LENGTHS * fish->length_m * carried->vigour;
@@ -144,8 +151,8 @@ static void make_off(struct carried_fish *carried, const struct fish *fish, floa
     carried->slide_z_m_s = carried->slide_z_m_s * keep - gain_m_s * f_cos(carried->heading_rad);
 }
 
-/* Moves the fish by gravity, the slope of the paper and friction. Friction is an implicit factor,
- * so that friction stops a fish but never reverses its motion. */
+/* Moves the fish by gravity, by the slope of the paper and by friction. Friction is computed
+ * implicitly, so that it stops a fish but never reverses the fish's motion. */
 static void slide(struct carried_fish *carried, const struct fish *fish,
                   const struct paper_surface *ride, float dry)
 {
@@ -170,7 +177,7 @@ static void slide(struct carried_fish *carried, const struct fish *fish,
     carried->z_m += carried->slide_z_m_s * CORE_TICK_S;
 }
 
-/* Stops a body at the ring unless the poi is steep or the body is fast. */
+/* Stops a fish at the ring, unless the poi is steep or the fish is fast. */
 static void meet_wall(struct carried_fish *carried, const struct paper_surface *ride)
 {
     const float r = f_sqrt(carried->x_m * carried->x_m + carried->z_m * carried->z_m);
@@ -190,8 +197,9 @@ static void meet_wall(struct carried_fish *carried, const struct paper_surface *
     carried->z_m = wall * out_z;
 }
 
-/* Moves roll and height of the fish toward their rest values. A fish on its side is half its width
- * high, and an upright fish is half its height high. */
+/* Moves the roll and the height of the fish toward their rest values. The centre of a fish on its
+ * side is half the fish's width above the paper. The centre of an upright fish is half the fish's
+ * height above the paper. */
 static void settle_height(struct carried_fish *carried, const struct fish *fish, float dry)
 {
     const float step = f_min(1.0f, LIE_PER_S * CORE_TICK_S);
@@ -215,7 +223,7 @@ float carried_fish_tick(struct carried_fish *carried, const struct fish *fish,
     return force_n;
 }
 
-/* Returns how far the paper sags at the position of a carried fish. */
+/* Returns the depth of the sag at the position of a carried fish. */
 static float sunk_m(const struct carried_fish *carried, const struct paper_surface *ride)
 {
     const float square = carried->x_m * carried->x_m + carried->z_m * carried->z_m;

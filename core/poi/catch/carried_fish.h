@@ -1,7 +1,8 @@
-/* carried_fish.h -- one fish on a poi (paper scoop): the fish lies on its side, slaps, slides and
- * calms down.
+/* carried_fish.h -- simulates one fish on a poi (paper scoop): the fish lies on its side, slaps,
+ * slides and calms down.
  *
- * The position is stored in the plane of the poi, so that the fish moves with the poi. */
+ * The position of the fish is stored in the plane of the poi, so that the fish moves with the
+ * poi. */
 #ifndef KINGYO_CORE_POI_CATCH_CARRIED_FISH_H
 #define KINGYO_CORE_POI_CATCH_CARRIED_FISH_H
 
@@ -12,64 +13,68 @@
 #include "core/poi/paper/sheet.h"
 #include "core/tank/fish.h"
 
-/* Number of ticks for which the ring must be clear of the water before an umpire counts the catch
- * (50 ms). */
+/* Number of ticks (50 ms) for which the ring must be completely above the water before an umpire
+ * counts the catch. */
 #define CARRIED_CLEAR_TICKS (CORE_TICK_HZ / 20u)
 
 enum carried_fish_state {
     CARRIED_LYING = 0,
-    CARRIED_FALLING = 1,  /* The fish is in the air off the poi and falls. */
-    CARRIED_RELEASED = 2, /* The fish falls, and its poi no longer exists. A new poi of the player
-                             does not catch the fish. */
+    CARRIED_FALLING = 1,  /* The fish is in the air and falls after it left the paper. */
+    CARRIED_RELEASED = 2, /* The fish falls, and the poi that dropped it no longer exists. A new poi
+                             of the player does not catch the fish. */
 };
 
 struct carried_fish {
     uint16_t fish;       /* Index of the fish in the tank. */
     uint8_t state;       /* State of the carried fish (enum carried_fish_state). */
-    int8_t side;         /* Side on which the fish lies: +1 if its back is to the left of its nose,
-                            -1 if its back is to the right. */
-    uint8_t walled;      /* 1 if the fish was captured while the ring pressed it against a wall,
-                            otherwise 0. */
-    uint8_t clear_ticks; /* Consecutive ticks in which the whole ring was above the water with the
-                            fish on it; at most CARRIED_CLEAR_TICKS. */
+    int8_t side;         /* Side on which the fish lies: +1 if its back points to the left as seen
+                            along its nose, -1 if its back points to the right. */
+    uint8_t walled;      /* 1 if the ring pressed the fish against a tank wall when the fish was
+                            captured, otherwise 0. */
+    uint8_t clear_ticks; /* Number of consecutive ticks in which the whole ring was above the water
+                            with the fish on it; at most CARRIED_CLEAR_TICKS. */
     float x_m, z_m;      /* Centre of the fish, in the plane of the poi. */
     float height_m;      /* Height of the fish's centre above the plane of the poi. */
     float slide_x_m_s, slide_z_m_s;
-    float heading_rad; /* Direction of the fish's nose in the plane of the poi: 0 along -z, positive
-                          to the left, like yaw. */
-    float lie;         /* Roll of the fish onto its side: 0 is upright in water, 1 is flat on its
-                          side. */
-    float vigour;      /* Strength [0, 1] of the fish's slaps, which decays while it calms. */
-    float rest_s;      /* Time until the next slap. */
-    float slap_s;      /* Remaining time of the present slap; 0 means no slap. */
-    float slap_n;      /* Force of the present slap on the paper. */
-    float slap_d_m;    /* Diameter of the patch of paper that the slap hits. */
-    float hop_s;       /* Remaining time of the hop after a slap, during which there is hardly any
+    float heading_rad; /* Direction of the fish's nose in the plane of the poi. 0 is along the poi's
+                          -z axis, and positive angles turn to the left, like yaw. */
+    float lie;         /* Progress of the fish's roll onto its side: 0 is upright in water, 1 is
+                          flat on its side. */
+    float vigour;      /* Strength [0, 1] of the fish's slaps, which decreases as the fish calms
+                          down. */
+    float rest_s;      /* Time in seconds until the next slap. */
+    float slap_s;      /* Remaining time of the current slap; 0 means that the fish does not
+                          slap. */
+    float slap_n;      /* Force of the current slap on the paper. */
+    float slap_d_m;    /* Diameter of the patch of paper that the tail hits. */
+    float hop_s;       /* Remaining time of the hop after a slap. During a hop, there is hardly any
                           friction. */
-    vec3 fall_m_s;     /* World velocity while the fish falls. */
+    vec3 fall_m_s;     /* Velocity of a falling fish in world axes. */
 };
 
-/* State of the paper that acts on the carried fish, in the poi's axes. */
+/* State of the poi and its paper that affects a carried fish, in the poi's axes. */
 struct paper_surface {
-    vec3 pull_m_s2; /* Gravity minus the poi's own acceleration; a negative y component presses fish
-                       onto the paper. */
-    float uphill_x, uphill_z; /* Components of the world's up direction along the poi's x and z
-                                 axes, each in [-1, 1]; 0 if the poi is level. */
+    vec3 pull_m_s2; /* Gravity minus the poi's own acceleration. A negative y component presses the
+                       fish onto the paper. */
+    float uphill_x, uphill_z; /* x and z components, in the poi's axes, of the world's up direction.
+                                 Each is in [-1, 1], and both are 0 if the poi is level. */
     float radius_m;           /* Radius of the paper. */
-    float belly_m;            /* Depth of the sag at the centre; negative if the paper bulges up. */
-    float give_per_n;         /* Compliance of the paper under one body: 1 / (2 pi tension). 0 means
-                                 rigid paper. */
+    float belly_m;            /* Depth of the sag at the centre of the paper; negative if the paper
+                                 bulges up. */
+    float give_per_n;         /* Compliance of the paper under a single body: 1 / (2 * pi *
+                                 tension). 0 means rigid paper. */
 };
 
-/* Returns half the thickness of a fish's ellipsoid along `direction`, a unit vector in the fish's
- * own axes. */
+/* Returns half the thickness of the fish's ellipsoid along `direction`, which is a unit vector in
+ * the fish's own axes. */
 float carried_fish_half_extent_m(const struct fish *fish, vec3 direction);
 
 /* Advances a lying fish by one tick (1/120 s). The fish slides down a slope or into the sag of the
- * paper, and each slap reduces its friction for a moment. A fish with enough water swims off along
- * its nose, and a calm fish swims more slowly. `dry` in [0, 1] is the share of the fish's weight
- * that water does not support. `seed` and `key_tick` are the keys of the fish's random slaps.
- * Returns the force in N of a slap that begins in this tick, otherwise 0. */
+ * paper. A slap reduces the friction for a moment. A fish with enough water swims off toward its
+ * nose, and a calm fish swims more slowly. `dry` in [0, 1] is the fraction of the fish's weight
+ * that water does not support. `seed` and `key_tick` are the random seed and the tick number that
+ * determine the slaps. Returns the force in N of a slap that starts in this tick, or 0 if no slap
+ * starts. */
 float carried_fish_tick(struct carried_fish *carried, const struct fish *fish,
                         const struct paper_surface *ride, float dry, uint32_t seed,
                         uint32_t key_tick);
@@ -77,8 +82,8 @@ float carried_fish_tick(struct carried_fish *carried, const struct fish *fish,
 /* Writes the position of the fish's tail in the plane of the poi. */
 void carried_fish_tail(const struct carried_fish *carried, float length_m, float *x_m, float *z_m);
 
-/* Writes the position, the angles and the tail motion of `fish`, from its state on the poi, the sag
- * of the paper and the poi's pose. */
+/* Writes the position, the angles and the tail motion of `fish`. The inputs are the carried fish,
+ * the sag of the paper, and the position and axes of the poi. */
 void carried_fish_pose(const struct carried_fish *carried, const struct paper_surface *ride,
                        vec3 poi_m, const struct basis *poi_axes, struct fish *fish);
 

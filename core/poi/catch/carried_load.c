@@ -1,9 +1,10 @@
-/* carried_load.c -- the loads of carried fish: one for each body and one for each slap. */
+/* carried_load.c -- computes the loads of carried fish: one load for each body and one for each
+ * slap. */
 #include "core/poi/catch/carried_load.h"
 
 #include "core/base/panic.h"
 
-#define BODY_FOOT_M 0.020f /* Diameter of the patch of paper on which a body lies. */
+#define BODY_FOOT_M 0.020f /* Diameter of the patch of paper on which a body acts. */
 
 float carried_load_dryness(const struct poi *poi, const struct basis *axes,
                            const struct carried_fish *carried, const struct fish *fish)
@@ -21,8 +22,8 @@ static void add_load(struct poi *poi, struct sheet_load load)
     }
 }
 
-/* Adds the load of a slap. If the slap ends during this tick, the load is only the share of the
- * force for the rest of the slap. */
+/* Adds the load of a slap at the fish's tail or body. If the slap ends during this tick, the force
+ * is reduced in proportion to its remaining time. */
 static void add_slap(struct poi *poi, const struct carried_fish *carried, const struct fish *fish)
 {
     const float share = f_min(1.0f, carried->slap_s * (float)CORE_TICK_HZ);

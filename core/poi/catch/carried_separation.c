@@ -1,17 +1,18 @@
-/* carried_separation.c -- separation of carried fish, modelled as capsules in the plane of the
+/* carried_separation.c -- separates carried fish, each modelled as a capsule in the plane of the
  * paper. */
 #include "core/poi/catch/carried_separation.h"
 
-/* Half the length of the capsule's axis per body length; snout and tail fin are too thin to
- * count. */
+/* Half the length of the capsule's axis, in body lengths. The capsule excludes the thin snout and
+ * tail fin. */
 #define SPINE_HALF 0.30f
-/* Radius of the capsule, relative to the body's extent in the plane; less than half, because bodies
- * taper. */
+/* Radius of the capsule as a fraction of the body's extent in the plane. The fraction is less than
+ * one half, because bodies taper. */
 #define GIRTH 0.36f
-#define PUSH_MAX_M 0.0015f /* Largest separation step per tick, equal to 0.18 m/s. */
-/* Distance from the fish's centre to the ring when its belly touches the ring. */
+#define PUSH_MAX_M 0.0015f /* Largest separation step in one tick, equal to 0.18 m/s. */
+/* Distance between the fish's centre and the ring when the fish's belly touches the ring. */
 #define WALL_M 0.004f
-/* Overlap at which a fish is squeezed over the ring, as a share of the sum of the capsule radii. */
+/* Overlap above which a fish is pushed over the ring, as a fraction of the sum of the two capsule
+ * radii. */
 #define SQUEEZE 0.5f
 
 struct flat { /* Point or vector in the plane of the paper. */
@@ -19,7 +20,7 @@ struct flat { /* Point or vector in the plane of the paper. */
 };
 
 struct capsule {
-    struct flat centre, axis; /* Centre of the capsule, and the unit vector of its axis. */
+    struct flat centre, axis; /* Centre of the capsule, and the unit vector along its axis. */
     float half_m, radius_m;
 };
 
@@ -39,7 +40,7 @@ static struct flat capsule_point_at(const struct capsule *capsule, float way_m)
                           capsule->centre.z + way_m * capsule->axis.z };
 }
 
-/* Returns the vector from a point to the nearest point of a capsule's axis. */
+/* Returns the vector from the point `from` to the nearest point of the capsule's axis. */
 static struct flat to_axis(struct flat from, const struct capsule *capsule)
 {
     const float x = from.x - capsule->centre.x, z = from.z - capsule->centre.z;
@@ -59,15 +60,15 @@ static int axes_cross(const struct capsule *a, const struct capsule *b)
     const float cross = a->axis.x * b->axis.z - a->axis.z * b->axis.x;
     const float x = b->centre.x - a->centre.x, z = b->centre.z - a->centre.z;
     if (f_abs(cross) < 1e-4f) {
-        return 0; /* Parallel axes are nearest at their ends, which the caller tests. */
+        return 0; /* Parallel axes do not cross; the caller tests the ends of the axes. */
     }
     const float on_a = (x * b->axis.z - z * b->axis.x) / cross;
     const float on_b = (x * a->axis.z - z * a->axis.x) / cross;
     return f_abs(on_a) < a->half_m && f_abs(on_b) < b->half_m;
 }
 
-/* Returns the shortest vector from the axis of `a` to the axis of `b`. If the axes cross, the
- * shortest vector is 0, so that a very short vector from centre to centre is returned. */
+/* Returns the shortest vector from the axis of `a` to the axis of `b`. If the axes cross, returns a
+ * very short vector in the direction from the centre of `a` to the centre of `b`. */
 static struct flat way_between(const struct capsule *a, const struct capsule *b)
 {
     struct flat best = { b->centre.x - a->centre.x, b->centre.z - a->centre.z };
@@ -121,8 +122,8 @@ static void push_within_ring(struct carried_fish *carried, float x_m, float z_m,
     }
 }
 
-/* Removes the approach speed of two fish along `out`. `share_a` is the share of the change for fish
- * `a`. */
+/* Removes the speed with which two fish approach each other along the unit vector `out`. `share_a`
+ * is the fraction of the change that fish `a` gets; fish `b` gets the rest. */
 static void share_velocity(struct carried_fish *a, struct carried_fish *b, struct flat out,
                            float share_a)
 {

@@ -1,14 +1,14 @@
-/* carried_support.c -- tests of the support at five points along a fish's body and three across
- * it. */
+/* carried_support.c -- tests the support of a fish at five places along its body, with three points
+ * across the body at each place. */
 #include "core/poi/catch/carried_support.h"
 
 #include "core/poi/poi.h"
 
-/* Distance between the test points along the body, in body lengths. The points reach from 0.36 in
- * front of the centre to 0.36 behind it. */
+/* Distance between test places along the body, in body lengths. The places reach from 0.36 body
+ * lengths in front of the centre to 0.36 body lengths behind it. */
 #define ALONG_STEP 0.18f
-/* Distance of the outer test points from the body's midline, as a share of the body's girth. The
- * share is less than half, because a body tapers. */
+/* Distance of the outer test points from the midline of the body, as a fraction of the body's
+ * girth. The fraction is less than one half, because a body tapers. */
 #define ACROSS 0.30f
 
 static int is_borne(const struct sheet *sheet, float x_m, float z_m)
@@ -48,7 +48,7 @@ int carried_support_holds(const struct sheet *sheet, const struct carried_fish *
         return 0;
     }
     if (sheet->paper_cells == sheet->paper_cells_new) {
-        return 1; /* The paper is intact, which is the case in most ticks of a round. */
+        return 1; /* The paper has no hole, which is the case in most ticks of a round. */
     }
     return slice_holds(sheet, carried, fish, 0.0f) &&
            (half_holds(sheet, carried, fish, -1.0f) || half_holds(sheet, carried, fish, 1.0f));

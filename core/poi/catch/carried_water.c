@@ -1,30 +1,37 @@
-/* carried_water.c -- the film and the pool of water on a tilted poi: their capacity and their
- * drainage. */
+/* carried_water.c -- computes the capacity and the drainage of the film and the pool of water on a
+ * tilted poi. */
 #include "core/poi/catch/carried_water.h"
 
 #include "core/base/physics.h"
 
-#define FILM_KG 0.003f       /* Mass of the full film on both faces of wet paper, 0.3 mm each. */
-#define FILM_KEEP_KG 0.0008f /* Mass of the film that the paper fibres retain. */
-#define FILM_SLOW 4.0f       /* Factor by which a thin film drains more slowly than a pool. */
-/* Drainage time constant of a pool on a vertical ring; at a smaller tilt, the time constant is
+#define FILM_KG                                                                                    \
+    0.003f /* Mass of the complete film of water on wet paper: 0.3 mm thick on each of the two
+              faces. */
+#define FILM_KEEP_KG                                                                               \
+    0.0008f /* Mass of the film that does not drain, because the paper fibres hold it. */
+#define FILM_SLOW                                                                                  \
+    4.0f /* Ratio of the drainage time constant of the thin film to that of the pool. */
+/* Drainage time constant of a pool on a vertical ring. At a smaller tilt, the time constant is
  * divided by the sine of the tilt. */
 #define DRAIN_TAU_S 0.15f
-/* Rate at which water above the capacity drains over the whole rim of a level ring. */
+/* Rate at which water above the capacity of the pool drains over the whole rim of a level ring. */
 #define RIM_PER_S 3.3f
-/* Sine of the tilt from which water drains over the lowest point of the rim only. */
+/* Sine of the tilt above which water drains only over the lowest point of the rim. */
 #define RIM_SINE 0.1f
-#define SEEP_TAU_S 15.0f /* Time constant of the water that seeps through wet paper. */
-#define HOLES_PER_S 8.0f /* Drainage rate through holes, per share of torn paper. */
+#define SEEP_TAU_S 15.0f /* Time constant with which water seeps through wet paper. */
+#define HOLES_PER_S                                                                                \
+    8.0f                 /* Drainage rate through holes, multiplied by the fraction of the paper
+                            that is torn. */
 #define DROP_KG 0.00005f /* Mass of a drop with a diameter of 4.6 mm. */
-/* Largest number of drops per tick; more drops are a trickle, which sounds no louder. */
+/* Largest number of drops in one tick. More drops are a trickle, which is not louder. */
 #define DROPS_MAX 4u
-/* Capacity of an upside-down ring, which holds water 3 mm deep: pi a^2 times 3 mm. */
+/* Capacity of an upside-down ring of radius a, which holds water 3 mm deep: pi * a^2 * 3 mm. */
 #define RING_KG 0.0151f
 
-/* Returns the capacity of the sag, a paraboloid of depth w0 = sag_m. `tangent` is the tangent of
- * the tilt. In a tilted sag, the lowest point of the rim limits the pool to (1 - a tangent / (2
- * w0))^4 times the level volume, where a is the radius. */
+/* Returns the capacity of the sag of the paper in a tilted poi. The sag is a paraboloid of depth w0
+ * = sag_m, and `tangent` is the tangent of the tilt. The lowest point of the rim limits the pool to
+ * (1 - a * tangent / (2 * w0))^4 times the volume of a level sag, where a is the radius of the
+ * paper. */
 static float belly_room_kg(float sag_m, float tangent)
 {
     const float whole_kg = 0.5f * F_PI * POI_RADIUS_M * POI_RADIUS_M * sag_m * WATER_KG_M3;
@@ -33,9 +40,10 @@ static float belly_room_kg(float sag_m, float tangent)
     return whole_kg * left * left;
 }
 
-/* Returns the capacity of an upside-down ring, which is a tilted drum whose water reaches the
- * lowest point of the wall. If the water surface meets the bottom, the water is a wedge with a
- * volume proportional to its length to the power 3/2. The film uses a part of the capacity. */
+/* Returns the capacity of an upside-down ring, which is a flat drum that the tilt empties in part.
+ * The water reaches up to the lowest point of the rim. If the water does not cover the whole
+ * bottom, it forms a wedge whose volume is proportional to its length to the power 3/2. The mass of
+ * the film is subtracted from the capacity. */
 static float ring_room_kg(float tangent)
 {
     const float fall = POI_RADIUS_M * tangent / POI_THICKNESS_M;
@@ -53,15 +61,16 @@ float carried_water_room_kg(const struct poi *poi, float up_y)
     return sheet_left(&poi->sheet) * room_kg;
 }
 
-/* Returns the mass that remains of `mass_kg` after one tick. The mass above `keep_kg` drains at the
- * rate `per_s`. */
+/* Returns the mass of water that remains of `mass_kg` after one tick. The mass above `keep_kg`
+ * drains at the rate `per_s`. */
 static float run_off(float mass_kg, float keep_kg, float per_s)
 {
     const float more_kg = f_max(0.0f, mass_kg - keep_kg);
     return f_min(mass_kg, keep_kg) + more_kg / (1.0f + per_s * CORE_TICK_S);
 }
 
-/* Updates the drops of this tick. Nothing drops while the poi touches the water. */
+/* Updates the number of drops that fall in this tick, for drained water of `lost_kg`. No drops fall
+ * while the poi touches the water. */
 static void let_drop(struct poi *poi, float lost_kg)
 {
     poi->drops = 0;
@@ -76,7 +85,8 @@ static void let_drop(struct poi *poi, float lost_kg)
     }
 }
 
-/* The immersed part of the paper fills immediately, and the rest of the water drains. */
+/* The carried water of the immersed fraction of the disc is refilled immediately. The rest of the
+ * water drains. */
 void carried_water_tick(struct poi *poi, float up_y)
 {
     const float left = sheet_left(&poi->sheet);

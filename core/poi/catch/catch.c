@@ -1,4 +1,5 @@
-/* catch.c -- one tick of the fish on a poi: capture, lying on the paper, fall and landing. */
+/* catch.c -- simulates one tick of the fish on a poi: capture, lying on the paper, fall and
+ * landing. */
 #include "core/poi/catch/catch.h"
 
 #include "core/base/panic.h"
@@ -10,16 +11,18 @@
 #include "core/poi/catch/fall.h"
 #include "core/poi/catch/paper_contact.h"
 
-/* Smallest line tension for the compliance of the paper, which is the tension of wet paper under a
- * single fish. */
+/* Lower limit of the line tension from which the compliance of the paper is computed. The value is
+ * the tension of wet paper under a single fish. */
 #define SLACK_N_M 1.5f
-#define LIFT_OFF_M_S2 0.5f /* Acceleration away from the paper above which a fish lifts off. */
-/* Highest sliding speed after a landing, because wet paper absorbs most of the velocity. */
+#define LIFT_OFF_M_S2                                                                              \
+    0.5f /* Acceleration away from the paper above which a fish lifts off the paper. */
+/* Highest sliding speed of a fish after it landed on the paper, because wet paper absorbs most of
+ * its velocity. */
 #define LAND_M_S 0.2f
-#define SLAP_EVERY_TICKS 8u /* Least number of ticks between two slap sounds of a poi. */
+#define SLAP_EVERY_TICKS 8u /* Lowest number of ticks between two slap sounds of a poi. */
 #define TEAR_EVERY_TICKS 14u
 
-struct scoop { /* Context of one poi in one tick. */
+struct scoop { /* Poi, tank and results that the functions of one tick use. */
     struct poi *poi;
     uint32_t poi_index;
     const struct stall *stall;
@@ -66,7 +69,7 @@ static void sound_slap(const struct scoop *scoop, float force_n)
     }
 }
 
-/* ---- Leaving the poi ------------------------------------------------------------------------ */
+/* ---- Fish that leave the poi ----------------------------------------------------------------- */
 
 static void remove_rider(struct poi *poi, uint32_t which)
 {
@@ -81,10 +84,11 @@ static void let_fall(const struct scoop *scoop, struct carried_fish *carried)
     fall_begin(carried, v3_add(scoop->poi->velocity_m_s, vec_basis_to_world(&scoop->axes, slide)));
 }
 
-/* Returns 1 if a falling fish meets the paper from above and the paper supports it again; `lying`
- * is then its new state. Otherwise returns 0. A slap may have thrown the fish up, or the poi may
- * rise under the fish. `before_m` is the fish's position in the previous tick. Each position is
- * taken in the poi's axes of its tick, so that the poi's rotation is included. */
+/* Returns 1 if a falling fish meets the paper from above and the paper supports it; writes the new
+ * state of the fish to `lying`. Otherwise returns 0. A fish can meet the paper again after a slap
+ * threw it up, or if the poi rises under it. `before_m` is the position of the fish in the previous
+ * tick. The function converts each position with the poi's axes of the same tick, and therefore
+ * includes the rotation of the poi. */
 static int lands(const struct scoop *scoop, const struct carried_fish *carried, vec3 before_m,
                  struct carried_fish *lying)
 {
@@ -109,8 +113,8 @@ static int lands(const struct scoop *scoop, const struct carried_fish *carried, 
     return carried_support_holds(&poi->sheet, lying, fish);
 }
 
-/* Advances the fall of a carried fish. Returns 1 if the fall has ended in a bowl or in the water,
- * otherwise 0. */
+/* Advances the fall of a carried fish by one tick. Returns 1 if the fall ended in a bowl or in the
+ * water, otherwise 0. */
 static int fall(const struct scoop *scoop, struct carried_fish *carried)
 {
     const vec3 before_m = scoop->tank->fish[carried->fish].position_m;
@@ -149,8 +153,8 @@ static int floats_off(const struct scoop *scoop, const struct carried_fish *carr
     return depth > CAPTURE_FLOAT_SHARE * fish->height_m;
 }
 
-/* Counts the consecutive ticks in which the whole ring is clear of the water with the fish on it,
- * because an umpire counts only these catches. */
+/* Updates the number of consecutive ticks in which the whole ring is above the water with the fish
+ * on it. An umpire counts only a catch with enough of these ticks. */
 static void see_ring(const struct scoop *scoop, struct carried_fish *carried)
 {
     if (!scoop->clear) {
@@ -161,7 +165,7 @@ static void see_ring(const struct scoop *scoop, struct carried_fish *carried)
 }
 
 /* Advances a lying fish by one tick. Returns 1 if the fish has left the poi and is in the water,
- * otherwise 0. A fish that starts to fall is still carried. */
+ * otherwise 0. A fish that starts to fall is still a carried fish, and the function returns 0. */
 static int ride(struct scoop *scoop, struct carried_fish *carried)
 {
     struct fish *fish = &scoop->tank->fish[carried->fish];
@@ -175,8 +179,8 @@ static int ride(struct scoop *scoop, struct carried_fish *carried)
     const int flies = scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2;
     const int leaves = flies || !carried_support_holds(&scoop->poi->sheet, carried, fish);
     if (floats_off(scoop, carried, fish) || (leaves && dry <= 0.0f)) {
-        fall_set_free(scoop->tank, fish, fish->velocity_m_s); /* The fish is in the water and
-                                                                 swims. */
+        fall_set_free(scoop->tank, fish, fish->velocity_m_s); /* The fish floated off the paper and
+                                                                 swims in the tank. */
         return 1;
     }
     if (leaves) {
@@ -204,7 +208,7 @@ static void ride_all(struct scoop *scoop)
 
 /* ---- Contact with other fish ----------------------------------------------------------------- */
 
-/* Removes carried fish whose state other code has changed, for example at the start of a new
+/* Removes carried fish whose state was changed outside this file, for example at the start of a new
  * round. */
 static void forget_strangers(struct scoop *scoop)
 {
@@ -230,7 +234,8 @@ static void try_to_capture(struct scoop *scoop, uint32_t index)
 }
 
 /* Frees a ring that fish block while the hand pulls it up. The outermost fish slip off over the
- * ring's edge first, until the ring moves. The inner fish may remain and be lifted. */
+ * edge of the ring first. Fish continue to slip off until the ring moves. The remaining inner fish
+ * are lifted. */
 static void free_jam(struct scoop *scoop)
 {
     struct poi *poi = scoop->poi;
@@ -286,7 +291,8 @@ void catch_count(const struct carried_fish *carried, uint32_t poi, uint32_t bowl
     }
 }
 
-/* Returns the compliance of the paper at the tension that water and carried fish cause. */
+/* Returns the compliance of the paper at the tension that the weight of water and carried fish
+ * causes. */
 static float give_per_n(const struct poi *poi)
 {
     const struct paper_grade *grade = sheet_grade(poi->sheet.grade);

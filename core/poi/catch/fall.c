@@ -1,15 +1,16 @@
-/* fall.c -- a fall over a few centimetres, which ends in a bowl or in the water. */
+/* fall.c -- moves a fish that falls a few centimetres into a bowl or into the water. */
 #include "core/poi/catch/fall.h"
 
 #include "core/base/physics.h"
 #include "core/input.h"
 #include "core/tank/collision/reentry.h"
 
-/* Highest horizontal speed at which a fish that fell beyond a wall moves back over the tank. */
+/* Highest horizontal speed with which a fish that is beyond a tank wall moves back over the
+ * tank. */
 #define FALL_HOME_M_S 1.5f
-#define PLOP_M 0.004f /* Depth of the dent in the water surface where a fish falls in. */
+#define PLOP_M 0.004f /* Depth of the dent that a falling fish makes in the water surface. */
 
-/* The full alarm makes the fish flee as soon as it is clear of other fish. */
+/* Full alarm makes the fish flee as soon as no other fish is in its way. */
 void fall_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
 {
     fish->alarm = 1.0f;
@@ -17,7 +18,7 @@ void fall_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
 }
 
 /* Returns 1 if the path from `before_m` to `now_m` passes down through the bowl's mouth, otherwise
- * 0. Both positions are taken relative to the moving bowl. */
+ * 0. The function compares both positions with the position of the moving bowl at the same time. */
 static int through_mouth(const struct bowl *bowl, vec3 before_m, vec3 now_m)
 {
     const vec3 from = v3_sub(before_m, bowl->before_m), to = v3_sub(now_m, bowl->position_m);
@@ -25,7 +26,8 @@ static int through_mouth(const struct bowl *bowl, vec3 before_m, vec3 now_m)
            to.x * to.x + to.z * to.z < BOWL_RADIUS_M * BOWL_RADIUS_M;
 }
 
-/* Moves a fish that misses the mouth off the hull, so that the fish slides down outside. */
+/* Moves a fish that misses the bowl's mouth out of the hull, so that the fish slides down outside
+ * the bowl. */
 static void off_hull(const struct bowl *bowl, struct fish *fish, struct carried_fish *carried)
 {
     const vec3 away =
@@ -42,8 +44,8 @@ static void off_hull(const struct bowl *bowl, struct fish *fish, struct carried_
     carried->fall_m_s = v3_muladd(carried->fall_m_s, out, -inward);
 }
 
-/* Returns the speed on one axis that moves a fish beyond a wall back over the tank; 0 inside the
- * walls. At a real stall, people also put fish back that jumped out. */
+/* Returns the speed on one axis with which a fish beyond a tank wall moves back over the tank; 0
+ * inside the walls. At a real stall, people also put a fish back that jumped out. */
 static float homeward(float at_m, float room_m)
 {
     const float out = at_m - f_clamp(at_m, -room_m, room_m);

@@ -1,21 +1,23 @@
-/* paper_contact.c -- contact of the paper with the fish in the water above it. */
+/* paper_contact.c -- tests the contact of the paper with the fish in the water above the paper. */
 #include "core/poi/catch/paper_contact.h"
 
 #define ZONE_M 0.06f /* Distance from the paper's plane beyond which no fish can touch the paper. */
 #define SQUEEZE_GAP_M 0.0005f
-/* Height of the hand's target above a ring that fish block, from which the pull of the hand counts
- * as a jam (6.5 N). */
+/* Height of the hand's target above a ring that fish block. From this height on, the ring counts as
+ * jammed (a pull of 6.5 N). */
 #define JAM_PULL_M 0.03f
-/* Ticks (0.1 s) within which all fish over a jammed ring leave, from the edge inward. */
+/* Number of ticks (0.1 s) after which all fish over a jammed ring have left. The fish leave from
+ * the edge inward. */
 #define JAM_TICKS 12.0f
 #define JAM_M (0.02f * CORE_TICK_S)
-/* Largest gap between fish and paper for a capture, because a fish that lies across the ring is 3
- * mm above the paper. */
+/* Largest gap between fish and paper at which the fish can be captured. A fish that lies across the
+ * ring is 3 mm above the paper. */
 #define TOUCH_M 0.005f
 
-/* Returns 1 if a point is less than ZONE_M above the paper's plane and near the poi, otherwise 0.
- * `away` is the point relative to the ring's centre, in world axes. Writes the point in the poi's
- * axes to `place`. For most fish, the distance test is sufficient and cheap. */
+/* Returns 1 if a point is at most ZONE_M above the paper's plane and near the poi, otherwise 0.
+ * `away` is the vector from the ring's centre to the point in world axes. Writes the coordinates of
+ * the point in the poi's axes to `place`. For most fish, the cheap distance test already gives the
+ * result. */
 static int over_paper(const struct basis *axes, vec3 away, vec3 *place)
 {
     if (v3_dot(away, away) >= ZONE_M * ZONE_M + POI_RADIUS_M * POI_RADIUS_M) {
@@ -43,8 +45,8 @@ static int at_surface(const struct fish *fish)
     return fish->position_m.y + box_extent_m(&box).y > -SQUEEZE_GAP_M;
 }
 
-/* Returns 1 if the ring touches the fish, otherwise 0. If `from_below` is set, a contact from above
- * does not count. */
+/* Returns 1 if the ring touches the fish, otherwise 0. If `from_below` is 1, only a contact from
+ * below counts. */
 static int ring_touches(const struct poi *poi, const struct fish *fish, int from_below)
 {
     const struct box box = fish_box(fish);
@@ -74,7 +76,8 @@ int paper_contact_squeezed(const struct poi *poi, const struct fish *fish)
 }
 
 /* Returns 1 if the fish is above the disc, inside its outer radius, and at least `from_m`
- * horizontally from its centre; otherwise 0. The depth of the fish has no effect. */
+ * horizontally from its centre. Otherwise returns 0. The height of the fish above the disc has no
+ * effect. */
 static int lies_over(const struct basis *axes, vec3 away, float from_m)
 {
     const float side_m2 = away.x * away.x + away.z * away.z;

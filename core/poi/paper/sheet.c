@@ -1,4 +1,4 @@
-/* sheet.c -- one tick of the paper: loads, stress concentration and tears. */
+/* sheet.c -- simulates one tick of the paper: loads, stress concentration and tears. */
 #include "core/poi/paper/sheet.h"
 
 #include "core/base/hash.h"
@@ -7,15 +7,17 @@
 #include "core/poi/paper/strain.h"
 #include "core/poi/paper/wetting.h"
 
-/* Share of the ultimate tension below which damage is ignored, because paper lasts for half a day
- * at this share. */
+/* Fraction of the ultimate tension below which damage is ignored. At this fraction, the paper would
+ * last for half a day. */
 #define LOAD_RATIO_MIN 0.25f
-/* Stress concentration at the line between wet and dry paper, which swell differently. */
+/* Stress concentration factor at the line between wet and dry paper, which swell differently. */
 #define WET_LINE_FACTOR 2.5f
 #define STANDING_FACTOR_WORST (STRAIN_EDGE * WET_LINE_FACTOR)
-/* Tension at which the effect of a footprint ends, because a lower tension causes no wear. */
+/* Tension below which the effect of a footprint is ignored, because a lower tension causes no
+ * damage. */
 #define FOOT_TENSION_MIN_N_M 0.3f
-/* Time constant of the sag, which moves water along and therefore cannot jump. */
+/* Time constant of the sag. The sag moves water along with it and therefore cannot change
+ * abruptly. */
 #define SAG_TAU_S 0.03f
 
 /* ---- Stress concentration -------------------------------------------------------------------- */
@@ -30,8 +32,8 @@ static float line_factor(const struct sheet *sheet, uint32_t row, uint32_t colum
     return 1.0f + (WET_LINE_FACTOR - 1.0f) * wetting_line(sheet, row, column);
 }
 
-/* Raises the ratio of a cell to its ratio beside a tear. A higher ratio due to the membrane, the
- * ring or the wet line remains. */
+/* Raises `ratio` of a cell beside a tear to the load times the stress factor of the tear. If the
+ * ratio of the cell is already higher, it does not change. */
 static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uint32_t row,
                            uint32_t column)
 {
@@ -40,8 +42,8 @@ static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uin
     strain->ratio[cell] = f_max(strain->ratio[cell], tip);
 }
 
-/* Multiplies the ratios of a row by the factor of the wet line, and then raises the ratios beside
- * tears. */
+/* Multiplies `ratio` of the cells in a row by the factor of the wet line, and then applies the
+ * stress factors of tears. */
 static void gather_row(struct strain *strain, const struct sheet *sheet, uint32_t row)
 {
     const uint32_t front = tear_front(&strain->map, row);
@@ -55,7 +57,7 @@ static void gather_row(struct strain *strain, const struct sheet *sheet, uint32_
     }
 }
 
-/* Sets the load of all holes in the row to 0. */
+/* Sets the load of all hole cells in the row to 0. */
 static void relieve_row(struct strain *strain, uint32_t row)
 {
     for (uint32_t column = 0; column < SHEET_SIDE; column++) {
@@ -67,8 +69,8 @@ static void relieve_row(struct strain *strain, uint32_t row)
 }
 
 /* Recomputes the ratios near holes that changed in this tick. Bit i of `changed` is set if a hole
- * grew in row i. The ratio beside a growing tear never falls, so that the stored maximum stays
- * correct. */
+ * in row i grew. Ratios never decrease here, because the stress beside a growing tear never
+ * decreases. */
 static void regather(struct strain *strain, const struct sheet *sheet, uint32_t changed)
 {
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
@@ -94,7 +96,7 @@ static void regather(struct strain *strain, const struct sheet *sheet, uint32_t 
 
 /* ---- Growth of tears ------------------------------------------------------------------------ */
 
-/* Turns the cells of the bits `torn` into holes. Returns their number. */
+/* Changes the cells of the bits `torn` in a row into holes. Returns the number of changed cells. */
 static uint32_t open_row(struct strain *strain, struct sheet *sheet, uint32_t row, uint32_t torn)
 {
     uint32_t count = 0;
@@ -109,7 +111,7 @@ static uint32_t open_row(struct strain *strain, struct sheet *sheet, uint32_t ro
     return count;
 }
 
-/* Returns one bit for each row whose holes differ from `before`. */
+/* Returns a word in which bit i is set if the holes of row i differ from `before`. */
 static uint32_t changed_rows(const struct strain *strain, const uint32_t before[SHEET_SIDE])
 {
     uint32_t changed = 0;
@@ -134,8 +136,7 @@ static uint32_t tear_step(struct strain *strain, struct sheet *sheet)
     return gone;
 }
 
-/* Removes loose paper repeatedly until no loose paper is left. Returns the number of removed
- * cells. */
+/* Removes loose paper until no loose paper remains. Returns the number of removed cells. */
 static uint32_t drop_all(struct strain *strain, struct sheet *sheet)
 {
     uint32_t gone = 0, dropped = 1;
@@ -149,8 +150,8 @@ static uint32_t drop_all(struct strain *strain, struct sheet *sheet)
     return gone;
 }
 
-/* Advances the damage by one tick and returns the number of torn cells. Damage grows at a constant
- * rate under a constant load, so that only a tick in which paper tears needs substeps. */
+/* Advances the damage by one tick and returns the number of torn cells. A tick without a tear needs
+ * no substeps, because damage grows at a constant rate under a constant load. */
 static uint32_t wear_tick(struct strain *strain, struct sheet *sheet)
 {
     uint32_t torn = 0;
@@ -186,12 +187,13 @@ static void settle_sag(struct sheet *sheet, float pressure_pa)
 {
     const float belly = sheet_belly(sheet_grade(sheet->grade), pressure_pa, sheet->radius_m);
     const float goal = pressure_pa > 0.0f ? -belly : belly; /* A pressure toward the poi's up axis
-                                                               bulges the paper up. */
+                                                               makes the paper bulge up, which is a
+                                                               negative sag. */
     sheet->sag_m += (goal - sheet->sag_m) * (CORE_TICK_S / (SAG_TAU_S + CORE_TICK_S));
 }
 
-/* Returns 1 if the tension at the centre is too low to damage any cell, even beside a tear;
- * otherwise 0. */
+/* Returns 1 if the tension at the centre is too low to damage any cell, even beside a tear.
+ * Otherwise returns 0. */
 static int is_calm(const struct sheet *sheet, const struct paper_grade *grade, float centre_n_m)
 {
     const float wettest = grade->wet_n_m * (1.0f - SHEET_SOFTENING);
@@ -226,7 +228,7 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
     CORE_ASSERT(f_is_finite(pressure_pa));
     const struct paper_grade *grade = sheet_grade(sheet->grade);
     const float borne_pa = pressure_pa * sheet_left(sheet);
-    struct strain strain; /* Work area of 9 KiB; every value is written before it is read. */
+    struct strain strain; /* Work area of 9 KiB. Every value is written before it is read. */
     strain.grade = grade;
     strain.centre_n_m = sheet_tension_centre(grade, borne_pa, sheet->radius_m);
     strain.edge_n_m = sheet_tension_edge(grade, borne_pa, sheet->radius_m);
@@ -246,8 +248,8 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
 
 /* ---- Queries --------------------------------------------------------------------------------- */
 
-/* Returns the index of the cell at a point within the ring. At the ring's edge, the point may lie
- * in a cell that counts as outside. The nearest cell toward the centre is then returned. */
+/* Returns the index of the cell at a point within the ring. A point near the ring may lie in a cell
+ * that counts as outside. In this case, the nearest cell toward the centre is returned. */
 static uint32_t cell_at(const struct sheet *sheet, float x_m, float z_m)
 {
     const float last = (float)(SHEET_SIDE - 1u);

@@ -1,10 +1,10 @@
-/* sheet.h -- the paper of a poi (paper scoop): cells with wetness, strength and damage.
+/* sheet.h -- simulates the paper of a poi (paper scoop) as cells with wetness, strength and damage.
  *
- * A square of SHEET_SIDE x SHEET_SIDE cells covers the ring; cells outside the ring are
- * CELL_OUTSIDE. Column 0 is the left edge (-x of the poi), and row 0 is the far edge (-z). The line
- * between wet and dry paper, the ring and holes concentrate the stress. A tear starts where the
- * stress exceeds the strength of the paper for long enough. The tear grows from cell to cell, by up
- * to SHEET_STEPS_MAX cells in a tick (1/120 s). */
+ * A square of SHEET_SIDE x SHEET_SIDE cells covers the ring, and cells outside the ring are
+ * CELL_OUTSIDE. Column 0 is the left edge (-x of the poi), and row 0 is the far edge (-z). The
+ * stress is concentrated along the ring, beside holes, and along the line between wet and dry
+ * paper. A tear starts where the stress exceeds the strength of the paper for long enough. A tear
+ * grows from cell to cell, by up to SHEET_STEPS_MAX cells in one tick (1/120 s). */
 #ifndef KINGYO_CORE_POI_PAPER_SHEET_H
 #define KINGYO_CORE_POI_PAPER_SHEET_H
 
@@ -14,17 +14,17 @@
 #include "core/scene_tank.h"
 
 #define SHEET_CELL_COUNT (SHEET_SIDE * SHEET_SIDE)
-/* Largest number of footprints per tick: a body and a slapping tail of each of 16 fish. */
+/* Largest number of loads in one tick: a body and a slapping tail of each of 16 fish. */
 #define SHEET_LOAD_MAX 32u
-/* Number of substeps in a tick in which paper tears, so that a tear grows at 2.4 m/s at most. */
+/* Number of substeps of a tick in which paper tears. A tear therefore grows at 2.4 m/s or less. */
 #define SHEET_STEPS_MAX 8u
-#define SHEET_DAMAGE_TAU_S 0.05f /* Time until paper at its ultimate tension tears. */
-/* Exponent of the paper's life: at the share s of the ultimate tension, paper lasts
- * SHEET_DAMAGE_TAU_S / s^10, which is 51 s at s = 0.5. */
+#define SHEET_DAMAGE_TAU_S 0.05f /* Time after which paper at its ultimate tension tears. */
+/* Exponent of the paper's lifetime. At the fraction s of its ultimate tension, paper lasts for
+ * SHEET_DAMAGE_TAU_S / s^10, which is 51 s for s = 0.5. */
 #define SHEET_DAMAGE_EXPONENT 10
-/* Share of the wet strength that paper loses within SHEET_SOAK_TICKS. */
+/* Fraction of its wet strength that paper loses within SHEET_SOAK_TICKS. */
 #define SHEET_SOFTENING 0.25f
-/* Ticks (one minute) for which wet paper continues to soften. */
+/* Number of ticks (one minute) for which wet paper becomes softer. */
 #define SHEET_SOAK_TICKS (60u * CORE_TICK_HZ)
 #define SHEET_GRADE_MIN 4u /* Strongest paper grade. */
 #define SHEET_GRADE_MAX 7u /* Weakest paper grade. */
@@ -49,7 +49,7 @@ struct sheet_load {
     float force_n;    /* Force along the poi's normal, with either sign. */
 };
 
-/* Part of the poi's plane that is under water: a point (px, pz) of the plane is under water if x *
+/* Part of the poi's plane that is under water. A point (px, pz) of the plane is under water if x *
  * px + z * pz < limit_m. */
 struct sheet_wetting {
     float x, z, limit_m;
@@ -59,22 +59,23 @@ struct sheet {
     uint8_t grade;   /* Paper grade, SHEET_GRADE_MIN .. SHEET_GRADE_MAX. */
     uint8_t touched; /* 1 if any cell has ever been under water, otherwise 0. */
     uint8_t soaked;  /* 1 if all cells are completely wet, otherwise 0. */
-    uint8_t ideal;   /* 1 for an ideal test sheet, which is uniform and has no stress concentration
+    uint8_t ideal;   /* 1 for an ideal test sheet without variation and stress concentration
                         (sheet_idealise()); otherwise 0. */
     float radius_m;
     float fibre_x, fibre_z;                /* Unit vector of the main fibre direction; tears tend
                                               to follow the fibres. */
     float wetness[SHEET_CELL_COUNT];       /* Wetness of each cell in [0, 1]. */
-    uint16_t soak_ticks[SHEET_CELL_COUNT]; /* Ticks for which each cell has been wet and softening,
-                                              at most SHEET_SOAK_TICKS. */
+    uint16_t soak_ticks[SHEET_CELL_COUNT]; /* Number of ticks for which each cell has been wet and
+                                              has become softer, at most SHEET_SOAK_TICKS. */
     float damage[SHEET_CELL_COUNT];        /* Damage of each cell in [0, 1]; the cell becomes a hole
                                               at 1. */
     float strength[SHEET_CELL_COUNT]; /* Strength of each cell relative to the grade's strength,
                                          near 1. */
     float strength_min;               /* Lowest value in `strength`. */
     uint8_t state[SHEET_CELL_COUNT];  /* State of each cell (enum sheet_cell_state). */
-    uint8_t stress[SHEET_CELL_COUNT]; /* Load divided by strength in the last tick, with stress
-                                         concentration. 255 means 1 or more. For display only. */
+    uint8_t stress[SHEET_CELL_COUNT]; /* Load of each cell divided by its strength in the last tick,
+                                         including stress concentration. 255 means a ratio of 1 or
+                                         more. Used for display only. */
     uint32_t paper_cells;             /* Number of cells that are still CELL_PAPER. */
     uint32_t paper_cells_new;         /* Number of cells that were CELL_PAPER in the new sheet. */
     float sag_m; /* Depth of the sag at the centre, which follows the pressure; negative if the
@@ -83,9 +84,8 @@ struct sheet {
 
 /* Effect of one tick on the paper. */
 struct sheet_events {
-    uint32_t cells_torn;   /* Number of cells that became holes, including the loose paper that
-                              dropped. */
-    float tension_max_n_m; /* Highest tension by membrane and footprints, without stress
+    uint32_t cells_torn;   /* Number of cells that became holes, including cells of loose paper. */
+    float tension_max_n_m; /* Highest tension due to the membrane and the footprints, without stress
                               concentration. */
 };
 
@@ -95,8 +95,8 @@ static inline float sheet_cell_m(const struct sheet *sheet)
     return 2.0f * sheet->radius_m / (float)SHEET_SIDE;
 }
 
-/* Returns the centre of a row (z) or a column (x) in the plane of the poi. `line` is the index of
- * the row or column and must be less than SHEET_SIDE. */
+/* Returns the centre coordinate of a row (z) or of a column (x) in the plane of the poi. `line` is
+ * the index of the row or column and must be less than SHEET_SIDE. */
 static inline float sheet_line_m(const struct sheet *sheet, uint32_t line)
 {
     return ((float)line + 0.5f) * sheet_cell_m(sheet) - sheet->radius_m;
@@ -105,40 +105,44 @@ static inline float sheet_line_m(const struct sheet *sheet, uint32_t line)
 /* Returns the properties of a grade. Asserts that SHEET_GRADE_MIN <= `grade` <= SHEET_GRADE_MAX. */
 const struct paper_grade *sheet_grade(uint8_t grade);
 
-/* Returns the line tension (N/m) at the centre of a clamped circular membrane under the magnitude
- * of a pressure (Hencky's solution for Poisson's ratio 0.3). */
+/* Returns the line tension (N/m) at the centre of a circular membrane with a clamped edge (Hencky's
+ * solution for Poisson's ratio 0.3). The sign of the pressure has no effect. */
 float sheet_tension_centre(const struct paper_grade *grade, float pressure_pa, float radius_m);
 
-/* Returns the line tension (N/m) at the edge of the membrane of sheet_tension_centre(). */
+/* Returns the line tension (N/m) at the edge of a circular membrane with a clamped edge. The
+ * membrane is the one of sheet_tension_centre(). */
 float sheet_tension_edge(const struct paper_grade *grade, float pressure_pa, float radius_m);
 
-/* Returns the depth (m) of the sag at the centre of the membrane of sheet_tension_centre(). */
+/* Returns the depth (m) of the sag at the centre of a circular membrane with a clamped edge. The
+ * membrane is the one of sheet_tension_centre(). */
 float sheet_belly(const struct paper_grade *grade, float pressure_pa, float radius_m);
 
-/* Initializes a dry, whole sheet. `seed` selects the weak spots, the fibre direction and the
- * strength of this sheet. */
+/* Initializes a dry sheet without holes. `seed` selects the random weak spots, fibre direction and
+ * strength of the sheet. */
 void sheet_init(struct sheet *sheet, uint8_t grade, float radius_m, uint32_t seed);
 
-/* Turns `sheet` into the ideal sheet of the membrane formula. Its strength is 1 everywhere, and
- * ring, wet line and tears concentrate no stress. For measurements only, not for play. */
+/* Changes `sheet` into an ideal sheet for which the membrane formula is exact. Its strength is 1
+ * everywhere, and the ring, the wet line and tears cause no stress concentration. Used for
+ * measurements only, not in a game. */
 void sheet_idealise(struct sheet *sheet);
 
-/* Advances the sheet by one tick: sag, wetness, damage and tears. `pressure_pa` acts along the
- * normal on all paper, positive toward the poi's up axis. A hole removes only the load of its own
- * area. Asserts that `load_count` <= SHEET_LOAD_MAX and that the pressure is finite. */
+/* Advances the sheet by one tick: sag, wetness, damage and tears. `pressure_pa` is the pressure
+ * along the normal on all paper, positive toward the poi's up axis. Holes reduce the total load in
+ * proportion to their area. Asserts that `load_count` <= SHEET_LOAD_MAX and that the pressure is
+ * finite. */
 struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sheet_wetting wet,
                                const struct sheet_load *loads, uint32_t load_count);
 
-/* Returns 1 if a point of the poi's plane has paper under it, otherwise 0. Points outside the ring
- * have no paper. The narrow paper between the ring and the outermost cells remains as long as the
- * cell beside it remains. */
+/* Returns 1 if there is paper at a point of the poi's plane, otherwise 0. Outside the ring, the
+ * result is 0. Between the ring and the outermost cells, there is paper as long as the nearest cell
+ * is paper. */
 int sheet_holds(const struct sheet *sheet, float x_m, float z_m);
 
-float sheet_left(const struct sheet *sheet); /* Returns the share [0, 1] of the paper's area that
-                                                has no holes. */
+float sheet_left(const struct sheet *sheet); /* Returns the fraction [0, 1] of the paper's cells
+                                                that are not torn. */
 
-/* Returns the area of the holes, from 0 to the area of the disc. The result is a share of the
- * disc's area, because the sum of all square cells is larger than the disc. */
+/* Returns the area of the holes, from 0 to the area of the disc. The area is computed as a fraction
+ * of the disc's area, because the total area of the square cells is larger than the disc. */
 float sheet_hole_m2(const struct sheet *sheet);
 uint64_t sheet_hash(uint64_t hash, const struct sheet *sheet);
 

@@ -1,14 +1,18 @@
-/* sheet_grade.c -- the paper grades, and the random variation of one sheet. */
+/* sheet_grade.c -- defines the paper grades and the random variation between sheets. */
 #include "core/poi/paper/sheet.h"
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 
-#define STRENGTH_SD 0.12f /* Standard deviation of the mean strength between sheets of one grade. */
-/* Standard deviation of the strength within one sheet, between clouds of the pulp. */
+#define STRENGTH_SD                                                                                \
+    0.12f /* Standard deviation of the mean strength among the sheets of one grade, as a fraction
+             of the strength. */
+/* Standard deviation of the strength among the clouds of pulp within one sheet, as a fraction of
+ * the strength. */
 #define PATCH_SD 0.05f
-/* Amplitude of the random strength from cell to cell, which makes tears wander. */
+/* Amplitude of the random strength from cell to cell, as a fraction of the strength. This variation
+ * makes tears change direction. */
 #define FLOC 0.05f
 #define SPOT_COUNT 3u /* Number of thin spots in a sheet. */
 
@@ -50,8 +54,8 @@ const struct paper_grade *sheet_grade(uint8_t grade)
     return &grades[grade - SHEET_GRADE_MIN];
 }
 
-/* Returns (Y p^2 a^2)^(1/3), a common factor of both tensions. Y is the stiffness, p the pressure
- * and a the radius. */
+/* Returns (Y * p^2 * a^2)^(1/3), the common factor of the tensions at the centre and at the edge. Y
+ * is the stiffness, p is the pressure, and a is the radius. */
 static float hencky(const struct paper_grade *grade, float pressure_pa, float radius_m)
 {
     const float pa = pressure_pa * radius_m;
@@ -94,8 +98,8 @@ static struct spot weak_spot(float radius_m, uint32_t seed, uint32_t which)
     };
 }
 
-/* Returns random noise that imitates clouds of pulp about four cells wide. The noise interpolates
- * random values on a coarse lattice. */
+/* Returns smooth random noise that imitates clouds of pulp about four cells wide. The noise is
+ * interpolated between random values on a coarse lattice. */
 static float cloud(uint32_t seed, uint32_t column, uint32_t row)
 {
     const uint32_t cx = column / 4u, cz = row / 4u;

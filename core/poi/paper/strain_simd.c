@@ -1,5 +1,5 @@
-/* strain_simd.c -- SIMD kernels on a row of cells: tension by membrane and footprints, strength and
- * wear. */
+/* strain_simd.c -- SIMD kernels that compute the tension, the strength and the wear of a row of
+ * cells. */
 #include "core/poi/paper/strain.h"
 
 #include "core/poi/paper/wetting.h"
@@ -7,7 +7,7 @@
 _Static_assert(SHEET_SIDE % SIMD_LANES_MAX == 0, "a row is whole blocks");
 _Static_assert(SHEET_DAMAGE_EXPONENT == 10, "as it is multiplied here");
 
-/* Limit of ratio^10, so that the damage of a greatly overloaded cell stays finite. */
+/* Upper limit of ratio^10, which keeps the damage of a strongly overloaded cell finite. */
 #define WEAR_MAX 1e6f
 
 typedef uint8_t byte_lanes __attribute__((vector_size(SIMD_LANES)));
@@ -20,7 +20,7 @@ static inline ilanes is_paper(const struct sheet *sheet, uint32_t cell)
     return __builtin_convertvector(state, ilanes) == (int32_t)CELL_PAPER;
 }
 
-/* Returns wetting_strength() of SIMD_LANES cells. */
+/* Returns the results of wetting_strength() for SIMD_LANES cells. */
 static inline flanes keeps(const struct sheet *sheet, uint32_t cell)
 {
     short_lanes ticks;
@@ -39,8 +39,9 @@ static inline flanes middle_m(const struct strain *strain, const struct sheet *s
     return x_m * strain->cell_m - sheet->radius_m;
 }
 
-/* Returns `tension` plus the tensions by all footprints. The tension is F / (pi d) at the edge of a
- * footprint of diameter d and falls as 1/r beyond the edge. */
+/* Returns `tension` plus the tensions of all footprints. A footprint with the force F and the
+ * diameter d causes a tension of F / (pi * d) at its edge. Beyond the edge, the tension is
+ * inversely proportional to the distance from the centre. */
 static inline flanes feet(const struct strain *strain, flanes x_m, float z_m, flanes tension)
 {
     for (uint32_t i = 0; i < strain->load_count; i++) {

@@ -1,14 +1,17 @@
-/* tear.c -- holes of a sheet as bit masks. */
+/* tear.c -- computes the stress factors and the loose paper of a sheet from bit masks of its
+ * holes. */
 #include "core/poi/paper/tear.h"
 
-/* Number of directions around a cell, counted clockwise from the right as seen from above. */
+/* Number of directions from a cell to its neighbours, counted clockwise from the right as seen from
+ * above. */
 #define WAYS 8u
-/* Factor of a step over a corner: 2^(-1/20), whose tenth power is 1 / sqrt 2. */
+/* Stress factor of a diagonal step: 2^(-1/20). Its tenth power is 1 / sqrt(2), which makes a
+ * diagonal step take sqrt(2) times as long. */
 #define CORNER_SHARE 0.966f
 
 struct way {
     int32_t row, column;
-    float x, z; /* Components of the direction's unit vector. */
+    float x, z; /* Components of the unit vector of the direction. */
 };
 
 #define SLANT 0.70710678f
@@ -43,9 +46,10 @@ void tear_measure(struct tear_map *map)
         const uint32_t left = here << 1, left2 = here << 2, right = here >> 1, right2 = here >> 2;
         const uint32_t across = (left & left2) | (left & right) | (right & right2);
         const uint32_t along = (up & up2) | (up & down) | (down & down2);
-        const uint32_t slant = up << 1 | up >> 1 | down << 1 | down >> 1; /* Holes that reach over
-                                                                             two corners are 2.8
-                                                                             cells long. */
+        const uint32_t slant = up << 1 | up >> 1 | down << 1 | down >> 1; /* Two hole cells that
+                                                                             touch at a corner are
+                                                                             2.8 cells long from
+                                                                             corner to corner. */
         map->pair[row] = here & (left | right | up | down);
         map->wide[row] = here & (across | along | slant);
     }
@@ -78,9 +82,9 @@ float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_
 {
     float worst = 0.0f;
     for (uint32_t way = 0; way < WAYS; way++) {
-        const uint32_t r = row + (uint32_t)ways[way].row; /* An index below 0 wraps to a huge
-                                                             number, which the test below
-                                                             rejects. */
+        const uint32_t r = row + (uint32_t)ways[way].row; /* The subtraction of 1 from 0 gives a
+                                                             very large unsigned number, which the
+                                                             following test rejects. */
         const uint32_t c = column + (uint32_t)ways[way].column;
         if (r < SHEET_SIDE && c < SHEET_SIDE && map->hole[r] >> c & 1u) {
             const float along = ways[way].x * sheet->fibre_x + ways[way].z * sheet->fibre_z;
@@ -94,15 +98,16 @@ float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_
 
 /* ---- Removal of loose paper ----------------------------------------------------------------- */
 
-/* Returns the bits of an adjacent row shifted by `column` (-1, 0 or 1), so that bit i of the result
- * is bit i + column of the row. */
+/* Returns the word `bits` of an adjacent row, shifted so that bit i of the result is bit i + column
+ * of `bits`. `column` is -1, 0 or 1. */
 static uint32_t aside(uint32_t bits, int32_t column)
 {
     return column > 0 ? bits >> 1 : column < 0 ? bits << 1 : bits;
 }
 
-/* Spreads the bits `open` along a row through contiguous paper, against direction `column`. Each
- * step doubles the distance. */
+/* Returns `open`, extended along the row over contiguous paper. `column` is the direction (1 or
+ * -1) toward the ring, and the bits extend in the opposite direction. Each pass doubles the
+ * distance. */
 static uint32_t spread(uint32_t open, uint32_t paper, int32_t column)
 {
     for (uint32_t step = 1; step < SHEET_SIDE; step *= 2u) {
@@ -112,8 +117,8 @@ static uint32_t spread(uint32_t open, uint32_t paper, int32_t column)
     return open;
 }
 
-/* Sets `open` to the paper cells from which a straight line in the direction `way` reaches the ring
- * over paper only. */
+/* Writes to `open` the paper cells from which a straight line of paper cells in the direction `way`
+ * reaches the ring. */
 static void find_open_cells(const struct tear_map *map, const struct way *way,
                             uint32_t open[SHEET_SIDE])
 {

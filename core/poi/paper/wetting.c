@@ -1,30 +1,34 @@
-/* wetting.c -- wetting of the paper, cell by cell. */
+/* wetting.c -- simulates the wetting of the paper cell by cell. */
 #include "core/poi/paper/wetting.h"
 
-#define WET_TAU_S 1.0f /* Time constant with which a cell under water becomes wet. */
-#define SOAKED 0.9999f /* Wetness of the driest cell from which the sheet counts as soaked. */
-/* Diffusivity of water within the paper: the wet front moves about 1.4 mm in the first second,
- * proportional to sqrt(t). */
+#define WET_TAU_S 1.0f /* Time constant with which a cell becomes wet under water. */
+#define SOAKED                                                                                     \
+    0.9999f /* Wetness above which a cell counts as completely wet. The sheet is soaked if all
+               its cells are completely wet. */
+/* Diffusivity of water in the paper. The wet front moves about 1.4 mm in the first second, and its
+ * distance is proportional to sqrt(t). */
 #define WICK_M2_S 1.0e-6f
-#define SOFTENS_FROM 0.5f /* Wetness from which paper softens; drier paper does not soften. */
-/* Difference of wetness across two cells at which the wet line counts as fully developed. */
+#define SOFTENS_FROM                                                                               \
+    0.5f /* Wetness above which paper becomes softer. Drier paper keeps its strength. */
+/* Difference of wetness between the two neighbours of a cell at which the wet line counts as fully
+ * developed. */
 #define LINE_STEP 0.5f
 
-/* Returns how much wetter `other` is than `cell`, which drives the wicking; 0 if `other` is no
- * paper. */
+/* Returns the wetness of `other` minus the wetness of `cell`, which drives the wicking. Returns 0
+ * if `other` is not paper. */
 static float creep(const struct sheet *sheet, uint32_t cell, uint32_t other)
 {
     return sheet->state[other] == CELL_PAPER ? sheet->wetness[other] - sheet->wetness[cell] : 0.0f;
 }
 
-/* Returns 1 for cells in the outermost rows and columns, which wick no water. Few of these cells
- * contain paper. */
+/* Returns 1 for a cell in the outermost rows and columns, otherwise 0. Such a cell has no neighbour
+ * on one side and wicks no water. Few of these cells contain paper. */
 static int is_border(uint32_t row, uint32_t column)
 {
     return row == 0 || column == 0 || row == SHEET_SIDE - 1u || column == SHEET_SIDE - 1u;
 }
 
-/* Wets the cells under water, and moves water from wet paper into drier paper elsewhere. */
+/* Makes the cells under water wetter, and moves water in air from wet cells to drier neighbours. */
 static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
 {
     const float soak = 1.0f - f_exp(-CORE_TICK_S / WET_TAU_S);
@@ -48,14 +52,14 @@ static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
     sheet->soaked = driest >= SOAKED;
 }
 
-/* Returns 1 if any part of the ring may be under water. The test is cheap and treats the sheet as a
- * disc. */
+/* Returns 1 if any part of the sheet may be under water, otherwise 0. The test is cheap, because it
+ * treats the sheet as a disc. */
 static int reaches_water(const struct sheet *sheet, struct sheet_wetting wet)
 {
     return -sheet->radius_m * f_sqrt(wet.x * wet.x + wet.z * wet.z) < wet.limit_m;
 }
 
-/* Softens the wet cells in air and under water alike, because their fibres continue to swell. */
+/* Softens the wet cells under water and in air, because their fibres swell in both cases. */
 static void soften(struct sheet *sheet)
 {
     for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
@@ -76,8 +80,8 @@ void wetting_tick(struct sheet *sheet, struct sheet_wetting wet)
     }
 }
 
-/* Returns the difference of wetness between the cells `before` and `after`, or 0 unless both cells
- * are paper. */
+/* Returns the difference of wetness between the cells `before` and `after`. Returns 0 if one of the
+ * cells is not paper. */
 static float step_between(const struct sheet *sheet, uint32_t before, uint32_t after)
 {
     const int is_paper = sheet->state[before] == CELL_PAPER && sheet->state[after] == CELL_PAPER;
