@@ -1,8 +1,8 @@
 /* buttons_mux.h -- merges several button devices (keyboard, GPIO lines, controllers) into one
  * device.
  *
- * A button is held while at least one part holds it. Edges, coins and faults of all parts are
- * added. */
+ * A button is held while at least one part (merged device) holds it. The counts of edges, coins and
+ * faults are the sums over all parts. */
 #ifndef KINGYO_DRIVERS_BUTTONS_MUX_H
 #define KINGYO_DRIVERS_BUTTONS_MUX_H
 

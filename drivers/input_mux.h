@@ -36,8 +36,9 @@ struct input_source {
                                     pointer means that the source can always be used. */
     void *self;                  /* First argument of is_there(). */
     uint8_t kind;                /* Kind of the source (enum input_kind). */
-    /* 1 if the source is used when no source at all is available, even while its is_there() returns
-     * 0. For example, a mouse at rest can play alone, but not as a second player. Otherwise 0. */
+    /* 1 if the source is used even while its is_there() returns 0, provided that no other source is
+     * available. Otherwise 0. For example, a mouse at rest can play alone, but not as a second
+     * player. */
     uint8_t stands_in;
 };
 

@@ -14,7 +14,7 @@
 struct hal_display null_display(const char *line);
 struct hal_poi null_poi(const char *line);
 struct hal_fan null_fan(const char *line);
-struct hal_seats null_seats(void); /* The device's arrange() changes no slot. */
+struct hal_seats null_seats(void); /* Returns a null driver whose arrange() changes no slot. */
 struct hal_buttons null_buttons(const char *line);
 struct hal_switches null_switches(const char *line);
 struct hal_controllers null_controllers(const char *line);

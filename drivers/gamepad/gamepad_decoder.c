@@ -17,8 +17,8 @@ void gamepad_decoder_set_view(struct gamepad_decoder *hand, const struct view *v
 
 /* ---- Sticks and motion sensors --------------------------------------------------------------- */
 
-/* Returns the deflection of a stick beyond its dead zone. The direction is unchanged, and the
- * length is 0 to 1. */
+/* Returns the deflection of a stick beyond its dead zone as a vector. The direction is that of the
+ * stick, and the length is 0 to 1. */
 static vec3 read_stick(int16_t x_raw, int16_t y_raw)
 {
     const float dead = (float)GAMEPAD_DEAD / AXIS_FULL;

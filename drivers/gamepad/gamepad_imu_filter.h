@@ -14,7 +14,7 @@
 
 #include "core/base/vec.h"
 
-/* Largest tilt that the filter returns, for each axis. */
+/* Largest pitch and largest roll that the filter returns. */
 #define GAMEPAD_IMU_FILTER_MAX_RAD (45.0f * F_DEG)
 
 /* State of the filter. The axes are SDL's: +x points right, +y up out of the buttons, +z toward the

@@ -1,5 +1,5 @@
 /* gamepad_poi.h -- provides each game pad as a poi device (the paper scoop) and a fan device of
- * struct hal, and all game pads together as one button device. */
+ * struct hal. All game pads together are one button device. */
 #ifndef KINGYO_DRIVERS_GAMEPAD_GAMEPAD_POI_H
 #define KINGYO_DRIVERS_GAMEPAD_GAMEPAD_POI_H
 

@@ -11,7 +11,8 @@
 #define GAMEPAD_REPORTS_MAX 64u /* Capacity of the queue, equal to HAL_POI_SAMPLES_MAX. */
 
 struct gamepad_queue {
-    struct gamepad_decoder hand;                       /* State after all decoded reports. */
+    struct gamepad_decoder hand;                       /* Decoder, whose state includes all decoded
+                                                          reports. */
     struct gamepad_report report[GAMEPAD_REPORTS_MAX]; /* Reports that are not decoded yet, oldest
                                                           first. */
     uint32_t report_count;

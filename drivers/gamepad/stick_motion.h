@@ -1,13 +1,13 @@
 /* stick_motion.h -- turns the deflection of sticks or of a 3D mouse (a puck with six axes) into a
  * pose of the poi, the paper scoop.
  *
- * Pure: uses no device, clock or library. A stick sets a velocity: pushing moves the ring, and
- * releasing stops it. A puck also moves the ring up and down. A game pad lowers the ring with a
- * button, as a mouse does (dip_trajectory.h).
+ * Pure: uses no device, clock or library. A stick sets a velocity: pushing the stick moves the
+ * ring, and releasing the stick stops the ring. A puck also moves the ring up and down. A game pad
+ * lowers the ring with a button, as a mouse does (dip_trajectory.h).
  *
- * The tilt of the ring follows the angle of the control and returns to level on release. Holding
- * LEVEL returns a puck's ring to the hover height. The ring is slower under water, so that wet
- * paper survives unless the player also shakes it. */
+ * The tilt of the ring follows the angle of the stick or puck and returns to level on release.
+ * Holding LEVEL returns a puck's ring to the hover height. The ring is slower under water, so that
+ * wet paper survives unless the player also shakes the ring. */
 #ifndef KINGYO_DRIVERS_GAMEPAD_STICK_MOTION_H
 #define KINGYO_DRIVERS_GAMEPAD_STICK_MOTION_H
 

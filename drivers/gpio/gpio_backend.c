@@ -184,8 +184,8 @@ static int backend_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
         count += gpio_backend_read_edges(backend, &ready, role, out + count, max - count);
     }
-    if (backend->went && count == 0) { /* The removal is reported only after all edges of the
-                                          remaining chips. */
+    if (backend->went && count == 0) { /* The removal of a chip is reported only after all edges of
+                                          the remaining chips. */
         backend->went = 0;
         return HAL_ERR_GONE;
     }

@@ -1,19 +1,22 @@
 /* gpio_config.h -- parses the wiring of a cabinet, such as "start=BTN_START" or
  * "coin=pinctrl-bcm2711:17".
  *
+ * Each wiring text has the form
+ *
  *     ROLE=LINE[,WORD...]
  *
  * ROLE is one of start, left, right, ok, test, service, tilt, coin, coin2, coin3, door,
- * start-lamp, coin-lockout, ticket and coin-counter. LINE is the line's name, or CHIP:OFFSET
- * with the chip's label. A time is a whole number with us, ms or s. WORD is one of:
+ * start-lamp, coin-lockout, ticket and coin-counter. LINE is the name of a GPIO line, or
+ * CHIP:OFFSET, where CHIP is the label of the chip. Each WORD is an option. A time in an option is
+ * a whole number followed by us, ms or s. The options are:
  *
- *     low, high          the level that means pressed, lit or locked. The default is low for
- *                        inputs and coin-lockout, and high for other outputs.
- *     up, down, float,   the bias. The default of an input is its released level, that of
- *     as-is              coin-lockout the locked level, and that of other outputs as-is.
- *     debounce=5ms       the time that a level must be stable
- *     window=15ms-250ms  the width of a coin pulse
- *     pulse=100ms/100ms  the pulse of an output and the pause after it.
+ *     low, high          Level that means pressed, lit or locked. The default is low for inputs
+ *                        and for coin-lockout, and high for other outputs.
+ *     up, down, float,   Bias of the line. The default for an input is its released level. The
+ *     as-is              default for coin-lockout is its locked level, for other outputs as-is.
+ *     debounce=5ms       Time for which a level must be stable.
+ *     window=15ms-250ms  Shortest and longest width of a coin pulse.
+ *     pulse=100ms/100ms  Length of an output pulse, and length of the pause after it.
  *
  * coin-lockout drives the coil of a coin lock, which admits coins only while the coil has current.
  * When the kiosk ends for any reason, most chips turn the released line into an input. Only the

@@ -24,7 +24,8 @@
 #include "drivers/gpio/debounce.h"
 #include "drivers/gpio/gpio_lines.h"
 
-/* Longest delay of an edge event: three times the observed delay of 6 ms. */
+/* Longest expected delay of an edge event: three times the observed delay of 6 ms, rounded up to
+ * 20 ms. */
 #define GPIO_UNDER_WAY_NS 20000000u
 /* Two polls that read equal levels prove a stable level if at least this time lies between them.
  * The time is longer than a glitch and shorter than GPIO_COIN_POLL_NS. */
@@ -52,8 +53,8 @@ struct gpio_edge_filter {
     uint64_t believed_ns;
     struct gpio_poll_edges other; /* Polls whose level differs from the level after the last
                                      edge. */
-    uint32_t blinks; /* Number of null edges, which are edge events without a change of the level,
-                        since gpio_edge_filter_begin(). */
+    uint32_t blinks; /* Number of null edges (edge events without a change of the level) since
+                        gpio_edge_filter_begin(). */
     uint32_t late;   /* Number of edges whose wrong direction was corrected by a polled level, since
                         gpio_edge_filter_begin(). */
     /* Number of pairs of null edges that are either two glitches or a missed pulse. The caller may

@@ -1,5 +1,5 @@
-/* gpio_lines.h -- GPIO lines for buttons, coins and lamps: their wiring, and the interface of the
- * libgpiod drivers (backends).
+/* gpio_lines.h -- defines the wiring of the GPIO lines for buttons, coins and lamps, and the
+ * interface of the libgpiod drivers (backends).
  *
  * gpio_lines1.c implements the interface for libgpiod 1.6 (Debian 12), gpio_lines2.c for libgpiod
  * 2.x (Debian 13), and gpio_lines0.c for a build without libgpiod. pkg-config selects one of these
@@ -7,7 +7,7 @@
  *
  * A line is found by its name, or by the label of its chip and an offset. Chip numbers are not
  * used, because they can change when the machine boots. All calls come from one thread, the GPIO
- * thread (gpio_thread.h). */
+ * thread (gpio_thread.h). A line is held while the backend has requested it from the kernel. */
 #ifndef KINGYO_DRIVERS_GPIO_GPIO_LINES_H
 #define KINGYO_DRIVERS_GPIO_GPIO_LINES_H
 
@@ -51,9 +51,9 @@ static inline bool gpio_role_is_coin(enum gpio_role role)
 
 _Static_assert(GPIO_COIN3 - GPIO_COIN + 1u == COIN_LINE_COUNT, "a role each coin line");
 
-/* Returns true if the output `role` is active when it is requested and after it is closed. Only the
- * coin lockout is such an output, so that coins are rejected while the kiosk does not run. All
- * other outputs start inactive. */
+/* Returns true if the output `role` is active when it is requested and after it is closed,
+ * otherwise false. Only the coin lockout is active at these times, so that coins are rejected while
+ * the kiosk does not run. All other outputs start inactive. */
 static inline bool gpio_role_begins_active(enum gpio_role role)
 {
     return role == GPIO_COIN_LOCKOUT;

@@ -41,7 +41,8 @@ struct gpio_thread {
                                                 in. */
 
     /* Only the GPIO thread uses the fields from `had` to `total`. */
-    uint32_t had;                           /* Held lines, one bit for each role. */
+    uint32_t had;                           /* Lines that the GPIO thread has requested successfully
+                                               (held lines), one bit for each role. */
     uint32_t lit;                           /* Outputs whose last set level is active, one bit for
                                                each role. */
     uint64_t retry_ns;                      /* Time at which missing lines are requested next. */
@@ -54,7 +55,7 @@ struct gpio_thread {
     uint32_t levels;         /* Debounced levels of the buttons, one bit for each role. */
     struct gpio_total total; /* Totals, which the caller of gpio_thread_step() may read. */
 
-    /* The GPIO thread and the frame loop share the atomic fields below. */
+    /* The GPIO thread and the frame loop share the atomic fields from `held` to `stop`. */
     /* Debounced buttons that are pressed (`held`), and buttons that were pressed since the frame
      * loop's last read (`pressed`), one bit for each role. */
     _Atomic uint32_t held, pressed;
@@ -67,7 +68,8 @@ struct gpio_thread {
                                                  last read, including bounces. */
     _Atomic uint32_t line_faults[GPIO_INPUT_COUNT]; /* Number of faults of each line since the frame
                                                        loop's last read. */
-    _Atomic uint32_t missing; /* Wired lines that are not held, one bit for each role. */
+    _Atomic uint32_t missing; /* Wired lines that the GPIO thread does not hold, one bit for each
+                                 role. */
     _Atomic uint32_t wanted;  /* Outputs that the frame loop has set active, one bit for each
                                  role. */
     /* Number of pulses of each output that are requested and not yet taken over by the GPIO
@@ -82,7 +84,7 @@ struct gpio_thread {
 
     pthread_mutex_t mutex; /* Protects `why` and `text`. */
     char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE];
-    char text[HAL_TEXT_SIZE]; /* Description of held and missing lines. */
+    char text[HAL_TEXT_SIZE]; /* Description of the held lines and of the missing lines. */
 };
 
 /* Initializes `reader` and requests the lines once, without starting a thread. A caller without a

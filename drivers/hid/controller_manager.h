@@ -29,8 +29,8 @@ struct controller_manager {
                                in a later poll, because the store was busy. */
     uint8_t writes;         /* 1 while the store writes the learned mapping to its file, otherwise
                                0. */
-    /* 1 if the controller was not selected before learning, otherwise 0. Such a controller is
-     * released after learning unless its mapping is kept. */
+    /* 1 if the controller that is being learned was not selected before learning, otherwise 0. If
+     * the field is 1, the controller is released after learning unless its mapping is kept. */
     uint8_t gives_back;
     struct hid_identity learn_identity; /* Identity of the controller that is being learned. */
     struct hid_identity forget_identity;

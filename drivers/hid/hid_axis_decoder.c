@@ -117,8 +117,8 @@ void hid_axis_decoder_find_arrays(struct hid_pose_decoder *hand)
     }
 }
 
-/* Returns 1 for sticks that rest at the center. The value of such a stick is used only after the
- * stick was at its center once. */
+/* Returns 1 for bindings of sticks that rest at the center, otherwise 0. The value of a stick is
+ * used only after the stick was at its center once. */
 static int has_rest(const struct hid_binding *binding)
 {
     return binding->manner == HID_BINDING_RATE ||

@@ -25,8 +25,8 @@ struct reader {
                              start. */
     hid_usage usage_min;
     uint8_t has_usage_min;
-    /* 1 between the Delimiter items of a set, and the number of usages in the set. Only the first
-     * usage of a delimited set is used. */
+    /* `in_delimiter` is 1 between the Delimiter items of a set, otherwise 0. `alternatives` is the
+     * number of usages in the set. Only the first usage of the set is used. */
     uint8_t in_delimiter, alternatives;
 };
 
@@ -74,8 +74,8 @@ static enum hid_error delimit(struct reader *reader, uint32_t opens)
 static enum hid_error end_usage_range(struct reader *reader, const struct hid_item *item)
 {
     const hid_usage last = whole_usage(reader, item);
-    /* A Usage Maximum of four bytes contains the page of both ends. A Usage Maximum without a Usage
-     * Minimum means a range from 0. */
+    /* A Usage Maximum of four bytes contains the usage page for both the minimum and the maximum. A
+     * Usage Maximum without a Usage Minimum means a range from usage id 0. */
     const hid_usage first = reader->has_usage_min ? reader->usage_min : last & 0xffff0000u;
     reader->has_usage_min = 0;
     return add_range(reader, first, last);

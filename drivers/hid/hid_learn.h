@@ -35,15 +35,15 @@ struct learn_field {
 /* Recording of one key of an array field. */
 struct learn_key {
     uint16_t group; /* Index of the key's group, which has at most HID_ARRAY_MAX elements. */
-    uint8_t rested; /* 1 if the key was pressed before LEARN_DIP, which excludes the key, otherwise
-                       0. */
+    uint8_t rested; /* 1 if the key was pressed before the step LEARN_DIP, otherwise 0. A key with
+                       the value 1 is excluded from the mapping. */
     hid_usage usage;
 };
 
 struct hid_learn {
     struct hid_descriptor descriptor;
-    struct hid_mapping offered; /* Mapping of the controller without learning. Its buttons are kept
-                                   in the learned mapping. */
+    struct hid_mapping offered; /* Mapping that the controller has without learning. Its buttons are
+                                   kept in the learned mapping. */
     struct hid_mapping map;     /* The learned mapping, valid in the step LEARN_TRY. */
     uint8_t step;               /* Current step (enum learn_step). */
     uint32_t report_count;      /* Number of reports in the current step. */

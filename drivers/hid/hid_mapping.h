@@ -21,9 +21,9 @@
 /* Largest absolute value of a signed or unsigned 32-bit field. */
 #define HID_VALUE_MAX 4294967295ll
 
-/* Largest number of elements of an array whose keys may be bound. Keyboards report 6 keys at a
- * time, and one reports 14. Each element costs time in every report, and a malicious descriptor can
- * declare 65,536 elements. */
+/* Largest number of elements of an array whose keys can be bound. Most keyboards report 6 keys at a
+ * time, and one known keyboard reports 14. Each element costs time in every report, and a malicious
+ * descriptor can declare 65,536 elements. */
 #define HID_ARRAY_MAX 16u
 
 /* Role of a field: the quantity that the field controls. */
@@ -82,13 +82,14 @@ struct hid_binding {
                             this usage. 0 means that the field is no array. */
     int64_t rest;        /* Value of a released stick or key. For HID_BINDING_POSITION, the value at
                             the low end of the axis. */
-    int64_t full;        /* Value at the positive end. A value below `rest` reverses the axis. */
+    int64_t full;        /* Value of the field at the positive end of the axis. If `full` is below
+                            `rest`, the axis is reversed. */
     /* Dead zone around the rest position, in units of the field's value. `rest`, `full` and `dead`
      * are within +-HID_VALUE_MAX. */
     int64_t dead;
 };
 
-/* Kind of control that the bindings of a mapping provide, such as a pointer or a stick. */
+/* Kind of control that a mapping provides. */
 enum hid_style {
     HID_STYLE_NONE = 0,
     HID_STYLE_POSE,    /* Six absolute axes, as of Kingyo's poi controller. */

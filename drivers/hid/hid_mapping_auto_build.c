@@ -96,9 +96,9 @@ static void press(struct hid_mapping *map, const struct surface *surface, uint32
     hid_mapping_auto_bind(map, button(surface, number), role, HID_BINDING_PRESS, 0);
 }
 
-/* Maps a puck. Its X axis points right, Y toward the user, Z downward; RX, RY and RZ are rotations
- * about these axes. Some descriptors declare the axes as relative although the values are
- * deflections. */
+/* Maps a puck. The X axis of a puck points right, the Y axis toward the user, and the Z axis
+ * downward. RX, RY and RZ are rotations about these axes. Some descriptors declare the axes as
+ * relative although the values are deflections. */
 static void map_puck(struct hid_mapping *map, const struct surface *surface)
 {
     map->style = HID_STYLE_FLY;
@@ -114,8 +114,9 @@ static void map_puck(struct hid_mapping *map, const struct surface *surface)
     press(map, surface, 2, HID_ROLE_RIGHT);
 }
 
-/* Maps the right stick; X and Y are the left stick. If Z and RZ both exist, they are the right
- * stick. Otherwise RX and RY are the right stick, because Z then belongs to the triggers. */
+/* Maps the right stick of a game pad; X and Y are the left stick. If Z and RZ both exist, they
+ * are the right stick. Otherwise RX and RY are the right stick, because Z then belongs to the
+ * triggers. */
 static void map_right_stick(struct hid_mapping *map, const struct surface *surface)
 {
     const int by_z = of(surface, USAGE_Z).group && of(surface, USAGE_RZ).group;

@@ -272,7 +272,8 @@ static int is_taken(const struct hid_mapping *map, const struct hid_binding *bin
 }
 
 /* Returns 1 if the in-range bit of a pen was not set while the pen moved an axis, otherwise 0. Some
- * pens never report their range or report it inverted, so such a bit must not be used. */
+ * pens never report their range or report it inverted. The in-range bit of these pens must not be
+ * used. */
 static int never_said(const struct hid_learn *learn, const struct hid_binding *binding)
 {
     for (uint32_t i = 0; i < learn->field_count; i++) {
@@ -287,7 +288,7 @@ static int never_said(const struct hid_learn *learn, const struct hid_binding *b
 }
 
 /* Adds bindings of controls that were not demonstrated, such as menu buttons and the rotations of a
- * second stick. The bindings are those of the mapping without learning. */
+ * second stick. The bindings are copied from learn->offered. */
 static void keep_offered(struct hid_learn *learn)
 {
     for (uint32_t i = 0; i < learn->offered.count; i++) {

@@ -15,8 +15,8 @@
 #include "drivers/hid/hid_mapping_store_text.h"
 #include "drivers/hid/poi_hid.h"
 
-/* Capacity in controllers, of which at most four play at a time. A full store rejects new
- * mappings. */
+/* Largest number of controllers with a stored mapping. At most four controllers play at a time. A
+ * full store rejects new mappings. */
 #define HID_MAPPING_STORE_MAX 64u
 #define HID_MAPPING_STORE_PATH_SIZE 1024u
 
@@ -36,7 +36,7 @@ struct hid_mapping_store {
     pthread_t thread;
     pthread_mutex_t lock;
     pthread_cond_t changed; /* Signals a change of has_job or stops. */
-    /* `lock` protects has_job, stops and all fields below. */
+    /* `lock` protects has_job, stops and all following fields. */
     uint8_t has_thread, has_job, stops;
     struct hid_mapping_store_job job;
     uint8_t last_failed;                  /* 1 if the last finished job failed, otherwise 0. */

@@ -15,8 +15,8 @@ struct hid_mapping_store_entry {
     struct hid_mapping map;
 };
 
-/* Size of a file name with the longest serial number, of which each byte can become three
- * characters. */
+/* Size of a file name with the longest serial number. Each byte of the serial number can become
+ * three characters. */
 #define HID_MAPPING_STORE_NAME_SIZE 224u
 
 /* Writes the file name, such as "054c-09cc-SERIAL.poi". All characters of the serial number except

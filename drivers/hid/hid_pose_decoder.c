@@ -249,7 +249,7 @@ int hid_pose_decoder_report(struct hid_pose_decoder *hand, const struct hid_raw 
 static struct poi_target pointed(struct hid_pose_decoder *hand, uint64_t time_ns)
 {
     struct poi_target target = pointer_poi_target(&hand->pointer, time_ns);
-    /* The rotation of a pen is added; it is zero for a mouse. */
+    /* The rotation of a pen is added to the tilt. The rotation is zero for a mouse. */
     const vec3 twist = v3_scale(twist_of(hand), STICK_MOTION_TILT_MAX_RAD);
     target.angles.pitch_rad += twist.x;
     target.angles.yaw_rad += twist.y;

@@ -24,10 +24,11 @@
 struct hid_pose_decoder {
     struct hid_descriptor descriptor;
     struct hid_mapping map;
-    struct pointer_poi pointer; /* State of the pointer, used by HID_STYLE_POINTER. */
+    struct pointer_poi pointer; /* Pointer decoder, used by HID_STYLE_POINTER. */
     struct pointer_fan fan;
-    struct pointer_report report; /* Last state of the pointer, used by HID_STYLE_POINTER. */
-    struct stick_motion fly;      /* State of the stick motion, used by HID_STYLE_FLY. */
+    struct pointer_report report; /* Last report to the pointer decoder, used by
+                                     HID_STYLE_POINTER. */
+    struct stick_motion fly;      /* Stick decoder, used by HID_STYLE_FLY. */
     struct poi_fan pose;          /* Pose of the newest report, used by HID_STYLE_POSE. */
     /* Newest value of each binding. An axis is -1 to 1, a displacement is in counts, and a key is 0
      * or 1. A hat has its direction 0 to 7, or -1 if it is released. */
@@ -36,7 +37,8 @@ struct hid_pose_decoder {
                                         bindings. */
     uint32_t array_count;
     /* Stick bindings that were near their rest position at least once, one bit for each binding.
-     * The values of all other sticks are ignored, because such a stick may be missing or broken. */
+     * The values of all other stick bindings are ignored, because the stick may be missing or
+     * broken. */
     uint32_t awake;
     uint64_t time_ns;  /* Time of arrival of the newest report. */
     uint64_t range_ns; /* Last time at which the pen was in range. */
@@ -67,7 +69,8 @@ int hid_pose_decoder_report(struct hid_pose_decoder *hand, const struct hid_raw 
 int hid_pose_decoder_sample(struct hid_pose_decoder *hand, uint64_t time_ns,
                             struct poi_sample *out);
 
-/* Adds the pressed buttons, and the buttons that were pressed since the last call, to `out`. */
+/* Adds to `out` the buttons that are pressed now, and the buttons that were pressed since the last
+ * call. */
 void hid_pose_decoder_buttons(struct hid_pose_decoder *hand, struct button_sample *out);
 
 /* Returns the fan at `time_ns`. The fan is held over the water while a FAN button is pressed. */

@@ -2,8 +2,8 @@
 #include "drivers/pointer/dip_trajectory.h"
 
 /* Initial acceleration of a downward stroke, so that the first frames after the click show motion.
- * The value is twice that of the smoothest stroke, and the ring is still above the water. An upward
- * stroke starts under water and has no added acceleration. */
+ * The value is twice that of the smoothest stroke. The ring is still above the water during this
+ * acceleration. An upward stroke starts under water and has no added acceleration. */
 #define START_M_S2 (-16.0f)
 
 void dip_init(struct dip *dip)

@@ -6,7 +6,8 @@
 #include <stdio.h>
 
 #define EVENT_BATCH 64
-/* Motion that counts as use by a person; a bump against the table moves a mouse less. */
+/* Smallest mouse motion that counts as use by a person, in pixels. A bump against the table moves a
+ * mouse less. */
 #define CREEP_PX 24.0f
 
 void mouse_poi_init(struct mouse_poi *mouse, struct hal_clock clock, const struct view *view,
@@ -60,8 +61,8 @@ static int poi_mouse_open(void *self)
              video ? video : "?");
     SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, mouse->heeds & POINTER_FILTER_TOUCH ? "0" : "1");
     mouse->last_poll_ns = mouse_now_ns(mouse);
-    SDL_DelEventWatch(watch_key, mouse); /* The watch is removed first, so that it is registered
-                                            only once after reopening. */
+    SDL_DelEventWatch(watch_key, mouse); /* The event watch for key F is removed first, so that it
+                                            is registered only once after reopening. */
     SDL_AddEventWatch(watch_key, mouse);
     return HAL_OK;
 }

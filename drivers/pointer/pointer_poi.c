@@ -96,8 +96,8 @@ static float lag_left(const struct pointer_poi *pointer)
                                   : 0.0f;
 }
 
-/* Stops the poi at its current position if `waits` is 1. Otherwise starts the poi's return to (x,
- * y). */
+/* Stops the poi at its current position if `waits` is 1. Otherwise starts the poi's return to the
+ * pointer at (x, y). */
 static void wait_or_come_back(struct pointer_poi *pointer, float x, float y, int waits)
 {
     const float left = lag_left(pointer);

@@ -49,7 +49,8 @@ struct pointer_report {
 struct pointer_poi {
     struct view view;
 
-    /* Position of the pointer in the window (-1 to 1, y upward), and aspect ratio of the window. */
+    /* Position in the window (-1 to 1, y upward) that the pointer gives to the poi, and aspect
+     * ratio of the window. */
     float ndc_x, ndc_y, aspect;
     uint32_t buttons;
     uint64_t time_ns; /* Time of the newest report or sample. */

@@ -1,9 +1,9 @@
 /* touch_fingers.h -- combines the fingers on a touch screen into one pointer.
  *
  * A finger cannot hover, so a second finger replaces the mouse button. The first finger is the
- * leader: it moves the ring over the water until it is lifted. A second finger lowers the ring, and
- * a third finger presses START. Fingers other than the leader never move the ring. Pure: uses no
- * device and no clock. */
+ * leader: the leader moves the ring over the water until the leader is lifted. A second finger
+ * lowers the ring, and a third finger presses START. Fingers other than the leader never move the
+ * ring. Pure: uses no device and no clock. */
 #ifndef KINGYO_DRIVERS_POINTER_TOUCH_FINGERS_H
 #define KINGYO_DRIVERS_POINTER_TOUCH_FINGERS_H
 

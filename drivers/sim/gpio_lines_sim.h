@@ -54,8 +54,9 @@ struct gpio_lines_sim {
     /* 1 if edges are numbered and a full queue drops its oldest edge, as with libgpiod 2.x. 0 if
      * edges are not numbered and a full queue drops the newest edge. */
     uint8_t is_numbered;
-    uint8_t kernel_debounces;          /* Result of debounces(). If it is 1 the script must contain
-                                          no bounce, because the simulation does not debounce. */
+    uint8_t kernel_debounces;          /* Result of debounces(). If the result is 1, the script must
+                                          contain no bounce, because the simulation does not
+                                          debounce. */
     uint64_t late_min_ns, late_max_ns; /* Shortest and longest delay after which the kernel reads
                                           the level of a line. */
     uint32_t held_by_others;           /* Lines that other programs hold, one bit for each role. */

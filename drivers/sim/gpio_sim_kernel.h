@@ -5,8 +5,8 @@
 
 #include "drivers/sim/gpio_lines_sim.h"
 
-/* Executes the next event if its time is not after `until_ns`. Returns true, or false if there is
- * no such event. */
+/* Executes the next event of the script or of the kernel if its time is at most `until_ns`. Returns
+ * true if an event was executed, otherwise false. */
 bool gpio_sim_advance(struct gpio_lines_sim *sim, uint64_t until_ns);
 
 #endif

@@ -29,7 +29,8 @@ struct storage_sim {
     size_t replay_room;
     uint32_t replay_id; /* Id of the round whose replay is stored; 0 means none. */
     size_t replay_size;
-    /* Remaining calls of stored_replay_id() or replay_fetched() until the replay is done. */
+    /* Number of further calls of stored_replay_id() or replay_fetched() until the replay is stored
+     * or fetched. */
     uint32_t replay_polls_left;
     uint32_t replay_asked_id;       /* Round id in the last call of fetch_replay(). */
     struct persistent_state memory; /* Result of load(): the state at the program start. */
@@ -37,10 +38,11 @@ struct storage_sim {
                                        after the program start, otherwise 0. */
     struct audits late;             /* Sums of the ledger entries that merge_offline() received. */
     struct balance late_purse;      /* Sum of the balance changes that merge_offline() received. */
-    uint32_t late_polls;            /* Number of offline_merged() calls until the merged entries are
+    uint32_t late_polls;            /* Value for `late_polls_left` at each merge_offline(): the
+                                       number of offline_merged() calls until the merged entries are
                                        on disk. */
-    uint32_t late_polls_left;       /* Remaining calls of offline_merged() until the merged entries
-                                       are on disk. */
+    uint32_t late_polls_left;       /* Number of further offline_merged() calls until the merged
+                                       entries are on disk. */
 };
 
 /* Returns the simulated store. */

@@ -24,9 +24,10 @@ void device_table_init(struct device_table *rows);
  * `is_barred` is 1. `is_barred` means that the kiosk must not use the controller, for example a
  * keyboard. Returns the row, or CONTROLLER_MAX if there is none.
  *
- * The row of the same controller is preferred if the controller was lost, then an empty row, then a
- * row with CONTROLLER_UNSUPPORTED, then the row of a different lost controller. If `is_barred` is
- * 1, the controller gets an empty row only while more than POI_MAX rows are empty. */
+ * The first choice is the row of the same controller if the controller was lost. The next choices
+ * are an empty row, a row with CONTROLLER_UNSUPPORTED, and the row of a different lost controller.
+ * If `is_barred` is 1, the controller gets an empty row only while more than POI_MAX rows are
+ * empty. */
 uint32_t device_table_enter(struct device_table *rows, const struct hid_identity *identity,
                             int is_barred);
 

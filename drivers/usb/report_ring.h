@@ -25,8 +25,9 @@ struct report_ring_slot {
 
 struct report_ring {
     _Alignas(REPORT_RING_LINE_SIZE)
-        atomic_uint pushed; /* Number of reports that were added to the queue; `taken` is the number
-                               of removed reports. Both counters wrap at 2^32. */
+        atomic_uint pushed; /* `pushed` is the number of reports that were added to the queue.
+                               `taken` is the number of reports that were removed. Both counters
+                               wrap at 2^32. */
     atomic_uint lost;
     uint32_t next_number; /* Number of the next report; used only by the writer. */
     _Alignas(REPORT_RING_LINE_SIZE) atomic_uint taken;

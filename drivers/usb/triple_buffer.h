@@ -11,7 +11,8 @@
 #include <stdint.h>
 
 #define TRIPLE_BUFFER_SLOTS 3u
-/* Flag that `middle` contains in addition to the slot index while the value was not read yet. */
+/* Bit of `middle` that is set while the published value was not read yet. The lower bits are the
+ * slot index. */
 #define TRIPLE_BUFFER_FRESH 4u
 
 struct triple_buffer {

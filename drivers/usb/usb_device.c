@@ -95,7 +95,7 @@ void usb_device_evaluate(struct usb_device *device, const struct usb_evaluation 
 }
 
 /* Classifies `device` by one of its interfaces. A report descriptor that was read from the device
- * itself is kept. The reason is that /sys has no descriptor while the interface is claimed, and a
+ * itself is kept, because /sys has no descriptor while the interface is claimed. In addition, a
  * kernel driver may put a corrected descriptor into /sys. */
 static void look_at(struct usb_device *device, const struct usb_evaluation *judge,
                     const struct libusb_interface_descriptor *interface)
@@ -126,8 +126,8 @@ static int is_better(const struct usb_device *a, const struct usb_device *b,
 }
 
 /* Selects the best HID interface of a device. Only the first alternate setting of each interface is
- * examined, because it is the active one and HID devices have no others. Returns 0, or -1 if there
- * is no usable HID interface. */
+ * examined, because this setting is active and HID devices have no further settings. Returns 0, or
+ * -1 if there is no usable HID interface. */
 static int pick_interface(struct usb_device *device, const struct usb_evaluation *judge,
                           const struct libusb_config_descriptor *config)
 {
@@ -168,7 +168,7 @@ static int usb_device_read_descriptors(struct usb_device *device,
 void usb_device_refresh(struct usb_device *device, const struct usb_evaluation *judge)
 {
     if (usb_device_read_descriptors(device, judge)) {
-        /* A device that cannot be read must not be claimed. Its configuration changed, or it is
+        /* The device cannot be read, so it must not be claimed. Its configuration changed, or it is
          * being unplugged. */
         device->verdict = USB_BARRED;
     }

@@ -35,7 +35,7 @@ struct usb_device {
     uint32_t declared_size;              /* Declared size of the report descriptor in bytes. */
     uint8_t is_read; /* 1 if `face.descriptor` was read from the device itself, 0 if it was read
                         from /sys. */
-    uint8_t verdict; /* Whether the interface may be claimed (enum usb_verdict). */
+    uint8_t verdict; /* Decision whether the kiosk may claim the interface (enum usb_verdict). */
     uint8_t kind;    /* Kind of the interface (enum usb_kind). */
     uint8_t worth;   /* Score of the mapping, from hid_mapping_score(). */
     struct usb_pipe pipe;

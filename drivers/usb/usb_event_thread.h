@@ -37,8 +37,8 @@ struct usb_device_entry {
     uint8_t trouble; /* Current fault of the device (enum usb_device_fault); `told_trouble` is the
                         fault that was reported last. */
     uint8_t told_trouble;
-    uint8_t failures; /* Number of consecutive opening attempts without a response. Each such
-                         attempt blocked the thread. */
+    uint8_t failures; /* Number of consecutive attempts to open the device without a response. Each
+                         of these attempts blocked the event thread. */
     uint8_t is_seen;  /* 1 if the current comparison with the bus found the device, otherwise 0. */
     /* Indexes of the device's row, link and slot. USB_INDEX_NONE means none. For `row`,
      * CONTROLLER_MAX means none too. */
@@ -67,7 +67,7 @@ struct usb_event_thread {
     atomic_int stop;
     int wake_fd;
 
-    /* Only the event thread uses the fields below. */
+    /* Only the event thread uses the fields from `thread` on. */
     pthread_t thread;
     libusb_context *context;
     libusb_hotplug_callback_handle hotplug;
@@ -97,7 +97,7 @@ void usb_event_thread_end(struct usb_event_thread *usb_thread);
 /* Wakes the event thread. May be called from any thread and does not block. */
 void usb_event_thread_wake(void *self);
 
-/* ---- Private functions of the event thread ---- */
+/* ---- Functions for the usb_event_thread*.c files only ---- */
 
 /* Returns the current time of the thread's clock. */
 uint64_t usb_event_thread_now_ns(const struct usb_event_thread *usb_thread);
@@ -122,7 +122,8 @@ void usb_event_thread_update_row(struct usb_event_thread *usb_thread,
 void usb_event_thread_detach(struct usb_event_thread *usb_thread, struct usb_device_entry *entry,
                              int is_gone);
 
-/* Returns the time at which one of the functions above must be called next. */
+/* Returns the time at which usb_event_thread_compare() or usb_event_thread_service() must be called
+ * next. */
 uint64_t usb_event_thread_due_ns(const struct usb_event_thread *usb_thread);
 
 /* Passes the fault of an entry to the callback `tell`, once for each new fault. */

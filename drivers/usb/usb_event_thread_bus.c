@@ -10,7 +10,7 @@
 /* Time after which even devices on slow hubs are configured. */
 #define SETTLE_NS (2000u * NS_PER_MS)
 #define AGAIN_NS (100u * NS_PER_MS)
-/* Interval of comparisons if libusb does not support hot-plug events. */
+/* Interval of the comparisons with the bus if libusb does not support hot-plug events. */
 #define NO_HOTPLUG_NS (1000u * NS_PER_MS)
 
 /* ---- Comparison with the bus ---------------------------------------------------------------- */
@@ -54,7 +54,7 @@ static struct usb_device_entry *find_room(struct usb_event_thread *usb_thread,
 }
 
 /* Assigns a row to the entry. The row may have belonged to the lost controller of another entry.
- * Such an entry gets a new row later. */
+ * The other entry then gets a new row later. */
 static void give_row(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
     entry->row = device_table_enter(&usb_thread->rows, &entry->device.face.identity,
@@ -124,8 +124,9 @@ static void compare(struct usb_event_thread *usb_thread)
 }
 
 /* Compares the bus with the table if a comparison is due. libusb announces a device before the
- * kernel has configured it, and the device has no interfaces until then. No event reports the
- * configuration. Therefore the comparison is repeated until SETTLE_NS after the last change. */
+ * kernel has configured it. The device has no interfaces until it is configured, and no event
+ * reports the configuration. Therefore the comparison is repeated until SETTLE_NS after the last
+ * change. */
 void usb_event_thread_compare(struct usb_event_thread *usb_thread)
 {
     const uint64_t now_ns = usb_event_thread_now_ns(usb_thread);

@@ -14,10 +14,10 @@
 #define RETRY_NS_MAX (60u * NS_PER_S)
 /* Limit of the failure count. The intervals are 2, 4, 8, 16 and 32 s, and then RETRY_NS_MAX. */
 #define FAILURES_MAX 6u
-/* Time in which a kernel driver binds a new device and the udev rules run. */
+/* Time after which a kernel driver has bound a new device and the udev rules have run. */
 #define SETTLE_NS (2u * NS_PER_S)
-/* Time for which the slot of an unplugged controller is held. A round also waits this long for its
- * controller. */
+/* Time for which the slot of an unplugged controller is kept for that controller. A game round
+ * waits for its controller for the same time. */
 #define HOLD_NS (POI_WAIT_TICKS_MAX * NS_PER_S / CORE_TICK_HZ)
 
 static struct usb_evaluation judge_of(struct usb_event_thread *usb_thread)

@@ -51,7 +51,7 @@ static int interface_request(libusb_device_handle *handle, const struct usb_devi
 }
 
 /* Reads the report descriptor with GET_DESCRIPTOR (HID 1.11, section 7.1.1). A kernel driver may
- * put a corrected descriptor into /sys and correct the reports to match. This driver receives the
+ * put a corrected descriptor into /sys and correct the reports to match. Kingyo receives the
  * reports unmodified, so it needs the original descriptor. The descriptor of /sys is used only if
  * the device does not respond. */
 static enum usb_device_fault read_descriptor(libusb_device_handle *handle,

@@ -39,9 +39,9 @@ struct usb_slot {
     uint8_t out_bytes[HID_REPORT_MAX];
     /* Only the event thread uses `last_ns`. */
     uint64_t last_ns; /* Time stamp of the newest report. */
-    /* Only the frame loop uses the fields below. */
-    uint32_t opened;  /* Generation number at the last successful open(); 0 means that there was
-                         none. */
+    /* Only the frame loop uses the fields from `opened` on. */
+    uint32_t opened;  /* Generation number at the last successful open(); 0 means that open() never
+                         succeeded. */
     uint8_t is_never; /* 1 if USB is not available at all, otherwise 0. */
     struct hid_identity identity;
     void (*wake)(void *self); /* Wakes the event thread for an output report. The callback must not

@@ -94,8 +94,8 @@ static int read_status(struct usb_transfers *link, const struct libusb_transfer 
     }
 }
 
-/* Queues the report of a transfer that completed while the link closes. Cancelled transfers contain
- * no report. */
+/* Queues the report of a transfer that completed while the link was closing. Cancelled transfers
+ * contain no report. */
 static void take_last(struct usb_transfers *link, const struct libusb_transfer *transfer)
 {
     if (transfer->status == LIBUSB_TRANSFER_COMPLETED && !link->has_left) {
@@ -203,8 +203,8 @@ static void close_link(struct usb_transfers *link)
     link->state = USB_TRANSFERS_NONE;
 }
 
-/* Clears the halt of the input endpoint. Until all input transfers have returned, only cancels them
- * and returns 0. Returns 1 when the halt was cleared. */
+/* Clears the halt of the input endpoint. If some input transfers have not returned yet, cancels
+ * them and returns 0. Otherwise clears the halt and returns 1. */
 static int clear_halt(struct usb_transfers *link)
 {
     int flying = 0;

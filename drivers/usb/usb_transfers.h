@@ -20,9 +20,11 @@
 #define USB_TRANSFER_MAX 1024u
 /* Number of consecutive errors after which the device is closed and opened again. */
 #define USB_ERRORS_MAX 8u
-/* Time after cancelling in which returning transfers still deliver reports, in ms. */
+/* Time in ms after the transfers were cancelled, in which returning transfers still deliver
+ * reports. */
 #define USB_DETACH_MS 50u
-/* Timeout of an output report in ms. Later force feedback would be noticeably late. */
+/* Timeout of an output report in ms. After a longer time the player would feel the force feedback
+ * too late. */
 #define USB_OUT_TIMEOUT_MS 100u
 
 /* Endpoints of an interface, and properties of its report descriptor. */
