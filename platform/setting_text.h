@@ -1,8 +1,8 @@
-/* setting_text.h -- text form of the operator's settings in kingyo.conf, on the command line and in
- * the manual.
+/* setting_text.h -- converts the operator's settings to and from the text in kingyo.conf, on the
+ * command line and in the manual.
  *
- * Adds section names, value names and help texts to the setting table of core/settings.h. Pure
- * functions. */
+ * The module adds section names, value names and help texts to the setting table of
+ * core/settings.h. Pure functions. */
 #ifndef KINGYO_PLATFORM_SETTING_TEXT_H
 #define KINGYO_PLATFORM_SETTING_TEXT_H
 

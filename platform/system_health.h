@@ -1,5 +1,6 @@
-/* system_health.h -- system health: whether the card keeps data, free disk space, age of the
- * backup, temperature, and quarantined files.
+/* system_health.h -- monitors the system health: whether data on the card survive a restart, free
+ * disk space, age of the backup, temperature, and quarantined files. A quarantined file is a
+ * damaged or foreign file that the store keeps but no longer uses.
  *
  * A separate thread checks every SYSTEM_HEALTH_PERIOD_S seconds, because a card or a sensor may
  * block for a long time and the frame loop must not block. The thread's only output files are the

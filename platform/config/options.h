@@ -42,8 +42,8 @@ struct options {
     uint8_t has_seed;
     uint32_t seed;
     uint8_t tank;                        /* Tank to use (enum tank_preset_id). */
-    uint8_t is_file;                     /* 1 while values from the configuration file are parsed,
-                                            otherwise 0. */
+    uint8_t is_file;                     /* 1 while values from the configuration file are parsed, 0
+                                            while the command line is parsed. */
     struct options_query_result machine; /* Settings from the machine's locale. */
     struct options_query_result file;    /* Settings from the configuration file. */
     struct options_query_result words;   /* Settings from the command line. */

@@ -118,8 +118,8 @@ static void take_shot(struct demo *demo)
     demo->shots++;
 }
 
-/* Returns 1 if a picture is due, otherwise 0. The duration is divided into equal intervals, and
- * each picture is taken in the middle of an interval. */
+/* Returns 1 if the next picture is due, otherwise 0. The duration of the demonstration is divided
+ * into equal intervals, and each picture is taken in the middle of an interval. */
 static int shot_is_due(const struct demo *demo)
 {
     const uint64_t due_ns = demo->end_ns * (2 * demo->shots + 1) / (2 * SHEET_PICTURES);

@@ -50,7 +50,7 @@ struct kiosk_source {
 
 struct kiosk_config {
     struct core_config core;
-    uint8_t bot[POI_MAX];           /* 1 if the core's bot controls this poi, regardless of the
+    uint8_t bot[POI_MAX];           /* 1 if the core's bot controls the poi, regardless of the
                                        connected devices. */
     struct hal_clock stopwatch;     /* Clock that only measures durations. Its time has no effect on
                                        the core. */

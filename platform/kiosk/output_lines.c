@@ -30,8 +30,8 @@ static uint32_t output_lines_set(struct output_lines *switches, const struct hal
     return (uint32_t)hal_is_fault(result);
 }
 
-/* Sends as many pulses as `wanted` has increased since the last accepted request. Returns 1 on a
- * fault, otherwise 0. */
+/* Sends one pulse for each increase of `wanted` by 1 since the last accepted request. Returns 1 on
+ * a fault, otherwise 0. */
 static uint32_t pulse(struct output_lines *switches, const struct hal_switches *device,
                       enum hal_switch which, uint32_t wanted, uint64_t now_ns)
 {

@@ -27,10 +27,11 @@ struct resampler {
  * unknown. */
 void resample_reset(struct resampler *resampler);
 
-/* Adds a report. A report with the same time as the newest report, or an earlier time, replaces the
- * newest report. If the path is full, the second oldest report is dropped. Accepts any bit pattern
- * because the core validates the values. Returns 1, or 0 if a number is invalid or out of the range
- * of core/game/control/input_validation.h. */
+/* Adds a report. A report whose time is not later than the time of the newest report replaces the
+ * newest report. If the path is full, the second oldest report is dropped, because the oldest
+ * report is the start of the path. Accepts any bit pattern because the core validates the values.
+ * Returns 1, or 0 if a number is invalid or out of the range of
+ * core/game/control/input_validation.h. */
 int resample_push(struct resampler *resampler, const struct poi_sample *sample);
 
 /* Returns the pose for tick `index` of the `tick_count` >= 1 ticks of the frame. Asserts that

@@ -28,7 +28,8 @@ struct run_common {
     struct evidence evidence;         /* Panic handler, which writes the replay and the count of a
                                          panic. */
     struct library library;           /* Installed species files, read at program start. */
-    struct file_notes notes;          /* Results of reading species files and all other files. */
+    struct file_notes notes;          /* Messages about species files and other files that were read
+                                         at program start. */
     struct replay_totals replayed;    /* Totals of the recording to replay, set by
                                          run_common_check(). */
     struct system_health machine;     /* System health monitor. */

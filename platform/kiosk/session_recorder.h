@@ -1,14 +1,16 @@
 /* session_recorder.h -- records the running session (core/game/session.h) in memory.
  *
- * The recorder gives the store the replay of each ranked round. In a panic, it writes the session
- * to a file. The recording of a session starts with the configuration of the session's first state.
- * The memory therefore always holds a snapshot and all later inputs. The caller owns `struct
- * session_recorder` (20 MiB: static storage) and initializes it to zero.
+ * The recorder gives the store the replay of each ranked round. In a panic, the recorder writes the
+ * session to a file. Each recording starts with a snapshot, which is the configuration of the
+ * session's first state. The snapshot and all later inputs stay in memory until the next session
+ * starts. The caller owns `struct session_recorder` (20 MiB: static storage) and initializes it to
+ * zero.
  *
  * Ranked rounds without a replay are counted. A round has no replay if the session is larger than
  * SESSION_RECORDER_SIZE or if the store is still writing an earlier replay. A round also has no
  * replay if digits of the PIN were typed during the session. The recording of a session ends when
- * it exceeds SESSION_RECORDER_MEMORY. A panic then writes the session up to this point. */
+ * it exceeds SESSION_RECORDER_MEMORY. A later panic then writes only the session's part before this
+ * end. */
 #ifndef KINGYO_PLATFORM_KIOSK_SESSION_RECORDER_H
 #define KINGYO_PLATFORM_KIOSK_SESSION_RECORDER_H
 
@@ -52,7 +54,7 @@ struct session_recorder {
     uint32_t missed;         /* Number of ranked rounds whose replay could not be stored. */
     struct input begun;      /* Input of the current tick. Valid while is_in_tick is 1. */
     atomic_uchar is_in_tick; /* 1 while core_tick() runs. */
-    /* 1 from session_recorder_before() to the end of session_recorder_tick(). */
+    /* 1 between the start of session_recorder_before() and the end of session_recorder_tick(). */
     atomic_uchar is_busy;
     atomic_uchar is_frozen; /* 1 if a panic reads the recording. The thread that runs the ticks then
                                blocks before it changes the recording. */
@@ -90,15 +92,15 @@ void session_recorder_withhold_pin(struct core_config *config, int32_t *told);
 /* Returns 1 if the initial configuration of a recording contains a PIN, otherwise 0. */
 int session_recorder_start_has_pin(const struct core_config *config);
 
-/* Returns 1 while digits of a PIN are typed, so that the recorded inputs contain them. Otherwise
- * returns 0. */
+/* Returns 1 while digits of a PIN are typed, otherwise 0. Inputs that are recorded during this time
+ * contain the digits. */
 int session_recorder_types_pin(const struct core *core);
 
 /* ---- Functions for a panic, async-signal-safe ---------------------------------------------- */
 
-/* Stops all changes of the recording. `is_own` is 1 if the calling thread runs the ticks. Another
- * thread waits for the end of the current tick, at most SESSION_RECORDER_FREEZE_MS milliseconds.
- * Returns 1, or 0 if a change was interrupted or is still in progress. */
+/* Stops all changes of the recording. `is_own` is 1 if the calling thread runs the ticks. If
+ * `is_own` is 0, waits for the end of the current tick, at most SESSION_RECORDER_FREEZE_MS
+ * milliseconds. Returns 1. Returns 0 if a change was interrupted or is still in progress. */
 #define SESSION_RECORDER_FREEZE_MS 200
 int session_recorder_freeze(struct session_recorder *chapters, int is_own);
 

@@ -1,4 +1,5 @@
-/* clock.h -- HAL device for the machine's monotonic clock and its local date and time. */
+/* clock.h -- provides the HAL device of the machine's monotonic clock and of its local date and
+ * time. */
 #ifndef KINGYO_PLATFORM_OS_CLOCK_H
 #define KINGYO_PLATFORM_OS_CLOCK_H
 

@@ -95,7 +95,8 @@ struct replay_totals {
     uint32_t ticks, rounds, caught, fouls;
     uint16_t modes;   /* Game modes of the rounds so far, one bit (1 << enum game_mode) each. */
     uint16_t players; /* Players who took part in a round so far, one bit each. */
-    uint64_t hash;    /* core_hash() after the last tick. */
+    uint64_t hash;    /* Result of core_hash() after the last tick of the chunk or of the
+                         recording. */
 };
 
 /* ---- Codec (replay_codec.c), pure functions ------------------------------------------------ */

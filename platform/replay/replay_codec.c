@@ -1,15 +1,17 @@
 /* replay_codec.c -- encodes one input as the difference from the previous input.
  *
- * The first byte is a mask. Its bits state which of held buttons, pressed buttons, coins, machine
- * state, controllers and poses follow. Held and pressed buttons and the coins of each line are u32.
+ * The first byte is a mask. Each bit states whether one of these parts follows: held buttons,
+ * pressed buttons, coins, machine state, controllers, poses. Held buttons, pressed buttons and the
+ * coins of each line are u32.
  *
- * The machine state is a mask, followed by the values that changed. The ids of the saved entry and
- * of the saved edit are u32. One byte has the level bits: portrait screen, store rejects edits,
- * store healthy. Day and minute are u16. Dropped ticks, faults and completed tickets are u32.
+ * The machine state is a mask, followed by the values that changed. The id of the saved ledger
+ * entry and the id of the saved edit are u32. One byte has the level bits: portrait screen, store
+ * rejects edits, store healthy. Day and minute are u16. Dropped ticks, faults and completed tickets
+ * are u32.
  *
- * The controllers are a u16 mask and the bytes that changed: the state of each controller, then the
- * step, row and progress of mapping learning, then the number of files. replay_pose_delta.c encodes
- * the poses. */
+ * The controllers are a u16 mask and the bytes that changed. The bytes are the state of each
+ * controller, then the step, row and progress of the learn wizard, then the number of files.
+ * replay_pose_delta.c encodes the poses. */
 #include "platform/replay/replay.h"
 
 #include <string.h>

@@ -23,7 +23,7 @@ enum {
 _Static_assert(sizeof(struct poi_target) == POI_FLOATS * sizeof(float), "a target is six floats");
 _Static_assert(POI_MAX + SHADE_MAX <= 8, "all that hands hold has its bit in one byte");
 
-/* A poi or a fan in the form in which it is stored: one byte, floats, an age. */
+/* Stored form of a poi or a fan: one byte, floats and an age. */
 struct held {
     uint8_t byte;
     uint8_t has_age; /* 1 for a poi and 0 for a fan, because a fan has no age. */

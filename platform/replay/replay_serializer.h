@@ -12,7 +12,8 @@
 struct replay_serializer {
     uint8_t *out;      /* Destination buffer. Null means that fields are read. */
     const uint8_t *in; /* Source buffer if `out` is null. */
-    size_t size, at;   /* Size of the buffer and position in it, in bytes. */
+    size_t size, at;   /* Size of the buffer, and position of the next byte in the buffer, in
+                          bytes. */
     uint32_t version;  /* Format version of the bytes: REPLAY_VERSION_MIN .. REPLAY_VERSION. 0 in a
                           catalog, which has no version. */
     int bad;           /* 1 if the buffer was too short. Later calls have no effect. */

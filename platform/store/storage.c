@@ -61,8 +61,8 @@ static bool start_thread(struct storage *storage)
     return storage->has_thread;
 }
 
-/* Copies the loaded state, from which the core continues. Called before the thread uses the
- * file. */
+/* Copies the state that was read from the database. The core starts from this state. Called before
+ * the store's thread uses the database. */
 static void note_start(struct storage *storage)
 {
     storage->start = storage->file.content;

@@ -48,9 +48,10 @@ void storage_unlock(struct storage *storage); /* Releases the lock of the folder
 /* Returns true if the open database can be written. Tries to reopen a database that was lost. */
 bool storage_has_card(struct storage *storage);
 
-/* Stores the SQLite code of a write or of an attempt to open. Counts a failure. */
+/* Stores the SQLite code of a write, or of an attempt to open the database. If the code is an
+ * error, counts a failed write. */
 void storage_note_result(struct storage *storage, int code);
-/* Stores the SQLite code of a write. Closes a database that must be reopened. */
+/* Stores the SQLite code of a write. Closes the database if it must be reopened after this code. */
 void storage_note_write(struct storage *storage, int code);
 /* Returns true if the database must be reopened after the SQLite code `code`. Other codes are
  * temporary errors. */
@@ -65,7 +66,8 @@ bool storage_has_moved(struct storage *storage);
  * has moved during the write. */
 int storage_write_entries(struct storage *storage, const struct ledger_entry *entries,
                           uint32_t count);
-/* Returns true if the file at the path may be opened in place of the database that moved. */
+/* Returns true if the store may open the file that is now at the database's path, in place of the
+ * database that moved. */
 bool storage_may_follow(struct storage *storage);
 /* storage_mark_log_removed() logs which file or folder has moved. storage_restore_log() logs that
  * the store uses a database again. */
@@ -104,7 +106,7 @@ int storage_mirror_write(struct storage *storage, const struct ledger_entry *ent
  * waits. */
 void storage_mirror_repair(struct storage *storage);
 
-/* storage_thread.c: closes the database and aborts a backup in progress. */
+/* storage_thread.c: closes the database and aborts a backup that is in progress. */
 void storage_close_file(struct storage *storage);
 /* Closes a database that was opened on a full card, because other programs cannot read such a
  * database while it is open. */

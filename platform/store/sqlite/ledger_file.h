@@ -96,8 +96,8 @@ struct ledger_file_options {
 int ledger_file_open(struct ledger_file *file, const char *path,
                      const struct ledger_file_options *how);
 
-/* Opens an existing file for reading and changes nothing. Returns an SQLite code or an error code
- * of this module; SQLITE_SCHEMA means that the file has an old version. */
+/* Opens an existing file for reading only. The file is not migrated or changed. Returns an SQLite
+ * code or an error code of this module; SQLITE_SCHEMA means that the file has an old version. */
 int ledger_file_inspect(struct ledger_file *file, const char *path);
 
 /* Validates a whole database. Returns SQLITE_OK, or the reason why the database cannot be used. */

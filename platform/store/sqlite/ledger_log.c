@@ -63,8 +63,8 @@ static int rewrite(sqlite3_file *log)
     return code == SQLITE_OK && size > 0 ? log->pMethods->xSync(log, SQLITE_SYNC_NORMAL) : code;
 }
 
-/* Syncs the folder, because SQLite ignores an error when it syncs the folder for a new log. Returns
- * an SQLite code. */
+/* Syncs the folder of the database, because SQLite ignores an error when it syncs the folder for a
+ * new log. Returns an SQLite code. */
 static int sync_names(struct ledger_file *file)
 {
     const char *path = sqlite3_db_filename(file->db, "main");

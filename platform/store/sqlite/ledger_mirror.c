@@ -91,8 +91,9 @@ static int ledger_mirror_allocate(int handle)
     return fsync(handle);
 }
 
-/* Writes each byte of the file again. After a failed sync, possibly of a process that was killed, a
- * slot may be readable without being on disk. Returns 0 or -1. */
+/* Writes each byte of the file again. A sync may have failed in this process or in a process
+ * that was killed. After a failed sync, a slot may be readable without being on disk. Returns 0
+ * or -1. */
 static int rewrite(int handle)
 {
     uint8_t bytes[64 * LEDGER_MIRROR_SLOT_SIZE];

@@ -14,8 +14,9 @@
 #include "platform/store/sqlite/sql.h"
 #include "platform/store/storage.h"
 
-/* Returns 1 if the setting may be deleted, otherwise 0. The PIN and the money settings stay because
- * they do not affect a round. Without them the menu would be open or the game free. */
+/* Returns 1 if the setting may be deleted, otherwise 0. The PIN and the money settings must stay,
+ * and they do not affect a round. Without a PIN everyone could open the menu, and without money
+ * settings the game would be free. */
 static int may_go(uint32_t id)
 {
     return settings_entry(id)->group != GROUP_MONEY && id != SET_PIN;

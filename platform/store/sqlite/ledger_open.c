@@ -14,10 +14,10 @@
  * the file. */
 #define BUSY_MS 2000
 
-/* Journal mode and synchronous mode: a write-ahead log with a sync per transaction. This journal
- * has the fewest writes and syncs of all journals that lose no data in a power cut (`make
+/* Journal mode and synchronous mode: a write-ahead log with a sync per transaction. Of all journals
+ * that lose no data in a power cut, this journal has the fewest writes and syncs (`make
  * bench-journals`). A rollback journal at EXTRA needs three times as many syncs. ledger_log.c
- * copies the log into the database. cache_size is what one transaction needs, in KiB. */
+ * copies the log into the database. cache_size is the memory in KiB that one transaction needs. */
 #define JOURNAL "WAL FULL"
 static const char settings[] = "PRAGMA cache_size = -1024";
 

@@ -1,10 +1,11 @@
 /* ledger_pin.c -- hides a PIN that an older version stored as plain digits.
  *
- * The digits are in the setting and in each entry that records a change of the setting. All of them
- * are rewritten with the same salt, so that settings that are rebuilt from the entries are equal.
- * Old bytes remain in free pages and in gaps of pages. VACUUM rewrites the file, and the following
- * checkpoint empties the log. Each of the two steps may fail after the rows were committed.
- * Therefore a row of `state` marks the file until both steps have succeeded. */
+ * The digits are in the PIN setting and in each entry that records a change of the PIN setting. All
+ * copies of a PIN are hidden with the same salt. Settings that are rebuilt from the entries are
+ * therefore equal to the stored settings. Old bytes remain in free pages and in gaps of pages.
+ * VACUUM rewrites the file, and the following checkpoint empties the log. Each of the two steps may
+ * fail after the rows were committed. Therefore a row of `state` marks the file until both steps
+ * have succeeded. */
 #include <sqlite3.h>
 #include <stdio.h>
 
