@@ -17,7 +17,7 @@
 #include "platform/render/renderer.h"
 #include "platform/thermal.h"
 
-/* Configuration of the display. Every field may be zero, which means its default. */
+/* Configuration of the display. A field that is zero has its default value. */
 struct display_gl_config {
     uint32_t width, height; /* Window size in points. 0 means 1280x720, or the whole screen if
                                `full_screen` is true. */
@@ -52,7 +52,7 @@ struct display_gl {
                      connection. */
     bool is_bare; /* True if SDL draws directly on the graphics card because no window system
                      runs. */
-    struct connectors plugged; /* Connectors when the display was opened. */
+    struct connectors plugged; /* Connectors that had a screen when the display was opened. */
     uint64_t looked_ns;        /* Time of the last read of the connectors, in ns of the monotonic
                                   clock. */
     uint8_t changed_looks;     /* Number of consecutive reads in which the connectors differed from
@@ -61,8 +61,8 @@ struct display_gl {
     void *on_lost_context;
     struct governor governor;
     struct thermal thermal;
-    uint32_t heat_looks; /* Number of temperature measurements that the governor has received from
-                            the thermal thread. */
+    uint32_t heat_looks; /* Value of the counter `looks` of the thermal thread at the last update of
+                            the governor. */
     bool is_governed;    /* True while the quality governor (governor.h) chooses the picture's
                             quality. */
     char text[HAL_TEXT_SIZE];

@@ -75,7 +75,7 @@ void drm_card_prefer(void)
     const int card = drm_card_find("");
     if (card >= 0) {
         snprintf(index, sizeof index, "%d", card);
-        /* SDL_KMSDRM_DEVICE_INDEX in the environment takes precedence over this hint. */
+        /* The environment variable SDL_KMSDRM_DEVICE_INDEX takes precedence over this hint. */
         SDL_SetHint(SDL_HINT_KMSDRM_DEVICE_INDEX, index);
     }
 }

@@ -12,16 +12,18 @@
 
 /* Maximum number of texels of one pose. A texel holds four floats. */
 #define POSE_TEXELS_MAX (2u * MORPH_CURVE_MAX + 2u * ANCHOR_MAX)
-#define POSE_RUN 16u /* Number of texture rows (poses) that are uploaded together. */
+#define POSE_RUN                                                                                   \
+    16u /* Maximum number of consecutive texture rows (poses) that are uploaded in one call. */
 
-/* Writes a pose in the layout that morph.glsl reads: two texels for each curve, then two for each
- * anchor. Returns the number of texels. `curve_count` is the shader's constant CURVES, and
- * `anchor_count` is the number of anchors of the mesh. */
+/* Writes a pose to `out` in the texel layout that morph.glsl reads: two texels for each curve, then
+ * two texels for each anchor. Returns the number of texels. `curve_count` is the number of
+ * deformation curves (CURVES in the shader), and `anchor_count` is the number of anchors of the
+ * mesh. */
 uint32_t fish_poses_pack(float out[][4], const struct morph_pose *pose, uint32_t curve_count,
                          uint32_t anchor_count);
 
-/* Writes "#define KEYS 5" and the other definitions for a shader program that draws only this
- * species. The program draws only the fins if `fins` is true. */
+/* Writes the #define lines of a shader program that draws only this species, such as "#define KEYS
+ * 5". If `fins` is true, the lines are for a program that draws only the fins. */
 void fish_poses_defines(char *out, size_t size, const struct species *species, bool fins);
 
 struct fish_poses {
@@ -32,8 +34,8 @@ struct fish_poses {
     float progress[SCENE_FISH_MAX]; /* Progress through life that each texture row shows, [0, 1].
                                        A negative value means that the row has not been written
                                        yet. */
-    uint32_t run_first, run_count;  /* First row and number of rows in `run` that are not uploaded
-                                       yet. */
+    uint32_t run_first, run_count;  /* First row and number of rows in `run` that have not been
+                                       uploaded yet. */
     float run[POSE_RUN * POSE_TEXELS_MAX][4];
     struct morph_pose pose;
     uint32_t posed_count; /* Number of rows written since the last fish_poses_begin(), for

@@ -73,8 +73,8 @@ static bool is_lines(const struct species_mark *mark)
     return mark->kind == MARK_BANDS && mark->part == PART_BODY && mark->count >= LINES_MIN;
 }
 
-/* Removes the marks that the shader draws as lines from the painting. The marks stay in
- * skin->lined. */
+/* Removes the marks that the shader draws as lines from the painting. Copies of these marks are
+ * stored in skin->lined. */
 static void leave_out_lines(struct fish_texture *skin)
 {
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {

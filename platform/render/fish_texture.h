@@ -79,8 +79,8 @@ bool fish_texture_is_done(const struct fish_texture *skin);
  * lines at the screen's resolution, with the same shape as mark_cover() gives MARK_BANDS. */
 #define FISH_TEXTURE_LINES 2u
 struct fish_texture_lines {
-    float place[4]; /* Placement of the lines: position of the first line, spacing, number of lines,
-                       slant. */
+    float place[4]; /* Placement of the lines along the body: position of the first line, spacing,
+                       number of lines, slant. */
     float shape[4]; /* Shape of a line: half of its width, its lower and its upper height on the
                        body, and its opacity [0, 1]. */
     float colour[3];

@@ -65,7 +65,7 @@ void gl_ring_open(struct gl_status *status, const char *name, struct gl_ring *ri
                   const struct gl_texture_desc *desc);
 void gl_ring_close(struct gl_ring *ring);
 
-/* Advances to the texture that has been unused for the longest time, and returns its name. */
+/* Advances to the texture that was filled the longest time ago, and returns its name. */
 GLuint gl_ring_turn(struct gl_ring *ring);
 /* Returns the texture that gl_ring_turn() returned last. */
 GLuint gl_ring_texture(const struct gl_ring *ring);

@@ -14,7 +14,7 @@
 
 struct poi_pool {
     float level_m; /* World height of the pool's surface. POI_NO_POOL_M means no pool. */
-    float film_m;  /* Thickness of the film on the paper, at most POI_FILM_M. */
+    float film_m;  /* Thickness of the water film on the paper, at most POI_FILM_M. */
 };
 
 /* Returns the pool of a poi. The pool's surface is horizontal in every pose of the poi. The water

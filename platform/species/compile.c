@@ -1,4 +1,5 @@
-/* compile.c -- converts a species text and its lofts to the core's data: card, coats and tables. */
+/* compile.c -- converts a species text and its meshes to the data that the core uses: card, coats
+ * and tables. */
 #include "platform/species/shape.h"
 
 #include <assert.h>
@@ -38,8 +39,8 @@ void species_pack(const struct loft *loft, uint32_t key_count, struct mesh_table
     }
 }
 
-/* Converts the marks of a coat from positions along x, which makers write, to body coordinates,
- * which the paint functions read. */
+/* Returns the coat of a key with the positions of its marks in body coordinates. Makers write
+ * positions along x, but the paint functions read body coordinates. */
 static struct species_coat coat_on_body(const struct key_text *key)
 {
     struct species_coat coat = key->coat;

@@ -23,8 +23,8 @@ static bool is_packed(const char *name)
     return length > suffix && name[0] != '.' && strcmp(name + length - suffix, PACK_SUFFIX) == 0;
 }
 
-/* Inserts a name in alphabetical order and keeps the first LIBRARY_LINE_MAX names. Sorting is
- * necessary because a directory has no fixed order. */
+/* Inserts a name in alphabetical order. If there are more than LIBRARY_LINE_MAX names, keeps only
+ * the first ones. The names are sorted because the order of a directory's entries is undefined. */
 static void insert(struct listing *l, const char *name)
 {
     uint32_t at = l->count;
@@ -42,8 +42,8 @@ static void insert(struct listing *l, const char *name)
     memcpy(l->names[at], name, strlen(name) + 1);
 }
 
-/* Lists the names of the files in `folder`. Returns 0, or the errno of a folder that exists but
- * cannot be read. */
+/* Lists the names of the files in `folder`. Returns 0 on success or if the folder does not exist,
+ * and an errno value if the folder cannot be read. */
 static int list(const char *folder, struct listing *l)
 {
     DIR *directory = opendir(folder);
@@ -69,8 +69,8 @@ static bool is_taken(const struct library *library, const char *id)
     return false;
 }
 
-/* Reads one file into the next free slot. If the species is rejected, returns false with the reason
- * in `why`, and the slot stays free. */
+/* Reads one file into the next free slot of the library. If the species is invalid, returns false
+ * and writes the reason to `why`. The slot then stays free. */
 static bool library_read_file(struct library *library, const char *path,
                               char why[VALIDATE_WHY_SIZE])
 {

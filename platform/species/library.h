@@ -1,38 +1,40 @@
 /* library.h -- the species library: the makers' species in the kiosk's data folder, and the reason
  * for each rejected file. A maker is a user who draws a species.
  *
- * The files DATA/species/NAME.kfish are read once, at program start, in the order of their names.
- * An invalid file causes an error line for the operator and never prevents the start. The
- * operator's screens show rejected species files and rejected graphs (graph_file.h). Only valid
- * species are available to the game. */
+ * The files DATA/species/NAME.kfish are read once, at program start, in alphabetical order. An
+ * invalid file causes an error line for the operator and never prevents the program start. The
+ * operator's screens show rejected species files and rejected deformation graphs (graph_file.h).
+ * The game uses only valid species. */
 #ifndef KINGYO_PLATFORM_SPECIES_LIBRARY_H
 #define KINGYO_PLATFORM_SPECIES_LIBRARY_H
 
 #include "platform/species/pack.h"
 
 #define LIBRARY_FOLDER "species"
-/* Maximum number of files that are read, because a screen shows one line for each. Further files
+/* Maximum number of files that are read, because a screen shows one line for each file. More files
  * are only counted. */
 #define LIBRARY_LINE_MAX 32u
-#define LIBRARY_FILE_SIZE 64u /* Buffer size for a file's name. A longer name is truncated. */
+#define LIBRARY_FILE_SIZE                                                                          \
+    64u /* Size of the buffer for a file name in bytes. A longer file name is truncated. */
 /* Value of `slot` for a rejected file. */
 #define LIBRARY_SLOT_NONE 255u
 
 struct library_line {
     char file[LIBRARY_FILE_SIZE]; /* Name of the file, without its folder. */
-    uint8_t slot;                 /* Slot of the species. LIBRARY_SLOT_NONE means that the file was
-                                     rejected. */
-    char why[VALIDATE_WHY_SIZE];  /* Reason of the rejection. "" means that the file was
+    uint8_t slot;                 /* Number of the slot that holds the species. LIBRARY_SLOT_NONE
+                                     means that the file was rejected. */
+    char why[VALIDATE_WHY_SIZE];  /* Reason why the file was rejected. "" means that the file was
                                      accepted. */
 };
 
 /* Species library. Its size is about 2.1 MB, so it must be static. */
 struct library {
-    uint32_t species_count; /* Number of species. They fill the first slots. */
+    uint32_t species_count; /* Number of valid species, which occupy the first slots. */
     uint32_t line_count;
-    uint32_t unread_count; /* Number of files that were not read because of LIBRARY_LINE_MAX. */
+    uint32_t unread_count; /* Number of files that were not read because the folder has more than
+                              LIBRARY_LINE_MAX files. */
     struct library_line lines[LIBRARY_LINE_MAX];
-    uint32_t graph_count; /* Number of rejected saved graphs. */
+    uint32_t graph_count; /* Number of saved deformation graphs that were rejected. */
     struct library_line graphs[SPECIES_MAX];
     struct species_slot slots[SPECIES_EXTRA_MAX];
 };
@@ -41,20 +43,21 @@ struct library {
  * null or "". */
 void library_fill(struct library *library, const char *data);
 
-/* Records a rejected saved graph. `line` is "FILE: reason", with FILE relative to the data
- * folder. */
+/* Records that a saved deformation graph was rejected. `line` is "FILE: reason", with FILE relative
+ * to the data folder. */
 void library_note_graph(struct library *library, const char *line);
 
-/* Returns the number of faults for the operator. */
+/* Returns the number of faults that the operator's screens show. */
 uint32_t library_fault_count(const struct library *library);
-/* Returns one fault for the operator. The order is: rejected species files, the number of unread
- * files, rejected graphs. `index` must be below library_fault_count(). */
+/* Returns fault number `index` for the operator's screens. The rejected species files come first,
+ * then one entry with the number of unread files, then the rejected graphs. `index` must be below
+ * library_fault_count(). */
 struct library_line library_fault(const struct library *library, uint32_t index);
 
 /* Returns the number of built-in species plus the number of species in the library. */
 uint32_t library_count(const struct library *library);
-/* Returns one species. The built-in species come first, then the library's species. `index` must be
- * below library_count(). */
+/* Returns species number `index`. The built-in species come first, then the library's species.
+ * `index` must be below library_count(). */
 const struct species *library_species(const struct library *library, uint32_t index);
 
 #endif

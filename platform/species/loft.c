@@ -1,7 +1,9 @@
-/* loft.c -- converts a key's smooth shape to a mesh: rings along the body, fin sheets and eyes.
+/* loft.c -- converts the smooth shape of each key (modelled growth stage) to a mesh: rings along
+ * the body, fin sheets and eyes.
  *
- * All keys of a species use the same rings, spokes and rays, so that the vertices of two keys
- * correspond to each other, as the 2005 thesis requires of its input shapes (section 3.1). */
+ * All keys of a species use equal numbers of rings, spokes and rays. Each vertex therefore has a
+ * corresponding vertex in every other key. The morph requires this of its input shapes (2005
+ * thesis, section 3.1). */
 #include "platform/species/loft_parts.h"
 
 #include <assert.h>
@@ -9,10 +11,10 @@
 #include <string.h>
 
 #define RINGS_MAX 64
-/* Position of the ring that rounds off the tail root. 0 is the last ring, 1 is the closing
- * point. */
+/* Position of the additional ring that makes the end of the body round. 0 is the last ring, 1 is
+ * the closing point. */
 #define CAP_AT 0.6
-/* Ratio of the backward component to the outward component of the end ring's normals. */
+/* Backward component of the last ring's normals, divided by their outward component. */
 #define CAP_FACES 0.8
 
 /* clang-format off */
@@ -75,9 +77,10 @@ struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part par
     return anchor;
 }
 
-/* Adds the closing point of the snout or of the tail root, on the axis of its cross section. Each
- * flank gets its own point, so that a pattern's coordinate v does not jump at the belly. `normal`
- * belongs to the right flank. Returns the index of the right flank's point. */
+/* Adds the closing points of the snout or of the tail root, which lie on the axis of the cross
+ * section. Each flank has its own closing point, so that the pattern coordinate v does not jump at
+ * the belly. `normal` is the normal of the right flank's point. Returns the index of the right
+ * flank's point. */
 static uint32_t add_poles(struct lofting *l, double u, v3d normal)
 {
     for (int side = 1; side >= -1; side -= 2) {
@@ -107,8 +110,8 @@ static void add_ring(struct lofting *l, double u)
     }
 }
 
-/* Adds a ring between the last ring and the closing points, which rounds off the tail root. The
- * ring is not part of the grid, because no anchor lies on the ring. */
+/* Adds a ring between the last ring and the closing points, which makes the end of the body round.
+ * The ring is not part of the vertex grid because no anchor lies on the ring. */
 static void add_cap_ring(struct lofting *l)
 {
     for (uint32_t spoke = 0; spoke <= l->detail->spokes; spoke++) {
@@ -156,8 +159,8 @@ static void add_body(struct lofting *l)
     l->loft->grid_spokes = spokes;
 }
 
-/* Returns the reach of the mesh: the smallest of 1, 2 and 4 that is at least as large as every
- * coordinate. */
+/* Returns the reach of the mesh, which is the length that the largest packed coordinate stands for.
+ * The reach is the smallest of 1, 2 and 4 that no coordinate exceeds. */
 static float reach_of(const struct loft *loft, uint32_t key_count)
 {
     float farthest = 0.0f;

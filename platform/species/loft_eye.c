@@ -1,13 +1,14 @@
-/* loft_eye.c -- lofts the eyes: closed balls, half sunk into the head, that move and turn with the
- * skin. */
+/* loft_eye.c -- lofts the eyes as closed balls. Each ball is partly inside the head, and moves and
+ * turns with the skin. */
 #include "platform/species/loft_parts.h"
 
 #include <math.h>
 
 #define PI 3.14159265358979323846
 
-/* Adds one vertex of the eye's ball to every key. `polar` is the angle from the pupil: 0 is the
- * pupil's centre, and PI is inside the head. */
+/* Adds one vertex of the eye's ball in every key. `polar` is the angle from the pupil: 0 is the
+ * pupil's centre, and PI is the back of the ball inside the head. `angle` is the angle round the
+ * pupil. */
 static void add_ball_vertex(struct lofting *l, uint32_t side, double polar, double angle)
 {
     loft_next_vertex(l, (struct species_vertex){ .u = (float)(polar / EYE_RIM_RAD),
@@ -26,8 +27,9 @@ static void add_ball_vertex(struct lofting *l, uint32_t side, double polar, doub
     }
 }
 
-/* Returns the polar angle of one of `count` rings, counted from the pupil backward. More than half
- * of the rings lie between the pupil and the rim, and one ring lies on the rim. */
+/* Returns the polar angle of ring number `ring` of `count` rings. Rings are counted from the pupil
+ * to the back of the ball. More than half of the rings lie between the pupil and the rim, and one
+ * ring lies on the rim. */
 static double ring_polar(uint32_t ring, uint32_t count)
 {
     const uint32_t shown = (count + 2) / 2;

@@ -1,33 +1,34 @@
-/* loft_fin.c -- lofts the fins as sheets of one layer of vertices, which are visible from both
- * sides.
+/* loft_fin.c -- lofts the fins. A fin is a sheet with one layer of vertices, which is visible from
+ * both sides.
  *
- * Each ray of a fin on the body has an anchor at the point where the ray leaves the skin. Vertices
- * are relative to the anchor. The fin therefore moves with the facets of the meshed skin, and no
- * gap appears at any level of detail. */
+ * Each ray of a fin on the body has an anchor at the point where the ray leaves the skin. The
+ * vertex positions of the ray are relative to this anchor. The fin therefore moves with the flat
+ * triangles of the skin's mesh, and no gap appears at any level of detail. */
 #include "platform/species/loft_parts.h"
 
 #include <math.h>
 
 #define PI 3.14159265358979323846
-/* Distance behind the stalk at which the tail's visible part begins, as a fraction of the tail's
- * length. */
+/* Distance between the tail stalk and the visible part of the tail fin, as a fraction of the tail
+ * fin's length. */
 #define TAIL_LEAVES 0.05
-/* Minimum number of rows of a tail whose second row is close behind the stalk, see row_at(). A tail
- * with fewer rows needs all rows for its bend. */
+/* Minimum number of vertex rows of a tail fin whose second row is close behind the tail stalk (see
+ * row_at()). A tail fin with fewer rows needs all rows for its bend. */
 #define TAIL_ROWS 4
 
 static const struct species_vertex on_nothing = { .anchor = ANCHOR_NONE };
 
-/* Returns the position of column `i` of a fin, [0, 1]. The tail's columns are denser toward its
- * lobes, whose tips are round. */
+/* Returns the position of column `i` of `across` columns of a fin, [0, 1]. The columns of the tail
+ * fin are closer to each other near the tips of its lobes, which are round. */
 static double column_at(enum species_part part, uint32_t i, uint32_t across)
 {
     const double t = (double)i / (across - 1);
     return part == PART_TAIL ? 0.5 - 0.5 * cos(PI * t) : t;
 }
 
-/* Returns the position of row `j` of a fin, [0, 1]. In the near mesh, the tail's second row is just
- * behind the stalk, because a longer edge from the root would cut through the stalk's flanks. */
+/* Returns the position of row `j` of `along` rows of a fin, [0, 1]. In the near mesh, the second
+ * row of the tail fin is just behind the tail stalk. Otherwise the edges from the first row to the
+ * second would cut through the sides of the stalk. */
 static double row_at(enum species_part part, uint32_t j, uint32_t along)
 {
     if (part == PART_TAIL && along >= TAIL_ROWS) {
@@ -36,7 +37,8 @@ static double row_at(enum species_part part, uint32_t j, uint32_t along)
     return (double)j / (along - 1);
 }
 
-/* Writes the body coordinates of a fin's root. The root of the tail has no body coordinates. */
+/* Writes the body coordinates of the root of a fin's ray at position `at`. Must not be called for
+ * the tail fin, whose root has no body coordinates. */
 static void root_at(const struct key_text *key, enum species_part part, int side, double at,
                     double *u, double *v)
 {
@@ -60,8 +62,8 @@ static uint8_t add_root(struct lofting *l, enum species_part part, int side, dou
     return (uint8_t)(l->loft->anchor_count - 1);
 }
 
-/* Sets the position of the newest vertex to the drawing's point `p`. The position of a vertex with
- * an anchor is stored relative to the anchor. */
+/* Sets the position of the newest vertex to point `p` of the drawing. If the vertex has an anchor,
+ * the stored position is relative to the anchor. */
 static void ride(struct lofting *l, uint32_t key, v3d p, v3d normal)
 {
     const uint8_t index = l->loft->vertices[l->loft->vertex_count - 1].anchor;

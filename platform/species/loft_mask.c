@@ -1,17 +1,17 @@
-/* loft_mask.c -- computes how much each deformation curve moves each vertex, with smooth
- * transitions on shared skin.
+/* loft_mask.c -- computes the weight with which each deformation curve moves each vertex. The
+ * weights change smoothly on skin that several parts share.
  *
- * Fins and eyes are attached to anchors, so that a single curve can move them completely without a
- * tear. The head, the trunk, the painted areas and the tail share their skin with neighbouring
- * parts. */
+ * Fins and eyes are attached to anchors, so that a single curve can move them completely without
+ * tearing the mesh. The head, the trunk, the painted areas and the tail share their skin with
+ * neighbouring parts. */
 #include "platform/species/loft_parts.h"
 
 #include <math.h>
 
-/* Half width, in body coordinates, of the transition from head to trunk. */
+/* Half of the width of the transition from head to trunk, in body coordinate u. */
 #define GILL_SOFT 0.07
-/* Position along the tail fin, as a fraction of its length, from which only the tail's own curve
- * moves the fin. */
+/* Position along the tail fin, as a fraction of its length. Behind this position, only the tail
+ * fin's own curve moves the fin. */
 #define TAIL_SOFT 0.6
 #define TAIL_ROOT_U 0.965 /* Body coordinate of the tail fin's root. */
 
@@ -31,8 +31,9 @@ uint8_t loft_curve_of(const struct species_text *species, uint32_t part)
     return 0;
 }
 
-/* Returns the weight of a point in a painted area: 1 inside the area, 0 at a distance of `soft` or
- * more outside its border. Areas are drawn on the first key. */
+/* Returns the weight of the point (u, v) in a painted area. The weight is 1 inside the area and
+ * falls to 0 at distance `soft` outside the area's border. The positions of areas refer to the
+ * first key. */
 static double in_area(const struct species_text *species, const struct area *a, double u, double v)
 {
     const struct key_text *key = &species->keys[0];
@@ -44,8 +45,8 @@ static double in_area(const struct species_text *species, const struct area *a, 
            (1.0 - ramp((double)a->high, (double)a->high + soft, high));
 }
 
-/* Computes how much each curve moves a point of the body's skin. The curve of the whole fish
- * receives the remainder. */
+/* Writes the weight with which each curve moves the point (u, v) of the body's skin to `share`. The
+ * weights sum to 1. The curve of the whole fish receives the weight that the other curves leave. */
 static void skin_share(const struct species_text *species, double u, double v,
                        double share[MORPH_CURVE_MAX])
 {
@@ -73,8 +74,8 @@ static void vertex_share(const struct species_text *species, const struct specie
                          double share[MORPH_CURVE_MAX])
 {
     const uint8_t own = loft_curve_of(species, vertex->part);
-    double rooted = 0.0; /* Weight of the body part to which the vertex belongs. The remainder is
-                            the weight of the skin. */
+    double rooted = 0.0; /* Weight of the curve that moves the vertex's own body part. The rest of
+                            the weight comes from the skin. */
     if (vertex->part == PART_TAIL) {
         skin_share(species, TAIL_ROOT_U, 0.25, share);
         rooted = ramp(0.0, TAIL_SOFT, (double)vertex->v);

@@ -1,21 +1,24 @@
 /* loft_rings.c -- computes the positions of the rings along the body.
  *
- * The rings have the same body coordinates in every key and are denser where the outline of any key
- * bends. A straight piece between two rings deviates from a curve by the bend times the square of
- * the distance of the rings. A ring density proportional to the square root of the bend therefore
- * gives the same deviation everywhere. */
+ * The rings have equal body coordinates in every key, and are closer to each other where the
+ * outline of any key bends. Between two rings the outline is a straight line. Its deviation from
+ * the curve is proportional to the curvature multiplied by the square of the ring distance. A ring
+ * density proportional to the square root of the curvature therefore gives an equal deviation
+ * everywhere. */
 #include "platform/species/loft_parts.h"
 
 #include <math.h>
 
 #define SAMPLES 256
-/* Fraction of the rings that are evenly spaced, because the swimming wave bends the whole body. */
+/* Fraction of the rings that are evenly spaced. Evenly spaced rings are needed because the swimming
+ * wave bends the whole body. */
 #define EVEN_SHARE 0.30
-/* Factor of the ring density on the head, because mouth, eyes and gill cover attract the viewer's
- * attention. */
+/* Factor by which rings are denser on the head, because viewers look mostly at the mouth, the eyes
+ * and the gill cover. */
 #define HEAD_FAVOUR 1.9
 
-/* Writes the outlines of back, belly and flank of a key at `u`, as fractions of the key's
+/* Writes the outlines of a key at body coordinate `u` to `out`: height of the back, height of
+ * the belly, and distance of the flank from the middle. The values are fractions of the key's
  * length. */
 static void outline(const struct key_text *key, double u, double out[3])
 {
@@ -25,7 +28,7 @@ static void outline(const struct key_text *key, double u, double out[3])
     out[2] = 0.5 * (double)s.width;
 }
 
-/* Returns the largest bend at `u` of all outlines of all keys. */
+/* Returns the largest curvature at body coordinate `u` of all outlines of all keys. */
 static double bend(const struct species_text *species, double u)
 {
     const double d = 1.0 / SAMPLES;
@@ -42,7 +45,7 @@ static double bend(const struct species_text *species, double u)
     return most;
 }
 
-/* Moves the nearest ring to the gill cover's edge, where head and trunk meet. */
+/* Moves the nearest ring to the rear edge of the gill cover, where the head and the trunk meet. */
 static void ring_at_gill(double *u, uint32_t count)
 {
     uint32_t nearest = 0;

@@ -1,5 +1,5 @@
-/* pack.c -- serializes and parses a species file. One function visits the fields of a species, both
- * for reading and for writing. */
+/* pack.c -- serializes and parses a species file. The walk functions visit the fields of a species
+ * in one order, both for reading and for writing. */
 #include "platform/species/pack.h"
 
 #include <assert.h>
@@ -11,18 +11,19 @@
 
 static const uint8_t magic[8] = { 'K', 'F', 'I', 'S', 'H', '\r', '\n', 0x1a };
 
-/* A new field in these structures must be added to the functions below, and PACK_VERSION must
- * increase. */
+/* If a field is added to one of these structures, the walk functions must visit the field, and
+ * PACK_VERSION must increase. */
 _Static_assert(sizeof(struct species_card) == 2348 && sizeof(struct species_coat) == 280 &&
                    sizeof(struct species_mark) == 32 && sizeof(struct species_vertex) == 16 &&
                    sizeof(struct species_anchor) == 68,
                "all that a pack holds is walked");
 
-/* Byte buffer, current position, and direction of the copy. */
+/* Byte buffer, current position, and whether the fields are written or read. */
 struct tape {
     uint8_t *bytes;
-    size_t size, at; /* Current position. A position beyond `size` means that the input was too
-                        short and that zeros were read. */
+    size_t size, at; /* Size of the buffer and current position. After reading, a position beyond
+                        `size` means that the input was too short. Missing bytes are read as
+                        zeros. */
     bool writing;
     const char *too_many; /* Name of the first count that exceeded its maximum. Null means none. */
 };
@@ -82,8 +83,8 @@ static void name(struct tape *t, char x[SPECIES_NAME_SIZE])
     }
 }
 
-/* Limits a count from the file to the size of its table. Records the first count that was too
- * large. */
+/* Returns `count`, which was read from the file, or 0 if `count` exceeds the size of its table.
+ * Records the name `what` of the first count that was too large. */
 static uint32_t hold(struct tape *t, uint32_t count, uint32_t count_max, const char *what)
 {
     if (count > count_max && !t->too_many) {
@@ -253,8 +254,8 @@ static void walk_species(struct tape *t, struct species_slot *slot)
     }
 }
 
-/* Returns the CRC-32 of IEEE 802.3, computed four bits at a time. A file of 256 KiB takes one
- * millisecond. */
+/* Returns the CRC-32 of IEEE 802.3, computed four bits at a time. Computing the CRC-32 of 256 KiB
+ * takes one millisecond. */
 static uint32_t crc32(const uint8_t *bytes, size_t size)
 {
     static const uint32_t table[16] = {
@@ -327,7 +328,7 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
     if (check_head(bytes, size, why) != PACK_OK) {
         return PACK_BAD;
     }
-    /* Reading does not modify `bytes`, so that the cast away from const is safe. */
+    /* The cast removes const. This is safe because reading does not modify `bytes`. */
     struct tape tape = { .bytes = (uint8_t *)(uintptr_t)bytes, .size = size, .at = HEAD_SIZE };
     memset(slot, 0, sizeof *slot);
     walk_species(&tape, slot);

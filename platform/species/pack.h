@@ -1,14 +1,15 @@
-/* pack.h -- a species as one file, NAME.kfish, which a kiosk can load beside its built-in species.
+/* pack.h -- reads and writes a species as one file, NAME.kfish. A kiosk can load these files in
+ * addition to its built-in species.
  *
- * Little endian, packed, no pointers:
- *   8 bytes  "KFISH\r\n\032"  (a line end conversion, as by a mail program, invalidates the file)
+ * The file is little endian and packed, and contains no pointers:
+ *   8 bytes  "KFISH\r\n\032"  (a program that converts line ends destroys this signature)
  *   u32      version          PACK_VERSION
- *   u32      size             bytes after the CRC
- *   u32      CRC-32           checksum of those bytes (IEEE 802.3, as in zip and PNG)
- *   then the card, the coats of card.key_count keys, and the near and the far mesh
+ *   u32      size             number of bytes after the CRC-32
+ *   u32      CRC-32           checksum of the bytes after the CRC-32 (IEEE 802.3, as in zip and PNG)
+ *   then the card, the coats of card.key_count keys, the near mesh and the far mesh
  *
- * The fields have the order of core/morph/species.h: counts first, then the tables. pack.c visits
- * the fields in one place for reading and writing. */
+ * The fields have the order of core/morph/species.h. The counts of a structure come first, then its
+ * tables. */
 #ifndef KINGYO_PLATFORM_SPECIES_PACK_H
 #define KINGYO_PLATFORM_SPECIES_PACK_H
 
@@ -18,11 +19,11 @@
 #include "platform/species/validate.h"
 
 #define PACK_VERSION 1u
-/* Maximum file size. Two meshes with every table full have 222 KiB. */
+/* Maximum file size. A species whose two meshes have the maximum size needs 222 KiB. */
 #define PACK_SIZE_MAX (256u * 1024u)
 #define PACK_SUFFIX ".kfish"
 
-/* Storage for any species with its tables, about 260 KiB. `species` points to `tables`, so that a
+/* Storage for any species with its tables, about 260 KiB. `species` points to `tables`. Therefore a
  * slot must be copied with pack_copy() and not by assignment. */
 struct species_slot {
     struct species species;
@@ -32,38 +33,40 @@ struct species_slot {
 enum pack_result {
     PACK_OK = 0,
     PACK_BAD = -1, /* The bytes are not a valid species. */
-    PACK_IO = -2,  /* The file cannot be read or written, or does not exist. */
+    PACK_IO = -2,  /* The file cannot be read, cannot be written, or does not exist. */
 };
 
-/* Reads a species from `size` bytes and validates it. Returns PACK_OK, or PACK_BAD if the bytes are
- * not a valid species. `slot` is then incomplete and must not be used, and `why` is "field:
- * reason". The bytes may come from an untrusted source. Time and memory are limited by
- * PACK_SIZE_MAX. */
+/* Reads a species from `size` bytes and validates it. Returns PACK_OK on success. If the bytes are
+ * not a valid species, returns PACK_BAD and writes "field: reason" to `why`. The content of `slot`
+ * is then incomplete and must not be used. The bytes may come from an untrusted source.
+ * PACK_SIZE_MAX limits the time and the memory. */
 enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_slot *slot,
                              char why[VALIDATE_WHY_SIZE]);
 
-/* Serializes the species of the slot, which stays unchanged. Returns the number of bytes
- * written. */
+/* Serializes the species of `slot` to `bytes`. The content of `slot` does not change. Returns the
+ * number of bytes written. */
 size_t pack_encode(struct species_slot *slot, uint8_t bytes[PACK_SIZE_MAX]);
 
-/* Reads a species file as pack_decode() reads its bytes. Returns PACK_IO if the file cannot be
- * read. `why` does not contain the file's name. */
+/* Reads a species file and decodes it with pack_decode(), whose results are returned. Also returns
+ * PACK_IO if the file cannot be read. `why` does not contain the file's name. */
 enum pack_result pack_read(const char *path, struct species_slot *slot,
                            char why[VALIDATE_WHY_SIZE]);
-/* Same as pack_read(), for a file in the data folder. Rejects a symbolic link. */
+/* Same as pack_read(), but rejects a symbolic link. Used for files in the data folder. */
 enum pack_result pack_read_data(const char *path, struct species_slot *slot,
                                 char why[VALIDATE_WHY_SIZE]);
-/* Writes a species file. Returns PACK_IO and the reason in `why` if the file cannot be written.
- * Writes a temporary file and renames it, so that a kiosk never reads an incomplete species. */
+/* Writes a species file. If the file cannot be written, returns PACK_IO and writes the reason to
+ * `why`. The content is written to a temporary file, which is then renamed, so that a kiosk never
+ * reads an incomplete species. */
 enum pack_result pack_write(const char *path, struct species_slot *slot,
                             char why[VALIDATE_WHY_SIZE]);
 
-/* Lofts a species text that species_read() accepted. Numbers that are each in their range may still
- * not form a valid fish. A caller that shows the species must therefore call species_validate(). */
+/* Builds the meshes of a species text that species_read() accepted. The resulting species may still
+ * be invalid, although each number of the text is within its range. A caller that shows the species
+ * must therefore call species_validate(). */
 void pack_text(const struct species_text *text, struct species_slot *slot);
 
-/* Copies `species` to `slot` and the tables to `slot->tables`. The sizes of `species` must not
- * exceed the tables' maximum sizes. */
+/* Copies `species` to `slot` and its tables to `slot->tables`. The counts of `species` must not
+ * exceed the sizes of these tables. */
 void pack_copy(const struct species *species, struct species_slot *slot);
 
 #endif

@@ -1,4 +1,4 @@
-/* pack_file.c -- reads and writes packed species files. */
+/* pack_file.c -- reads and writes species files (NAME.kfish). */
 #include "platform/species/pack.h"
 
 #include <errno.h>
@@ -36,8 +36,9 @@ enum pack_result pack_read(const char *path, struct species_slot *slot, char why
 enum pack_result pack_read_data(const char *path, struct species_slot *slot,
                                 char why[VALIDATE_WHY_SIZE])
 {
-    static uint8_t bytes[PACK_SIZE_MAX + 1u]; /* The buffer has one byte more than the maximum, so
-                                                 that a file that is too large is detected. */
+    static uint8_t bytes[PACK_SIZE_MAX + 1u]; /* The buffer is one byte larger than the maximum
+                                                 file size, so that a file that is too large is
+                                                 detected. */
     const int handle = regular_file_handle(path, O_RDONLY, 0);
     size_t size = 0;
     ssize_t got = handle < 0 ? -1 : 1;
@@ -64,8 +65,7 @@ enum pack_result pack_write(const char *path, struct species_slot *slot,
     const size_t size = pack_encode(slot, bytes);
     int error = atomic_file_open_durable(&out, path);
     if (error == 0) {
-        fwrite(bytes, 1, size, out.file); /* fwrite() errors are reported when the file is
-                                             closed. */
+        fwrite(bytes, 1, size, out.file); /* Closing the file reports errors of fwrite(). */
         error = atomic_file_close(&out);
     }
     return error != 0 ? cannot(-error, why) : PACK_OK;

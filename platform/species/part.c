@@ -1,5 +1,5 @@
-/* part.c -- finds the vertex that represents a body part: the vertex nearest to the part's
- * reference coordinates. */
+/* part.c -- finds the vertex that represents a body part. This is the vertex nearest to the
+ * reference coordinates of the part. */
 #include "platform/species/part.h"
 
 #include <math.h>
@@ -16,8 +16,8 @@ enum species_part part_of_vertex(const char *name)
     return part;
 }
 
-/* Returns the distance of a vertex from the part's reference coordinates. A vertex on the wrong
- * side of a pair is farther than any other vertex. */
+/* Returns the distance of vertex `at` from the reference coordinates of the part. If the part is
+ * one of a pair, vertices on the wrong side are farther than all vertices on the correct side. */
 static float unlikeness(const struct species_vertex *at, enum species_part part,
                         enum species_side side)
 {

@@ -1,21 +1,24 @@
-/* part.h -- the names of body parts, and the vertex that represents each part. Pure functions. */
+/* part.h -- names of body parts, and functions that find and trace the vertex that represents a
+ * part. The functions have no side effects. */
 #ifndef KINGYO_PLATFORM_SPECIES_PART_H
 #define KINGYO_PLATFORM_SPECIES_PART_H
 
 #include "core/morph/morph.h"
 
-/* Returns the enum species_part of a part name in a species text, such as "dorsal2". Returns
- * PART_COUNT for an unknown name. */
+/* Returns the enum species_part of a body part's name in a species text, such as "dorsal2". Returns
+ * PART_COUNT if the name is unknown. */
 enum species_part part_of_vertex(const char *name);
 
-/* Returns the index of the vertex whose trajectory represents the part. The vertex is the root of a
- * fin's leading ray, the centre of a pupil, the tip of the tail's upper lobe, or, for the body, the
- * back where the body is deepest. For a pair, the vertex is on `side`. Returns vertex_count if the
- * fish lacks the part. */
+/* Returns the index of the vertex whose trajectory represents the part. For a fin, the vertex is
+ * the root of the first ray. For an eye, the vertex is the pupil's centre, and for the tail, the
+ * tip of the upper lobe. For the body, the vertex is on the back, where the body is deepest. If
+ * the part is one of a pair, the vertex is on `side`. Returns vertex_count if the fish lacks the
+ * part. */
 uint32_t part_vertex_range(const struct species_mesh *mesh, enum species_part part,
                            enum species_side side);
 
-/* Returns the position of a vertex at `progress` through life, in units of the species' measure. */
+/* Returns the position of a vertex at `progress` through life [0, 1], in units of the fish's length
+ * in the species' own measure. */
 vec3 part_of_place(const struct species *species, const struct morph_rig *rig, uint32_t vertex,
                    float progress);
 

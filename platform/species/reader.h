@@ -1,8 +1,8 @@
 /* reader.h -- functions that the parsers of a species text share. Each line of the text is split
  * into words.
  *
- * Only the files text*.c may include this header. A function that returns bool returns false on an
- * error and has then written one line with the error message. */
+ * Only the files text*.c may include this header. A function that returns bool returns true on
+ * success. On an error the function writes one line with the error message and returns false. */
 #ifndef KINGYO_PLATFORM_SPECIES_READER_H
 #define KINGYO_PLATFORM_SPECIES_READER_H
 
@@ -22,14 +22,18 @@ struct species_reader {
     const char *words[WORD_MAX];
     uint32_t word_count;
     struct species_text *species;
-    struct key_text *key; /* Key to which the current line belongs. Null before the first key. */
-    struct fin *fin;      /* Fin to which a ray line belongs. Null outside a fin. */
-    uint32_t key_line[MORPH_KEY_MAX], curve_line[MORPH_CURVE_MAX]; /* Line number at which each key
-                                                                      and each curve starts. */
+    struct key_text *key; /* Key (modelled growth stage) to which the current line belongs. Null
+                             before the first key. */
+    struct fin *fin;      /* Fin to which a `ray` line belongs. Null if the current line belongs to
+                             no fin. */
+    uint32_t key_line[MORPH_KEY_MAX], curve_line[MORPH_CURVE_MAX]; /* Line numbers in the file at
+                                                                      which each key and each curve
+                                                                      starts. */
     bool has_growth, has_hatch, has_thesis;
 };
 
-/* Writes the error message 'PATH:LINE: what' and returns false. */
+/* Writes the error message 'PATH:LINE: what' and returns false. `format` and the arguments produce
+ * `what`. */
 __attribute__((format(printf, 2, 3))) bool species_reader_error(const struct species_reader *r,
                                                                 const char *format, ...);
 
@@ -41,26 +45,28 @@ bool species_reader_number(const struct species_reader *r, uint32_t index, float
 bool species_reader_whole(const struct species_reader *r, uint32_t index, uint32_t low,
                           uint32_t high, uint32_t *out);
 
-/* Parses word `index` as a name of a-z, 0-9 and _. */
+/* Parses word `index` as a name, which consists of the characters a-z, 0-9 and _. */
 bool species_reader_name(const struct species_reader *r, uint32_t index,
                          char out[SPECIES_NAME_SIZE]);
 
-/* Parses word `index` as a colour in the form rrggbb. */
+/* Parses word `index` as a colour of six hexadecimal digits, rrggbb. */
 bool species_reader_colour(const struct species_reader *r, uint32_t index, uint32_t *out);
 
-/* Parses word `index` as one of `choices`, and writes its index to `out`. Null entries of `choices`
- * are skipped. The error message lists all choices. */
+/* Parses word `index` as one of the words in `choices`. Writes the array index of the matching
+ * choice to `out`. Null entries of `choices` are skipped. The error message lists all choices. */
 bool species_reader_choice(const struct species_reader *r, uint32_t index, const char *what,
                            const char *const *choices, uint32_t count, uint32_t *out);
 
-/* Returns true if `count` numbers follow the line's first word. Otherwise the error message shows
- * the syntax with the parameter names `names`. */
+/* Returns true if exactly `count` words follow the line's first word. Otherwise writes an error
+ * message that shows the syntax with the parameter names `names`, and returns false. */
 bool species_reader_expect(const struct species_reader *r, uint32_t count, const char *names);
 
-/* Part names in a species text, for each enum species_part, then head and trunk. */
+/* Names of the body parts in a species text, in the order of enum species_part, PART_HEAD,
+ * PART_TRUNK. */
 extern const char *const part_names[OWNED_COUNT];
 
-/* Parsers of the lines that describe the whole species, implemented in text_life.c. */
+/* The following functions parse the lines that describe the whole species. Implemented in
+ * text_life.c. */
 bool text_read_species(struct species_reader *r);
 bool text_read_measure(struct species_reader *r);
 bool text_read_form(struct species_reader *r);
@@ -73,7 +79,7 @@ bool text_read_point(struct species_reader *r);
 bool text_read_scale(struct species_reader *r);
 bool text_read_thesis(struct species_reader *r);
 
-/* Parsers of the lines of a key, implemented in text_key.c. */
+/* The following functions parse the lines of a key. Implemented in text_key.c. */
 bool text_read_key(struct species_reader *r);
 bool text_read_gill(struct species_reader *r);
 bool text_read_station(struct species_reader *r);
@@ -82,18 +88,18 @@ bool text_read_fin(struct species_reader *r);
 bool text_read_ray(struct species_reader *r);
 bool text_read_finlets(struct species_reader *r);
 
-/* Parsers of the lines of a coat, implemented in text_coat.c. */
+/* The following functions parse the lines of a coat (a key's paint). Implemented in text_coat.c. */
 bool text_read_coat(struct species_reader *r);
 bool text_read_mark(struct species_reader *r);
 
-/* Parsers of the lines of a deformation graph, implemented in text_graph.c. */
+/* The following functions parse the lines of a deformation graph. Implemented in text_graph.c. */
 bool text_read_curve(struct species_reader *r);
 bool text_read_area(struct species_reader *r);
 bool text_read_knot(struct species_reader *r);
 bool text_read_line_kind(struct species_reader *r);
 bool text_read_template(struct species_reader *r);
 
-/* Checks that a species is complete and can be lofted. Implemented in text_check.c. */
+/* Returns true if the species is complete and can be lofted. Implemented in text_check.c. */
 bool text_check_species(struct species_reader *r);
 
 #endif

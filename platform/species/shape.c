@@ -1,4 +1,4 @@
-/* shape.c -- implementation of shape.h: curves through drawn points, and the body. */
+/* shape.c -- implementation of shape.h: curves through the drawn points, and the body's surface. */
 #include "platform/species/shape.h"
 
 #include <math.h>
@@ -7,8 +7,8 @@
 
 /* ---- Curves through drawn points ------------------------------------------------------------ */
 
-/* Returns the slope at point `i` by the method of Fritsch and Carlson, which prevents overshoot
- * between the drawn points. */
+/* Returns the slope of the curve at point `i`. The method of Fritsch and Carlson chooses the slopes
+ * so that the curve does not overshoot between the points. */
 static double slope(const double *x, const double *y, uint32_t count, uint32_t i)
 {
     if (i == 0 || i == count - 1) {
@@ -38,8 +38,9 @@ double shape_curve_through(const double *x, const double *y, uint32_t count, dou
            (t3 - t2) * m1;
 }
 
-/* Returns the cross section at position `along`. The curves are functions of the square root of x,
- * so that the outline at a section of size 0 is round like a ball and not pointed like a cone. */
+/* Returns the cross section at position `along`. The interpolation uses the square root of x,
+ * because an outline that starts with size 0 is then round like a ball. With x itself, the outline
+ * would be pointed like a cone. */
 struct station shape_section(const struct key_text *key, double along)
 {
     double x[STATION_MAX], y[4][STATION_MAX];
@@ -60,8 +61,8 @@ struct station shape_section(const struct key_text *key, double along)
                              .exponent = (float)shape_curve_through(x, y[3], n, at) };
 }
 
-/* Body coordinate u is a linear function of x on each side of the gill cover's edge. The edge is at
- * u = GILL_U in every key. */
+/* On each side of the gill cover's rear edge, the body coordinate u is a linear function of x. The
+ * edge is at u = GILL_U in every key. */
 
 double shape_body_x(const struct key_text *key, double u)
 {
@@ -114,7 +115,7 @@ v3d v3d_unit(v3d a)
                           : (v3d){ 0.0, 1.0, 0.0 };
 }
 
-/* ---- Surface of the body at (u along the body, v round the girth) --------------------------- */
+/* ---- Surface of the body at (u, v): u along the body, v round the body ---------------------- */
 
 static double superellipse(double sine, double exponent)
 {

@@ -1,10 +1,10 @@
-/* shape.h -- the smooth surfaces of one key (modelled growth stage) before meshing: body, eyes,
- * fins.
+/* shape.h -- computes the smooth surfaces of one key (modelled growth stage) before they are
+ * meshed: body, eyes and fins.
  *
- * Coordinates are in the drawing's units, in which the distance from snout to tail root is 1: x to
- * the right, y upward from the axis, z backward from the snout. For paired fins, the functions
- * return the right fin; the left fin is its mirror image. Normals point outward, but a fin's normal
- * may be on either side. */
+ * Coordinates are in the drawing's units, in which the distance from the snout to the tail root is
+ * 1. x points to the right, y upward from the body's axis, and z from the snout backward. For
+ * paired fins, the functions return the right fin, and the left fin is its mirror image. Normals
+ * point outward, but a fin's normal may point to either side. */
 #ifndef KINGYO_PLATFORM_SPECIES_SHAPE_H
 #define KINGYO_PLATFORM_SPECIES_SHAPE_H
 
@@ -15,54 +15,60 @@ typedef struct {
 } v3d;
 
 v3d v3d_sub(v3d a, v3d b);
-v3d v3d_muladd(v3d a, v3d b, double s); /* Returns a + b s. */
+v3d v3d_muladd(v3d a, v3d b, double s); /* Returns a + b * s. */
 v3d v3d_cross(v3d a, v3d b);
 double v3d_dot(v3d a, v3d b);
 double v3d_length(v3d a);
-/* Returns `a` scaled to length 1. Returns (0, 1, 0) if `a` has no direction, as on a degenerate
- * surface. */
+/* Returns `a` scaled to length 1. If `a` is (almost) zero, as on a degenerate surface, returns (0,
+ * 1, 0). */
 v3d v3d_unit(v3d a);
 
-/* Returns the value at `at` of a smooth curve through `count` drawn points, which never overshoots
- * them (Fritsch and Carlson). The curve is constant beyond the first and last point. */
+/* Returns the value at position `at` of a smooth curve through `count` points (x[i], y[i]). The
+ * curve never overshoots the points (method of Fritsch and Carlson). Before the first point and
+ * after the last point, the curve is constant. */
 double shape_curve_through(const double *x, const double *y, uint32_t count, double at);
 
-/* Converts body coordinate u to the drawing's x. Both rise from 0 to 1. */
+/* Converts the body coordinate u to the drawing's position x along the body. Both are 0 at the
+ * snout and 1 at the tail root. */
 double shape_body_x(const struct key_text *key, double u);
-/* Converts the drawing's x to body coordinate u. Both rise from 0 to 1. */
+/* Converts the drawing's position x along the body to the body coordinate u. Both are 0 at the
+ * snout and 1 at the tail root. */
 double shape_body_u(const struct key_text *key, double x);
 
-/* Returns the cross section at `x` along the body, a smooth curve through the stations. */
+/* Returns the cross section at position `x` along the body. The cross section is interpolated
+ * smoothly between the stations. */
 struct station shape_section(const struct key_text *key, double x);
 
-/* Returns a point of the body. `u` in (0, 1] runs from snout to tail root. `v` in [0, 1] runs round
- * the girth, from the back over the right flank. */
+/* Returns a point of the body's surface. `u` in (0, 1] runs from the snout to the tail root. `v` in
+ * [0, 1] runs round the body: from the middle of the back over the right flank (0.25), the belly
+ * (0.5) and the left flank (0.75). */
 v3d shape_body_point(const struct key_text *key, double u, double v);
-/* Returns the normal of the body at (u, v), with the ranges of shape_body_point(). */
+/* Returns the normal of the body's surface at (u, v), with the ranges of shape_body_point(). */
 v3d shape_body_normal(const struct key_text *key, double u, double v);
 
-/* Angle from the pupil's centre to the rim, where the eye's ball meets the skin: 80 degrees. */
+/* Angle at the ball's centre between the pupil and the rim, at which the eye's ball meets the skin:
+ * 80 degrees. */
 #define EYE_RIM_RAD 1.4
 
-/* An eye: half an ellipsoid outward (`out`) and half an ellipsoid inward (`in`) from the skin at
- * (u, v). Its centre is `sunk` below the skin. v is outside [0, 1) for an eye that has migrated
- * over the back. */
+/* An eye's ball at (u, v) on the skin. The ball consists of two halves of ellipsoids with radius
+ * `radius`: the outer half with depth `out`, and the inner half with depth `in`. The ball's centre
+ * is `sunk` below the skin. v is outside [0, 1) for an eye that has migrated over the back. */
 struct ball {
     double u, v;
     double radius, out, in, sunk;
 };
-/* Returns the eye of a key on `side`. */
+/* Returns the eye's ball of a key. `side` is 0 for the right eye, 1 for the left eye. */
 struct ball shape_eye_ball(const struct key_text *key, uint32_t side);
 
-/* Returns the z of the body's last point, slightly behind its last ring. */
+/* Returns the z coordinate of the body's last point, which is slightly behind the tail root. */
 double shape_body_end(const struct key_text *key);
-/* Returns a point of the round end of the body. `t` is 0 at the last ring and 1 at the body's last
- * point. */
+/* Returns a point of the body's round end. `t` is 0 at the tail root and 1 at the body's last
+ * point. `v` runs round the body as in shape_body_point(). */
 v3d shape_end_point(const struct key_text *key, double t, double v);
 
 /* Returns a point of a fin. `at` in [0, 1] runs from the first ray to the last ray, and `along` in
- * [0, 1] from root to tip. The root (along = 0) is inside the body. Every point with along > 0 is
- * outside. */
+ * [0, 1] from root to tip. The root (along = 0) is inside the body. Points with along > 0 are
+ * outside the body. */
 v3d shape_fin_point(const struct key_text *key, enum species_part part, double at, double along);
 /* Returns the normal of a fin, with the ranges of shape_fin_point(). */
 v3d shape_fin_normal(const struct key_text *key, enum species_part part, double at, double along);
@@ -70,15 +76,16 @@ v3d shape_fin_normal(const struct key_text *key, enum species_part part, double 
 /* Length of a finlet's base, as a fraction of the distance from one finlet to the next. */
 #define FINLET_BASE 0.6
 
-/* Returns a corner of the finlet that starts at position `at` of its row. Corner 0 is the front end
- * of the base, 1 the rear end of the base, 2 the tip. */
+/* Returns a corner of a finlet. The finlet starts at position `at` [0, 1] of its row. Corner 0 is
+ * the front end of the base, 1 the rear end of the base, and 2 the tip. */
 v3d shape_finlet_point(const struct key_text *key, uint32_t row, double at, uint32_t corner);
 
-/* Returns the species' measure in the drawing's units. The measure becomes the unit of length of
- * the mesh. */
+/* Returns the fish's length in the species' own measure, in the drawing's units. The mesh uses this
+ * length as its unit. */
 double shape_unit_length(const struct key_text *key, enum species_measure measure);
 
-/* Returns an upper bound of the distance of any point from the body's origin, along any axis. */
+/* Returns an upper bound for the coordinates of all points of the fish. The bound applies to each
+ * axis. */
 double shape_farthest(const struct key_text *key);
 
 #endif

@@ -1,24 +1,26 @@
-/* shape_eye.c -- computes the position of an eye on the skin, and how far the eye's ball
- * protrudes. */
+/* shape_eye.c -- computes where an eye lies on the skin, and how far the eye's ball protrudes. */
 #include "platform/species/shape.h"
 
 #include <math.h>
 
 #define PI 3.14159265358979323846
-/* Maximum height of an eye's centre, as a fraction of half the cross section's height. */
+/* Maximum height of an eye's centre above the middle of the cross section, as a fraction of half of
+ * the cross section's height. */
 #define HIGHEST 0.97
-/* Upper limit of skin_drop(), as a fraction of the ball's radius. The skin at a sharper ridge is
- * treated as if it dropped by this limit. */
+/* Upper limit of the result of skin_drop(), as a fraction of the ball's radius. The limit applies
+ * where the skin around the eye is a sharp ridge. */
 #define DROP_MAX 0.35
-/* Maximum depth of the ball's centre, as a fraction of the head's half thickness at the eye. */
+/* Maximum depth of the ball's centre below the skin, as a fraction of half of the head's thickness
+ * at the eye. */
 #define SUNK_MAX 0.6
-/* Maximum depth of the ball's back, as a fraction of the head's half thickness, so that the ball
- * never emerges on the opposite side. */
+/* Maximum depth of the ball's back below the skin, as a fraction of half of the head's thickness at
+ * the eye. The limit prevents that the ball emerges on the opposite side. */
 #define DEPTH_MAX 0.9
-#define THINNEST 1e-3 /* Minimum thickness of a ball. A flatter ball has no usable normals. */
+#define THINNEST                                                                                   \
+    1e-3 /* Minimum depth of each half of a ball. A flatter ball has no usable normals. */
 
-/* Returns the girth coordinate from the back, in [0, 0.5], at which the right flank has height
- * `y`. */
+/* Returns the surface coordinate v of the right flank at height `y`: 0 is the middle of the back,
+ * 0.5 the middle of the belly. */
 static double girth_at(const struct station *s, double y)
 {
     const double up = (y - (double)s->offset) / (0.5 * (double)s->depth);
@@ -26,7 +28,8 @@ static double girth_at(const struct station *s, double y)
     return acos(copysign(share, up)) / (2.0 * PI);
 }
 
-/* Returns the mean depth of the skin at the ball's rim below the tangent plane at the eye. */
+/* Returns the mean distance between the plane that touches the skin at the eye's centre and the
+ * skin under the ball's rim. The result is at most DROP_MAX times the ball's radius. */
 static double skin_drop(const struct key_text *key, const struct ball *ball, v3d skin, v3d n)
 {
     const double d = 1e-3;

@@ -1,40 +1,47 @@
-/* shape_fin.c -- the shapes of the fins. Their rays start inside the skin and bend toward their
- * tips. */
+/* shape_fin.c -- computes the shapes of the fins. The rays of a fin start inside the skin and bend
+ * toward their tips. */
 #include "platform/species/shape.h"
 
 #include <math.h>
 
 #define PI 3.14159265358979323846
-/* Depth of fin roots below the skin, as a fraction of the fish's length. The depth hides gaps at
- * the roots. */
+/* Depth of the fins' roots below the skin, as a fraction of the fish's length. The roots are below
+ * the skin so that no gap is visible. */
 #define FIN_SINK 0.014
 /* Minimum visible length of a ray, because a shorter ray has no usable normal. */
 #define SHOWN_MIN 0.004
-/* Upper limit of FIN_SINK in a thin body, as a fraction of the body's thickness. */
+/* Upper limit of the depth of the fins' roots in a thin body, as a fraction of the body's
+ * thickness. */
 #define SINK_SHARE 0.3
-#define TAIL_SINK 0.035 /* Distance from the last ring forward to the start of the tail's rays. */
-/* Upper limit of TAIL_SINK in a fish with a thin tail stalk, as a multiple of the stalk's depth. */
+#define TAIL_SINK                                                                                  \
+    0.035 /* Distance between the tail root and the start of the tail fin's rays, which is in
+             front of the tail root, as a fraction of the fish's length. */
+/* Upper limit of TAIL_SINK for a thin tail stalk, as a multiple of the stalk's height. */
 #define STALK_SINK 1.2
-#define END_MAX 0.03 /* Distance from the last ring backward to the body's closing point. */
-/* Upper limit of END_MAX in a fish with a thin tail stalk, as a multiple of the stalk's depth. */
+#define END_MAX                                                                                    \
+    0.03 /* Distance between the tail root and the body's last point, which is behind the tail
+            root, as a fraction of the fish's length. */
+/* Upper limit of END_MAX for a thin tail stalk, as a multiple of the stalk's height. */
 #define END_SHARE 0.25
-/* Fraction of a median ray's sideways turn that the ray has at its root. The remainder grows along
- * the ray. */
+/* Fraction of its sideways angle that a ray of a median fin has at its root. The angle increases to
+ * its full value at the tip. */
 #define SIDE_AT_ROOT 0.4
-/* Minimum extent of a tail's base upward and downward, as a fraction of half the stalk's depth. */
+/* Minimum extent of the tail fin's base upward and downward from the stalk's middle, as a fraction
+ * of half of the stalk's height. */
 #define THINNEST 0.2
 #define RAY_STEPS 12
 /* Number of steps in the search for the point at which a ray leaves the body. */
 #define EXIT_STEPS 24
-/* Maximum fraction of a ray that is treated as inside the body. The remainder of the ray is always
+/* Maximum fraction of a ray that is treated as inside the body. The rest of the ray is always
  * visible. */
 #define EXIT_MAX 0.85
-/* Distance behind the stalk from which a cupped tail has its full sideways width. */
+/* Distance behind the tail stalk at which a cupped tail fin reaches its full width. */
 #define CUP_OPENS 0.05
-/* Position along the base of an eel's dorsal and anal fin, [0, 1], from which the fin merges with
- * the tail. */
+/* Position along the base of an eel's dorsal or anal fin, [0, 1]. Behind this position, the fin
+ * merges with the tail fin. */
 #define JOIN_FROM 0.8
-/* Distance of a folded fin from the body's axis, as a multiple of the skin's distance. */
+/* Minimum distance of a visible fin point from the body's axis, as a multiple of the distance of
+ * the skin from the body's axis. */
 #define CLEAR_OF 1.02
 
 static struct ray ray_at(const struct fin *fin, double at)
@@ -63,8 +70,8 @@ double shape_body_end(const struct key_text *key)
     return 1.0 + fmin(END_MAX, END_SHARE * stalk_depth(key));
 }
 
-/* Returns the girth of the round end, as a fraction of the tail root's girth. `t` is 0 at the tail
- * root and 1 at the closing point. */
+/* Returns the size of the cross section in the body's round end, as a fraction of the size at the
+ * tail root. `t` is 0 at the tail root and 1 at the body's last point. */
 static double closing(double t)
 {
     return sqrt(fmax(1.0 - t * t, 0.0));
@@ -78,8 +85,8 @@ v3d shape_end_point(const struct key_text *key, double t, double v)
                   1.0 + t * (shape_body_end(key) - 1.0) };
 }
 
-/* Returns a point of the tail's base, limited to the stalk's height. `at` is 0 at the top and 1 at
- * the bottom. */
+/* Returns a point of the tail fin's base. The base is limited to the height of the tail stalk. `at`
+ * is 0 at the top and 1 at the bottom. */
 static v3d tail_root(const struct key_text *key, double at)
 {
     const struct fin *fin = &key->fins[PART_TAIL];
@@ -91,7 +98,7 @@ static v3d tail_root(const struct key_text *key, double at)
     return (v3d){ 0.0, top + (bottom - top) * at, x };
 }
 
-/* Returns the depth of a fin's root below the skin at position `x`. */
+/* Returns the depth of a fin's root below the skin at position `x` along the body. */
 static double sink_at(const struct key_text *key, double x)
 {
     const struct station s = shape_section(key, fmin(fmax(x, 0.0), 1.0));
@@ -103,9 +110,9 @@ static double base_x(const struct fin *fin, double at)
     return (double)fin->start + ((double)fin->end - (double)fin->start) * at;
 }
 
-/* Returns the point of a fin's base at position `at`, at a depth of `inside` below the skin. The
- * bases of fins on the body run along x. The tail's base is vertical in the stalk, with its top
- * first, regardless of `inside`. */
+/* Returns the point of a fin's base at position `at`, at depth `inside` below the skin. The base of
+ * a fin on the body runs along x. The base of the tail fin is vertical and lies inside the tail
+ * stalk; `at` = 0 is its top. For the tail fin, `inside` is ignored. */
 static v3d fin_base(const struct key_text *key, enum species_part part, double at, double inside)
 {
     const struct fin *fin = &key->fins[part];
@@ -129,12 +136,13 @@ static v3d fin_base(const struct key_text *key, enum species_part part, double a
 
 /* Returns the direction of a ray at fraction `r` of its length.
  *
- * Dorsal and anal fin: sweep_deg leans the ray backward from upright. Tail: sweep_deg raises the
- * ray from straight back. In these fins, side_deg turns the ray to the right, increasing toward the
- * tip.
+ * For the dorsal and the anal fin, sweep_deg is the angle by which the ray leans backward, and 0 is
+ * perpendicular to the body. For the tail fin, sweep_deg is the angle by which the ray is raised,
+ * and 0 is straight backward. In these fins, side_deg is the angle by which the ray turns to the
+ * right. The turn increases toward the tip.
  *
- * Right paired fin: sweep_deg leans the ray backward from straight out, and side_deg raises the
- * ray. */
+ * For a right paired fin, sweep_deg is the angle by which the ray leans backward, and 0 is straight
+ * to the right. side_deg is the angle by which the ray is raised. */
 static v3d fin_direction(const struct fin *fin, enum species_part part, struct ray ray, double r)
 {
     const double degrees = PI / 180.0;
@@ -158,8 +166,8 @@ static v3d fin_direction(const struct fin *fin, enum species_part part, struct r
     }
 }
 
-/* Returns a point along a ray, counted from the point where the ray leaves the skin. The drawn
- * length of a ray begins at its root below the skin. */
+/* Returns a point of a ray. `along` is 0 where the ray leaves the skin, and 1 at the tip. The
+ * length in the drawing also includes the part of the ray below the skin. */
 static v3d ray_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     const struct fin *fin = &key->fins[part];
@@ -172,17 +180,17 @@ static v3d ray_point(const struct key_text *key, enum species_part part, double 
         const double r = along * (i + 0.5) / RAY_STEPS;
         p = v3d_muladd(p, fin_direction(fin, part, ray, r), shown * along / RAY_STEPS);
     }
-    if (part == PART_TAIL) { /* A cupped tail widens only behind the stalk. Otherwise the tail would
-                                cut through the stalk's flanks. */
+    if (part == PART_TAIL) { /* The tail fin reaches its sideways width only behind the tail stalk.
+                                Otherwise the tail fin would cut through the sides of the stalk. */
         const double start = shape_body_end(key);
         p.x *= fmin(fmax((p.z - start) / CUP_OPENS, 0.0), 1.0);
     }
     return p;
 }
 
-/* Returns the ratio of the distance of `p` from the body's axis to the distance of the skin. 1 is
- * on the skin, and larger values are outside. Every point before or behind the body counts as
- * outside. */
+/* Returns the distance of `p` from the body's axis, divided by the distance of the skin from the
+ * body's axis in this direction. The result is 1 on the skin, smaller inside the body and larger
+ * outside. In front of the snout and behind the body, the result is always CLEAR_OF. */
 static double outness(const struct key_text *key, v3d p)
 {
     const double end = shape_body_end(key);
@@ -197,7 +205,7 @@ static double outness(const struct key_text *key, v3d p)
     return pow(pow(x, e) + pow(y, e), 1.0 / e);
 }
 
-/* Returns the fraction of a ray, counted as in ray_point(), that is inside the body. */
+/* Returns the value of `along` at which a ray leaves the body, with `along` as in ray_point(). */
 static double fin_exit(const struct key_text *key, enum species_part part, double at)
 {
     double along = 0.0;
@@ -207,7 +215,8 @@ static double fin_exit(const struct key_text *key, enum species_part part, doubl
     return fmin(along, EXIT_MAX);
 }
 
-/* Moves a point of a folded paired fin onto the flank if it is inside the body. */
+/* Returns point `p` of a folded paired fin. If the point is inside the body, moves the point away
+ * from the body's axis until it is just outside the skin. */
 static v3d on_flank(const struct key_text *key, v3d p)
 {
     const double out = outness(key, p);
@@ -219,8 +228,8 @@ static v3d on_flank(const struct key_text *key, v3d p)
     return (v3d){ p.x * k, middle + (p.y - middle) * k, p.z };
 }
 
-/* Returns the root of a ray (along = 0), or a point of the ray's visible part. Ignores the merging
- * of an eel's fins. */
+/* Returns the root of a ray (along = 0) or a point of the ray's visible part (along > 0). The
+ * merging of an eel's fins is not applied. */
 static v3d own_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     if (along <= 0.0) {
@@ -233,8 +242,8 @@ static v3d own_point(const struct key_text *key, enum species_part part, double 
     return ray_point(key, part, at, exit + (1.0 - exit) * along);
 }
 
-/* Returns the fraction by which an eel's dorsal or anal fin has merged with its tail fin,
- * [0, 1]. */
+/* Returns how far an eel's dorsal or anal fin has merged with the tail fin at position `at`, [0,
+ * 1]. 0 means separate. */
 static double joined(const struct key_text *key, enum species_part part, double at)
 {
     if (!key->confluent || (part != PART_DORSAL && part != PART_ANAL)) {

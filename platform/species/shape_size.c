@@ -1,16 +1,19 @@
-/* shape_size.c -- computes the size of a drawing before the drawing is scaled to its measure. */
+/* shape_size.c -- computes the size of a drawing before the drawing is scaled to the species'
+ * length measure. */
 #include "platform/species/shape.h"
 
 #include <math.h>
 
-/* Number of sample points on the outer edge of a tail, in the search for the rearmost point. */
+/* Number of sample points on the rear edge of a tail fin, among which the rearmost point is
+ * searched. */
 #define TIPS 64
 
 static double widest(const struct key_text *key)
 {
     double width = 0.0;
-    for (uint32_t i = 0; i < key->substep_count; i++) { /* The widest station is sufficient, because
-                                                           no curve bulges beyond a station. */
+    for (uint32_t i = 0; i < key->substep_count; i++) { /* Only the stations are examined, because
+                                                           the body is nowhere wider than at its
+                                                           widest station. */
         width = fmax(width, (double)key->stations[i].width);
     }
     return width;

@@ -1,4 +1,4 @@
-/* text.c -- parses a species text. Each line consists of a keyword and its values. */
+/* text.c -- parses a species text. Each line consists of a keyword and its parameters. */
 #include "platform/species/reader.h"
 
 #include <string.h>
@@ -50,7 +50,7 @@ static bool text_read_words(struct species_reader *r)
     return species_reader_error(r, "'%.40s' is no word of a species", r->words[0]);
 }
 
-/* Splits the line into words at blanks. '#' starts a comment. */
+/* Splits the line into words, which blanks separate. A '#' starts a comment. */
 static bool split(struct species_reader *r)
 {
     r->text[strcspn(r->text, "#")] = '\0';

@@ -1,19 +1,19 @@
-/* text_check.c -- checks that a species text is complete and consistent, so that the species can be
- * lofted. */
+/* text_check.c -- checks that a parsed species text is complete and consistent, so that its meshes
+ * can be built. */
 #include "platform/species/reader.h"
 
 #include "core/morph/morph.h"
 #include "platform/species/shape.h"
 
-/* Maximum coordinate in the species' measure. The quantized mesh can represent coordinates up to
- * 4. */
+/* Maximum coordinate of a point, in units of the fish's length in the species' own measure. The
+ * quantized mesh can represent coordinates up to 4. */
 #define REACH_MAX 3.9
-/* Minimum length of the measure as a fraction of the drawing's length. A smaller value indicates an
- * error in the drawing. */
+/* Minimum length in the species' own measure, as a fraction of the drawing's length. A smaller
+ * value indicates an error in the drawing. */
 #define UNIT_MIN 0.2
 #define EEL_SEAM (1u << PART_TAIL | 1u << PART_DORSAL | 1u << PART_ANAL)
-/* Maximum relative difference between a key's length and the growth curve's length at the key's
- * age. */
+/* Maximum relative difference between a key's length and the length on the growth curve at the
+ * key's age. */
 #define LENGTH_APART 0.02f
 
 static bool check_eyes(const struct species_reader *r, const struct key_text *key)
@@ -92,8 +92,8 @@ static bool check_key(const struct species_reader *r, const struct key_text *key
     return check_eyes(r, key) && check_fins(r, key) && check_size(r, key);
 }
 
-/* Computes the age of a key that has none. The age is the one at which the growth curve has the
- * key's length. */
+/* Sets the age of a key whose text gives no age. The age is the age at which the growth curve
+ * reaches the key's length. */
 static bool find_age(const struct species_reader *r, struct key_text *key)
 {
     const struct growth *growth = &r->species->growth;
@@ -110,8 +110,8 @@ static bool find_age(const struct species_reader *r, struct key_text *key)
     return true;
 }
 
-/* Checks that the key's age, progress and length agree, because each is computed from the
- * others. */
+/* Checks that the key's age, progress and length are consistent. Each of the three values is
+ * computed from the others in some part of the program. */
 static bool check_growth(const struct species_reader *r, const struct key_text *key)
 {
     const float length_m = growth_length_m(&r->species->growth, key->age_days);
@@ -123,8 +123,8 @@ static bool check_growth(const struct species_reader *r, const struct key_text *
     return true;
 }
 
-/* Computes missing ages from the lengths. Checks that the ages rise, and that the growth curve
- * gives the keys' lengths. */
+/* Computes missing ages from the lengths. Then checks that the ages increase from key to key, and
+ * that the growth curve matches the keys' lengths. */
 static bool check_ages(struct species_reader *r)
 {
     struct species_text *s = r->species;
@@ -146,8 +146,8 @@ static bool check_ages(struct species_reader *r)
     return true;
 }
 
-/* Checks that the weights of a graph of the kind "solved" can be solved. Other kinds of graphs need
- * no check. */
+/* Checks that solve_graph() succeeds for a graph of the line kind "solved". Graphs of other kinds
+ * are always accepted. */
 static bool check_solved(const struct species_reader *r, const struct curve_text *curve)
 {
     float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
@@ -212,7 +212,8 @@ bool text_check_species(struct species_reader *r)
             return false;
         }
     }
-    if (!r->has_thesis) { /* These defaults apply to a species that is not in the thesis. */
+    if (!r->has_thesis) { /* The species text has no `thesis` line. The following defaults are
+                             used. */
         s->thesis_key[1] = (uint8_t)(s->key_count / 2u);
         s->thesis_key[2] = (uint8_t)(s->key_count - 1u);
         s->thesis_template = TEMPLATE_PAIRWISE;

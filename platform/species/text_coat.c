@@ -1,10 +1,10 @@
-/* text_coat.c -- parses the lines of a key's paint: the coat and its marks. */
+/* text_coat.c -- parses the lines that describe a key's paint: the coat (colours) and its marks. */
 #include "platform/species/reader.h"
 
 #include <string.h>
 
-/* Parses `coat BACK FLANK BELLY FIN IRIS CLEAR SHINE`: five colours, then transparency and
- * reflectance. */
+/* Parses the line `coat BACK FLANK BELLY FIN IRIS CLEAR SHINE`. The parameters are five colours,
+ * then the transparency and the reflectance. */
 bool text_read_coat(struct species_reader *r)
 {
     struct species_coat *coat = &r->key->coat;
@@ -28,7 +28,7 @@ static const char *const kinds[MARK_COUNT] = {
     [MARK_ROWS] = "rows",   [MARK_MOUTH] = "mouth", [MARK_GILL] = "gill",
 };
 
-/* Returns a mark with the default settings of its kind. */
+/* Returns a mark of kind `kind` with the default values of all settings. */
 static struct species_mark usual(uint32_t kind, const struct key_text *key)
 {
     struct species_mark m = { .kind = (uint8_t)kind, .count = 1, .seed = 1, .to = 1, .high = 1 };
@@ -76,7 +76,8 @@ static struct species_mark usual(uint32_t kind, const struct key_text *key)
     return m;
 }
 
-/* Parses the two words at `index`: a setting's name and its value. */
+/* Parses the words `index` and `index` + 1, which are the name of a mark's setting and its
+ * value. */
 static bool read_setting(const struct species_reader *r, uint32_t index, struct species_mark *m)
 {
     static const char *const names[] = { "from",  "to",    "low",   "high",
@@ -99,8 +100,8 @@ static bool read_setting(const struct species_reader *r, uint32_t index, struct 
     return true;
 }
 
-/* Parses the part on which a mark lies. For a `side` mark, parses the side and stores it in
- * `count`. */
+/* Parses the body part on which a mark lies. For a mark of kind `side`, parses the side of the body
+ * and stores it in `count`. */
 static bool read_bearer(const struct species_reader *r, struct species_mark *m)
 {
     static const char *const sides[] = { [SIDE_RIGHT] = "right", [SIDE_LEFT] = "left" };
@@ -122,7 +123,8 @@ static bool read_bearer(const struct species_reader *r, struct species_mark *m)
     return true;
 }
 
-/* Parses `mark KIND PART COLOUR [SETTING NUMBER] ..`: a mark on a part of the fish. */
+/* Parses the line `mark KIND PART COLOUR [SETTING NUMBER] ..`, which adds a mark to a part of the
+ * fish. */
 bool text_read_mark(struct species_reader *r)
 {
     struct species_coat *coat = &r->key->coat;

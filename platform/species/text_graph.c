@@ -11,8 +11,8 @@ static struct curve_text *newest(const struct species_reader *r)
     return &r->species->curves[r->species->curve_count - 1];
 }
 
-/* Parses `curve NAME PART ..`, which starts a graph for only the named parts. The graph's knots or
- * template follow in later lines. */
+/* Parses the line `curve NAME PART ..`, which starts a deformation graph that moves only the named
+ * parts. The following lines define the graph by knots or by a template. */
 bool text_read_curve(struct species_reader *r)
 {
     struct species_text *s = r->species;
@@ -51,7 +51,8 @@ bool text_read_curve(struct species_reader *r)
     return true;
 }
 
-/* Parses `area FROM TO LOW HIGH SOFT`: a painted area of the body that the newest curve moves. */
+/* Parses the line `area FROM TO LOW HIGH SOFT`, which defines a painted area of the body. The most
+ * recent `curve` line moves the area. */
 bool text_read_area(struct species_reader *r)
 {
     struct curve_text *curve = newest(r);
@@ -72,8 +73,8 @@ bool text_read_area(struct species_reader *r)
             species_reader_error(r, "the area ends before it starts"));
 }
 
-/* Checks that the newest graph may receive weights. A graph has one weight for each key, so that
- * all graphs must follow all keys. */
+/* Checks that the most recently started graph may receive knots or a template. Graphs must be
+ * defined after all keys, because a knot has one weight for each key. */
 static bool graph_open(const struct species_reader *r, bool from_knot)
 {
     const struct graph *graph = &newest(r)->graph;
@@ -86,7 +87,8 @@ static bool graph_open(const struct species_reader *r, bool from_knot)
     return true;
 }
 
-/* Parses `knot PROGRESS W1 W2 ..`: the weight of each key at a progress through life. */
+/* Parses the line `knot PROGRESS W1 W2 ..`, which sets the weight of each key at a progress through
+ * life [0, 1]. */
 bool text_read_knot(struct species_reader *r)
 {
     struct graph *graph = &newest(r)->graph;
@@ -122,7 +124,7 @@ bool text_read_knot(struct species_reader *r)
     return true;
 }
 
-/* Parses `line straight|smooth|solved`, the kind of interpolation between knots. */
+/* Parses the line `line straight|smooth|solved`, which selects the interpolation between knots. */
 bool text_read_line_kind(struct species_reader *r)
 {
     static const char *const kinds[] = { "straight", "smooth", "solved" };
@@ -137,7 +139,7 @@ bool text_read_line_kind(struct species_reader *r)
     return true;
 }
 
-/* Parses `template NAME [PEAK]`, which defines a whole graph in one line. */
+/* Parses the line `template NAME [PEAK]`, which defines a whole graph. */
 bool text_read_template(struct species_reader *r)
 {
     static const char *const names[] = { [TEMPLATE_ORDINARY] = "ordinary",

@@ -38,7 +38,8 @@ bool text_read_key(struct species_reader *r)
     return true;
 }
 
-/* Parses `gill X`, the position of the end of the gill cover and of the head. */
+/* Parses the line `gill X`, which sets the rear edge of the gill cover. The head ends at this
+ * edge. */
 bool text_read_gill(struct species_reader *r)
 {
     return species_reader_expect(r, 1, "X") &&
@@ -70,7 +71,8 @@ bool text_read_station(struct species_reader *r)
     return true;
 }
 
-/* Parses `eye [right|left] X Y DIAMETER BULGE [TURN]`. Without a side, the line sets both eyes. */
+/* Parses the line `eye [right|left] X Y DIAMETER BULGE [TURN]`. If the side is omitted, the line
+ * sets both eyes. */
 bool text_read_eye(struct species_reader *r)
 {
     static const char *const sides[] = { "right", "left" };
@@ -118,8 +120,8 @@ bool text_read_fin(struct species_reader *r)
     if (r->species->without >> part & 1u) {
         return species_reader_error(r, "a %s in a species without", part_names[part]);
     }
-    /* The base of a tail is a range of heights. The bases of other fins are ranges of positions
-     * along x. */
+    /* The base of the tail fin is a range of heights. The base of any other fin is a range of
+     * positions along x. */
     const float low = part == PART_TAIL ? -0.5f : 0.0f;
     return species_reader_number(r, 2, low, 1.0f, &r->fin->start) &&
            species_reader_number(r, 3, low, 1.0f, &r->fin->end) &&
@@ -152,8 +154,8 @@ bool text_read_ray(struct species_reader *r)
     return true;
 }
 
-/* Parses `finlets upper|lower COUNT START END LENGTH SWEEP`: the finlets of a tuna behind its
- * second dorsal fin and its anal fin. */
+/* Parses the line `finlets upper|lower COUNT START END LENGTH SWEEP`, which defines a row of
+ * finlets. A tuna has a row behind its second dorsal fin and a row behind its anal fin. */
 bool text_read_finlets(struct species_reader *r)
 {
     static const char *const rows[] = { "upper", "lower" };

@@ -52,7 +52,7 @@ bool text_read_motion(struct species_reader *r)
     return read_choice(r, "motion", choices, 5, &r->species->motion);
 }
 
-/* Parses `without FIN ..`, the fins that this species lacks in every key. */
+/* Parses the line `without FIN ..`, which lists the fins that the species lacks in every key. */
 bool text_read_without(struct species_reader *r)
 {
     for (uint32_t i = 1; i < r->word_count; i++) {
@@ -95,7 +95,8 @@ bool text_read_hatch(struct species_reader *r)
            species_reader_number(r, 2, 0.001f, 5.0f, &g->fade_year);
 }
 
-/* Parses `point AGE_DAYS MM`, a measured length at an age after hatching. */
+/* Parses the line `point AGE_DAYS MM`, which gives a measured length in mm at an age in days after
+ * hatching. */
 bool text_read_point(struct species_reader *r)
 {
     struct growth *g = &r->species->growth;
@@ -120,7 +121,8 @@ bool text_read_point(struct species_reader *r)
     return true;
 }
 
-/* Parses `scale PROGRESS MM`, an explicit length that replaces the growth curve. */
+/* Parses the line `scale PROGRESS MM`, which gives a length in mm at a progress through life. These
+ * lines replace the growth curve. */
 bool text_read_scale(struct species_reader *r)
 {
     struct species_text *s = r->species;
@@ -152,8 +154,8 @@ static bool key_named(const struct species_reader *r, uint32_t index, uint8_t *o
     return species_reader_error(r, "no key above is called '%.40s'", r->words[index]);
 }
 
-/* Parses `thesis KEY KEY KEY TEMPLATE`, the keys and the template that chapter 4 of the 2005 thesis
- * blends. */
+/* Parses the line `thesis KEY KEY KEY TEMPLATE`, which names the three keys and the template that
+ * the 2005 thesis, chapter 4, blends for this species. */
 bool text_read_thesis(struct species_reader *r)
 {
     static const char *const templates[] = {

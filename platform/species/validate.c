@@ -8,13 +8,13 @@
 #include "core/morph/morph.h"
 #include "platform/species/validate_parts.h"
 
-#define AGE_MAX_DAYS 14610.0f /* Maximum age: 40 years, the range of growth.c. */
-/* Minimum length. The smallest fish larvae are 1.5 mm long; a third of that length is certainly an
- * error. */
+#define AGE_MAX_DAYS 14610.0f /* Maximum age in days. 40 years is the range of growth.c. */
+/* Minimum length of a key. The smallest fish larvae are 1.5 mm long. A length below a third of this
+ * size is certainly an error. */
 #define LENGTH_MIN_M 0.0005f
-#define LENGTH_MAX_M 20.0f /* Maximum length, that of a whale shark. */
-/* Maximum relative difference between a key's length and the growth curve's length at the key's
- * age. */
+#define LENGTH_MAX_M 20.0f /* Maximum length of a key. A whale shark is 20 m long. */
+/* Maximum relative difference between a key's length and the length on the growth curve at the
+ * key's age. */
 #define LENGTH_APART 0.02f
 
 bool validate_refuse(struct vetting *v, const char *format, ...)
@@ -28,7 +28,7 @@ bool validate_refuse(struct vetting *v, const char *format, ...)
 
 bool validate_number(struct vetting *v, const char *what, float x, float low, float high)
 {
-    if (!(x >= low && x <= high)) { /* This comparison is false for NaN. */
+    if (!(x >= low && x <= high)) { /* This form of the comparison also rejects NaN. */
         return validate_refuse(v, "%s: %g is outside %g .. %g", what, (double)x, (double)low,
                                (double)high);
     }
@@ -139,8 +139,8 @@ static bool vet_growth(struct vetting *v)
     return true;
 }
 
-/* Checks that the age, progress and length of each key agree, because each is computed from the
- * others. */
+/* Checks that the age, the progress and the length of each key are consistent. Each of the three
+ * values is computed from the others in some part of the program. */
 static bool vet_life(struct vetting *v)
 {
     const struct species_card *card = &v->species->card;

@@ -7,11 +7,11 @@
 
 #include "core/morph/morph.h"
 
-/* Permitted relative difference of the measured size from 1. The far tail has few rays, so that its
- * outermost tip may be missing. */
+/* Maximum relative difference between the measured size of a mesh and 1. The far mesh of a tail fin
+ * has few rays, so that its outermost tip may be missing. */
 #define SIZE_TOLERANCE 0.04f
-/* Range of body coordinate u. No surface is outside the range; an eye's u continues behind its
- * rim. */
+/* Permitted range of the body coordinate u. No surface has a u outside this range. An eye's u
+ * exceeds 1 behind its rim. */
 #define U_MIN (-2.0f)
 #define U_MAX 4.0f
 #define FRONT_Z (-0.5f)
@@ -92,8 +92,8 @@ static bool vet_triangles(struct vetting *v, const char *lod, const struct speci
     return true;
 }
 
-/* Checks the grid of vertices that anchors refer to. u must rise from ring to ring, v must rise
- * from 0 to 1 from spoke to spoke, and no vertex of the grid may have an anchor. */
+/* Checks the grid of vertices to which anchors refer. u must increase from ring to ring, and v must
+ * increase from 0 to 1 from spoke to spoke. No vertex of the grid may have an anchor. */
 static bool vet_grid(struct vetting *v, const char *lod, const struct species_mesh *mesh)
 {
     const uint32_t rings = mesh->grid_rings, row = mesh->grid_spokes + 1u;
@@ -139,8 +139,8 @@ static bool vet_anchors(struct vetting *v, const char *lod, const struct species
     return true;
 }
 
-/* Checks that every key has a measure of 1 and its snout at z = -0.5, because only the scale curve
- * sets the size. */
+/* Checks each key of a mesh. The length in the species' own measure must be 1, because only the
+ * scale curve sets the fish's size. The snout must be at z = -0.5. */
 static bool vet_size(struct vetting *v, const char *lod, const char *key,
                      const struct species_mesh *mesh, const vec3 *positions)
 {
@@ -165,7 +165,8 @@ static bool vet_size(struct vetting *v, const char *lod, const char *key,
                                1.0f + SIZE_TOLERANCE);
     case MEASURE_DISC:
         return validate_number(v, what, right - left, 1.0f - SIZE_TOLERANCE, 1.0f + SIZE_TOLERANCE);
-    default: /* The measure ends at the tail root, or at the fork slightly behind it. */
+    default: /* MEASURE_STANDARD ends at the tail root. MEASURE_FORK ends at the fork of the tail
+                fin, slightly behind the tail root. */
         return validate_number(v, what, end - FRONT_Z, 0.8f, 1.0f + SIZE_TOLERANCE);
     }
 }

@@ -1,5 +1,5 @@
 /* validate_parts.h -- functions that validate.c (the card) and validate_mesh.c (the meshes) share.
- * Only these files may include the header. */
+ * Only these two files may include this header. */
 #ifndef KINGYO_PLATFORM_SPECIES_VALIDATE_PARTS_H
 #define KINGYO_PLATFORM_SPECIES_VALIDATE_PARTS_H
 
@@ -9,22 +9,22 @@
 
 struct vetting {
     const struct species *species;
-    char *why; /* Buffer of VALIDATE_WHY_SIZE bytes for the reason of a rejection. */
+    char *why; /* Buffer of VALIDATE_WHY_SIZE bytes for the reason why the species is invalid. */
 };
 
-/* Writes the reason to `why` and returns false. */
+/* Writes the reason to `why` of struct vetting and returns false. */
 __attribute__((format(printf, 2, 3))) bool validate_refuse(struct vetting *v, const char *format,
                                                            ...);
 
-/* Returns true if `low` <= x <= `high`. Otherwise, and for NaN, writes the reason and returns
+/* Returns true if `low` <= x <= `high`. Otherwise, and if x is NaN, writes the reason and returns
  * false. */
 bool validate_number(struct vetting *v, const char *what, float x, float low, float high);
 
 /* Returns true if x < `count`. Otherwise writes the reason and returns false. */
 bool validate_choice(struct vetting *v, const char *what, uint32_t x, uint32_t count);
 
-/* Validates the meshes of both levels of detail. The caller guarantees that the card has passed its
- * validation. */
+/* Validates the meshes of both levels of detail. The caller guarantees that the card has been
+ * validated successfully. */
 bool validate_meshes(struct vetting *v);
 
 #endif

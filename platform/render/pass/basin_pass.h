@@ -20,7 +20,7 @@ struct basin_pass {
 void basin_pass_open(struct gl_status *status, struct basin_pass *pass);
 void basin_pass_close(struct basin_pass *pass);
 
-/* Uploads the slopes of the water surface. */
+/* Computes the slopes of the water surface and uploads them. */
 void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene);
 
 /* Draws the floor and the walls. The render target needs no depth buffer. */

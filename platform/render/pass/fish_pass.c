@@ -81,7 +81,7 @@ static void sort_by_height(struct fish_pass *pass, const struct scene *scene)
     }
 }
 
-/* Returns true if the fish's snout or back is above the surface. */
+/* Returns true if the snout or the back of the fish is above the water surface. */
 static bool is_bare(const struct scene_fish *fish)
 {
     const float nose_m = 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);
@@ -184,7 +184,7 @@ static void point_instances(uint32_t first)
     }
 }
 
-/* Draws one group of fish with `program`, which must be current. */
+/* Draws one group of fish with `program`, which must be the current program of OpenGL. */
 static void draw_group(const struct fish_pass *pass, const struct fish_program *program,
                        enum fish_group group, bool fins)
 {

@@ -13,9 +13,10 @@
 
 /* Group of a fish. The instance buffer contains the groups in this order. */
 enum fish_group {
-    FISH_FAR = 0, /* In the tank and small on the screen, drawn with the far mesh. */
+    FISH_FAR = 0, /* In the tank and small on the screen. Drawn with the far mesh. */
     FISH_NEAR,
-    FISH_GULPING_FAR, /* In the tank with the snout above the surface, and small on the screen. */
+    FISH_GULPING_FAR, /* In the tank with the snout above the water surface, and small on the
+                         screen. */
     FISH_GULPING,
     FISH_ON_POI,
     FISH_IN_BOWL,

@@ -235,7 +235,7 @@ static void colour_of(float out[4], uint32_t rgba)
     }
 }
 
-/* Values of the uniforms that the body program and the fin program share. */
+/* Values of the uniforms that the shader programs of the body and of the fins share. */
 struct told {
     float sheets[3];
     float look[4];
