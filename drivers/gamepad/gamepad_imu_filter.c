@@ -3,8 +3,9 @@
 #include "drivers/gamepad/gamepad_imu_filter.h"
 
 #define G_M_S2 9.81f
-/* Time constant with which the accelerometer corrects the upward direction. It is ten times the
- * period of shaking, and much shorter than the minutes in which a gyroscope drifts. */
+/* Time constant with which the accelerometer corrects the upward direction. The time constant is
+ * ten times the period of shaking, and much shorter than the minutes in which a gyroscope
+ * drifts. */
 #define DOWN_TAU_S 0.5f
 /* Time constant of the rest attitude, longer than the time for which a player aims at a fish. */
 #define REST_TAU_S 4.0f

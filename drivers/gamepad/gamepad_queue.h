@@ -31,7 +31,7 @@ void gamepad_queue_push(struct gamepad_queue *track, const struct gamepad_report
 uint32_t gamepad_queue_pop(struct gamepad_queue *track, uint64_t now_ns, struct poi_sample *out,
                            uint32_t max);
 
-/* Decodes all pending reports and writes the buttons. */
+/* Decodes all pending reports and writes the pressed buttons to `out`. */
 void gamepad_queue_buttons(struct gamepad_queue *track, struct button_sample *out);
 
 #endif

@@ -25,16 +25,17 @@
 /* Vertical speed of the ring at full deflection, equal to the speed of the fastest part of a
  * dip. */
 #define STICK_MOTION_HEIGHT_M_S 0.30f
-#define STICK_MOTION_HIGH_M 0.12f /* Upper limit of the ring's height, above the rim of the tank. */
-#define STICK_MOTION_LOW_M                                                                         \
-    (-0.11f) /* Lower limit of the ring's height: the floor of the kiosk's tank. */
+/* Upper limit of the ring's height, above the rim of the tank. */
+#define STICK_MOTION_HIGH_M 0.12f
+/* Lower limit of the ring's height: the floor of the kiosk's tank. */
+#define STICK_MOTION_LOW_M (-0.11f)
 #define STICK_MOTION_TILT_MAX_RAD (60.0f * F_DEG)
 
 /* The complete state of the controls at one moment. */
 struct stick_report {
     uint64_t time_ns;
-    vec3 push;  /* Deflection of the control; each component is -1 to 1. Non-finite components count
-                   as 0. */
+    vec3 push;  /* Deflection of the stick or puck; each component is -1 to 1. Non-finite components
+                   count as 0. */
     vec3 twist; /* Pitch, yaw and roll as fractions (-1 to 1) of STICK_MOTION_TILT_MAX_RAD.
                    Non-finite components count as 0. */
     uint32_t buttons; /* Pressed buttons, as bits of enum pointer_button. */
@@ -48,8 +49,8 @@ struct stick_motion {
     struct stick_report report;
     struct dip dip;
     vec3 place_m;     /* Position of the ring without the motion of the dip. */
-    vec3 speed_m_s;   /* Velocity of the ring after smoothing. */
-    vec3 twist_rad;   /* Pitch, yaw and roll of the ring after smoothing. */
+    vec3 speed_m_s;   /* Smoothed velocity of the ring. */
+    vec3 twist_rad;   /* Smoothed pitch, yaw and roll of the ring. */
     vec3 shade_m;     /* Position over the water to which the player has moved the fan; only x and z
                          are used. */
     float swing;      /* Progress of the fan's entry: 0 means that the fan is beyond the tank's near

@@ -39,8 +39,8 @@
 struct gpio_poll_edges {
     uint64_t since_ns, last_ns; /* Times of the first (`since_ns`) and of the last poll (`last_ns`)
                                    that read the different level. */
-    uint64_t back_ns;           /* Time of the first later poll that read the level after the last
-                                   edge again. */
+    uint64_t back_ns;           /* Time of the first poll after `last_ns` whose level equals the
+                                   level after the last edge. */
 };
 
 struct gpio_edge_filter {

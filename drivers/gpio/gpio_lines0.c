@@ -1,4 +1,5 @@
-/* gpio_lines0.c -- the backend of a build without libgpiod, which reports every line as missing. */
+/* gpio_lines0.c -- the backend for a build without libgpiod. The backend reports every line as
+ * missing. */
 #include <stdio.h>
 #include <time.h>
 

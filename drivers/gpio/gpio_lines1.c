@@ -3,8 +3,8 @@
  *
  * Each input line has its own file descriptor and a queue of 16 edges. When the queue is full, the
  * kernel drops further edges without a report, and edges have no sequence numbers. A loss is
- * therefore inferred if the queue was full and the next edge has the direction of the edge before
- * it. */
+ * therefore inferred if the queue was full and the next edge has the same direction as the edge
+ * before it. */
 #include <gpiod.h>
 #include <string.h>
 

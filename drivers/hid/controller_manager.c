@@ -165,8 +165,8 @@ static void go_on(struct controller_manager *manager)
     }
 }
 
-/* Ends learning only after the mapping file is on the card. The operator may then switch off the
- * kiosk without losing the mapping. */
+/* Ends learning only after the mapping file is on the memory card. The operator may then switch off
+ * the kiosk without losing the mapping. */
 static void watch_writing(struct controller_manager *manager)
 {
     const int result = hid_mapping_store_result(manager->book);

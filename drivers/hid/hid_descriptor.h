@@ -106,9 +106,9 @@ const char *hid_error_text(enum hid_error error);
 /* Returns the number of usages of a group; 0 means that the group is padding. */
 uint32_t hid_usage_count(const struct hid_descriptor *descriptor, const struct hid_group *group);
 
-/* Returns the usage with the number `index` of a group, by a binary search of the group's ranges.
- * If the group has fewer usages, the last usage applies to all further fields (HID 1.11, section
- * 6.2.2.8). Returns 0 if the group has no usage. */
+/* Returns usage number `index` of a group, found by a binary search of the group's ranges. If the
+ * group has fewer usages, the last usage applies to all further fields (HID 1.11, section 6.2.2.8).
+ * Returns 0 if the group has no usage. */
 hid_usage hid_usage_at(const struct hid_descriptor *descriptor, const struct hid_group *group,
                        uint32_t index);
 

@@ -5,11 +5,11 @@
 /* Smallest logical range of an axis, which is larger than that of a hat. An "X" field of one bit is
  * a button. */
 #define AXIS_STEPS_MIN 14
-/* Half the range of a stick divided by this number is the stick's dead zone. A released stick stops
- * within the dead zone. */
+/* Divisor for the dead zone of a stick, which is half the range of the stick divided by this
+ * number. A released stick stops within its dead zone. */
 #define DEAD_SHARE_STICK 12
-/* Half the range of a puck divided by this number is the puck's dead zone. A puck has stiffer
- * springs than a stick. */
+/* Divisor for the dead zone of a puck, which is half the range of the puck divided by this number.
+ * A puck has stiffer springs than a stick. */
 #define DEAD_SHARE_PUCK 50
 
 int hid_mapping_auto_is_axis(const struct hid_group *group)

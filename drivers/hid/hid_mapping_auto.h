@@ -45,8 +45,8 @@ struct hid_field_location {
     hid_usage usage;
 };
 
-/* Returns 1 if the fields of `group` have enough different values for an axis, which are more than
- * a hat has. Otherwise returns 0. For example, an "X" field of one bit is a button. */
+/* Returns 1 if the fields of `group` can be an axis, otherwise 0. A field of an axis has more
+ * possible values than a hat. For example, an "X" field of one bit is a button and not an axis. */
 int hid_mapping_auto_is_axis(const struct hid_group *group);
 
 /* Returns the index of the field with the usage `usage` in `group`, or -1 if the group does not

@@ -6,14 +6,15 @@
 
 /* Largest noise of a usable field at rest, as a fraction of the field's range. */
 #define NOISE_MAX 0.20f
-#define WAY_MIN                                                                                    \
-    0.12f /* Smallest travel of a field that can be an axis, as a fraction of the field's range. */
+/* Smallest travel of a field that can be an axis, as a fraction of the field's range. */
+#define WAY_MIN 0.12f
 /* Smallest travel of the control that dips the poi, as a fraction of the field's range. */
 #define PRESS_MIN 0.30f
 /* Travel at which a learning step counts as clearly demonstrated, as a fraction of the field's
  * range. */
 #define CLEAR_WAY 0.4f
-/* Weight of a vendor-defined field. The weight requires twice the travel of a standard field. */
+/* Weight of a vendor-defined field. With this weight the field must move twice as far as a standard
+ * field. */
 #define VENDOR_WORTH 0.5f
 #define STEP_WAY 100.0f /* Range that is assumed for a relative field, in counts. */
 /* Largest distance from the rest value at which a stick counts as returned, as a fraction of the

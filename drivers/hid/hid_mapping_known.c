@@ -5,7 +5,8 @@
 #include "drivers/hid/hid_mapping_auto.h"
 
 #define SONY 0x054cu
-/* Dead zone of a stick, out of 127 counts. A worn stick stops within the dead zone. */
+/* Dead zone of a stick in counts; full deflection is 127 counts. A worn stick stops within the dead
+ * zone when it is released. */
 #define STICK_DEAD 12
 
 struct known {

@@ -15,8 +15,8 @@ uint32_t hid_usage_count(const struct hid_descriptor *descriptor, const struct h
 hid_usage hid_usage_at(const struct hid_descriptor *descriptor, const struct hid_group *group,
                        uint32_t index)
 {
-    uint32_t low = 0, high = group->range_count; /* The usage is in a range whose index is at least
-                                                    `low` and less than `high`. */
+    uint32_t low = 0, high = group->range_count; /* The usage is in one of the ranges from index
+                                                    `low` to index `high` - 1. */
     if (high == 0) {
         return 0;
     }

@@ -1,4 +1,4 @@
-/* poi_fan.c -- implements a controller that moves either the poi or the fan. */
+/* poi_fan.c -- implements the rules by which a controller moves either the poi or the fan. */
 #include "drivers/hid/poi_fan.h"
 
 #include "drivers/pointer/pointer_fan.h"

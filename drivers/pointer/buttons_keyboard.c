@@ -71,7 +71,8 @@ static int buttons_keyboard_poll(void *self, struct button_sample *out)
     SDL_Event events[EVENT_BATCH];
     *out = (struct button_sample){ 0 };
     int taken;
-    do { /* The event range also contains text input events, which no other code reads. */
+    do { /* The requested range of event types also contains text input events, which no other code
+            reads. */
         taken = SDL_PeepEvents(events, EVENT_BATCH, SDL_GETEVENT, SDL_KEYDOWN, SDL_MOUSEMOTION - 1);
         for (int i = 0; i < taken; i++) {
             buttons_keyboard_take_event(keyboard, &events[i], out);

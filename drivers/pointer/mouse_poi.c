@@ -178,8 +178,8 @@ static int tell_hands(struct mouse_poi *mouse)
     return pointer_poi_report(&mouse->pointer, &seen);
 }
 
-/* Applies the state of key F from `now_ns` on. The key has no position in the sequence of the mouse
- * events. */
+/* Applies the state of key F from `now_ns` on, because the order of the key press and the mouse
+ * events is not known. */
 static void take_fan_key(struct mouse_poi *mouse, uint64_t now_ns)
 {
     const uint32_t fan = mouse->fan_key ? (uint32_t)POINTER_FAN : 0u;

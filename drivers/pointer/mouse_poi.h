@@ -33,7 +33,7 @@ struct mouse_poi {
     float crept_px;   /* Sum of the mouse motion since `used_ns`, in pixels. */
     /* Image geometry from set_view(). If all fields are 0, the image fills the window. */
     struct display_settings display_settings;
-    /* Last state of the pointer. The wheel is reset for each event. */
+    /* Last state of the pointer. The wheel motion is reset to 0 for each event. */
     struct pointer_report report;
     uint64_t last_poll_ns; /* Time of the last poll. */
     char text[HAL_TEXT_SIZE];

@@ -64,7 +64,8 @@ struct pointer_poi {
     struct dip dip; /* The current stroke of the ring. */
     float tilt_rad, tilt_goal_rad;
 
-    /* Position of the pointer on the still water at the last sample, and its velocity. */
+    /* `hand_m` is the position of the pointer on the still water at the last sample. `hand_m_s` is
+     * the velocity of this position. */
     vec3 hand_m, hand_m_s;
     uint64_t hand_ns; /* Time of `hand_m`; 0 means that there was no sample yet. */
 };

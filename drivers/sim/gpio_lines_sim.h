@@ -71,15 +71,16 @@ struct gpio_lines_sim {
     bool chip_is_away, went;
     struct gpio_sim_line {
         uint8_t level;          /* Level of the wire; 1 means active. */
-        uint8_t pending;        /* 1 if another edge arrived while the kernel served an edge,
-                                   otherwise 0. */
+        uint8_t pending;        /* 1 if another edge arrived while the simulated kernel processed an
+                                   edge, otherwise 0. */
         uint64_t busy_until_ns; /* Time at which the kernel reads the level; 0 means that the kernel
                                    is idle. */
-        uint64_t stamp_ns;      /* Time stamp of the edge that the kernel serves. */
+        uint64_t stamp_ns;      /* Time stamp of the edge that the simulated kernel processes. */
         uint32_t number;        /* Number of edges so far, including dropped edges. */
         uint32_t seen;          /* Number of the last edge that was read. */
-        /* 1 if the last read found a full queue (`was_full`), and level after the last edge that
-         * was read (`last`). Losses are inferred from these fields as in gpio_lines1.c. */
+        /* `was_full` is 1 if the last read found a full queue, otherwise 0. `last` is the level
+         * after the last edge that was read. Losses are inferred from these fields as in
+         * gpio_lines1.c. */
         uint8_t was_full, last;
         uint32_t first, count; /* Position of the oldest edge in `queue`, and number of edges in
                                   `queue`. */

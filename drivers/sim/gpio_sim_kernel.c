@@ -41,8 +41,8 @@ static void serve(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
     const uint64_t time_ns = line->busy_until_ns;
     gpio_sim_kernel_push(sim, line);
     line->busy_until_ns = 0;
-    if (line->pending) { /* The masked edge is served next, with the current time as its time
-                            stamp. */
+    if (line->pending) { /* The edge that arrived while the kernel served this edge is served next.
+                            Its time stamp is the current time. */
         line->pending = 0;
         line->stamp_ns = time_ns;
         line->busy_until_ns = time_ns + lateness_ns(sim);

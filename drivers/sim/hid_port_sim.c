@@ -149,8 +149,8 @@ static int hid_port_sim_open(void *self, struct hid_device_info *out)
     if (sim->absent || (sim->gone && hid_port_sim_now_ns(sim) < sim->replug_ns)) {
         return HAL_ERR_GONE;
     }
-    if (sim->gone) { /* The device was plugged in again; reports from the time without it are
-                        lost. */
+    if (sim->gone) { /* The device was plugged in again. The reports from the time without the
+                        device are lost. */
         sim->gone = 0;
         sim->unplug_at = HID_SIM_NEVER;
     }

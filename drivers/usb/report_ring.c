@@ -39,8 +39,8 @@ void report_ring_lose(struct report_ring *ring)
     atomic_fetch_add_explicit(&ring->lost, 1u, memory_order_relaxed);
 }
 
-/* Returns the older one of the next report in the queue and the report in the late buffer. The
- * queue is read first, so that a late report that was posted before a push is seen. */
+/* Returns the older of two reports: the next report in the queue, and the report in the late
+ * buffer. The queue is read first, so that a late report that was posted before a push is seen. */
 const struct report_ring_slot *report_ring_peek(struct report_ring *ring)
 {
     const uint32_t taken = atomic_load_explicit(&ring->taken, memory_order_relaxed);

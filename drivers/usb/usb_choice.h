@@ -105,8 +105,8 @@ void usb_choice_read(struct usb_candidate *subject, const uint8_t *bytes, uint32
 enum usb_verdict {
     USB_BARRED = 0, /* The interface must never be claimed. */
     USB_FREE,       /* The interface may be claimed only after the operator selects it. */
-    USB_ASK,        /* The interface may be claimed to read its report descriptor. It is then
-                       evaluated again. */
+    USB_ASK,        /* The interface may be claimed to read its report descriptor. The interface is
+                       then evaluated again. */
     USB_PLAYS,
 };
 
@@ -134,7 +134,7 @@ struct usb_place {
 
 /* Returns the slot for a new controller, or POI_MAX if there is none. The first choice is the
  * former slot of the controller, found by serial number or port. The second choice is a slot that
- * was never used, and the third a vacant slot that is not held. */
+ * was never used. The third choice is a vacant slot that is not held for a different controller. */
 uint32_t usb_choice_slot(const struct usb_place place[POI_MAX],
                          const struct hid_identity *identity);
 

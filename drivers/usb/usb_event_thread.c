@@ -24,8 +24,8 @@ void usb_event_thread_wake(void *self)
 {
     const struct usb_event_thread *usb_thread = self;
     const uint64_t one = 1;
-    /* The event descriptor is nonblocking. If the write fails because its counter is full, the
-     * thread is already woken. */
+    /* The file descriptor `wake_fd` is nonblocking. If the write fails because the event counter is
+     * full, the thread is already woken. */
     const ssize_t written = write(usb_thread->wake_fd, &one, sizeof one);
     (void)written;
 }

@@ -30,7 +30,7 @@
 #define USB_FD_MAX 16u
 #define USB_INDEX_NONE UINT32_MAX
 
-/* Entry of the table: a device on the bus and its state. */
+/* Entry of the device table: a device on the bus and its state. */
 struct usb_device_entry {
     struct usb_device device; /* The device; a null `device.device` means that the entry is
                                  empty. */

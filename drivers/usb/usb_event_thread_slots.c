@@ -6,11 +6,11 @@
 
 #define NS_PER_S 1000000000ull
 #define SOON_NS (NS_PER_S / 10u)
-/* Interval of opening attempts. Between two attempts the operator may change permissions or end
- * another program. */
+/* Interval between two attempts to open a device. In the meantime the operator may change
+ * permissions or end another program. */
 #define RETRY_NS (2u * NS_PER_S)
-/* Longest interval of opening attempts. The interval doubles with each failure, because an attempt
- * blocks the thread for seconds and delays other devices. */
+/* Longest interval between two attempts to open a device. The interval doubles with each failure,
+ * because an attempt blocks the event thread for seconds and delays other devices. */
 #define RETRY_NS_MAX (60u * NS_PER_S)
 /* Limit of the failure count. The intervals are 2, 4, 8, 16 and 32 s, and then RETRY_NS_MAX. */
 #define FAILURES_MAX 6u

@@ -42,7 +42,7 @@ void usb_transfers_free(struct usb_transfers *link)
 /* ---- Transfers of input reports ------------------------------------------------------------- */
 
 /* Records an error of a transfer. If the device was unplugged, only `is_gone` is set, because other
- * transfers and hot-plug events report it too. */
+ * transfers and hot-plug events also report the unplugging. */
 static void note_error(struct usb_transfers *link, int error)
 {
     if (error == LIBUSB_ERROR_NO_DEVICE) {
@@ -121,7 +121,7 @@ static void LIBUSB_CALL on_report(struct libusb_transfer *transfer)
 }
 
 /* Returns the size of an input transfer. The size is a multiple of the packet size, so that no
- * packet overflows. It holds at most one report, so that no report is delayed until the next
+ * packet overflows. A transfer holds at most one report, so that no report waits for the next
  * report. */
 static int transfer_size(const struct usb_pipe *pipe)
 {

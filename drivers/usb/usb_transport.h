@@ -34,10 +34,10 @@ struct usb_transport_config {
     void *tell_self;
 };
 
-/* Starts the event thread and returns the only instance, which is a static object. `why` receives
- * one line with a problem, or "". Without USB the slots return HAL_ERR_ABSENT. An invalid line of
- * the file of rules is reported in `why`. A file that cannot be read is reported too, and is not
- * overwritten. */
+/* Starts the event thread and returns the transport, which is a static object, because there is
+ * only one. `why` receives one line with a problem, or "". If USB is not available, the ports of
+ * all slots return HAL_ERR_ABSENT. An invalid line of the file of rules is reported in `why`. A
+ * file that cannot be read is also reported, and is not overwritten. */
 struct usb_seats *usb_transport_start(const struct usb_transport_config *config,
                                       char why[HAL_TEXT_SIZE]);
 
