@@ -1,12 +1,9 @@
 /* pin.h -- the operator's PIN in its stored form: salted and hashed.
  *
  * The setting SET_PIN has three forms:
- *
  * - 0 means that no PIN is required.
- *
  * - 1 .. 9999 is a PIN in plain digits, from the configuration file or from a database of an older
  * Kingyo.
- *
  * - A negative value has bit 31 set, 11 bits of salt, and the first 20 bits of SHA-256 over salt
  * and PIN.
  *

@@ -2,12 +2,9 @@
  *
  * Code outside the table of rules does not compare modes, but reads the mode's rules.
  * MODE_CHAMPIONSHIP follows the rules of the national championship:
- *
  * - A round has three minutes and one No. 5 poi of 80 mm.
- *
  * - The time is announced at one and two minutes, at ten seconds left, and for the last five
  * seconds.
- *
  * - Three fouls end the round, and a torn poi may be used while it can hold a fish. */
 #ifndef KINGYO_CORE_GAME_RULES_H
 #define KINGYO_CORE_GAME_RULES_H

@@ -1,8 +1,10 @@
-/* accounts.h -- the accounts of the kiosk: the ledger, the credits, the audits and the leaderboard.
+/* accounts.h -- the accounts of the kiosk: the ledger, the credits, the audits and the
+ * leaderboards.
  *
  * The ledger is the append-only list of money events. ledger_write() also adds each entry to the
- * audits, which are the operator's statistics, and to the leaderboard. A function that writes an
- * entry therefore takes `struct accounts`. A function that works on one part takes that part. */
+ * audits, which are the operator's statistics, and to the leaderboards. A function that writes an
+ * entry therefore takes `struct accounts`. A function that works on one account takes only that
+ * account. */
 #ifndef KINGYO_CORE_GAME_ACCOUNTING_ACCOUNTS_H
 #define KINGYO_CORE_GAME_ACCOUNTING_ACCOUNTS_H
 

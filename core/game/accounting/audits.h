@@ -1,8 +1,8 @@
-/* audits.h -- the operator's statistics: money, games, catches and faults.
+/* audits.h -- the audits, which are the operator's statistics: money, games, catches and faults.
  *
- * The statistics are counters that only grow, each with a fixed name. Each counter is a sum over
- * ledger entries. The core and the store add entries with the same function, so the menu and the
- * database always agree. Hours and weekdays come from the clock, if it was set. */
+ * The audits are counters, each with a fixed name. Each counter is computed from ledger entries.
+ * The core and the store add entries with the same function, so the menu and the database always
+ * agree. Hours and weekdays come from the clock, if the clock was set. */
 #ifndef KINGYO_CORE_GAME_ACCOUNTING_AUDITS_H
 #define KINGYO_CORE_GAME_ACCOUNTING_AUDITS_H
 
@@ -15,8 +15,8 @@
 #define AUDIT_GRADES (SHEET_GRADE_MAX - SHEET_GRADE_MIN + 1u)
 
 enum audit_id {
-    /* Money: group 0. */
-    AUDIT_COINS_1 = 0, /* Pulses of each coin line. */
+    /* Group 0: money. */
+    AUDIT_COINS_1 = 0, /* Pulses of the first coin line. */
     AUDIT_COINS_2,
     AUDIT_COINS_3,
     AUDIT_UNITS, /* Value of all coin pulses in units. */
@@ -28,40 +28,43 @@ enum audit_id {
     AUDIT_EXPIRED,
     AUDIT_TICKETS,
     AUDIT_TILTS,
-    /* Games: group 1. */
+    /* Group 1: games. */
     AUDIT_PLAYS_PAID,
     AUDIT_PLAYS_SERVICE,
     AUDIT_PLAYS_FREE,
-    AUDIT_PLAYS_LAB, /* Visits to the growth lab, included in the counters above. */
-    AUDIT_ROUNDS,    /* Scored rounds that people played to the end. The counters down to
-                        AUDIT_FOULS cover these rounds only. */
+    AUDIT_PLAYS_LAB, /* Visits to the growth lab. The counters of started games include them. */
+    AUDIT_ROUNDS,    /* Scored rounds that people played to the end. The counters from AUDIT_PLAYERS
+                        to AUDIT_FOULS cover only these rounds. */
     AUDIT_PLAYERS,
     AUDIT_CAUGHT,
     AUDIT_PLAY_S,       /* Seconds played. */
-    AUDIT_PAPERS,       /* Sheets of paper given out. */
+    AUDIT_PAPERS,       /* Sheets of paper that players received. */
     AUDIT_PAPERS_TORN,  /* Sheets that tore through. */
     AUDIT_PAPER_LIFE_S, /* Total lifetime of the torn sheets in seconds. */
     AUDIT_FOULS,
-    AUDIT_PLAYS, /* Started rounds by mode and grade: mode * AUDIT_GRADES + grade -
-                    SHEET_GRADE_MIN. */
-    AUDIT_HOUR = AUDIT_PLAYS + MODE_COUNT * AUDIT_GRADES, /* Started games by hour of the day, 24
-                                                             counters. */
-    AUDIT_WEEKDAY = AUDIT_HOUR + 24,                      /* Started games by weekday, Monday first,
-                                                             7 counters. */
-    /* The machine: group 2. */
+    AUDIT_PLAYS, /* First of the counters of started rounds, one for each mode and grade. The index
+                    is AUDIT_PLAYS + mode * AUDIT_GRADES + grade - SHEET_GRADE_MIN. */
+    AUDIT_HOUR = AUDIT_PLAYS + MODE_COUNT * AUDIT_GRADES, /* First of 24 counters of started games,
+                                                             one for each hour of the day. */
+    AUDIT_WEEKDAY = AUDIT_HOUR + 24,                      /* First of 7 counters of started games,
+                                                             one for each weekday, beginning with
+                                                             Monday. */
+    /* Group 2: the machine. */
     AUDIT_BOOTS = AUDIT_WEEKDAY + 7,
     AUDIT_CRASHED_ROUNDS, /* Rounds that were still open at startup. */
     AUDIT_DROPPED_TICKS,
     AUDIT_DEVICE_FAULTS,
     AUDIT_UP_S,           /* Total uptime in seconds. */
-    AUDIT_UP_S_MAX,       /* Longest uptime without a restart, in seconds. */
-    AUDIT_RESETS,         /* Resets of any group; never reset. */
-    AUDIT_WRONG_PINS,     /* Wrong PINs in a row until now. A correct PIN sets the counter to 0,
-                             so no page shows it. */
-    AUDIT_FORMAT_7_COUNT, /* End of the counters in recordings of format 7. */
-    AUDIT_LOST_AGAIN = AUDIT_FORMAT_7_COUNT, /* Repeated losses of each slot's controller. */
-    AUDIT_TICKETS_OUT = AUDIT_LOST_AGAIN + (int)POI_MAX, /* Money: tickets passed to the dispenser,
-                                                            out of AUDIT_TICKETS. */
+    AUDIT_UP_S_MAX,       /* Longest uptime between two starts, in seconds. */
+    AUDIT_RESETS,         /* Number of resets of counter groups. This counter is never reset. */
+    AUDIT_WRONG_PINS,     /* Number of wrong PINs since the last correct PIN. Because a correct PIN
+                             sets the counter to 0, no page shows it. */
+    AUDIT_FORMAT_7_COUNT, /* Number of counters in recordings of format 7. */
+    AUDIT_LOST_AGAIN = AUDIT_FORMAT_7_COUNT, /* First of the counters of repeated controller losses,
+                                                one for each slot. */
+    AUDIT_TICKETS_OUT = AUDIT_LOST_AGAIN + (int)POI_MAX, /* Tickets passed to the dispenser, which
+                                                            AUDIT_TICKETS includes. The counter
+                                                            belongs to group 0. */
     AUDIT_COUNT,
 };
 
@@ -82,7 +85,7 @@ struct audits {
  * The store and kingyoctl use this key. */
 void audits_name(uint32_t id, char out[AUDIT_NAME_SIZE]);
 
-/* Returns the group of counter `id`. `id` must be < AUDIT_COUNT, else the function asserts. */
+/* Returns the group of counter `id`. Asserts that `id` < AUDIT_COUNT. */
 enum audit_group audits_group_of(uint32_t id);
 
 /* Adds one ledger entry to the counters. */

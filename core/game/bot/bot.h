@@ -1,8 +1,8 @@
 /* bot.h -- the built-in bot: an artificial player with human reaction times and arm motion.
  *
  * The bot perceives the game only through snapshots (snapshot.h), one every 150 to 250 ms. A
- * snapshot becomes usable when the next one is taken, so the bot always acts on the past. The poi
- * of the bot moves like a human arm. */
+ * snapshot becomes usable when the next snapshot is taken, so the bot always acts on the past. The
+ * bot's poi moves like a poi in a human hand. */
 #ifndef KINGYO_CORE_GAME_BOT_BOT_H
 #define KINGYO_CORE_GAME_BOT_BOT_H
 
@@ -15,13 +15,13 @@
 #include "core/input.h"
 
 enum bot_stage {
-    BOT_REST = 0, /* Keeps poi and shadow away from the water while no game is played. */
-    BOT_SOAK,     /* Wets the fresh paper. */
+    BOT_REST = 0, /* Keeps the poi and its shadow away from the water while no game is played. */
+    BOT_SOAK,     /* Wets the new paper. */
     BOT_CHOOSE,   /* Hovers and selects a fish. */
     BOT_APPROACH, /* Moves above the water to the start of the path. */
-    BOT_WATCH,    /* Waits there until the fish is calm, because a still shadow does not startle
-                     fish. */
-    BOT_DIP,      /* Slides into the water. */
+    BOT_WATCH,    /* Waits above the start of the path until the fish is calm, because a still
+                     shadow does not startle fish. */
+    BOT_DIP,      /* Moves down into the water. */
     BOT_GLIDE,    /* Levels the poi and moves under the fish. */
     BOT_LIFT,
     BOT_CARRY,
@@ -32,12 +32,12 @@ enum bot_stage {
 struct bot {
     struct technique technique;
     uint32_t seed;          /* Seed of the bot's random numbers. */
-    uint8_t stage;          /* enum bot_stage */
+    uint8_t stage;          /* Current stage (enum bot_stage). */
     uint16_t prey;          /* Target fish, or SNAPSHOT_NO_FISH. */
     uint32_t stage_tick;    /* Tick at which the stage began. */
     uint32_t act_tick;      /* Tick at which `seen` becomes usable. */
-    uint32_t tries;         /* Number of attempts so far. */
-    float yaw_rad;          /* Handle yaw for this fish. */
+    uint32_t tries;         /* Number of attempts to catch a fish so far. */
+    float yaw_rad;          /* Handle yaw for the target fish. */
     vec3 miss_m;            /* Aiming error of this attempt. */
     struct poi_target goal; /* Pose toward which the arm moves. */
     float speed_m_s;        /* Maximum speed on the way to `goal`. */

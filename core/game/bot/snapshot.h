@@ -1,8 +1,9 @@
 /* snapshot.h -- a visual snapshot for the bot: nearby fish with their speeds, the bot's paper, and
  * its bowl.
  *
- * A snapshot is outdated as soon as it is taken. A speed is the difference of two snapshots over
- * their time difference. A fish missing in the previous snapshot gets speed 0. */
+ * A snapshot is outdated as soon as it is taken. A fish's velocity is its change of position
+ * between two snapshots, divided by the time between them. A fish that is missing in the previous
+ * snapshot gets velocity 0. */
 #ifndef KINGYO_CORE_GAME_BOT_SNAPSHOT_H
 #define KINGYO_CORE_GAME_BOT_SNAPSHOT_H
 
@@ -11,16 +12,16 @@
 #include "core/game/bot/vision.h"
 
 #define SNAPSHOT_NO_FISH 0xffffu
-/* Largest number of nearby fish, more than a person can watch; the fish nearest to the point of
- * attention are kept. */
+/* Largest number of nearby fish, more than a person can watch. If more fish are visible, the
+ * snapshot keeps the fish nearest to the point of attention. */
 #define SNAPSHOT_NEAR_MAX 24u
 
 struct snapshot_fish {
-    uint16_t fish; /* Index of the fish; SNAPSHOT_NO_FISH: none. */
-    uint8_t place; /* enum scene_place */
+    uint16_t fish; /* Index of the fish; SNAPSHOT_NO_FISH means no fish. */
+    uint8_t place; /* Place of the fish (enum scene_place). */
     uint8_t gulps;
     vec3 position_m, velocity_m_s;
-    float heading_rad; /* Direction of the nose, as yaw. */
+    float heading_rad; /* Yaw of the direction in which the fish's head points. */
     float length_m;
 };
 
@@ -28,9 +29,11 @@ struct snapshot_fish {
 struct snapshot_paper {
     float wet;      /* Mean wetness of the remaining paper, [0, 1]. */
     float left;     /* Remaining share of the paper, [0, 1]. */
-    uint8_t holds;  /* 1: some patch of the paper is large enough for a fish. */
-    uint8_t middle; /* 1: that patch is at or near the middle of the ring. */
-    float x_m, z_m; /* Centre of that patch in the poi's plane; 0 while the paper is whole. */
+    uint8_t holds;  /* 1 if some patch of the paper is large enough for a fish, otherwise 0. */
+    uint8_t middle; /* 1 if the patch for a fish is at or near the middle of the ring, otherwise
+                       0. */
+    float x_m, z_m; /* Centre of the patch for a fish in the poi's plane; (0, 0) while the paper is
+                       undamaged. */
 };
 
 struct snapshot {
@@ -46,17 +49,17 @@ struct snapshot {
     uint32_t carried_count;    /* Number of fish on the bot's paper. */
     uint32_t over;             /* Number of fish in the water above the bot's paper. */
     struct snapshot_fish prey; /* Target fish of the bot. */
-    uint32_t near_count;       /* <= SNAPSHOT_NEAR_MAX */
+    uint32_t near_count;       /* Number of nearby fish, <= SNAPSHOT_NEAR_MAX. */
     struct snapshot_fish near[SNAPSHOT_NEAR_MAX];
 };
 
-/* Takes a snapshot of the fish `prey` (or SNAPSHOT_NO_FISH) and of the shallow fish around
- * `attention_m`. `before` is the previous snapshot, or all zero. */
+/* Takes a snapshot with the fish `prey` (or SNAPSHOT_NO_FISH) and the shallow fish around
+ * `attention_m`. `before` is the previous snapshot; all its fields are 0 if none was taken. */
 void snapshot_take(struct snapshot *snapshot, const struct snapshot *before,
                    const struct vision *vision, uint16_t prey, vec3 attention_m);
 
-/* Returns the predicted position of a fish `age_s` after the snapshot at constant velocity. The
- * prediction is limited to SNAPSHOT_PREDICT_S. */
+/* Returns the predicted position of a fish `age_s` seconds after the snapshot, at constant
+ * velocity. The prediction time is limited to SNAPSHOT_PREDICT_S. */
 #define SNAPSHOT_PREDICT_S 0.6f
 vec3 snapshot_predict(const struct snapshot_fish *seen, float age_s);
 

@@ -1,15 +1,16 @@
-/* calibration.h -- calibration of a slot's controller: corrects position over the tank and tilt.
+/* calibration.h -- calibration of a slot's controller: corrects the position over the tank and the
+ * tilt.
  *
  * A sensor measures in its own frame, which is shifted, rotated, scaled and skewed against the
- * tank. The operator places the poi on four marks of the tank and then flat on the still water,
- * which determines the correction. Nine settings per slot store the correction (from
- * SET_CALIBRATION on), in millionths of a metre, of a radian or of 1, so that 0 means no
- * correction:
+ * tank. The operator places the poi on four marks of the tank and then flat on the still water. The
+ * measured poses determine the correction. Nine settings per slot, beginning at SET_CALIBRATION,
+ * store the correction in millionths of a metre, of a radian or of 1. A value of 0 means no
+ * correction. The corrected pose (x', y', z', pitch', roll') is:
  *
- *   x' = (1 + xx) x + xz z + x0      y' = y + y0      pitch' = pitch + p
- *   z' = zx x + (1 + zz) z + z0                       roll'  = roll + r
+ *   x' = (1 + xx) * x + xz * z + x0      y' = y + y0      pitch' = pitch + p
+ *   z' = zx * x + (1 + zz) * z + z0                       roll'  = roll + r
  *
- * Each setting is a ledger entry of its own, and a power cut may occur between two entries. A check
+ * Each setting is a separate ledger entry, and a power cut may occur between two entries. A check
  * value is therefore written last (SET_CALIBRATION_CHECK). If the check value does not match the
  * nine settings, the correction is incomplete and is not applied.
  *
@@ -24,13 +25,14 @@
 #include "core/settings.h"
 
 #define CALIBRATE_CORNERS 4u
-/* Distance of a mark from both walls, at which the ring lies flat. */
+/* Distance of a mark from each of the two nearest walls, at which the ring can lie flat. */
 #define CALIBRATE_INSET_M 0.08f
 #define CALIBRATE_NEAR_M 0.02f /* Corners closer than this count as the same corner. */
-/* Largest root mean square error at the marks; careful aiming and a working sensor stay below
- * it. */
+/* Largest allowed root mean square error at the marks. With careful aiming and a working sensor the
+ * error stays below this limit. */
 #define CALIBRATE_RESIDUAL_M 0.015f
-#define CALIBRATE_TILT_RAD (45.0f * F_DEG) /* A larger tilt means that the poi was not laid flat. */
+#define CALIBRATE_TILT_RAD (45.0f * F_DEG) /* Largest allowed tilt. A larger tilt means that the poi
+                                              did not lie flat. */
 
 enum calibration_value {
     CALIBRATION_XX = 0,
@@ -45,26 +47,28 @@ enum calibration_value {
     CALIBRATION_VALUES,
 };
 
-/* Reasons for rejecting a calibration, in the order of the checks. */
+/* Results of a calibration: CALIBRATION_GOOD, or the reason for its rejection, in the order of the
+ * checks. */
 enum calibration_fault {
     CALIBRATION_GOOD = 0,
     CALIBRATION_NEAR,     /* Two corners are at the same place. */
     CALIBRATION_CROSSED,  /* The order of the corners forms no rectangle, or the corners are on one
                              line. */
-    CALIBRATION_MIRRORED, /* The corners are in mirrored order; a mirrored map would be no rotation
-                             of the sensor. */
-    CALIBRATION_FAR,      /* The correction exceeds the range of the settings: a factor of 10, or
-                             10 m. */
+    CALIBRATION_MIRRORED, /* The corners are in mirrored order. A rotation of the sensor cannot
+                             mirror them. */
+    CALIBRATION_FAR,      /* The correction exceeds the range of the settings, which is a factor of
+                             10 or 10 m. */
     CALIBRATION_UNEVEN,   /* No linear map brings all four corners close to their marks. */
-    CALIBRATION_TILTED,   /* The poi was not laid flat. */
+    CALIBRATION_TILTED,   /* The poi did not lie flat. */
     CALIBRATION_FAULTS,
 };
 
 /* Uncorrected poses measured during a calibration. */
 struct calibration_said {
     vec3 corner_m[CALIBRATE_CORNERS]; /* Poses on the marks, in the order of calibration_mark(). */
-    struct poi_target water;          /* Pose flat on the still water, anywhere. */
-    uint8_t has_wrist;                /* 0: the controller has no angles. */
+    struct poi_target water;          /* Pose while the poi lies flat anywhere on the still
+                                         water. */
+    uint8_t has_wrist;                /* 1 if the controller measures angles, otherwise 0. */
 };
 
 /* Returns the position of mark `corner` on the water: far left, far right, near right, near
@@ -76,7 +80,7 @@ vec3 calibration_mark(vec3 tank_size_m, uint32_t corner);
 enum calibration_fault calibration_solve(const struct calibration_said *said, vec3 tank_size_m,
                                          int32_t out[CALIBRATION_VALUES]);
 
-/* Returns the id of the first calibration setting of slot `seat` < POI_MAX. */
+/* Returns the id of the first calibration setting of slot `seat`, which must be < POI_MAX. */
 static inline uint32_t calibration_setting(uint32_t seat)
 {
     return SET_CALIBRATION + seat * CALIBRATION_VALUES;
@@ -87,17 +91,18 @@ static inline uint32_t calibration_check_setting(uint32_t seat)
     return SET_CALIBRATION_CHECK + seat;
 }
 
-/* Returns the check value for nine settings; 0 only if all nine are 0. */
+/* Returns the check value for nine calibration values. The check value is 0 only if all nine values
+ * are 0. */
 int32_t calibration_check(const int32_t value[CALIBRATION_VALUES]);
 
-/* Returns 1 if the slot has a complete calibration that is not all 0. */
+/* Returns 1 if slot `seat` has a complete calibration whose values are not all 0, otherwise 0. */
 int calibration_is_set(const struct settings *settings, uint32_t seat);
 
-/* Returns 1 if the slot has calibration values without a matching check value. */
+/* Returns 1 if slot `seat` has calibration values without a matching check value, otherwise 0. */
 int calibration_is_torn(const struct settings *settings, uint32_t seat);
 
-/* Corrects the pose of a live controller in place. An invalid pose stays unchanged, and so does
- * every pose of a slot without a calibration, bit for bit. */
+/* Corrects the pose of a live controller in place. An invalid pose stays unchanged. Without a
+ * calibration of the slot, every pose stays unchanged bit for bit. */
 void calibration_apply(const struct settings *settings, uint32_t seat, struct poi_input *poi);
 
 #endif
