@@ -1,15 +1,18 @@
-/* lab_book.h -- the species data of a kiosk: custom species, and the graphs saved in the growth
- * lab. Plain data, loaded from the data folder at startup. */
+/* lab_book.h -- the lab book: the species data of a kiosk, consisting of custom species and of the
+ * graphs saved in the growth lab. The lab book is plain data, loaded from the data folder at
+ * startup. */
 #ifndef KINGYO_CORE_GAME_LAB_LAB_BOOK_H
 #define KINGYO_CORE_GAME_LAB_LAB_BOOK_H
 
 #include "core/game/lab/lab_edit.h"
 
 struct lab_book {
-    uint8_t card_count;            /* Number of custom species, which follow the built-in ones. */
-    uint8_t refused;               /* Number of rejected species files, for the operator. */
-    uint8_t has_edit[SPECIES_MAX]; /* 1 for each species with a saved edit: the built-in ones,
-                                      then the custom ones. */
+    uint8_t card_count;            /* Number of custom species. Their indices follow those of the
+                                      built-in species. */
+    uint8_t refused;               /* Number of rejected species files, displayed to the
+                                      operator. */
+    uint8_t has_edit[SPECIES_MAX]; /* 1 for each species with a saved edit, otherwise 0. The
+                                      built-in species come first, then the custom species. */
     struct species_card cards[SPECIES_EXTRA_MAX];
     struct lab_edit edits[SPECIES_MAX];
 };
@@ -19,8 +22,8 @@ struct lab_book {
 uint32_t lab_book_count(const struct lab_book *book);
 const struct species_card *lab_book_card(const struct lab_book *book, uint32_t species);
 
-/* Returns true if all data is valid (lab_validate.c). Every number of each custom card must be
- * within the range of packed species files, and every saved graph must match its species. */
+/* Returns true if all data is valid (lab_validate.c). Each number of a custom card must be in the
+ * range that packed species files permit. Each saved graph must match its species. */
 bool lab_book_is_valid(const struct lab_book *book);
 
 uint64_t lab_edit_hash(uint64_t hash, const struct lab_edit *edit);

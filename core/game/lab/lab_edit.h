@@ -1,51 +1,55 @@
-/* lab_edit.h -- editing of a deformation graph: drag, add and remove knots.
+/* lab_edit.h -- edits a deformation graph: drags, adds and removes knots.
  *
- * Every function keeps the graph valid. Knots rise from progress 0 to 1. At each knot the weights
- * are >= 0 and sum to 1 (2005 thesis, eq. 3.2 and figure 3.7). Functions have no side effects
- * outside their arguments. */
+ * A knot gives the weight of each key shape at one progress of the life. Every function keeps the
+ * graph valid. The progress of the knots rises from 0 to 1. At each knot the weights are >= 0 and
+ * sum to 1 (2005 thesis, eq. 3.2 and figure 3.7). The functions have no side effects outside their
+ * arguments. */
 #ifndef KINGYO_CORE_GAME_LAB_LAB_EDIT_H
 #define KINGYO_CORE_GAME_LAB_LAB_EDIT_H
 
 #include "core/lab_edit_record.h"
 #include "core/morph/morph.h"
 
-#define LAB_KNOT_GAP 0.02f /* Minimum distance of knots: a fiftieth of a life. */
+#define LAB_KNOT_GAP 0.02f /* Minimum distance of knots in progress, a fiftieth of a life. */
 #define LAB_NO_KNOT 255u
 
 /* Fills `edit` with the species' original curves. */
 void lab_edit_own(struct lab_edit *edit, const struct species_card *card);
 
-/* Replaces the graph by that of a template; the scale stays unchanged. */
+/* Replaces the graph of `edit` with the graph of a template. The scale curve stays unchanged. */
 void lab_edit_template(struct lab_edit *edit, const struct species_card *card,
                        enum graph_template template_id);
 
-/* Writes the edited species to `out`, for blending and measuring. `out` must not be `card`. */
+/* Writes the species with the edited curves to `out`, for blending and measuring. `out` must not be
+ * `card`. */
 void lab_edit_apply(const struct lab_edit *edit, const struct species_card *card,
                     struct species_card *out);
 
-/* Returns true if `edit` is valid for `card`: its graph is valid, its scale knots rise from 0 to 1,
- * and each length is within LAB_LENGTH_MIN_M .. LAB_LENGTH_MAX_M. */
+/* Returns true if `edit` is valid for `card`: its graph is valid, the progress of its scale knots
+ * rises from 0 to 1, and each length is within LAB_LENGTH_MIN_M .. LAB_LENGTH_MAX_M. */
 bool lab_edit_is_valid(const struct lab_edit *edit, const struct species_card *card);
 
 /* Returns true if both edits give the same shapes and lengths. */
 bool lab_edit_same(const struct lab_edit *a, const struct lab_edit *b);
 
-#define LAB_LENGTH_MIN_M 0.0002f /* Shorter than any fish at hatching. */
-#define LAB_LENGTH_MAX_M 20.0f   /* Longer than any fish grows; a whale shark. */
+#define LAB_LENGTH_MIN_M 0.0002f /* Shortest allowed length, shorter than any fish at hatching. */
+#define LAB_LENGTH_MAX_M 20.0f   /* Longest allowed length, longer than the longest fish (a whale
+                                    shark). */
 
 /* ---- Weights ---- */
 
-/* Sets the weight of `key` at `knot`, clamped to [0, 1]. The other keys share the rest in
- * proportion to their weights. If their weights are all 0, each neighbour of `key` takes half of
- * the rest. */
+/* Sets the weight of `key` at `knot`, clamped to [0, 1]. The other keys receive the remaining
+ * weight in proportion to their present weights. If their present weights are all 0, each neighbour
+ * of `key` receives half of the remaining weight. */
 void lab_edit_weigh(struct lab_edit *edit, uint32_t key_count, uint32_t knot, uint32_t key,
                     float weight);
 
-/* Moves an inner knot in progress, between its neighbours. The first and the last knot stay. */
+/* Moves an inner knot in progress, at most to its neighbours. The first and the last knot do not
+ * move. */
 void lab_edit_move(struct lab_edit *edit, uint32_t knot, float progress);
 
-/* Adds a knot on the curve at `progress`; a straight curve keeps its shape. Returns the index of
- * the knot, or LAB_NO_KNOT if the table is full or a neighbour is too close. */
+/* Adds a knot on the curve at `progress`. A straight curve keeps its shape. Returns the index of
+ * the knot, or LAB_NO_KNOT if the table is full or a neighbouring knot is too close. */
 uint32_t lab_edit_add(struct lab_edit *edit, uint32_t key_count, float progress);
 
 /* Removes the inner knot nearest to `progress`. Returns false if no inner knot exists. */
@@ -53,14 +57,16 @@ bool lab_edit_remove(struct lab_edit *edit, float progress);
 
 /* ---- Scale ---- */
 
-/* Writes the displayed scale knots and returns their number. Edited knots are returned as stored.
- * Otherwise one knot per key lies on the growth curve. Where the length reverses between two keys
- * (a conger shrinks first), extra knots lie at the measured points and between distant knots. */
+/* Writes the displayed scale knots to `out` and returns their number. If the scale was edited, the
+ * knots are those in `edit`. Otherwise the growth curve has one knot for each key. Extra knots are
+ * added where the length reverses between two keys, as for a conger, which shrinks first. Extra
+ * knots are also added between distant knots. */
 uint32_t lab_edit_scale_knots(const struct lab_edit *edit, const struct species_card *card,
                               struct scale_knot out[GRAPH_KNOT_MAX]);
 
-/* As lab_edit_weigh(), lab_edit_move(), lab_edit_add() and lab_edit_remove(), for the scale. The
- * first change copies the displayed scale knots to the edit. `card` is the species' original. */
+/* Edit the scale curve as lab_edit_weigh(), lab_edit_move(), lab_edit_add() and lab_edit_remove()
+ * edit the weights. The first change copies the displayed scale knots to `edit`. `card` is the
+ * unedited species. */
 void lab_edit_size(struct lab_edit *edit, const struct species_card *card, uint32_t knot,
                    float length_m);
 void lab_edit_size_move(struct lab_edit *edit, const struct species_card *card, uint32_t knot,
@@ -68,8 +74,9 @@ void lab_edit_size_move(struct lab_edit *edit, const struct species_card *card, 
 uint32_t lab_edit_size_add(struct lab_edit *edit, const struct species_card *card, float progress);
 bool lab_edit_size_remove(struct lab_edit *edit, const struct species_card *card, float progress);
 
-/* Convert between a length and its position on the graph's right axis. The axis is logarithmic,
- * from half of the smallest key length to twice the largest. The share is not clamped. */
+/* Convert between a length and its position on the graph's right axis, where 0 is the lower end and
+ * 1 the upper end. The axis is logarithmic, from half of the smallest key length to twice the
+ * largest. The position is not clamped. */
 float lab_length_share(const struct species_card *card, float length_m);
 float lab_length_of_share(const struct species_card *card, float share);
 

@@ -6,10 +6,10 @@
 
 #define MENU_TAG(tag) ((uint16_t)(1u << (tag)))
 
-/* Sends a command to the shell, for the selected controller. */
+/* Sends a command about the selected controller to the shell. */
 void menu_command(struct menu *menu, struct output *output, enum controller_command_kind kind);
 
-/* menu_controllers.c */
+/* The following functions are in menu_controllers.c. */
 uint16_t menu_rows_enabled(const struct menu *menu);
 void menu_rows_activate(struct game *game, struct core_config *config, uint32_t tag,
                         struct output *output);
@@ -20,49 +20,50 @@ uint16_t menu_learn_enabled(const struct menu *menu);
 void menu_learn_activate(struct game *game, struct core_config *config, uint32_t tag,
                          struct output *output);
 void menu_learn_close(struct menu *menu, struct output *output);
-/* Highlights the first item of the page. */
+/* Highlights the first item of the open page. */
 void menu_reopen(struct game *game, const struct settings *settings);
 
-/* menu_calibrate.c */
+/* The following functions are in menu_calibrate.c. */
 uint16_t menu_calibrate_enabled(const struct menu *menu);
 void menu_calibrate_open(struct game *game, const struct settings *settings);
 void menu_calibrate_activate(struct game *game, struct core_config *config, uint32_t tag,
                              struct output *output);
 
-/* self_test.c */
+/* The following functions are in self_test.c. */
 uint16_t menu_self_enabled(const struct menu *menu);
 void menu_self_open(struct game *game, const struct settings *settings);
 void menu_self_activate(struct game *game, struct core_config *config, uint32_t tag,
                         struct output *output);
 
-/* menu_files.c */
+/* The following functions are in menu_files.c. */
 uint16_t menu_files_enabled(const struct menu *menu);
 void menu_files_open(struct game *game, const struct settings *settings);
 void menu_files_activate(struct game *game, struct core_config *config, uint32_t tag,
                          struct output *output);
 
-/* menu_books.c */
+/* The following functions are in menu_books.c. */
 void menu_book_activate(struct game *game, struct core_config *config, uint32_t tag,
                         struct output *output);
 void menu_reset_activate(struct game *game, struct core_config *config, uint32_t tag,
                          struct output *output);
 
-/* menu_confirm.c */
-/* Highlights the item Back of a confirmation, so that a hasty press does nothing. */
+/* The following functions are in menu_confirm.c. */
+/* Highlights the item "Back" of a page that requests confirmation, so that an accidental press does
+ * nothing. */
 void menu_confirm_open(struct game *game, const struct settings *settings);
 void menu_restart_activate(struct game *game, struct core_config *config, uint32_t tag,
                            struct output *output);
 void menu_factory_activate(struct game *game, struct core_config *config, uint32_t tag,
                            struct output *output);
 
-/* menu_pin.c */
+/* The following functions are in menu_pin.c. */
 void menu_pin_open(struct game *game, const struct settings *settings);
 void menu_pin_activate(struct game *game, struct core_config *config, uint32_t tag,
                        struct output *output);
 void menu_new_pin_activate(struct game *game, struct core_config *config, uint32_t tag,
                            struct output *output);
 
-/* menu_ranking.c */
+/* The following functions are in menu_ranking.c. */
 uint16_t menu_ranking_enabled(const struct menu *menu);
 void menu_ranking_open(struct game *game, const struct settings *settings);
 void menu_ranking_activate(struct game *game, struct core_config *config, uint32_t tag,
@@ -72,7 +73,7 @@ void menu_score_open(struct game *game, const struct settings *settings);
 void menu_score_activate(struct game *game, struct core_config *config, uint32_t tag,
                          struct output *output);
 
-/* menu_settings.c */
+/* The following functions are in menu_settings.c. */
 uint16_t menu_settings_enabled(const struct menu *menu);
 void menu_settings_open(struct game *game, const struct settings *settings);
 void menu_settings_activate(struct game *game, struct core_config *config, uint32_t tag,
@@ -80,7 +81,7 @@ void menu_settings_activate(struct game *game, struct core_config *config, uint3
 void menu_bits_activate(struct game *game, struct core_config *config, uint32_t tag,
                         struct output *output);
 
-/* Repeats the change of a value while the button or poi that selected it is still pressed. */
+/* Continues to change a value while the button or poi that selected the value is still pressed. */
 void menu_settings_tick(struct game *game, struct core_config *config, int is_pressed,
                         struct output *output);
 

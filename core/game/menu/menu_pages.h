@@ -1,7 +1,8 @@
-/* menu_pages.h -- the pages of the operator's menu as data. Internal to core/game and the renderer.
+/* menu_pages.h -- describes the pages of the operator's menu as data. Internal to core/game and the
+ * renderer.
  *
- * The items of a page are those of its body, from 0, followed by those at its foot. The last item
- * is always on offer and leads back to the page's parent. */
+ * The items in a page's body have the first numbers, from 0. The items at the page's foot follow.
+ * The last item is always available and leads back to the page's parent. */
 #ifndef KINGYO_CORE_GAME_MENU_MENU_PAGES_H
 #define KINGYO_CORE_GAME_MENU_MENU_PAGES_H
 
@@ -10,63 +11,66 @@
 #define MENU_FOOT_MAX 5u
 
 enum menu_body {
-    MENU_BODY_FREE = 0, /* The body has no items; the page shows other content there. */
-    MENU_BODY_TILES,    /* Large items side by side, eight at most. */
-    MENU_BODY_ROWS,     /* A row per item; an item not on offer leaves its place empty. */
-    MENU_BODY_PAGES,    /* A large item for each page with this parent. */
-    MENU_BODY_SETTINGS, /* A row for each setting of a group, then one for each subpage. */
-    MENU_BODY_BITS,     /* A row for each bit of one setting. */
-    MENU_BODY_KEYS,     /* Small items with a digit each. */
+    MENU_BODY_FREE = 0, /* The body has no items; the page shows other content in its place. */
+    MENU_BODY_TILES,    /* Large items side by side, at most eight. */
+    MENU_BODY_ROWS,     /* One row for each item. The place of an unavailable item stays empty. */
+    MENU_BODY_PAGES,    /* One large item for each page whose parent is this page. */
+    MENU_BODY_SETTINGS, /* One row for each setting of a group, then one row for each subpage. */
+    MENU_BODY_BITS,     /* One row for each bit of a setting. */
+    MENU_BODY_KEYS,     /* Small items with one digit each. */
 };
 
 struct menu_page_desc {
-    uint8_t parent;     /* enum menu_page; MENU_PAGE_COUNT: back closes the menu. */
-    uint8_t body;       /* enum menu_body */
-    uint8_t body_count; /* Number of items in the body, <= 12, unless the kind of body determines
-                           it. */
+    uint8_t parent;     /* Parent page (enum menu_page). MENU_PAGE_COUNT means that the last item
+                           closes the menu. */
+    uint8_t body;       /* Kind of body (enum menu_body). */
+    uint8_t body_count; /* Number of items in the body, <= 12; ignored if the kind of body
+                           determines the number. */
     uint8_t foot_count; /* Number of items at the foot, 1 .. MENU_FOOT_MAX. */
-    uint8_t watches;    /* 1: the page displays START, OK, LEFT and RIGHT, which have no other
-                           effect here. */
-    uint8_t about;      /* enum setting_group of MENU_BODY_SETTINGS, enum setting_id of
-                           MENU_BODY_BITS, or enum audit_group of a page of statistics. */
-    uint8_t returns;    /* 1: back leads to the page from which this one was opened, not to the
-                           parent. */
-    uint16_t (*offers)(const struct menu *menu); /* Returns a bit for each item on offer. NULL: all
-                                                    items. */
-    /* Called when the page opens; NULL: nothing to do. */
+    uint8_t watches;    /* 1 if the page displays START, OK, LEFT and RIGHT, which then have no
+                           other effect; otherwise 0. */
+    uint8_t about;      /* Topic of the page: an enum setting_group for MENU_BODY_SETTINGS, an enum
+                           setting_id for MENU_BODY_BITS, or an enum audit_group for a page of
+                           statistics. */
+    uint8_t returns;    /* 1 if the last item leads to the page from which this page was opened, 0
+                           if it leads to the parent. */
+    uint16_t (*offers)(const struct menu *menu); /* Returns a bit mask of the available items. NULL
+                                                    means that all items are available. */
+    /* Called when the page opens; NULL means that nothing needs to be done. */
     void (*enter)(struct game *game, const struct settings *settings);
-    /* Called when any item but the last is selected. A page may change settings, which are part of
-     * `config`. */
+    /* Called when any item except the last item is selected. A page may change settings, which are
+     * part of `config`. */
     void (*take)(struct game *game, struct core_config *config, uint32_t tag,
                  struct output *output);
-    /* Called when the last item leads back, and when the menu closes; NULL: nothing to do. */
+    /* Called when the last item is selected, and when the menu closes; NULL means that nothing
+     * needs to be done. */
     void (*leave)(struct menu *menu, struct output *output);
 };
 
-/* Returns the description of `page`. `page` must be < MENU_PAGE_COUNT, else the function
- * asserts. */
+/* Returns the description of `page`. Asserts that `page` < MENU_PAGE_COUNT. */
 const struct menu_page_desc *menu_page_desc_of(uint8_t page);
 
-/* Return the number of items in the page's body, and on the whole page. */
+/* Return the number of items in the page's body, and the number of all items of the page. */
 uint32_t menu_body_count(uint8_t page);
 uint32_t menu_tag_count(uint8_t page);
 
-/* Return the page that a body item opens (MENU_PAGE_COUNT: none), and the item of the parent that
- * opens `page` (MENU_TAG_MAX: none). */
+/* menu_page_at() returns the page that item `tag` in the body opens; MENU_PAGE_COUNT means none.
+ * menu_tag_of() returns the item of the parent that opens `page`; MENU_TAG_MAX means none. */
 uint8_t menu_page_at(uint8_t page, uint32_t tag);
 uint32_t menu_tag_of(uint8_t page);
 
-/* Returns the setting of a row, or of the bit page that the row opens; SETTING_COUNT: none. */
+/* Returns the setting in row `tag` of `page`, or the setting of the bit page that the row opens.
+ * SETTING_COUNT means none. */
 uint32_t menu_setting_at(uint8_t page, uint32_t tag);
 
-/* Returns a bit for each item of the open page that can be selected. */
+/* Returns a bit mask of the items of the open page that can be selected. */
 uint16_t menu_enabled(const struct menu *menu);
 
-/* Opens a page. The item highlighted on its last visit is highlighted again, or the first one on
- * offer. */
+/* Opens a page. Highlights the item that was highlighted on the last visit, or the first available
+ * item. */
 void menu_turn(struct game *game, const struct settings *settings, enum menu_page page);
 
-/* Activates the highlighted item; the last item leads back. */
+/* Activates the highlighted item. The last item leads back. */
 void menu_activate(struct game *game, struct world *world, struct core_config *config,
                    struct output *output);
 
@@ -74,12 +78,14 @@ void menu_activate(struct game *game, struct world *world, struct core_config *c
 void menu_close(struct game *game, struct world *world, const struct core_config *config,
                 struct output *output);
 
-/* Returns the box of an item on the canvas; an empty box if the item is not on offer. */
+/* Returns the box of item `tag` on the canvas. The box is empty if the item is not in the bit mask
+ * `offered`. */
 struct layout_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_t tag);
 
-/* Buttons that a person never presses in the same tick; the quit key of a desktop produces them as
- * "back". The page's last item is activated, whatever is highlighted, and no press is counted. TEST
- * is included because no other button leaves the page that tests the buttons. */
+/* Combination of buttons that stands for "back". A person never presses all of these buttons in the
+ * same tick; the quit key of a desktop produces the combination. The page's last item is activated,
+ * whichever item is highlighted, and no press is counted. TEST is included because no other button
+ * leaves the page that tests the buttons. */
 #define MENU_WAY_BACK ((uint32_t)(INPUT_LEFT | INPUT_RIGHT | INPUT_OK | INPUT_TEST))
 
 #endif

@@ -1,13 +1,13 @@
-/* self_test.h -- the self-test before opening: one page that tests everything a player uses, and
- * the state of the machine.
+/* self_test.h -- the self-test before the kiosk opens: one page that tests everything a player
+ * uses, and shows the state of the machine.
  *
- * Automatic checks finish within twenty seconds: a ledger entry that returns from the disk, the
- * clock, the frame rate, and files rejected at startup. The shell adds the state of the machine
- * (struct scene_machine), which never reaches the core's state. A check without a result by then is
- * bad. The operator confirms what only a person can notice: the sound, the lamp and the coin slot.
- * The operator also presses each button, inserts a coin, and moves each poi in all three
- * directions. An untested part is not ready, unless the kiosk does not have it: lamp and slot
- * without input lines, coins in free play. */
+ * Automatic checks finish within twenty seconds. They cover a ledger entry that the store confirms,
+ * the clock, the frame rate, and files rejected at startup. A check without a result after twenty
+ * seconds is bad. The shell adds the state of the machine (struct scene_machine), which never
+ * becomes part of the core's state. The operator confirms what only a person can notice: the sound,
+ * the lamp and the coin slot. The operator also presses each button, inserts a coin, and moves each
+ * poi in all three directions. An untested part is not ready, unless the kiosk does not use the
+ * part: the lamp and the coin slot without input lines, or coins in free play. */
 #ifndef KINGYO_CORE_GAME_MENU_SELF_TEST_H
 #define KINGYO_CORE_GAME_MENU_SELF_TEST_H
 
@@ -17,25 +17,33 @@
 #include "core/output.h"
 #include "core/scene.h"
 
-#define SELF_TEST_TICKS (20u * CORE_TICK_HZ) /* Time after which every check has a result. */
-/* Time for a write to disk; a slower card counts as failed. */
+#define SELF_TEST_TICKS (20u * CORE_TICK_HZ) /* Time after which a check without a result is bad. */
+/* Longest time for a write to disk. A store on a slower SD card fails the check. */
 #define SELF_TEST_STORE_TICKS (10u * CORE_TICK_HZ)
-#define SELF_TEST_WAY_M 0.03f   /* Distance that counts as a motion in one direction. */
-#define SELF_TEST_LATE_TICKS 4u /* Report age that is late: fewer than 30 reports per second. */
-/* Frames per second below which the display is too slow to play. */
+#define SELF_TEST_WAY_M 0.03f   /* Distance by which a poi must move along an axis to pass the check
+                                   of that direction. */
+#define SELF_TEST_LATE_TICKS 4u /* Report age in ticks that counts as late, which means fewer than
+                                   30 reports per second. */
+/* Lowest frame rate, in frames per second, at which the display passes the check. */
 #define SELF_TEST_FRAMES_MIN 25u
 
-#define SELF_BACKUP_OLD_MIN 180u /* Minutes; a backup is made at startup and every hour. */
-#define SELF_ROOM_LOW_MIB 64u    /* Twice the database, plus a replay of each ranked round. */
-#define SELF_ROOM_BAD_MIB 8u     /* Too little for one evening's entries and their backup. */
-/* Degrees Celsius to throttling; a hot afternoon can add as much. */
+#define SELF_BACKUP_OLD_MIN 180u /* Age of a backup, in minutes, from which the backup is too old. A
+                                    backup is made at startup and every hour. */
+#define SELF_ROOM_LOW_MIB 64u    /* Free space in MiB below which the check needs attention: twice
+                                    the size of the database, plus a replay of each ranked round. */
+#define SELF_ROOM_BAD_MIB 8u     /* Free space in MiB below which the check is bad. Less space is
+                                    too little for the entries of one evening and their backup. */
+/* Margin to the throttling temperature, in degrees Celsius, below which the check needs attention.
+ * A hot afternoon can raise the temperature by the same amount. */
 #define SELF_HEAT_NEAR_C 10
 
-/* Checks of the machine, followed by checks of the game devices. */
+/* Checks of the self-test: first the checks of the machine, then the checks of the parts that a
+ * player uses. */
 enum self_check {
-    SELF_STORE = 0, /* A ledger entry returned from the disk, and no database is in quarantine. */
+    SELF_STORE = 0, /* The store confirmed a ledger entry on disk, and no database is in
+                       quarantine. */
     SELF_BACKUP,
-    SELF_DATA, /* Written data survives a power cut. */
+    SELF_DATA, /* Data written to the data folder survives a power cut. */
     SELF_ROOM,
     SELF_FILES, /* No file was rejected at startup. */
     SELF_CLOCK,
@@ -62,37 +70,41 @@ enum self_state {
 enum { SELF_UNSAID = 0, SELF_SAYS_YES, SELF_SAYS_NO };
 
 struct self_test {
-    uint8_t heard, moved;       /* The operator's answers about the sound, and about lamp and
-                                   slot. */
+    uint8_t heard, moved;       /* The operator's answers to the question about the sound
+                                   (`heard`) and to the question about the lamp and the coin slot
+                                   (`moved`). */
     uint8_t present;            /* Bit mask of the slots with a controller. */
-    uint8_t ways[POI_MAX];      /* Directions in which each poi moved: one bit each for x, y, z. */
-    uint8_t worst_age[POI_MAX]; /* Largest age of a report, in ticks. */
+    uint8_t ways[POI_MAX];      /* Directions in which each poi moved, as a bit mask: one bit each
+                                   for x, y and z. */
+    uint8_t worst_age[POI_MAX]; /* Largest age of a report of each slot, in ticks. */
     vec3 first_m[POI_MAX];      /* Position at which each poi was first seen. */
     uint8_t knows_first;        /* Bit mask of the slots with a valid `first_m`. */
     uint32_t begin_tick;
-    uint32_t entry_id; /* Id of the entry written for the test; 0: the ledger had no room. */
+    uint32_t entry_id; /* Id of the entry written for the test; 0 means that the ledger had no
+                          room. */
 };
 
 struct game;
 struct core_config;
 
-/* Runs the tests while their page of the menu is open. Call once per tick. */
+/* Runs the checks while the self-test page of the menu is open. Call once per tick. */
 void self_test_tick(struct game *game, const struct input *input, struct output *output);
 
-/* Writes the results for self_test_judge() to `out`. */
+/* Writes the results of the automatic checks to `out`, for self_test_judge(). */
 void self_test_show(const struct game *game, const struct core_config *config,
                     struct scene_self_test *out);
 
-/* Returns 1 for the first half of each second while the question about lamp and slot is open. Lamp
- * and slot follow this value. */
+/* Returns 1 in the first half of each second while the question about the lamp and the coin slot is
+ * open, otherwise 0. The lamp and the coin slot switch with this value. */
 int self_test_shows(const struct game *game);
 
-/* Evaluates core and device data of the scene, and writes the state of each enum self_check.
- * Returns the check to display next, or SELF_CHECKS if the kiosk is ready. The order is: checks for
- * the operator to perform, bad checks, checks that need attention, checks without a result. */
+/* Evaluates the data of the core and of the devices in `scene`. Writes the state of each check
+ * (enum self_check) to `state`. Returns the check to display next, or SELF_CHECKS if the kiosk is
+ * ready. Checks are displayed in the following order: checks that the operator must perform, bad
+ * checks, checks that need attention, checks without a result. */
 uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS]);
 
-/* Returns the number of checks that are not good. */
+/* Returns the number of checks whose state is not SELF_GOOD. */
 uint32_t self_test_left(const uint8_t state[SELF_CHECKS]);
 
 uint64_t self_test_hash(uint64_t hash, const struct self_test *self);

@@ -1,7 +1,7 @@
-/* name_keyboard.h -- the on-screen keyboard of the name entry: fifty letters of one alphabet and
- * four function keys.
+/* name_keyboard.h -- the on-screen keyboard of the name entry, with fifty letters of one alphabet
+ * and four function keys.
  *
- * A letter is a code point below U+10000. */
+ * A letter is a Unicode code point below U+10000. */
 #ifndef KINGYO_CORE_GAME_RANKING_NAME_KEYBOARD_H
 #define KINGYO_CORE_GAME_RANKING_NAME_KEYBOARD_H
 
@@ -10,7 +10,8 @@
 #include "core/game/pointer_mapping.h"
 #include "core/ledger.h"
 
-/* Number of letters that remain readable on a row of ten from across the street. */
+/* Largest number of letters of a name. On a leaderboard with ten rows, eight letters are readable
+ * from across the street. */
 #define NAME_LETTERS_MAX 8u
 _Static_assert(3u * NAME_LETTERS_MAX < LEDGER_NAME_SIZE, "three bytes a letter, and the zero");
 
@@ -25,29 +26,30 @@ enum name_alphabet {
 #define NAME_ROWS 5u
 #define NAME_CELLS (NAME_COLUMNS * NAME_ROWS)
 
-/* Function keys, after the cells, in the order in which the buttons step. */
+/* Function keys of the keyboard. Their numbers follow the cells' numbers, in the order in which
+ * LEFT and RIGHT step. */
 enum name_key {
     NAME_ALPHABET = NAME_CELLS, /* Switches to the next alphabet. */
-    NAME_CHANGE,                /* Changes the last letter to its next form: voiced, small, or
-                                   capital. */
+    NAME_CHANGE,                /* Changes the last letter to its next form: a voiced or small kana,
+                                   or a capital letter. */
     NAME_ERASE,
     NAME_DONE,
     NAME_KEY_COUNT,
 };
 
-/* Returns the letter in a cell, row by row; 0: empty cell. `alphabet` must be < ALPHABET_COUNT and
- * `cell` < NAME_CELLS, else the function asserts. */
+/* Returns the letter in cell `cell`, counted row by row; 0 means an empty cell. Asserts that
+ * `alphabet` < ALPHABET_COUNT and `cell` < NAME_CELLS. */
 uint16_t name_letter(uint8_t alphabet, uint32_t cell);
 
-/* Returns the next form of a letter, wrapping around; the letter itself if it has one form. */
+/* Returns the next form of a letter; the first form follows the last form. A letter with one form
+ * is returned unchanged. */
 uint16_t name_changed(uint16_t letter);
 
-/* Returns the box of a key or cell on the canvas (pointer_mapping.h); an empty box for an empty
- * cell. */
+/* Returns the box of key `key` (the index of a cell, or an enum name_key) on the canvas
+ * (pointer_mapping.h). The box of an empty cell is empty. */
 struct layout_box name_box(int upright, uint8_t alphabet, uint32_t key);
 
-/* Writes the letters as UTF-8, padded with zeros. `count` must be <= NAME_LETTERS_MAX, else the
- * function asserts. */
+/* Writes the letters as UTF-8, padded with zeros. Asserts that `count` <= NAME_LETTERS_MAX. */
 void name_spell(const uint16_t *letters, uint32_t count, char out[LEDGER_NAME_SIZE]);
 
 #endif
