@@ -7,9 +7,10 @@
 #include "core/game/phases.h"
 #include "core/game/table_setup.h"
 
-#define SWAP_TICKS (2u * CORE_TICK_HZ) /* Time for which the bot keeps a torn poi. */
-/* Fish in the bot's bowl at which the bowl is emptied, because otherwise the bot would empty the
- * tank over night. */
+#define SWAP_TICKS                                                                                 \
+    (2u * CORE_TICK_HZ) /* Time for which the bot keeps a torn poi before the poi is replaced. */
+/* Number of fish in the bot's bowl at which the bowl is emptied. Otherwise the bot would empty the
+ * tank overnight. */
 #define BOWL_MAX 10u
 
 void attract_begin(struct game *game, struct world *world, const struct core_config *config)
@@ -33,7 +34,7 @@ void attract_tick(struct game *game, struct world *world, const struct core_conf
         mode_select_begin(game, world, config, output);
     }
     if (game->phase != PHASE_ATTRACT) {
-        hints_init(&game->hints); /* Restart the hints for a new player. */
+        hints_init(&game->hints); /* Reset the hints for a new player. */
         return;
     }
     if (game->tick - game->phase_tick >= SESSION_TICKS_MAX) {

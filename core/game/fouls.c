@@ -22,7 +22,8 @@ void fouls_commit(struct game *game, uint32_t index, enum foul kind, struct outp
 
 /* ---- Before the start ----------------------------------------------------------------------- */
 
-/* A shadow that was present when READY began gets the same time as a new shadow. */
+/* Returns 1 if the shadow has rested over fish long enough for a foul, otherwise 0. The time of a
+ * shadow that was already present when READY began counts only from the start of READY. */
 static int is_held_over_fish(const struct game *game, const struct world *world,
                              const struct shade *shade)
 {
@@ -31,10 +32,10 @@ static int is_held_over_fish(const struct game *game, const struct world *world,
            tank_shade_count(&world->tank, &shade->cast) > 0;
 }
 
-/* Tracks whether the player moved the controller. The input pose is checked, because a new tank or
- * a new holder moves the poi without the player. A pointer refers to other water after the view
- * changes and spreads the jump over the next frame. New rest positions are therefore accepted until
- * FOUL_SETTLE_TICKS. */
+/* Tracks whether the player moved the controller. The function uses the controller's pose and not
+ * the poi's pose, because a new tank or a new source moves the poi without the player. After the
+ * view changes, a pointer refers to a different point of the water, and its pose jumps in the next
+ * frames. The rest position is therefore updated until FOUL_SETTLE_TICKS. */
 static void watch_stance(struct player *player, vec3 hand_m, uint32_t ready_ticks)
 {
     if (player->stance == STANCE_UNSEEN || ready_ticks < FOUL_SETTLE_TICKS) {
@@ -50,7 +51,8 @@ static int has_moved(struct game *game, const struct world *world, uint32_t inde
     struct player *player = &game->player[index];
     const uint32_t ready_ticks = game->tick - game->phase_tick;
     if (!pause_holds(world, index)) {
-        player->stance = STANCE_UNSEEN; /* A broken cable is no foul. */
+        player->stance = STANCE_UNSEEN; /* A controller that was disconnected by a broken cable is
+                                           no foul. */
     } else if (world->poi[index].link == POI_SOURCE_LIVE) {
         watch_stance(player, game->validation[index].newest.position_m, ready_ticks);
     } else if (world->poi[index].link == POI_SOURCE_BOT) {
@@ -79,7 +81,7 @@ void fouls_of_catch(struct game *game, const struct world *world,
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (!pause_holds(world, i) || game->paused) {
-            continue; /* Fish that fall off a poi without input count for no player. */
+            continue; /* Fish that fall off a poi without valid input count for no player. */
         }
         if (caught[i].poured > 0) {
             fouls_commit(game, i, FOUL_POURED, output);

@@ -1,4 +1,5 @@
-/* game.c -- the order of the steps in a game tick, and functions common to all phases. */
+/* game.c -- runs the steps of a game tick in order, and contains the functions common to all
+ * phases. */
 #include "core/game/game.h"
 
 #include "core/base/hash.h"
@@ -87,7 +88,8 @@ void game_init(struct game *game, const struct core_config *config)
     session_restore(game, &config->session);
 }
 
-/* Returns 1 if the START lamp is lit: START would begin a game, or the menu lights it. */
+/* Returns 1 if the START lamp is lit, because START would begin a game or because the menu lights
+ * the lamp; otherwise 0. */
 static int start_lamp(const struct game *game, const struct core_config *config)
 {
     const uint8_t phase = game->phase;
@@ -140,7 +142,7 @@ int game_pumps(const struct game *game, uint32_t tick)
     return game->phase == PHASE_ATTRACT ? elapsed >= GAME_STALE_TICKS : game->phase != PHASE_ROUND;
 }
 
-/* Returns the timeout of the selection screen in ticks since its start. */
+/* Returns the timeout of the mode selection in ticks, counted from the start of the phase. */
 static uint32_t choice_ticks(const struct game *game)
 {
     const uint32_t pointed = game->point_tick - game->phase_tick + GAME_MODE_SELECT_TICKS;

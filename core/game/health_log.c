@@ -1,4 +1,4 @@
-/* health_log.c -- entries for starts, crashes and uptime. */
+/* health_log.c -- writes the ledger entries for starts, crashes and uptime. */
 #include "core/game/health_log.h"
 
 #include "core/base/hash.h"
@@ -22,7 +22,7 @@ static void tell_boot(struct game *game, const struct core_config *config, struc
     if (!counts && ledger->balance.open != PAYMENT_NONE) {
         credit_refund(game, config, REFUND_RESTART, output);
         game->accounts.credit.came_back =
-            0; /* The refunded round is from an earlier run, so no message is shown. */
+            0; /* The refunded round is from an earlier run of the kiosk, so no message is shown. */
     }
 }
 
@@ -69,14 +69,14 @@ int health_log_final(const struct accounts *accounts, const struct health_log *h
     return ledger->boot > 0;
 }
 
-/* An entry without room is logged as soon as the ledger has room. */
+/* If the ledger has no room for an entry, the entry is logged as soon as the ledger has room. */
 void health_log_tick(struct game *game, const struct core_config *config, const struct input *input,
                      struct output *output)
 {
     struct health_log *health_log = &game->health_log;
     if (!health_log->is_told) {
         health_log->is_told = 1;
-        if (game->accounts.ledger.boot > 0) { /* Without a store, starts are not counted. */
+        if (game->accounts.ledger.boot > 0) { /* Without a store, kiosk starts are not counted. */
             tell_boot(game, config, output);
         }
     }

@@ -1,4 +1,4 @@
-/* hints.c -- rules that select a hint from the player's actions. */
+/* hints.c -- the rules that select a hint from the player's actions. */
 #include "core/game/hints.h"
 
 #include "core/base/hash.h"
@@ -7,16 +7,20 @@
 #include "core/config.h"
 #include "core/game/pause.h"
 
-#define LOOK_TICKS 12u  /* Ticks between two evaluations: ten per second. */
+#define LOOK_TICKS                                                                                 \
+    12u                 /* Ticks between two evaluations of the rules: ten evaluations per
+                           second. */
 #define MOVED_M 0.15f   /* Distance that counts as a deliberate motion. */
 #define HASTE_M_S 0.35f /* Speed through water that counts as too fast. */
-#define HASTE_CELLS 3u  /* Cells torn between two evaluations that trigger the hint. */
+#define HASTE_CELLS                                                                                \
+    3u /* Number of cells torn between two evaluations that triggers the hint about fast motion. */
 #define HASTE_TICKS (3u * CORE_TICK_HZ)
-#define TILT_RAD 0.15f    /* Pitch that counts as a deliberate tilt. */
-#define FRUITLESS_DIPS 2u /* Dips without a catch after which the technique is explained. */
+#define TILT_RAD 0.15f /* Pitch that counts as a deliberate tilt. */
+#define FRUITLESS_DIPS                                                                             \
+    2u /* Number of dips without a catch after which a hint explains the technique. */
 /* Horizontal distance at which a fish counts as above the ring. */
 #define ABOVE_M 0.045f
-#define WET_CELL 0.2f /* Wetness of a cell after a quarter of a second under water. */
+#define WET_CELL 0.2f /* Wetness that a cell reaches after a quarter of a second under water. */
 /* Shares of wet paper between which the paper counts as partly wet. */
 #define WET_PART_MIN 0.15f
 #define WET_PART_MAX 0.85f
@@ -24,13 +28,14 @@
 
 #define BIT(hint) (1u << (hint))
 
-/* Urgent hints replace the current hint at once. */
+/* Returns 1 if the hint is urgent, otherwise 0. An urgent hint replaces the current hint
+ * immediately. */
 static int is_urgent(uint8_t hint)
 {
     return hint == HINT_TORN || hint == HINT_LOST_POI;
 }
 
-/* Returns 1 if the player has done the action that `hint` describes. */
+/* Returns 1 if the player is doing the action that `hint` describes, otherwise 0. */
 static int is_followed(uint8_t hint, const struct poi *poi)
 {
     return hint == HINT_LIFT ? poi->immersed < 0.5f : hint == HINT_DIP && poi->immersed > 0.5f;
@@ -46,8 +51,8 @@ static const struct player *player_of(const struct hints *hints, const struct ga
     return &game->player[hints->pupil];
 }
 
-/* Selects the first player who has a poi in use. A different player starts without learned
- * actions. */
+/* Selects the first player who has a poi in use. If the player changes, the learned actions are
+ * reset. */
 static void turn_to_pupil(struct hints *hints, const struct world *world)
 {
     for (uint8_t i = 0; i < POI_MAX; i++) {
@@ -64,8 +69,8 @@ static void turn_to_pupil(struct hints *hints, const struct world *world)
 }
 
 struct view_of_fish {
-    int held;  /* 1: a fish lies on the poi. */
-    int above; /* 1: a fish swims above the poi. */
+    int held;  /* 1 if a fish lies on the poi, otherwise 0. */
+    int above; /* 1 if a fish swims above the poi, otherwise 0. */
 };
 
 static struct view_of_fish look_at_fish(const struct hints *hints, const struct world *world)
@@ -82,7 +87,7 @@ static struct view_of_fish look_at_fish(const struct hints *hints, const struct 
     return view;
 }
 
-/* Counts dips since the last catch, or since the poi was new. */
+/* Counts the poi's dips since the last catch, or since the poi was new. */
 static void count_dips(struct hints *hints, const struct game *game, const struct world *world)
 {
     const uint32_t caught = player_of(hints, game)->caught;
@@ -113,7 +118,7 @@ static void observe(struct hints *hints, const struct game *game, const struct w
     count_dips(hints, game, world);
 }
 
-/* Counts cells torn while the ring moves too fast. Runs every tick, because the speed may change
+/* Counts cells torn while the ring moves too fast. Runs in every tick, because the speed may change
  * between two evaluations. */
 static void watch_haste(struct hints *hints, const struct poi *poi)
 {
@@ -124,7 +129,8 @@ static void watch_haste(struct hints *hints, const struct poi *poi)
     hints->paper_cells = now;
 }
 
-/* Returns 1 if the paper is partly wet, because paper tears at the border of wet and dry areas. */
+/* Returns 1 if the paper is partly wet, otherwise 0. Partly wet paper tears at the border between
+ * wet and dry areas. */
 static int is_wet_in_part(const struct poi *poi)
 {
     uint32_t wet = 0;
@@ -144,8 +150,8 @@ static int has_poured(const struct hints *hints, const struct game *game)
     return poured_tick != 0 && game->tick - poured_tick < POURED_TICKS;
 }
 
-/* Returns the first hint of the lesson that the player has not followed and that fits the
- * situation. */
+/* Returns the first hint that the player has not followed yet and that fits the situation. The
+ * hints are tested in the order in which a player should learn them. */
 static uint8_t lesson(const struct hints *hints, const struct game *game, const struct world *world,
                       struct view_of_fish fish)
 {
@@ -191,8 +197,8 @@ static uint8_t wanted_in_round(const struct hints *hints, const struct game *gam
     return rules_of(game->mode)->coaches ? lesson(hints, game, world, fish) : HINT_NONE;
 }
 
-/* Returns the hint for READY: with an umpire, the rule about shadows; otherwise how to move the
- * poi. */
+/* Returns the hint for READY. With an umpire the hint explains the rule about shadows, otherwise
+ * how to move the poi. */
 static uint8_t wanted_in_ready(const struct hints *hints, const struct game *game,
                                const struct world *world)
 {
@@ -233,8 +239,8 @@ static uint8_t wanted(const struct hints *hints, const struct game *game, const 
         break;
     }
     const int nobody_leads =
-        !pause_holds(world, hints->pupil); /* The player of the hints has no poi in use only if
-                                              no player has. */
+        !pause_holds(world, hints->pupil); /* The player of the hints has no poi in use only if no
+                                              player has one. */
     if (game->paused || (nobody_leads && !player_of(hints, game)->out)) {
         return HINT_LOST_POI;
     }
@@ -252,7 +258,8 @@ void hints_tick(struct hints *hints, const struct game *game, const struct world
 {
     turn_to_pupil(hints, world);
     watch_haste(hints, poi_of(hints, world));
-    const int edge = game->tick == game->phase_tick; /* A new phase updates the hint at once. */
+    const int edge = game->tick == game->phase_tick; /* The hint is evaluated in the first tick of a
+                                                        new phase. */
     if (!edge && game->tick % LOOK_TICKS != 0) {
         return;
     }

@@ -1,4 +1,4 @@
-/* language.c -- changes of the display language, and the end of a visitor's choice. */
+/* language.c -- changes the display language, and ends a visitor's choice. */
 #include "core/game/language.h"
 
 #include "core/base/hash.h"

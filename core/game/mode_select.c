@@ -1,6 +1,6 @@
-/* mode_select.c -- the selection screen for the mode or the growth lab. LEFT, RIGHT or the position
- * of a poi selects. The tank's width is divided into one section per item, in their order. START,
- * OK or a dip confirms the selection. */
+/* mode_select.c -- the screen on which players select the mode or the growth lab. LEFT, RIGHT or
+ * the position of a poi selects an item. The tank's width is divided into one section per item, in
+ * the order of the items. START, OK or a dip confirms the selection. */
 #include "core/game/game.h"
 #include "core/poi/world.h"
 #include "core/config.h"
@@ -16,7 +16,7 @@ static uint32_t mode_count(uint8_t modes)
     return count;
 }
 
-/* Returns the `nth` item on offer, from 0. */
+/* Returns the `nth` item of the bit mask `modes`, counted from 0. */
 static uint8_t nth_mode(uint8_t modes, uint32_t nth)
 {
     uint8_t mode = 0;
@@ -53,16 +53,16 @@ static void point_at_mode(struct game *game, const struct core_config *config, u
     }
 }
 
-/* Returns the section of the tank under the poi, from 0. A poi beyond a wall counts for the
- * outermost section. */
+/* Returns the section of the tank under the poi, from 0. If the poi is beyond a wall, returns the
+ * section nearest to that wall. */
 static uint32_t share_under(const struct world *world, vec3 hand_m, uint32_t count)
 {
     const float share = hand_m.x / world->tank.size_m.x + 0.5f;
     return (uint32_t)f_clamp(share * (float)count, 0.0f, (float)count - 0.5f);
 }
 
-/* Selects by position when the poi enters another section, so that the buttons keep control while
- * the poi stays in one section. A moving poi also restarts the timeout of the screen. */
+/* Selects an item when the poi enters a different section. While the poi stays in one section, the
+ * buttons can select. A moving poi also restarts the timeout of the screen. */
 static void point_at_mode_by_hand(struct game *game, const struct world *world,
                                   const struct core_config *config, uint32_t index,
                                   struct output *output)
@@ -106,8 +106,8 @@ static void point_by_buttons(struct game *game, const struct core_config *config
     }
 }
 
-/* Confirms the selection, or the only item on offer. If no credit can be used because the store
- * stopped in the meantime, the selection stays and the player may try again. */
+/* Confirms the selected item. The store may have stopped after the screen opened, so that no credit
+ * can be used. The selection then stays, and the player may try again. */
 static void activate_mode(struct game *game, struct world *world, const struct core_config *config,
                           struct output *output)
 {
@@ -151,8 +151,8 @@ void mode_select_tick(struct game *game, struct world *world, const struct core_
 {
     const uint32_t dipped = game_dipped_player(game, world, input);
     point_by_hands(game, world, config, output);
-    if (dipped < POI_MAX) { /* A dip selects the section below it, even if a button selected another
-                               item since. */
+    if (dipped < POI_MAX) { /* A dip selects the section below the poi, even if a button selected a
+                               different item after the poi entered the section. */
         point_at_mode(game, config, game->player[dipped].points - 1u, output);
     }
     point_by_buttons(game, config, input, output);

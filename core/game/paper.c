@@ -1,4 +1,4 @@
-/* paper.c -- the test for usable paper. */
+/* paper.c -- tests whether paper is usable. */
 #include "core/game/paper.h"
 
 #include "core/game/bot/paper_patch.h"

@@ -1,4 +1,4 @@
-/* pause.c -- decides for which player the round pauses, and for how long. */
+/* pause.c -- decides for which player the round pauses, and how long. */
 #include "core/game/pause.h"
 
 #include "core/game/game.h"
@@ -22,8 +22,8 @@ static int note_who_plays(struct game *game, const struct world *world)
     return any;
 }
 
-/* Returns the number of players still in the round: those with a working controller (`holds` 1), or
- * those without (0). */
+/* Returns the number of players who are still in the round. If `holds` is 1, counts players with a
+ * working controller. If `holds` is 0, counts players without one. */
 static uint32_t count_in(const struct game *game, const struct world *world, int holds)
 {
     uint32_t count = 0;
@@ -34,8 +34,8 @@ static uint32_t count_in(const struct game *game, const struct world *world, int
     return count;
 }
 
-/* Counts the waiting time for each lost player while other players wait, and puts players beyond
- * the limits out of the round. */
+/* Counts the waiting time for each player without a controller while other players wait. A player
+ * whose waiting time exceeds a limit is out of the round. */
 static void lose_patience(struct game *game, const struct world *world, int others_wait)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {

@@ -1,4 +1,4 @@
-/* player.c -- hash of a player's state. */
+/* player.c -- computes the hash of a player's state. */
 #include "core/game/player.h"
 
 #include "core/base/hash.h"

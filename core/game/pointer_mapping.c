@@ -1,4 +1,4 @@
-/* pointer_mapping.c -- the two canvases, and the pointer on them. */
+/* pointer_mapping.c -- the two canvases, and the mapping of poses to pointers on them. */
 #include "core/game/pointer_mapping.h"
 
 #include "core/base/fmath.h"
@@ -9,7 +9,8 @@
 #define WIDE_HEIGHT 720.0f
 #define UPRIGHT_WIDTH 854.0f
 #define UPRIGHT_HEIGHT 1400.0f
-#define DEPTH_MIN_M 0.05f /* Smallest depth before the camera; nearer points are on no screen. */
+#define DEPTH_MIN_M                                                                                \
+    0.05f /* Smallest distance in front of the camera. Nearer points are not visible. */
 
 struct layout_point pointer_layout_size(int upright)
 {
@@ -23,8 +24,9 @@ int pointer_is_inside(struct layout_box box, float room, struct layout_point at)
            at.y >= box.y - room && at.y <= box.y + box.height + room;
 }
 
-/* A screen of aspect `aspect_min` or wider shows `half_height_tan` above and below its middle. A
- * narrower screen shows aspect_min times that to each side. */
+/* On a screen of aspect ratio `aspect_min` or more, the tangent of the visible angle above and
+ * below the middle is `half_height_tan`. On a narrower screen the tangent to each side is
+ * aspect_min * half_height_tan. */
 struct layout_point pointer_project(const struct view *view, int upright, vec3 point_m)
 {
     const struct basis axes = view_basis(view);
@@ -37,9 +39,9 @@ struct layout_point pointer_project(const struct view *view, int upright, vec3 p
     return (struct layout_point){ 0.5f * canvas.x + unit * right, 0.5f * canvas.y - unit * up };
 }
 
-/* Maps a controller with rotation by the tank's floor plan, because the player aims at the tank and
- * not along a pointer ray. The arm then need not reach behind the tank for items at the top of the
- * screen. */
+/* Maps the pose of a controller with rotation by the tank's floor plan, because the player aims at
+ * a place in the tank and not along a camera ray. The player therefore need not reach behind the
+ * tank for items at the top of the screen. */
 static struct layout_point plan_point(const struct world *world, int upright, vec3 hand_m)
 {
     const struct layout_point canvas = pointer_layout_size(upright);

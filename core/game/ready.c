@@ -1,5 +1,5 @@
-/* ready.c -- the phase READY: a few seconds for fresh paper and empty bowls, without shadows over
- * the fish. */
+/* ready.c -- the phase READY: a few seconds in which players receive fresh paper and empty bowls.
+ * No shadow may rest over the fish. */
 #include "core/game/game.h"
 #include "core/poi/world.h"
 #include "core/config.h"
@@ -29,7 +29,8 @@ void ready_begin(struct game *game, struct world *world, const struct core_confi
     output_sound(output, SOUND_START, 1.0f, 0.0f);
 }
 
-/* Replaces each poi's paper as soon as the poi is clear of the water, so that nothing jumps. */
+/* Replaces each poi's paper as soon as the poi is out of the water, because a replacement under
+ * water would make the poi jump. */
 static void hand_out_paper(struct game *game, struct world *world, const struct core_config *config,
                            uint32_t elapsed, uint32_t total)
 {

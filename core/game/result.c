@@ -1,5 +1,6 @@
-/* result.c -- the phase RESULT: shows the score for a while. A refunded round has no result,
- * because otherwise pulling the plug with a full bowl could win the same prize repeatedly. */
+/* result.c -- the phase RESULT, which shows the score for a while. A refunded round has no result.
+ * Otherwise a player with a full bowl could pull a plug repeatedly and win the same prize each
+ * time. */
 #include "core/game/game.h"
 #include "core/poi/world.h"
 #include "core/config.h"
@@ -29,7 +30,8 @@ void result_skip(struct game *game, const struct world *world, const struct core
     name_note_round(game, &config->persistent.settings, 0);
 }
 
-/* Leads to the next phase. Hints learned by the players are kept for the next round. */
+/* Starts the next phase after the result. Hints that the players have learned are kept for the next
+ * round. */
 void result_tick(struct game *game, struct world *world, const struct core_config *config,
                  const struct input *input, struct output *output)
 {

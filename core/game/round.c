@@ -1,4 +1,4 @@
-/* round.c -- the round: clock, announcements, torn paper, and the end of the round. */
+/* round.c -- the round: its clock, time announcements, torn paper, and its end. */
 #include "core/game/game.h"
 #include "core/poi/world.h"
 #include "core/config.h"
@@ -15,8 +15,8 @@
 
 void round_begin(struct game *game, struct world *world, struct output *output)
 {
-    table_setup_empty_bowls(world); /* Fish that fell off an old poi since then would lie in the
-                                       bowls without being counted. */
+    table_setup_empty_bowls(world); /* Fish that fell off a replaced poi during READY would lie in
+                                       the bowls without being counted. */
     game_enter_phase(game, PHASE_ROUND);
     game->round_tick = game->tick;
     game->paused_ticks = 0;
@@ -25,7 +25,8 @@ void round_begin(struct game *game, struct world *world, struct output *output)
 
 /* ---- Paper ---------------------------------------------------------------------------------- */
 
-/* Replaces torn paper when the poi is clear of the water, so that nothing jumps. */
+/* Replaces torn paper when the poi is out of the water, because a replacement under water would
+ * make the poi jump. */
 static void renew_paper(struct game *game, struct world *world, const struct core_config *config,
                         uint32_t index)
 {
@@ -62,7 +63,7 @@ static void watch_paper(struct game *game, struct world *world, const struct cor
     }
 }
 
-/* ---- The end -------------------------------------------------------------------------------- */
+/* ---- End of the round ------------------------------------------------------------------------ */
 
 static int all_are_out(const struct game *game)
 {
@@ -77,8 +78,8 @@ static int all_are_out(const struct game *game)
     return played;
 }
 
-/* Returns 1 if a fish lies on any poi. After time is up no fish can be scooped, but fish on paper
- * may still be carried to the bowl. */
+/* Returns 1 if a fish lies on any poi, otherwise 0. After time is up no fish can be scooped, but
+ * fish on the paper may still be carried to the bowl. */
 static int any_carries(const struct world *world)
 {
     uint32_t carried_fish = 0;
@@ -104,7 +105,8 @@ static void call_time(struct game *game, uint32_t elapsed, uint32_t total, struc
 {
     const enum time_call call = announcements_call_at(elapsed, total);
     if (call == CALL_COUNTDOWN) {
-        output_sound(output, SOUND_TICK, 1.0f, 0.0f); /* The countdown sounds in every mode. */
+        output_sound(output, SOUND_TICK, 1.0f, 0.0f); /* The sound of the countdown is played in
+                                                         every mode. */
     }
     if (call == CALL_NONE || !rules_of(game->mode)->calls) {
         return;

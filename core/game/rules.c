@@ -1,4 +1,4 @@
-/* rules.c -- the table of rules. */
+/* rules.c -- the table with the rules of each mode. */
 #include "core/game/rules.h"
 
 #include "core/base/panic.h"

@@ -8,7 +8,7 @@
 #include "core/game/rules.h"
 #include "core/game/table_setup.h"
 
-/* Returns the number of fish that count. Fish caught by a foul are in the bowl too, but do not
+/* Returns the number of fish that count. Fish caught by a foul lie in the bowl too, but do not
  * count in modes with an umpire. */
 static uint32_t valid(const struct rules *rules, const struct catch_result *caught)
 {

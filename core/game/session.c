@@ -1,4 +1,4 @@
-/* session.c -- the state that continues across sessions. */
+/* session.c -- copies the state that continues from one session to the next. */
 #include "core/game/session.h"
 
 #include "core/base/hash.h"
@@ -14,7 +14,7 @@ void session_request(struct game *game)
     }
 }
 
-/* The caller increments `game->tick` before the call. */
+/* Assumes that the caller has already incremented `game->tick`. */
 int session_is_over(const struct game *game)
 {
     return game->phase == PHASE_ATTRACT && game->turn_tick != 0 && game->tick >= game->turn_tick;

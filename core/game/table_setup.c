@@ -18,7 +18,7 @@ uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game
         (struct rng_key){ seed, number, index + POI_MAX * (uint32_t)series, RNG_ROUND_SEED });
 }
 
-/* ---- Offer ---------------------------------------------------------------------------------- */
+/* ---- Modes, tank and paper of a configuration ------------------------------------------------ */
 
 uint8_t table_setup_modes(const struct core_config *config)
 {
@@ -67,8 +67,8 @@ static uint32_t fish_count(const struct core_config *config, uint8_t preset)
     return is_own ? config->fish_count : tank_preset(preset)->fish_count;
 }
 
-/* Returns 1 if the open tank matches the configuration. The operator's menu may have changed the
- * number of fish or players. */
+/* Returns 1 if the open tank matches the configuration, otherwise 0. The operator may have changed
+ * the number of fish or players in the menu. */
 static int is_set_up(const struct world *world, const struct core_config *config, uint8_t preset)
 {
     int is_so =
@@ -89,8 +89,8 @@ static void place_all(struct game *game, struct world *world, const struct core_
                  parking_place(world, i).position_m, seed);
         world->poi[i].link = link;
         game->hand_pose[i] = parking_place(world, i);
-        game->holder[i] = POI_SOURCE_ABSENT; /* The controller takes the poi over from the rest
-                                                position. */
+        game->holder[i] = POI_SOURCE_ABSENT; /* The next controller takes control of the poi at its
+                                                rest position. */
         controller_forget_path(game, i);
         world->bowl[i] = (struct bowl){ 0 };
         if (i < player_count(config)) {
@@ -110,8 +110,9 @@ static void open_tank(struct world *world, const struct core_config *config, uin
     const int opened = tank_open(&world->tank, &opening);
     CORE_ASSERT(opened);
     for (uint32_t i = 0; i < world->tank.fish_count; i++) {
-        world->tank.fish[i].thought_tick = (uint8_t)tick; /* The fish start with the current tick
-                                                             as their last behavior tick. */
+        world->tank.fish[i].thought_tick = (uint8_t)tick; /* Each fish starts as if its behavior
+                                                             had last been updated in the current
+                                                             tick. */
     }
 }
 

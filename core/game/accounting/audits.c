@@ -1,4 +1,4 @@
-/* audits.c -- the counters that each kind of ledger entry changes. */
+/* audits.c -- adds each kind of ledger entry to its counters. */
 #include "core/game/accounting/audits.h"
 
 #include "core/base/hash.h"
@@ -119,9 +119,9 @@ static void note_refund(struct audits *audits, const struct ledger_entry *entry)
     add_to_audit(audits, AUDIT_CRASHED_ROUNDS, entry->detail == REFUND_RESTART);
 }
 
-/* ---- Play ----------------------------------------------------------------------------------- */
+/* ---- Games ----------------------------------------------------------------------------------- */
 
-/* Returns 0 for Monday .. 6 for Sunday. Day 0, 2000-01-01, is a Saturday. */
+/* Returns the weekday of `day`, from 0 (Monday) to 6 (Sunday). Day 0, 2000-01-01, is a Saturday. */
 static uint32_t weekday_of(uint16_t day)
 {
     return (day + 5u) % 7u;
@@ -152,8 +152,8 @@ static uint32_t seconds(uint32_t ticks)
     return (ticks + CORE_TICK_HZ / 2u) / CORE_TICK_HZ;
 }
 
-/* Adds one player's result. Paper lifetime counts the first sheet only, because scored modes give
- * one sheet. */
+/* Adds one player's result. The lifetime of paper counts only for the first sheet, because a player
+ * receives one sheet in scored modes. */
 static void note_player(struct audits *audits, const struct round_record *round, uint32_t seat)
 {
     const struct player_record *player = &round->player[seat];
@@ -208,7 +208,7 @@ static void note_loss(struct audits *audits, const struct ledger_entry *entry)
     }
 }
 
-/* Resets a group of counters. The number of resets itself is kept and incremented. */
+/* Resets a group of counters to 0. AUDIT_RESETS is not reset, but incremented. */
 static void note_reset(struct audits *audits, const struct ledger_entry *entry)
 {
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
@@ -228,7 +228,7 @@ static void note_pin(struct audits *audits, const struct ledger_entry *entry)
     }
 }
 
-/* ---- All kinds ------------------------------------------------------------------------------ */
+/* ---- Selection of the function for each kind of entry ---------------------------------------- */
 
 static void note_boot(struct audits *audits, const struct ledger_entry *entry)
 {
@@ -258,8 +258,8 @@ static void note_test_coin(struct audits *audits, const struct ledger_entry *ent
     add_to_audit(audits, AUDIT_TEST_COINS, entry->count);
 }
 
-/* Entries without a row in the table, such as LEDGER_NAME, LEDGER_SETTING and LEDGER_LEFT, change
- * no counter. */
+/* Adds `entry` to the counters. Entries without a row in the table, such as LEDGER_NAME,
+ * LEDGER_SETTING and LEDGER_LEFT, change no counter. */
 void audits_note(struct audits *audits, const struct ledger_entry *entry)
 {
     static void (*const note[LEDGER_KIND_COUNT])(struct audits *, const struct ledger_entry *) = {

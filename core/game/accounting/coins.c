@@ -1,4 +1,4 @@
-/* coins.c -- every coin counts exactly once, even while the ledger is full. */
+/* coins.c -- counts each coin exactly once, even while the ledger is full. */
 #include "core/game/accounting/coins.h"
 
 #include "core/game/game.h"
@@ -75,8 +75,8 @@ void coins_test(struct accounts *accounts, uint32_t tick, const struct input *in
     accounts->credit.metered += input_coin_pulses(input);
 }
 
-/* Without a configured bonus the counter stays 0, so that old units do not count towards a bonus
- * that is enabled later. */
+/* Adds units to the counter for the bonus. Without a configured bonus the counter stays 0. Units
+ * inserted earlier therefore do not count towards a bonus that is configured later. */
 static void note_for_bonus(struct ledger *ledger, const struct settings *settings, uint32_t units)
 {
     struct balance *balance = &ledger->balance;
@@ -84,7 +84,7 @@ static void note_for_bonus(struct ledger *ledger, const struct settings *setting
     balance->bonus_units = setting(settings, SET_BONUS_UNITS) > 0 ? capped(sum) : 0u;
 }
 
-/* Recordings of format 7 count these units towards a bonus even if no bonus is configured. */
+/* In recordings of format 7 the units count towards a bonus even if no bonus is configured. */
 void coins_convert_pending(struct ledger *ledger, const struct core_config *config)
 {
     struct balance *balance = &ledger->balance;
@@ -116,8 +116,8 @@ static void append_coins_entry(struct accounts *accounts, const struct settings 
 
 /* ---- Units to credits ----------------------------------------------------------------------- */
 
-/* Buys as many credits as units and SET_CREDIT_MAX permit. Several coins may arrive in one tick, so
- * the count is computed by division. Remaining units stay in the balance. */
+/* Buys as many credits as the units and SET_CREDIT_MAX permit. Several coins may arrive in one
+ * tick, so the number of credits is computed by division. Remaining units stay in the balance. */
 static uint32_t buy(struct ledger *ledger, const struct core_config *config)
 {
     struct balance *balance = &ledger->balance;

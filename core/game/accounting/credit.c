@@ -1,4 +1,4 @@
-/* credit.c -- credits and rounds, and the conditions that close the coin slot. */
+/* credit.c -- takes and refunds the credits of rounds, and decides when the coin slot is closed. */
 #include "core/game/accounting/credit.h"
 
 #include "core/base/hash.h"
@@ -10,7 +10,7 @@
 #include "core/game/accounting/round_standing.h"
 #include "core/game/accounting/tickets.h"
 
-#define NEVER_S 1e6f /* Larger than any interval; about eleven days. */
+#define NEVER_S 1e6f /* Time in seconds that stands for never, about eleven days. */
 
 uint32_t credit_price(const struct core_config *config)
 {
@@ -54,7 +54,8 @@ static void take_service(struct accounts *accounts, const struct core_config *co
     }
 }
 
-/* Returns 1 if someone could play: a slot has a connected controller or the bot. */
+/* Returns 1 if a person could play, because a slot has a connected controller or the bot; otherwise
+ * 0. */
 static int has_poi(const struct world *world, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -92,8 +93,8 @@ static uint8_t warnings(const struct game *game, const struct world *world,
                      (has_poi(world, input) ? 0u : (uint32_t)WARN_NO_POI));
 }
 
-/* Closes a round or a lab visit that ended without a result: the growth lab, or a round that no
- * player joined. */
+/* Closes a round or lab visit that ended without a result. A visit to the growth lab has no result,
+ * and neither has a round that no player joined. */
 static void close_what_is_over(struct game *game, struct output *output)
 {
     const int runs =
@@ -125,8 +126,8 @@ void credit_tick(struct game *game, const struct world *world, const struct core
     credit->warnings = warnings(game, world, config, input);
 }
 
-/* Returns 1 if the coin slot must return coins. In the menu the slot is open only on the page that
- * tests the input lines, because a visitor cannot see that no game is sold then. */
+/* Returns 1 if the coin slot must return coins, otherwise 0. In the menu the slot is open only on
+ * the page that tests the input lines, because a visitor cannot see that no game can be bought. */
 static int sends_coins_back(const struct game *game, const struct core_config *config)
 {
     if (game->phase == PHASE_MENU) {
@@ -146,9 +147,9 @@ void credit_show_outputs(const struct game *game, const struct core_config *conf
 
 /* ---- Rounds --------------------------------------------------------------------------------- */
 
-/* Returns the kind of credit to use next (enum round_payment), or PAYMENT_NONE. A refunded credit
- * comes first, because it cannot be refunded again. Service credits come next, so that an
- * operator's test leaves paid credits unused. */
+/* Returns the kind of credit to use next (enum round_payment); PAYMENT_NONE means that no credit
+ * can be used. A refunded credit comes first, because it cannot be refunded a second time. Service
+ * credits come next, so that an operator's test leaves paid credits unused. */
 static uint8_t next_credit(const struct ledger *ledger)
 {
     const struct ledger_credits sure = ledger_committed_credits(ledger);
@@ -162,8 +163,8 @@ static uint8_t next_credit(const struct ledger *ledger)
     return sure.service > 0 ? PAYMENT_SERVICE : sure.paid > 0 ? PAYMENT_PAID : PAYMENT_NONE;
 }
 
-/* If the ledger has no room, no round is sold, because the end of the round could not be logged
- * either. */
+/* If the ledger has no room, no round can be bought, because the end of the round could not be
+ * logged either. */
 int credit_can_play(const struct ledger *ledger, const struct core_config *config)
 {
     return credit_price(config) == 0 ||
@@ -225,9 +226,9 @@ void credit_take(struct game *game, const struct core_config *config, uint8_t wh
     ledger_write(&game->accounts, game->tick, &entry, output);
 }
 
-/* A refund may exceed SET_CREDIT_MAX by one, because the credit belongs to a player. A round with a
- * non-refundable credit can be open at a restart if no player had joined; its LEDGER_REFUND has
- * count 0. */
+/* A refund may exceed SET_CREDIT_MAX by one, because the credit belongs to a player. After a
+ * restart, an open round may have a non-refundable credit if no player had joined. The
+ * LEDGER_REFUND of such a round has `count` 0. */
 void credit_refund(struct game *game, const struct core_config *config, enum refund_cause cause,
                    struct output *output)
 {

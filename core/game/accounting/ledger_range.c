@@ -1,4 +1,4 @@
-/* ledger_range.c -- range checks for each kind of ledger record. */
+/* ledger_range.c -- checks the ranges of each kind of ledger record. */
 #include "core/game/accounting/ledger_range.h"
 
 #include "core/game/accounting/audits.h"
@@ -7,10 +7,12 @@
 #include "core/tank/preset.h"
 
 #define DAY_MINUTES (24u * 60u)
-/* A refund is added without a limit, so a stored count may exceed BALANCE_MAX. */
+/* Largest valid count in a stored balance. Refunds are added without a limit, so a count may exceed
+ * BALANCE_MAX. */
 #define PURSE_LIMIT (2u * BALANCE_MAX)
 
-/* PAYMENT_SPENT is a flag of an open round and never stands alone. */
+/* Returns 1 if `open` is valid, otherwise 0. The flag PAYMENT_SPENT is valid only together with a
+ * kind of credit. */
 static int open_is_good(int32_t open)
 {
     return open >= PAYMENT_NONE && open <= (int32_t)(PAYMENT_SERVICE | PAYMENT_SPENT) &&
@@ -27,7 +29,7 @@ static int purse_is_good(const struct balance *balance)
            balance->tickets <= BALANCE_TICKETS_MAX;
 }
 
-/* A name must end within its field and contain no control character. */
+/* Returns 1 if the name ends within its field and contains no control character, otherwise 0. */
 static int name_is_good(const char name[LEDGER_NAME_SIZE])
 {
     uint32_t length = 0;
@@ -40,7 +42,8 @@ static int name_is_good(const char name[LEDGER_NAME_SIZE])
     return length < LEDGER_NAME_SIZE;
 }
 
-/* The grade is 0 in records of an earlier version. */
+/* Returns 1 if the record is valid, otherwise 0. The grade is 0 in records of an earlier
+ * version. */
 static int round_is_good(const struct round_record *round)
 {
     return round->mode < MODE_COUNT && round->grade <= SHEET_GRADE_MAX &&
@@ -48,7 +51,8 @@ static int round_is_good(const struct round_record *round)
            round->preset < TANK_PRESET_COUNT;
 }
 
-/* The largest `detail` of each kind; settings use every bit of it. */
+/* Returns the largest valid `detail` of an entry of kind `kind`. For LEDGER_SETTING every value is
+ * valid. */
 static uint8_t detail_max(uint8_t kind)
 {
     switch (kind) {
@@ -73,8 +77,8 @@ static uint8_t detail_max(uint8_t kind)
     }
 }
 
-/* Returns 1 if `value` is valid. Statistics add the value of most kinds as an unsigned number, so
- * it must be >= 0 there. */
+/* Returns 1 if `value` is valid, otherwise 0. Audits add the value of most kinds as an unsigned
+ * number, so the value of those kinds must be >= 0. */
 static int value_is_good(const struct ledger_entry *entry)
 {
     return entry->kind == LEDGER_SETTING || entry->kind == LEDGER_RESET ||

@@ -1,4 +1,5 @@
-/* ledger_writer.c -- writes entries to the ring and tracks their state on disk. */
+/* ledger_writer.c -- writes entries to the ledger's ring buffer and tracks which entries are on
+ * disk. */
 #include "core/game/accounting/ledger_writer.h"
 
 #include "core/base/hash.h"
@@ -21,8 +22,9 @@ static uint32_t waiting(const struct ledger *ledger)
     return ledger->last_id - ledger->saved_id;
 }
 
-/* Entries written without a store are lost, so a store that appears later does not wait for them.
- * The file health_log.c logs the current balance, which counts as `kept` once it is on disk. */
+/* Updates the store's health. Entries written without a store are lost. A store that becomes
+ * available after the start therefore does not wait for them. health_log.c then logs the current
+ * balance, which becomes `committed` when that entry is on disk. */
 static void note_store(struct ledger *ledger, int is_well)
 {
     if (ledger->boot == 0 && is_well && !ledger->is_healthy) {
@@ -32,7 +34,8 @@ static void note_store(struct ledger *ledger, int is_well)
     ledger->is_healthy = is_well != 0;
 }
 
-/* Accepts the store's newest saved id. An older id is ignored, because saved entries stay saved. */
+/* Accepts a newer saved id from the store. An older id is ignored, because saved entries stay
+ * saved. */
 static void note_saved(struct ledger *ledger, uint32_t saved_id)
 {
     const uint32_t ahead = saved_id - ledger->saved_id;
@@ -69,7 +72,7 @@ int ledger_has_room(const struct ledger *ledger, uint8_t kind)
            waiting(ledger) < LEDGER_RING - (is_of_a_round(kind) ? 0u : LEDGER_RESERVE);
 }
 
-/* A kiosk without a store never reported an entry as safe, so the oldest entry may be
+/* In a kiosk without a store, no entry was ever reported as safe, so the oldest entry may be
  * overwritten. */
 int ledger_may_write(const struct ledger *ledger, uint8_t kind)
 {
@@ -127,7 +130,8 @@ int ledger_needs_sync(const struct ledger *ledger)
            !same_purse(&ledger->balance, &ledger->committed);
 }
 
-/* Returns the rest of `sure` after a count changed from `before` to `after`; gains are ignored. */
+/* Returns the part of `sure` that is left after a count changed from `before` to `after`. An
+ * increase of the count leaves `sure` unchanged. */
 static uint32_t less_spent(uint32_t sure, uint32_t before, uint32_t after)
 {
     const uint32_t spent = before > after ? before - after : 0u;
@@ -140,7 +144,8 @@ struct ledger_credits ledger_committed_credits(const struct ledger *ledger)
     struct balance before = ledger->committed;
     for (uint32_t i = 1; i <= waiting(ledger); i++) {
         if (waiting(ledger) > LEDGER_RING) {
-            return (struct ledger_credits){ 0 }; /* No store saves the entries. */
+            return (struct ledger_credits){ 0 }; /* Without a store, no entry is saved, so no credit
+                                                    is on disk. */
         }
         const struct balance *after = &ledger->after[(ledger->saved_id + i) % LEDGER_RING];
         sure.paid = less_spent(sure.paid, before.paid, after->paid);

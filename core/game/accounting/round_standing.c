@@ -1,4 +1,4 @@
-/* round_standing.c -- packs an open round into one ledger entry, and unpacks it. */
+/* round_standing.c -- packs the state of an open round into one ledger entry, and unpacks it. */
 #include "core/game/accounting/round_standing.h"
 
 #include "core/base/hash.h"
@@ -7,14 +7,14 @@
 #include "core/game/accounting/tickets.h"
 #include "core/game/rules.h"
 
-#define SEAT_BITS 8u /* Bits of `count` for the catch of each slot. */
+#define SEAT_BITS 8u /* Number of bits of `count` that hold the catch of each slot. */
 #define SEAT_MAX 255u
-/* Tickets in `value`; the bits of the players and of the bot are above. */
+/* Mask of the tickets in `value`. The higher bits hold the players and the bot. */
 #define TICKETS_MASK 0xffffu
 #define PLAYERS_SHIFT 16u
 #define PLAYERS_MASK 15u
 #define BOT_SHIFT 20u
-#define GRADE_SHIFT 4u /* Grade in `detail`; the mode is in the lower bits. */
+#define GRADE_SHIFT 4u /* Position of the grade in `detail`. The lower bits hold the mode. */
 #define MODE_MASK 15u
 _Static_assert(POI_MAX *SEAT_BITS <= 32u && POI_MAX <= 4u, "every seat has its byte and its bit");
 _Static_assert(CHOICE_COUNT <= MODE_MASK + 1u && SHEET_GRADE_MAX <= 15u, "mode and grade fit");
@@ -33,8 +33,8 @@ int stand_is_spent(const struct game *game, const struct core_config *config)
            ((game->accounts.ledger.balance.open & PAYMENT_SPENT) || is_mostly_played(game));
 }
 
-/* Returns 1 if a power cut could lose something of value. A free round without tickets is not
- * logged. */
+/* Returns 1 if a power cut could remove something of value, otherwise 0. A free round without
+ * tickets has no value and is not logged. */
 static int has_value(const struct ledger *ledger, const struct core_config *config)
 {
     const uint8_t kind = ledger->balance.open & PAYMENT_KIND_MASK;
@@ -86,15 +86,16 @@ void stand_tick(struct game *game, const struct core_config *config, struct outp
     credit->stand_id = ledger_write(&game->accounts, game->tick, &entry, output);
 }
 
-/* ---- At the next start ---------------------------------------------------------------------- */
+/* ---- Finishing the round at the next start --------------------------------------------------- */
 
-/* Returns the record of the round. Times, paper and fish count are unknown and 0, as in records of
- * an earlier Kingyo. */
+/* Returns the record of the round. Times, paper and fish count are unknown and therefore 0, as in
+ * records of an earlier Kingyo. */
 static struct round_record record_of(const struct ledger_stand *stand)
 {
     const uint32_t value = (uint32_t)stand->value;
     struct round_record record = {
-        .mode = stand->detail & MODE_MASK, /* In range, because stand_is_good() was checked. */
+        .mode = stand->detail & MODE_MASK, /* The mode is in range, because the caller has checked
+                                              stand_is_good(). */
         .grade = stand->detail >> GRADE_SHIFT,
         .players = (uint8_t)(value >> PLAYERS_SHIFT & PLAYERS_MASK),
         .by_bot = (uint8_t)(value >> BOT_SHIFT & 1u),

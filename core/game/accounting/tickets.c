@@ -1,4 +1,4 @@
-/* tickets.c -- the sequence of ledger entry, pulse, and next ticket. */
+/* tickets.c -- runs the sequence of ledger entry and pulse for each ticket. */
 #include "core/game/accounting/tickets.h"
 
 #include "core/game/accounting/accounts.h"
@@ -15,7 +15,7 @@ void tickets_owe(struct accounts *accounts, const struct core_config *config, ui
     balance->tickets = (uint16_t)(balance->tickets + (count < room ? count : room));
 }
 
-/* Returns the number of owed tickets whose debt is on disk. */
+/* Returns the number of owed tickets that are in the balance on disk. */
 static uint32_t sure_tickets(const struct ledger *ledger)
 {
     const uint16_t kept = ledger->committed.tickets, now = ledger->balance.tickets;

@@ -1,5 +1,5 @@
-/* bot.c -- the bot's main loop: a snapshot becomes usable after the reaction time, and the current
- * stage acts on it. */
+/* bot.c -- the bot's main loop. A snapshot becomes usable after the reaction time, and the function
+ * of the current stage then acts on it. */
 #include "core/game/bot/bot.h"
 
 #include "core/base/hash.h"
@@ -20,14 +20,14 @@ static vec3 attention_m(const struct bot *bot)
     return hunts || bot->technique.hunt == HUNT_CHASE ? bot_hand_m(bot) : bot_ground_m(bot);
 }
 
-/* Makes the last snapshot usable, and takes the next one. */
+/* Makes the newest snapshot usable, and takes the next snapshot. */
 static void perceive(struct bot *bot, const struct vision *vision, uint32_t tick)
 {
     const struct snapshot_fish followed = bot->known.prey;
     bot->known = bot->seen;
     if (bot->known.prey.fish != bot->prey) {
-        bot->known.prey = followed; /* The snapshot was taken before the current target was
-                                       selected, so the target's earlier data is kept. */
+        bot->known.prey = followed; /* The snapshot was taken before the present target was
+                                       selected, so the earlier data of the target is copied. */
     }
     snapshot_take(&bot->seen, &bot->known, vision, bot->prey, attention_m(bot));
     bot->act_tick = tick + reaction_ticks(bot, tick);

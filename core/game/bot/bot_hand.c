@@ -1,16 +1,18 @@
-/* bot_hand.c -- bell-shaped speed profiles and tremor. */
+/* bot_hand.c -- computes the bell-shaped speed profile and the tremor of the bot's arm. */
 #include "core/game/bot/bot_hand.h"
 
 #include "core/base/hash.h"
 #include "core/base/rng.h"
 
-/* Gain from remaining distance to speed. Far from the goal the arm moves at full speed and brakes
- * at half of its acceleration, as people do. Near the goal the arm approaches slowly. */
+/* Ratio of the arm's speed to its remaining distance near the goal. Far from the goal the arm moves
+ * at full speed, and it brakes at half of its acceleration, as people do. Near the goal the arm
+ * moves slowly. */
 #define CREEP_PER_S 11.0f
 #define WRIST_PULL_PER_S 12.0f
 #define WRIST_EASE_S 0.06f
 
-/* The frequencies are multiples of 0.1 Hz, so all sine waves repeat together every ten seconds. */
+/* Period of the tremor. All frequencies are multiples of 0.1 Hz, so the sum of the sine waves
+ * repeats every ten seconds. */
 #define TREMOR_TICKS (10u * CORE_TICK_HZ)
 #define SWAY_HZ 1.3f
 #define DRIFT_HZ 3.7f

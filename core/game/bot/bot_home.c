@@ -1,34 +1,35 @@
-/* bot_home.c -- bot stages with a fish on the paper: lift, carry to the bowl, and empty the poi. */
+/* bot_home.c -- the bot's stages with a fish on the paper: lift the poi, carry it to the bowl, and
+ * tip the fish into the bowl. */
 #include "core/game/bot/bot_internal.h"
 
 #include "core/poi/pose.h"
 
 #define LIFTED_Y_M 0.058f /* Height at which a ring with a fish is clear of the water. */
 #define HASTY_EASE_S 0.06f
-#define HASTY_SHARE 2.5f /* Speed of a fast lift relative to a draining lift. */
-/* Pitch while lifting, level. A negative pitch lowers the far edge: water runs off, and the fish
- * moves to the rim. */
+#define HASTY_SHARE 2.5f /* Ratio of the speed of a fast lift to the speed of a draining lift. */
+/* Pitch of the poi while lifting; 0 is level. A negative pitch lowers the far edge, so that water
+ * runs off and the fish moves to the rim. */
 #define CRADLE_RAD (0.0f * F_DEG)
-/* Largest distance of the ring below the arm's position. If fish hold the ring further down, the
+/* Largest distance of the ring below the arm's position. If fish push the ring further down, the
  * arm waits. */
 #define JAM_M 0.050f
 
 #define STUCK_S 1.4f        /* Time after which a lift counts as stuck. */
-#define STUCK_Y_M (-0.005f) /* Height below which the ring is still under water. */
+#define STUCK_Y_M (-0.005f) /* Height below which the ring counts as still under water. */
 #define STUCK_BACK_M 0.035f
 #define STUCK_BACK_S 0.35f
 #define STUCK_TURN_S 1.2f
 
-/* Pitch that is steep enough for a fish to slide over the ring. */
+/* Pitch at which a fish slides over the ring. */
 #define TIP_RAD (58.0f * F_DEG)
 /* Distance from the ring's centre to the point where the fish leaves the ring. */
 #define TIP_FALL_M 0.046f
-#define TIP_EDGE_M 0.010f /* Height of the lower edge above the bowl's mouth. */
+#define TIP_EDGE_M 0.010f /* Height of the ring's lower edge above the bowl's mouth. */
 #define TIP_HOLD_S 0.42f
 #define TIP_LAST_S 1.5f
 
-/* Frees a ring that fish above it hold under water: the ring moves down and back, and then the lift
- * is tried again. Returns 1 while the ring moves back, else 0. */
+/* Frees a ring that fish above it keep under water. The ring moves down and back, and then the bot
+ * lifts the poi again. Returns 1 while the ring moves back, otherwise 0. */
 static int frees_ring(struct bot *bot, uint32_t tick)
 {
     const float turn_s = bot_stage_s(bot, tick) - STUCK_S;
@@ -64,8 +65,8 @@ void bot_lift(struct bot *bot, uint32_t tick)
     }
 }
 
-/* Returns the tipping position over the near side of the bowl. `toward` is the horizontal unit
- * vector of the ring's approach. */
+/* Returns the position above the near side of the bowl at which the poi is tipped. `toward` is the
+ * horizontal unit vector in which the ring approaches the bowl. */
 static vec3 over_bowl_m(const struct bot *bot, vec3 toward)
 {
     const vec3 bowl_m = bot->known.bowl.position_m;
@@ -89,8 +90,8 @@ void bot_carry(struct bot *bot, uint32_t tick)
     }
     bot_want(bot, over_bowl_m(bot, toward), CRADLE_RAD, bot->technique.carry_m_s);
     if (bot_way_left_m(bot) < 2.0f * BOT_THERE_M) {
-        bot->miss_m = toward; /* miss_m is not used for an attempt here, so it stores the tipping
-                                 direction. */
+        bot->miss_m = toward; /* During this stage `miss_m` holds no aiming error, so it stores the
+                                 direction for tipping the poi. */
         bot_go(bot, BOT_TIP, tick);
     }
 }

@@ -1,9 +1,9 @@
-/* bot_hunt.c -- bot stages from the approach of a fish to the position under it. */
+/* bot_hunt.c -- the bot's stages from the approach of a fish to the position under the fish. */
 #include "core/game/bot/bot_internal.h"
 
 #define CALM_M_S 0.05f
 #define CHASE_LOST_M 0.25f
-#define LOST_M 0.075f /* Distance from the ring beyond which a fish is not followed. */
+#define LOST_M 0.075f /* Distance from the ring beyond which the bot stops following a fish. */
 #define GLIDE_S_MAX 0.9f
 #define DIP_S_MAX 1.2f
 #define APPROACH_S_MAX 1.5f
@@ -19,8 +19,8 @@ static float stroke_s(const struct bot *bot)
     return 0.06f / bot->technique.dip_m_s + 0.03f / bot->technique.glide_m_s;
 }
 
-/* Keeps the poi over the entry point while the fish moves. Returns 1 when the poi is there, else
- * 0. */
+/* Keeps the poi over the start of the path while the fish moves. Returns 1 when the poi has
+ * arrived, otherwise 0. */
 static int keep_over_entry(struct bot *bot, uint32_t tick)
 {
     struct approach_path way;
@@ -39,7 +39,7 @@ static int keep_over_entry(struct bot *bot, uint32_t tick)
 void bot_approach(struct bot *bot, uint32_t tick)
 {
     if (bot->known.carried_count > 0 && bot_saw_since(bot, 0.0f)) {
-        bot_go(bot, BOT_CARRY, tick); /* A fish is on the paper already. */
+        bot_go(bot, BOT_CARRY, tick); /* A fish already lies on the paper. */
     } else if (keep_over_entry(bot, tick)) {
         bot_go(bot, bot->technique.hunt == HUNT_SHADE ? BOT_WATCH : BOT_DIP, tick);
     }
@@ -64,8 +64,8 @@ void bot_dip(struct bot *bot, uint32_t tick)
     }
 }
 
-/* Keeps the target fish, or switches to another fish nearby if the target escaped. Returns 1 if a
- * fish is in reach, else 0. */
+/* Keeps the target fish, or selects a nearby fish if the target escaped. Returns 1 if a fish is in
+ * reach, otherwise 0. */
 static int keep_prey(struct bot *bot, uint32_t tick)
 {
     const float reach_m = bot->technique.hunt == HUNT_CHASE ? CHASE_LOST_M : LOST_M;

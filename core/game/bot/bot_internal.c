@@ -2,7 +2,7 @@
 #include "core/game/bot/bot_internal.h"
 
 #define WRIST_THERE_RAD (3.0f * F_DEG)
-#define EASE_S 0.15f /* Time for the arm to reach its speed. */
+#define EASE_S 0.15f /* Time in which the arm accelerates to its maximum speed. */
 #define BESIDE_BOWL_M 0.14f
 
 float bot_stage_s(const struct bot *bot, uint32_t tick)

@@ -1,13 +1,14 @@
-/* bot_wait.c -- bot stages before a scoop: rest, wetting the paper, and selecting a fish. */
+/* bot_wait.c -- the bot's stages before a scoop: rest, wet the paper, and select a fish. */
 #include "core/game/bot/bot_internal.h"
 
 #include "core/base/rng.h"
 
-#define REST_BEYOND_M 0.12f /* Distance at which the shadow falls beside the tank. */
+#define REST_BEYOND_M                                                                              \
+    0.12f /* Distance beyond the tank's wall at which the poi's shadow falls beside the tank. */
 #define REST_Y_M 0.14f
 #define SOAK_PITCH_RAD (-40.0f * F_DEG)
 #define SOAK_MARGIN_M 0.006f
-#define SOAKED 0.85f /* Share of the technique's wet area that counts as done. */
+#define SOAKED 0.85f /* Share of the technique's wet area at which wetting the paper ends. */
 #define SOAK_S_MAX 2.6f
 
 static int paper_is_fresh(const struct bot *bot)
@@ -26,7 +27,8 @@ void bot_rest(struct bot *bot, uint32_t tick)
     }
 }
 
-/* Returns the ring height at which `share` of its area is under water while the poi is tilted. */
+/* Returns the ring's height at which the share `share` of its area is under water while the poi is
+ * tilted. */
 static float soak_y_m(float share)
 {
     const float low = TARGETING_RING_M * f_sin(-SOAK_PITCH_RAD);

@@ -1,9 +1,10 @@
-/* paper_patch.c -- tests nine points per patch, and seventeen patches per sheet. */
+/* paper_patch.c -- tests nine points in each patch, and up to seventeen patches in each sheet. */
 #include "core/game/bot/paper_patch.h"
 
 #define WINDS 8u
 
-/* Eight directions as constants, so that no sine is needed; the far edge first. */
+/* Eight directions, beginning at the far edge, as constants, so that no sine needs to be
+ * computed. */
 #define DIAGONAL 0.7071f
 static const float wind_x[WINDS] = { 0.0f,  DIAGONAL, -DIAGONAL, 1.0f,
                                      -1.0f, DIAGONAL, -DIAGONAL, 0.0f };

@@ -1,15 +1,19 @@
-/* snapshot.c -- capture of a snapshot: selection of fish, speeds, and the state of the paper. */
+/* snapshot.c -- captures a snapshot: selects fish, and computes speeds and the state of the
+ * paper. */
 #include "core/game/bot/snapshot.h"
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/game/bot/paper_patch.h"
 
-/* Depth counts four times: a fish 1 cm deeper ranks like one 4 cm farther away. */
+/* Weight of the depth in the ranking of nearby fish. A fish that is 1 cm deeper has the same rank
+ * as a fish that is 4 cm farther away. */
 #define DEPTH_WEIGHT 4.0f
-#define GULP_M 0.04f  /* Distance bonus of a gulping fish, which attracts attention. */
-#define OVER_M 0.045f /* Depth of the water above the paper that is searched. */
-#define RIDE_M 0.025f /* Greatest height of a fish lying on the paper. */
+#define GULP_M                                                                                     \
+    0.04f             /* Distance that is subtracted for a gulping fish, because gulping attracts
+                         attention. */
+#define OVER_M 0.045f /* Height of the water above the paper in which fish are counted. */
+#define RIDE_M 0.025f /* Greatest height above the paper of a fish that lies on the paper. */
 
 static struct snapshot_fish see_fish(const struct vision *vision, uint32_t index)
 {
@@ -24,7 +28,7 @@ static struct snapshot_fish see_fish(const struct vision *vision, uint32_t index
     };
 }
 
-/* ---- Speeds --------------------------------------------------------------------------------- */
+/* ---- Velocity of a fish ---------------------------------------------------------------------- */
 
 static const struct snapshot_fish *remembered(const struct snapshot *before, uint16_t fish)
 {
@@ -57,7 +61,8 @@ static float strangeness(const struct vision_fish *fish, vec3 attention_m)
     return f_sqrt(dx * dx + dz * dz) - DEPTH_WEIGHT * fish->position_m.y - bonus_m;
 }
 
-/* Inserts a fish into the list of the SNAPSHOT_NEAR_MAX best-ranked fish, in order of rank. */
+/* Inserts a fish into the list of nearby fish, which is sorted by rank. The list keeps the best
+ * SNAPSHOT_NEAR_MAX fish. */
 static void notice(struct snapshot *snapshot, float far_m[SNAPSHOT_NEAR_MAX],
                    const struct vision *vision, uint32_t index, float strange_m)
 {
@@ -74,7 +79,7 @@ static void notice(struct snapshot *snapshot, float far_m[SNAPSHOT_NEAR_MAX],
     snapshot->near[at] = see_fish(vision, index);
 }
 
-/* Counts a fish that is on or above the bot's own paper, in the poi's axes. */
+/* Counts a fish if it is on or above the bot's own paper. `axes` are the axes of the bot's poi. */
 static void count_upon(struct snapshot *snapshot, const struct basis *axes,
                        const struct vision_fish *fish)
 {
@@ -168,7 +173,7 @@ static void see_paper(struct snapshot *snapshot, const struct vision *vision)
     snapshot->paper.z_m = patch.z_m;
 }
 
-/* ---- Public --------------------------------------------------------------------------------- */
+/* ---- Public functions ------------------------------------------------------------------------ */
 
 void snapshot_take(struct snapshot *snapshot, const struct snapshot *before,
                    const struct vision *vision, uint16_t prey, vec3 attention_m)

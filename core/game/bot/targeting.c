@@ -1,46 +1,50 @@
-/* targeting.c -- paths through the water and their costs. A cost is in seconds of the player's
- * time: the time of the path, plus the expected time of another try if success is unlikely. */
+/* targeting.c -- computes paths through the water and their costs. A cost is a time in seconds: the
+ * time of the path, plus the expected time of another attempt if the first attempt may fail. */
 #include "core/game/bot/targeting.h"
 
 #include "core/base/mem.h"
 
-#define WALL_ROOM_M 0.052f  /* Least distance from a wall to the ring's centre. */
-#define FLOOR_ROOM_M 0.012f /* Clearance under the ring. */
+#define WALL_ROOM_M 0.052f  /* Smallest distance from a wall to the ring's centre. */
+#define FLOOR_ROOM_M 0.012f /* Smallest distance from the floor to the ring. */
 #define BOWL_ROOM_M 0.050f
 /* Height of the ring's lowest edge above the water before the dip. */
 #define CLEAR_M 0.010f
-/* Share of the fish's length: distance of the stop point from the fish's centre, beyond the
- * ring. */
+/* Distance of the stop point from the fish's centre beyond the ring's radius, as a share of the
+ * fish's length. */
 #define BESIDE_SHARE 0.30f
-/* Share of the fish's length: distance from its centre to the slapping part of the tail. */
+/* Distance from the fish's centre to the part of the tail that hits the paper, as a share of the
+ * fish's length. */
 #define TAIL_SHARE 0.42f
-#define TAIL_OFF_M 0.003f /* Distance of the tail beyond the paper's edge. */
-/* Place of the fish's centre on the paper, in ring radii: minimum and maximum. */
+#define TAIL_OFF_M 0.003f /* Distance of the tail outside the paper's edge. */
+/* Smallest and largest distance of the fish's centre from the paper's centre, in ring radii. */
 #define RIM_MIN 0.20f
 #define RIM_MAX 0.45f
-/* From this entry angle on, the ring slides in along the paper's plane. */
+/* Entry angle from which the ring enters the water along the paper's plane. */
 #define STEEP_RAD (35.0f * F_DEG)
 
-/* Handle yaws of a right hand: toward the player, and turned to either side. */
+/* Range of handle yaws for a right hand. At 0 the handle points toward the player. */
 #define YAW_MIN_RAD (-1.2f)
 #define YAW_MAX_RAD 1.6f
 #define YAW_EASY_RAD 0.35f
 static const float yaws_rad[] = { YAW_EASY_RAD, -0.30f, 0.90f, 1.45f, -0.80f };
 #define YAW_COUNT (sizeof yaws_rad / sizeof yaws_rad[0])
 
-#define START_S 0.60f /* Time until the ring is under the fish, added to the path time. */
+#define START_S 0.60f /* Time that is added to the path time until the ring is under the fish. */
 #define DEPTH_S_M 8.0f
 #define SPEED_S_PER_M_S 4.0f
-/* Seconds per metre of difference from the preferred fish length. */
+/* Cost in seconds per metre of difference from the preferred fish length. */
 #define LENGTH_S_M 10.0f
-#define SIDE_S 2.50f /* Cost of approaching the wrong end first. */
+#define SIDE_S                                                                                     \
+    2.50f /* Cost of passing first under the end of the fish that the technique does not prefer. */
 #define YAW_S_RAD 0.10f
-/* Bonus for a gulping fish, because it notices the poi late and dives late. */
+/* Cost reduction for a gulping fish, because the fish notices the poi late and dives late. */
 #define GULP_S 0.30f
 #define COMPANY_M 0.030f
-#define COMPANY_S 0.25f /* Each further fish nearby saves part of a separate path. */
-#define RIVAL_M 0.10f   /* Distance at which another player's poi interferes. */
-#define RIVAL_S 0.60f   /* Cost of a nearby poi of another player. */
+#define COMPANY_S                                                                                  \
+    0.25f             /* Cost reduction for each further fish nearby, because it needs no
+                         complete path of its own. */
+#define RIVAL_M 0.10f /* Distance at which another player's poi interferes. */
+#define RIVAL_S 0.60f /* Cost of a nearby poi of another player. */
 
 vec3 targeting_forward(float yaw_rad)
 {
@@ -49,7 +53,8 @@ vec3 targeting_forward(float yaw_rad)
 
 /* ---- Paths ---------------------------------------------------------------------------------- */
 
-/* Chooses where the fish will lie in the poi's plane: x to the right, z toward the handle. */
+/* Chooses the place of the fish on the paper, in the poi's plane: x to the right, z toward the
+ * handle. */
 static void choose_place(const struct technique *technique, const struct snapshot *snapshot,
                          float length_m, float *x_m, float *z_m)
 {
@@ -63,8 +68,8 @@ static void choose_place(const struct technique *technique, const struct snapsho
     }
 }
 
-/* Returns the slope of the path below the water. Level paper goes straight down; with more tilt the
- * path follows the paper's plane more closely. */
+/* Returns the angle of the path below the water surface. With level paper the path goes straight
+ * down. With more tilt the path follows the paper's plane more closely. */
 static float slope_rad(const struct technique *technique)
 {
     const float entry_rad = technique->entry_deg * F_DEG;
@@ -78,7 +83,7 @@ static int inside_walls(vec3 tank_m, vec3 point_m)
            f_abs(point_m.z) < 0.5f * tank_m.z - WALL_ROOM_M;
 }
 
-/* Returns 1 if the ring's path, seen from above, stays clear of the bowl. */
+/* Returns 1 if the ring's path, seen from above, does not touch the bowl, otherwise 0. */
 static int clears_bowl(const struct vision_bowl *bowl, vec3 from_m, vec3 to_m)
 {
     const float dx = to_m.x - from_m.x, dz = to_m.z - from_m.z;
@@ -141,8 +146,8 @@ static float rivals_s(const struct snapshot *snapshot, vec3 fish_m)
     return cost_s;
 }
 
-/* Returns the cost of a fish's depth and speed, less a bonus if the fish gulps. HUNT_CHASE ignores
- * this cost. */
+/* Returns the cost of a fish's depth and speed, reduced if the fish gulps. HUNT_CHASE ignores this
+ * cost. */
 static float hardness_s(const struct snapshot_fish *fish)
 {
     return -DEPTH_S_M * fish->position_m.y + SPEED_S_PER_M_S * v3_length(fish->velocity_m_s) -
@@ -157,8 +162,8 @@ static float cost_of_fish(const struct technique *technique, const struct snapsh
            rivals_s(snapshot, fish->position_m) + company_s(technique, snapshot, fish);
 }
 
-/* Returns the cost of handle yaw `yaw_rad`. The yaw decides which end of the fish the ring passes
- * under first. */
+/* Returns the cost of handle yaw `yaw_rad`. The yaw determines under which end of the fish the ring
+ * passes first. */
 static float cost_of_yaw(const struct technique *technique, const struct snapshot_fish *fish,
                          float yaw_rad)
 {
@@ -187,8 +192,8 @@ float targeting_yaw(const struct technique *technique, const struct snapshot_fis
     return fits ? wanted_rad : yaw_rad;
 }
 
-/* Finds the handle yaw with the lowest cost for one fish. Returns 0 if no yaw leaves room for a
- * path, else 1. */
+/* Finds the handle yaw with the lowest cost for one fish. Returns 1, or 0 if no yaw leaves room for
+ * a path. */
 static int choose_yaw(const struct technique *technique, const struct snapshot *snapshot,
                       vec3 hand_m, const struct snapshot_fish *fish, float age_s, float *yaw_rad,
                       float *cost_s)

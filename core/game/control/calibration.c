@@ -1,4 +1,4 @@
-/* calibration.c -- the affine map by least squares, and its application to a pose. */
+/* calibration.c -- computes the affine map by least squares, and applies the map to a pose. */
 #include "core/game/control/calibration.h"
 
 #include "core/base/fmath.h"
@@ -33,8 +33,8 @@ static int are_near(const vec3 *corner_m)
     return least_m < CALIBRATE_NEAR_M;
 }
 
-/* Returns the sine of the turn at a corner, seen from above. Four values of one sign mean that the
- * corners form a convex loop. */
+/* Returns the sine of the change of direction at a corner, seen from above. If all four values have
+ * the same sign, the corners form a convex quadrilateral. */
 static float turn_at(const vec3 *corner_m, uint32_t corner)
 {
     const vec3 here_m = corner_m[corner];
@@ -45,8 +45,8 @@ static float turn_at(const vec3 *corner_m, uint32_t corner)
     return (from_m.x * to_m.z - from_m.z * to_m.x) / lengths;
 }
 
-/* Sine of three degrees. A smaller turn is a straight line, which leaves the direction across it
- * undetermined. */
+/* Sine of three degrees. If the change of direction is smaller, three corners are nearly on one
+ * line, and the map across that line is undetermined. */
 #define STRAIGHT_SIN 0.05f
 
 static enum calibration_fault shape_of(const vec3 *corner_m)
@@ -65,7 +65,8 @@ static enum calibration_fault shape_of(const vec3 *corner_m)
                                         : CALIBRATION_CROSSED;
 }
 
-/* ---- The map -------------------------------------------------------------------------------- */
+/* ---- Affine map
+ * ------------------------------------------------------------------------------- */
 
 struct map {
     float xx, xz, x0, zx, zz, z0;
@@ -86,9 +87,9 @@ static vec3 middle_of(const vec3 *corner_m)
     return v3_scale(sum_m, 1.0f / (float)CALIBRATE_CORNERS);
 }
 
-/* Fits the map by the normal equations, which are solvable because the corners surround their
- * centre. The sums are relative to the centre, because sums far from the origin would lose the last
- * millimetre in float. */
+/* Fits the map by the normal equations, which have a solution because the corners surround their
+ * centre. The sums are relative to the centre, because float sums far from the origin would lose
+ * the last millimetre. */
 static struct map fit(const vec3 *said_m, const vec3 *mark_m)
 {
     const vec3 from_m = middle_of(said_m), to_m = middle_of(mark_m);
@@ -176,7 +177,8 @@ enum calibration_fault calibration_solve(const struct calibration_said *said, ve
 
 /* ---- Correction of a pose ------------------------------------------------------------------- */
 
-/* A mix of old and new settings passes the check with a probability of one in ten million. */
+/* A mixture of old and new settings has a matching check value with a probability of one in ten
+ * million. */
 int32_t calibration_check(const int32_t value[CALIBRATION_VALUES])
 {
     const uint64_t most = (uint64_t)settings_entry(SET_CALIBRATION_CHECK)->max;
@@ -212,7 +214,7 @@ static float whole(const int32_t *value, enum calibration_value which)
     return (float)value[which] / MILLION;
 }
 
-/* Returns the yaw of the corrected handle direction; yaw 0 points along -z. */
+/* Returns the yaw of the handle's corrected direction. Yaw 0 points along -z. */
 static float turned_yaw(const struct map *map, float yaw_rad)
 {
     const vec3 ahead = v3(-f_sin(yaw_rad), 0.0f, -f_cos(yaw_rad));

@@ -1,4 +1,5 @@
-/* controller.c -- sources of the pois, and the blending between them. */
+/* controller.c -- selects the source of each poi, and blends the pose after a change of the
+ * source. */
 #include "core/game/control/controller.h"
 
 #include "core/base/panic.h"
@@ -11,17 +12,21 @@
 #include "core/poi/pose.h"
 
 #define CLEAR_Y_M 0.035f /* Lowest height of a poi while dips are not allowed. */
-/* Blend time after a change of the source, 1.2 s: 1 m/s across the tank. */
+/* Time for blending after a change of the source, 1.2 s. Across the tank the poi then moves at 1
+ * m/s. */
 #define GRIP_TICKS 144u
-#define DOUBT_TICKS 8u /* An outlier of a sixteenth of a second moves no poi. */
-#define FAR_M 0.30f    /* Distance from which a new pose is approached gently. */
-#define FAR_TURN 0.3f  /* Rotation from which a new pose is approached gently. */
-/* Same rotation limit for a pointer; larger, because a pointer tilts its poi during fast motion. */
+#define DOUBT_TICKS 8u /* Longest time for which an outlier is ignored, a fifteenth of a second. */
+#define FAR_M 0.30f    /* Distance beyond which the poi moves gently to a new pose. */
+#define FAR_TURN 0.3f  /* Rotation beyond which the poi moves gently to a new pose. */
+/* Rotation limit for a pointer instead of FAR_TURN. The limit is larger, because a pointer tilts
+ * its poi during fast motion. */
 #define FAR_LEAN 0.8f
 #define WET_BELOW_M 0.020f /* Height below which part of a tilted ring may be under water. */
-/* Total damage immunity of several returns in a row. */
+/* Longest total damage immunity of several returns in a row. */
 #define SPARE_TICKS_ALL (2u * FAILSAFE_IMMUNITY_TICKS_MAX)
-#define REFILL_TICKS 8u      /* Ticks of normal control that restore one tick of immunity. */
+#define REFILL_TICKS                                                                               \
+    8u                       /* Ticks of normal control after which one used tick of immunity
+                                becomes available again. */
 #define REACH_SIDE_M 0.20f   /* Reach of an arm beyond the walls. */
 #define REACH_HEIGHT_M 0.35f /* Reach of an arm above the water. */
 
@@ -62,7 +67,7 @@ int controller_dip_pressed(const struct game *game, const struct input *input, u
            input->poi[index].target.position_m.y < GAME_DIP_Y_M;
 }
 
-/* Returns the current source of a poi. In attract mode only the bot counts. A controller with
+/* Returns the current source of a poi. In attract mode only the bot is a source. A controller with
  * invalid input counts as lost. */
 static uint8_t link_now(const struct game *game, const struct input *input, uint32_t index)
 {
@@ -79,7 +84,7 @@ static float direction(float angle_rad)
     return f_wrap_angle(angle_rad);
 }
 
-/* Returns the lowest height for a controlled poi. */
+/* Returns the lowest allowed height for a controlled poi. */
 static float lowest_m(const struct game *game, const struct world *world, uint32_t index)
 {
     return game_may_scoop(game, index) ? -world->tank.size_m.y : CLEAR_Y_M;
@@ -115,7 +120,8 @@ static void take_hold(struct game *game, const struct world *world,
     if (link == POI_SOURCE_BOT) {
         bot_init(&game->bot[index], &technique_expert, config->seed + index);
         game->bot[index].hand.pose = game->hand_pose[index];
-        controller_forget_path(game, index); /* The bot has no controller pose to return to. */
+        controller_forget_path(game, index); /* The bot has no controller pose to which the poi
+                                                would return. */
     }
     if (link == POI_SOURCE_LIVE && game->holder[index] == POI_SOURCE_LOST) {
         game->return_ticks[index] = game->was_lost[index] = 1;
@@ -127,22 +133,22 @@ static void take_hold(struct game *game, const struct world *world,
     game->holder[index] = link;
 }
 
-/* Blends from the old target pose to the new one after a change of the source. The share per tick
- * grows from 0 to 1. */
+/* Blends from the old target pose to the new pose after a change of the source. The weight of the
+ * new pose grows from 0 to 1 during GRIP_TICKS. */
 static struct poi_target blend_to_holder(struct game *game, const struct world *world,
                                          uint32_t index, struct poi_target wanted)
 {
     const int begins = game->phase == PHASE_ROUND && game->tick == game->phase_tick;
     if (begins && wanted.position_m.y < CLEAR_Y_M) {
-        game->grip_tick[index] = game->tick; /* A player who waits with the button held starts with
-                                                a gentle dip. */
+        game->grip_tick[index] = game->tick; /* If the player already holds the button when the
+                                                round begins, the poi dips gently. */
     }
     const float age = (float)(game->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
     wanted = within_reach(world, wanted, lowest_m(game, world, index));
     return age < 1.0f ? pose_between(game->hand_pose[index], wanted, age * age * age) : wanted;
 }
 
-/* Returns 1 if an outlier could damage the paper or lose a fish. */
+/* Returns 1 if an outlier could damage the paper or lose a fish, otherwise 0. */
 static int is_at_stake(const struct game *game, const struct world *world, uint32_t index,
                        vec3 next_m)
 {
@@ -168,9 +174,9 @@ static int is_far(const struct poi_target *from, const struct poi_target *to, in
            input_turn(from->angles, to->angles) > (has_wrist ? FAR_TURN : FAR_LEAN);
 }
 
-/* Filters outliers. A pose farther away than an arm moves in a tick may be a sensor error. The
- * target then stays unchanged until the error ends or has lasted for DOUBT_TICKS. Above the water a
- * fast mouse motion is accepted. */
+/* Filters outliers. A pose that is farther away than an arm can move in one tick may be a sensor
+ * error. The target then stays unchanged until the error ends or has lasted for DOUBT_TICKS. Above
+ * the water a fast motion of a mouse is accepted. */
 static struct poi_target steady(struct game *game, const struct world *world, uint32_t index,
                                 struct poi_target next, int has_wrist)
 {
@@ -192,8 +198,9 @@ static struct poi_target steady(struct game *game, const struct world *world, ui
     return share < 1.0f ? pose_between(hand, next, share) : next;
 }
 
-/* Advances the return to the controller's pose. The paper is immune until the return completes,
- * within the limits for one return and for all returns. */
+/* Advances the return to the controller's pose. The paper cannot be damaged until the return
+ * completes or the immunity reaches its limit. One limit applies to a single return, and a second
+ * limit to several returns. */
 static struct poi_target return_to_hand(struct game *game, struct world *world, uint32_t index,
                                         struct poi_target wanted)
 {
@@ -227,8 +234,8 @@ static struct poi_target led_by_a_person(struct game *game, struct world *world,
     return steady(game, world, index, next, says->has_wrist);
 }
 
-/* Moves a poi without input out of the water. Restored input, or the end of the pause, starts the
- * return from there. */
+/* Moves a poi without input out of the water. The return later starts from the position reached,
+ * when the input is restored or the pause ends. */
 static void withdraw_hand(struct game *game, const struct world *world, uint32_t index)
 {
     const struct poi_target out = failsafe_withdraw(&world->poi[index], game->hand_pose[index]);
@@ -240,8 +247,8 @@ static void withdraw_hand(struct game *game, const struct world *world, uint32_t
     }
 }
 
-/* Parks a poi that is not in use. A bot keeps observing; a person gets the poi back by a gentle
- * blend. */
+/* Parks a poi that is not in use. A bot continues to take snapshots. When a person uses the poi
+ * again, its pose is blended gently. */
 static void put_away(struct game *game, struct world *world, uint32_t index)
 {
     struct bot *bot = &game->bot[index];
@@ -257,7 +264,7 @@ static void put_away(struct game *game, struct world *world, uint32_t index)
     }
 }
 
-/* During a pause for a lost controller, every poi of the tank is in failsafe. */
+/* Updates one poi. During a pause for a lost controller, every poi of the tank is in failsafe. */
 static void tick_hand(struct game *game, struct world *world, const struct input *input,
                       uint32_t index)
 {
@@ -295,8 +302,8 @@ void controller_tick_all(struct game *game, struct world *world, const struct co
         targets[i] = game->hand_pose[i];
         game->live_y_m[i] = is_believed(game, i)
                                 ? input->poi[i].target.position_m.y
-                                : -1.0f; /* The next valid pose after invalid input is no
-                                            downward crossing. */
+                                : -1.0f; /* After invalid input, the next valid pose does not count
+                                            as a downward crossing. */
     }
 }
 

@@ -1,41 +1,48 @@
-/* failsafe.c -- trajectories of the failsafe motion, one step per tick. */
+/* failsafe.c -- computes the failsafe motion, one step per tick. */
 #include "core/game/control/failsafe.h"
 
 #include "core/base/fmath.h"
 #include "core/poi/pose.h"
 
-/* Deceleration at which a fish on level paper just keeps its place. */
+/* Deceleration at which a fish on level paper does not slide. */
 #define COAST_M_S2 2.0f
 #define COAST_LAG_S 0.025f /* Time by which the ring lags behind its target in air. */
 #define COAST_DONE_M_S 0.15f
-/* Half-wet paper of grade 7 withstands this speed broadside (test_drift). */
+/* Speed upward that half-wet paper of grade 7 withstands broadside (test_drift). */
 #define RISE_M_S 0.08f
 #define TURN_RAD_S 1.5f
 #define SLANT_RAD (45.0f * F_DEG)
 #define SLANT_NEAR_RAD (10.0f * F_DEG) /* Tilt at which the upward motion starts. */
-#define BACK_DRY_M_S 1.0f              /* From the bowl to the far corner within a second. */
-/* Speed down into the water, which paper also withstands broadside. */
+#define BACK_DRY_M_S                                                                               \
+    1.0f /* Speed above the water, enough to move from the bowl to the far corner within a
+            second. */
+/* Speed downward into the water, which the paper also withstands broadside. */
 #define BACK_WET_M_S 0.10f
 #define WET_BELOW_M 0.035f /* Height below which part of a tilted ring may be under water. */
 #define BACK_TURN_RAD_S 4.0f
-/* Share of the remaining distance per tick, for a soft end of the motion. */
+/* Share of the remaining distance that the poi moves per tick. The poi therefore slows down near
+ * its goal. */
 #define BACK_SHARE 0.08f
-/* Increase of the speed per second after the immunity ends, as a factor. */
+/* Increase of the speed factor for each second after the damage immunity ends. */
 #define BACK_HASTE_PER_S 5.0f
-#define BACK_SHARE_PER_S 0.5f /* Increase of the share per second after the immunity ends. */
-#define BACK_NEAR_M 0.006f    /* Distance that the hand spring covers without an impact. */
+#define BACK_SHARE_PER_S                                                                           \
+    0.5f /* Increase of BACK_SHARE for each second after the damage immunity ends. */
+#define BACK_NEAR_M                                                                                \
+    0.006f /* Distance that the spring between the controller's pose and the poi covers without
+              an impact. */
 #define BACK_NEAR_RAD 0.02f
-/* Horizontal distance from which the poi leaves the water on its way. */
+/* Horizontal distance to the goal above which the poi leaves the water before it moves sideways. */
 #define BACK_FAR_M 0.15f
-#define BACK_ASIDE_M 0.03f /* Horizontal distance within which the poi may go down. */
+#define BACK_ASIDE_M 0.03f /* Horizontal distance to the goal within which the poi may move down. */
 
 static float toward(float from, float to, float step)
 {
     return from + f_clamp(to - from, -step, step);
 }
 
-/* Returns the edge that leaves the water first: the higher edge of a tilted ring, else the edge
- * with more room beyond it. 1: far edge, -1: near edge. */
+/* Returns the edge that leaves the water first: 1 means the far edge, -1 the near edge. For a
+ * tilted ring the result is the higher edge. For a level ring the result is the edge that lets the
+ * poi leave toward the middle of the tank. */
 static float first_edge(struct poi_target hand)
 {
     if (f_abs(hand.angles.pitch_rad) > SLANT_NEAR_RAD) {
@@ -84,8 +91,8 @@ struct poi_target failsafe_withdraw(const struct poi *poi, struct poi_target han
     return in_water && poi->carried_count == 0 ? slip_out(hand) : lift_level(hand);
 }
 
-/* Returns the remaining path. A long path leads over the water: out of the water first, then above
- * the destination, then down. */
+/* Returns the direction and distance of the next part of the path. On a long path the poi first
+ * leaves the water, then moves above the goal, and then moves down. */
 static vec3 way_back(vec3 from_m, vec3 to_m)
 {
     const vec3 way_m = v3_sub(to_m, from_m);
@@ -96,7 +103,7 @@ static vec3 way_back(vec3 from_m, vec3 to_m)
     return aside_m > BACK_ASIDE_M && way_m.y < 0.0f ? v3(way_m.x, 0.0f, way_m.z) : way_m;
 }
 
-/* The return becomes faster after the immunity ends, so that the return always completes. */
+/* After the immunity ends the poi moves faster, so that the return always completes. */
 struct poi_target failsafe_return(struct poi_target hand, struct poi_target wanted, uint32_t ticks)
 {
     const float age = f_min((float)ticks / (float)FAILSAFE_RETURN_TICKS_MIN, 1.0f);

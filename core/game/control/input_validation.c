@@ -6,13 +6,15 @@
 #include "core/base/mem.h"
 #include "core/base/vec.h"
 
-/* Tolerance of the jump test. Reports arrive a little unevenly: a motion at 3 m/s with one missing
- * report exceeds the limit by 3.4 cm. */
+/* Tolerance of the jump test, because reports arrive at uneven intervals. A motion at 3 m/s with
+ * one missing report exceeds the limit by 3.4 cm. */
 #define ARM_LEAP_M 0.035f
 #define POINTER_LEAP_M 0.30f
-/* Limit for the motion of the unit axes' tips per second; equals rad/s for small rotations. */
+/* Speed limit for the tips of the pose's unit axes, per second. The value equals rad/s for small
+ * rotations. */
 #define WRIST_PER_S 40.0f
-#define LEAP_TURN 0.3f /* 36 degrees in one tick. */
+#define LEAP_TURN                                                                                  \
+    0.3f /* Tolerance of the rotation test; with WRIST_PER_S, 36 degrees in one tick. */
 #define CREDIT_KEEP 0.95f
 
 static int is_within_limit(float value, float limit)
@@ -54,8 +56,9 @@ int input_pose_is_jump(const struct poi_target *from, const struct poi_target *t
            input_turn(from->angles, to->angles) > WRIST_PER_S * seconds + LEAP_TURN;
 }
 
-/* Accumulates the motion beyond the allowed pace `free`, and reduces the sum at that pace. A
- * negative sum is an allowance for unseen motion, which decays within the frame that catches up. */
+/* Adds the motion `step` to the sum `before`, less the motion `free` that is allowed per tick. A
+ * negative result is motion that is still allowed because reports were missing. The negative part
+ * decays within the frame in which the pose catches up. */
 static float beyond(float before, float step, float free)
 {
     const float sum = before + step - free;
@@ -78,7 +81,7 @@ static int leaps(struct input_validation *validation, const struct poi_input *in
         validation->excess_m > leap_m(input->has_wrist) || validation->spin > LEAP_TURN;
     if (leapt) {
         validation->excess_m = validation->spin =
-            0.0f; /* Restart from the new pose, in case it stays. */
+            0.0f; /* The sums restart at the new pose, because the sensor may stay there. */
     }
     return leapt && input->has_wrist;
 }
@@ -93,7 +96,8 @@ static int is_stuck(struct input_validation *validation, const struct poi_input 
     return input->trembles && validation->same_ticks > INPUT_STUCK_TICKS;
 }
 
-/* Runs both checks in every tick, because each updates counters. */
+/* Returns 1 if the sensor is neither frozen nor jumping, otherwise 0. Both tests run in every tick,
+ * because each test updates counters. */
 static int goes_on(struct input_validation *validation, const struct poi_input *input)
 {
     const int stuck = is_stuck(validation, input);
@@ -101,7 +105,7 @@ static int goes_on(struct input_validation *validation, const struct poi_input *
     return !stuck && !leapt;
 }
 
-/* Returns 1 if the current input is consistent with the earlier input. */
+/* Returns 1 if the current input is consistent with the earlier input, otherwise 0. */
 static int agrees(struct input_validation *validation, const struct poi_input *input)
 {
     if (input->link != POI_SOURCE_LIVE || !input_pose_is_finite(&input->target)) {
@@ -113,8 +117,9 @@ static int agrees(struct input_validation *validation, const struct poi_input *i
     return is_sane && input->age_ticks <= INPUT_SILENT_TICKS;
 }
 
-/* After late reports the missed motion is replayed in three quarters of its duration. Straight
- * pieces make the path shorter, so a full-time replay would be slower and wear the paper less. */
+/* Tracks late reports. The motion that was missed while reports were late is replayed in three
+ * quarters of the missed time. The replay follows a straight line, which is shorter than the actual
+ * path. A replay in the full time would therefore be slower and wear the paper less. */
 static void count_late(struct input_validation *validation, const struct poi_input *input)
 {
     const uint16_t before = validation->silent_ticks;

@@ -1,25 +1,30 @@
-/* parking.c -- parking: which pois are parked, their motion, and their remaining effect on
- * others. */
+/* parking.c -- decides which pois are parked, and computes their motion and their remaining effect
+ * on fish and other pois. */
 #include "core/game/control/parking.h"
 
 #include "core/game/game.h"
 #include "core/poi/world.h"
 #include "core/tank/preset.h"
 
-/* Distance beyond the bowl's centre, so that the handle lies beside the bowl. */
+/* Distance of the parked poi beyond the bowl's centre, so that the handle lies beside the bowl. */
 #define ALONG_M 0.105f
-#define INSIDE_M 0.005f /* Distance within the wall, so that the ring stays in the picture. */
+#define INSIDE_M                                                                                   \
+    0.005f /* Distance of the parked ring inside the wall, so that the ring stays visible. */
 #define ON_RIM_M 0.004f
-#define OVER_RIM_M 0.020f /* Height above the rim during the motion. */
-#define LIFT_M_S 0.30f    /* Lift speed; the paper takes no damage. */
+#define OVER_RIM_M 0.020f /* Height of the poi above the rim while it moves. */
+#define LIFT_M_S 0.30f    /* Speed at which the poi rises; the paper takes no damage. */
 #define AWAY_M_S 0.80f
-/* Share of the remaining distance per tick, for a soft end of the motion. */
+/* Share of the remaining distance that the poi moves per tick. The poi therefore slows down near
+ * its goal. */
 #define AWAY_SHARE 0.06f
-#define START_TICKS 36.0f /* Ticks of acceleration, for a soft start. */
+#define START_TICKS                                                                                \
+    36.0f /* Ticks in which the poi accelerates, so that the motion starts gently. */
 #define TURN_RAD_S 3.0f
-#define NEAR_M 0.03f   /* Horizontal distance within which the poi is lowered. */
-#define DOWN_M_S 0.08f /* Lowering speed. */
-#define CLEAR_M 0.010f /* Clearance beside a bowl. */
+#define NEAR_M                                                                                     \
+    0.03f              /* Horizontal distance to the rest position within which the poi is
+                          lowered. */
+#define DOWN_M_S 0.08f /* Speed at which the poi is lowered. */
+#define CLEAR_M 0.010f /* Smallest distance between the poi and a bowl. */
 #define FADE_TICKS 60.0f
 
 static float rim_m(const struct world *world)
@@ -37,8 +42,8 @@ struct poi_target parking_place(const struct world *world, uint32_t index)
     };
 }
 
-/* Returns 1 if the poi is unused. A bot uses its poi only during a game. A person's poi is the
- * pointer for as long as the player is in. */
+/* Returns 1 if the poi is unused, otherwise 0. A bot uses its poi only during a game. A person uses
+ * the poi, also as a pointer, until the person is out. */
 static int is_idle(const struct game *game, const struct world *world, uint32_t index)
 {
     const int in_play = game->phase == PHASE_ATTRACT || game->phase == PHASE_ROUND;
@@ -75,7 +80,8 @@ static float turn_level(float angle_rad)
     return angle_rad - f_clamp(angle_rad, -step_rad, step_rad);
 }
 
-/* Returns 1 if the ring is under a bowl or between two, where it cannot move up. */
+/* Returns 1 if the ring is below a bowl or between two bowls, where the ring cannot move up;
+ * otherwise 0. */
 static int is_under_a_bowl(const struct world *world, vec3 ring_m)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -95,8 +101,8 @@ static float step_of(float way_m, float pace_m_s)
     return f_clamp(way_m, -pace_m_s * CORE_TICK_S, pace_m_s * CORE_TICK_S);
 }
 
-/* Returns the next position. The motion has four steps, chosen by the ring's actual position:
- * toward the middle, up, over the rims, and down. */
+/* Returns the next position of the poi. The motion has four steps: toward the middle of the tank,
+ * up, over the rims, and down. The ring's actual position selects the step. */
 static vec3 next_m(const struct world *world, uint32_t index, vec3 at_m, float begun)
 {
     const vec3 place_m = parking_place(world, index).position_m;
@@ -127,7 +133,8 @@ struct poi_target parking_path(const struct game *game, const struct world *worl
     };
 }
 
-/* ---- Effect on others ----------------------------------------------------------------------- */
+/* ---- Effect on fish, pois and light
+ * ----------------------------------------------------------- */
 
 int parking_collides(const struct game *game, const struct world *world, uint32_t index)
 {

@@ -1,10 +1,10 @@
-/* release.c -- turns carried fish into falling fish. */
+/* release.c -- converts carried fish to falling fish. */
 #include "core/game/control/release.h"
 
 #include "core/base/panic.h"
 #include "core/poi/catch/fall.h"
 
-#define THROW_M_S_MAX 0.3f /* Highest release speed, because a released fish must not be thrown. */
+#define THROW_M_S_MAX 0.3f /* Highest speed of a released fish, so that the fish is not thrown. */
 
 void release_all(struct poi *poi, const struct tank *tank)
 {
@@ -26,8 +26,8 @@ static int is_held(const struct fish *fish, uint32_t poi_index)
     return fish->gait == GAIT_HELD && fish->holder == poi_index;
 }
 
-/* Frees fish that are marked as held without being on the poi's list, because no other code would
- * let them fall. */
+/* Releases fish that are marked as held but are missing in the poi's list, because no other code
+ * would let them fall. */
 static void free_the_forgotten(const struct poi *poi, uint32_t poi_index, struct tank *tank)
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {

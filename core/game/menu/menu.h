@@ -29,9 +29,9 @@
 
 /* Largest number of items on a page: twelve in its body and four at its foot. */
 #define MENU_TAG_MAX 16u
-#define MENU_ASK_TICKS (5u * CORE_TICK_HZ)   /* Time in which a second TEST press ends the round. */
-#define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u) /* Time after a selection in which a second selection
-                                                is ignored. */
+#define MENU_ASK_TICKS (5u * CORE_TICK_HZ) /* Time in which a second TEST press ends the round. */
+#define MENU_TAKE_TICKS                                                                            \
+    (CORE_TICK_HZ / 10u) /* Time after a selection in which a second selection is ignored. */
 /* Time without activity after which an open menu closes. */
 #define MENU_IDLE_TICKS (300u * CORE_TICK_HZ)
 /* Time without activity after which the menu closes on the PIN page. */
@@ -80,10 +80,7 @@ enum menu_page {
 
 /* Items of the pages that have code of their own. On the page of all
  * controllers, the items of the first enum follow one item for each controller. */
-enum {
-    ROWS_BACK = CONTROLLER_MAX,
-    ROWS_TAGS
-};
+enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS };
 enum { ROW_CHOOSE = 0, ROW_RELEASE, ROW_LEARN, ROW_BACK, ROW_TAGS };
 enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
 enum { LINES_BACK = 0, LINES_TAGS };
@@ -124,9 +121,9 @@ struct menu {
                            none. */
     uint8_t turns_down; /* 1 if selecting an item on a settings page lowers its value, 0 if
                            selecting raises the value. */
-    uint8_t turning; /* 1 while the button or poi that selected a setting is still pressed, so the
-                        value keeps changing; otherwise 0. */
-    uint8_t from;    /* Page that requested confirmation of a reset. */
+    uint8_t turning;    /* 1 while the button or poi that selected a setting is still pressed, so
+                          the value keeps changing; otherwise 0. */
+    uint8_t from;       /* Page that requested confirmation of a reset. */
     uint8_t pin_count;  /* Number of PIN digits typed so far. */
     uint16_t pin;       /* PIN digits typed so far, as a number. */
     uint8_t turn_count; /* Number of automatic repeats of the current change, up to 255. */
