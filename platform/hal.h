@@ -128,7 +128,7 @@ struct hal_poi_ops {
 struct hal_fan_ops {
     int (*open)(void *self); /* Opens the device, and reopens it after HAL_ERR_GONE. */
     /* Writes the fan's current position. The kiosk calls poll() after it has polled all pois,
-     * because a fan may share its device with a poi. */
+     * because one device may report both a fan and a poi. */
     int (*poll)(void *self, struct shade_input *out);
     const char *(*describe)(void *self);
 };

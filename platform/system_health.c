@@ -250,8 +250,8 @@ void system_health_sample(struct system_health *machine, struct scene_machine *o
 
 /* ---- Thread -------------------------------------------------------------------------------- */
 
-/* Waits up to SYSTEM_HEALTH_PERIOD_S on the monotonic clock. On the civil clock, a clock that is
- * set back by years would block the thread for years. */
+/* Waits up to SYSTEM_HEALTH_PERIOD_S on the monotonic clock. If the wait used the civil clock and
+ * this clock were set back by years, the wait would take years. */
 static void wait_a_while(struct system_health *machine)
 {
     struct timespec until;
@@ -283,8 +283,8 @@ static void *system_health_thread(void *self)
     return NULL;
 }
 
-/* Starts the thread with all signals blocked except the fatal signals, because the main thread
- * handles the signals that end the kiosk. */
+/* Starts the health monitor's thread with all signals blocked except the fatal signals, because the
+ * main thread handles the signals that end the kiosk. */
 static bool start_thread(struct system_health *machine)
 {
     sigset_t all, before;

@@ -24,7 +24,8 @@
 #define SYSTEM_HEALTH_QUARANTINE_MAX 64u
 
 /* State of the health monitor. The caller owns the structure, sets `data`, `checked` and `heat`,
- * and clears the other fields. The address must not change while the thread runs. */
+ * and clears the other fields. The address of the structure must not change while the monitor's
+ * thread runs. */
 struct system_health {
     const char *data;    /* Folder of the store. Null or "" means that there is no store. */
     const char *checked; /* File with the result of check-data. Null means
@@ -79,18 +80,19 @@ enum system_health_quarantine system_health_quarantine_of(const char *file);
 /* Returns true if the operator has acknowledged the quarantined file `file` in `folder`. */
 bool system_health_is_seen(const char *folder, const char *file);
 
-/* Starts the thread. If no thread can be created, all health values remain unknown. */
+/* Starts the health monitor's thread. If no thread can be created, all health values remain
+ * unknown. */
 void system_health_start(struct system_health *machine);
 
-/* Stops the thread and waits until the thread has ended. */
+/* Stops the health monitor's thread and waits until the thread has ended. */
 void system_health_stop(struct system_health *machine);
 
 /* Copies the newest result to `out`, except `watch` and `missed`. Leaves `out` unchanged while the
- * thread holds the lock. Never blocks. */
+ * health monitor's thread holds the lock. Never blocks. */
 void system_health_read(struct system_health *machine, struct scene_machine *out);
 
-/* Requests that the thread marks all quarantined files as acknowledged. Never blocks. Returns false
- * if the thread holds the lock; the caller retries. */
+/* Requests that the health monitor's thread marks all quarantined files as acknowledged. Never
+ * blocks. Returns false if the thread holds the lock; the caller retries. */
 bool system_health_acknowledge(struct system_health *machine);
 
 #endif

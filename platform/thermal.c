@@ -82,8 +82,8 @@ int32_t thermal_read(const char *root)
 
 /* ---- Thread -------------------------------------------------------------------------------- */
 
-/* Waits up to THERMAL_LOOK_S on the monotonic clock. On the civil clock, a clock that is set back
- * by years would block the thread for years. */
+/* Waits up to THERMAL_LOOK_S on the monotonic clock. If the wait used the civil clock and this
+ * clock were set back by years, the wait would take years. */
 static void wait_a_while(struct thermal *thermal)
 {
     struct timespec until;

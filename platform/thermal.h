@@ -31,15 +31,16 @@ struct thermal {
     bool runs;
     pthread_mutex_t lock;
     pthread_cond_t bell;
-    bool ends; /* True if the thread must end. Protected by `lock`. */
+    bool ends; /* True if the temperature monitor's thread must end. Protected by `lock`. */
     atomic_int margin_mdeg;
-    atomic_uint looks; /* Number of completed measurements. */
+    atomic_uint looks; /* Number of completed temperature measurements. */
 };
 
-/* Starts the thread. If no thread can be created, the margin remains unknown. */
+/* Starts the temperature monitor's thread. If no thread can be created, the margin remains
+ * unknown. */
 void thermal_start(struct thermal *thermal);
 
-/* Stops the thread and waits until the thread has ended. */
+/* Stops the temperature monitor's thread and waits until the thread has ended. */
 void thermal_stop(struct thermal *thermal);
 
 #endif

@@ -21,7 +21,8 @@ struct audio_output {
     uint64_t attract_ns; /* Start time of attract mode. 0 means that a game runs. */
 };
 
-/* Opens the sound card. If there is none, audio_output_play() repeats the search later. */
+/* Opens the sound card. If no sound card is found, audio_output_play() repeats the search once per
+ * second. */
 void audio_output_open(struct audio_output *voice, const struct hal_audio *audio, uint64_t now_ns);
 
 /* Returns the gain [0, 1] of a sound of full volume. The gain is the square of the volume setting,

@@ -25,8 +25,9 @@ struct file_notes {
 };
 
 /* Adds a note about a rejected file. `line` is "FILE: reason" or "FILE:LINE: reason". If `line` has
- * no reason, the whole line is the text and the name is empty. The prefix `data` (folder, may be
- * "") is removed from the name. A name that is too long is cut at its beginning. */
+ * no reason, the whole line is the text and the name is empty. If the name starts with the folder
+ * `data`, this prefix is removed; `data` may be "". A name that is too long is cut at its
+ * beginning. */
 void file_notes_refused(struct file_notes *notes, const char *data, const char *line);
 /* Adds a note about the file `name` with the text `words`. */
 void file_notes_add(struct file_notes *notes, enum scene_file_state state, const char *name,

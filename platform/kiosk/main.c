@@ -181,7 +181,8 @@ static enum exit_code run_words(int argc, char **argv)
     }
     catch_signals();
     panic_prepare(last_wish, &evening);
-    /* The kiosk also starts without its data folder. The store reports the reason. */
+    /* The kiosk also starts if its data folder cannot be used. The store then reports the
+     * reason. */
     code = evening.options.shots[0] ? run_common_make_folder(evening.options.shots) : EXIT_OK;
     if (code == EXIT_OK) {
         code = run_common_check(&evening);

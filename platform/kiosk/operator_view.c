@@ -1,4 +1,5 @@
-/* operator_view.c -- copies device texts to the operator's menu; see operator_view.h. */
+/* operator_view.c -- copies the names and texts of the devices to the operator's menu; see
+ * operator_view.h. */
 #include "platform/kiosk/operator_view.h"
 
 #include <string.h>

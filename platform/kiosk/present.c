@@ -69,9 +69,11 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
 }
 
 /* Returns 1 if the kiosk must restart to use a store that appeared after program start. Otherwise
- * returns 0. The kiosk restarts only while no game, replay or recording runs, and only after the
- * store has all money that was only in memory. A remaining credit does not delay the restart,
- * because a credit cannot be played before it is stored. */
+ * returns 0.
+ *
+ * The kiosk restarts only while no game, replay or recording runs. Before the restart, all coins
+ * and credits that were only in memory must be in the store. A remaining credit does not delay the
+ * restart, because a credit cannot be played before it is stored. */
 static int is_called_back(struct kiosk *kiosk, const struct hal *hal)
 {
     return kiosk->core.game.phase == PHASE_ATTRACT && !kiosk->config.source.next &&

@@ -72,7 +72,7 @@ int replay_verifier_tick(struct replay_verifier *verifier);
 int replay_verifier_is_at_round(const struct replay_verifier *verifier);
 
 /* Returns the result of the verification. Call after replay_verifier_tick() has returned 0. At
- * least one row of `ranking` must have the id `round_id`, and each such row must equal the
+ * least one row of `ranking` must have the id `round_id`, and every row with this id must equal the
  * simulated round. `kept` is the round's ledger entry and must equal the entry of the simulation.
  * An id of 0 in `kept` means that the ledger no longer has the entry. */
 enum replay_verdict replay_verifier_result(const struct replay_verifier *verifier,

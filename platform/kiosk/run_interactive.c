@@ -1,5 +1,5 @@
-/* run_interactive.c -- opens the board, runs the frame loop and closes the board; see
- * run_interactive.h. */
+/* run_interactive.c -- opens the devices of the board, runs the frame loop and closes the devices;
+ * see run_interactive.h. */
 #include "platform/kiosk/run_interactive.h"
 
 #include <stdio.h>
@@ -155,8 +155,8 @@ int run_interactive_open(struct run_common *session)
     if (!options->data[0]) {
         directory_default_data(options->data);
     }
-    directory_make(options->data); /* The folder must exist before evidence_open(). The store
-                                      reports a failure. */
+    directory_make(options->data); /* The data folder must exist before evidence_open(). If
+                                      directory_make() fails, the store later reports the reason. */
     evidence_open(&session->evidence, options->data, &session->chapters, &session->kiosk.core);
     const struct board_options board = {
         .poi = options->poi,

@@ -48,8 +48,8 @@ struct session_recorder {
     uint8_t is_lent;   /* 1 while the store uses `replay`. */
     uint8_t is_sealed; /* 1 if the checksums of `replay` are complete. */
     struct replay_seal seal;
-    uint8_t has_pin; /* 1 if digits of a PIN were typed in the session. No replay of such a session
-                        is stored. */
+    uint8_t has_pin; /* 1 if digits of a PIN were typed in the session. The store then gets no
+                        replay of the session. */
     size_t replay_size;
     uint32_t missed;         /* Number of ranked rounds whose replay could not be stored. */
     struct input begun;      /* Input of the current tick. Valid while is_in_tick is 1. */
@@ -84,9 +84,9 @@ int session_recorder_offer(struct session_recorder *chapters, const struct hal_s
 /* ---- PIN in a recording -------------------------------------------------------------------- */
 
 /* Withholds the PIN (core/pin.h) in the initial configuration of a recording. `told` is the last
- * logged PIN of a running core, or null. If the PIN and its logged value were equal before the
- * call, they are equal afterwards; otherwise they differ afterwards. The simulated game therefore
- * stays the same, because the core writes a ledger entry only if the two values differ. */
+ * logged PIN of a running core, or null. The core writes a ledger entry if the PIN and its logged
+ * value differ. The function therefore keeps equal values equal and different values different, so
+ * that the simulated game stays the same. */
 void session_recorder_withhold_pin(struct core_config *config, int32_t *told);
 
 /* Returns 1 if the initial configuration of a recording contains a PIN, otherwise 0. */
@@ -96,7 +96,7 @@ int session_recorder_start_has_pin(const struct core_config *config);
  * contain the digits. */
 int session_recorder_types_pin(const struct core *core);
 
-/* ---- Functions for a panic, async-signal-safe ---------------------------------------------- */
+/* ---- Async-signal-safe functions for the panic handler ------------------------------------- */
 
 /* Stops all changes of the recording. `is_own` is 1 if the calling thread runs the ticks. If
  * `is_own` is 0, waits for the end of the current tick, at most SESSION_RECORDER_FREEZE_MS

@@ -118,8 +118,8 @@ static void write_report(struct status *status, struct status_report *report)
 static void *status_thread(void *self)
 {
     struct status *status = self;
-    struct status_report report; /* Copy for this thread, because the frame loop overwrites
-                                    status->report. */
+    struct status_report report; /* Copy for the status file's thread, because the frame loop
+                                    overwrites status->report. */
     pthread_setname_np(pthread_self(), "status");
     pthread_mutex_lock(&status->mutex);
     while (!status->stop) {

@@ -73,27 +73,29 @@ struct status {
     struct status_report report;
     uint8_t is_fresh; /* 1 if `report` is not written yet. */
     uint8_t stop;
-    atomic_uint failed; /* Number of failed writes. Only the first failure is reported. */
+    atomic_uint failed; /* Number of failed writes of the status file. Only the first failure is
+                           logged. */
 
     uint8_t runs;
     uint64_t next_ns;  /* Time of the next report. */
-    uint8_t told_well; /* Value of `store_well` in the last report that was passed to the thread. */
+    uint8_t told_well; /* Value of `store_well` in the last report that was passed to the status
+                          file's thread. */
     struct status_report draft;
     char text[STATUS_TEXT_MAX];
     char path[PATH_MAX], part[PATH_MAX];
 };
 
-/* Starts to write `folder`/status.json. If `folder` is null or empty, or if no thread can be
- * created, there is no file and the other functions have no effect. */
+/* Starts the thread that writes `folder`/status.json. If `folder` is null or empty, or if no thread
+ * can be created, there is no file and the other functions have no effect. */
 void status_begin(struct status *status, const char *folder);
 
-/* Makes a report if one is due. Call once per frame. `now_ns` is on the frame loop's clock. Never
- * blocks: while the thread holds the lock, the report of the current second is skipped. A change of
- * `store_well` is reported immediately. */
+/* Makes a report if one second has passed since the last report. Call once per frame. `now_ns` is
+ * on the frame loop's clock. Never blocks: while the status file's thread holds the lock, the
+ * report of the current second is skipped. A change of `store_well` is reported immediately. */
 void status_update(struct status *status, const struct kiosk *kiosk, const struct hal *hal,
                    uint64_t now_ns);
 
-/* Stops the thread and deletes the file, because a closed kiosk has no status. */
+/* Stops the status file's thread and deletes the file, because a closed kiosk has no status. */
 void status_end(struct status *status);
 
 #endif

@@ -15,7 +15,7 @@ struct bounded {
 };
 
 /* Reads from the file. The read may exceed `left` by one byte, to detect a file that is longer than
- * the limit. For such a file returns -1 with errno EFBIG. */
+ * the limit. If the file is longer, returns -1 and sets errno to EFBIG. */
 static ssize_t bounded_read(void *cookie, char *out, size_t size)
 {
     struct bounded *bounded = cookie;

@@ -113,7 +113,7 @@ static void clear_later_fields(struct ledger *ledger)
 }
 
 /* Serializes the session. Ledger, credit and settings are copied as they are in memory, because
- * they contain only integers with the same layout on every supported board. */
+ * they contain only integers and have the same layout on every supported board. */
 static void walk_chapter(struct replay_serializer *walk, struct game_session *session)
 {
     replay_serialize_u32(walk, &session->tick);

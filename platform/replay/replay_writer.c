@@ -170,8 +170,9 @@ int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
     return replay_writer_begin(writer, config, first_hash);
 }
 
-/* Restores the previous end mark at its previous offset. On a full disk this write needs no new
- * space. A recording in memory is unchanged, because a chunk that does not fit is not written. */
+/* Restores the end mark that the last complete write left, at its offset in the file. On a full
+ * disk this write needs no new space. A recording in memory is unchanged, because a chunk that does
+ * not fit is not written. */
 static void restore(struct replay_writer *writer)
 {
     uint8_t end[REPLAY_END_SIZE];

@@ -1,8 +1,8 @@
 /* offline_credits.c -- writes offline credits to a database that appears after program start.
- * Offline credits are coins and credits from the time in which no database was available.
+ * Offline credits are coins and credits that the kiosk received before a database was available.
  *
- * The new database has its own ledger. The entries are appended in one transaction, with a boot
- * number that follows the database's last boot. */
+ * The database already has its own ledger. The offline entries are appended to this ledger in one
+ * transaction. Their boot number follows the last boot number of the database. */
 #include <string.h>
 
 #include <sqlite3.h>
@@ -19,7 +19,8 @@ int offline_credits_merge(void *self, const struct balance_change *step,
     }
     late->count = count < OFFLINE_CREDITS_MAX ? count : OFFLINE_CREDITS_MAX;
     memcpy(late->entries, entries, late->count * sizeof *entries);
-    late->entries[0].id = 0; /* An id of 0 means that the entries have no id in the database yet. */
+    late->entries[0].id = 0; /* An id of 0 means that the entries did not get ids in the database
+                                yet. */
     late->step = *step;
     atomic_store(&late->state, OFFLINE_CREDITS_NEW);
     sem_post(&storage->wake);

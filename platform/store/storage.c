@@ -48,8 +48,8 @@ static bool find_file(struct storage *storage)
     return storage->how.vfs || folder_is_there(storage);
 }
 
-/* Starts the thread with all signals blocked except the fatal signals, because the main thread
- * handles the signals that end the kiosk. */
+/* Starts the store's thread with all signals blocked except the fatal signals, because the main
+ * thread handles the signals that end the kiosk. */
 static bool start_thread(struct storage *storage)
 {
     sigset_t all, before;
@@ -78,8 +78,8 @@ static void note_start(struct storage *storage)
     atomic_store(&storage->has_file, true);
 }
 
-/* Opens the store. The thread also runs without a database, because edits of the growth lab are
- * text files in the same folder. */
+/* Opens the store. The store's thread also runs without a database, because edits of the growth lab
+ * are text files in the same folder. */
 static int storage_open(void *self)
 {
     struct storage *storage = self;
@@ -256,8 +256,8 @@ static uint32_t storage_close(void *self)
     storage->closes = true; /* No new backup is started during the close, so that a power cut leaves
                                the previous backup. */
     ledger_backup_drop(&storage->backup);
-    storage_work(storage); /* Writes entries that arrived after the thread's last write, and retries
-                              failed writes once. */
+    storage_work(storage); /* Writes entries that arrived after the last write of the store's
+                              thread, and retries failed writes once. */
     storage_save_deleted(storage);
     const uint32_t lost = lost_entries(storage), lost_edits = storage_unwritten_edits(storage);
     if (lost > 0) {

@@ -45,7 +45,8 @@ bool storage_read_remnants(struct storage *storage, int refusal);
 /* storage_card.c: locks the folder and then opens the database as storage_open_file() does. */
 int storage_open_exclusive(struct storage *storage);
 void storage_unlock(struct storage *storage); /* Releases the lock of the folder. */
-/* Returns true if the open database can be written. Tries to reopen a database that was lost. */
+/* Returns true if the open database can be written. If the database was lost, first tries to open
+ * it again. */
 bool storage_has_card(struct storage *storage);
 
 /* Stores the SQLite code of a write, or of an attempt to open the database. If the code is an
@@ -78,8 +79,8 @@ void storage_restore_log(const struct storage *storage);
 bool storage_save_deleted(struct storage *storage);
 
 /* offline_credits.c: offline_credits_merge() and offline_credits_result() implement functions of
- * hal_storage. The thread calls offline_credits_apply(), which writes the offline credits to the
- * open database. The kiosk must have started without this database. */
+ * hal_storage. The store's thread calls offline_credits_apply(), which writes the offline credits
+ * to the open database. The function has an effect only if the kiosk started without a database. */
 int offline_credits_merge(void *storage, const struct balance_change *step,
                           const struct ledger_entry *entries, uint32_t count);
 int offline_credits_result(void *storage);
@@ -108,8 +109,8 @@ void storage_mirror_repair(struct storage *storage);
 
 /* storage_thread.c: closes the database and aborts a backup that is in progress. */
 void storage_close_file(struct storage *storage);
-/* Closes a database that was opened on a full card, because other programs cannot read such a
- * database while it is open. */
+/* Closes a database that was opened on a full card, because other programs cannot read the database
+ * until it is closed. */
 void storage_share_file(struct storage *storage);
 /* Thread function of the store. Runs until storage->stop is set. */
 void *storage_thread(void *storage);
@@ -124,8 +125,8 @@ int storage_fetch_replay(void *storage, uint32_t round_id, uint8_t *bytes, size_
                          struct ledger_entry *round);
 int storage_replay_fetched(void *storage);
 int storage_has_replay(void *storage, uint32_t round_id);
-/* storage_put_replay() writes and storage_get_replay() reads the requested replay. The thread calls
- * both functions. */
+/* storage_put_replay() writes and storage_get_replay() reads the requested replay. The store's
+ * thread calls both functions. */
 void storage_put_replay(struct storage *storage);
 void storage_get_replay(struct storage *storage);
 /* Updates storage->sealed, which lists the ranked rounds that have a replay. Called by the thread

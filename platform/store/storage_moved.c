@@ -78,8 +78,8 @@ int storage_write_entries(struct storage *storage, const struct ledger_entry *en
 
 /* ---- Recovery ------------------------------------------------------------------------------ */
 
-/* Returns true if the open database has no name left. Closing a database without a name deletes its
- * data. */
+/* Returns true if the open database was deleted and has no name in any folder. Closing a database
+ * without a name deletes its data. */
 static bool is_deleted(const struct storage *storage)
 {
     struct stat held, about;

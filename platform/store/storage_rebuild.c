@@ -178,8 +178,9 @@ static int make_part(struct storage *storage, const char *part)
     return code == SQLITE_OK && sync_file(part) != 0 ? SQLITE_IOERR : code;
 }
 
-/* Makes the replacement and renames it to STORAGE_NEW_SUFFIX. The rename follows the creation of
- * the marker, so that the loss is reported even after a power cut between the two steps. */
+/* Makes the replacement and renames it to STORAGE_NEW_SUFFIX. If the database is missing, the
+ * marker file is created before the rename. The loss is therefore reported even after a power cut
+ * between the two steps. */
 static int make_new(struct storage *storage, bool is_missing, unsigned number)
 {
     char part[LEDGER_PATH_SIZE], fresh[LEDGER_PATH_SIZE];

@@ -66,7 +66,7 @@ int storage_has_replay(void *self, uint32_t round_id)
     return 0;
 }
 
-/* ---- Functions for the thread -------------------------------------------------------------- */
+/* ---- Functions for the store's thread ------------------------------------------------------ */
 
 /* Returns true if the round is on disk and has a place in the ranking. */
 static bool is_ranked(const struct storage *storage, uint32_t round_id)
@@ -101,7 +101,7 @@ static bool gives_up(struct storage *storage)
 void storage_update_sealed(struct storage *storage)
 {
     if (!storage->file.db) {
-        return; /* A failed write has closed the database, so that no replay can be looked up. */
+        return; /* A failed write has closed the database. Therefore no replay can be looked up. */
     }
     const struct rank_row *rows = &storage->file.content.memory.ranking.row[0][0][0];
     for (uint32_t i = 0; i < STORAGE_RANKS; i++) {

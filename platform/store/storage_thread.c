@@ -1,4 +1,5 @@
-/* storage_thread.c -- the thread of the store, which writes while the frame loop draws. */
+/* storage_thread.c -- implements the store's thread, which writes to the database while the frame
+ * loop draws. */
 #include <semaphore.h>
 #include <time.h>
 

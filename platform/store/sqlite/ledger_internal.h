@@ -64,8 +64,8 @@ void ledger_aggregates_note(struct ledger_content *content, const struct ledger_
 /* Writes the differences between `before` and `after`. Returns an SQLite code. */
 int ledger_aggregates_put(struct ledger_file *file, const struct ledger_content *before,
                           const struct ledger_content *after);
-/* Reads the aggregates. Returns SQLITE_CORRUPT if the rows contain values that core_init() would
- * reject. */
+/* Reads the aggregates (settings, audits, ranking). Returns SQLITE_CORRUPT if the rows contain
+ * values that core_init() would reject. */
 int ledger_aggregates_read(struct ledger_file *file, struct ledger_content *out);
 
 /* First file version in which the tables have checksums. */

@@ -54,7 +54,8 @@ static int hide_setting(struct ledger_file *file, uint32_t salt)
     return code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
 }
 
-/* Counts the rows that require a rewrite of the file. Returns an SQLite code. */
+/* Counts the rows because of which the file must be rewritten: rows with a plain PIN and the row
+ * MARK. Returns an SQLite code. */
 static int count_reasons(struct ledger_file *file, int64_t *count)
 {
     char text[320];

@@ -12,7 +12,7 @@
 /* ---- SQL text of the migrations ------------------------------------------------------------ */
 
 /* SQL text that migrates a file of version 1. Version 1 had one mode (the festival with paper No.
- * 6) and one player. Version 1 did not record the number of scoops and the paper's damage. */
+ * 6) and one player. Version 1 recorded neither the number of scoops nor the paper's damage. */
 static const char to_2[] =
     "ALTER TABLE rounds ADD COLUMN mode INTEGER NOT NULL DEFAULT 0;" /* Game mode of the round (enum
                                                                         game_mode). */
@@ -125,8 +125,8 @@ static struct ledger_entry old_entry(sqlite3_stmt *old, uint32_t id)
     };
 }
 
-/* Writes an entry for each old round, as if the current version had recorded it. The aggregates are
- * then computed by the same functions. Returns an SQLite code. */
+/* Writes an entry for each old round, as if the current version had recorded it. The functions for
+ * new entries then also compute the aggregates. Returns an SQLite code. */
 static int carry_over(struct ledger_file *file, sqlite3_stmt *old, sqlite3_stmt *players)
 {
     struct ledger_content *content = &file->content;
