@@ -121,8 +121,9 @@ static int create_window(struct display_gl *display)
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
         return error;
     }
-    if (!config->off_screen) { /* An off-screen picture has exactly the requested size. The minimum
-                                  window size does not apply. */
+    if (!config->off_screen) {
+        /* An off-screen picture has exactly the requested size. The minimum window size does not
+         * apply. */
         SDL_SetWindowMinimumSize(display->window, HAL_WINDOW_WIDTH_MIN, HAL_WINDOW_HEIGHT_MIN);
     }
     display->full_screen = (flags & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;

@@ -8,8 +8,8 @@
 
 #define KEY_SIZE sizeof(struct species_point)
 #define SURFACE_SIZE 4u /* Size in bytes of the attribute with u, v, part and flexibility. */
-#define RIDES_SIZE                                                                                 \
-    4u /* Size in bytes of the attribute with the anchor, the side, and two bytes of padding. */
+/* Size in bytes of the attribute with the anchor, the side, and two bytes of padding. */
+#define RIDES_SIZE 4u
 /* Size in bytes of the attribute with the paint coordinates, which are two 16-bit fractions. */
 #define PAINT_SIZE_BYTES 4u
 #define BYTES_SIZE (SURFACE_SIZE + MORPH_CURVE_MAX + RIDES_SIZE)

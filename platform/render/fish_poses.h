@@ -12,8 +12,8 @@
 
 /* Maximum number of texels of one pose. A texel holds four floats. */
 #define POSE_TEXELS_MAX (2u * MORPH_CURVE_MAX + 2u * ANCHOR_MAX)
-#define POSE_RUN                                                                                   \
-    16u /* Maximum number of consecutive texture rows (poses) that are uploaded in one call. */
+/* Maximum number of consecutive texture rows (poses) that are uploaded in one call. */
+#define POSE_RUN 16u
 
 /* Writes a pose to `out` in the texel layout that morph.glsl reads: two texels for each curve, then
  * two texels for each anchor. Returns the number of texels. `curve_count` is the number of

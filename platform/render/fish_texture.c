@@ -8,8 +8,8 @@
 /* Maximum colour difference, of 255, between neighbouring coarse points. If the difference is
  * larger, the texel is painted from four points. */
 #define EDGE 20
-#define SCALE_ROWS_MIN                                                                             \
-    6u /* Minimum number of rows of a dot mark whose dots are drawn as fish scales. */
+/* Minimum number of rows of a dot mark whose dots are drawn as fish scales. */
+#define SCALE_ROWS_MIN 6u
 /* Minimum number of bands of a mark round the body that the shader draws as lines, because so many
  * bands are too fine for a painted sheet. */
 #define LINES_MIN 40u

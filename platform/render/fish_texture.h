@@ -46,8 +46,8 @@ struct fish_texture {
 struct fish_texture_brush {
     uint8_t paint[FISH_TEXTURE_BAND * PAINT_SIZE][4];
     uint8_t shine[FISH_TEXTURE_BAND * PAINT_SIZE];
-    float coarse[FISH_TEXTURE_COARSE_SIZE * FISH_TEXTURE_COARSE_SIZE]
-                [5]; /* Colour, transparency and reflectance of each coarse point. */
+    /* Colour, transparency and reflectance of each coarse point. */
+    float coarse[FISH_TEXTURE_COARSE_SIZE * FISH_TEXTURE_COARSE_SIZE][5];
 };
 
 void fish_texture_open(struct gl_status *status, struct fish_texture *skin);

@@ -11,9 +11,8 @@
 /* Limit of the mean frame duration, in per cent of a refresh period. At the limit, one frame in
  * nine is late by one refresh period. */
 #define LATE_PERCENT 111u
-#define HELD_S                                                                                     \
-    60u /* Number of seconds without late frames after which the trial of a finer step has
-           succeeded. */
+/* Number of seconds without late frames after which the trial of a finer step has succeeded. */
+#define HELD_S 60u
 
 void governor_begin(struct governor *governor, uint32_t refresh_hz)
 {

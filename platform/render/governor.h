@@ -13,9 +13,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define GOVERNOR_LOOK_S                                                                            \
-    2u /* Measurement interval in seconds. The mean frame duration is computed over this
-          interval. */
+/* Measurement interval in seconds. The mean frame duration is computed over this interval. */
+#define GOVERNOR_LOOK_S 2u
 /* Number of seconds without late frames after which a finer quality step is tried. */
 #define GOVERNOR_PATIENCE_S 30u
 /* Maximum wait in seconds before a trial, about half an hour. Each failed trial doubles the

@@ -8,9 +8,9 @@
 /* Maximum thickness of the water film on each face of the paper. Further water collects in the
  * pool. */
 #define POI_FILM_M 0.0006f
-#define POI_NO_POOL_M                                                                              \
-    -1e3f /* Level of the water pool, far below all objects, that means that a poi carries no
-             pool. */
+/* Level of a water pool that is far below all objects. The value means that a poi carries no
+ * pool. */
+#define POI_NO_POOL_M -1e3f
 
 struct poi_pool {
     float level_m; /* World height of the pool's surface. POI_NO_POOL_M means no pool. */

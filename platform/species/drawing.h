@@ -15,8 +15,8 @@
 
 #include "core/morph/species.h"
 
-#define STATION_MAX                                                                                \
-    24 /* Maximum number of cross sections of a key. Real fish need fewer cross sections. */
+/* Maximum number of cross sections of a key. Real fish need fewer cross sections. */
+#define STATION_MAX 24
 /* Maximum number of drawn rays of a fin. */
 #define RAY_MAX 12
 /* Maximum number of finlets in a row. A bigeye tuna has eight to ten above and below. */

@@ -14,8 +14,8 @@
 /* Maximum number of files that are read, because a screen shows one line for each file. More files
  * are only counted. */
 #define LIBRARY_LINE_MAX 32u
-#define LIBRARY_FILE_SIZE                                                                          \
-    64u /* Size of the buffer for a file name in bytes. A longer file name is truncated. */
+/* Size of the buffer for a file name in bytes. A longer file name is truncated. */
+#define LIBRARY_FILE_SIZE 64u
 /* Value of `slot` for a rejected file. */
 #define LIBRARY_SLOT_NONE 255u
 

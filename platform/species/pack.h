@@ -5,7 +5,7 @@
  *   8 bytes  "KFISH\r\n\032"  (a program that converts line ends destroys this signature)
  *   u32      version          PACK_VERSION
  *   u32      size             number of bytes after the CRC-32
- *   u32      CRC-32           checksum of the bytes after the CRC-32 (IEEE 802.3, as in zip and PNG)
+ *   u32      CRC-32           checksum of the bytes after this field (IEEE 802.3, as in PNG)
  *   then the card, the coats of card.key_count keys, the near mesh and the far mesh
  *
  * The fields have the order of core/morph/species.h. The counts of a structure come first, then its

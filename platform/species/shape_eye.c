@@ -16,8 +16,8 @@
 /* Maximum depth of the ball's back below the skin, as a fraction of half of the head's thickness at
  * the eye. The limit prevents that the ball emerges on the opposite side. */
 #define DEPTH_MAX 0.9
-#define THINNEST                                                                                   \
-    1e-3 /* Minimum depth of each half of a ball. A flatter ball has no usable normals. */
+/* Minimum depth of each half of a ball. A flatter ball has no usable normals. */
+#define THINNEST 1e-3
 
 /* Returns the surface coordinate v of the right flank at height `y`: 0 is the middle of the back,
  * 0.5 the middle of the belly. */

@@ -13,14 +13,14 @@
 /* Upper limit of the depth of the fins' roots in a thin body, as a fraction of the body's
  * thickness. */
 #define SINK_SHARE 0.3
-#define TAIL_SINK                                                                                  \
-    0.035 /* Distance between the tail root and the start of the tail fin's rays, which is in
-             front of the tail root, as a fraction of the fish's length. */
+/* Distance between the tail root and the start of the tail fin's rays, which is in front of the
+ * tail root, as a fraction of the fish's length. */
+#define TAIL_SINK 0.035
 /* Upper limit of TAIL_SINK for a thin tail stalk, as a multiple of the stalk's height. */
 #define STALK_SINK 1.2
-#define END_MAX                                                                                    \
-    0.03 /* Distance between the tail root and the body's last point, which is behind the tail
-            root, as a fraction of the fish's length. */
+/* Distance between the tail root and the body's last point, which is behind the tail root, as a
+ * fraction of the fish's length. */
+#define END_MAX 0.03
 /* Upper limit of END_MAX for a thin tail stalk, as a multiple of the stalk's height. */
 #define END_SHARE 0.25
 /* Fraction of its sideways angle that a ray of a median fin has at its root. The angle increases to
@@ -180,8 +180,9 @@ static v3d ray_point(const struct key_text *key, enum species_part part, double 
         const double r = along * (i + 0.5) / RAY_STEPS;
         p = v3d_muladd(p, fin_direction(fin, part, ray, r), shown * along / RAY_STEPS);
     }
-    if (part == PART_TAIL) { /* The tail fin reaches its sideways width only behind the tail stalk.
-                                Otherwise the tail fin would cut through the sides of the stalk. */
+    if (part == PART_TAIL) {
+        /* The tail fin reaches its sideways width only behind the tail stalk. Otherwise the tail
+         * fin would cut through the sides of the stalk. */
         const double start = shape_body_end(key);
         p.x *= fmin(fmax((p.z - start) / CUP_OPENS, 0.0), 1.0);
     }

@@ -11,9 +11,9 @@
 static double widest(const struct key_text *key)
 {
     double width = 0.0;
-    for (uint32_t i = 0; i < key->substep_count; i++) { /* Only the stations are examined, because
-                                                           the body is nowhere wider than at its
-                                                           widest station. */
+    for (uint32_t i = 0; i < key->substep_count; i++) {
+        /* Only the stations are examined, because the body is nowhere wider than at its widest
+         * station. */
         width = fmax(width, (double)key->stations[i].width);
     }
     return width;

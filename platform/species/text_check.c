@@ -212,8 +212,8 @@ bool text_check_species(struct species_reader *r)
             return false;
         }
     }
-    if (!r->has_thesis) { /* The species text has no `thesis` line. The following defaults are
-                             used. */
+    if (!r->has_thesis) {
+        /* The species text has no `thesis` line. The following defaults are used. */
         s->thesis_key[1] = (uint8_t)(s->key_count / 2u);
         s->thesis_key[2] = (uint8_t)(s->key_count - 1u);
         s->thesis_template = TEMPLATE_PAIRWISE;

@@ -30,8 +30,8 @@ enum contact_solver {
 
 #define UP { 0.0f, 1.0f, 0.0f }
 #define VERTICES_PER_FACE 6u
-#define SLOPE_UNIT                                                                                 \
-    (1.0f / 508.0f) /* Slope that stands for a difference of 1 in the scene's surface data. */
+/* Slope that stands for a difference of 1 in the scene's surface data. */
+#define SLOPE_UNIT (1.0f / 508.0f)
 /* Period after which the time of the wind waves restarts at 0, so that the arguments of the sines
  * stay small and exact. The surface jumps slightly at each restart. */
 #define WIND_WRAP_TICKS (600u * CORE_TICK_HZ)

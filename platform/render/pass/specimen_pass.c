@@ -14,8 +14,8 @@
 /* Maximum distance, in body lengths, by which the swimming motion moves a vertex beyond the mesh's
  * extent. */
 #define SWAY_LENGTHS 0.3f
-#define WORK_NS                                                                                    \
-    10000000u /* Maximum painting time per frame in ns while a visible texture is coarse. */
+/* Maximum painting time per frame in ns while a visible texture is coarse. */
+#define WORK_NS 10000000u
 /* Maximum painting time per frame in ns while no visible texture is coarse. */
 #define REST_NS 3000000u
 #define CLEAR_MIN 0.02f /* Minimum transparency at which a body is drawn as transparent. */

@@ -8,8 +8,8 @@
 
 #define TAU 6.28318531f
 #define SEAL_SIZE 19.0f
-#define YOUNG_SIZE                                                                                 \
-    0.40f /* Length of the hatchling, as a fraction of its full length in the picture. */
+/* Length of the hatchling, as a fraction of its full length in the picture. */
+#define YOUNG_SIZE 0.40f
 
 /* ---- Layout of the pictures ----------------------------------------------------------------- */
 

@@ -4,9 +4,8 @@
 
 #include "platform/render/ui/ui_widgets.h"
 
-#define CALL_S                                                                                     \
-    1.9f /* Time in seconds for which an announcement is shown, which is longer than reading it
-            takes. */
+/* Time in seconds for which an announcement is shown, which is longer than reading it takes. */
+#define CALL_S 1.9f
 #define FOUL_S 2.6f
 #define COUNTDOWN_S 5.0f
 

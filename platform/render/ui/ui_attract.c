@@ -49,8 +49,9 @@ void ui_attract(const struct ui_frame *frame, const struct scene *scene)
     if (risen < 1.0f) {
         ui_noren(frame, risen);
     }
-    if (board > 0.0f) { /* The curtain is raised to leave room for the leaderboard, and the credits
-                           move to the side. */
+    if (board > 0.0f) {
+        /* The curtain is raised to leave room for the leaderboard, and the credits move to the
+         * side. */
         ui_leaderboard(frame, &scene->leaderboard, 16.0f * u, frame->height - 160.0f * u);
         ui_credits(frame, scene, 128.0f * u, 62.0f * u);
     } else {

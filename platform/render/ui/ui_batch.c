@@ -24,8 +24,8 @@ static void unpack(uint8_t out[4], uint32_t colour, float opacity)
     out[3] = (uint8_t)((float)(colour & 0xffu) * opacity + 0.5f);
 }
 
-/* Adds the four vertices of a quad. The caller sets their positions and texture coordinates.
- * Returns null if the batch is full. */
+/* Adds a quad that fills the box of `shape`. Returns the first of its four vertices. Returns null
+ * if the batch is full or its opacity is 0. */
 static struct ui_vertex *add_quad(struct ui_batch *batch, const struct ui_shape *shape)
 {
     if (batch->opacity <= 0.0f) {

@@ -22,9 +22,8 @@ static void credit_words(const struct ui_frame *frame, const struct scene_credit
                          size_t out_size)
 {
     text_number(out, TEXT_LINE_MAX, text_words(frame->language, TEXT_CREDITS), credit->credits);
-    if (credit->units > 0 && credit->units < credit->price) { /* A credit that does not pay for a
-                                                                 whole round is kept and shown to
-                                                                 the next player. */
+    if (credit->units > 0 && credit->units < credit->price) {
+        /* A credit that does not pay for a whole round is kept and shown to the next player. */
         const size_t length = strlen(out);
         snprintf(out + length, out_size - length, "  +  %u/%u", credit->units, credit->price);
     }

@@ -10,8 +10,8 @@
 #define ROWS_MIN 5u
 #define COME_S 0.45f
 #define GO_S 0.35f
-#define ROW_COMES_S                                                                                \
-    0.07f /* Delay in seconds from the appearance of one row to the appearance of the next row. */
+/* Delay in seconds from the appearance of one row to the appearance of the next row. */
+#define ROW_COMES_S 0.07f
 
 enum text_key ui_place_key(uint8_t period)
 {

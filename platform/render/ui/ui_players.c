@@ -4,8 +4,8 @@
 #include "core/view.h"
 #include "platform/render/ui/ui_widgets.h"
 
-#define POP_S                                                                                      \
-    0.45f /* Time in seconds for which the number of caught fish is enlarged after a catch. */
+/* Time in seconds for which the number of caught fish is enlarged after a catch. */
+#define POP_S 0.45f
 #define PLATE_WIDTH 200.0f
 #define PLATE_WIDTH_MIN 152.0f
 
@@ -83,8 +83,9 @@ static void player_state(const struct ui_frame *frame, const struct scene *scene
 {
     const float u = frame->unit;
     const struct scene_player *state = &scene->player[player];
-    if (state->out) { /* `out` is also set for a player whose waiting time has expired, besides a
-                         player who is out of the round. */
+    if (state->out) {
+        /* `out` is also set for a player whose waiting time has expired, besides a player who is
+         * out of the round. */
         const struct ui_text stamp = { .font = FONT_STALL,
                                        .size_px = 28.0f * u,
                                        .align = 0.5f,

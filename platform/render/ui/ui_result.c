@@ -7,8 +7,8 @@
 #include "platform/render/ui/ui_widgets.h"
 
 #define GRADES 6u
-#define COUNT_UP_S                                                                                 \
-    1.0f /* Time in seconds in which the displayed number of fish rises from 0 to the catch. */
+/* Time in seconds in which the displayed number of fish rises from 0 to the catch. */
+#define COUNT_UP_S 1.0f
 #define CALL_TIME_S 1.3f
 
 struct grade {

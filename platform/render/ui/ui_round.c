@@ -6,8 +6,8 @@
 #include "platform/render/ui/ui_widgets.h"
 
 #define HURRY_S 10.0f /* Remaining time in seconds below which the clock is red. */
-#define POP_S                                                                                      \
-    0.45f /* Time in seconds for which the number of caught fish is enlarged after a catch. */
+/* Time in seconds for which the number of caught fish is enlarged after a catch. */
+#define POP_S 0.45f
 #define BOWL_MARKS_S 3.0f
 #define LONG_ROUND_S 99.5f
 #define TIME_WIDTH 136.0f /* Width of the text "9:59", in layout units. */

@@ -35,7 +35,7 @@ void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
 void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, float y,
                      enum text_key key);
 
-/* Draws the number of paid rounds, centred at (x, y). Draws nothing in free play. */
+/* Draws the number of paid rounds (credits), centred at (x, y). Draws nothing in free play. */
 void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x, float y);
 
 /* Returns 1 if no player can play because no slot has a controller, otherwise 0. */

@@ -17,8 +17,8 @@
 #define BUTTON_ON 0xc8341fffu
 #define BUTTON_INK 0xfff4deffu
 #define REFUSED 0xf0c089ffu
-#define TURN_S                                                                                     \
-    4.0f /* Time in seconds for which one help line is shown before the next line replaces it. */
+/* Time in seconds for which one help line is shown before the next line replaces it. */
+#define TURN_S 4.0f
 
 /* ---- Coordinates and texts ------------------------------------------------------------------ */
 

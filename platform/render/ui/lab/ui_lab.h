@@ -10,9 +10,9 @@
 #include "platform/render/ui/ui_primitives.h"
 #include "platform/species/library.h"
 
-#define LAB_PURPLE                                                                                 \
-    0x8a3fb5ffu /* Colour of the curve that shows the fish's length. The 2005 thesis also uses
-                   purple for this curve. */
+/* Colour of the curve that shows the fish's length. The 2005 thesis also uses purple for this
+ * curve. */
+#define LAB_PURPLE 0x8a3fb5ffu
 #define LAB_PAPER 0xfbf2ddffu
 #define LAB_PAPER_LINE 0xb5762fffu
 #define LAB_INK 0x2a2024ffu
@@ -24,10 +24,9 @@ struct lab_page {
     const struct scene_lab *lab;
     struct ui_lab_preview *bench; /* State of the previewed species. Null means that this kiosk
                                      lacks the species. */
-    const struct library
-        *library; /* Species library, which also lists the rejected makers' files. Null means no
-                     library. */
-    float x, y;   /* Position of the upper left corner of the canvas on the screen, in pixels. */
+    /* Species library, which also lists the rejected makers' files. Null means no library. */
+    const struct library *library;
+    float x, y; /* Position of the upper left corner of the canvas on the screen, in pixels. */
 };
 
 /* Returns the box on the screen of a part of the growth lab. */

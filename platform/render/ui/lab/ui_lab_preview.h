@@ -10,8 +10,8 @@
 #include "core/scene.h"
 #include "platform/render/specimen.h"
 
-#define LAB_PREVIEW_STEPS                                                                          \
-    64u /* Number of steps of a trajectory, which begins at hatching and ends at the adult. */
+/* Number of steps of a trajectory, which begins at hatching and ends at the adult. */
+#define LAB_PREVIEW_STEPS 64u
 
 enum lab_preview_point { LAB_PREVIEW_DORSAL = 0, LAB_PREVIEW_EYE, LAB_PREVIEW_POINT_COUNT };
 

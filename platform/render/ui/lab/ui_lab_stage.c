@@ -21,7 +21,7 @@
 #define TOP 40.0f
 #define TOP_CAPTION 62.0f /* Margin above the fish in canvas units if a caption is shown. */
 #define FOOT 12.0f        /* Margin above the ruler in canvas units. */
-/* Length of a trajectory in pixels from which its dots have their full size. */
+/* Minimum length, in pixels, of a trajectory whose dots have their full size. */
 #define DOT_WAY 120.0f
 
 /* ---- Area of a fish ------------------------------------------------------------------------- */

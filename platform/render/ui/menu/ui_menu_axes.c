@@ -124,8 +124,8 @@ static void seat_sheet(const struct menu_view *view, uint32_t index)
         return;
     }
     const float pitch = (box.height - 68.0f * u) / 3.0f, width = 0.5f * box.width - 34.0f * u;
-    for (uint32_t axis = 0; axis < AXIS_COUNT; axis++) { /* Positions are drawn on the left side,
-                                                            rotations on the right side. */
+    for (uint32_t axis = 0; axis < AXIS_COUNT; axis++) {
+        /* Positions are drawn on the left side, rotations on the right side. */
         const float x = box.x + 22.0f * u + (axis >= 3u ? width + 24.0f * u : 0.0f);
         ui_menu_axes_bar(
             view, seat,

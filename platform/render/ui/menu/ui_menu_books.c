@@ -93,9 +93,9 @@ static void lines(const struct menu_view *view, struct ui_box box, uint32_t colu
         write_line(view, &line[i], words);
         menu_words_at(view, x, y, 0.62f * width, 0.0f, &name, menu_text(view, line[i].name));
         menu_words_at(view, x + width, y, 0.36f * width, 1.0f, &number, words);
-        if (i % rows + 1u < rows && i + 1u < count) { /* The last line of a column needs no
-                                                         separating rule, because the border of the
-                                                         sheet is below it. */
+        if (i % rows + 1u < rows && i + 1u < count) {
+            /* The last line of a column needs no separating rule, because the border of the sheet
+             * is below it. */
             rule(view, x, y + 0.5f * pitch, width);
         }
     }

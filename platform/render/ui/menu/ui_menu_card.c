@@ -21,9 +21,8 @@
 /* Maximum number of grid lines on each side of the middle. The number is enough for an aspect ratio
  * of 14 to 1. */
 #define GRID_LINES_MAX 64u
-#define SAFE                                                                                       \
-    0.05f /* Distance of the safe area from each edge, as a fraction of the picture's width or
-             height. */
+/* Distance of the safe area from each edge, as a fraction of the picture's width or height. */
+#define SAFE 0.05f
 #define COLOUR_COUNT 8u
 #define GREY_COUNT 11u
 #define SUBTLE_COUNT 4u

@@ -33,8 +33,8 @@ void menu_confirm(const struct menu_view *view)
                                                     .line = 0xb5762fffu,
                                                     .shape = { 0, 0, 12.0f * u, 2.0f * u } });
     const float x = box.x + 24.0f * u, width = box.width - 48.0f * u;
-    if (menu->page == MENU_RESET) { /* The page also shows the name of the account book that would
-                                       be reset. */
+    if (menu->page == MENU_RESET) {
+        /* The page also shows the name of the account book that would be reset. */
         ui_words_in(&view->frame,
                     (struct ui_box){ x, box.y + 0.06f * box.height, width, 0.2f * box.height },
                     &about, menu_text(view, menu_words_of(menu->from)->title));

@@ -5,9 +5,8 @@
 #include "platform/render/ui/menu/ui_menu.h"
 
 #define LOOP_S 2.4f /* Period of the demonstrated motion in seconds. */
-#define WAY_S                                                                                      \
-    0.9f            /* Time in seconds from the start of the period to the end of the outward
-                       motion. */
+/* Time in seconds from the start of the period to the end of the outward motion. */
+#define WAY_S 0.9f
 #define BACK_S 2.1f /* Time in seconds from the start of the period to the poi's return. */
 #define STEPS (LEARN_DIP - LEARN_REST + 1)
 

@@ -160,8 +160,8 @@ static void clock_words(const struct scene_self_test *self, char *out, size_t ou
 {
     static const uint8_t months[12] = { 31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
     uint32_t year = 2000, month = 0, day = self->day, length = 366;
-    for (; day >= length; length = year % 4u == 0 ? 366u : 365u) { /* Every fourth year is a leap
-                                                                      year until 2099. */
+    for (; day >= length; length = year % 4u == 0 ? 366u : 365u) {
+        /* Every fourth year is a leap year until 2099. */
         day -= length;
         year++;
     }

@@ -79,8 +79,8 @@ void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, 
     default:
         break;
     }
-    if (words->unit == TEXT_VAL_PER_MILLE) { /* A value in per mille is shown in per cent with one
-                                                decimal place. */
+    if (words->unit == TEXT_VAL_PER_MILLE) {
+        /* A value in per mille is shown in per cent with one decimal place. */
         snprintf(out, out_size, "%d.%d %%", (int)value / 10, (int)value % 10);
         return;
     }
@@ -275,8 +275,8 @@ void menu_settings(const struct menu_view *view)
     const struct scene_menu *menu = view->menu;
     const struct places *places = menu->upright ? &upright_places : &wide;
     const uint32_t body_count = menu_body_count(menu->page);
-    if (menu->tag < body_count) { /* The selected board is drawn first, so that its glow is behind
-                                     the neighbouring boards. */
+    if (menu->tag < body_count) {
+        /* The selected board is drawn first, so that its glow is behind the neighbouring boards. */
         board(view, places, menu->tag);
     }
     for (uint32_t tag = 0; tag < body_count; tag++) {
