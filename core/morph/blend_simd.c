@@ -19,12 +19,12 @@ _Static_assert(sizeof(struct species_vertex) == 16 && offsetof(struct species_ve
                "part to masks are two words");
 _Static_assert(sizeof(vec3) == 12 && sizeof(struct anchor_pose) == 28, "floats, side by side");
 
-/* Distance, in vertices, between the block in work and the prefetched vertices. Hardware
- * prefetchers detect these reads late, because each table is read as a short stream. */
+/* Distance, in vertices, from the block that is being blended to the vertices that are prefetched.
+ * Hardware prefetchers start too late, because each table is read as a short stream. */
 #define AHEAD 96u
 #define LINE 64u /* Size of a cache line in bytes. */
 
-/* Values that are common to all blocks of a fish. */
+/* Values that are common to all vertex blocks of a fish. */
 struct blending {
     const struct species_mesh *mesh;
     const struct morph_pose *pose;
@@ -127,8 +127,8 @@ static inline struct block load_block(const struct species_vertex *vertices)
     return block;
 }
 
-/* Returns the weight of key b->key[at] in each lane. The arithmetic is that of vertex_weight() in
- * blend.c. */
+/* Returns the weight of key b->key[at] in each lane. The function uses the same arithmetic as
+ * vertex_weight() in blend.c. */
 static inline flanes weigh(const struct blending *b, const struct block *block, uint32_t at)
 {
     flanes sum = simd_splat(0.0f);
@@ -171,7 +171,7 @@ static inline struct point_lanes blend_points(const struct blending *b, const st
 }
 
 /* Returns the vectors `a` rotated by the quaternions with the vector part `axis` and the scalar
- * part `w`. The arithmetic is that of pose_rotate(). */
+ * part `w`. The function uses the same arithmetic as pose_rotate(). */
 static inline struct simd_v3 rotate_axis(struct simd_v3 axis, flanes w, struct simd_v3 a)
 {
     const struct simd_v3 across = simd_v3_scale(simd_v3_cross(axis, a), simd_splat(2.0f));

@@ -1,4 +1,4 @@
-/* blend_simd.h -- the blend of morph_shape() for SIMD_LANES vertices at a time (core/base/simd.h).
+/* blend_simd.h -- blends SIMD_LANES vertices at a time for morph_shape() (core/base/simd.h).
  * Internal to core/morph. */
 #ifndef KINGYO_CORE_MORPH_BLEND_SIMD_H
 #define KINGYO_CORE_MORPH_BLEND_SIMD_H

@@ -1,9 +1,9 @@
 /* growth.c -- computes the length of a fish at an age, and its age at a length.
  *
  * The growth table has measured lengths up to an age, and von Bertalanffy's curve VB (2005
- * thesis, eq. 3.3) continues the table. VB without the table is fitted to adults and gives 12 to
- * 32 cm at hatching for most species. The thesis shifts the constant t0 to correct the length at
- * hatching, but then the adults are too small (a bigeye of one year is 38 cm long instead of
+ * thesis, eq. 3.3) continues the table. VB is fitted to adults. Without the table, VB gives 12
+ * to 32 cm at hatching for most species. The thesis shifts the constant t0 to correct the length
+ * at hatching, but then the adults are too small (a bigeye of one year is 38 cm long instead of
  * 64 cm). In this code, the length gradually changes from the last measured length L0 to VB: L =
  * L0 + (VB - L0) * (1 - e^(-s / fade)). s is the time after the last measured point, and fade is
  * the time constant. */
@@ -15,9 +15,9 @@
 #define DAYS_PER_YEAR 365.25f
 /* Highest age that the growth functions use. The oldest goldfish on record lived for 43 years. */
 #define AGE_MAX_DAYS (40.0f * DAYS_PER_YEAR)
-#define FADE_NONE_YEAR                                                                             \
-    1e-6f /* Time constant of half a minute, with which the length follows von Bertalanffy's
-             curve practically from the start. */
+/* Time constant of half a minute, with which the length follows von Bertalanffy's curve
+ * practically from the start. */
+#define FADE_NONE_YEAR 1e-6f
 /* Number of bisections of an age range. After 24 bisections, a range of 14,610 days is 0.001 days
  * wide. */
 #define BISECTIONS 24

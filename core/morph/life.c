@@ -2,9 +2,9 @@
  *
  * A key shape (key) is one modelled growth stage. Key i of n keys is at progress i / (n - 1) and
  * has its own age and length. (The 2005 thesis uses one letter t for age, length and progress.)
- * Between two keys, progress is proportional to the logarithm of length, because growth multiplies
- * the length. If the length is not monotone between two keys, progress is proportional to age. For
- * example, a conger is longest before it becomes an eel.
+ * Between two keys, progress is a linear function of the logarithm of length, because growth
+ * multiplies the length. If the length is not monotone between two keys, progress is a linear
+ * function of age. For example, a conger is longest before it becomes an eel.
  *
  * The length of a key may differ slightly from the growth curve at the age of the key. For the
  * conversion between age and progress, the lengths are therefore taken from the growth curve at the
@@ -19,9 +19,9 @@ static uint32_t last_key(const struct species_card *card)
     return card->key_count - 1u;
 }
 
-/* Returns true if progress between `key` and the next key is computed from length. This requires
- * that the growth curve is monotone between both keys and changes in the same direction as the
- * lengths of the keys. */
+/* Returns true if progress between `key` and the next key is computed from length. The growth curve
+ * must then be monotone between both keys and change in the same direction as the lengths of the
+ * keys. */
 static bool goes_by_length(const struct species_card *card, uint32_t key)
 {
     const float *length = &card->key_length_m[key], *age = &card->key_age_days[key];
@@ -51,8 +51,8 @@ static float part_of_age(const struct species_card *card, uint32_t key, float ag
     return f_clamp((age_days - age[0]) / (age[1] - age[0]), 0.0f, 1.0f);
 }
 
-/* Returns the position in [0, 1] of an age between `key` and the next key, computed from the length
- * of the growth curve at the age. */
+/* Returns the position of an age between two keys: 0 at the age of `key`, 1 at the age of the next
+ * key. The position is computed from the lengths of the growth curve, on a logarithmic scale. */
 static float part_of_growth(const struct species_card *card, uint32_t key, float age_days)
 {
     const float *age = &card->key_age_days[key];
@@ -87,8 +87,9 @@ float life_progress(const struct species_card *card, float age_days)
     }
     for (uint32_t key = 0; key < last; key++) {
         if (age_days == card->key_age_days[key]) {
-            return progress_of(card, key, 0.0f); /* At the exact age of a key, the progress of the
-                                                    key is returned without rounding errors. */
+            return progress_of(card, key, 0.0f); /* If the age is exactly the age of a key, the
+                                                    result is the progress of the key without
+                                                    rounding errors. */
         }
         if (age_days < card->key_age_days[key + 1]) {
             if (!goes_by_length(card, key)) {

@@ -11,10 +11,10 @@
 #include "core/morph/morph.h"
 
 #define PI 3.14159265f
-#define SOFT_U                                                                                     \
-    0.006f /* Half the width of a soft edge that is crossed along the body, in body lengths. */
-/* Half the width of a soft edge that is crossed from belly to back, as a fraction of the body's
- * height. */
+/* Half the width of a soft edge, measured along the body, in body lengths. */
+#define SOFT_U 0.006f
+/* Half the width of a soft edge, measured from belly to back, as a fraction of the height of the
+ * body. */
 #define SOFT_HEIGHT 0.03f
 #define UNEVEN 0.35f /* Largest random deviation of a spot's radius, as a fraction of the radius. */
 /* Width of the margin within which a spot's cell never contains the spot's centre, as a fraction of

@@ -40,9 +40,9 @@ bool growth_is_one_way(const struct growth *growth, float from_days, float to_da
  * therefore the adults are too small. */
 struct growth growth_shifted(const struct growth *growth);
 
-/* Returns the progress in [0, 1] of a fish at an age of at least 0 days (life.c). Between two
- * keys, progress is proportional to the logarithm of length if the length only increases or only
- * decreases there, because growth multiplies the length. Otherwise progress is proportional to
+/* Returns the progress in [0, 1] of a fish at an age of at least 0 days (life.c). Between two keys,
+ * progress is a linear function of the logarithm of length if the length only increases or only
+ * decreases there, because growth multiplies the length. Otherwise progress is a linear function of
  * age. */
 
 float life_progress(const struct species_card *card, float age_days);
@@ -133,8 +133,8 @@ struct morph_rig {
 };
 
 /* Initializes a rig. TEMPLATE_OWN uses the graphs of the card, and any other template replaces the
- * graphs of all curves. If solve_graph() fails for a graph, the drawn shapes are blended directly;
- * graph_check() then returns the fault. */
+ * graphs of all curves. If solve_graph() fails for a graph, the drawn shapes are blended directly.
+ * In this case, graph_check() returns the fault of the graph. */
 void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
                     enum graph_template template_id);
 

@@ -33,7 +33,7 @@ void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
 }
 
 /* Converts the weights of the exaggerated key shapes to weights of the drawn keys by multiplication
- * with the matrix `solution` (M^-1 in solve.c). At the progress of a key, that key gets exactly the
+ * with the matrix `solution` (M^-1 in solve.c). At the progress of key i, key i gets exactly the
  * weight 1, without rounding errors. */
 static void solve_weights(const struct morph_rig *rig, uint32_t curve, float progress,
                           float weights[MORPH_KEY_MAX])

@@ -72,8 +72,8 @@ struct species_vertex {
                        flexible). The value is 0 on the body and the eyes. */
     uint8_t anchor; /* Index of the vertex's anchor in the mesh, or ANCHOR_NONE if the vertex has no
                        anchor. */
-    uint8_t mask[MORPH_CURVE_MAX]; /* Weight of each curve in the motion of the vertex. The four
-                                      weights sum to 255. */
+    uint8_t mask[MORPH_CURVE_MAX]; /* Influence of each curve on the vertex. The four values sum to
+                                      255. */
 };
 
 /* Position and normal of a vertex in one key. The unit of the position is mesh->reach / 32767. The

@@ -38,8 +38,8 @@ static void key_shape(const struct species_mesh *mesh, uint32_t key_count, uint3
     morph_shape(mesh, key_count, &memory->pose, memory->positions, memory->normals);
 }
 
-/* Returns the reach for a mesh without anchors: the present reach, doubled until all coordinates in
- * the body frame fit or REACH_MAX is reached. */
+/* Returns the `reach` (see struct species_mesh) that the mesh needs when all vertices are in the
+ * body frame. The present reach is doubled until all coordinates fit, or until it is REACH_MAX. */
 static float straight_reach(const struct species_mesh *mesh, uint32_t key_count,
                             struct straight_memory *memory)
 {

@@ -12,7 +12,8 @@
  * the normal under water. */
 #define HAND_N_M 215.0f
 #define HAND_LAG_AIR_S 0.0250f
-#define HAND_N_MAX 20.0f /* Largest force of the spring, which is the limit of a human wrist. */
+/* Largest force of the spring. A human wrist can exert about this force. */
+#define HAND_N_MAX 20.0f
 
 /* The following constants limit the speed of the ring. A hand that pushes against a slow obstacle
  * moves ahead of the ring and stretches the spring. Without a limit, the spring would accelerate
@@ -21,11 +22,10 @@
  * reaches this limit, because its speed is at most pace_m_s * exp(lag / 0.3 s). */
 /* Additional allowed speed of the ring per metre of distance to its target, in 1/s. */
 #define CATCH_UP_PER_S 4.0f
-#define CATCH_UP_M_S                                                                               \
-    1.0f /* Upper limit of the additional speed of the ring while the ring catches up with its
-            target. */
-#define PACE_TAU_S                                                                                 \
-    0.30f /* Time constant with which the stored recent speed of the hand decreases. */
+/* Upper limit of the additional speed of the ring while the ring catches up with its target. */
+#define CATCH_UP_M_S 1.0f
+/* Time constant with which the stored recent speed of the hand decreases. */
+#define PACE_TAU_S 0.30f
 /* Upper limit of the stored recent speed of the hand. No arm is faster, but a wrong input report
  * may contain a higher speed. */
 #define PACE_MAX_M_S 4.0f

@@ -13,8 +13,8 @@
 #include "core/poi/poi.h"
 
 #define POI_GRIP_M 0.130f /* Distance from the ring's centre to the grip, along the handle. */
-/* Slap force at which the slap feedback has its full strength. This is the strongest slap of a 5 cm
- * fish in air. */
+/* Slap force at which the slap feedback has its full strength. The value is the force of the
+ * strongest slap of a 5 cm fish in air. */
 #define POI_SLAP_N_FULL 0.15f
 #define POI_TEAR_CELLS_FULL 10.0f
 

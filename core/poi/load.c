@@ -79,8 +79,9 @@ static float turning_pa(const struct poi *poi)
     return poi->immersed * disc_turn_pa(POI_RADIUS_M, rate_rad_s);
 }
 
-/* Returns the force of the weight and the meniscus on the paper, along the normal. The meniscus at
- * the lower face accounts for half of the meniscus force. */
+/* Returns the force on the paper along the normal. The force consists of the weight of paper, water
+ * and fish in air, of their inertia at the acceleration `lift_m_s2`, and of the half of the
+ * meniscus force that acts on the lower face. */
 static float burden_n(const struct poi *poi, float area_m2, float up_y, float lift_m_s2)
 {
     const float paper_kg = sheet_grade(poi->sheet.grade)->areal_kg_m2 * area_m2;

@@ -152,7 +152,8 @@ static inline float poi_whole(const struct poi *poi)
  * water on the immersed part of the poi. */
 float carried_water_m(const struct poi *poi);
 
-/* Returns the shade of the poi on the water. The poi casts no shade while it touches the water. */
+/* Returns the shade that the poi casts on the water. The poi casts no shade while it touches the
+ * water. */
 struct shade_cast poi_shade(const struct poi *poi);
 
 /* Adds all members of the poi that affect the game to `hash` and returns the new hash. */

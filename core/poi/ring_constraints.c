@@ -24,8 +24,8 @@ static void clamp_coordinate(float *place, float *speed, float low, float high)
     }
 }
 
-/* Returns the horizontal distance by which a point is outside a rectangle around the origin. The
- * result is 0 or less if the point is inside. */
+/* Returns the horizontal distance by which a point is outside a rectangle around the origin with
+ * the half widths `room_x_m` and `room_z_m`. The result is 0 or less if the point is inside. */
 static float beyond_m(vec3 at_m, float room_x_m, float room_z_m)
 {
     return f_max(f_abs(at_m.x) - room_x_m, f_abs(at_m.z) - room_z_m);

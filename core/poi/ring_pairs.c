@@ -5,9 +5,8 @@
 /* Speed at which two rings slide sideways while they press against each other, equal to ASIDE_M_S
  * in ring_constraints.c. */
 #define ASIDE_M_S 0.6f
-#define PARALLEL                                                                                   \
-    1e-4f             /* Squared sine of the angle between two normals below which the normals
-                         count as parallel. */
+/* Squared sine of the angle between two normals below which the normals count as parallel. */
+#define PARALLEL 1e-4f
 #define GAP_M 0.0002f /* Gap between two rings after their separation. */
 
 /* Geometry of two rings in one tick. */
@@ -30,9 +29,9 @@ static float shared_m(const struct rings *rings, vec3 axis)
     return extents_m(rings, axis) - f_abs(v3_dot(rings->apart_m, axis));
 }
 
-/* Returns the overlap of the two rings along `normal`, and reverses `normal` if necessary. The
- * written `normal` points from ring a to ring b according to their positions at the start of the
- * tick. Rings that passed through each other in this tick overlap by more than their thickness. */
+/* Reverses `normal` if necessary, so that it points from ring a to ring b at the start of the tick.
+ * Returns the overlap of the two rings along `normal` at the end of the tick. If the rings passed
+ * through each other in this tick, the overlap is larger than their thickness. */
 static float shared_through_m(const struct rings *rings, vec3 *normal)
 {
     const float side = v3_dot(rings->before_m, *normal) < 0.0f ? -1.0f : 1.0f;
@@ -71,8 +70,8 @@ static void move(struct poi *poi, vec3 out, float way_m)
 }
 
 /* Moves a ring sideways along `out` by at most `need_m`. The step cancels the motion of the ring
- * against `out` in this tick, and moves the ring at most at the speed ASIDE_M_S beyond that. A ring
- * therefore cannot block a ring below it forever. */
+ * against `out` in this tick and adds a motion with at most the speed ASIDE_M_S. Therefore a ring
+ * cannot block a ring below it forever. */
 static void slide(struct poi *poi, vec3 out, float need_m)
 {
     const float came_m = f_max(0.0f, -v3_dot(v3_sub(poi->position_m, poi->before_m), out));

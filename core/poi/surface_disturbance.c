@@ -4,7 +4,8 @@
  * ring is faster than the ripples (0.23 m/s), a V-shaped wake forms at each point. */
 #include "core/poi/surface_disturbance.h"
 
-/* Fraction of an immersed disc's vertical motion that the water surface above it follows. */
+/* Ratio of the vertical motion of the water surface above an immersed disc to the vertical motion
+ * of the disc. */
 #define HEAVE_SHARE 0.5f
 #define HEAVE_DEPTH_M 0.03f /* Depth of the disc at which HEAVE_SHARE is reduced to 1/e. */
 /* Largest rise or fall of the water surface that an immersed disc causes in one tick. */

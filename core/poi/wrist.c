@@ -7,8 +7,8 @@
 
 /* Natural angular frequency of the wrist spring in air, which causes a lag of 25 ms. */
 #define TURN_RAD_S 80.0f
-#define TURN_KG_M2                                                                                 \
-    1.2e-4f /* Moment of inertia of a poi of 7 g about the hand, which is 13 cm away. */
+/* Moment of inertia of a poi of 7 g about the hand, which is 13 cm away. */
+#define TURN_KG_M2 1.2e-4f
 /* Torsional stiffness of the wrist, in N m per radian. */
 #define TURN_N_M (TURN_KG_M2 * TURN_RAD_S * TURN_RAD_S)
 

@@ -1,4 +1,4 @@
-/* recipe.h -- the parameters of each sound of the kiosk, as constants for the synthesiser
+/* recipe.h -- defines the parameters of each sound of the kiosk, as constants for the synthesiser
  * (synth.h).
  *
  * A sound consists of layers (tones and noise) and at most one plucked string. */

@@ -1,8 +1,8 @@
-/* synth.c -- the synthesiser: each voice has a few gliding sines and filtered noise bursts, and at
- * most one plucked string.
+/* synth.c -- implements the synthesiser: each voice has a few gliding sine waves and filtered noise
+ * bursts, and at most one plucked string.
  *
- * Pitch, filter and roughness change every CONTROL_FRAMES frames of a voice's own age, so that the
- * wave does not depend on the number of frames per call. */
+ * The pitch, the filter and the roughness of a voice change every CONTROL_FRAMES frames of the
+ * voice's own age. The output therefore does not depend on the number of frames per call. */
 #include "core/sound/synth.h"
 
 #include "core/base/fmath.h"

@@ -1,10 +1,10 @@
-/* synth.h -- a synthesiser with a fixed number of voices for the sounds of the kiosk: noise, tones
- * and plucked strings.
+/* synth.h -- synthesises the sounds of the kiosk from noise, tones and plucked strings, with a
+ * fixed number of voices.
  *
- * The caller owns `struct synth`. The synthesiser uses no recorded samples and allocates no memory,
- * so that a board without a file system also has sound. The synthesiser is not part of the game's
- * state. The platform's audio thread calls the synthesiser, and two threads must not call it at the
- * same time. */
+ * The caller owns `struct synth`. The synthesiser uses no recorded samples and allocates no memory.
+ * Therefore a board without a file system also has sound. The state of the synthesiser is not part
+ * of the game's state. The platform's audio thread calls the synthesiser, and two threads must not
+ * call it at the same time. */
 #ifndef KINGYO_CORE_SOUND_SYNTH_H
 #define KINGYO_CORE_SOUND_SYNTH_H
 
@@ -16,8 +16,8 @@
 /* Number of voices, each of which plays one sound. If all voices are active, a new sound replaces
  * the oldest sound, because more than 16 simultaneous sounds would be indistinct. */
 #define SYNTH_VOICE_MAX 16u
-#define SYNTH_LAYER_MAX                                                                            \
-    4u /* Largest number of layers of a sound. A layer is a tone or a noise burst. */
+/* Largest number of layers of a sound. A layer is a tone or a noise burst. */
+#define SYNTH_LAYER_MAX 4u
 /* Largest length of a string's delay line in frames. The pitch is therefore at least 48000 / 256 =
  * 188 Hz. */
 #define SYNTH_PLUCK_MAX 256u

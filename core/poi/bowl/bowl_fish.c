@@ -7,8 +7,8 @@
 
 /* Mean angular speed of a circling fish: one lap in about four seconds. */
 #define ROUND_RAD_S 1.6f
-#define SETTLE_PER_S                                                                               \
-    2.0f /* Rate at which a fish approaches the depth and the radius of its circle. */
+/* Rate at which a fish approaches the depth and the radius of its circle. */
+#define SETTLE_PER_S 2.0f
 /* Fraction by which SETTLE_PER_S is reduced in a full bowl, in which other fish are in the way. */
 #define SETTLE_CROWD 0.9f
 #define HULL_GAP_M 0.003f

@@ -20,8 +20,8 @@
 /* Lowest speed of the ring toward a wall that counts as a motion toward the wall. The motion of a
  * trembling hand is slower. */
 #define WALL_M_S 0.02f
-/* Smallest distance from the ring to the hand's target, toward a wall, at which the hand counts as
- * pushing the ring toward the wall (0.9 N). */
+/* Distance by which the hand's target must be ahead of the ring, toward a wall, so that the hand
+ * counts as pushing the ring toward the wall (0.9 N). */
 #define WALL_PRESS_M 0.004f
 /* Slap strength of a fish that was calm before its capture, relative to a fleeing fish. */
 #define CALM_VIGOUR 0.55f

@@ -15,20 +15,20 @@
  * tilt of 20 degrees. */
 #define STICK 0.36f
 #define SLIP 0.30f /* Coefficient of kinetic friction between the fish's skin and wet paper. */
-/* Limit of the ratio of the acceleration along the paper to the acceleration onto the paper. Above
- * the limit (a tilt of 40 degrees), a fish rolls over the 3 mm high ring. */
+/* Ratio of two accelerations above which a fish rolls over the 3 mm high ring: the acceleration
+ * along the paper divided by the acceleration onto the paper. The value corresponds to a tilt of 40
+ * degrees. */
 #define WALL_STICK 0.84f
 #define WALL_JUMP_M_S 0.40f /* Outward speed above which a fish passes over the ring at any tilt. */
 /* Distance between the fish's centre and the ring when the fish's belly touches the ring. */
 #define WALL_MARGIN_M 0.004f
 #define SLAP_S 0.020f
-#define SLAP_M_S2_MIN                                                                              \
-    10.0f /* Lower limit of the force of a slap divided by the mass of the fish, for a fish with
-             full vigour. */
+/* Smallest force of a slap divided by the mass of the fish, for a fish with full vigour. */
+#define SLAP_M_S2_MIN 10.0f
 #define SLAP_M_S2_MAX 30.0f
 #define SLAP_N_MAX 0.15f
-#define CALM_TAU_S                                                                                 \
-    3.0f /* Time constant with which the slaps of a fish become weaker out of water. */
+/* Time constant with which the slaps of a fish become weaker out of water. */
+#define CALM_TAU_S 3.0f
 /* Factor by which a fish calms down faster while its head is higher than its tail. */
 #define CALM_HEAD_UP 2.5f
 /* Factor by which a fish calms down faster in a deep sag, where the paper surrounds the fish. */

@@ -4,13 +4,12 @@
 
 #include "core/base/physics.h"
 
-#define FILM_KG                                                                                    \
-    0.003f /* Mass of the complete film of water on wet paper: 0.3 mm thick on each of the two
-              faces. */
-#define FILM_KEEP_KG                                                                               \
-    0.0008f /* Mass of the film that does not drain, because the paper fibres hold it. */
-#define FILM_SLOW                                                                                  \
-    4.0f /* Ratio of the drainage time constant of the thin film to that of the pool. */
+/* Mass of the complete film of water on wet paper: 0.3 mm thick on each of the two faces. */
+#define FILM_KG 0.003f
+/* Mass of the film that does not drain, because the paper fibres hold it. */
+#define FILM_KEEP_KG 0.0008f
+/* Ratio of the drainage time constant of the thin film to that of the pool. */
+#define FILM_SLOW 4.0f
 /* Drainage time constant of a pool on a vertical ring. At a smaller tilt, the time constant is
  * divided by the sine of the tilt. */
 #define DRAIN_TAU_S 0.15f
@@ -19,9 +18,8 @@
 /* Sine of the tilt above which water drains only over the lowest point of the rim. */
 #define RIM_SINE 0.1f
 #define SEEP_TAU_S 15.0f /* Time constant with which water seeps through wet paper. */
-#define HOLES_PER_S                                                                                \
-    8.0f                 /* Drainage rate through holes, multiplied by the fraction of the paper
-                            that is torn. */
+/* Drainage rate through holes, multiplied by the fraction of the paper that is torn. */
+#define HOLES_PER_S 8.0f
 #define DROP_KG 0.00005f /* Mass of a drop with a diameter of 4.6 mm. */
 /* Largest number of drops in one tick. More drops are a trickle, which is not louder. */
 #define DROPS_MAX 4u

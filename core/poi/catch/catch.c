@@ -14,8 +14,8 @@
 /* Lower limit of the line tension from which the compliance of the paper is computed. The value is
  * the tension of wet paper under a single fish. */
 #define SLACK_N_M 1.5f
-#define LIFT_OFF_M_S2                                                                              \
-    0.5f /* Acceleration away from the paper above which a fish lifts off the paper. */
+/* Acceleration away from the paper above which a fish lifts off the paper. */
+#define LIFT_OFF_M_S2 0.5f
 /* Highest sliding speed of a fish after it landed on the paper, because wet paper absorbs most of
  * its velocity. */
 #define LAND_M_S 0.2f
@@ -206,7 +206,7 @@ static void ride_all(struct scoop *scoop)
     }
 }
 
-/* ---- Contact with other fish ----------------------------------------------------------------- */
+/* ---- Capture of fish, and jammed rings ------------------------------------------------------- */
 
 /* Removes carried fish whose state was changed outside this file, for example at the start of a new
  * round. */

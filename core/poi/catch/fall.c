@@ -18,7 +18,7 @@ void fall_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
 }
 
 /* Returns 1 if the path from `before_m` to `now_m` passes down through the bowl's mouth, otherwise
- * 0. The function compares both positions with the position of the moving bowl at the same time. */
+ * 0. Because the bowl also moves, each position is taken relative to the bowl at the same time. */
 static int through_mouth(const struct bowl *bowl, vec3 before_m, vec3 now_m)
 {
     const vec3 from = v3_sub(before_m, bowl->before_m), to = v3_sub(now_m, bowl->position_m);

@@ -14,10 +14,10 @@
  * ring is 3 mm above the paper. */
 #define TOUCH_M 0.005f
 
-/* Returns 1 if a point is at most ZONE_M above the paper's plane and near the poi, otherwise 0.
+/* Returns 1 if a point is less than ZONE_M above the paper's plane and near the poi, otherwise 0.
  * `away` is the vector from the ring's centre to the point in world axes. Writes the coordinates of
- * the point in the poi's axes to `place`. For most fish, the cheap distance test already gives the
- * result. */
+ * the point in the poi's axes to `place`. For most fish, the cheap test of the distance is
+ * sufficient. */
 static int over_paper(const struct basis *axes, vec3 away, vec3 *place)
 {
     if (v3_dot(away, away) >= ZONE_M * ZONE_M + POI_RADIUS_M * POI_RADIUS_M) {

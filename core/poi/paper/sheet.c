@@ -96,7 +96,8 @@ static void regather(struct strain *strain, const struct sheet *sheet, uint32_t 
 
 /* ---- Growth of tears ------------------------------------------------------------------------ */
 
-/* Changes the cells of the bits `torn` in a row into holes. Returns the number of changed cells. */
+/* Changes cells of a row into holes. Bit i of `torn` selects cell i. Returns the number of changed
+ * cells. */
 static uint32_t open_row(struct strain *strain, struct sheet *sheet, uint32_t row, uint32_t torn)
 {
     uint32_t count = 0;

@@ -5,9 +5,9 @@
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 
-#define STRENGTH_SD                                                                                \
-    0.12f /* Standard deviation of the mean strength among the sheets of one grade, as a fraction
-             of the strength. */
+/* Standard deviation of the mean strength among the sheets of one grade, as a fraction of the
+ * strength. */
+#define STRENGTH_SD 0.12f
 /* Standard deviation of the strength among the clouds of pulp within one sheet, as a fraction of
  * the strength. */
 #define PATCH_SD 0.05f

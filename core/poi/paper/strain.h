@@ -18,9 +18,10 @@
 struct footprint {
     float x_m, z_m;
     float own_m;      /* Radius of the footprint. */
-    float reach_m;    /* Distance from the footprint's centre beyond which the footprint has no
-                         effect. */
-    float pull_n_m_m; /* Tension times distance from the footprint's centre: F / (2 pi). */
+    float reach_m;    /* Distance from the centre of the footprint beyond which its tension is
+                         ignored. */
+    float pull_n_m_m; /* Force of the footprint divided by 2 * pi. This value divided by the
+                         distance from the footprint's centre is the tension. */
 };
 
 struct strain {

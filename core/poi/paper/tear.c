@@ -2,11 +2,12 @@
  * holes. */
 #include "core/poi/paper/tear.h"
 
-/* Number of directions from a cell to its neighbours, counted clockwise from the right as seen from
- * above. */
+/* Number of directions from a cell to its neighbours. The directions are counted clockwise from the
+ * right, as seen from above. */
 #define WAYS 8u
-/* Stress factor of a diagonal step: 2^(-1/20). Its tenth power is 1 / sqrt(2), which makes a
- * diagonal step take sqrt(2) times as long. */
+/* Stress factor of a diagonal step: 2^(-1/20). Damage grows with the tenth power of the stress
+ * (SHEET_DAMAGE_EXPONENT), and therefore a diagonal step takes sqrt(2) times as long as a straight
+ * step. */
 #define CORNER_SHARE 0.966f
 
 struct way {
@@ -82,8 +83,8 @@ float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_
 {
     float worst = 0.0f;
     for (uint32_t way = 0; way < WAYS; way++) {
-        const uint32_t r = row + (uint32_t)ways[way].row; /* The subtraction of 1 from 0 gives a
-                                                             very large unsigned number, which the
+        const uint32_t r = row + (uint32_t)ways[way].row; /* If `row` is 0, the sum row - 1 wraps to
+                                                             a very large unsigned number, which the
                                                              following test rejects. */
         const uint32_t c = column + (uint32_t)ways[way].column;
         if (r < SHEET_SIDE && c < SHEET_SIDE && map->hole[r] >> c & 1u) {
@@ -105,9 +106,9 @@ static uint32_t aside(uint32_t bits, int32_t column)
     return column > 0 ? bits >> 1 : column < 0 ? bits << 1 : bits;
 }
 
-/* Returns `open`, extended along the row over contiguous paper. `column` is the direction (1 or
- * -1) toward the ring, and the bits extend in the opposite direction. Each pass doubles the
- * distance. */
+/* Returns the bits `open` extended along a row over contiguous paper. `column` is the direction (1
+ * or -1) from a cell toward the ring, and the bits are extended in the opposite direction. Each
+ * pass of the loop doubles the distance. */
 static uint32_t spread(uint32_t open, uint32_t paper, int32_t column)
 {
     for (uint32_t step = 1; step < SHEET_SIDE; step *= 2u) {

@@ -13,8 +13,8 @@ _Static_assert(SHEET_SIDE == 32u, "a row is a word");
 /* Factor by which the stress is higher beside a hole of one cell. The factor increases with the
  * square root of the hole's length. */
 #define TEAR_FACTOR 2.5f
-#define TEAR_FACTOR_MAX                                                                            \
-    4.0f /* Upper limit of the stress factor, reached beside a hole that is 2.56 cells long. */
+/* Upper limit of the stress factor, reached beside a hole that is 2.56 cells long. */
+#define TEAR_FACTOR_MAX 4.0f
 /* Fraction by which the stress factor is higher along the fibres and lower across the fibres. */
 #define TEAR_FIBRE_SHARE 0.08f
 #define TEAR_FACTOR_WORST (TEAR_FACTOR_MAX * (1.0f + TEAR_FIBRE_SHARE))

@@ -2,14 +2,14 @@
 #include "core/poi/paper/wetting.h"
 
 #define WET_TAU_S 1.0f /* Time constant with which a cell becomes wet under water. */
-#define SOAKED                                                                                     \
-    0.9999f /* Wetness above which a cell counts as completely wet. The sheet is soaked if all
-               its cells are completely wet. */
+/* Wetness from which a cell counts as completely wet. The sheet is soaked if all its cells are
+ * completely wet. */
+#define SOAKED 0.9999f
 /* Diffusivity of water in the paper. The wet front moves about 1.4 mm in the first second, and its
  * distance is proportional to sqrt(t). */
 #define WICK_M2_S 1.0e-6f
-#define SOFTENS_FROM                                                                               \
-    0.5f /* Wetness above which paper becomes softer. Drier paper keeps its strength. */
+/* Wetness above which paper becomes softer. Drier paper keeps its strength. */
+#define SOFTENS_FROM 0.5f
 /* Difference of wetness between the two neighbours of a cell at which the wet line counts as fully
  * developed. */
 #define LINE_STEP 0.5f
