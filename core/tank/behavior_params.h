@@ -43,9 +43,9 @@ struct behavior_params {
 
     /* A fish turns away from a wall when the distance from its nose to the wall is below a limit
      * (2013 thesis, section 3.1). The limit is the sum of `wall_per_length` and `wall_within_s`. */
-    float wall_per_length; /* First part of the limit, in body lengths. */
-    float wall_within_s;   /* Second part of the limit: the distance that the fish swims in this
-                              time. */
+    float wall_per_length; /* First part of the distance limit to a wall, in body lengths. */
+    float wall_within_s;   /* Second part of the distance limit to a wall: the distance that the
+                              fish swims in this time. */
 
     /* The next parameters add the behavior of living fish to the rules of the 2013 thesis. */
     float kick_rad;      /* Standard deviation of the random turn at each kick of the tail

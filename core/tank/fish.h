@@ -18,7 +18,7 @@
 #endif
 _Static_assert(TANK_FISH_MAX >= TANK_FISH_KIOSK, "the kiosk's tank fits in every tank");
 #if TANK_FISH_MAX < 65536u
-typedef uint16_t fish_index; /* Index of a fish, or a number of fish from 0 to TANK_FISH_MAX. */
+typedef uint16_t fish_index; /* Index of a fish or number of fish, 0 .. TANK_FISH_MAX. */
 #else
 typedef uint32_t fish_index;
 #endif
@@ -31,8 +31,8 @@ static inline uint32_t fish_capacity(uint32_t fish_count)
     return fish_count <= TANK_FISH_KIOSK ? TANK_FISH_KIOSK : TANK_FISH_MAX;
 }
 
-/* A fish is in the air if the top of its body is more than this height above the still surface.
- * Ripples are lower than this height. */
+/* Height above the still surface. A fish is in the air if the top of its body is higher. Ripples of
+ * the surface are lower than this height. */
 #define FISH_AIRBORNE_M 0.003f
 
 enum fish_gait {
@@ -57,8 +57,7 @@ enum fish_avoiding {
     AVOID_PITCH = 2,
 };
 
-/* Stage of surface breathing, which a fish short of oxygen or stamina does; see
- * surface_breathing.h. */
+/* Stage of the surface breathing of a fish; see surface_breathing.h. */
 enum fish_air {
     AIR_ENOUGH = 0,
     AIR_RISES = 1, /* The fish is on its way up, in GAIT_SWIM. */
@@ -73,7 +72,8 @@ enum fish_air {
  * follow the quads. */
 struct fish {
     vec3 position_m; /* Centre of the body box in world coordinates. */
-    float speed_m_s; /* Speed >= 0 along the fish's forward axis by its own fins. */
+    float speed_m_s; /* Speed >= 0 along the fish's forward axis that the fish's own fins
+                        produce. */
     struct angles angles;
     float yaw_rate_rad_s;
     vec3 push_m_s;     /* Velocity that is added to the fish's own motion: repulsion by near fish
@@ -119,11 +119,12 @@ struct fish {
                              reentry. */
     uint8_t thought_tick; /* Low 8 bits of the tick in which the fish last decided. */
     float gait_left_s;    /* Time until the fish chooses its next gait. For a fish in reentry: time
-                             since it came back into the water. */
+                             since the fish came back into the water. */
     float avoid_left_s;   /* Time left of the current avoidance. If `avoiding` is AVOID_NONE: time
                              left in which the fish keeps its depth. */
-    float avoid_turn;     /* Direction of avoidance. By yaw: -1 (right) to +1 (left). By pitch: -1
-                             (down) or +1 (up). */
+    float avoid_turn;     /* Direction of the avoidance. In AVOID_YAW the value is -1 (sharp
+                             right) to +1 (sharp left). In AVOID_PITCH the value is -1 (down) or
+                             +1 (up). */
     uint32_t avoid_since; /* First tick of the current encounter with the fish of index
                              `avoid_with`. */
     fish_index avoid_with;
@@ -170,8 +171,8 @@ void fish_grow(struct fish *fish, float length_m, const struct behavior_params *
 
 struct box fish_box(const struct fish *fish);
 
-/* Returns the wet mass of a goldfish (Carassius auratus, Lake Egirdir): W = 0.0210 L^3.0598 with W
- * in g and L in cm. */
+/* Returns the wet mass of a goldfish (Carassius auratus, Lake Egirdir): W = 0.0210 * L^3.0598 with
+ * the mass W in g and the length L in cm. */
 float fish_mass_kg(float length_m);
 
 /* Returns the unit vector along the fish's forward axis in world coordinates. */

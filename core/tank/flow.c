@@ -4,8 +4,8 @@
 
 /* Speed of the water at the disc's ring as a fraction of the disc's speed along its plane. */
 #define EDGE_SHARE 0.16f
-/* Smallest distance from the disc's sharp edge for which the flow is computed, in disc radii. The
- * flow acts on a fish, which is larger than a point. */
+/* Smallest distance from the disc's sharp edge, in disc radii, that the formulas of the flow use.
+ * At the edge the computed speed would be infinite. */
 #define BODY_SHARE 0.3f
 /* A level disc counts as dry at this height above the surface and as submerged at this depth below
  * the surface. */

@@ -15,8 +15,8 @@
 /* Oxygen that a fish consumes for swimming, mg per kg of fish and metre of path (goldfish of 5 cm;
  * Li). */
 #define COST_MG_KG_M 0.6f
-#define STEP_H                                                                                     \
-    0.005f /* Longest step of the oxygen balance. All rates are constant within a step. */
+/* Longest step of the oxygen balance. All rates are constant within a step. */
+#define STEP_H 0.005f
 #define LITRES_PER_M3 1000.0f
 
 /* Returns 1000 K / T minus the value of 1000 K / T at 25 C, where T is the absolute temperature.

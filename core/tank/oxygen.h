@@ -19,8 +19,8 @@
 #define OXYGEN_TEMPERATURE_MAX_C 40.0f
 /* Lowest air pressure that was ever measured at sea level, in the eye of a typhoon. */
 #define OXYGEN_PRESSURE_MIN_HPA 870.0f
-#define OXYGEN_PRESSURE_MAX_HPA                                                                    \
-    1085.0f                          /* Highest air pressure that was ever measured at sea level. */
+/* Highest air pressure that was ever measured at sea level. */
+#define OXYGEN_PRESSURE_MAX_HPA 1085.0f
 #define OXYGEN_PRESSURE_HPA 1013.25f /* Pressure of the standard atmosphere. */
 #define OXYGEN_MAX_MG_L 20.0f
 #define OXYGEN_TIME_COMPRESSION_MAX 1000.0f
@@ -39,8 +39,8 @@ struct oxygen {
 };
 
 /* Returns the oxygen concentration of fresh water in equilibrium with air, mg/L (Benson & Krause
- * 1984). Example: 8.263 mg/L at 25 C and 1013.25 hPa. The result is within 0.01 % of the published
- * formula for OXYGEN_TEMPERATURE_MIN_C .. _MAX_C and OXYGEN_PRESSURE_MIN_HPA .. _MAX_HPA. */
+ * 1984). Example: 8.263 mg/L at 25 C and 1013.25 hPa. Within the limits of temperature and pressure
+ * above, the result is within 0.01 % of the published formula. */
 float oxygen_saturation_mg_l(float temperature_c, float pressure_hpa);
 
 /* Returns the oxygen that one fish consumes in an hour, mg. The result is the sum of two parts: the

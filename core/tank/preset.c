@@ -83,7 +83,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         /* The growth curve of the wakin gives 3.3 cm at ten weeks and 8 cm at seven months. */
         .age_days_min = 74.0f,
         .age_days_max = 222.0f,
-        .stamina_min = 0.30f, /* Range of stamina in section 3.2 of the 2013 thesis. */
+        .stamina_min = 0.30f, /* Section 3.2 of the 2013 thesis gives this range of the stamina. */
         .stamina_max = 1.00f,
         .bowl_m = { { 0.335f, 0.012f, 0.185f },
                     { -0.335f, 0.012f, 0.185f },
@@ -112,7 +112,7 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .age_days_min = 120.0f, /* At an age of 120 days the fish is red all over. */
         .age_days_max = 120.0f,
         .length_m = 0.05f,
-        .stamina_min = 0.30f, /* Range of stamina in section 3.2 of the 2013 thesis. */
+        .stamina_min = 0.30f, /* Section 3.2 of the 2013 thesis gives this range of the stamina. */
         .stamina_max = 1.00f,
         .bowl_m = { { 0.53f, 0.012f, 0.225f },
                     { -0.53f, 0.012f, 0.225f },

@@ -33,8 +33,8 @@
  * a player can slowly lead the gathered fish along. */
 #define SHADE_STILL_M_S 0.02f
 /* A shade that takes at most SHADE_SUDDEN_DARK of the light never startles fish. A darker shade
- * startles fish while it moves. It also startles fish during the first SHADE_NEW_S seconds after it
- * appears, even if it is still. */
+ * startles fish while it moves, and during the first SHADE_NEW_S seconds after it appears even if
+ * it is still. */
 #define SHADE_SUDDEN_DARK 0.30f
 #define SHADE_NEW_S 0.30f
 

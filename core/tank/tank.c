@@ -14,8 +14,8 @@
  * mm/s. */
 #define STIRS_M 0.0001f
 #define BUBBLE_TICKS 6u /* Ticks between two bubbles of the pump: 20 bubbles per second. */
-#define BUBBLES_M                                                                                  \
-    0.014f /* Radius of the circle above the air stone within which bubbles reach the surface. */
+/* Radius of the circle above the air stone within which bubbles reach the surface. */
+#define BUBBLES_M 0.014f
 #define STONE_INSET_M 0.045f
 #define BUBBLE_RADIUS_M 0.012f
 #define BUBBLE_M 0.0011f /* Height by which a bubble lifts the surface. */

@@ -75,8 +75,8 @@ struct tank_config {
     float time_compression;         /* Speed of the oxygen balance, 0 .. OXYGEN_TIME_COMPRESSION_MAX
                                        (oxygen.h). */
     uint8_t pump;                   /* 1 if the air stone bubbles, otherwise 0. */
-    uint8_t bowls;                  /* Number of bowls, 0 .. POI_MAX. No fish starts at the place of
-                                       a bowl. */
+    uint8_t bowls;                  /* Number of bowls, 0 .. POI_MAX. No fish starts under a
+                                       bowl. */
     uint8_t lanes;                  /* Number of SIMD lanes: 0, 4 or 8 (core/base/simd.h). The
                                        number affects only speed. */
     uint8_t search;                 /* Pair search (enum pair_search). The search affects only
@@ -100,8 +100,8 @@ struct tank_config tank_config_of(uint8_t preset);
  * `area_scale` times the floor area of the preset. */
 uint32_t tank_fish_max(uint8_t preset, float area_scale);
 
-/* Returns the largest number of fish in a tank with this configuration; ignores config->fish_count.
- * Returns 0 if the size or the area scale is out of range. */
+/* Returns the largest number of fish in a tank with this configuration. The function ignores
+ * config->fish_count. Returns 0 if the size or the area scale is out of range. */
 uint32_t tank_config_fish_max(const struct tank_config *config);
 
 /* Opens a tank: fills `tank` with still water and with fish that do not overlap. Returns 1 on
@@ -131,8 +131,8 @@ void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t
 /* Returns the behavior parameters of the tank's fish. */
 const struct behavior_params *tank_behavior_params(const struct tank *tank);
 
-/* Sets the shades of this tick; called before tank_tick(). Without a call there are no shades.
- * Asserts that all values are finite. */
+/* Sets the shades of the next tick; the caller calls tank_tick() afterwards. A tank for which the
+ * function is never called has no shades. Asserts that all values are finite. */
 void tank_cast(struct tank *tank, const struct shade_cast casts[TANK_SHADE_MAX]);
 
 /* Returns the number of swimming fish whose centre lies in the shade of `cast`. Returns 0 if the

@@ -246,8 +246,8 @@ static int spread_out(struct tank *tank)
     return 0;
 }
 
-/* Chooses random places for all fish and separates the fish, until none overlap. Returns 1 on
- * success, or 0 after START_DRAWS_MAX attempts. */
+/* Separates the fish. If the separation fails, chooses new random places for all fish and tries
+ * again. Returns 1 on success, or 0 after START_DRAWS_MAX attempts. */
 static int find_room(struct tank *tank, const struct tank_config *config)
 {
     for (uint32_t draw = 1; !spread_out(tank); draw++) {

@@ -28,7 +28,7 @@
 /* Fraction of LEAD_RAD for the struck fish, which then turns at 67 deg/s and hardly swings its
  * tail. */
 #define STRUCK_SHARE 0.15f
-#define TURN_LAG_S 0.12f /* Time constant with which a turn decays. */
+#define TURN_LAG_S 0.12f /* Time constant with which the yaw rate decays after a turn. */
 /* Repulsion speed at contact in body lengths per second: (7.5 - 5.25) cm/s for a fish of 5 cm (2013
  * thesis, section 3.3). */
 #define REPULSION_LENGTHS_PER_S 0.45f
@@ -55,7 +55,7 @@ static int gives_way_to(const struct avoid_party *a, const struct avoid_party *b
  * into the other, the fish that faces the other fish more is active; in a tie, the fish with the
  * lower index. */
 struct encounter {
-    uint8_t kind; /* Class of the encounter: enum meeting_kind of the active fish. */
+    uint8_t kind; /* Kind of the encounter for the active fish (enum meeting_kind). */
     uint8_t a_is_active;
     uint32_t since;
 };
@@ -128,9 +128,9 @@ static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct a
     struck->turn = STRUCK_SHARE * (hit_on_left > 0.0f ? -sense : sense);
 }
 
-/* Returns 1 if the courses of the fish cross, so that the fish must avoid each other. The test is
- * an extension for living fish, which the 2013 thesis lacks. Always returns 1 if params->meet_miss
- * is 0. */
+/* Returns 1 if the courses of the fish cross, so that the fish must avoid each other. Only
+ * living fish use the test; the 2013 thesis has no such test. Always returns 1 if
+ * params->meet_miss is 0. */
 static int courses_cross(const struct avoid_party *a, const struct avoid_party *b, vec3 apart,
                          const struct behavior_params *params)
 {

@@ -9,7 +9,10 @@
 
 /* Beat and glide last a whole number of decision periods (FISH_BEHAVIOR_TICKS). A fish that checks
  * its rhythm once per decision therefore keeps the rhythm exactly. */
-#define CYCLE_TICKS_MIN 84u /* Shortest cycle, 0.7 s. Individual fish add up to 0.5 s. */
+
+/* Shortest cycle of beat and glide, 0.7 s. The cycle of an individual fish is up to 0.5 s
+ * longer. */
+#define CYCLE_TICKS_MIN 84u
 #define BEAT_SHARE 0.45f
 #define KICK_TICKS (5u * FISH_BEHAVIOR_TICKS) /* Duration of a kick, 0.17 s. */
 #define KICK_MAX_RAD (80.0f * F_DEG)
@@ -17,9 +20,8 @@
 /* Drag coefficient of a gliding koi, relative to its wetted surface. The coefficient is 0.242 while
  * the tail beats. */
 #define COAST_DRAG 0.060f
-#define MASS_KG_PER_M3                                                                             \
-    23.1f /* Mass of a fish divided by the cube of its length: 2.9 g at 5 cm, as in
-             fish_mass_kg(). */
+/* Mass of a fish divided by the cube of its length: 2.9 g at 5 cm, as in fish_mass_kg(). */
+#define MASS_KG_PER_M3 23.1f
 /* Mass of the water that moves along with a slender body, as a fraction of the fish's mass. */
 #define ADDED_MASS 0.10f
 /* Wetted surface of a fish divided by its squared length, including both sides of the fins. */

@@ -40,11 +40,11 @@
 #define RECOIL 0.4f
 #define RECOIL_STAGES 2.0f /* Duration of the recoil after the flip, in multiples of a stage. */
 
-/* Range of the peak speed of individual fish, in body lengths per second. */
+/* Lowest and highest peak speed of individual fish, in body lengths per second. */
 #define PEAK_LENGTHS_MIN 8.0f
 #define PEAK_LENGTHS_MAX 10.0f
-#define PEAK_TIME_S 0.12f /* Time from the beginning of the C-start to the glide. */
-#define DASH_LENGTHS 2.0f /* Speed at the end of the dash, in body lengths per second. */
+#define PEAK_TIME_S 0.12f /* Time from the beginning of the C-start to the end of the thrust. */
+#define DASH_LENGTHS 2.0f /* Speed goal after the thrust, in body lengths per second. */
 #define DASH_BEAT_MIN_S 0.70f
 #define DASH_SPREAD_S 0.08f
 /* Stamina cost of the C-start, equal to the cost of one second of burst. */

@@ -18,7 +18,8 @@
 /* Rate at which a push decays. A lasting push is multiplied by this rate, and therefore moves the
  * fish at the speed of the push. */
 #define PUSH_PER_S 12.0f
-/* A fish whose back is deeper than this distance below a bowl does not turn away from the bowl. */
+/* A fish does not turn away from a bowl if the fish's back is deeper than the bottom of the bowl by
+ * at least this distance. */
 #define HULL_SHUN_DEPTH_M 0.01f
 
 int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct perception *around)
@@ -90,7 +91,7 @@ static int responds_to_shade(const struct fish *fish, const struct behavior_para
 }
 
 /* Changes the goals of the fish by the attraction of shades. A fish that avoids another fish by yaw
- * keeps its heading and takes only the speed. */
+ * keeps its heading and changes only its speed. */
 static void follow_shade(struct fish *fish, const struct perception *around)
 {
     const int glides = fish->gait == GAIT_SWIM && fish->beats <= 0.0f;

@@ -15,8 +15,8 @@
 
 /* Returns 1 if the fish decides in this tick, otherwise 0. A fish decides in every
  * FISH_BEHAVIOR_TICKS-th tick. A fish decides in every tick at the surface, while it escapes or
- * falls, and near an object that can startle it. A C-start follows its cause after 8 to 15 ms,
- * which is less than FISH_BEHAVIOR_TICKS. */
+ * falls, and near an object that can startle it. A C-start follows its cause after 8 to 15 ms, so a
+ * startled fish cannot wait up to 33 ms for its next decision. */
 int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Returns the time since the fish's last decision, 1 to FISH_BEHAVIOR_TICKS ticks, in seconds. The

@@ -41,7 +41,7 @@ struct gait_chance {
 struct gait_chance gait_chance(float stamina);
 
 /* Returns the fraction of time that a fish of constant stamina spends in each gait. The fractions
- * are the probabilities weighted by the mean durations. */
+ * are the probabilities of the gaits, weighted by their mean durations. */
 struct gait_chance gait_shares(float stamina);
 
 /* Enters a gait and chooses its duration, a new heading around the old heading, and a new depth
@@ -62,8 +62,8 @@ float gait_speed_m_s(const struct fish *fish, const struct perception *around);
  * the time T_d in eq. 2.3 of the 2013 thesis. */
 float gait_run_up_s(float length_m);
 
-/* Returns the largest speed of a swimming fish including all pushes, m/s: the top speed of the 2013
- * thesis, 7.5 cm/s for a rested fish of 5 cm (section 3.3). */
+/* Returns the largest speed of a swimming fish including all pushes, m/s. The result is the top
+ * speed in section 3.3 of the 2013 thesis, 7.5 cm/s for a rested fish of 5 cm. */
 float gait_speed_max_m_s(const struct fish *fish, const struct behavior_params *params);
 
 /* Returns 1 if the tail drives the fish, 0 if the fish glides or rests. */

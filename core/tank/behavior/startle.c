@@ -8,7 +8,9 @@
 
 #define ALARM_FADE_PER_S 0.6f
 #define ALARM_AFTER 0.2f /* Alarm that remains after a C-start. */
-#define FRIGHT_S 0.12f   /* Time in which a stimulus of strength 1 raises the alarm by 1. */
+/* Time in which a stimulus of strength 1 raises the alarm by 1. GROWTH_SPAN_RAD_S and
+ * PUSH_SPAN_M2_S2 define the strength. */
+#define FRIGHT_S 0.12f
 #define STRENGTH_MAX 12.0f
 
 /* An approaching object must have a visual angle of 20 degrees (most timid fish) to 30 degrees
@@ -31,8 +33,8 @@
  * 1.6 g hear sounds that are 15 dB fainter than fish of 23.6 g do (Asa et al.). 15 dB is a factor
  * of 5.6 in pressure, and the masses differ by a factor of 2.5 in length. */
 #define LENGTH_M 0.05f
-/* Smallest apparent height of a disc as a fraction of its apparent width. A disc seen edge-on has
- * the height of its ring. */
+/* Smallest ratio of the apparent height of a disc to its apparent width. The image of a disc seen
+ * edge-on is as high as the disc's ring. */
 #define LINE_THICKNESS 0.07f
 
 #define GULPING_LATE 1.5f /* Factor on the startle latency of a gulping fish, which reacts late. */
@@ -129,7 +131,8 @@ static float latency_s(const struct fish *fish, enum startle_cause cause, uint32
 }
 
 /* Begins the latency of a startle. If the latency of an earlier stimulus has not ended, the latency
- * that ends first is kept. A pressure stimulus therefore overtakes a visual stimulus. */
+ * that ends first is kept. Therefore an earlier visual stimulus does not delay the C-start after a
+ * pressure stimulus. */
 static void startle(struct fish *fish, enum startle_cause cause, vec3 from_m, uint32_t index,
                     const struct perception *around)
 {

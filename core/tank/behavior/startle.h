@@ -22,8 +22,8 @@ enum startle_cause {
 
 /* The image of a disc in the eye of a fish. */
 struct startle_view {
-    float size_rad;     /* Mean visual angle of the image. The image of an edge-on disc is little
-                           more than a line. */
+    float size_rad;     /* Mean visual angle of the image. The image of a disc that is seen edge-on
+                           is nearly a line. */
     float growth_rad_s; /* Growth of `size_rad` per second; < 0 while the disc recedes. */
 };
 
@@ -43,9 +43,9 @@ struct startle_stimulus startle_of_disc(const struct obstacle *disc, const struc
  * 0.95. */
 float startle_threshold(const struct fish *fish);
 
-/* Adds `alarm` >= 0 from a stimulus at `from_m`. If the sum exceeds the fish's threshold, the
- * latency of `cause` begins. No latency begins while the fish escapes or if its last start was too
- * recent. */
+/* Adds `alarm` >= 0 from a stimulus at `from_m` to the alarm of the fish. If the sum exceeds the
+ * fish's threshold, the latency of `cause` begins. No latency begins while the fish escapes, or
+ * until `refractory_s` of the fish is 0. */
 void startle_alarm(struct fish *fish, enum startle_cause cause, vec3 from_m, float alarm,
                    uint32_t index, const struct perception *around);
 

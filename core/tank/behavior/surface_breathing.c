@@ -14,14 +14,15 @@
 /* An exhausted fish rises in half of its choices at a concentration that is higher by TIRED_MG_L
  * than the concentration for a rested fish. */
 #define TIRED_MG_L 0.4f
-/* Concentration below which the water costs stamina; see behavior_params.stifle_per_s. */
+/* Oxygen concentration below which a fish loses stamina; see `stifle_per_s` in struct
+ * behavior_params. */
 #define STIFLE_MG_L 4.0f
 /* Stamina below which the thesis' fish gulp (section 3.6 of the 2013 thesis). */
 #define TIRED_BELOW 0.25f
 
 #define NOSE_OUT_M 0.002f
-#define FILM_M                                                                                     \
-    0.003f /* Depth of the surface film. A mouth that is at most this deep is in the film. */
+/* Depth of the surface film. A mouth that is at most this deep is in the film. */
+#define FILM_M 0.003f
 /* A rising fish pitches up when its snout is nearer to the surface than this distance, in body
  * lengths. */
 #define NEAR_LENGTHS 0.45f
@@ -44,8 +45,8 @@
 #define RISE_SHARE 0.6f
 #define DRIFT_SHARE 0.16f
 #define NERVE 1.6f
-/* Shortest gulp, 0.63 s. Individual fish add up to 0.26 s, which gives 67 to 95 gulps per
- * minute. */
+/* Shortest duration of a gulp, 0.63 s. The gulp of an individual fish is up to 0.26 s longer, which
+ * gives 67 to 95 gulps per minute. */
 #define GULP_TICKS_MIN 76u
 #define GAPE_SHARE 0.55f /* Fraction of a gulp during which the mouth is open. */
 

@@ -2,10 +2,11 @@
  * water at the surface.
  *
  * The fish swims up and puts its mouth through the surface at an angle of 35 to 50 degrees. The
- * fish then drifts and opens and closes its mouth about 80 times per minute (a gulp). The surface
- * film is near saturation, whatever the oxygen below. A bout is a series of gulps. The behavior
- * parameters select the cause of a rise: low oxygen for living fish, low stamina for the fish of
- * the 2013 thesis (section 3.6). */
+ * fish then drifts, and opens and closes its mouth about 80 times per minute. One opening and
+ * closing is a gulp, and a series of gulps is a bout. The surface film is nearly saturated with
+ * oxygen, even if the water below contains little. The behavior parameters select the cause of a
+ * rise to the surface. Living fish rise because of low oxygen. The fish of the 2013 thesis (section
+ * 3.6) rise because of low stamina. */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_SURFACE_BREATHING_H
 #define KINGYO_CORE_TANK_BEHAVIOR_SURFACE_BREATHING_H
 
@@ -18,21 +19,22 @@
 float surface_chance(float oxygen_mg_l, float stamina);
 
 /* Returns 1 if the fish chooses to rise, otherwise 0; called when the fish chooses its gait. The
- * random number depends on (seed, tick, fish). Always returns 0 if low stamina is the cause of a
- * rise. */
+ * random number depends on the seed, the tick and the index of the fish. Always returns 0 in a tank
+ * in which low stamina causes a rise. */
 int surface_calls(const struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Begins the rise to the surface in GAIT_SWIM. In the 2013 thesis a tired fish rests, but a resting
  * fish would never reach the surface. */
 void surface_rise(struct fish *fish, uint32_t index, const struct perception *around);
 
-/* Sets the state of a gulping fish that tank_stage_all() places. The longest bout begins
- * immediately if the top of the body is at the surface; otherwise the fish rises first. */
+/* Sets the state of a fish that tank_stage_all() places as a gulping fish. If the top of the body
+ * is at the surface, the fish immediately begins a bout of the longest duration. Otherwise the fish
+ * rises first. */
 void surface_stage(struct fish *fish, const struct behavior_params *params);
 
 /* Advances surface breathing by `around->dt_s`: the loss of stamina in water with little oxygen,
- * the rise, the gulps and the dive. Returns 1 during rise, gulps and dive, when the fish chooses no
- * other gait, otherwise 0. */
+ * the rise, the gulps and the dive. Returns 1 while the fish rises, gulps or dives, because the
+ * fish then chooses no other gait. Otherwise returns 0. */
 int surface_tick(struct fish *fish, uint32_t index, const struct perception *around);
 
 /* Sets the goals of a fish that breathes at the surface; called at the end of swim_resolve(). The
@@ -43,19 +45,19 @@ void surface_resolve(struct fish *fish, const struct perception *around);
 /* Returns 1 while the mouth is in the surface film, otherwise 0. */
 int surface_breathes(const struct fish *fish);
 
-/* Returns the phase (0, 1] of a gulp, from one opening of the mouth to the next. Returns 0 while
- * the mouth is not in the film. */
+/* Returns the phase (0, 1] of the current gulp, which lasts from one opening of the mouth to the
+ * next. Returns 0 while the mouth is not in the surface film. */
 float surface_gulp(const struct fish *fish, uint32_t tick);
 
 /* Returns the opening of the mouth: 0 is closed, 1 is fully open. */
 float surface_gape(const struct fish *fish, uint32_t tick);
 
-/* Returns 1 if a gulp began within the `dt_s` before `tick`, otherwise 0. A new gulp makes a
- * ring-shaped wave. */
+/* Returns 1 if a gulp began in the last `dt_s` seconds before `tick`, otherwise 0. A new gulp makes
+ * a ring-shaped wave. */
 int surface_gulps(const struct fish *fish, uint32_t tick, float dt_s);
 
-/* Starts the dive of a startled fish whose body stands out of the water. Returns 1 if the fish must
- * wait with its C-start until it is under water, otherwise 0. */
+/* Starts the dive of a startled fish whose body stands out of the water. Returns 1 if the C-start
+ * must wait until the fish is under water, otherwise 0. */
 int surface_ducks(struct fish *fish);
 
 /* Returns the factor on the startle threshold. The factor is above 1 for a gulping fish, which

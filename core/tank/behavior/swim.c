@@ -30,8 +30,8 @@
  * swimming fish. */
 #define START_TAU_S 0.03f
 #define DASH_OUT_TAU_S 0.25f
-#define RUN_OUT_TAU_S                                                                              \
-    0.20f /* Time constant with which a fish slows down from burst speed to swimming speed. */
+/* Time constant with which a fish slows down from burst speed to swimming speed. */
+#define RUN_OUT_TAU_S 0.20f
 
 /* Returns the fraction of a difference that remains after `dt_s`: exp(-dt_s / tau_s). The error is
  * below 1e-4 for `dt_s` up to `tau_s`. */
@@ -90,15 +90,15 @@ void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, 
     fish->heading_rad = f_wrap_angle(fish->heading_rad + (1.0f - kept(dt_s, SHUN_TAU_S)) * off_rad);
 }
 
-/* Returns 1 if the fish turns at the full rate of a C-start, otherwise 0. A fish with other fish
- * beside it turns more slowly. */
+/* Returns 1 if the fish turns at the full rate of a C-start, otherwise 0. A fish that has other
+ * fish close beside it turns more slowly. */
 static int starts_freely(const struct fish *fish)
 {
     return fish->room >= 1.0f && escape_on_path(fish);
 }
 
-/* Returns 1 if the fish turns at the rate of a kick, otherwise 0. A fish with other fish beside it
- * turns more slowly, so that the other fish can move away. */
+/* Returns 1 if the fish turns at the rate of a kick, otherwise 0. A fish that has other fish close
+ * beside it turns more slowly, so that the other fish can move away. */
 static int kicks(const struct fish *fish, const struct perception *around)
 {
     return around->params->kick_rad > 0.0f && fish->gait == GAIT_SWIM &&

@@ -1,5 +1,5 @@
-/* swim.h -- the motion of a fish: it turns at a bounded rate, beats its tail, glides and keeps its
- * depth. */
+/* swim.h -- the motion of a fish, which turns at a bounded rate, beats its tail, glides and keeps
+ * its depth. */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_SWIM_H
 #define KINGYO_CORE_TANK_BEHAVIOR_SWIM_H
 
@@ -17,7 +17,8 @@
 struct swim_avoidance {
     vec3 into;    /* Weighted sum of the horizontal unit normals that point into the walls and
                      bowls. */
-    float weight; /* Weight [0, 1] of the nearest wall or bowl. */
+    float weight; /* Weight [0, 1] of the nearest wall or bowl. 1 means that the fish's nose touches
+                     the surface. */
 };
 
 /* Adds the surface of a wall or bowl to `avoidance`. `normal` (unit, horizontal) points into the

@@ -21,8 +21,8 @@
  * spread pectoral fins: exp(-tick / 80 ms). */
 #define BRAKE_KEEP 0.9010756f
 
-#define BLOCKED_SHARE                                                                              \
-    0.25f /* Fraction of its blocked speed that a blocked fish loses in one tick. */
+/* Fraction of its blocked speed that a blocked fish loses in one tick. */
+#define BLOCKED_SHARE 0.25f
 #define TAIL_TAU_S 0.15f
 #define STROKE_TAU_S 0.20f
 /* Bend per yaw rate. In a left turn the tail lies to the left, along the arc. */

@@ -9,15 +9,15 @@
 /* Index of a quad (four floats) at the start of struct fish. QUAD_HOLDS() verifies which members
  * each quad holds. */
 enum quad {
-    QUAD_PLACE,  /* position_m, speed_m_s. */
-    QUAD_ANGLES, /* angles, yaw_rate_rad_s. */
-    QUAD_PUSH,   /* push_m_s, climb_m_s. */
-    QUAD_COURSE, /* heading_rad, drawn_rad, brake, room. */
-    QUAD_PACE,   /* speed_goal_m_s, speed_up_keep, slow_keep, turn_rate_max_rad_s. */
-    QUAD_ORDERS, /* haste, climb_goal_m_s, pitch_goal_rad, beats. */
-    QUAD_SIZE,   /* length_m, height_m, width_m, stamina. */
-    QUAD_TRUE,   /* velocity_m_s, bend_rad. */
-    QUAD_TAIL,   /* tail_phase_rad, tail_beat_hz, tail_amplitude, bend_goal_rad. */
+    QUAD_PLACE,  /* Quad of position_m and speed_m_s. */
+    QUAD_ANGLES, /* Quad of angles and yaw_rate_rad_s. */
+    QUAD_PUSH,   /* Quad of push_m_s and climb_m_s. */
+    QUAD_COURSE, /* Quad of heading_rad, drawn_rad, brake and room. */
+    QUAD_PACE,   /* Quad of speed_goal_m_s, speed_up_keep, slow_keep and turn_rate_max_rad_s. */
+    QUAD_ORDERS, /* Quad of haste, climb_goal_m_s, pitch_goal_rad and beats. */
+    QUAD_SIZE,   /* Quad of length_m, height_m, width_m and stamina. */
+    QUAD_TRUE,   /* Quad of velocity_m_s and bend_rad. */
+    QUAD_TAIL,   /* Quad of tail_phase_rad, tail_beat_hz, tail_amplitude and bend_goal_rad. */
 };
 
 #define QUAD_HOLDS(quad, first, last)                                                              \

@@ -8,7 +8,7 @@
 #define FALL_OFF_M 0.09f /* Distance over which the attraction of a wall falls to 1 / e. */
 /* Distance from a wall, in body lengths, within which the wall no longer attracts the fish. */
 #define BESIDE_LENGTHS 0.8f
-/* Turning rate in rad/s of a fish at a wall whose heading is perpendicular to the attraction, if
+/* Turning rate of a fish at a wall, rad/s, if its heading is perpendicular to the attraction and
  * `wall_follow` is 1. */
 #define TURN_PER_S 6.0f
 
@@ -18,7 +18,8 @@ float wall_pull(float gap_m, float length_m)
     return off_m <= 0.0f || gap_m > WALL_RANGE_M ? 0.0f : f_exp(-off_m / FALL_OFF_M);
 }
 
-/* Returns the signed attraction by both walls of one axis; > 0 is in the positive direction. */
+/* Returns the sum of the attractions of both walls of one axis. A result > 0 points in the positive
+ * direction of the axis. */
 static float pull_along(float at_m, float half_m, float length_m)
 {
     return wall_pull(half_m - at_m, length_m) - wall_pull(half_m + at_m, length_m);

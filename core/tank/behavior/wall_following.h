@@ -2,8 +2,8 @@
  *
  * The functions implement section 2.2 and figure 2.3 of the 2013 thesis, after Sato. In a tank of
  * 60 x 30 cm a single goldfish stays near the walls. Its density decreases exponentially with the
- * distance from the walls, and the attraction reaches 20 cm. A large school hides the effect, so
- * every preset disables it (`wall_follow` is 0). */
+ * distance from the walls, and the attraction reaches 20 cm. A large school hides the attraction,
+ * so every preset disables it (`wall_follow` is 0). */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_WALL_FOLLOWING_H
 #define KINGYO_CORE_TANK_BEHAVIOR_WALL_FOLLOWING_H
 

@@ -1,11 +1,12 @@
-/* body_simd.h -- SIMD_LANES bodies at a time as columns, for SIMD kernels (core/base/simd.h). */
+/* body_simd.h -- the bodies of SIMD_LANES fish as columns, for SIMD kernels (core/base/simd.h).
+ * Each lane of a column belongs to one fish. */
 #ifndef KINGYO_CORE_TANK_COLLISION_BODY_SIMD_H
 #define KINGYO_CORE_TANK_COLLISION_BODY_SIMD_H
 
 #include "core/base/simd.h"
 #include "core/tank/collision/body.h"
 
-/* Columns of SIMD_LANES bodies; the names are those of struct body. */
+/* Columns of SIMD_LANES bodies. The members have the names of the members of struct body. */
 struct body_simd {
     flanes centre[4], right[4], up[4], back[4]; /* Columns 0 to 2 are x, y and z of the vector.
                                                    Column 3 is the float that follows the vector in

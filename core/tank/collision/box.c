@@ -46,7 +46,7 @@ struct view_of_b {
     float half_a[3], half_b[3];
     float cosine[3][3], size[3][3]; /* Cosines between the axes of a and the axes of b (`cosine`),
                                        and their magnitudes (`size`). */
-    float d[3];                     /* The vector `way` in the coordinates of box a. */
+    float d[3];                     /* Coordinates of the vector `way` along the axes of box a. */
 };
 
 static inline vec3 axis_of(const struct basis *axes, int index)

@@ -18,7 +18,7 @@ struct box {
 };
 
 struct box_gap {
-    float body_m;  /* A value > 0 is the least distance of the boxes. A value < 0 is the penetration
+    float body_m;  /* A value > 0 is the gap between the boxes. A value < 0 is the penetration
                       depth, negated. */
     float space_m; /* Gap or negated penetration depth of the boxes after each is enlarged by its
                       margin. */
@@ -32,8 +32,8 @@ struct box_gap {
 struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b,
                        float margin_b_m);
 
-/* Returns the length of the shortest translation that separates the boxes, or 0 if they are
- * apart. */
+/* Returns the length of the shortest translation that separates the boxes, or 0 if the boxes do not
+ * overlap. */
 float box_depth_m(const struct box *a, const struct box *b);
 
 /* Returns one of the fifteen axes of boxes a and b as a unit vector. The sign is chosen so that the

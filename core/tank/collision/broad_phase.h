@@ -12,8 +12,8 @@
 #include "core/tank/collision/narrow_phase.h"
 #include "core/tank/fish.h"
 
-/* Capacity of the contact list. At the density of the 2013 thesis, 1.4 overlaps per fish occur. If
- * the list is full, a random selection of the contacts is listed in each tick. */
+/* Capacity of the contact list. At the density of the 2013 thesis, each fish has 1.4 overlaps on
+ * average. A full list holds a random selection of the contacts in each tick. */
 #define BROAD_PHASE_CONTACT_MAX (4u * TANK_FISH_MAX)
 
 enum body_flag {
@@ -23,7 +23,8 @@ enum body_flag {
     BODY_NEAR_OBSTACLE = 4, /* The fish could touch an obstacle in this substep. */
     BODY_GULPING = 8,       /* The fish gulps, so its snout may be above the surface. */
     BODY_REVERTED = 16,     /* The fish returned to its pose of the previous tick. */
-    BODY_UNLISTED = 32,     /* A contact of the fish found no place in the full list. */
+    BODY_UNLISTED = 32,     /* The contact list was full, so a contact of the fish is missing in the
+                               list. */
 };
 
 /* Results of a query for one fish about its neighbours; valid until the next query. */
@@ -58,8 +59,9 @@ struct broad_phase {
     uint32_t contact_count; /* Number of contacts that could touch in this tick. These contacts are
                                at the front of the list. */
     struct contact contact[BROAD_PHASE_CONTACT_MAX];
-    float way_m[TANK_FISH_MAX];   /* Sum of the largest distances that any point of a body moved
-                                     since the query. */
+    float way_m[TANK_FISH_MAX];   /* Distance that a body may have moved since the query: the sum,
+                                     over the ticks, of the largest distance that any point of the
+                                     body moved. */
     float reach_m[TANK_FISH_MAX]; /* Distance that a body may move before the next query is due. */
     uint32_t overlap_count;       /* Number of pairs whose bodies overlapped at the query. */
     uint32_t touch_count;         /* Number of pairs that could touch, including pairs without a
@@ -105,9 +107,10 @@ float broad_phase_reach_m(const struct fish *fish);
  * are a fish that moved beyond its reach, a fish that began to swim, and a full contact list. */
 int broad_phase_is_stale(const struct broad_phase *broad_phase);
 
-/* Moves the contacts that could touch in this tick to the front of the list. A gap shrinks at most
- * by the distances that its two fish moved. The front contains every pair that the contact solver
- * could bring together. Fish that left the water since the query are excluded. */
+/* Moves the contacts that could touch in this tick to the front of the list. The gap of a contact
+ * shrinks at most by the distances that its two fish moved. The front of the list contains every
+ * pair that the contact solver could bring together. Fish that left the water since the query are
+ * excluded. */
 void broad_phase_select_contacts(struct broad_phase *broad_phase);
 
 /* Queries only the fish that moved beyond their reach, at a tenth of the cost of

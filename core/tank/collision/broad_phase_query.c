@@ -5,9 +5,9 @@
 #include "core/base/rng.h"
 #include "core/tank/behavior/swim.h"
 
-#define ROOM_GAP_M                                                                                 \
-    0.005f /* Gap to a near fish below which a fish may turn only slowly. The fish's tail sweeps
-              this distance in a few ticks of a hard turn. */
+/* Gap to a near fish below which a fish turns more slowly. The fish's tail sweeps this distance in
+ * a few ticks of a fast turn. */
+#define ROOM_GAP_M 0.005f
 #define ROOM_MIN 0.2f
 /* Number of pairs by which prefetching precedes the test of a pair. Testing that many pairs takes
  * as long as one memory access. */

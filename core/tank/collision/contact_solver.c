@@ -8,12 +8,13 @@
 #include "core/tank/collision/contact_solver_internal.h"
 #include "core/tank/collision/contact_solver_simd.h"
 
-#define SKIN_M 0.0001f /* Gap that the solver leaves between two bodies. */
+/* Gap that the contact solver leaves between two bodies that it separates. */
+#define SKIN_M 0.0001f
 /* Largest number of rounds of pushes in a substep. Most ticks need two rounds. A dense group of
  * fish that a poi pushes needs all rounds. */
 #define PART_ROUNDS_MAX 12
-/* Round of the solver from which vertical pushes are tilted, because pairs that earlier rounds
- * could not separate are jammed. */
+/* First round of the solver in which vertical pushes are tilted. Pairs that earlier rounds could
+ * not separate are jammed. */
 #define TOPPLE_ROUND 5
 #define PART_STEP_MAX_M 0.002f /* Largest push in a round. */
 #define CLEAR_ROUNDS 4u
@@ -55,8 +56,8 @@ static void keep_inside(const struct solver_step *all, uint32_t index)
     body->centre_m = contact_kept_inside_m(all, index, body);
 }
 
-/* Moves a fish to the position of its body as broad_phase_sync() does, so that contact_is_apart()
- * includes the push. */
+/* Moves a fish to the position of its body and adds the distance to `way_m`, as broad_phase_sync()
+ * does. Therefore contact_is_apart() includes the push. */
 static void note_moved_body(const struct solver_step *all, uint32_t index)
 {
     CORE_ASSERT(all->broad_phase->flags[index] & BODY_SWIMMING);
@@ -96,7 +97,8 @@ static float mass_of(const struct body *body)
     return body->half_z_m * body->half_z_m * body->half_z_m;
 }
 
-/* Stores the measured gap, so that the pair is not measured again until its bodies come nearer. */
+/* Stores the measured gap of a contact, so that the gap is not measured again until the bodies come
+ * nearer. */
 static void know_apart(const struct solver_step *all, struct contact *contact, float apart_m)
 {
     const float *way_m = all->broad_phase->way_m;
@@ -182,7 +184,7 @@ static void clear_if_beside(const struct solver_step *all, uint32_t index)
 }
 
 /* Sets BODY_NEAR_OBSTACLE of a fish that could touch an obstacle in this substep. Returns the
- * largest distance by which an obstacle may carry the fish, m. */
+ * largest distance by which an obstacle near the fish may carry the fish in this substep, m. */
 static float look_beside(const struct solver_step *all, uint32_t index)
 {
     const struct box box = body_box(&all->broad_phase->body[index]);
@@ -219,7 +221,7 @@ struct close {
     float gap_m[CLOSE_MAX + SIMD_LANES_MAX];
 };
 
-/* Adds a contact to the contacts to be measured. `c` is its index in the contact list. */
+/* Adds a contact to the collection `close`. `c` is the index of the contact in the contact list. */
 static void note_close(struct close *close, const struct contact *contact, uint32_t c)
 {
     close->contact[close->count] = c;
@@ -227,7 +229,7 @@ static void note_close(struct close *close, const struct contact *contact, uint3
     close->b[close->count++] = contact->b;
 }
 
-/* Measures the collected contacts and empties the collection. */
+/* Measures the gaps of the collected contacts and empties the collection. */
 static void measure_close_pairs(const struct solver_step *all, struct close *close)
 {
     const uint32_t count = close->count;

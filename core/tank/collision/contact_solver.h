@@ -27,7 +27,8 @@
 #define SOLVER_FREE_M 0.0003f /* Largest penetration of two bodies that counts as no penetration. */
 /* Usual value of `push_max_m` in struct solver_context. A larger push would appear as a jump. */
 #define SOLVER_PUSH_M 0.002f
-/* Value of `push_max_m` in struct solver_context while no poi moves the water: 6 cm/s. */
+/* Value of `push_max_m` in struct solver_context while no poi moves the water. The value equals 6
+ * cm/s. */
 #define SOLVER_CALM_PUSH_M 0.0005f
 
 /* Inner faces of the tank, within which the solver keeps the bodies. */
@@ -65,9 +66,10 @@ struct contact_solver {
                                          float beyond the last element. */
     vec3 step_began_m[TANK_FISH_MAX]; /* Positions at the start of the second or a later substep. */
     struct angles began_angles[TANK_FISH_MAX + 1u];
-    float step_max_m[TANK_FISH_MAX];     /* Largest distance from the previous position at which a
-                                            body may end the substep. */
-    uint8_t result[TANK_FISH_MAX];       /* Result for each fish (enum solver_result). */
+    float step_max_m[TANK_FISH_MAX];     /* Largest distance between a body's positions at the start
+                                            and at the end of the substep. */
+    uint8_t result[TANK_FISH_MAX];       /* Result of the penetration check for each fish (enum
+                                            solver_result). */
     uint16_t fresh_round[TANK_FISH_MAX]; /* One more than the last round of the penetration check
                                             that moved the fish. 0 means that no round moved the
                                             fish. */

@@ -40,7 +40,7 @@ static inline ilanes is_beside(const struct solver_context *place, const struct 
     return beside;
 }
 
-/* Returns the largest distance that any point of a body moved by rotation alone. */
+/* Returns the largest distance that any point of a body moved by rotation alone, m. */
 static inline flanes sweep_m(const struct body_simd *all, const struct fish *fish,
                              const struct angles *began)
 {

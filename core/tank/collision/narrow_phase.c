@@ -1,13 +1,13 @@
-/* narrow_phase.c -- the order of a pair search: sort the fish into cells, filter the pairs, and run
- * the narrow phase. */
+/* narrow_phase.c -- the steps of a pair search: sorts the fish into cells, filters the pairs, and
+ * tests the boxes of the remaining pairs. */
 #include "core/tank/collision/narrow_phase.h"
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/tank/collision/narrow_phase_simd.h"
 
-/* Writes the indices of the fish to be searched to `member` and returns their number. Repeats the
- * last index to fill the last SIMD block. */
+/* Writes the indices of the fish that the search includes to `member` and returns their number.
+ * Fills the rest of the last SIMD block with the last index. */
 static uint32_t gather_members(fish_index member[TANK_FISH_MAX + SIMD_LANES_MAX],
                                const struct narrow_phase_query *of)
 {

@@ -41,8 +41,8 @@ struct narrow_phase_query {
     uint8_t which;
     uint8_t search;           /* Pair search (enum pair_search). */
     uint8_t lanes;            /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
-    uint8_t bodies_only;      /* 1 if the search may omit pairs whose bodies are not near and whose
-                                 personal spaces overlap, otherwise 0. */
+    uint8_t bodies_only;      /* 1 if the search may omit pairs whose personal spaces overlap but
+                                 whose bodies are not near, otherwise 0. */
     float width_m, breadth_m; /* Size of the floor plan. Bodies outside the plan are also
                                  searched. */
 };
@@ -60,8 +60,9 @@ struct narrow_phase_pair {
 /* Scratch memory of a search. No content is kept for the next search. */
 struct narrow_phase {
     struct spatial_grid grid;
-    fish_index member[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Fish to be searched. */
-    uint32_t cell, item, other; /* Position of the search in the order of the cells. */
+    fish_index member[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Indices of the fish that the search
+                                                          includes. */
+    uint32_t cell, item, other; /* Cell and pair of items at which narrow_phase_next() continues. */
     uint8_t search;
     /* Search volumes in the order of the cells. A body is found within the ball of radius `ball_m`
      * around its centre, and within the height `slab_m` above and below the centre. SIMD code reads
@@ -71,11 +72,11 @@ struct narrow_phase {
         slab_m[TANK_FISH_MAX + SIMD_LANES_MAX];
     uint32_t near_count;
     uint32_t near_a[NARROW_PHASE_BATCH + SIMD_LANES_MAX],
-        near_b[NARROW_PHASE_BATCH + SIMD_LANES_MAX]; /* Positions of the near pairs in the order of
-                                                        the cells. */
+        near_b[NARROW_PHASE_BATCH + SIMD_LANES_MAX]; /* Items of the near pairs. An item is a
+                                                        position in the order of the cells. */
 };
 
-/* Sorts the bodies into cells and sets the search to the first pair. */
+/* Sorts the bodies into cells and prepares the first call of narrow_phase_next(). */
 void narrow_phase_begin(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of);
 
 /* Writes the next pairs in a fixed order and their number to `*count`, 0 .. NARROW_PHASE_BATCH.

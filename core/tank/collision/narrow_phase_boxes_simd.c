@@ -11,8 +11,9 @@
  * so that a cross product of any length costs a division but no root. The last four bits of a
  * square hold the index of its axis, so that the maximum of the squares also selects the axis. */
 struct verdict {
-    flanes square; /* Square of the gap between the bodies, with the sign of the gap. */
-    flanes space;  /* A value > 0 means that the personal spaces are apart. */
+    flanes square; /* Square of the largest gap between the bodies, with the sign of the gap. */
+    flanes space;  /* Largest gap between the personal spaces. A value > 0 means that the spaces are
+                      apart. */
 };
 
 static inline flanes mark_axis(flanes square, int32_t axis)
@@ -75,8 +76,8 @@ static inline void view_row(struct view *view, int i, const flanes axis[3], cons
              hb[j] + (view.m[0][j] * ha[0] + view.m[1][j] * ha[1] + view.m[2][j] * ha[2]),         \
              mb + ma * (view.m[0][j] + view.m[1][j] + view.m[2][j]), 3 + j)
 
-/* Tries the cross product of edge i of a and edge j of b. p and q follow i, and r and s follow j,
- * in the cyclic order of the axes. */
+/* Tries the cross product of edge i of a and edge j of b. In cyclic order, p and q are the axes
+ * after i, and r and s are the axes after j. */
 #define EDGES(i, p, q, j, r, s)                                                                    \
     try_edges(&verdict, view.d[q] * view.c[p][j] - view.d[p] * view.c[q][j],                       \
               ha[p] * view.m[q][j] + ha[q] * view.m[p][j] + hb[r] * view.m[i][s] +                 \

@@ -6,7 +6,8 @@
 
 #define ROUNDING 1.00001f /* Tolerance for rounding errors, so that no ball is too small. */
 
-/* Returns the factor on the margins: 0 if only bodies are searched, otherwise 1. */
+/* Returns the factor on the margins of the personal spaces: 0 if `bodies_only` is 1, otherwise
+ * 1. */
 static inline float spaces_of(const struct narrow_phase_query *of)
 {
     return of->bodies_only ? 0.0f : 1.0f;
@@ -114,8 +115,8 @@ NARROW_PHASE_COLUMNS(SIMD_NAME(narrow_phase_columns))
 
 typedef uint32_t uquad __attribute__((vector_size(16)));
 
-/* Writes `from` + n for each set bit n of the four-bit mask `bits` to `to`. Returns the number of
- * set bits. */
+/* Writes the number `from` + n to the array `to` for each bit n that is set in the four-bit mask
+ * `bits`. Returns the number of set bits. */
 static inline uint32_t keep_four(uint32_t *to, uint32_t from, uint32_t bits)
 {
     static const uquad place[16] = {
@@ -150,8 +151,8 @@ static inline struct seeker seeker_of(const struct narrow_phase *narrow_phase,
     };
 }
 
-/* Returns one bit for each of the items from `from` on, at most SIMD_LANES and below `to`. A bit is
- * 1 if the item is near `me`. */
+/* Returns a mask with one bit for each item from `from` on, at most SIMD_LANES items and only items
+ * below `to`. The bit is 1 if the item is near `me`. */
 static inline uint32_t sieve(const struct narrow_phase *narrow_phase, const struct seeker *me,
                              uint32_t from, uint32_t to)
 {
@@ -170,8 +171,8 @@ static inline uint32_t sieve(const struct narrow_phase *narrow_phase, const stru
                      (simd_abs(beside) < ball + me->side_m) & (lane < (int32_t)(to - from)));
 }
 
-/* Appends pairs of `item` and the items whose bit is set. Bit 0 belongs to item `from`. Returns the
- * new number of pairs. */
+/* Appends a pair of `item` and each item whose bit is set in `bits`. Bit 0 stands for the item
+ * `from`. `noted` is the old number of pairs. Returns the new number of pairs. */
 static inline uint32_t note_near_pairs(struct narrow_phase *narrow_phase, uint32_t noted,
                                        uint32_t item, uint32_t from, uint32_t bits)
 {
@@ -186,9 +187,9 @@ static inline uint32_t note_near_pairs(struct narrow_phase *narrow_phase, uint32
     return noted;
 }
 
-/* Appends pairs of `item` and the near items of a range; skips the items before *other. Returns 1
- * at the end of the range. Returns 0 if the list of pairs is full; *other is then the item at which
- * to continue. */
+/* Appends the pairs of `item` and the near items of `range`; skips the items before *other. Returns
+ * 1 at the end of the range. Returns 0 if the list of pairs is full; *other is then the item at
+ * which to continue. */
 static inline int note_range(struct narrow_phase *narrow_phase, const struct seeker *me,
                              uint32_t item, struct spatial_grid_range range, uint32_t *noted,
                              uint32_t *other)
@@ -207,7 +208,8 @@ NARROW_PHASE_NEAR(SIMD_NAME(narrow_phase_near))
     const struct spatial_grid *grid = &narrow_phase->grid;
     const int by_cells = narrow_phase->search == PAIR_SEARCH_GRID;
     uint32_t item = narrow_phase->item, other = narrow_phase->other, noted = 0;
-    uint32_t end = by_cells ? item : grid->count; /* End of the items of the current cell. */
+    uint32_t end = by_cells ? item : grid->count; /* One more than the last item of the current
+                                                     cell. */
     struct spatial_grid_range range[2] = { { 0, grid->count }, { 0, 0 } };
     for (; item < grid->count; item++, other = 0) {
         if (item >= end) {

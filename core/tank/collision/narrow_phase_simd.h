@@ -18,24 +18,26 @@
     float name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,             \
                const fish_index *member, uint32_t count)
 
-/* Computes the cell of each of `count` members from narrow_phase->x_m and z_m. */
+/* Computes the cell of each of the `count` members from the positions in narrow_phase->x_m and
+ * z_m. */
 #define NARROW_PHASE_CELLS(name) void name(struct narrow_phase *narrow_phase, uint32_t count)
 
-/* Fills all arrays of `narrow_phase` in the order of the cells. */
+/* Fills the arrays of search volumes in `narrow_phase` in the order of the cells. */
 #define NARROW_PHASE_COLUMNS(name)                                                                 \
     void name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of)
 
-/* Writes the next near pairs. narrow_phase->near_count is 0 after the last pair. */
+/* Writes the next near pairs to narrow_phase->near_a and near_b, and their number to
+ * narrow_phase->near_count. The number is 0 after the last pair. */
 #define NARROW_PHASE_NEAR(name)                                                                    \
     void name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of)
 
-/* Tests the near pairs by all fifteen axes and writes the pairs that remain to `found`. Returns
- * their number. */
+/* Tests the near pairs by all fifteen axes and writes the pairs that remain to `found`. Returns the
+ * number of written pairs. */
 #define NARROW_PHASE_BOXES(name)                                                                   \
     uint32_t name(struct narrow_phase *narrow_phase, const struct narrow_phase_query *of,          \
                   struct narrow_phase_pair *found)
 
-/* Inner loop of narrow_phase_gaps(). */
+/* Computes the gaps for narrow_phase_gaps(). */
 #define NARROW_PHASE_GAPS(name)                                                                    \
     void name(const struct body *body, const fish_index *a, const fish_index *b, uint32_t count,   \
               float *gap_m)

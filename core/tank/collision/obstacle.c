@@ -1,4 +1,5 @@
-/* obstacle.c -- contact of fish with rings and hulls, and the sidestep of fish beside a poi. */
+/* obstacle.c -- contact of fish with the rings of pois and the hulls of bowls, and the sidestep of
+ * fish beside a poi. */
 #include "core/tank/collision/obstacle.h"
 
 #include "core/input.h"

@@ -13,13 +13,14 @@ enum obstacle_kind {
                       surface. */
 };
 
-#define OBSTACLE_PAPER_SIDE 32u /* Rows and columns of `paper`; must equal SHEET_SIDE. */
-/* Value of a cell of `paper` that is not torn; must equal CELL_PAPER. */
+/* Number of rows and of columns of `paper`. The number must equal SHEET_SIDE. */
+#define OBSTACLE_PAPER_SIDE 32u
+/* Value of a cell of `paper` that is not torn. The value must equal CELL_PAPER. */
 #define OBSTACLE_PAPER_HOLDS 1u
 
 enum obstacle_reaction {
-    REACTION_POSITION = 1, /* The obstacle does not have its intended position. */
-    REACTION_ROTATION = 2, /* The obstacle does not have its intended orientation. */
+    REACTION_POSITION = 1, /* The contact solver changed the position of the obstacle. */
+    REACTION_ROTATION = 2, /* The contact solver changed the orientation of the obstacle. */
 };
 
 /* State of an obstacle in one tick. The code of the poi or of the bowl sets the state. The contact

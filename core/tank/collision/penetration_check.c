@@ -112,8 +112,8 @@ static int carry_pressed(const struct solver_step *all, uint32_t index, uint32_t
            carry(all, index, (uint32_t)result - SOLVER_PRESSED, round);
 }
 
-/* Moves fish `other` along with the obstacle that carries fish `carried`, if an obstacle carries
- * fish `carried`. Returns 1 if `other` moved, otherwise 0. */
+/* Moves fish `other` along with the obstacle that carries fish `carried`. Returns 1 if `other`
+ * moved. Returns 0 if no obstacle carries `carried`, or if `other` cannot move along. */
 static int carry_too(const struct solver_step *all, uint32_t carried, uint32_t other,
                      uint32_t round)
 {
@@ -227,9 +227,10 @@ static uint32_t judge_obstacles(const struct solver_step *all, uint32_t round)
     return changes;
 }
 
-/* In each round, a fish moves along with an obstacle, a fish reverts, or a poi gives up motion.
- * Each fish moves along at most once and reverts at most once, even after it moved along. Each poi
- * gives up motion a limited number of times. Therefore the loop ends. */
+/* Repeats rounds until no fish and no obstacle changes. In each round, a fish moves along with an
+ * obstacle, a fish reverts, or a poi gives up motion. Each fish moves along at most once and
+ * reverts at most once, even after it moved along. Each poi gives up motion a limited number of
+ * times. Therefore the loop ends. */
 void penetration_check(const struct solver_step *all, int is_parted)
 {
     const int is_known = hold_unlisted(all) == 0 && is_parted;

@@ -9,7 +9,8 @@
 #define SPEED_MAX_M_S 0.5f
 #define DRAG_PER_S 6.0f
 #define SINK_M_S 0.03f /* Speed at which a fish in reentry sinks. */
-/* Largest push per tick: 0.3 m/s, like a fish that slips between other fish. */
+/* Largest push per tick. The value equals 0.3 m/s, the speed of a fish that slips between other
+ * fish. */
 #define PUSH_MAX_M 0.0025f
 /* Largest descent per tick of a fish that slides off paper above the water. */
 #define FALL_MAX_M 0.010f
@@ -20,7 +21,7 @@
 #define BURST_S 0.6f
 /* Initial speed of a fish that bursts away, in body lengths per second. */
 #define BURST_LENGTHS 4.0f
-#define SWIM_S 0.5f /* Time until the fish chooses its next gait. */
+#define SWIM_S 0.5f /* Time after reentry until the fish chooses its next gait. */
 
 /* Ticks in which only pushes move the fish. Afterwards the fish moves toward the nearest gap. */
 #define SEEK_TICKS 16u

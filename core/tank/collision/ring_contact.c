@@ -9,15 +9,17 @@
 #define GIVE_MAX 8u
 /* Extra distance by which a poi gives up motion, so that rounding does not leave a penetration. */
 #define GIVE_MIN_M 0.00002f
-#define SIDE_GAP_M 0.0005f /* Least distance of a fish's centre from the paper. */
+/* Smallest distance between a fish's centre and the paper that the contact solver allows. */
+#define SIDE_GAP_M 0.0005f
 /* Distance per tick by which the paper pushes out a body that entered the paper from the side, over
  * the ring. */
 #define PAPER_PUSH_M 0.0025f
 /* Speed of the paper at which the paper carries a fish on it along at half of the paper's speed. */
 #define PIN_M_S 0.12f
-/* Slope at which a fish slides off a ring at half the body's height: 37 degrees. */
+/* Largest move of a body along the ring's normal, as a multiple of the body's penetration into the
+ * ring. Because of the move, the body slides over the ring. */
 #define GLIDE 1.5f
-/* Distance from the plane of the paper beyond which no fish touches the paper in one tick. */
+/* Largest distance from the plane of the paper at which a fish can touch the paper in one tick. */
 #define NEAR_PLANE_M 0.06f
 
 struct obstacle ring_before(const struct obstacle *obstacle)
@@ -46,8 +48,8 @@ static int paper_holds(const struct obstacle *disc, float x_m, float z_m)
     return disc->paper[row * OBSTACLE_PAPER_SIDE + column] == OBSTACLE_PAPER_HOLDS;
 }
 
-/* Returns half the thickness of the fish along a world unit vector. The fish is the ellipsoid that
- * fits into its box. */
+/* Returns half the thickness of the fish along a world unit vector. The shape of the fish is
+ * modelled as the ellipsoid that fits into its box. */
 static float half_thick_m(const struct body *body, vec3 direction)
 {
     const float x = body->half_x_m * v3_dot(body->right, direction);
@@ -153,7 +155,7 @@ vec3 ring_hard_push(const struct obstacle *obstacle, const struct body *now)
     return v3_muladd(off, normal, GLIDE * depth_m * round);
 }
 
-/* ---- Ring, hull and paper -------------------------------------------------------------------- */
+/* ---- Penetration and reaction of an obstacle ------------------------------------------------- */
 
 static float hard_excess_m(const struct obstacle *obstacle, const struct body *now,
                            const struct body *before, float free_m, vec3 *out)

@@ -41,9 +41,9 @@ vec3 ring_paper_hold(const struct obstacle *disc, const struct body *now, vec3 b
 /* Returns the position of a point that was at `before_m` after it moved along with the obstacle. */
 vec3 ring_carry_m(const struct obstacle *obstacle, vec3 before_m);
 
-/* Reduces the obstacle's step by `excess_m` against the direction `out`. If that is impossible,
- * undoes the obstacle's rotation, or finally the whole step. Returns 1 if the obstacle changed, or
- * 0 if the obstacle has no motion left to give up. */
+/* Reduces the obstacle's step by `excess_m` in the direction opposite to `out`. If that is
+ * impossible, undoes the obstacle's rotation or, as the last possibility, the whole step. Returns 1
+ * if the obstacle changed, or 0 if the obstacle has no motion left to give up. */
 int ring_apply_reaction(struct obstacle *obstacle, vec3 out, float excess_m);
 
 #endif

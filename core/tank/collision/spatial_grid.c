@@ -16,9 +16,9 @@ void spatial_grid_layout(struct spatial_grid *grid, float width_m, float breadth
     const uint32_t cell_max = fish_capacity(fish_count) / (TANK_FISH_MAX / SPATIAL_GRID_CELL_MAX);
     CORE_ASSERT(width_m > 0.0f && breadth_m > 0.0f);
     CORE_ASSERT(reach_m > 0.0f);
-    /* A cell is at least so large that the floor plan has at most `cell_max` cells along a
-     * side. A cell is also slightly larger than the reach, so that rounding never puts two near
-     * fish two cells apart. */
+    /* A cell is so large that the floor plan has at most `cell_max` cells along a side. A cell is
+     * also slightly larger than `reach_m`, so that rounding never puts two near fish two cells
+     * apart. */
     grid->cell_m = f_max(1.0001f * reach_m, f_max(width_m, breadth_m) / (float)cell_max);
     grid->columns = cells_along(width_m, grid->cell_m);
     grid->rows = cells_along(breadth_m, grid->cell_m);

@@ -26,8 +26,8 @@ struct spatial_grid {
     /* First item of each cell. The items of cell c are item[start[c]] to item[start[c + 1] - 1]. */
     fish_index start[SPATIAL_GRID_CELL_MAX + 1u];
     fish_index item[TANK_FISH_MAX + SIMD_LANES_MAX];
-    fish_index cell_of[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Cell of each member that
-                                                           spatial_grid_sort() will sort. */
+    fish_index cell_of[TANK_FISH_MAX + SIMD_LANES_MAX]; /* Cell of each member. The caller sets the
+                                                           cells before spatial_grid_sort(). */
 };
 
 /* Divides a floor plan for `fish_count` fish into cells whose side is at least `reach_m`. The cells
