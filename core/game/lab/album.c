@@ -1,4 +1,5 @@
-/* album.c -- the caught fish, and each fish's life from the species' growth curve. */
+/* album.c -- the album: stores the caught fish, and computes each fish's life from the species'
+ * growth curve. */
 #include "core/game/lab/album.h"
 
 #include "core/base/hash.h"
@@ -73,8 +74,8 @@ void album_tick(struct game *game, struct world *world, const struct core_config
     }
 }
 
-/* Returns the position in the life of fish `index`, [0, 1]. The motion is slow at both ends, where
- * the fish changes most. */
+/* Returns the progress of fish `index` through its life, [0, 1]. The progress is slow at both ends,
+ * where the fish changes most. */
 static float lived(uint32_t elapsed, uint32_t index)
 {
     const uint32_t begin = index * ALBUM_STAGGER_TICKS;
@@ -83,8 +84,8 @@ static float lived(uint32_t elapsed, uint32_t index)
 }
 
 /* Returns the length of the fish at `age_days`. The length starts at the species' usual length. At
- * the age of the catch the length reaches the fish's own ratio to the usual length. The ratio then
- * stays constant. */
+ * the age of the catch, the fish's length has its own ratio to the usual length. After that age the
+ * ratio stays constant. */
 static float own_length_m(const struct species_card *card, const struct album_fish *fish,
                           float progress, float age_days)
 {

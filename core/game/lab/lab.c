@@ -1,4 +1,4 @@
-/* lab.c -- one tick of the growth lab: pointer, buttons and playback. */
+/* lab.c -- runs one tick of the growth lab: pointer, buttons and playback. */
 #include "core/game/lab/lab.h"
 
 #include "core/base/hash.h"
@@ -10,7 +10,8 @@
 #include "core/game/phases.h"
 #include "core/game/table_setup.h"
 
-#define BUTTON_LIFE_S 9.0f /* Seconds for a whole life while LEFT or RIGHT is held. */
+#define BUTTON_LIFE_S 9.0f /* Seconds in which LEFT or RIGHT moves through a whole life while
+                              held. */
 
 void lab_init(struct lab *lab, const struct core_config *config)
 {
@@ -29,7 +30,7 @@ void lab_begin(struct game *game, struct world *world, const struct core_config 
     game_enter_phase(game, PHASE_LAB);
     lab->stir_tick = lab->act_tick = game->tick;
     lab->start_ticks = 0;
-    lab->presses = 1; /* The dip that opened the lab presses nothing here. */
+    lab->presses = 1; /* The dip that opened the lab must not press a part of the page. */
     lab_take(&game->lab, &config->book, lab->species);
     output_sound(output, SOUND_START, 0.7f, 0.0f);
 }
@@ -46,8 +47,8 @@ static void note_stir(struct lab *lab, uint32_t tick)
     }
 }
 
-/* Switches to another player's pointer. The new pointer presses nothing until it was above the
- * water once, so that the previous drag does not continue. */
+/* Switches to a different player's pointer. After the switch, nothing is pressed until the new
+ * pointer has been above the water. A drag by the previous player therefore does not continue. */
 static void change_hands(struct lab *lab, uint32_t index)
 {
     if (lab->has_hand && index != lab->hand) {
@@ -94,8 +95,8 @@ static void step_life(struct lab *lab, float way)
     lab->progress = f_clamp(lab->progress + way, 0.0f, 1.0f);
 }
 
-/* Returns 1 if START was held long enough to leave. A short press plays or stops in
- * heed_buttons(). */
+/* Returns 1 if START was held long enough to leave the lab, otherwise 0. heed_buttons() handles a
+ * short press, which starts or stops the playback. */
 static int ends_by_start(struct lab *lab, const struct input *input)
 {
     lab->start_ticks = input->held & INPUT_START ? lab->start_ticks + 1u : 0u;
@@ -122,8 +123,8 @@ static void heed_buttons(struct lab *lab, const struct lab_book *book, uint32_t 
     if ((input->pressed | input->held) & guests) {
         lab->stir_tick = tick;
     }
-    if (input->pressed & guests) { /* A button held for minutes is stuck, so only new presses
-                                      count. */
+    if (input->pressed & guests) { /* Only new presses count as activity, because a button that is
+                                      held for minutes is stuck. */
         lab->act_tick = tick;
     }
 }

@@ -1,4 +1,4 @@
-/* lab_book.c -- access to the species by index, and the hash of all species data. */
+/* lab_book.c -- gives access to the species by index, and computes the hash of all species data. */
 #include "core/game/lab/lab_book.h"
 
 #include "core/base/hash.h"

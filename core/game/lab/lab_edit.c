@@ -6,7 +6,8 @@
 
 #define ROUND_GAP (5.0f * LAB_KNOT_GAP)
 
-/* ---- Whole edits ---------------------------------------------------------------------------- */
+/* ---- Complete edits
+ * --------------------------------------------------------------------------- */
 
 void lab_edit_own(struct lab_edit *edit, const struct species_card *card)
 {
@@ -90,7 +91,7 @@ static float sum_of_others(const struct graph_knot *knot, uint32_t key_count, ui
     return sum;
 }
 
-/* Gives the rest to the neighbouring keys, because all other keys have weight 0. */
+/* Gives the remaining weight to the neighbouring keys, because all other keys have weight 0. */
 static void share_among_neighbours(struct graph_knot *knot, uint32_t key_count, uint32_t key,
                                    float rest)
 {
@@ -182,15 +183,16 @@ bool lab_edit_remove(struct lab_edit *edit, float progress)
     return true;
 }
 
-/* ---- Scale ---------------------------------------------------------------------------------- */
+/* ---- Scale curve
+ * ------------------------------------------------------------------------------ */
 
 struct scale_line {
     struct scale_knot *knots;
     uint32_t count;
 };
 
-/* Inserts a knot in order of progress. A knot with the same progress as another, or without room,
- * is omitted. */
+/* Inserts a knot in order of progress. The knot is omitted if the table is full or if a knot with
+ * the same progress exists. */
 static void draw_knot(struct scale_line *line, struct scale_knot knot)
 {
     uint32_t place = 0;
@@ -207,8 +209,8 @@ static void draw_knot(struct scale_line *line, struct scale_knot knot)
     line->count++;
 }
 
-/* Returns true between two keys if the length reverses there, as for a conger before its eel
- * shape. */
+/* Returns true if `age_days` lies between two keys between which the length reverses, as for a
+ * conger before its eel shape. */
 static bool is_in_a_turn(const struct species_card *card, float age_days)
 {
     const float *age = card->key_age_days;
@@ -227,7 +229,8 @@ static bool is_turning_point(const struct growth *growth, uint32_t index)
            (at->length_m > at[-1].length_m) == (at->length_m > at[1].length_m);
 }
 
-/* Draws the reversal points first, because not all points may fit. */
+/* Draws the points at which the length reverses before all other points, because not all points may
+ * fit. */
 static void draw_turns(struct scale_line *line, const struct species_card *card)
 {
     for (uint32_t turning = 2; turning-- > 0;) {
@@ -242,7 +245,7 @@ static void draw_turns(struct scale_line *line, const struct species_card *card)
     }
 }
 
-/* Adds a knot in the middle of distant knots, because a straight line would cut off a curved
+/* Adds a knot in the middle between distant knots, because a straight line would cut off a curved
  * part. */
 static void draw_rounds(struct scale_line *line, const struct species_card *card)
 {

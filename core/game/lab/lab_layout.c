@@ -1,4 +1,4 @@
-/* lab_layout.c -- the position of each part on both canvases. */
+/* lab_layout.c -- the position of each part of the growth lab on both canvases. */
 #include "core/game/lab/lab_layout.h"
 
 #include "core/base/fmath.h"
@@ -62,8 +62,8 @@ static const struct layout_box upright_boxes[LAB_PART_COUNT] = {
     [LAB_RESET] = { 433.0f, 1328.0f, 397.0f, 60.0f },
 };
 
-/* Places the key pictures in one row, as wide as the row permits, up to the width that a fish
- * needs. */
+/* Returns the box of a key's picture. All pictures lie in one row and are as wide as the row
+ * permits, but not wider than a picture of a fish needs. */
 static struct layout_box key_box(struct layout_box row, uint32_t key_count, uint32_t key)
 {
     if (key >= key_count) {

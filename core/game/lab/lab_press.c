@@ -1,4 +1,4 @@
-/* lab_press.c -- buttons of the lab, and dragging of knots. */
+/* lab_press.c -- handles the buttons of the growth lab, and drags knots. */
 #include "core/game/lab/lab_press.h"
 
 #include "core/base/mem.h"
@@ -28,7 +28,8 @@ void lab_take(struct lab *lab, const struct lab_book *book, uint32_t species)
     lab->rest_ticks = 0;
     lab->playing = 1;
     lab->asked_id = 0;
-    lab->holds = HOLD_BUTTON; /* A pressed pointer must not drag a knot of the previous graph. */
+    lab->holds = HOLD_BUTTON; /* While the pointer stays pressed, it must not drag a knot of the
+                                 previous graph. */
     lab->held_knot = LAB_NO_KNOT;
 }
 
@@ -45,8 +46,8 @@ int lab_is_kept(const struct lab *lab, const struct lab_book *book)
                                        : lab_is_own(lab, book);
 }
 
-/* Requests saving. An edit equal to the original is saved as such, so that the next start loads
- * nothing. */
+/* Requests saving of the current edit. If the edit equals the species' original curves, the saved
+ * edit is deleted, and the next start loads no edit. */
 static void save(struct lab *lab, const struct lab_book *book, struct output *output)
 {
     const struct species_card *card = edited_card(lab, book);
@@ -87,7 +88,7 @@ static void add_knot(struct lab *lab, const struct lab_book *book)
     }
 }
 
-/* Removes the nearest knot, unless the graph would become invalid without it. */
+/* Removes the nearest knot, unless the graph would be invalid without that knot. */
 static void remove_knot(struct lab *lab, const struct lab_book *book)
 {
     struct lab_edit less = lab->edit;
@@ -186,7 +187,7 @@ static float away2(const struct lab *lab, struct layout_box plot, float progress
     return x * x + y * y;
 }
 
-/* Returns the scale knot under the pointer, or LAB_NO_KNOT. */
+/* Returns the index of the scale knot under the pointer, or LAB_NO_KNOT. */
 static uint32_t size_knot_at(const struct lab *lab, const struct species_card *card)
 {
     const struct layout_box plot = plot_of(lab, card);
@@ -205,8 +206,8 @@ static uint32_t size_knot_at(const struct lab *lab, const struct species_card *c
     return found;
 }
 
-/* Returns the weight knot under the pointer, or LAB_NO_KNOT. If knots of several keys overlap, the
- * selected key's knot is preferred. */
+/* Returns the index of the weight knot under the pointer, or LAB_NO_KNOT. If knots of several keys
+ * overlap, the knot of the selected key is preferred. */
 static uint32_t weight_knot_at(const struct lab *lab, const struct species_card *card,
                                uint32_t *key)
 {
@@ -251,8 +252,8 @@ static void scrub_to(struct lab *lab, float progress)
     lab->playing = 0;
 }
 
-/* Drags a knot. The knot keeps its last valid position if the next one would make the graph
- * invalid. */
+/* Drags a knot of a weight curve. If the new position would make the graph invalid, the knot keeps
+ * its last valid position. */
 static void drag_weight(struct lab *lab, const struct species_card *card, struct layout_point at)
 {
     const uint32_t knot = lab->held_knot;
@@ -273,14 +274,16 @@ static void drag_size(struct lab *lab, const struct species_card *card, struct l
     scrub_to(lab, lab->edit.scale_knots[knot].progress);
 }
 
-/* Returns the pointer position as shares of a field, from its lower left corner. */
+/* Returns the pointer position in a field, as shares of its width and height. The origin is the
+ * field's lower left corner. */
 static struct layout_point pointer_share_of(const struct lab *lab, struct layout_box field)
 {
     return (struct layout_point){ (lab->x - field.x) / field.width,
                                   1.0f - (lab->y - field.y) / field.height };
 }
 
-/* Returns the progress at the pointer; the axis is age, from hatching to the last key's age. */
+/* Returns the progress at the pointer on the growth curve. The horizontal axis is the age, from
+ * hatching to the age of the last key. */
 static float charted_progress(const struct lab *lab, const struct species_card *card)
 {
     const struct layout_box chart = lab_box(lab->upright, card->key_count, LAB_CHART);

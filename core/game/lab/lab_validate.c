@@ -1,16 +1,17 @@
-/* lab_validate.c -- validation of species data from the data folder or from a recording.
+/* lab_validate.c -- validates species data from the data folder or from a recording.
  *
- * Packed files were validated before (platform/species/validate.c). The lab book of a recording is
- * read directly from disk, so the same ranges are checked again here. */
+ * Packed species files are validated before they are loaded (platform/species/validate.c). The lab
+ * book of a recording is read directly from disk, so the same ranges are checked here. */
 #include "core/game/lab/lab_book.h"
 
-#define AGE_MAX_DAYS 14610.0f /* 40 years, the limit of growth.c. */
-/* Minimum for a custom species; an edit in the lab may use LAB_LENGTH_MIN_M. */
+#define AGE_MAX_DAYS 14610.0f /* Largest age in days: 40 years, the limit of growth.c. */
+/* Smallest length of a custom species. An edit in the lab may go down to LAB_LENGTH_MIN_M. */
 #define LENGTH_MIN_M 0.0005f
-/* Largest relative difference between a key's length and the growth curve at its age. */
+/* Largest relative difference between a key's length and the length on the growth curve at the
+ * key's age. */
 #define LENGTH_APART 0.02f
 
-/* Returns true if `x` is in the range; false for NaN and infinity. */
+/* Returns true if `x` is within `low` .. `high`. Returns false for NaN and infinity. */
 static bool is_within(float x, float low, float high)
 {
     return x >= low && x <= high;
@@ -26,7 +27,8 @@ static bool is_name_letter(char c)
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/* Returns true for 1 or more of a-z, 0-9 and _, followed only by zeros. */
+/* Returns true if the name consists of at least one character of a-z, 0-9 and _, followed only by
+ * zeros. */
 static bool is_name(const char name[SPECIES_NAME_SIZE])
 {
     uint32_t length = 0;
@@ -54,7 +56,7 @@ static bool growth_is_good(const struct growth *growth)
     return good;
 }
 
-/* `card`'s growth must be valid. */
+/* Returns true if the keys are valid. The caller must have validated the card's growth before. */
 static bool keys_are_good(const struct species_card *card)
 {
     bool good = card->key_count >= 3 && card->key_count <= MORPH_KEY_MAX;

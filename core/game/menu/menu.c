@@ -1,4 +1,4 @@
-/* menu.c -- one tick of the operator's menu: buttons, pointer, and selection. */
+/* menu.c -- runs one tick of the operator's menu: buttons, pointer, and selection. */
 #include "core/game/menu/menu.h"
 
 #include "core/base/mem.h"
@@ -34,7 +34,8 @@ int menu_is_asking(const struct game *game)
     return is_played(game) && ask_tick != 0 && game->tick - ask_tick < MENU_ASK_TICKS;
 }
 
-/* Records the pointers at the opening of the menu, so that a resting pointer highlights nothing. */
+/* Records the pointers' positions when the menu opens, so that a pointer at rest highlights
+ * nothing. */
 static void note_hands(struct menu *menu, const struct world *world, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -49,7 +50,7 @@ static void open_menu(struct game *game, struct world *world, const struct core_
     *menu = (struct menu){
         .controllers = input->controllers,
         .upright = input->upright != 0,
-        .presses = 1, /* A poi that is down when the menu opens selects nothing. */
+        .presses = 1, /* A poi that is under water when the menu opens selects nothing. */
         .command_count = menu->command_count,
         .take_tick = game->tick,
         .act_tick = game->tick,
@@ -63,10 +64,10 @@ static void open_menu(struct game *game, struct world *world, const struct core_
         credit_refund(game, config, REFUND_OPERATOR, output);
     }
     health_log_write(&game->accounts, &game->health_log, game->tick, input,
-                     output); /* Update the statistics that the menu is about to show. */
+                     output); /* Updates the statistics that the menu will show. */
     game->paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        world->poi[i].carried_count = 0; /* The fish return to the water. */
+        world->poi[i].carried_count = 0; /* Fish on the paper return to the water. */
     }
     table_setup_empty_bowls(world);
     game_enter_phase(game, PHASE_MENU);
@@ -101,8 +102,8 @@ static uint8_t first_tag(uint16_t offered)
     return tag;
 }
 
-/* Highlights an item that is on offer. The previous item may be gone, for example after a
- * controller was unplugged. */
+/* Highlights an available item. The previously highlighted item may have become unavailable, for
+ * example after a controller was unplugged. */
 static void point_at_something(struct menu *menu)
 {
     const uint16_t offered = menu_enabled(menu);
@@ -114,7 +115,7 @@ void menu_turn(struct game *game, const struct settings *settings, enum menu_pag
 {
     struct menu *menu = &game->menu;
     menu->page = (uint8_t)page;
-    menu->points = 0; /* An item under a resting pointer was not pointed at. */
+    menu->points = 0; /* An item under a pointer at rest does not count as pointed at. */
     if (menu_page_desc_of(menu->page)->enter) {
         menu_page_desc_of(menu->page)->enter(game, settings);
     }
@@ -129,7 +130,7 @@ static void point_at_tag(struct menu *menu, uint32_t tag, struct output *output)
     }
 }
 
-/* Moves the highlight to the next item on offer, forward or backward, and wraps around. */
+/* Moves the highlight to the next available item, forward or backward, and wraps around. */
 static void point_on(struct menu *menu, int forward, struct output *output)
 {
     const uint32_t count = menu_tag_count(menu->page);
@@ -191,22 +192,22 @@ static void heed_buttons(struct game *game, struct world *world, struct core_con
 
 /* ---- The pointer ---------------------------------------------------------------------------- */
 
-/* Returns 1 while a controller is learned, calibrated or tested, because its motion is not meant as
- * pointing. */
+/* Returns 1 while the motion of the controllers is not meant as pointing, otherwise 0. During
+ * learning, calibration and the self-test, the motion has a different purpose. */
 static int is_learning(const struct menu *menu)
 {
     if (menu->page == MENU_CALIBRATION) {
         return menu_calibrate_is_running(&menu->calibrate);
     }
     if (menu->page == MENU_SELF_TEST) {
-        return 1; /* The self-test page tests the pois, so they do not point. */
+        return 1; /* The self-test page tests the pois, so no poi points at items. */
     }
     return menu->page == MENU_LEARN && menu->controllers.learn_step != LEARN_TRY &&
            menu->controllers.learn_step != LEARN_FAILED &&
            menu->controllers.learn_step != LEARN_NOT_SAVED;
 }
 
-/* Returns the item under the pointer, from 1; 0: none. */
+/* Returns the item under the pointer, from 1; 0 means none. */
 static uint8_t tag_under(const struct menu *menu, struct layout_point at)
 {
     const uint16_t offered = menu_enabled(menu);
@@ -219,8 +220,8 @@ static uint8_t tag_under(const struct menu *menu, struct layout_point at)
 }
 
 /* Returns the pointer of the controller that moved last. The slot need not have a bowl, because the
- * operator may test a controller that was never used in a game. `*stirs` is 1 if the pointer has
- * just moved. */
+ * operator may test a controller that was never used in a game. `*stirs` is set to 1 if the pointer
+ * has moved in this tick, otherwise to 0. */
 static struct pointer_state leading_hand(struct menu *menu, const struct world *world,
                                          uint32_t tick, const struct input *input, int *stirs)
 {
@@ -239,8 +240,8 @@ static struct pointer_state leading_hand(struct menu *menu, const struct world *
     return lead;
 }
 
-/* Moves the highlight when the pointer enters an item. While the pointer rests, even on a new page,
- * the buttons keep control. */
+/* Moves the highlight when the pointer enters an item. While the pointer is at rest, even after a
+ * page change, the buttons move the highlight. */
 static void point_at_tag_by_hand(struct game *game, struct world *world, struct core_config *config,
                                  const struct input *input, struct output *output)
 {
@@ -249,7 +250,8 @@ static void point_at_tag_by_hand(struct game *game, struct world *world, struct 
     const struct pointer_state hand = leading_hand(&game->menu, world, game->tick, input, &stirs);
     if (!hand.present || is_learning(menu)) {
         menu->has_hand = menu->points = 0;
-        menu->presses = 1; /* The next pointer selects nothing until it was above the water once. */
+        menu->presses = 1; /* When a pointer is present again, it selects nothing until it has been
+                              above the water. */
         return;
     }
     const int was_down = menu->presses || hand.player != menu->hand;
@@ -265,8 +267,8 @@ static void point_at_tag_by_hand(struct game *game, struct world *world, struct 
     menu->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (menu->presses && !was_down && points > 0) {
         menu->points = points;
-        point_at_tag(menu, points - 1u, output); /* A dip selects the item under the pointer,
-                                                    even if a button moved the highlight since. */
+        point_at_tag(menu, points - 1u, output); /* A dip selects the item under the pointer, even
+                                                    if a button has moved the highlight. */
         activate_pointed_tag(game, world, config, output);
     }
 }
@@ -281,7 +283,7 @@ static void count_presses(struct menu *menu, uint32_t pressed)
     }
 }
 
-/* Counts a coin in the menu as a test, on every page. */
+/* Counts coins inserted in the menu as test coins, on every page. */
 static void count_coins(struct menu *menu, uint32_t tick, uint32_t count, struct output *output)
 {
     if (count > 0) {
@@ -309,24 +311,24 @@ static void watch_input_test(struct game *game, const struct settings *settings,
     const int is_used = input->pressed != 0 || input_coin_pulses(input) > 0;
     menu->use_tick = is_used ? game->tick : menu->use_tick;
     menu->act_tick = is_used || has_changed ? game->tick : menu->act_tick;
-    if (is_unkept && menu->page != MENU_PIN) { /* Report the failed save to the operator who saved
-                                                  the mapping. */
+    if (is_unkept && menu->page != MENU_PIN) { /* The mapping could not be saved, so the menu shows
+                                                  the learn wizard's page to the operator. */
         menu->row = input->controllers.learn_row;
         menu_turn(game, settings, MENU_LEARN);
     }
     point_at_something(menu);
 }
 
-/* Returns 1 while the button that selected is held, or the poi is still under water over the
- * item. */
+/* Returns 1 while the selecting button is held, or while the selecting poi is still under water
+ * over the item; otherwise 0. */
 static int is_taking(const struct menu *menu)
 {
     return (menu->held & (INPUT_TEST | INPUT_START | INPUT_OK)) != 0 ||
            (menu->has_hand && menu->presses && menu->points == menu->tag[menu->page] + 1u);
 }
 
-/* Returns 1 if no activity occurred for the timeout, or only motion occurred for several
- * timeouts. */
+/* Returns 1 if no activity occurred for the timeout, or if only motion occurred for
+ * MENU_SWING_SPANS timeouts; otherwise 0. */
 static int is_deserted(const struct menu *menu, uint32_t tick)
 {
     const uint32_t span = menu->page == MENU_PIN ? MENU_PIN_IDLE_TICKS : MENU_IDLE_TICKS;

@@ -1,4 +1,4 @@
-/* menu_books.c -- reset of a group of statistics, which is itself logged in the ledger. */
+/* menu_books.c -- resets a group of statistics, and logs the reset in the ledger. */
 #include "core/game/game.h"
 #include "core/config.h"
 #include "core/game/menu/menu_internal.h"
@@ -12,8 +12,8 @@ void menu_book_activate(struct game *game, struct core_config *config, uint32_t 
     menu_turn(game, &config->persistent.settings, MENU_RESET);
 }
 
-/* Returns the sum of the group's counters, which the ledger entry stores so that later reports show
- * the amount removed. */
+/* Returns the sum of the group's counters. The ledger entry stores the sum, so that later reports
+ * can show the amount that was removed. */
 static int32_t sum_of(const struct audits *audits, enum audit_group group)
 {
     uint32_t sum = 0;
@@ -24,7 +24,7 @@ static int32_t sum_of(const struct audits *audits, enum audit_group group)
     return (int32_t)sum;
 }
 
-/* If the ledger has no room, the confirmation stays open. */
+/* If the ledger has no room, the page that requests confirmation stays open. */
 void menu_reset_activate(struct game *game, struct core_config *config, uint32_t tag,
                          struct output *output)
 {

@@ -45,8 +45,8 @@ void menu_calibrate_open(struct game *game, const struct settings *settings)
     }
 }
 
-/* Stores `value` as the slot's calibration. The previous calibration, if it was complete, is kept
- * for undo. */
+/* Stores `value` as the slot's calibration. A complete previous calibration is kept, so that the
+ * operator can restore it. */
 static void swap_with(struct game *game, struct core_config *config,
                       int32_t value[CALIBRATION_VALUES])
 {
@@ -77,7 +77,8 @@ void menu_calibrate_activate(struct game *game, struct core_config *config, uint
         next_seat(calibrate);
     } else if (tag == CALIBRATE_BEGIN) {
         calibrate->step = CALIBRATE_CORNER;
-        calibrate->must_move = 1; /* The poi may still be in its holder. */
+        calibrate->must_move = 1; /* The poi may still be in its holder, so it must move before the
+                                     first pose counts. */
     } else if (tag == CALIBRATE_UNDO) {
         memcpy(value, calibrate->before[calibrate->seat], sizeof value);
         swap_with(game, config, value);
@@ -106,8 +107,8 @@ static void rest_at(struct calibrate *calibrate, const struct poi_target *at)
     calibrate->still_ticks = 0;
 }
 
-/* Adds the deviation from the anchor. A sum of positions would lose precision far from the
- * origin. */
+/* Adds the deviation of a pose from the anchor to the sum. A sum of positions would lose precision
+ * far from the origin. */
 static void add_sample(struct calibrate *calibrate, const struct poi_target *at)
 {
     struct poi_target *sum = &calibrate->sum;
@@ -128,7 +129,7 @@ static struct poi_target mean(const struct calibrate *calibrate)
     return at;
 }
 
-/* Returns 1 when the poi has been still for CALIBRATE_STILL_TICKS. */
+/* Returns 1 if the poi has been still for CALIBRATE_STILL_TICKS, otherwise 0. */
 static int watch_still(struct calibrate *calibrate, const struct poi_input *poi)
 {
     const struct poi_target *at = &poi->target;

@@ -1,4 +1,4 @@
-/* menu_confirm.c -- actions that require confirmation: restart and factory reset. */
+/* menu_confirm.c -- performs the actions that require confirmation: restart and factory reset. */
 #include "core/game/game.h"
 #include "core/config.h"
 #include "core/game/menu/menu_internal.h"
@@ -11,7 +11,7 @@ void menu_confirm_open(struct game *game, const struct settings *settings)
     game->menu.tag[game->menu.page] = CONFIRM_BACK;
 }
 
-/* Requests a restart. The shell ends the frame loop when the store has saved everything, and starts
+/* Requests a restart. When the store has saved everything, the shell ends the frame loop and starts
  * the kiosk again. */
 void menu_restart_activate(struct game *game, struct core_config *config, uint32_t tag,
                            struct output *output)
@@ -26,7 +26,7 @@ void menu_factory_activate(struct game *game, struct core_config *config, uint32
 {
     (void)tag;
     if (settings_edit_factory_reset(game, config, output)) {
-        /* A restart applies the configuration of the machine and of its files again. */
+        /* The restart loads the configuration of the machine and the configuration files again. */
         menu_command(&game->menu, output, COMMAND_RESTART);
         menu_turn(game, &config->persistent.settings, MENU_UPKEEP);
     }

@@ -1,4 +1,5 @@
-/* menu_controllers.c -- selection of controllers, and the learn wizard for an unknown one. */
+/* menu_controllers.c -- selects controllers, and runs the learn wizard for an unknown
+ * controller. */
 #include "core/game/game.h"
 #include "core/config.h"
 #include "core/game/menu/menu_internal.h"
@@ -24,7 +25,7 @@ void menu_rows_activate(struct game *game, struct core_config *config, uint32_t 
 
 /* ---- One controller ------------------------------------------------------------------------- */
 
-/* Highlights the first item, because the page is for a different controller than before. */
+/* Highlights the first item of the open page, because the page now shows a different controller. */
 void menu_reopen(struct game *game, const struct settings *settings)
 {
     (void)settings;
@@ -36,11 +37,12 @@ uint16_t menu_row_enabled(const struct menu *menu)
     static const uint16_t by_state[CONTROLLER_STATE_COUNT] = {
         [CONTROLLER_FREE] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_LEARN),
         [CONTROLLER_ACTIVE] = MENU_TAG(ROW_RELEASE) | MENU_TAG(ROW_LEARN),
-        [CONTROLLER_LOST] = MENU_TAG(ROW_RELEASE), /* A disconnected controller cannot be
-                                                      learned. */
+        [CONTROLLER_LOST] = MENU_TAG(ROW_RELEASE), /* The learn wizard needs a connected
+                                                      controller. */
         [CONTROLLER_DENIED] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_RELEASE), /* The permission may
                                                                                have been granted
-                                                                               since. */
+                                                                               after the first
+                                                                               attempt. */
     };
     return by_state[menu->controllers.state[menu->row]] | MENU_TAG(ROW_BACK);
 }
@@ -65,7 +67,7 @@ uint16_t menu_learn_enabled(const struct menu *menu)
         return MENU_TAG(LEARNS_END); /* The wizard has not started, or the controller is
                                         disconnected. */
     case LEARN_TRY:
-    case LEARN_NOT_SAVED: /* A second attempt to save may succeed, for example with an SD card
+    case LEARN_NOT_SAVED: /* Another attempt to save may succeed, for example after an SD card was
                              inserted. */
         return MENU_TAG(LEARNS_KEEP) | MENU_TAG(LEARNS_AGAIN) | MENU_TAG(LEARNS_END);
     case LEARN_FAILED:

@@ -21,7 +21,7 @@ uint16_t menu_files_enabled(const struct menu *menu)
                       MENU_TAG(FILES_BACK));
 }
 
-/* Highlights an item that is harmless if selected by accident. */
+/* Highlights an item that is harmless if it is selected by accident. */
 void menu_files_open(struct game *game, const struct settings *settings)
 {
     (void)settings;
@@ -30,8 +30,8 @@ void menu_files_open(struct game *game, const struct settings *settings)
     menu->tag[MENU_FILES] = is_long(menu) ? FILES_MORE : FILES_BACK;
 }
 
-/* Shows the next rows, and the first rows after the last ones. Acknowledging quarantined databases
- * is a command for the shell. */
+/* Shows the next rows of the list; after the last rows, the first rows follow. The item FILES_SEEN
+ * sends a command to the shell, which acknowledges the quarantined databases. */
 void menu_files_activate(struct game *game, struct core_config *config, uint32_t tag,
                          struct output *output)
 {

@@ -1,17 +1,21 @@
-/* menu_layout.c -- positions of the items of a page, shared by the pointer code and the
- * renderer. */
+/* menu_layout.c -- computes the positions of the items of a page. The pointer code and the renderer
+ * share the positions. */
 #include "core/base/fmath.h"
 #include "core/base/panic.h"
 #include "core/game/menu/menu_pages.h"
 
-/* Measures that differ between the two canvases. */
+/* Sizes and distances that differ between the wide and the portrait canvas. */
 struct measures {
     struct layout_box body;
-    uint32_t hung_max;                                  /* Items side by side. */
-    float hung_width, hung_height, hung_gap, hung_drop; /* `hung_drop` is the space for the next
-                                                           row's pole. */
+    uint32_t hung_max;                                  /* Largest number of large items side by
+                                                           side. */
+    float hung_width, hung_height, hung_gap, hung_drop; /* Size and distance of large items.
+                                                           `hung_drop` is the space above the
+                                                           next row for the pole on which its
+                                                           tags hang. */
     float row_height, row_pitch;
-    float settings_height; /* Height of the settings in the body; a help text is below. */
+    float settings_height; /* Height of the settings in the body. A help text is below the
+                              settings. */
     uint32_t key_columns;
     float key_top, key_width, key_height, key_gap;
     float foot_y, foot_width, foot_height, foot_gap;
@@ -58,7 +62,7 @@ static const struct measures upright_measures = {
     .foot_gap = 20.0f,
 };
 
-/* Returns the number of items on offer from `first` to before `limit`. */
+/* Returns the number of available items from `first` up to, but not including, `limit`. */
 static uint32_t count_offered(uint16_t offered, uint32_t first, uint32_t limit)
 {
     uint32_t count = 0;
@@ -68,7 +72,8 @@ static uint32_t count_offered(uint16_t offered, uint32_t first, uint32_t limit)
     return count;
 }
 
-/* Returns the box of item `nth` of `count`, in as few rows as possible, each centred. */
+/* Returns the box of large item `nth` of `count`. The items lie in as few rows as possible, and
+ * each row is centred. */
 static struct layout_box hung_box(const struct measures *m, uint32_t nth, uint32_t count)
 {
     const uint32_t rows = (count + m->hung_max - 1u) / m->hung_max;
@@ -86,7 +91,8 @@ static struct layout_box hung_box(const struct measures *m, uint32_t nth, uint32
     };
 }
 
-/* Returns the box of a foot item. All foot items are in one row and share its width. */
+/* Returns the box of item `nth` at the foot of the page. All items at the foot lie in one row and
+ * share its width equally. */
 static struct layout_box foot_box(const struct measures *m, int upright, uint32_t nth,
                                   uint32_t count)
 {
@@ -101,7 +107,7 @@ static struct layout_box foot_box(const struct measures *m, int upright, uint32_
     };
 }
 
-/* Returns the box of a key. The last row may be shorter and is centred. */
+/* Returns the box of digit key `nth`. The last row may have fewer keys and is centred. */
 static struct layout_box key_box(const struct measures *m, uint32_t nth, uint32_t count)
 {
     const uint32_t row = nth / m->key_columns, column = nth % m->key_columns;
@@ -116,8 +122,7 @@ static struct layout_box key_box(const struct measures *m, uint32_t nth, uint32_
     };
 }
 
-/* Returns the box of a row. The row height depends on the number of rows, up to the normal
- * height. */
+/* Returns the box of row `nth`. With many rows each row is lower than normal. */
 static struct layout_box row_box(const struct measures *m, float height, uint32_t nth,
                                  uint32_t count)
 {

@@ -1,4 +1,4 @@
-/* menu_pages.c -- the table of pages, with parent and actions of each. */
+/* menu_pages.c -- the table of pages, with the parent and the actions of each page. */
 #include "core/game/menu/menu_pages.h"
 
 #include "core/base/panic.h"
@@ -105,8 +105,9 @@ const struct menu_page_desc *menu_page_desc_of(uint8_t page)
 
 /* ---- Content of a body ---------------------------------------------------------------------- */
 
-/* Returns child page `nth` of `parent`, or MENU_PAGE_COUNT if there are fewer; `*count` receives
- * the number of children passed. Pages opened by rows of data are no children of a list. */
+/* Returns child page `nth` of `parent`, or MENU_PAGE_COUNT if the parent has fewer children.
+ * `*count` receives the number of children that were counted. A page that is opened by a row of
+ * data, such as a controller, is not counted. */
 static uint8_t nth_child(uint8_t parent, uint32_t nth, uint32_t *count)
 {
     *count = 0;
@@ -125,7 +126,8 @@ static uint32_t child_count(uint8_t parent)
     return count;
 }
 
-/* Returns setting `nth` of a group, without bit settings, which have a page of their own. */
+/* Returns setting `nth` of a group. Settings of kind KIND_BITS are not counted, because each has a
+ * page of its own. */
 static uint32_t nth_setting(uint8_t group, uint32_t nth, uint32_t *count)
 {
     *count = 0;

@@ -1,4 +1,5 @@
-/* menu_pin.c -- entry of the PIN before the menu opens, and choice of a new PIN. */
+/* menu_pin.c -- the pages on which the operator enters the PIN before the menu opens, and chooses a
+ * new PIN. */
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/game/game.h"
@@ -10,7 +11,7 @@
 #define DOUBLINGS_MAX 5u
 
 /* Logs a PIN entry in the ledger, so that the lockout time continues after a power cut. If the
- * ledger has no room, the lockout still applies until power-off. */
+ * ledger has no room, the lockout ends when the kiosk is switched off. */
 static void note_typed(struct accounts *accounts, struct settings_edit *settings_edit,
                        uint32_t tick, int is_right, struct output *output)
 {
@@ -44,8 +45,8 @@ void menu_pin_open(struct game *game, const struct settings *settings)
     menu->tag[menu->page] = 0;
 }
 
-/* Adds a digit, or erases all. Returns 1 if the last digit was typed; menu->pin then has all
- * digits. */
+/* Adds a digit to menu->pin, or erases all digits. Returns 1 if the last digit was typed, otherwise
+ * 0. After the last digit menu->pin has all digits. */
 static int type(struct menu *menu, uint32_t tag)
 {
     if (tag == PIN_ERASE) {
@@ -82,7 +83,7 @@ static int32_t kept_pin(const struct menu *menu, const struct core_config *confi
     return config->rules_7 ? (int32_t)pin : pin_hide(pin, salt);
 }
 
-/* Sets a new PIN; 0000 disables the PIN. */
+/* Sets a new PIN. The PIN 0000 means that no PIN is required. */
 void menu_new_pin_activate(struct game *game, struct core_config *config, uint32_t tag,
                            struct output *output)
 {

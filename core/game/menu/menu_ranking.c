@@ -1,9 +1,10 @@
-/* menu_ranking.c -- menu pages of the leaderboard: browse, play back a score, and remove a name. */
+/* menu_ranking.c -- the menu pages of the leaderboards, which browse scores, play back a score, and
+ * remove a name. */
 #include "core/game/game.h"
 #include "core/config.h"
 #include "core/game/menu/menu_internal.h"
 
-/* Number of leaderboards: for each mode those of the day, of the week, and the permanent one. */
+/* Number of leaderboards: each mode has one for the day, one for the week, and one for all time. */
 #define BOARD_COUNT (MODE_COUNT * RANK_PERIOD_COUNT)
 
 static struct rank_row *rows_of(struct ranking *ranking, const struct menu *menu)
@@ -38,7 +39,7 @@ void menu_ranking_open(struct game *game, const struct settings *settings)
     note_rows(&game->accounts.ranking, &game->menu);
 }
 
-/* Skips modes without a score, such as practice. */
+/* Selects the next leaderboard. Modes without a score, such as practice, are skipped. */
 static void next_board(struct ranking *ranking, struct menu *menu)
 {
     do {
@@ -47,7 +48,8 @@ static void next_board(struct ranking *ranking, struct menu *menu)
     note_rows(ranking, menu);
 }
 
-/* Opens the selected score, if the row still exists; a new day may have cleared it. */
+/* Opens the page of the selected score, if its row still exists. A new day may have cleared the
+ * row. */
 void menu_ranking_activate(struct game *game, struct core_config *config, uint32_t tag,
                            struct output *output)
 {
@@ -89,7 +91,8 @@ static void show_again(struct ranking *ranking, struct menu *menu, struct output
     output->command_count = ++menu->command_count;
 }
 
-/* Removes the name; the score stays. If the ledger has no room, the operator must try again. */
+/* Removes the name of a score; the score stays. If the ledger has no room, nothing changes and the
+ * operator must try again. */
 static void unname(struct game *game, const struct settings *settings, struct output *output)
 {
     const struct rank_row *row = score(&game->accounts.ranking, &game->menu);

@@ -1,15 +1,17 @@
-/* menu_settings.c -- settings pages: TEST changes the highlighted value, and repeats while held. */
+/* menu_settings.c -- the settings pages. TEST changes the highlighted value, and the change repeats
+ * while TEST is held. */
 #include "core/base/panic.h"
 #include "core/game/game.h"
 #include "core/config.h"
 #include "core/game/menu/menu_internal.h"
 
-/* Delay before the first repeat, and interval of the repeats: eight values per second. */
+/* HOLD_TICKS is the time before a held button first repeats. AGAIN_TICKS is the time between two
+ * repeats: eight values per second. */
 #define HOLD_TICKS (CORE_TICK_HZ / 2u)
 #define AGAIN_TICKS (CORE_TICK_HZ / 8u)
 
-/* Long ranges repeat faster: by ten steps from the second second on, by a hundred from the
- * fifth. */
+/* Number of repeats after which a value with a long range changes by ten steps (two seconds), and
+ * by a hundred steps (five seconds). */
 #define HURRY_COUNT 12u
 #define RUSH_COUNT 36u
 #define HURRY_STEPS_MIN 40
@@ -20,7 +22,7 @@ static int is_settings(const struct menu *menu)
     return menu_page_desc_of(menu->page)->body == MENU_BODY_SETTINGS;
 }
 
-/* Returns the first row that differs from its default; MENU_TAG_MAX: none. */
+/* Returns the first row whose value differs from its default; MENU_TAG_MAX means none. */
 static uint8_t first_changed(const struct settings *settings, uint8_t page)
 {
     for (uint32_t tag = 0; tag < menu_body_count(page); tag++) {
@@ -49,8 +51,8 @@ static uint32_t stride(const struct menu *menu, const struct core_config *config
                                                                          : 1u;
 }
 
-/* Changes a value. The repeat stops at the end of the range; a new press continues at the opposite
- * end. */
+/* Changes a value by one or more steps. While a button is held, the value stops at the end of its
+ * range. A new press continues at the opposite end. */
 static void step_setting(struct game *game, struct core_config *config, uint32_t id)
 {
     struct menu *menu = &game->menu;
@@ -60,8 +62,9 @@ static void step_setting(struct game *game, struct core_config *config, uint32_t
     menu->turning = !is_at_end;
 }
 
-/* Offers a reset to the default for the row that was changed last, because SERVICE has passed other
- * rows since. Before any change, the row is the first that differs from its default. */
+/* Returns the items that can be selected. The item that restores the default applies to the row
+ * that was changed last, because SERVICE has passed other rows to reach that item. Before any
+ * change, the item applies to the first row that differs from its default. */
 uint16_t menu_settings_enabled(const struct menu *menu)
 {
     const uint32_t standard = menu_body_count(menu->page) + SETTINGS_STANDARD;
@@ -88,7 +91,7 @@ void menu_settings_activate(struct game *game, struct core_config *config, uint3
     }
 }
 
-/* Toggles a bit. The last set bit cannot be cleared. */
+/* Toggles one bit of a setting. The only bit that is set cannot be cleared. */
 void menu_bits_activate(struct game *game, struct core_config *config, uint32_t tag,
                         struct output *output)
 {

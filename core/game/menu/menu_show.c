@@ -1,4 +1,5 @@
-/* menu_show.c -- the visible state of the operator's menu, and its hash. */
+/* menu_show.c -- writes the visible state of the operator's menu to the scene, and computes the
+ * menu's hash. */
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/game/game.h"
@@ -7,9 +8,9 @@
 
 _Static_assert(AUDIT_COUNT <= SCENE_AUDIT_MAX, "every audit can be shown");
 
-/* Time for which the page reports that a change is on disk. */
+/* Time for which a page shows that a change is on disk. */
 #define SAVED_TICKS (10u * CORE_TICK_HZ)
-#define NEVER_S 1e6f /* Larger than any interval; about eleven days. */
+#define NEVER_S 1e6f /* Time in seconds that stands for never, about eleven days. */
 
 void menu_show(const struct game *game, const struct core_config *config, struct scene_menu *out)
 {
@@ -42,7 +43,7 @@ void menu_show(const struct game *game, const struct core_config *config, struct
     out->from = menu->from;
     out->pin_count = menu->pin_count;
     out->pin_wait_s = (float)menu_pin_wait_ticks(&game->settings_edit, game->tick) * CORE_TICK_S;
-    /* The PIN typed to open the menu must not be visible. */
+    /* The PIN that is typed to open the menu must not be visible. */
     out->pin = menu->page == MENU_NEW_PIN ? menu->pin : 0;
     memcpy(out->audit, game->accounts.audits.count, sizeof game->accounts.audits.count);
     out->boot = game->accounts.ledger.boot;

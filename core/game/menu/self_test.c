@@ -1,4 +1,4 @@
-/* self_test.c -- the tests of the page, and their evaluation. */
+/* self_test.c -- runs the checks of the self-test page, and evaluates their results. */
 #include "core/game/menu/self_test.h"
 
 #include "core/base/hash.h"
@@ -8,8 +8,8 @@
 
 /* ---- Items ---------------------------------------------------------------------------------- */
 
-/* Returns the open question: about the sound first, then about lamp and slot; NULL if both are
- * answered. */
+/* Returns the first unanswered question, or NULL if both are answered. The question about the sound
+ * comes first. The question about the lamp and the coin slot comes second. */
 static uint8_t *open_question(struct self_test *self)
 {
     return self->heard == SELF_UNSAID   ? &self->heard
@@ -77,7 +77,7 @@ static void watch_poi(struct self_test *self, const struct poi_input *poi, uint3
     }
 }
 
-/* Logs the unchanged volume as a test entry, which changes nothing for any reader. */
+/* Logs the unchanged volume as a test entry. The entry changes no setting for any reader. */
 static void write_one(struct game *game, struct output *output)
 {
     const struct ledger_entry entry = {
@@ -147,7 +147,7 @@ static uint8_t said(uint8_t answer)
     return answer == SELF_SAYS_YES ? SELF_GOOD : answer == SELF_SAYS_NO ? SELF_BAD : SELF_ASKS;
 }
 
-/* Buttons that must be tested. TILT and DOOR are no buttons, and no cabinet has a language
+/* Buttons that the operator must test. TILT and DOOR are not buttons, and no cabinet has a language
  * button. */
 #define TRIED_BUTTONS                                                                              \
     ((uint32_t)(INPUT_START | INPUT_LEFT | INPUT_RIGHT | INPUT_OK | INPUT_TEST | INPUT_SERVICE))
@@ -162,7 +162,8 @@ static uint8_t judge_buttons(const struct scene *scene)
     return untried == 0 ? SELF_GOOD : SELF_ASKS;
 }
 
-/* A slot in play is bad without a controller or with late reports. */
+/* Returns the state of the check of the pois. The check is bad if a slot in play has no controller
+ * or has late reports. */
 static uint8_t judge_pois(const struct scene_self_test *self)
 {
     uint8_t state = SELF_GOOD;
@@ -175,8 +176,8 @@ static uint8_t judge_pois(const struct scene_self_test *self)
     return state;
 }
 
-/* A kiosk without input lines has neither lamp nor slot, so they count as good unless the operator
- * reports a fault. */
+/* Returns the state of the check of the lamp and the coin slot. A kiosk without input lines has
+ * neither of them. The check is then good unless the operator reports a fault. */
 static uint8_t judge_lamp(const struct scene *scene)
 {
     const int is_wired = scene->devices.lines[0] != '\0';
@@ -184,7 +185,8 @@ static uint8_t judge_lamp(const struct scene *scene)
     return moved == SELF_UNSAID && !is_wired ? (uint8_t)SELF_GOOD : said(moved);
 }
 
-/* In free play coins are returned, so the test does not require one. */
+/* Returns the state of the check of the coins. In free play coins are returned, so the check
+ * requires no coin. */
 static uint8_t judge_coins(const struct scene *scene)
 {
     const int is_sold = scene->menu.settings.value[SET_PLAY] == PLAY_PAID;
@@ -217,7 +219,8 @@ static uint8_t judge_room(uint32_t room_mib)
                                            : SELF_BAD;
 }
 
-/* Evaluates the machine. Checks without data wait; after the timeout a waiting check is bad. */
+/* Evaluates the checks of the machine. A check without data waits for its data, and is bad after
+ * the timeout. */
 static void judge_machine(const struct scene_machine *machine, uint8_t state[SELF_CHECKS])
 {
     const int is_fresh = machine->has_backup && machine->backup_min < SELF_BACKUP_OLD_MIN;

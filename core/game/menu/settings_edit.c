@@ -1,4 +1,4 @@
-/* settings_edit.c -- changes settings and logs them in the ledger. */
+/* settings_edit.c -- changes settings and logs the changes in the ledger. */
 #include "core/game/menu/settings_edit.h"
 
 #include "core/base/hash.h"
@@ -18,9 +18,9 @@ void settings_edit_init(struct settings_edit *settings_edit, const struct core_c
     const uint32_t wrong = config->persistent.audits.count[AUDIT_WRONG_PINS];
     *settings_edit = (struct settings_edit){
         .told = config->persistent.settings,
-        .pin_wrong = wrong < UINT8_MAX ? wrong : UINT8_MAX, /* The times of stored wrong PINs are
+        .pin_wrong = wrong < UINT8_MAX ? wrong : UINT8_MAX, /* The ticks of stored wrong PINs are
                                                                unknown, so the lockout time starts
-                                                               at boot. */
+                                                               at the kiosk's start. */
     };
     settings_sanitize(&settings_edit->told);
 }
@@ -52,7 +52,8 @@ void settings_edit_set(struct game *game, struct core_config *config, uint32_t i
     }
 }
 
-/* Returns the next allowed value; paper grades 1 to 3 do not exist and are skipped. */
+/* Returns the next allowed value of setting `id`. Paper grades 1 to 3 do not exist and are
+ * skipped. */
 static int32_t step_from(const struct core_config *config, uint32_t id, int32_t value, int is_down)
 {
     const struct setting *setting = settings_entry(id);
@@ -103,7 +104,7 @@ int settings_edit_factory_reset(struct game *game, struct core_config *config,
     return 1;
 }
 
-/* Logs setting `id` if it changed. Returns 0 if the ledger had no room, else 1. */
+/* Logs setting `id` if it changed. Returns 1, or 0 if the ledger had no room. */
 static int append_setting_entry(struct game *game, struct settings *settings, uint32_t id,
                                 struct output *output)
 {
@@ -113,7 +114,7 @@ static int append_setting_entry(struct game *game, struct settings *settings, ui
         return 1;
     }
     if (!ledger_may_write(&game->accounts.ledger, LEDGER_SETTING)) {
-        return 0; /* The next tick tries again, because no change of a setting may be lost. */
+        return 0; /* The next tick tries again, because every change of a setting must be logged. */
     }
     const struct ledger_entry entry = {
         .kind = LEDGER_SETTING, .detail = (uint8_t)(id & 0xffu), .count = id >> 8, .value = value

@@ -1,4 +1,4 @@
-/* leaderboard.c -- selection and content of the leaderboard screen. */
+/* leaderboard.c -- selects the leaderboard to show, and writes its content to the scene. */
 #include "core/game/ranking/leaderboard.h"
 
 #include "core/base/mem.h"
@@ -42,7 +42,8 @@ static int is_offered(const struct core_config *config, uint8_t mode)
     return (table_setup_modes(config) >> mode & 1u) && rules_of(mode)->keeps_score;
 }
 
-/* Returns the leaderboard number `turn`, modulo the number of leaderboards that have entries. */
+/* Returns leaderboard number `turn` of those that have entries. Numbers beyond the last leaderboard
+ * wrap around. */
 static struct pick nth_board(const struct ranking *ranking, const struct core_config *config,
                              uint32_t turn, uint32_t ticks)
 {
@@ -61,8 +62,8 @@ static struct pick nth_board(const struct ranking *ranking, const struct core_co
     return (struct pick){ 1, nth / RANK_PERIOD_COUNT, nth % RANK_PERIOD_COUNT, ticks };
 }
 
-/* Returns the leaderboard for attract mode. Each interval starts with the tank, so that passers-by
- * see goldfish first. */
+/* Returns the leaderboard to show in attract mode. Each interval of LEADERBOARD_EVERY_TICKS begins
+ * with the tank, so that passers-by see goldfish first. */
 static struct pick in_attract(const struct game *game, const struct core_config *config)
 {
     const uint32_t elapsed = game->tick - game->phase_tick;
@@ -74,7 +75,7 @@ static struct pick in_attract(const struct game *game, const struct core_config 
                      within + LEADERBOARD_TICKS - LEADERBOARD_EVERY_TICKS);
 }
 
-/* Returns the leaderboard with the best place of the round that just ended. */
+/* Returns the leaderboard on which a player of the last round has the best place. */
 static struct pick after_round(const struct game *game)
 {
     struct leaderboard_place best = { 0, 0 };
@@ -129,7 +130,8 @@ void leaderboard_tick(struct game *game, struct world *world, const struct core_
     }
 }
 
-/* ---- The picture ---------------------------------------------------------------------------- */
+/* ---- Content of the screen
+ * -------------------------------------------------------------------- */
 
 void leaderboard_show(const struct game *game, const struct core_config *config,
                       struct scene_leaderboard *out)

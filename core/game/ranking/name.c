@@ -1,4 +1,5 @@
-/* name.c -- from a place on the leaderboard to a name there. */
+/* name.c -- handles the name entry: which player enters a name, the keyboard, and the ledger
+ * entry. */
 #include "core/game/ranking/name.h"
 
 #include "core/base/hash.h"
@@ -52,18 +53,19 @@ static uint8_t alphabet_of(uint8_t language)
     return language == LANGUAGE_JA ? ALPHABET_HIRAGANA : ALPHABET_LATIN;
 }
 
-/* Clears the letters and restarts the timeout. */
+/* Clears the letters and restarts the timeout for the current player. */
 static void ask_for_name(struct name *name, uint32_t tick)
 {
     name->key = 0;
     name->letter_count = 0;
     name->points = 0;
-    name->presses = 1; /* A poi under water presses nothing until it was above the water once. */
+    name->presses = 1; /* A poi that is under water presses nothing until it has been above the
+                          water. */
     name->held_ticks = 0;
     name->seat_tick = name->act_tick = tick;
 }
 
-/* Starts the entry of the next player. Returns 0 if no player is left. */
+/* Starts the name entry of the next player. Returns 1, or 0 if no player still needs a name. */
 static int begin_next_turn(struct game *game)
 {
     struct name *name = &game->name;
@@ -132,7 +134,7 @@ static void take_done(struct game *game, struct output *output)
     finish(game, output);
 }
 
-/* Adds a letter. When the line is full, the Done key is highlighted. */
+/* Adds a letter to the name. When the name is full, highlights the Done key. */
 static void add_letter(struct name *name, uint16_t letter)
 {
     if (name->letter_count < NAME_LETTERS_MAX) {
@@ -191,7 +193,8 @@ static int is_there(const struct name *name, uint32_t key)
     return key >= NAME_CELLS || name_letter(name->alphabet, key) != 0;
 }
 
-/* Moves the highlight to the next key, forward or backward, wraps around, and skips empty cells. */
+/* Moves the highlight to the next key, forward or backward. The highlight wraps around and skips
+ * empty cells. */
 static void point_on(struct name *name, uint32_t tick, int forward, struct output *output)
 {
     uint32_t key = name->key;
@@ -221,7 +224,7 @@ static void heed_buttons(struct game *game, const struct input *input, struct ou
     }
 }
 
-/* Returns the key under the pointer, from 1; 0: none. */
+/* Returns the key under the pointer, from 1; 0 means none. */
 static uint8_t key_under(const struct name *name, struct layout_point at)
 {
     for (uint32_t key = 0; key < NAME_KEY_COUNT; key++) {
@@ -243,8 +246,8 @@ static void note_stir(struct name *name, uint32_t tick, struct layout_point at)
     }
 }
 
-/* Moves the highlight when the pointer enters a key. While the pointer rests, the buttons keep
- * control. */
+/* Moves the highlight when the pointer enters a key. While the pointer is at rest, the buttons move
+ * the highlight. */
 static void point_at_key_by_hand(struct game *game, const struct world *world,
                                  const struct input *input, struct output *output)
 {
@@ -267,15 +270,15 @@ static void point_at_key_by_hand(struct game *game, const struct world *world,
     name->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (name->presses && !was_down && points > 0) {
         point_at_key(&game->name, game->tick, points - 1u,
-                     output); /* A dip presses the key under the pointer, even if a button moved
-                                 the highlight since. */
+                     output); /* A dip presses the key under the pointer, even if a button has moved
+                                 the highlight. */
         activate_key(game, output);
     }
 }
 
 /* ---- The tick ------------------------------------------------------------------------------- */
 
-/* Highlights another key if the letter does not exist in the new alphabet. */
+/* Highlights the alphabet key if the highlighted letter's cell is empty in the new alphabet. */
 static void point_at_something(struct name *name)
 {
     name->key = is_there(name, name->key) ? name->key : (uint8_t)NAME_ALPHABET;

@@ -1,4 +1,4 @@
-/* name_filter.c -- compares the name with each word of the list. */
+/* name_filter.c -- compares a normalized name with each word of the list of refused words. */
 #include "core/game/ranking/name_filter.h"
 
 #include "core/base/mem.h"

@@ -1,15 +1,16 @@
-/* name_keyboard.c -- the letters, their forms and their positions. */
+/* name_keyboard.c -- the letters of the on-screen keyboard, their forms and their positions. */
 #include "core/game/ranking/name_keyboard.h"
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 
-#define HOLE 0x3000u         /* Full-width space, which marks an empty cell. */
-#define KATAKANA_AFTER 0x60u /* Offset from a hiragana code point to its katakana. */
+#define HOLE 0x3000u         /* Full-width space, which marks an empty cell in the tables. */
+#define KATAKANA_AFTER 0x60u /* Offset from the code point of a hiragana to the code point of its
+                                katakana. */
 #define KATAKANA_FIRST 0x30a1u
 #define KATAKANA_LAST 0x30f3u
 
-/* The usual order of kana tables and of name entry in arcade games. */
+/* Letters of each alphabet, in the order that is usual in kana tables and in arcade games. */
 static const uint16_t letters[ALPHABET_COUNT][NAME_CELLS + 1u] = {
     [ALPHABET_HIRAGANA] = u"あいうえおはひふへほ"
                           u"かきくけこまみむめも"
@@ -28,7 +29,7 @@ static const uint16_t letters[ALPHABET_COUNT][NAME_CELLS + 1u] = {
                        u"　　　　　　　　　　",
 };
 
-/* The forms of each letter, side by side. */
+/* Forms of each letter. The forms of one letter are a group, and spaces separate the groups. */
 static const uint16_t forms[] = u"あぁ いぃ うぅ えぇ おぉ やゃ ゆゅ よょ わゎ "
                                 u"かが きぎ くぐ けげ こご さざ しじ すず せぜ そぞ "
                                 u"ただ ちぢ つっづ てで とど はばぱ ひびぴ ふぶぷ へべぺ ほぼぽ";
@@ -43,7 +44,7 @@ uint16_t name_letter(uint8_t alphabet, uint32_t cell)
 
 static uint16_t changed_kana(uint16_t letter)
 {
-    uint32_t first = 0; /* First index of the letter's group. */
+    uint32_t first = 0; /* Index of the first form in the letter's group. */
     for (uint32_t i = 0; forms[i] != 0; i++) {
         if (forms[i] == ' ') {
             first = i + 1u;
@@ -66,9 +67,10 @@ uint16_t name_changed(uint16_t letter)
     return changed_kana(letter);
 }
 
-/* Measures that differ between the two canvases. */
+/* Sizes and distances that differ between the wide and the portrait canvas. */
 struct measures {
-    float x, y, width, height, pitch_x, pitch_y; /* Position, size and spacing of the cells. */
+    float x, y, width, height, pitch_x, pitch_y; /* Position of the first cell, size of a cell, and
+                                                    distance between cells. */
     float keys_x, keys_y, key_width, key_height, key_pitch;
 };
 

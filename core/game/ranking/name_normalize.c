@@ -1,10 +1,12 @@
-/* name_normalize.c -- normalization of width, case, kana and similar characters. */
+/* name_normalize.c -- maps width, case, kana and similar characters to one form. */
 #include "core/game/ranking/name_normalize.h"
 
 #define MALFORMED 0xffffu
-#define KATAKANA_AFTER 0x60u /* Offset from a hiragana code point to its katakana. */
+#define KATAKANA_AFTER 0x60u /* Offset from the code point of a hiragana to the code point of its
+                                katakana. */
 
-/* Returns the number of continuation bytes for letters below U+10000; 3: not a valid first byte. */
+/* Returns the number of continuation bytes that follow the first byte `lead` of a letter below
+ * U+10000. Returns 3 if `lead` is not a valid first byte. */
 static uint32_t tail_count(uint8_t lead)
 {
     return lead < 0x80u ? 0u : lead < 0xc2u ? 3u : lead < 0xe0u ? 1u : lead < 0xf0u ? 2u : 3u;
@@ -31,7 +33,8 @@ static uint16_t next_letter(const char **at)
 
 static uint16_t narrowed(uint16_t letter)
 {
-    static const uint16_t kana[] = /* U+FF66 .. U+FF9D, with small kana as normal ones. */
+    static const uint16_t kana[] = /* Hiragana for U+FF66 .. U+FF9D. Small kana are replaced by
+                                      normal kana. */
         u"をあいうえおやゆよつーあいうえおかきくけこさしすせそ"
         u"たちつてとなにぬねのはひふへほまみむめもやゆよらりるれろわん";
     if (letter >= 0xff01u && letter <= 0xff5eu) {
@@ -48,14 +51,15 @@ static uint16_t hiragana(uint16_t letter)
     }
     for (uint32_t i = 0; small[i] != 0; i++) {
         if (small[i] == letter) {
-            return (uint16_t)(letter + 1u); /* The normal kana follows the small one. */
+            return (uint16_t)(letter + 1u); /* The normal kana has the code point after the small
+                                               kana. */
         }
     }
     return letter;
 }
 
-/* Returns the letter that a digit or sign stands for, or the small letter of a capital. `l` becomes
- * `i` because `l` resembles `I`. */
+/* Returns the letter that a digit or sign represents, or the small letter of a capital. `l` is
+ * mapped to `i` because `l` resembles `I`. */
 static uint16_t stood_for(uint16_t letter)
 {
     static const char signs[] = "0o1i2z3e4a5s6b7t8b9g@a$s!i|i+tli";
@@ -80,7 +84,8 @@ static int is_kana(uint16_t letter)
     return letter >= 0x3041u && letter <= 0x3094u;
 }
 
-/* Applies a half-width voicing mark to the previous kana. Returns 1 if `letter` is such a mark. */
+/* Applies a half-width voicing mark to the previous kana. Returns 1 if `letter` is a voicing mark,
+ * otherwise 0. */
 static int voices_last(uint16_t letter, uint16_t *out, uint32_t count)
 {
     if ((letter != 0xff9eu && letter != 0xff9fu) || count == 0 || !is_kana(out[count - 1u])) {
@@ -92,7 +97,8 @@ static int voices_last(uint16_t letter, uint16_t *out, uint32_t count)
 
 uint32_t name_normalize(const char *utf8, enum name_ends ends, uint16_t out[NAME_NORMALIZE_MAX])
 {
-    uint32_t count = 0, end = 0; /* Number of letters up to the last one that is no decoration. */
+    uint32_t count = 0, end = 0; /* Number of letters up to the last letter that is not
+                                    decoration. */
     while (*utf8 != 0 && count < NAME_NORMALIZE_MAX) {
         const uint16_t raw = next_letter(&utf8);
         if (voices_last(raw, out, count)) {

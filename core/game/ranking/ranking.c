@@ -1,4 +1,4 @@
-/* ranking.c -- computes the places from ledger entries. */
+/* ranking.c -- computes the leaderboards from ledger entries. */
 #include "core/game/ranking/ranking.h"
 
 #include "core/base/hash.h"
@@ -7,7 +7,8 @@
 
 #define WEEK_DAYS 7u
 
-/* Returns the week of a day. Weeks begin on Monday; 2000-01-01, day 0, was a Saturday. */
+/* Returns the number of the week that contains `day`. Weeks begin on Monday; day 0, 2000-01-01, was
+ * a Saturday. */
 static uint16_t week_of(uint16_t day)
 {
     return (uint16_t)((day + 5u) / WEEK_DAYS);
@@ -27,8 +28,9 @@ static void begin_week(struct ranking *ranking, const struct ledger_entry *entry
     ranking->week_boot = entry->boot;
 }
 
-/* Starts days and weeks by runs of the kiosk, for entries without a date. Only a round begins a new
- * day, because the clock of a board without a battery may be set a minute after the start. */
+/* Starts new days and weeks at kiosk starts, for entries without a date. Only a round starts a new
+ * day. The clock of a board without a battery may be set a minute after the start, before any
+ * round. */
 static void turn_by_boots(struct ranking *ranking, const struct ledger_entry *entry)
 {
     if (entry->kind != LEDGER_ROUND || entry->boot == ranking->boot) {
@@ -42,9 +44,10 @@ static void turn_by_boots(struct ranking *ranking, const struct ledger_entry *en
     }
 }
 
-/* Starts days and weeks by date. A date one day back is a clock set around midnight. Any other date
- * starts a new day, because otherwise one wrong date would block the leaderboard for years. Rounds
- * played in this run before the clock was set belong to the day that the clock then shows. */
+/* Starts new days and weeks by date. A date one day back means that the clock was set around
+ * midnight, and starts no new day. Any other date starts a new day. Otherwise one wrong date would
+ * block the leaderboard for years. Rounds that were played before the clock was set belong to the
+ * day that the clock then shows. */
 static void turn_by_clock(struct ranking *ranking, const struct ledger_entry *entry)
 {
     const int is_first = ranking->day == 0 && entry->boot == ranking->boot;
@@ -54,7 +57,7 @@ static void turn_by_clock(struct ranking *ranking, const struct ledger_entry *en
         clear(ranking, RANK_DAY);
     }
     if (ranking->week == 0 && entry->boot - ranking->week_boot < WEEK_DAYS) {
-        ranking->week = week; /* The week began without a clock. */
+        ranking->week = week; /* The current week began without a clock. */
     } else if (week != ranking->week) {
         begin_week(ranking, entry, week);
     }
