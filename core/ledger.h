@@ -21,8 +21,8 @@
 /* Number of places in the ring buffer reserved for the start and the end of rounds, so that a
  * started round can always be finished. */
 #define LEDGER_RESERVE 4u
-#define LEDGER_NAME_SIZE                                                                           \
-    32u /* Size of a name in bytes: ten kana of three bytes each and a terminating zero fit. */
+/* Size of a name in bytes: ten kana of three bytes each and a terminating zero fit. */
+#define LEDGER_NAME_SIZE 32u
 
 /* Largest entry id and largest number of kiosk starts, so that neither number wraps. At one entry
  * per second a kiosk reaches the limit after 126 years. The core writes no larger id, so a record
@@ -114,8 +114,8 @@ struct balance {
                          BALANCE_TICKETS_MAX. */
 };
 
-#define BALANCE_TICKETS_MAX                                                                        \
-    60000u /* Largest number of owed tickets, which fits 16 bits. Further tickets are dropped. */
+/* Largest number of owed tickets, which fits 16 bits. Further tickets are dropped. */
+#define BALANCE_TICKETS_MAX 60000u
 /* Upper limit of each count in the balance; no coin box holds so many coins. */
 #define BALANCE_MAX 1000000u
 

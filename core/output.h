@@ -52,8 +52,8 @@ struct poi_force {
 };
 
 #define POI_FORCE_N_MAX 20.0f /* The largest force that a wrist resists. */
-#define POI_TORQUE_N_M_MAX                                                                         \
-    4.0f /* Torque of POI_FORCE_N_MAX at the end of a 13 cm handle, times 1.5. */
+/* Torque of POI_FORCE_N_MAX at the end of a 13 cm handle, times 1.5. */
+#define POI_TORQUE_N_M_MAX 4.0f
 /* Drag of a poi moved broadside at 0.8 m/s, which is the largest drag that paper withstands. */
 #define POI_DRAG_N_FULL 2.0f
 

@@ -7,9 +7,9 @@
 #include "core/base/vec.h"
 
 #define SCENE_FISH_MAX 2048u /* Equal to TANK_FISH_MAX. */
-#define SHEET_SIDE                                                                                 \
-    32u               /* Number of cells along each side of the square around the paper; a cell
-                         measures 2.5 mm at a poi diameter of 80 mm. */
+/* Number of cells along each side of the square around the paper; a cell measures 2.5 mm at a
+ * poi diameter of 80 mm. */
+#define SHEET_SIDE 32u
 #define RIPPLE_X 128u /* Number of cells of the water surface from left to right. */
 /* Number of cells of the water surface from back to front. A cell measures about 7 mm in the
  * festival tank. */

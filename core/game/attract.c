@@ -7,8 +7,8 @@
 #include "core/game/phases.h"
 #include "core/game/table_setup.h"
 
-#define SWAP_TICKS                                                                                 \
-    (2u * CORE_TICK_HZ) /* Time for which the bot keeps a torn poi before the poi is replaced. */
+/* Time for which the bot keeps a torn poi before its paper is replaced. */
+#define SWAP_TICKS (2u * CORE_TICK_HZ)
 /* Number of fish in the bot's bowl at which the bowl is emptied. Otherwise the bot would empty the
  * tank overnight. */
 #define BOWL_MAX 10u

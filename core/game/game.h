@@ -33,9 +33,8 @@
 
 /* Length of READY in the festival mode and in the practice mode. */
 #define GAME_READY_TICKS (RULES_READY_S * CORE_TICK_HZ)
-#define GAME_RESULT_TICKS                                                                          \
-    (12u * CORE_TICK_HZ) /* Duration of the result screen, long enough to read the result and to
-                            call a friend. */
+/* Duration of the result screen, long enough to read the result and to call a friend. */
+#define GAME_RESULT_TICKS (12u * CORE_TICK_HZ)
 /* Time between the last player's end and the result, so that the player sees the hole in the
  * paper. */
 #define GAME_GONE_TICKS (3u * CORE_TICK_HZ)

@@ -7,17 +7,16 @@
 #include "core/config.h"
 #include "core/game/pause.h"
 
-#define LOOK_TICKS                                                                                 \
-    12u                 /* Ticks between two evaluations of the rules: ten evaluations per
-                           second. */
+/* Ticks between two evaluations of the rules: ten evaluations per second. */
+#define LOOK_TICKS 12u
 #define MOVED_M 0.15f   /* Distance that counts as a deliberate motion. */
 #define HASTE_M_S 0.35f /* Speed through water that counts as too fast. */
-#define HASTE_CELLS                                                                                \
-    3u /* Number of cells torn between two evaluations that triggers the hint about fast motion. */
+/* Number of cells torn between two evaluations that triggers the hint about fast motion. */
+#define HASTE_CELLS 3u
 #define HASTE_TICKS (3u * CORE_TICK_HZ)
 #define TILT_RAD 0.15f /* Pitch that counts as a deliberate tilt. */
-#define FRUITLESS_DIPS                                                                             \
-    2u /* Number of dips without a catch after which a hint explains the technique. */
+/* Number of dips without a catch after which a hint explains the technique. */
+#define FRUITLESS_DIPS 2u
 /* Horizontal distance at which a fish counts as above the ring. */
 #define ABOVE_M 0.045f
 #define WET_CELL 0.2f /* Wetness that a cell reaches after a quarter of a second under water. */

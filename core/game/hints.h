@@ -9,8 +9,8 @@
 
 #include <stdint.h>
 
-#define HINT_TICKS_MIN                                                                             \
-    180u /* Shortest time for which a hint is shown: 1.5 s, enough to read a short line. */
+/* Shortest time for which a hint is shown: 1.5 s, enough to read a short line. */
+#define HINT_TICKS_MIN 180u
 
 struct hints {
     uint8_t pupil;        /* Player who receives the hints, < POI_MAX. */

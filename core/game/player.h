@@ -7,8 +7,8 @@
 #include "core/base/vec.h"
 #include "core/scene.h"
 
-#define PLAYER_STIR_M                                                                              \
-    0.03f /* Distance from the rest position within which a controller counts as resting. */
+/* Distance from the rest position within which a controller counts as resting. */
+#define PLAYER_STIR_M 0.03f
 
 /* Whether a controller has moved since READY began. */
 enum player_stance { STANCE_UNSEEN = 0, STANCE_RESTS, STANCE_MOVED };

@@ -9,8 +9,8 @@
 #define WIDE_HEIGHT 720.0f
 #define UPRIGHT_WIDTH 854.0f
 #define UPRIGHT_HEIGHT 1400.0f
-#define DEPTH_MIN_M                                                                                \
-    0.05f /* Smallest distance in front of the camera. Nearer points are not visible. */
+/* Smallest distance in front of the camera. Nearer points are not visible. */
+#define DEPTH_MIN_M 0.05f
 
 struct layout_point pointer_layout_size(int upright)
 {

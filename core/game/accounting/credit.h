@@ -26,8 +26,8 @@
 
 /* Highest price of a round in units. A more expensive round would be paid with banknotes. */
 #define CREDIT_COINS_MAX 20u
-#define CREDIT_TICKET_FISH_MAX                                                                     \
-    20u /* Highest setting for the number of fish per ticket, more fish than most players catch. */
+/* Highest setting for the number of fish per ticket, more fish than most players catch. */
+#define CREDIT_TICKET_FISH_MAX 20u
 /* Time for which the coin slot stays closed after a tilt. */
 #define CREDIT_TILT_TICKS (3u * CORE_TICK_HZ)
 /* Time for which a START press waits for the coin to reach the disk. */

@@ -3,8 +3,8 @@
  * The credit is not refundable after two thirds of a round, or if the round was paid with a
  * refunded credit. The round then counts, and a power cut must not remove its score or its tickets.
  * Each change of the score or the tickets is therefore logged while the round runs (LEDGER_STAND).
- * After a power cut, the next start writes the missing LEDGER_ROUND. Changes may be missing from
- * that LEDGER_ROUND if they occurred while the store was still writing an earlier entry. */
+ * After a power cut, the next start writes the missing LEDGER_ROUND. Changes are missing from that
+ * LEDGER_ROUND if the store was still writing an earlier entry when they occurred. */
 #ifndef KINGYO_CORE_GAME_ACCOUNTING_ROUND_STANDING_H
 #define KINGYO_CORE_GAME_ACCOUNTING_ROUND_STANDING_H
 

@@ -3,8 +3,8 @@
 
 #include "core/base/rng.h"
 
-#define REST_BEYOND_M                                                                              \
-    0.12f /* Distance beyond the tank's wall at which the poi's shadow falls beside the tank. */
+/* Distance beyond the tank's wall at which the poi's shadow falls beside the tank. */
+#define REST_BEYOND_M 0.12f
 #define REST_Y_M 0.14f
 #define SOAK_PITCH_RAD (-40.0f * F_DEG)
 #define SOAK_MARGIN_M 0.006f

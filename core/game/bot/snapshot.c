@@ -9,9 +9,8 @@
 /* Weight of the depth in the ranking of nearby fish. A fish that is 1 cm deeper has the same rank
  * as a fish that is 4 cm farther away. */
 #define DEPTH_WEIGHT 4.0f
-#define GULP_M                                                                                     \
-    0.04f             /* Distance that is subtracted for a gulping fish, because gulping attracts
-                         attention. */
+/* Distance that is subtracted for a gulping fish, because gulping attracts attention. */
+#define GULP_M 0.04f
 #define OVER_M 0.045f /* Height of the water above the paper in which fish are counted. */
 #define RIDE_M 0.025f /* Greatest height above the paper of a fish that lies on the paper. */
 

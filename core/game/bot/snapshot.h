@@ -2,8 +2,8 @@
  * its bowl.
  *
  * A snapshot is outdated as soon as it is taken. A fish's velocity is its change of position
- * between two snapshots, divided by the time between them. A fish that is missing in the previous
- * snapshot gets velocity 0. */
+ * between two snapshots, divided by the time between the snapshots. A fish that is missing in the
+ * previous snapshot gets velocity 0. */
 #ifndef KINGYO_CORE_GAME_BOT_SNAPSHOT_H
 #define KINGYO_CORE_GAME_BOT_SNAPSHOT_H
 

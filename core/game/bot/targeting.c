@@ -34,15 +34,14 @@ static const float yaws_rad[] = { YAW_EASY_RAD, -0.30f, 0.90f, 1.45f, -0.80f };
 #define SPEED_S_PER_M_S 4.0f
 /* Cost in seconds per metre of difference from the preferred fish length. */
 #define LENGTH_S_M 10.0f
-#define SIDE_S                                                                                     \
-    2.50f /* Cost of passing first under the end of the fish that the technique does not prefer. */
+/* Cost of passing first under the end of the fish that the technique does not prefer. */
+#define SIDE_S 2.50f
 #define YAW_S_RAD 0.10f
 /* Cost reduction for a gulping fish, because the fish notices the poi late and dives late. */
 #define GULP_S 0.30f
 #define COMPANY_M 0.030f
-#define COMPANY_S                                                                                  \
-    0.25f             /* Cost reduction for each further fish nearby, because it needs no
-                         complete path of its own. */
+/* Cost reduction for each further fish nearby, because it needs no complete path of its own. */
+#define COMPANY_S 0.25f
 #define RIVAL_M 0.10f /* Distance at which another player's poi interferes. */
 #define RIVAL_S 0.60f /* Cost of a nearby poi of another player. */
 

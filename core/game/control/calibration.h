@@ -31,8 +31,8 @@
 /* Largest allowed root mean square error at the marks. With careful aiming and a working sensor the
  * error stays below this limit. */
 #define CALIBRATE_RESIDUAL_M 0.015f
-#define CALIBRATE_TILT_RAD                                                                         \
-    (45.0f * F_DEG) /* Largest allowed tilt. A larger tilt means that the poi did not lie flat. */
+/* Largest allowed tilt. A larger tilt means that the poi did not lie flat. */
+#define CALIBRATE_TILT_RAD (45.0f * F_DEG)
 
 enum calibration_value {
     CALIBRATION_XX = 0,

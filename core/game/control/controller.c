@@ -24,9 +24,8 @@
 #define WET_BELOW_M 0.020f /* Height below which part of a tilted ring may be under water. */
 /* Longest total damage immunity of several returns in a row. */
 #define SPARE_TICKS_ALL (2u * FAILSAFE_IMMUNITY_TICKS_MAX)
-#define REFILL_TICKS                                                                               \
-    8u                       /* Ticks of normal control after which one used tick of immunity
-                                becomes available again. */
+/* Ticks of normal control after which one used tick of immunity becomes available again. */
+#define REFILL_TICKS 8u
 #define REACH_SIDE_M 0.20f   /* Reach of an arm beyond the walls. */
 #define REACH_HEIGHT_M 0.35f /* Reach of an arm above the water. */
 
@@ -84,7 +83,8 @@ static float direction(float angle_rad)
     return f_wrap_angle(angle_rad);
 }
 
-/* Returns the lowest allowed height for a controlled poi. */
+/* Returns the lowest allowed height for a controlled poi: the tank's floor while the player may
+ * dip, otherwise CLEAR_Y_M. */
 static float lowest_m(const struct game *game, const struct world *world, uint32_t index)
 {
     return game_may_scoop(game, index) ? -world->tank.size_m.y : CLEAR_Y_M;

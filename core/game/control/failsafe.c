@@ -13,9 +13,8 @@
 #define TURN_RAD_S 1.5f
 #define SLANT_RAD (45.0f * F_DEG)
 #define SLANT_NEAR_RAD (10.0f * F_DEG) /* Tilt at which the upward motion starts. */
-#define BACK_DRY_M_S                                                                               \
-    1.0f /* Speed above the water, enough to move from the bowl to the far corner within a
-            second. */
+/* Speed above the water, enough to move from the bowl to the far corner within a second. */
+#define BACK_DRY_M_S 1.0f
 /* Speed downward into the water, which the paper also withstands broadside. */
 #define BACK_WET_M_S 0.10f
 #define WET_BELOW_M 0.035f /* Height below which part of a tilted ring may be under water. */
@@ -25,11 +24,10 @@
 #define BACK_SHARE 0.08f
 /* Increase of the speed factor for each second after the damage immunity ends. */
 #define BACK_HASTE_PER_S 5.0f
-#define BACK_SHARE_PER_S                                                                           \
-    0.5f /* Increase of BACK_SHARE for each second after the damage immunity ends. */
-#define BACK_NEAR_M                                                                                \
-    0.006f /* Distance that the spring between the controller's pose and the poi covers without
-              an impact. */
+/* Increase of BACK_SHARE for each second after the damage immunity ends. */
+#define BACK_SHARE_PER_S 0.5f
+/* Distance that the spring between the controller's pose and the poi covers without an impact. */
+#define BACK_NEAR_M 0.006f
 #define BACK_NEAR_RAD 0.02f
 /* Horizontal distance to the goal above which the poi leaves the water before it moves sideways. */
 #define BACK_FAR_M 0.15f

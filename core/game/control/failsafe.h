@@ -11,8 +11,8 @@
 
 /* Height at which the poi waits. At this height the poi's lowest edge is above the water. */
 #define FAILSAFE_HOVER_M 0.060f
-#define FAILSAFE_RETURN_TICKS_MIN                                                                  \
-    48u /* Shortest duration of the return to the controller's pose, 0.4 s. */
+/* Shortest duration of the return to the controller's pose, 0.4 s. */
+#define FAILSAFE_RETURN_TICKS_MIN 48u
 /* Longest damage immunity of one return, 3 s. After that time the poi moves faster, because the
  * controller may keep moving away. */
 #define FAILSAFE_IMMUNITY_TICKS_MAX 360u

@@ -13,8 +13,8 @@
 /* Speed limit for the tips of the pose's unit axes, per second. The value equals rad/s for small
  * rotations. */
 #define WRIST_PER_S 40.0f
-#define LEAP_TURN                                                                                  \
-    0.3f /* Tolerance of the rotation test; with WRIST_PER_S, 36 degrees in one tick. */
+/* Tolerance of the rotation test; with WRIST_PER_S, 36 degrees in one tick. */
+#define LEAP_TURN 0.3f
 #define CREDIT_KEEP 0.95f
 
 static int is_within_limit(float value, float limit)

@@ -19,8 +19,8 @@
 
 /* Age in ticks from which a report is late. At 30 or more reports per second, no report is late. */
 #define INPUT_LATE_TICKS 4u
-#define INPUT_SILENT_TICKS                                                                         \
-    60u /* Age in ticks, half a second, after which missing reports mean that the input is lost. */
+/* Age in ticks, half a second, after which missing reports mean that the input is lost. */
+#define INPUT_SILENT_TICKS 60u
 /* Time after which identical bits of a noisy sensor mean that it is frozen. */
 #define INPUT_STUCK_TICKS 120u
 /* Ticks of consistent reports, a quarter of a second, after which lost input is valid again. */
@@ -32,9 +32,8 @@
  * has no inertia. */
 #define INPUT_POINTER_RAD_S_MAX 60.0f
 #define INPUT_WRIST_RAD_S_MAX 20.0f /* Highest rotation rate of a wrist that holds a wet poi. */
-#define INPUT_RANGE_M_MAX                                                                          \
-    100.0f                          /* Largest valid coordinate, longer than any controller's
-                                       cord. */
+/* Largest valid coordinate, longer than any controller's cord. */
+#define INPUT_RANGE_M_MAX 100.0f
 #define INPUT_ANGLE_RAD_MAX 1000.0f /* Largest valid angle, larger than any accumulated rotation. */
 
 enum input_status {

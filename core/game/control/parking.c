@@ -8,8 +8,8 @@
 
 /* Distance of the parked poi beyond the bowl's centre, so that the handle lies beside the bowl. */
 #define ALONG_M 0.105f
-#define INSIDE_M                                                                                   \
-    0.005f /* Distance of the parked ring inside the wall, so that the ring stays visible. */
+/* Distance of the parked ring inside the wall, so that the ring stays visible. */
+#define INSIDE_M 0.005f
 #define ON_RIM_M 0.004f
 #define OVER_RIM_M 0.020f /* Height of the poi above the rim while it moves. */
 #define LIFT_M_S 0.30f    /* Speed at which the poi rises; the paper takes no damage. */
@@ -17,12 +17,11 @@
 /* Share of the remaining distance that the poi moves per tick. The poi therefore slows down near
  * its goal. */
 #define AWAY_SHARE 0.06f
-#define START_TICKS                                                                                \
-    36.0f /* Ticks in which the poi accelerates, so that the motion starts gently. */
+/* Ticks in which the poi accelerates, so that the motion starts gently. */
+#define START_TICKS 36.0f
 #define TURN_RAD_S 3.0f
-#define NEAR_M                                                                                     \
-    0.03f              /* Horizontal distance to the rest position within which the poi is
-                          lowered. */
+/* Horizontal distance to the rest position within which the poi is lowered. */
+#define NEAR_M 0.03f
 #define DOWN_M_S 0.08f /* Speed at which the poi is lowered. */
 #define CLEAR_M 0.010f /* Smallest distance between the poi and a bowl. */
 #define FADE_TICKS 60.0f

@@ -10,8 +10,8 @@
 #include "core/game/phases.h"
 #include "core/game/table_setup.h"
 
-#define BUTTON_LIFE_S 9.0f /* Seconds in which LEFT or RIGHT moves through a whole life while
-                              held. */
+/* Seconds in which LEFT or RIGHT moves through a whole life while held. */
+#define BUTTON_LIFE_S 9.0f
 
 void lab_init(struct lab *lab, const struct core_config *config)
 {

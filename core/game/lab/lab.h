@@ -37,8 +37,8 @@ enum lab_hold {
     HOLD_LEAVE, /* Leave button, which acts when it is released. */
 };
 
-#define LAB_LAYER_SIZE                                                                             \
-    MORPH_KEY_MAX /* Value of `layer` for the scale curve. A smaller value is the index of a key. */
+/* Value of `layer` for the scale curve. A smaller value is the index of a key. */
+#define LAB_LAYER_SIZE MORPH_KEY_MAX
 
 struct lab {
     uint8_t species; /* Index of the displayed species in the lab book. */

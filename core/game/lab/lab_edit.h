@@ -33,8 +33,8 @@ bool lab_edit_is_valid(const struct lab_edit *edit, const struct species_card *c
 bool lab_edit_same(const struct lab_edit *a, const struct lab_edit *b);
 
 #define LAB_LENGTH_MIN_M 0.0002f /* Shortest allowed length, shorter than any fish at hatching. */
-#define LAB_LENGTH_MAX_M                                                                           \
-    20.0f /* Longest allowed length, longer than the longest fish (a whale shark). */
+/* Longest allowed length, longer than the longest fish (a whale shark). */
+#define LAB_LENGTH_MAX_M 20.0f
 
 /* ---- Weights ---- */
 

@@ -30,8 +30,8 @@
 /* Largest number of items on a page: twelve in its body and four at its foot. */
 #define MENU_TAG_MAX 16u
 #define MENU_ASK_TICKS (5u * CORE_TICK_HZ) /* Time in which a second TEST press ends the round. */
-#define MENU_TAKE_TICKS                                                                            \
-    (CORE_TICK_HZ / 10u) /* Time after a selection in which a second selection is ignored. */
+/* Time after a selection in which a second selection is ignored. */
+#define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)
 /* Time without activity after which an open menu closes. */
 #define MENU_IDLE_TICKS (300u * CORE_TICK_HZ)
 /* Time without activity after which the menu closes on the PIN page. */
@@ -112,7 +112,8 @@ enum {
     PIN_TAGS
 }; /* On the PIN page, these items follow the digit keys 1, 2 .. 9, 0. */
 
-/* Items at the foot of a settings page. They follow one item for each setting and each subpage. */
+/* Items at the foot of a settings page. The items follow one item for each setting and each
+ * subpage. */
 enum { SETTINGS_DIRECTION = 0, SETTINGS_STANDARD, SETTINGS_BACK, SETTINGS_FEET };
 
 struct menu {

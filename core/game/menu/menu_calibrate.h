@@ -14,9 +14,9 @@
 #include "core/output.h"
 
 #define CALIBRATE_STILL_TICKS (CORE_TICK_HZ + CORE_TICK_HZ / 2u)
-#define CALIBRATE_STILL_M                                                                          \
-    0.008f /* Tolerance for the position of a poi that is held still, for an arm that rests on
-              the tank's rim. */
+/* Tolerance for the position of a poi that is held still, for an arm that rests on the tank's
+ * rim. */
+#define CALIBRATE_STILL_M 0.008f
 #define CALIBRATE_STILL_TURN 0.15f
 /* Distance from the last accepted pose that the poi must move before the next pose. */
 #define CALIBRATE_MOVE_M 0.03f

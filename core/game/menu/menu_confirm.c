@@ -26,7 +26,7 @@ void menu_factory_activate(struct game *game, struct core_config *config, uint32
 {
     (void)tag;
     if (settings_edit_factory_reset(game, config, output)) {
-        /* The restart loads the configuration of the machine and the configuration files again. */
+        /* The restart applies the machine's configuration and the configuration files again. */
         menu_command(&game->menu, output, COMMAND_RESTART);
         menu_turn(game, &config->persistent.settings, MENU_UPKEEP);
     }

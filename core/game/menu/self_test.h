@@ -20,22 +20,22 @@
 #define SELF_TEST_TICKS (20u * CORE_TICK_HZ) /* Time after which a check without a result is bad. */
 /* Longest time for a write to disk. A store on a slower SD card fails the check. */
 #define SELF_TEST_STORE_TICKS (10u * CORE_TICK_HZ)
-#define SELF_TEST_WAY_M                                                                            \
-    0.03f /* Distance by which a poi must move along an axis to pass the check of that direction. */
-#define SELF_TEST_LATE_TICKS                                                                       \
-    4u /* Report age in ticks that counts as late, which means fewer than 30 reports per second. */
+/* Distance by which a poi must move along an axis to pass the check of that direction. */
+#define SELF_TEST_WAY_M 0.03f
+/* Report age in ticks that counts as late, which means fewer than 30 reports per second. */
+#define SELF_TEST_LATE_TICKS 4u
 /* Lowest frame rate, in frames per second, at which the display passes the check. */
 #define SELF_TEST_FRAMES_MIN 25u
 
-#define SELF_BACKUP_OLD_MIN                                                                        \
-    180u /* Age of a backup, in minutes, from which the backup is too old. A backup is made at
-            startup and every hour. */
-#define SELF_ROOM_LOW_MIB                                                                          \
-    64u /* Free space in MiB below which the check needs attention: twice the size of the
-           database, plus a replay of each ranked round. */
-#define SELF_ROOM_BAD_MIB                                                                          \
-    8u /* Free space in MiB below which the check is bad. Less space is too little for the
-          entries of one evening and their backup. */
+/* Age of a backup, in minutes, from which the backup is too old. A backup is made at startup and
+ * every hour. */
+#define SELF_BACKUP_OLD_MIN 180u
+/* Free space in MiB below which the check needs attention: twice the size of the database, plus
+ * a replay of each ranked round. */
+#define SELF_ROOM_LOW_MIB 64u
+/* Free space in MiB below which the check is bad. Less space is too little for the entries of
+ * one evening and their backup. */
+#define SELF_ROOM_BAD_MIB 8u
 /* Margin to the throttling temperature, in degrees Celsius, below which the check needs attention.
  * A hot afternoon can raise the temperature by the same amount. */
 #define SELF_HEAT_NEAR_C 10

@@ -22,9 +22,9 @@ struct settings_edit {
     uint32_t entry_id;    /* Id of the newest entry that logged a setting; 0 means none since the
                              kiosk started. */
     uint32_t pin_wrong;   /* Number of wrong PINs since the last correct PIN, 0 .. 255. */
-    uint32_t pin_tick;    /* Tick of the last wrong PIN. If wrong PINs were stored, the tick of the
-                             kiosk's start. The field is not in struct menu, because that struct is
-                             reset when the menu opens. */
+    uint32_t pin_tick;    /* Tick of the last wrong PIN. If the database contained wrong PINs at
+                             startup, the tick of the kiosk's start. The field is not in struct
+                             menu, because that struct is reset when the menu opens. */
 };
 
 struct game;

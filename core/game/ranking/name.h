@@ -18,18 +18,18 @@
 #include "core/output.h"
 #include "core/scene.h"
 
-#define NAME_IDLE_TICKS                                                                            \
-    (20u * CORE_TICK_HZ) /* Time without pointing or pressing after which the name entry ends. */
+/* Time without pointing or pressing after which the name entry ends. */
+#define NAME_IDLE_TICKS (20u * CORE_TICK_HZ)
 /* Longest time of one player's name entry, including help from friends. */
 #define NAME_TICKS_MAX (60u * CORE_TICK_HZ)
 /* Delay before a press counts, because an earlier press was meant for the result screen. */
 #define NAME_SEEN_TICKS (CORE_TICK_HZ / 2u)
-#define NAME_RUN_TICKS                                                                             \
-    (CORE_TICK_HZ / 2u) /* Time after which a held LEFT or RIGHT button starts to repeat. */
-#define NAME_STEP_TICKS                                                                            \
-    (CORE_TICK_HZ / 10u) /* Ticks between two steps while LEFT or RIGHT repeats. */
-#define NAME_REFUSALS_MAX                                                                          \
-    1u /* Number of rejected names after which the player may still try again. */
+/* Time after which a held LEFT or RIGHT button starts to repeat. */
+#define NAME_RUN_TICKS (CORE_TICK_HZ / 2u)
+/* Ticks between two steps while LEFT or RIGHT repeats. */
+#define NAME_STEP_TICKS (CORE_TICK_HZ / 10u)
+/* Number of rejected names after which the player may still try again. */
+#define NAME_REFUSALS_MAX 1u
 
 struct name {
     uint32_t round_id; /* Ledger id of the last round with a ranked player; 0 means none. */

@@ -5,8 +5,8 @@
 #include "core/base/panic.h"
 
 #define HOLE 0x3000u         /* Full-width space, which marks an empty cell in the tables. */
-#define KATAKANA_AFTER 0x60u /* Offset from the code point of a hiragana to the code point of its
-                                katakana. */
+/* Offset from the code point of a hiragana to the code point of its katakana. */
+#define KATAKANA_AFTER 0x60u
 #define KATAKANA_FIRST 0x30a1u
 #define KATAKANA_LAST 0x30f3u
 

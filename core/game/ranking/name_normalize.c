@@ -2,8 +2,8 @@
 #include "core/game/ranking/name_normalize.h"
 
 #define MALFORMED 0xffffu
-#define KATAKANA_AFTER 0x60u /* Offset from the code point of a hiragana to the code point of its
-                                katakana. */
+/* Offset from the code point of a hiragana to the code point of its katakana. */
+#define KATAKANA_AFTER 0x60u
 
 /* Returns the number of continuation bytes that follow the first byte `lead` of a letter below
  * U+10000. Returns 3 if `lead` is not a valid first byte. */

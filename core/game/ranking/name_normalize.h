@@ -10,8 +10,8 @@
 
 #include <stdint.h>
 
-#define NAME_NORMALIZE_MAX                                                                         \
-    32u /* Largest number of letters in a normalized name; further letters are ignored. */
+/* Largest number of letters in a normalized name; further letters are ignored. */
+#define NAME_NORMALIZE_MAX 32u
 
 enum name_ends {
     NAME_ENDS_KEPT = 0,
