@@ -4,8 +4,8 @@
 #include "core/base/hash.h"
 #include "core/tank/preset.h"
 
-/* Limits the fish count to the capacity of the tank. A larger count comes from an SD card of a
- * kiosk with a larger tank, or from the configuration file of such a kiosk. */
+/* Limits the fish count to the capacity of the tank. A larger count comes from an SD card or a
+ * configuration file that was used with a larger tank. */
 static uint32_t fish_that_fit(uint32_t wanted, const struct core_config *config)
 {
     const uint32_t most = tank_preset_fish_max(tank_preset(config->preset), 1.0f);

@@ -15,9 +15,10 @@
 struct core_config {
     uint32_t seed;       /* Seed of the random numbers; any value. */
     uint8_t preset;      /* Preset of the tank (enum tank_preset_id). */
-    uint32_t fish_count; /* Number of fish, 1 .. tank_preset_fish_max(); 0: the preset's default. */
+    uint32_t fish_count; /* Number of fish, 1 .. tank_preset_fish_max(); 0 means the preset's
+                            default. */
     uint8_t language;    /* Display language (enum language). */
-    uint32_t round_s;    /* Length of a round, 10 .. 600 s; 0: the mode's default. */
+    uint32_t round_s;    /* Length of a round, 10 .. 600 s; 0 means the mode's default. */
     uint8_t modes;       /* Modes that players can choose, one bit each (1 << enum game_mode, or 1
                             << CHOICE_LAB); 0 means only the festival mode. With a single mode the
                             selection screen is skipped. */
@@ -25,8 +26,8 @@ struct core_config {
                             `modes` has only one bit set. 0 means the grade of the mode's rules, or
                             6 if the rules have none. */
     uint8_t players;     /* Number of bowls at the tank, 1 .. POI_MAX; 0 counts as 1. */
-    uint8_t credit_coins; /* Price of a round in units, 1 .. CREDIT_COINS_MAX; 0: free play. */
-    uint8_t ticket_fish;  /* Fish per ticket, 1 .. CREDIT_TICKET_FISH_MAX; 0: no tickets. */
+    uint8_t credit_coins; /* Price of a round in units, 1 .. CREDIT_COINS_MAX; 0 means free play. */
+    uint8_t ticket_fish;  /* Fish per ticket, 1 .. CREDIT_TICKET_FISH_MAX; 0 means no tickets. */
     uint8_t rules_7;      /* 1 if the configuration comes from a recording of format 7 and the core
                              uses the rules of that format (replay_initial_state_decode()). Hashes
                              exclude this field because hashes of format 7 did not contain it. */

@@ -19,8 +19,8 @@
 /* Display options. If all fields are 0, the picture has the screen's size and zero brightness. */
 struct display_settings {
     uint32_t rotation;      /* Quarter turns clockwise, 0 .. 3. */
-    float inset_x, inset_y; /* [0, DISPLAY_INSET_MAX]: black margin at each side of the screen,
-                               as a share of the screen's width (x) and height (y). */
+    float inset_x, inset_y; /* Black margin at each side of the screen, [0, DISPLAY_INSET_MAX], as a
+                               share of the screen's width (x) and height (y). */
     float shift_x, shift_y; /* [-0.01, 0.01] of the screen's height. The shift moves the picture
                                regularly to prevent burn-in of the screen. */
     float light;            /* Brightness [0, 1]; at 0 the display may skip drawing. */

@@ -60,8 +60,8 @@ enum ledger_kind {
     LEDGER_FACTORY,   /* Factory reset of settings, balance and calibration. `count` is the number
                          of credits in the balance before the reset. `value` is the number of owed
                          tickets before the reset. */
-    LEDGER_CREDITS,   /* Inserted units became `count` credits; `value` of them are bonus
-                         credits. */
+    LEDGER_CREDITS,   /* Inserted units became `count` credits. `value` is the number of bonus
+                         credits among the `count` credits. */
     LEDGER_LEFT,      /* An open round or a visit to the growth lab ended without a result to
                          store. A lab visit has no result, and neither has a round that no player
                          joined. */
@@ -128,7 +128,7 @@ struct health {
 
 /* Stored result of a finished round. */
 struct round_record {
-    uint32_t id;   /* Id of the round's ledger entry; 0: no record. */
+    uint32_t id;   /* Id of the round's ledger entry; 0 means no record. */
     uint32_t seed; /* Seed of the tank that was played. */
     uint32_t start_tick;
     uint32_t end_tick;   /* Tick at which the round would have ended without pauses: start_tick plus

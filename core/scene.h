@@ -76,13 +76,14 @@ struct scene {
     uint8_t call;         /* enum time_call of the latest announcement. */
     float call_s;         /* Seconds since the latest announcement. */
     struct scene_player {
-        uint8_t plays;  /* 1: the player takes part in this round. */
-        uint8_t lost;   /* 1: the controller is disconnected or its input is invalid. */
+        uint8_t plays;  /* 1 if the player takes part in this round, otherwise 0. */
+        uint8_t lost;   /* 1 if the controller is disconnected or its input is invalid, otherwise
+                           0. */
         uint8_t fouls;  /* 0 .. FOUL_MAX */
         uint8_t foul;   /* Kind of the latest foul (enum foul). */
         float foul_s;   /* Seconds since the latest foul. */
-        uint8_t out;    /* 1: the player's round is over, because of fouls or because no paper is
-                           left. */
+        uint8_t out;    /* 1 if the player's round is over, because of fouls or because no paper is
+                           left; otherwise 0. */
         uint8_t place;  /* In RESULT: the player's best place on the leaderboards, from 1; 0 means
                            not ranked. */
         uint8_t period; /* Period of the leaderboard with the best place (enum rank_period). */

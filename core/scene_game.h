@@ -86,7 +86,7 @@ enum language {
 
 /* State of the credits. */
 struct scene_credit {
-    uint8_t price;         /* Units per credit; 0: free play. */
+    uint8_t price;         /* Units per credit; 0 means free play. */
     uint8_t is_event;      /* 1 if play is free because of an event, otherwise 0. */
     uint8_t unpaid;        /* 1 if no credit is available, so no round can start; otherwise 0. */
     uint8_t warnings;      /* Bit mask of enum credit_warning. */

@@ -48,8 +48,8 @@
 #define GAME_AGAIN_DIP_TICKS (5u * CORE_TICK_HZ / 2u)
 /* Time without input after which the mode selection returns to attract mode. */
 #define GAME_MODE_SELECT_TICKS (15u * CORE_TICK_HZ)
-/* Longest duration of the mode selection. Motion for such a long time comes from a poi that swings
- * on its cord. */
+/* Longest duration of the mode selection. Motion that lasts longer comes from a poi that swings on
+ * its cord. */
 #define GAME_MODE_SELECT_TICKS_MAX (120u * CORE_TICK_HZ)
 /* Time in the mode selection before a press counts, so that the player sees the items first. */
 #define GAME_MODE_SELECT_TICKS_MIN (CORE_TICK_HZ / 2u)

@@ -57,8 +57,8 @@ void health_log_write(struct accounts *accounts, struct health_log *health_log, 
                       const struct input *input, struct output *output);
 
 /* Fills `out` with the final LEDGER_HEALTH for a shutdown after the last tick, with the next id.
- * The core's state does not change, so it still matches the session's recording. Returns 1, or 0 if
- * the kiosk has no store. */
+ * The core's state does not change, so the state still matches the session's recording. Returns 1,
+ * or 0 if the kiosk has no store. */
 int health_log_final(const struct accounts *accounts, const struct health_log *health_log,
                      uint32_t tick, const struct input *input, struct ledger_entry *out);
 

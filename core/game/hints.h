@@ -18,7 +18,7 @@ struct hints {
     uint32_t shown_tick;  /* Tick at which the hint appeared. */
     uint32_t learned;     /* Bit mask (1 << enum scene_hint) of the hints whose actions the player
                              has done. */
-    uint32_t haste_tick;  /* Tick at which fast motion last tore the paper; 0: never. */
+    uint32_t haste_tick;  /* Tick at which fast motion last tore the paper; 0 means never. */
     uint32_t haste_cells; /* Cells torn by fast motion since the last evaluation. */
     uint32_t paper_cells; /* Number of paper cells that the player's poi had in the last tick. */
     uint32_t dips_before; /* Number of dips of the player's poi at the last catch, or 0 for a new

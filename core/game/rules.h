@@ -23,7 +23,7 @@ struct rules {
     uint8_t grade;    /* Grade of the paper; 0 means the configured grade. */
     uint32_t round_s;
     uint32_t ready_s;     /* Seconds for taking the poi before the start. */
-    uint8_t renews_paper; /* 1 if useless paper is replaced after a second, when the poi is clear of
+    uint8_t renews_paper; /* 1 if useless paper is replaced after a second, when the poi is out of
                              the water. 0 if the player is out when the paper is useless. */
     uint8_t judges;       /* 1 if fouls are counted and fish caught by a foul do not count. 0 if
                              every fish in the bowl counts, as at a real stall. */

@@ -32,7 +32,8 @@ enum audit_id {
     AUDIT_PLAYS_PAID,
     AUDIT_PLAYS_SERVICE,
     AUDIT_PLAYS_FREE,
-    AUDIT_PLAYS_LAB, /* Visits to the growth lab. The counters of started games include them. */
+    AUDIT_PLAYS_LAB, /* Visits to the growth lab. The counters of started games include the
+                        visits. */
     AUDIT_ROUNDS,    /* Scored rounds that people played to the end. The counters from AUDIT_PLAYERS
                         to AUDIT_FOULS cover only these rounds. */
     AUDIT_PLAYERS,

@@ -16,8 +16,8 @@ struct ledger;
 struct core_config;
 struct settings;
 
-/* Adds the pulses of each coin line to the account, and logs them. The settings contain the value
- * of a pulse. */
+/* Adds the pulses of each coin line to the account, and logs the pulses. The settings contain the
+ * value of a pulse. */
 void coins_insert(struct accounts *accounts, const struct core_config *config, uint32_t tick,
                   const struct input *input, struct output *output);
 

@@ -228,7 +228,7 @@ void credit_take(struct game *game, const struct core_config *config, uint8_t wh
 
 /* A refund may exceed SET_CREDIT_MAX by one, because the credit belongs to a player. After a
  * restart, an open round may have a non-refundable credit if no player had joined. The
- * LEDGER_REFUND of such a round has `count` 0. */
+ * LEDGER_REFUND of that round has `count` 0. */
 void credit_refund(struct game *game, const struct core_config *config, enum refund_cause cause,
                    struct output *output)
 {

@@ -23,8 +23,8 @@ static uint32_t waiting(const struct ledger *ledger)
 }
 
 /* Updates the store's health. Entries written without a store are lost. A store that becomes
- * available after the start therefore does not wait for them. health_log.c then logs the current
- * balance, which becomes `committed` when that entry is on disk. */
+ * available after the start therefore does not wait for the lost entries. health_log.c then logs
+ * the current balance, which becomes `committed` when that entry is on disk. */
 static void note_store(struct ledger *ledger, int is_well)
 {
     if (ledger->boot == 0 && is_well && !ledger->is_healthy) {

@@ -40,7 +40,7 @@ struct bot {
     float yaw_rad;          /* Handle yaw for the target fish. */
     vec3 miss_m;            /* Aiming error of this attempt. */
     struct poi_target goal; /* Pose toward which the arm moves. */
-    float speed_m_s;        /* Maximum speed on the way to `goal`. */
+    float speed_m_s;        /* Maximum speed of the motion to `goal`. */
     float ease_s;           /* Time to reach `speed_m_s`, in seconds. */
     struct bot_hand hand;
     struct snapshot known; /* Snapshot on which the bot acts. */

@@ -4,7 +4,7 @@
 
 #include "core/poi/pose.h"
 
-#define LIFTED_Y_M 0.058f /* Height at which a ring with a fish is clear of the water. */
+#define LIFTED_Y_M 0.058f /* Height at which a ring with a fish is out of the water. */
 #define HASTY_EASE_S 0.06f
 #define HASTY_SHARE 2.5f /* Ratio of the speed of a fast lift to the speed of a draining lift. */
 /* Pitch of the poi while lifting; 0 is level. A negative pitch lowers the far edge, so that water

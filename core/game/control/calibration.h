@@ -27,7 +27,7 @@
 #define CALIBRATE_CORNERS 4u
 /* Distance of a mark from each of the two nearest walls, at which the ring can lie flat. */
 #define CALIBRATE_INSET_M 0.08f
-#define CALIBRATE_NEAR_M 0.02f /* Corners closer than this count as the same corner. */
+#define CALIBRATE_NEAR_M 0.02f /* Largest distance of two corners that count as one corner. */
 /* Largest allowed root mean square error at the marks. With careful aiming and a working sensor the
  * error stays below this limit. */
 #define CALIBRATE_RESIDUAL_M 0.015f
@@ -52,10 +52,10 @@ enum calibration_value {
 enum calibration_fault {
     CALIBRATION_GOOD = 0,
     CALIBRATION_NEAR,     /* Two corners are at the same place. */
-    CALIBRATION_CROSSED,  /* The order of the corners forms no rectangle, or the corners are on one
-                             line. */
-    CALIBRATION_MIRRORED, /* The corners are in mirrored order. A rotation of the sensor cannot
-                             mirror them. */
+    CALIBRATION_CROSSED,  /* The corners were not measured in the order of a rectangle's corners, or
+                             all lie on one line. */
+    CALIBRATION_MIRRORED, /* The corners are in mirrored order, which no rotation of the sensor can
+                             cause. */
     CALIBRATION_FAR,      /* The correction exceeds the range of the settings, which is a factor of
                              10 or 10 m. */
     CALIBRATION_UNEVEN,   /* No linear map brings all four corners close to their marks. */

@@ -7,8 +7,8 @@
 #include "core/game/lab/lab_edit.h"
 
 struct lab_book {
-    uint8_t card_count;            /* Number of custom species. Their indices follow those of the
-                                      built-in species. */
+    uint8_t card_count;            /* Number of custom species. The custom species have the indices
+                                      after the built-in species. */
     uint8_t refused;               /* Number of rejected species files, displayed to the
                                       operator. */
     uint8_t has_edit[SPECIES_MAX]; /* 1 for each species with a saved edit, otherwise 0. The

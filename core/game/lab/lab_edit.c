@@ -209,8 +209,8 @@ static void draw_knot(struct scale_line *line, struct scale_knot knot)
     line->count++;
 }
 
-/* Returns true if `age_days` lies between two keys between which the length reverses, as for a
- * conger before its eel shape. */
+/* Returns true if the length reverses between the two keys before and after `age_days`. The length
+ * of a conger reverses before its eel shape. */
 static bool is_in_a_turn(const struct species_card *card, float age_days)
 {
     const float *age = card->key_age_days;

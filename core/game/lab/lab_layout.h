@@ -32,8 +32,8 @@ enum lab_part {
     LAB_KEY, /* Picture of the first key shape; the pictures of the other key shapes follow. */
     LAB_KEY_LAST = LAB_KEY + (int)MORPH_KEY_MAX - 1,
     LAB_AGE,   /* Age axis below the pictures of the key shapes. */
-    LAB_PLOT,  /* Field of the graph. */
-    LAB_CHART, /* Field of the growth curve. */
+    LAB_PLOT,  /* Field in which the graph is drawn. */
+    LAB_CHART, /* Field in which the growth curve is drawn. */
     LAB_PRESSED_COUNT,
 
     LAB_STAGE = LAB_PRESSED_COUNT, /* Area in which the displayed fish swims. */

@@ -37,7 +37,7 @@
 /* Time without activity after which the menu closes on the PIN page. */
 #define MENU_PIN_IDLE_TICKS (20u * CORE_TICK_HZ)
 /* Number of timeouts without a press, a selection or a coin after which the menu also closes.
- * Motion without any press for such a long time comes from a poi that swings on its cord. */
+ * Motion that lasts longer without any press comes from a poi that swings on its cord. */
 #define MENU_SWING_SPANS 3u
 #define MENU_PIN_DIGITS 4u
 /* Upper limit of each counter on the page of the input lines. */
@@ -123,7 +123,7 @@ struct menu {
     uint8_t turns_down; /* 1 if selecting an item on a settings page lowers its value, 0 if
                            selecting raises the value. */
     uint8_t turning;    /* 1 while the button or poi that selected a setting is still pressed, so
-                          the value keeps changing; otherwise 0. */
+                           the value keeps changing; otherwise 0. */
     uint8_t from;       /* Page that requested confirmation of a reset. */
     uint8_t pin_count;  /* Number of PIN digits typed so far. */
     uint16_t pin;       /* PIN digits typed so far, as a number. */

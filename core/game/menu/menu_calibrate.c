@@ -77,7 +77,7 @@ void menu_calibrate_activate(struct game *game, struct core_config *config, uint
         next_seat(calibrate);
     } else if (tag == CALIBRATE_BEGIN) {
         calibrate->step = CALIBRATE_CORNER;
-        calibrate->must_move = 1; /* The poi may still be in its holder, so it must move before the
+        calibrate->must_move = 1; /* The poi may still be in its holder, and must move before the
                                      first pose counts. */
     } else if (tag == CALIBRATE_UNDO) {
         memcpy(value, calibrate->before[calibrate->seat], sizeof value);

@@ -177,7 +177,7 @@ static uint8_t judge_pois(const struct scene_self_test *self)
 }
 
 /* Returns the state of the check of the lamp and the coin slot. A kiosk without input lines has
- * neither of them. The check is then good unless the operator reports a fault. */
+ * neither a lamp nor a coin slot. The check is then good unless the operator reports a fault. */
 static uint8_t judge_lamp(const struct scene *scene)
 {
     const int is_wired = scene->devices.lines[0] != '\0';

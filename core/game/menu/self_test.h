@@ -1,13 +1,14 @@
 /* self_test.h -- the self-test before the kiosk opens: one page that tests everything a player
  * uses, and shows the state of the machine.
  *
- * Automatic checks finish within twenty seconds. They cover a ledger entry that the store confirms,
- * the clock, the frame rate, and files rejected at startup. A check without a result after twenty
- * seconds is bad. The shell adds the state of the machine (struct scene_machine), which never
- * becomes part of the core's state. The operator confirms what only a person can notice: the sound,
- * the lamp and the coin slot. The operator also presses each button, inserts a coin, and moves each
- * poi in all three directions. An untested part is not ready, unless the kiosk does not use the
- * part: the lamp and the coin slot without input lines, or coins in free play. */
+ * Automatic checks finish within twenty seconds. The checks cover a ledger entry that the store
+ * confirms, the clock, the frame rate, and files rejected at startup. A check without a result
+ * after twenty seconds is bad. The shell adds the state of the machine (struct scene_machine),
+ * which never becomes part of the core's state. The operator confirms what only a person can
+ * notice: the sound, the lamp and the coin slot. The operator also presses each button, inserts a
+ * coin, and moves each poi in all three directions. An untested part is not ready, unless the kiosk
+ * does not use the part. A kiosk without input lines does not use the lamp and the coin slot. A
+ * kiosk in free play does not use coins. */
 #ifndef KINGYO_CORE_GAME_MENU_SELF_TEST_H
 #define KINGYO_CORE_GAME_MENU_SELF_TEST_H
 
@@ -98,7 +99,7 @@ void self_test_show(const struct game *game, const struct core_config *config,
                     struct scene_self_test *out);
 
 /* Returns 1 in the first half of each second while the question about the lamp and the coin slot is
- * open, otherwise 0. The lamp and the coin slot switch with this value. */
+ * open, otherwise 0. While the function returns 1, the lamp is lit and the coin slot is closed. */
 int self_test_shows(const struct game *game);
 
 /* Evaluates the data of the core and of the devices in `scene`. Writes the state of each check

@@ -42,7 +42,7 @@ static int is_offered(const struct core_config *config, uint8_t mode)
     return (table_setup_modes(config) >> mode & 1u) && rules_of(mode)->keeps_score;
 }
 
-/* Returns leaderboard number `turn` of those that have entries. Numbers beyond the last leaderboard
+/* Returns number `turn` of the leaderboards that have entries. Numbers beyond the last leaderboard
  * wrap around. */
 static struct pick nth_board(const struct ranking *ranking, const struct core_config *config,
                              uint32_t turn, uint32_t ticks)

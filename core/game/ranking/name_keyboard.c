@@ -4,7 +4,7 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 
-#define HOLE 0x3000u         /* Full-width space, which marks an empty cell in the tables. */
+#define HOLE 0x3000u /* Full-width space, which marks an empty cell in the tables. */
 /* Offset from the code point of a hiragana to the code point of its katakana. */
 #define KATAKANA_AFTER 0x60u
 #define KATAKANA_FIRST 0x30a1u

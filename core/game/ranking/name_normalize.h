@@ -22,8 +22,7 @@ enum name_ends {
  * skipped. */
 uint32_t name_normalize(const char *utf8, enum name_ends ends, uint16_t out[NAME_NORMALIZE_MAX]);
 
-/* Replaces each run of equal letters by one letter, in place. Returns the number of letters
- * left. */
+/* Replaces successive equal letters by one letter, in place. Returns the number of letters left. */
 uint32_t name_normalize_spaces(uint16_t *letters, uint32_t count);
 
 #endif
