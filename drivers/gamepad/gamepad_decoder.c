@@ -147,8 +147,9 @@ static uint16_t motor(float level)
     return (uint16_t)(f_clamp(level, 0.0f, 1.0f) * 65535.0f + 0.5f);
 }
 
-/* Returns the motor levels. The drag is squared, so that the player barely feels a ring that glides
- * edge-on through the water. */
+/* Returns the levels of the two motors for the forces on the poi (the paper scoop). The slow motor
+ * gets the square of the drag. Squaring weakens a small drag most, so that the player barely feels
+ * the poi when it glides edge-on through the water. */
 struct gamepad_rumble gamepad_decoder_rumble(const struct poi_force *force)
 {
     return (struct gamepad_rumble){

@@ -12,15 +12,18 @@
  *
  *     low, high          Level that means pressed, lit or locked. The default is low for inputs
  *                        and for coin-lockout, and high for other outputs.
- *     up, down, float,   Bias of the line. The default for an input is its released level. The
- *     as-is              default for coin-lockout is its locked level, for other outputs as-is.
+ *     up, down, float,   Bias of the line. By default, the bias pulls an input to its released
+ *     as-is              level and coin-lockout to its locked level. For each other output, the
+ *                        default is as-is, which leaves the bias unchanged.
  *     debounce=5ms       Time for which a level must be stable.
  *     window=15ms-250ms  Shortest and longest width of a coin pulse.
  *     pulse=100ms/100ms  Length of an output pulse, and length of the pause after it.
  *
  * coin-lockout drives the coil of a coin lock, which admits coins only while the coil has current.
- * When the kiosk ends for any reason, most chips turn the released line into an input. Only the
- * bias then drives the line. A lock that is open in this state would accept uncounted coins.
+ * When the kiosk program ends for any reason, most chips turn the coin-lockout line into an input.
+ * Only the bias then sets the level of the line. The bias must lock the coin lock, because nobody
+ * counts coins while the program is not running.
+ *
  * Pure: uses no device and no clock. */
 #ifndef KINGYO_DRIVERS_GPIO_GPIO_CONFIG_H
 #define KINGYO_DRIVERS_GPIO_GPIO_CONFIG_H

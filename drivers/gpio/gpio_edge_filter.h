@@ -34,11 +34,11 @@
  * time is longer, the two null edges cannot belong to one pulse. */
 #define GPIO_PAIR_NS 2000000u
 
-/* Times of consecutive polls whose level differs from the level after the last edge. Each time is
- * taken just before the poll. UINT64_MAX means that there was no poll. */
+/* Times of consecutive polls that read another level than the level after the last edge. Each time
+ * is taken just before the poll. UINT64_MAX means that there was no poll. */
 struct gpio_poll_edges {
     uint64_t since_ns, last_ns; /* Times of the first (`since_ns`) and of the last poll (`last_ns`)
-                                   that read the different level. */
+                                   that did not read the level after the last edge. */
     uint64_t back_ns;           /* Time of the first poll after `last_ns` whose level equals the
                                    level after the last edge. */
 };

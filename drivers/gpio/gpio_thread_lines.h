@@ -18,7 +18,8 @@ static inline uint32_t gpio_role_bit(enum gpio_role role)
 /* Returns the outputs that start active, one bit for each role. */
 uint32_t gpio_thread_begin_bits(void);
 
-/* Returns the wired lines that are not held, one bit for each role. */
+/* Returns the missing lines, one bit for each role. A line is missing if the role is wired but the
+ * GPIO thread does not own the line at present. */
 uint32_t gpio_thread_missing_bits(const struct gpio_thread *reader);
 
 /* Requests the missing lines. Returns the result of gpio_lines_ops.open. */

@@ -9,9 +9,10 @@
 #include "drivers/sim/hid_port_sim.h"
 
 struct hid_device_list_sim {
-    struct hid_port_sim *seat[POI_MAX]; /* Port of each slot, owned by the caller; null if there are
-                                           fewer slots. */
-    /* Connected device of each row, owned by the caller; null means that no device is connected. */
+    struct hid_port_sim *seat[POI_MAX]; /* Port of each slot, owned by the caller; null means that
+                                           the slot does not exist. */
+    /* Connected device of each row of the device list, owned by the caller; null means that the row
+     * has no connected device. */
     const struct hid_device_info *face[CONTROLLER_MAX];
     uint8_t chosen[CONTROLLER_MAX];
     uint8_t barred[CONTROLLER_MAX]; /* 1 if the kiosk must not use the device of the row, for

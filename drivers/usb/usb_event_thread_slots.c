@@ -12,7 +12,8 @@
 /* Longest interval between two attempts to open a device. The interval doubles with each failure,
  * because an attempt blocks the event thread for seconds and delays other devices. */
 #define RETRY_NS_MAX (60u * NS_PER_S)
-/* Limit of the failure count. The intervals are 2, 4, 8, 16 and 32 s, and then RETRY_NS_MAX. */
+/* Limit of the count of failed attempts to open a device. The interval before the next attempt is
+ * 2, 4, 8, 16 and 32 s after the first five failures, then RETRY_NS_MAX after each failure. */
 #define FAILURES_MAX 6u
 /* Time after which a kernel driver has bound a new device and the udev rules have run. */
 #define SETTLE_NS (2u * NS_PER_S)

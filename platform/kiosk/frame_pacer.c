@@ -6,14 +6,15 @@
 #define NS_PER_S 1000000000ull
 #define FRAME_TICKS 2u
 #define FRAME_NS (NS_PER_S * FRAME_TICKS / CORE_TICK_HZ)
-/* Maximum difference from FRAME_NS of a frame that may belong to a 60 Hz display with jitter: 50 ..
- * 76 Hz. */
+/* Maximum difference between FRAME_NS and the duration of a frame that may belong to a 60 Hz
+ * display with jitter. The limit admits 50 .. 76 Hz. */
 #define LIKE_60_HZ_NS 3500000ull
-/* Maximum difference from FRAME_NS of a frame that certainly belongs to a 60 Hz display: 55 ..
- * 66 Hz. */
+/* Maximum difference between FRAME_NS and the duration of a frame that certainly belongs to a 60 Hz
+ * display. The limit admits 55 .. 66 Hz. */
 #define SURE_60_HZ_NS 1500000ull
-/* Maximum difference in nanoseconds between the simulated time and the clock in snap(). Jitter of
- * 3 ms at the starts of two frames causes this difference. */
+/* snap() runs exactly two ticks only if the simulated time differs from the clock by at most this
+ * number of nanoseconds. The start of each frame may be 3 ms early or late, and therefore the
+ * starts of two frames together cause a difference of up to 6 ms. */
 #define SNAP_NS 6000000ll
 /* Divisor of the difference from the clock: each frame of a 60 Hz display removes 1/8 of the
  * difference. A correction is necessary because no display has exactly 60 Hz. */

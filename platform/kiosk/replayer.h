@@ -11,9 +11,11 @@
 /* First difference between the simulation and the recording. */
 struct replay_difference {
     uint8_t found;
-    uint8_t is_full; /* 1 if the full hash or a count of a second differs; 0 if the digest of one
-                        tick differs. */
-    uint32_t tick;   /* Tick of the difference, counted from 0. */
+    /* 1 if the difference is in the full hash or in a count, which are compared at the end of each
+     * recorded second. 0 if the difference is in the short digest, which is compared at each
+     * tick. */
+    uint8_t is_full;
+    uint32_t tick; /* Tick of the difference, counted from 0. */
     uint64_t recorded, computed;
 };
 
@@ -29,8 +31,8 @@ struct replayer {
  * reader.problem. */
 int replayer_begin(struct replayer *replayer, const char *path, struct core_config *config);
 
-/* Opens a recording in the caller's memory, otherwise as replayer_begin(). `bytes` must outlive the
- * replay. */
+/* Opens a recording that is stored in the `size` bytes at `bytes`. Works like replayer_begin() in
+ * all other respects. `bytes` must remain valid until the replay ends. */
 int replayer_begin_in(struct replayer *replayer, const uint8_t *bytes, size_t size,
                       struct core_config *config);
 

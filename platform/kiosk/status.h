@@ -43,8 +43,8 @@ struct status_report {
     uint32_t ticks;
     uint64_t frame_median_ns, frame_p99_ns;
     struct kiosk_faults faults;
-    uint32_t float_resets; /* Number of frames before which the floating-point control register was
-                              restored; see struct kiosk. */
+    uint32_t float_resets; /* Number of frames at whose start the kiosk had to restore the
+                              floating-point control register; see struct kiosk. */
     uint32_t buttons_missing;
     uint16_t day, minute;   /* Date and time in the units of struct input. A day of 0 means that the
                                clock was never set. */

@@ -349,8 +349,9 @@ static int display_toggle_full_screen(void *self)
     return HAL_OK;
 }
 
-/* Draws the scene `shown`. For a picture on demand of the growth lab or the album, first draws
- * PAINT_DRAWS frames, in which the fish are painted at full resolution. */
+/* Draws the scene `shown` once. If the display draws only on demand and the scene shows the growth
+ * lab or the album, draws the scene PAINT_DRAWS times, until the fish are painted at full
+ * resolution. */
 static void draw_picture(struct display_gl *display)
 {
     const uint8_t phase = display->shown.phase;

@@ -142,9 +142,9 @@ static void set_bend(struct frame *frame, const struct scene *scene, float aspec
                     0.0f);
 }
 
-/* Adds the elliptical shadows of the fans, then those of the pois. Fish below the water receive all
- * of these shadows. All other objects receive only the fans' shadows. The floor gets the shadows of
- * the pois from the shadow map, which includes the holes in the paper. */
+/* Adds the circular shadows of the fans, then the circular shadows of the pois. Only fish under
+ * water receive both kinds. All other objects receive only the fans' shadows. The floor gets the
+ * pois' shadows from the shadow map instead, because the map shows the holes in the paper. */
 static void set_shades(struct frame_block *block, const struct scene *scene)
 {
     uint32_t count = 0;

@@ -20,11 +20,12 @@
 /* Maximum wait in seconds before a trial, about half an hour. Each failed trial doubles the
  * wait. */
 #define GOVERNOR_PATIENCE_MAX_S 1920u
-/* Temperature difference in m°C. A machine is hot if its temperature is less than this difference
- * below the temperature at which it throttles itself. */
+/* Temperature margin in m°C. The margin of a machine is the temperature at which it throttles
+ * itself, minus its present temperature. A machine with a smaller margin than GOVERNOR_HOT_MDEG is
+ * hot. */
 #define GOVERNOR_HOT_MDEG 3000
-/* Temperature difference in m°C. A hot machine has cooled down if its temperature is more than this
- * difference below the temperature at which it throttles itself. */
+/* Temperature margin in m°C. A hot machine has cooled down when its margin (the temperature at
+ * which it throttles itself, minus its present temperature) is larger than GOVERNOR_COOL_MDEG. */
 #define GOVERNOR_COOL_MDEG 8000
 
 struct governor {

@@ -67,9 +67,9 @@ static void put_behind(struct offline_credits *late, const struct ledger_start *
     }
 }
 
-/* Returns true if the file already contains the entries of the transfer, because a commit that
- * reported an error may have succeeded. The content that was read when the file was opened is on
- * disk. */
+/* Returns true if the database already contains the offline entries. An earlier commit of the
+ * entries may have succeeded although it reported an error. Entries that are found here are on
+ * disk, because opening the database made its content durable. */
 static bool has_them(struct storage *storage)
 {
     const struct ledger_entry *first = &storage->late.entries[0];

@@ -190,9 +190,10 @@ struct storage {
                              yet. */
     atomic_uint aside;    /* Number at the end of the quarantined database's file name. 0 means that
                              no database was quarantined. */
-    atomic_uint strange;  /* Position in storage_suffixes, counted from 1, of the suffix of a
-                             renamed object. An object is renamed if it is not a regular file. 0
-                             means that no object was renamed. */
+    /* Identifies the last object that was renamed because it had the name of a database file but
+     * was not a regular file. The value is 1 plus the index of the name's suffix in
+     * storage_suffixes. 0 means that no object was renamed. */
+    atomic_uint strange;
     bool was_missing;     /* True if the replaced database was missing; false if it was damaged. */
     uint32_t from_backup; /* Newest entry id in the backup from which the replacement was made. */
     struct ledger_recovered salvaged; /* Entries newer than the backup that were recovered from the

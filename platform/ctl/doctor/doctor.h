@@ -42,8 +42,9 @@ struct doctor_finding {
 struct doctor_user {
     char name[64];
     uid_t id;
-    char data[DIRECTORY_PATH_MAX]; /* Default data folder of a kiosk that runs under the account. ""
-                                      means that the account has no home folder. */
+    /* Path of the data folder that a kiosk under this account uses by default. "" means that the
+     * account has no default data folder, because it has no home folder. */
+    char data[DIRECTORY_PATH_MAX];
     uint32_t group_count;
     gid_t groups[DOCTOR_GROUPS_MAX];
 };

@@ -106,8 +106,8 @@ static void draw_words(struct page *page, const struct layout *layout, float x, 
     canvas_words(&page->canvas, x, y + 5.6f * size, size, ALIGN_CENTRE, CAPTION_SOFT_INK, words);
 }
 
-/* Draws one stage of the growth: the three views in front of the water, and the texts below the
- * water. */
+/* Draws one column of the sheet, which shows one stage of the growth. The three views of the fish
+ * are drawn over the painted water, and the texts are drawn under the water's lower edge. */
 static void draw_stage(struct page *page, const struct layout *layout, uint32_t column, float top,
                        const char *title, float progress)
 {

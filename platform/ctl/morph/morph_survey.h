@@ -48,13 +48,14 @@ struct morph_survey {
      * at these moments. */
     uint32_t moments_open;
     /* The following findings are penetration depths. */
-    struct finding body_in_body;  /* Depth of a body point inside the body, where the skin has
-                                     folded. */
+    struct finding body_in_body;  /* Depth to which a point of the skin lies inside the body
+                                     because the skin has folded. */
     struct finding fin_in_body;   /* Depth of a fin point below the skin, minus the depth of the
                                      root of its fin ray. */
-    struct finding eye_in_body;   /* Depth of a visible point of an eye inside the body. */
-    struct finding pupil_in_body; /* Depth of a point of the pupil inside the body. */
-    struct finding eye_in_eye;    /* Depth of a point of one eye inside the other eye. */
+    struct finding eye_in_body;   /* Depth to which a point of the eye's visible part lies inside
+                                     the body. */
+    struct finding pupil_in_body; /* Depth to which a point of the pupil lies inside the body. */
+    struct finding eye_in_eye;    /* Depth to which a point of one eye lies inside the other eye. */
     struct finding fin_in_eye;
     struct finding root_off_skin; /* Distance between the root of a fin ray and the body, for a root
                                      outside the body. */

@@ -18,8 +18,8 @@ struct morph_walk { /* State of a survey. The structure has about 10 MiB. */
     /* Normal of each fin triangle, at the last moment at which the triangle was large enough. */
     vec3 facing[MESH_INDEX_MAX / 3];
     bool flipped[MESH_INDEX_MAX / 3], doubtful[MESH_INDEX_MAX / 3];
-    /* Progress of the previous moment. At the first moment, the value is not less than the present
-     * progress. */
+    /* Progress at the previous moment. While the first moment is measured, `before` is at least as
+     * large as `progress`. */
     float before;
     uint32_t root[MESH_VERTEX_MAX]; /* For each fin vertex, the vertex at the root of the same fin
                                        ray. */

@@ -29,8 +29,8 @@ void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint sh
 /* Draws the rim and the counter. Nearer objects hide them by the depth buffer. The rim and the
  * counter write no depth, because a poi is always held over the rim. */
 void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures);
-/* Draws the water surface and its depth. `ground` is the picture of the floor and the walls, and
- * `life` is the picture of all other objects below the surface. */
+/* Draws the water surface and writes its depth. `ground` is the picture of the floor and the walls.
+ * `life` is the picture of all other objects under water. */
 void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,
                       GLuint life);
 

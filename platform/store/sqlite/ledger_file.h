@@ -130,9 +130,9 @@ int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entri
  * checksum is wrong. */
 int ledger_file_entry(struct ledger_file *file, uint32_t id, struct ledger_entry *out);
 
-/* Reads the entry of the round `id` for the replay verifier. Sets the id of `out` to 0 if the
- * ledger no longer has the entry. If the entry's checksum is wrong, `out` has the id but is not a
- * round. */
+/* Reads the ledger entry `id`, which describes a round, for the replay verifier. If the ledger no
+ * longer has the entry, sets all fields of `out` to 0. If the entry cannot be read, for example
+ * because its checksum is wrong, sets `out->id` to `id` and all other fields to 0. */
 void ledger_file_round(struct ledger_file *file, uint32_t id, struct ledger_entry *out);
 
 /* Copies the content to `out`. A setting that the operator has never changed keeps its value in

@@ -1,5 +1,5 @@
-/* ledger_omit.c -- copies the database and then deletes data in one transaction; see
- * ledger_omit.h. */
+/* ledger_omit.c -- copies the database, and then deletes data from the original in one transaction;
+ * see ledger_omit.h. */
 #include "platform/store/sqlite/ledger_omit.h"
 
 #include <errno.h>

@@ -33,9 +33,10 @@ static int set_up(sqlite3 *db, const struct ledger_file_options *how)
     return code == SQLITE_OK ? sql_run(db, settings) : code;
 }
 
-/* Checks the journal mode and makes the log durable. SQLite keeps another journal without an error
- * if it cannot create a write-ahead log. If the caller has selected another journal, durability is
- * not guaranteed. Returns an SQLite code. */
+/* Checks that SQLite uses a write-ahead log, and makes the log durable. The check is necessary
+ * because SQLite reports no error if it cannot create a write-ahead log and keeps another journal
+ * mode. If the caller has selected a journal mode, checks nothing and guarantees no durability.
+ * Returns an SQLite code. */
 static int secure(struct ledger_file *file, const struct ledger_file_options *how)
 {
     sqlite3_stmt *ask = NULL;
@@ -52,13 +53,14 @@ static int secure(struct ledger_file *file, const struct ledger_file_options *ho
     sqlite3_finalize(ask);
     code = code == SQLITE_OK ? ledger_log_secure(file) : code;
     return code == SQLITE_BUSY ? SQLITE_OK : code; /* If another program holds the write lock,
-                                                      `is_suspect` stays true for the caller. */
+                                                      `file->is_suspect` stays true. */
 }
 
 /* ---- Validation ---------------------------------------------------------------------------- */
 
-/* Converts errors of a damaged schema to SQLITE_CORRUPT. A flipped bit in the schema may give valid
- * SQL that fails later. The caller has excluded other causes, such as a full card. */
+/* Returns SQLITE_CORRUPT if `code` is an error that a damaged schema may cause, otherwise `code`. A
+ * schema with a flipped bit may still be valid SQL, and a later statement may then fail. The caller
+ * has excluded other causes of the error, such as a full card. */
 static int as_damage(int code)
 {
     return code == SQLITE_ERROR || code == SQLITE_SCHEMA || code == SQLITE_MISMATCH ||

@@ -56,11 +56,11 @@ void lab_age_words(uint8_t language, float age_days, char *out, size_t out_size)
 /* Writes a length such as "23.4 mm" or "12.3 cm". */
 void lab_length_words(float length_m, char *out, size_t out_size);
 
-/* Returns the name of a species in the screen's language. Without a translation, returns the
- * maker's identifier. */
+/* Returns the name of a species in the screen's language. If there is no translation, returns `id`,
+ * the identifier in the species file. */
 const char *lab_species_name(uint8_t language, const char *id);
-/* Returns the name of a key (modelled growth stage) in the screen's language. Without a
- * translation, returns the maker's identifier. */
+/* Returns the name of a key (modelled growth stage) in the screen's language. If there is no
+ * translation, returns `name`, the identifier in the species file. */
 const char *lab_key_name(uint8_t language, const char *name);
 
 /* Draws the aquarium with the fish. */

@@ -16,7 +16,8 @@ static const enum text_key names[INPUT_BUTTON_COUNT + 1u] = {
     TEXT_LINE_START, TEXT_LINE_LEFT,    TEXT_LINE_RIGHT, TEXT_LINE_OK,   TEXT_LINE_LANGUAGE,
     TEXT_LINE_TEST,  TEXT_LINE_SERVICE, TEXT_LINE_TILT,  TEXT_LINE_DOOR, TEXT_LINE_COIN,
 };
-/* Index of the coin cell. The cells of the buttons come first, in the order of their bits. */
+/* Index of the page's cell for the coin input line. The cells for the buttons come before it, in
+ * the order of the buttons' bits. */
 #define COIN INPUT_BUTTON_COUNT
 
 static struct ui_box cell(const struct menu_view *view, uint32_t index)

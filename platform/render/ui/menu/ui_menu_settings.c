@@ -247,8 +247,8 @@ static void board(const struct menu_view *view, const struct places *places, uin
     }
 }
 
-/* Draws the description of the selected row. If the tag that restores a default (SETTINGS_STANDARD)
- * is selected, draws the name and the default of the setting. */
+/* Draws the description of the selected menu row. If the button SETTINGS_STANDARD is selected,
+ * draws the name of the setting and the default value that the button restores. */
 static void tell_pointed(const struct menu_view *view, const struct places *places)
 {
     const struct scene_menu *menu = view->menu;
