@@ -15,8 +15,8 @@
 #include "core/sound/synth.h"
 #include "platform/hal.h"
 
-#define AUDIO_QUEUE_MAX                                                                            \
-    64u /* Capacity of the ring buffer in sounds, four times OUTPUT_SOUND_MAX. */
+/* Capacity of the ring buffer in sounds, four times OUTPUT_SOUND_MAX. */
+#define AUDIO_QUEUE_MAX 64u
 /* Interval in seconds between two searches for a device. The start of a sound server causes no
  * event, therefore a timer is needed. A search takes 5 ms. */
 #define AUDIO_TRY_S 10u

@@ -12,8 +12,8 @@
 #include "core/base/vec.h"
 
 #define DRAW_WIRE_COUNT 3u
-#define DRAW_WIRE_MAX_M                                                                            \
-    3.0f /* Greatest length of a wire in metres, the longest wire of cheap spools. */
+/* Greatest length of a wire in metres, the longest wire of cheap spools. */
+#define DRAW_WIRE_MAX_M 3.0f
 /* Distance in metres by which the wires may fail to meet, because wires sag and stretch and the eye
  * is 5 mm wide. */
 #define DRAW_WIRE_SLACK_M 0.020f

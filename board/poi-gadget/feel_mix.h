@@ -17,9 +17,9 @@
 #define FEEL_DRAG_SHARE 0.5f
 #define FEEL_SLAP_S 0.060f /* Time constant in seconds with which the pulse of a slap decays. */
 #define FEEL_TEAR_S 0.150f
-#define FEEL_RATTLE_HZ                                                                             \
-    25.0f /* Frequency of the rattle in Hz. A higher frequency feels like an engine and not like
-             tearing paper. */
+/* Frequency of the rattle in Hz. A higher frequency feels like an engine and not like tearing
+ * paper. */
+#define FEEL_RATTLE_HZ 25.0f
 
 struct feel_mix {
     float drag, slap, tear; /* Present levels of drag, slap and tear, in [0, 1]. The levels

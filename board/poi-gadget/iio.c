@@ -8,8 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#define DEVICES_MAX                                                                                \
-    32 /* Maximum number of IIO devices that are searched. A board has only a few devices. */
+/* Maximum number of IIO devices that are searched. A board has only a few devices. */
+#define DEVICES_MAX 32
 
 /* Writes the path `folder`/`leaf` to `out`. Returns 1, or 0 if the path is too long. */
 static int join(char out[IIO_PATH_SIZE], const char *folder, const char *leaf)

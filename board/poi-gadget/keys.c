@@ -12,8 +12,8 @@
 #include "drivers/hid/poi_report.h"
 
 #define EVENT_DEVICES 32u
-#define EVENTS_MAX                                                                                 \
-    16 /* Maximum number of events in one read. Even a bouncing key sends fewer events. */
+/* Maximum number of events in one read. Even a bouncing key sends fewer events. */
+#define EVENTS_MAX 16
 
 static const struct key_code {
     uint16_t code;

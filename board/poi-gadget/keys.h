@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-#define KEYS_DEVICES_MAX                                                                           \
-    8u /* Maximum number of gpio-keys devices that are opened. A handle has one device. */
+/* Maximum number of gpio-keys devices that are opened. A handle has one device. */
+#define KEYS_DEVICES_MAX 8u
 
 struct keys {
     int fd[KEYS_DEVICES_MAX];

@@ -12,8 +12,8 @@
 
 #define POI_CONFIG_NAME_SIZE 32u
 #define POI_CONFIG_LINE_SIZE 160u
-#define POI_CONFIG_SIZE_MAX                                                                        \
-    (1u << 16) /* Maximum size of a configuration file in bytes. The example poi.conf has 1 KiB. */
+/* Maximum size of a configuration file in bytes. The example poi.conf has 1 KiB. */
+#define POI_CONFIG_SIZE_MAX (1u << 16)
 /* Maximum number of calibration marks. Eight marks fit on the printed sheet, and three wires need
  * fewer. */
 #define POI_CONFIG_MARK_MAX 8u

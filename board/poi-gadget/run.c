@@ -12,8 +12,8 @@
 #include "board/poi-gadget/pose_line.h"
 #include "platform/os/print.h"
 
-#define REOPEN_BEATS                                                                               \
-    64u /* Number of cycles of the main loop between two attempts to open a missing device. */
+/* Number of cycles of the main loop between two attempts to open a missing device. */
+#define REOPEN_BEATS 64u
 
 static volatile sig_atomic_t told_to_end;
 

@@ -24,9 +24,8 @@
 #define PRELUDE_NS 100000000ull
 /* Maximum number of ticks before the round. */
 #define PRELUDE_TICKS_MAX (60u * CORE_TICK_HZ)
-#define IN_ROUND_TICKS                                                                             \
-    (3u * CORE_TICK_HZ / 4u) /* Ticks after the start of the round until each poi is over its
-                                part of the water. */
+/* Ticks after the start of the round until each poi is over its part of the water. */
+#define IN_ROUND_TICKS (3u * CORE_TICK_HZ / 4u)
 /* Seconds that the demonstration continues after the round, to move the last fish to the bowl and
  * to show the result. */
 #define AFTER_ROUND_S 5u

@@ -11,8 +11,8 @@
 
 #include "platform/store/storage_internal.h"
 
-#define BATCH                                                                                      \
-    64u /* Maximum number of entries that are copied from the database between two syncs. */
+/* Maximum number of entries that are copied from the database between two syncs. */
+#define BATCH 64u
 
 /* Returns true if the mirror belongs to a foreign ledger, for example after a user copied a card. A
  * foreign mirror must not be used. */

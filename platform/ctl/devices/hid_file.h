@@ -9,9 +9,9 @@
 #include "drivers/hid/hid_descriptor.h"
 #include "platform/config/options.h"
 
-#define HID_ID_SIZE                                                                                \
-    256u /* Size of a file's base name in bytes. A file name on Linux has at most 255 bytes, and
-            the terminating zero follows. */
+/* Size of a file's base name in bytes. A file name on Linux has at most 255 bytes, and the
+ * terminating zero follows. */
+#define HID_ID_SIZE 256u
 
 /* Size in bytes of the read buffer for a descriptor file. Four characters are allowed for each
  * byte: two hex digits and two characters of white space. The buffer holds one byte more than the
@@ -21,11 +21,10 @@
 /* Largest size in bytes of a file with recorded reports. 2 h of 64-byte reports at 1 kHz fit. */
 #define HID_REPORTS_SIZE_MAX (1u << 30)
 
-#define HID_NOT_HEX                                                                                \
-    (-1) /* Error of hid_from_hex(): the text contains a character that is not a hex digit or
-            white space. */
-#define HID_HALF_HEX                                                                               \
-    (-2) /* Error of hid_from_hex(): the text is hex, but one byte has only one digit. */
+/* Error of hid_from_hex(): the text contains a character that is not a hex digit or white space. */
+#define HID_NOT_HEX (-1)
+/* Error of hid_from_hex(): the text is hex, but one byte has only one digit. */
+#define HID_HALF_HEX (-2)
 
 /* Converts hex text to bytes in place. White space separates the bytes. Returns the number of
  * bytes, HID_NOT_HEX or HID_HALF_HEX. */

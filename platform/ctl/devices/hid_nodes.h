@@ -6,8 +6,8 @@
 
 #include "drivers/hid/hid_descriptor.h"
 
-#define HID_NODES_MAX                                                                              \
-    64u /* Maximum number of device nodes, equal to HIDRAW_MAX_DEVICES of the Linux kernel. */
+/* Maximum number of device nodes, equal to HIDRAW_MAX_DEVICES of the Linux kernel. */
+#define HID_NODES_MAX 64u
 #define HID_NODE_TEXT 128u
 #define HID_NODE_PATH 512u
 

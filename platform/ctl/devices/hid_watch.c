@@ -24,8 +24,8 @@
 /* Timeout of one wait in ms. The timeout limits the delay after Ctrl-C, and lets the displayed
  * report rate drop when no report arrives. */
 #define WAIT_MS 50
-#define PICTURE_NS                                                                                 \
-    50000000ull /* Minimum time between two redraws in ns, which gives 20 redraws per second. */
+/* Minimum time between two redraws in ns, which gives 20 redraws per second. */
+#define PICTURE_NS 50000000ull
 #define SECONDS_MAX 86400u
 
 /* Terminal escape codes. SCREEN_BEGIN selects the alternate screen and hides the cursor. */

@@ -9,8 +9,8 @@
 #include "platform/ctl/import/import_options.h"
 
 #define DAYS_PER_YEAR 365.25
-#define KEY_DAYS                                                                                   \
-    30.0 /* Days between two key shapes if neither the options nor the file contain ages. */
+/* Days between two key shapes if neither the options nor the file contain ages. */
+#define KEY_DAYS 30.0
 
 /* Ratio of the asymptotic length to the length of the last key shape, if no growth parameters are
  * given. */

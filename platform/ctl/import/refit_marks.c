@@ -205,9 +205,8 @@ bool refit_marks_of_template(const struct species_mesh *mesh, const vec3 *positi
 /* ---- Warp between two sets of landmarks ------------------------------------------------------ */
 
 #define SYSTEM_MAX REFIT_MARKS_MAX
-#define RIDGE                                                                                      \
-    0.0005        /* Regularization of the affine transform, in squared body lengths for each
-                     landmark. */
+/* Regularization of the affine transform, in squared body lengths for each landmark. */
+#define RIDGE 0.0005
 #define REACH 0.8 /* Radius of the displacement around a landmark, in body lengths. */
 /* Regularization of the displacements. Two landmarks that nearly coincide may keep this share of
  * the difference between their displacements as an error. */

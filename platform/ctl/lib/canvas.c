@@ -13,8 +13,8 @@
 #include "platform/os/png.h"
 #include "platform/render/ui/text.h"
 
-#define FONT_PIXEL_MIN                                                                             \
-    0.6f /* Minimum width of a letter's soft edge, in pixels of the font atlas. */
+/* Minimum width of a letter's soft edge, in pixels of the font atlas. */
+#define FONT_PIXEL_MIN 0.6f
 
 bool canvas_open(struct canvas *canvas, uint32_t width, uint32_t height)
 {

@@ -12,8 +12,8 @@
 #include "platform/os/number.h"
 #include "platform/os/print.h"
 
-#define FIELD_SHOWN                                                                                \
-    40 /* Maximum number of characters of an invalid value that an error message quotes. */
+/* Maximum number of characters of an invalid value that an error message quotes. */
+#define FIELD_SHOWN 40
 #define LIST_MAX 256u
 
 static const char byte_order_mark[] = "\xEF\xBB\xBF"; /* Byte-order mark U+FEFF in UTF-8. */

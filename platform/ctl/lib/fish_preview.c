@@ -8,9 +8,8 @@
 #define FIN_RAYS 13.0f /* Number of fin rays, equal to the number that the kiosk draws. */
 /* Reduction of a fin's opacity between two rays, compared with the opacity at a ray. */
 #define RAY_HIDES 0.22f
-#define RAY_LIGHT                                                                                  \
-    0.18f /* Reduction of a fin's brightness between two rays, compared with the brightness at a
-             ray. */
+/* Reduction of a fin's brightness between two rays, compared with the brightness at a ray. */
+#define RAY_LIGHT 0.18f
 /* Share of a glass body's transparency that is lost where the surface is seen edge-on, because the
  * surface reflects light there. */
 #define GLASS_RIM 0.55f

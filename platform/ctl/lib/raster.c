@@ -9,8 +9,8 @@
 #include "core/base/panic.h"
 
 #define SAMPLE_COUNT 16u
-#define PILE_MAX                                                                                   \
-    32u /* Maximum number of layers of one sample. A fish has fewer layers at every point. */
+/* Maximum number of layers of one sample. A fish has fewer layers at every point. */
+#define PILE_MAX 32u
 /* Remaining light below which deeper layers are skipped. The value is half a step of 256 grey
  * levels. */
 #define HIDDEN 0.002f

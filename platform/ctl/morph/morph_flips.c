@@ -8,9 +8,9 @@
  * moments. */
 #include "platform/ctl/morph/morph_walk.h"
 
-#define AREA_MIN                                                                                   \
-    1e-9f /* Length of the cross product of two edges (twice the area) below which a triangle has
-             no defined direction. */
+/* Length of the cross product of two edges (twice the area) below which a triangle has no
+ * defined direction. */
+#define AREA_MIN 1e-9f
 /* Height of a triangle, in quantization steps of the mesh tables, below which rounding errors
  * determine the direction. */
 #define THIN_COUNTS 4.0f

@@ -6,9 +6,8 @@
 #include "platform/os/print.h"
 #include "platform/species/text_file.h"
 
-#define TEXT_SIZE_MAX                                                                              \
-    (1u << 20) /* Maximum size of a species text in bytes, about fifty times the longest built-in
-                  species text. */
+/* Maximum size of a species text in bytes, about fifty times the longest built-in species text. */
+#define TEXT_SIZE_MAX (1u << 20)
 
 static const struct species *built_in(const char *word)
 {

@@ -9,8 +9,8 @@
 #define MORPH_PATH_WIDTH 1280.0
 #define MORPH_PATH_HEIGHT 640.0
 #define MORPH_PATH_SAMPLES 200u
-#define MORPH_PATH_LENS                                                                            \
-    500.0 /* Side in pixels of the square window that shows the path enlarged. */
+/* Side in pixels of the square window that shows the path enlarged. */
+#define MORPH_PATH_LENS 500.0
 
 /* A window of the picture, and the region of the fish that the window shows. */
 struct window {

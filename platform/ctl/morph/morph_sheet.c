@@ -10,8 +10,8 @@
 #define PAGE_WIDTH 2400.0f
 #define MARGIN 48.0f
 #define HEAD_HEIGHT 132.0f
-#define CELL_FILL                                                                                  \
-    0.86f         /* Share of the width of a cell that the fish fills at its greatest extent. */
+/* Share of the width of a cell that the fish fills at its greatest extent. */
+#define CELL_FILL 0.86f
 #define GAP 14.0f /* Space above and below a fish in pixels. */
 /* Maximum number of keys in a row. Further keys are drawn in further rows, so that each key is
  * large enough to be examined. */

@@ -6,9 +6,8 @@
 #include "platform/ctl/lib/fish_preview.h"
 #include "platform/ctl/morph/morph_options.h"
 
-#define MORPH_SHEET_BETWEEN                                                                        \
-    9u /* Number of stages that the contact sheet shows between two keys (modelled growth
-          stages). */
+/* Number of stages that the contact sheet shows between two keys (modelled growth stages). */
+#define MORPH_SHEET_BETWEEN 9u
 #define FRAME_WIDTH 1280u
 #define FRAME_HEIGHT 720u
 

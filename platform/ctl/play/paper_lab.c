@@ -12,8 +12,8 @@
 
 #define DEPTH_M 0.20f /* Depth at which the water surface has no effect on the poi. */
 #define HEIGHT_M 0.10f
-#define INSTANT_TICKS                                                                              \
-    6u /* Number of ticks within which a tear counts as immediate. 6 ticks are 0.05 s. */
+/* Number of ticks within which a tear counts as immediate. 6 ticks are 0.05 s. */
+#define INSTANT_TICKS 6u
 #define NEVER_S 1e6f
 
 /* ---- Initial state --------------------------------------------------------------------------- */

@@ -9,8 +9,8 @@
 #include "platform/ctl/tank/overlap.h"
 #include "platform/os/print.h"
 
-#define TOUCH_M                                                                                    \
-    0.0001 /* Tolerance at the walls in metres, because the numbers in a trace are rounded. */
+/* Tolerance at the walls in metres, because the numbers in a trace are rounded. */
+#define TOUCH_M 0.0001
 
 enum {
     TICK,

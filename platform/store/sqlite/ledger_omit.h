@@ -14,8 +14,8 @@
 #define LEDGER_LEFT_MAX 99u
 /* Size in bytes of the result text. */
 #define LEDGER_LEAVE_WORDS 160u
-#define LEDGER_LEAVE_NONE                                                                          \
-    1 /* Value that ledger_leave_out() returns if the folder has no database. */
+/* Value that ledger_leave_out() returns if the folder has no database. */
+#define LEDGER_LEAVE_NONE 1
 
 /* Opens the database kingyo.db in the folder `data`, copies it, and deletes the parts of the data
  * that `left` selects. The caller must have locked the folder (directory_lock()). Writes a text
