@@ -59,7 +59,7 @@ static struct colour sky(float x, float y, float z)
     return at;
 }
 
-/* Adds the striped awning at the far side of the stall: its beam and its edge. */
+/* Adds the beam and the striped edge of the awning at the far side of the stall. */
 static void add_awning(struct colour *at, float x, float y, float z)
 {
     const float up = y / fmaxf(-z, 0.02f); /* Tangent of the elevation angle in the direction -z. */

@@ -275,8 +275,8 @@ static void write_ids(const struct face *faces, uint32_t count, const struct atl
     }
     fprintf(file,
             "    FONT_COUNT,\n};\n\n"
-            "#define ASSET_FONT_ROWS %uu /* Of a page; */\n"
-            "#define ASSET_FONT_PAGES %uu /* one lies below the other. */\n"
+            "#define ASSET_FONT_ROWS %uu /* Rows of pixels in one page. */\n"
+            "#define ASSET_FONT_PAGES %uu /* Pages, stored one below another. */\n"
             "extern const struct font asset_fonts[FONT_COUNT];\n\n#endif\n",
             atlas->page_rows, atlas->page_count);
     bake_close(file, path);

@@ -99,7 +99,7 @@ static void check_line(const struct text_file *file, const struct text_line *lin
     }
 }
 
-/* Reads one text file. Its lines point to the file's bytes, which are never freed. */
+/* Reads one text file. The lines point to the file's bytes, which are never freed. */
 static void text_read_file(struct text_file *file, const char *directory, const char *language)
 {
     char path[1024];

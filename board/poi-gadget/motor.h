@@ -26,8 +26,8 @@ struct motor {
 int motor_open(struct motor *motor, const struct poi_config *config, const char *root,
                char why[MOTOR_WHY_SIZE]);
 
-/* Returns a receiver of force feedback that drives the motor and the light. Its stop() sets the two
- * outputs to 0. */
+/* Returns a receiver of force feedback that drives the motor and the light. The receiver's stop()
+ * sets the motor and the light to 0. */
 struct feel_sink motor_sink(struct motor *motor);
 
 /* Sets the outputs of the motor and the light immediately. */
