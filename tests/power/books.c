@@ -19,7 +19,7 @@ void books_add(struct books *books, const struct ledger_entry *entry)
 {
     books->coins += entry->kind == LEDGER_COINS ? entry->count : 0u;
     books->services += entry->kind == LEDGER_SERVICE;
-    books->refunds += entry->kind == LEDGER_REFUND;
+    books->refunds += entry->kind == LEDGER_REFUND ? entry->count : 0u;
     if (entry->kind == LEDGER_ROUND) {
         books->rounds++;
         books->caught += entry->round.caught;
