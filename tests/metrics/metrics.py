@@ -16,7 +16,8 @@ How each measure is defined:
   flat folder        The number of .c and .h files that lie directly in one folder. Folders of tests count too.
   functions          Definitions that universal-ctags finds, per 1,000 lines including comments and blank lines.
   one caller         A static function whose name is used at exactly one place of its file, apart from its own
-                     definition, declarations and recursive calls.
+                     definition, declarations and recursive calls, and that place is a call. A function whose
+                     address is only stored in a table has no caller, because the table replaces the call.
   assertions         Uses of assert() and of macros whose name ends in ASSERT; _Static_assert does not count.
   header comments    Lines of headers that hold a comment, also behind code, divided by all lines that are not blank.
   cycle              A module is a header and the source of the same path. An edge is an #include. The measure is
@@ -27,7 +28,8 @@ How each measure is defined:
                      because a search for such a name leads to the wrong places.
   module's name      An external function is named after its module if its name is, or begins with, the first word
                      of its file's name or the name of a folder above the file (with or without a plural s).
-                     main() and the names in ENTRY_POINTS are free.
+                     PREFIXES has the short prefixes of the mathematics modules. main(), the names in ENTRY_POINTS
+                     and names in capital letters, which a macro replaces, are free.
   files to open      The files of a path in paths.txt. Each of its lines names a file and an identifier on the path;
                      a line whose file or identifier no longer exists is an error.
   formatting         The replacements that clang-format-19 proposes for the committed .clang-format.
@@ -54,8 +56,11 @@ IDIOM = """whoever|nobody|somebody|whose turn|who is|what is|spared?|heeds?|heed
     purses?|put away|puts away|let go|lets go|goes on|go on|goes home|go home|by itself|the hand|a hand|hands|
     whence|thereby|anew|in vain|moods?|politely|strangers?"""
 
-# External names that a linker, a C library or a fuzzer demands.
-ENTRY_POINTS = {'main', 'LLVMFuzzerTestOneInput', 'LLVMFuzzerInitialize', 'memcpy', 'memmove', 'memset', 'memcmp'}
+# Modules whose functions are used in every formula have a short prefix, as mathematics libraries do.
+PREFIXES = {'core/base/fmath': {'f'}, 'core/base/vec': {'v3'}}
+
+# External names that a linker, a C library, a fuzzer or the core demands (each program defines core_panic).
+ENTRY_POINTS = {'main', 'core_panic', 'LLVMFuzzerTestOneInput', 'LLVMFuzzerInitialize', 'memcpy', 'memmove', 'memset', 'memcmp'}
 
 
 def whole_words(listed):
@@ -174,18 +179,21 @@ def find_functions(root, sources):
 
 
 def count_uses(source):
-    """Places where each static function of the file is used, apart from its definition and declarations."""
+    """Places where each static function of the file is used, apart from its definition and declarations.
+
+    The second counter has those of the places that are no call, such as an entry of a table."""
     static = {f.name: f for f in source.functions if f.static}
-    uses = collections.Counter()
+    uses, stored = collections.Counter(), collections.Counter()
     for match in WORD_RE.finditer(source.code) if static else ():
         function = static.get(match.group(0))
         if function:
             line = source.code.count('\n', 0, match.start()) + 1
             if not function.first <= line <= function.last:
                 uses[function.name] += 1
+                stored[function.name] += not source.code[match.end():match.end() + 40].lstrip().startswith('(')
     for name in static:
         uses[name] -= len(re.findall(r'^static\b[^;{}()=]*\b%s\s*\([^;{}]*\)\s*;' % name, source.code, re.M))
-    return uses, static
+    return uses, stored, static
 
 
 def largest_cycles(edges):
@@ -280,7 +288,8 @@ def first_words(path):
 
 
 def has_module_name(function):
-    return any(function.name == w or function.name.startswith(w + '_') for w in first_words(function.path))
+    words = first_words(function.path) | PREFIXES.get(os.path.splitext(function.path)[0], set())
+    return function.name.isupper() or any(function.name == w or function.name.startswith(w + '_') for w in words)
 
 
 def read_paths(root, sources):
@@ -407,10 +416,10 @@ def measure_functions(table, product, functions, total):
     table.add('functions per 1,000 lines', 1000 * len(functions) / max(1, total), (None, 40), ranked(density), '{:.1f}')
     static, single = 0, collections.Counter()
     for source in product.values():
-        uses, names = count_uses(source)
+        uses, stored, names = count_uses(source)
         if source.path.endswith('.c'):
             static += len(names)
-            single[source.path] += sum(uses[name] == 1 for name in names)
+            single[source.path] += sum(uses[name] == 1 and not stored[name] for name in names)
     table.add('static functions with one caller', 100 * sum(single.values()) / max(1, static), (None, 45),
               ranked(single), '{:.1f} %')
 

@@ -71,6 +71,9 @@ int coins_count(const struct core *core) {
 void coins_take(struct core *core) { core->ticks++; }
 static void helper(void) {}
 void give(int (*f)(void)) { helper(); }
+static int entry(void) { return 1; }
+int (*const coins_table[])(void) = { entry };
+int CAPITALS(void) { return 1; }
 END_C
 for name in a b c; do # Together with coins.c, four files use the name of its static function.
     printf 'void drivers_%s(void) {\n    int helper = 1;\n    (void)helper;\n}\n' "$name" >"$tree/drivers/$name.c"
@@ -93,14 +96,15 @@ check $? 'a missed bound is exit status 1'
 # Sentences: core.h 2, fish.h 1, wall.c 1, ledger_file.c 3.
 row 'comment sentences that begin with a bare' '28.6 %' MISS
 row 'comment sentences with idiom' '14.3 %' MISS
-row 'production code lines' 36 ok
+row 'production code lines' 39 ok
 row 'production files' 9 MISS
-row 'mean lines of a production file' 4.6 MISS
+row 'mean lines of a production file' 4.9 MISS
 row 'C files in the largest flat folder' 3 ok
-# Thirteen functions in 41 lines: wall.c 3, coins.c 4, drivers 3, ledger_file.c 3; declarations are none.
-row 'functions per 1,000 lines' 317.1 MISS
-row 'static functions with one caller' '66.7 %' MISS
-row 'assertions per function, core and drivers' 0.10 MISS
+# Fifteen functions in 44 lines: wall.c 3, coins.c 6, drivers 3, ledger_file.c 3; declarations are none.
+row 'functions per 1,000 lines' 340.9 MISS
+# Of once(), twice(), helper() and entry(), the first and the third have one caller.
+row 'static functions with one caller' '50.0 %' MISS
+row 'assertions per function, core and drivers' 0.08 MISS
 row 'assertions per function, platform' 0.00 MISS
 row 'comment share of headers' '37.5 %' MISS
 row 'modules in the largest include cycle' 2 ok
