@@ -20,9 +20,18 @@ docs:
 	@{ cat board/docs/Doxyfile; echo 'OUTPUT_DIRECTORY = $(BUILD)/docs'; } | doxygen -
 	@echo '  pages $(BUILD)/docs/html/index.html'
 
+ARCHITECTURE := assets/pictures/architecture.svg
+
+## build/architecture: Draw the folders and their includes (Graphviz)
+architecture:
+	@board/setup.sh dev
+	+@$(MAKE) --no-print-directory -j$(JOBS) build
+	@board/docs/architecture.py $(BUILD) $(ARCHITECTURE)
+	@echo '  picture $(ARCHITECTURE)'
+
 JOBS ?= $(shell nproc)
 
-.PHONY: run setup docs
+.PHONY: run setup docs architecture
 
 -include board/poi-gadget/poi-gadget.mk
 -include board/install.mk

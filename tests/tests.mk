@@ -127,13 +127,15 @@ $(BUILD)/tests/sizes: $(BUILD)/tests/sizes.o
 # Debian 12 and Debian 13 both have this version, and versions differ in what they accept.
 FORMATTER := clang-format-19
 
-## test/lint: Check format, line length, shell scripts and pages
+## test/lint: Check format, line length, shell scripts, pages and the drawing
 lint:
 	@board/setup.sh dev
 	@shellcheck --severity=warning $$(git ls-files '*.sh') .ci/run && echo '  ok    shellcheck'
 	@tests/boundaries/columns.sh && echo '  ok    100 columns'
 	@tests/boundaries/pages.sh && echo '  ok    pages'
 	@tests/boundaries/format.sh $(FORMATTER)
+	+@$(MAKE) --no-print-directory -j$(JOBS) build
+	@board/docs/architecture.py --check $(BUILD) $(ARCHITECTURE) && echo '  ok    architecture'
 
 ## test/format: Rewrite all C files in the form of .clang-format
 format:
