@@ -1,6 +1,6 @@
 #!/bin/bash
-# test_panic.sh -- the real kiosk is ended by fatal signals and by a panic of the core: each leaves a replay that
-# comes to the same tick, they are counted, and after three the next start leaves settings out. Speaks TAP.
+# test_panic.sh -- fatal signals and a panic of the core end the real kiosk. Each leaves a replay that comes to the same
+# tick, each is counted, no credit is lost, and the start after three of them leaves settings out. Speaks TAP.
 # shellcheck disable=SC2154,SC1091  # lib.sh sets them
 . "$(dirname "$0")/lib.sh"
 ctl=$BUILD/kingyoctl data=$work/data
@@ -8,9 +8,9 @@ mkdir "$work/run" # The kiosk makes the data folder.
 export RUNTIME_DIRECTORY=$work/run
 open_screen
 
-opens() { # Until its status is written, which is behind its first frame.
+opens() { # OPTIONS...: returns when the status is written, which is after the first frame.
     rm -f "$work/run/status.json"
-    "$BUILD/kingyo" --window 640x360 --lang en --data "$data" --poi bot --seed 5 >"$work/out" 2>"$work/err" &
+    "$BUILD/kingyo" --window 640x360 --lang en --data "$data" --poi bot --seed 5 "$@" >"$work/out" 2>"$work/err" &
     kiosk_pid=$!
     for _ in $(seq 300); do
         [ -s "$work/run/status.json" ] && sleep 0.5 && return 0
@@ -42,9 +42,23 @@ ok $? 'its replay ends with that tick, and its last state agrees' "$work/said"
 [ "$(stat -c %a "$data/panic-0.kgr" "$data/panics" | sort -u)" = 600 ]
 ok $? 'only the owner can read the replay and the count'
 
+status_has() { # TEXT...: the status has each text within 60 s.
+    for text in "$@"; do
+        for _ in $(seq 300); do
+            grep -qF -- "$text" "$work/run/status.json" 2>/dev/null && continue 2
+            sleep 0.2
+        done
+        return 1
+    done
+}
+
 if command -v gdb >"$work/which"; then
-    opens
-    # The core asserts that the fan is at a finite place; nothing that a driver reads is another one.
+    paid=(--keyboard on --mode festival --coins 1 --fish 12)
+    opens "${paid[@]}"
+    xdotool key 5 && status_has '"paid": 1' && xdotool key 5 && status_has '"paid": 2' '"waiting": 0' &&
+        xdotool key space && status_has '"phase": "round"' '"round_open": true' '"paid": 1' '"waiting": 0'
+    ok $? 'two coins are two credits, and a round takes one of them' "$work/run/status.json"
+    # The core asserts that the fan is at a finite place, and no driver reports any other place.
     timeout 120 gdb -q -batch -p "$kiosk_pid" -ex 'handle SIGABRT nostop noprint pass' -ex 'break session_recorder_before' \
         -ex continue -ex 'set var ((struct input *)input)->shade[1].present = 1' \
         -ex 'set var ((struct input *)input)->shade[1].x_m = 0.0 / 0.0' -ex delete -ex detach >"$work/gdb" 2>&1
@@ -55,6 +69,13 @@ if command -v gdb >"$work/which"; then
     "$ctl" replay verify "$data/panic-1.kgr" >"$work/said" 2>&1
     [ $? -eq 1 ] && grep -qF "panic in tick $tick of $((tick + 1)): $reason" "$work/said"
     ok $? 'its replay panics in that tick for the same reason' "$work/said"
+    opens "${paid[@]}"
+    status_has '"phase": "attract"' '"paid": 2' '"round_open": false'
+    ok $? 'no credit is lost: the next start returns the credit of the round' "$work/run/status.json"
+    kill "$kiosk_pid" && end_of_kiosk 20
+    audits=$("$ctl" audits --json --data "$data")
+    grep -qE '"refunds": *1\b' <<<"$audits" && grep -qE '"credits-paid": *2\b' <<<"$audits"
+    ok $? 'the audits count two paid credits and one refund'
 else
     opens && ends_by BUS 135
     ok $? 'SIGBUS ends the kiosk (a panic of the core needs gdb, which is not here)' "$work/err"
