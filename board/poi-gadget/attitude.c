@@ -1,6 +1,8 @@
 /* attitude.c -- computes the orientation with quaternions, which have no singularities. */
 #include "board/poi-gadget/attitude.h"
 
+#include <assert.h>
+
 /* Rate in 1/s with which gravity corrects the orientation. An error is corrected in about one
  * second. */
 #define PULL_PER_S 1.0f
@@ -67,24 +69,6 @@ struct angles attitude_quaternion_angles(struct quaternion q)
                             .roll_rad = f_atan2(-right_y, up_y) };
 }
 
-/* Returns the world's up direction in the axes of the poi. The direction is the middle row of the
- * rotation matrix. */
-static vec3 up_of(struct quaternion q)
-{
-    return v3(2.0f * (q.x * q.y + q.w * q.z), 1.0f - 2.0f * (q.x * q.x + q.z * q.z),
-              2.0f * (q.y * q.z - q.w * q.x));
-}
-
-/* Returns the initial orientation, which is the shortest rotation that turns the direction `up` to
- * the world's up direction. */
-static struct quaternion upright(vec3 up)
-{
-    if (up.y < -0.9999f) {
-        return (struct quaternion){ .x = 1.0f };
-    }
-    return normalized((struct quaternion){ 1.0f + up.y, -up.z, 0.0f, up.x });
-}
-
 static void learn_bias(struct attitude *attitude, vec3 gyro_rad_s, float trust, float seconds)
 {
     const vec3 rest = v3_sub(gyro_rad_s, attitude->bias_rad_s);
@@ -99,6 +83,7 @@ static void learn_bias(struct attitude *attitude, vec3 gyro_rad_s, float trust, 
 
 void attitude_add_motion(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_m_s2, float seconds)
 {
+    assert(seconds >= 0.0f);
     if (!v3_is_finite(gyro_rad_s) || !v3_is_finite(accel_m_s2)) {
         return;
     }
@@ -106,12 +91,20 @@ void attitude_add_motion(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_
     const float trust = f_clamp(1.0f - f_abs(pull - 1.0f) / TRUST_G, 0.0f, 1.0f);
     const vec3 up = v3_normalize_or(accel_m_s2, v3(0.0f, 1.0f, 0.0f));
     if (!attitude->knows) {
-        attitude->turn = upright(up);
+        /* The initial orientation is the shortest rotation that turns `up` to the world's up
+         * direction. */
+        attitude->turn = up.y < -0.9999f
+                             ? (struct quaternion){ .x = 1.0f }
+                             : normalized((struct quaternion){ 1.0f + up.y, -up.z, 0.0f, up.x });
         attitude->knows = trust > 0.0f;
         return;
     }
     learn_bias(attitude, gyro_rad_s, trust, seconds);
-    const vec3 off = v3_cross(up, up_of(attitude->turn));
+    /* The middle row of the rotation matrix is the world's up direction in the axes of the poi. */
+    const struct quaternion q = attitude->turn;
+    const vec3 world_up = v3(2.0f * (q.x * q.y + q.w * q.z), 1.0f - 2.0f * (q.x * q.x + q.z * q.z),
+                             2.0f * (q.y * q.z - q.w * q.x));
+    const vec3 off = v3_cross(up, world_up);
     const vec3 rate = v3_muladd(v3_sub(gyro_rad_s, attitude->bias_rad_s), off, PULL_PER_S * trust);
     const float angle = v3_length(rate) * seconds;
     const vec3 axis = v3_normalize_or(rate, v3(0.0f, 0.0f, 0.0f));
@@ -127,6 +120,8 @@ void attitude_set(struct attitude *attitude, struct quaternion turn)
 
 struct angles attitude_angles(struct attitude *attitude, float ahead_s, float seconds)
 {
+    assert(ahead_s >= 0.0f);
+    assert(seconds >= 0.0f);
     struct angles angles = attitude_quaternion_angles(attitude->turn);
     if (!attitude->has_ahead && attitude->knows) {
         attitude->ahead_rad = angles.yaw_rad;

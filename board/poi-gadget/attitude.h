@@ -33,7 +33,8 @@ struct attitude {
 };
 
 /* Updates the orientation from the rotation rate and the acceleration during the last `seconds`.
- * The two vectors are in the axes of the poi. */
+ * The two vectors are in the axes of the poi. A vector that is not finite changes nothing. Asserts
+ * that `seconds` is at least 0. */
 void attitude_add_motion(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_m_s2,
                          float seconds);
 
@@ -43,7 +44,7 @@ void attitude_set(struct attitude *attitude, struct quaternion turn);
 
 /* Returns the orientation as angles. The heading decays to 0 with a time constant of about
  * `ahead_s` seconds. An `ahead_s` of 0 disables the decay. `seconds` is the time since the last
- * call. */
+ * call. Asserts that both times are at least 0. */
 struct angles attitude_angles(struct attitude *attitude, float ahead_s, float seconds);
 
 /* Returns the product a * b, the rotation that applies `b` first and then `a`. */

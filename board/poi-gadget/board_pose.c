@@ -4,6 +4,33 @@
 
 #include <assert.h>
 
+#define STEADY_REST_HZ 4.0f     /* Corner frequency of the position filter at rest, in Hz. */
+#define STEADY_HZ_PER_M_S 60.0f /* Increase of the corner frequency in Hz for each m/s of speed. */
+#define STEADY_SPEED_HZ 6.0f    /* Corner frequency of the speed filter, in Hz. */
+
+/* Returns the weight of the new value in one step of a first-order low-pass filter. */
+static float steady_share_of(float corner_hz, float seconds)
+{
+    const float t = F_TAU * corner_hz * seconds;
+    return t / (1.0f + t);
+}
+
+/* Returns the filtered position. `seconds` is the time since the previous call and must be above
+ * 0. The filtered speed controls the corner frequency of the position filter. */
+static vec3 steady_step(struct steady *steady, vec3 raw_m, float seconds)
+{
+    if (!steady->begun) {
+        *steady = (struct steady){ .begun = 1, .place_m = raw_m, .raw_m = raw_m };
+        return raw_m;
+    }
+    const vec3 speed_m_s = v3_scale(v3_sub(raw_m, steady->raw_m), 1.0f / seconds);
+    steady->raw_m = raw_m;
+    steady->speed_m_s =
+        v3_lerp(steady->speed_m_s, speed_m_s, steady_share_of(STEADY_SPEED_HZ, seconds));
+    const float corner_hz = STEADY_REST_HZ + STEADY_HZ_PER_M_S * v3_length(steady->speed_m_s);
+    steady->place_m = v3_lerp(steady->place_m, raw_m, steady_share_of(corner_hz, seconds));
+    return steady->place_m;
+}
 /* Converts a rotation matrix to a quaternion. The computation divides by the largest of the four
  * components, because the largest component is never near 0 (Shepperd 1978). */
 struct quaternion board_pose_quaternion_of_rows(const vec3 row[3])
@@ -15,6 +42,7 @@ struct quaternion board_pose_quaternion_of_rows(const vec3 row[3])
     for (uint32_t i = 1; i < 4; i++) {
         most = four[i] > four[most] ? i : most;
     }
+    assert(four[most] > 0.0f);
     const float s = 0.5f / f_sqrt(four[most]), half = 0.5f * f_sqrt(four[most]);
     const float wx = (row[2].y - row[1].z) * s, wy = (row[0].z - row[2].x) * s,
                 wz = (row[1].x - row[0].y) * s;
@@ -34,33 +62,11 @@ struct quaternion board_pose_quaternion_of_rows(const vec3 row[3])
 
 void board_pose_init(struct board_pose *pose, const struct poi_config *config)
 {
-    assert(poi_config_is_calibrated(config) && draw_wires_is_determined(config->spool_m));
+    assert(poi_config_is_calibrated(config));
+    assert(draw_wires_is_determined(config->spool_m));
     *pose = (struct board_pose){ .config = config,
                                  .mount = board_pose_quaternion_of_rows(config->imu_row) };
     pose->attitude.bias_rad_s = config->gyro_bias_rad_s;
-}
-
-static vec3 to_poi(const struct poi_config *config, vec3 chip)
-{
-    return v3(v3_dot(config->imu_row[0], chip), v3_dot(config->imu_row[1], chip),
-              v3_dot(config->imu_row[2], chip));
-}
-
-static void feel_attitude(struct board_pose *pose, const struct readings *readings, float seconds)
-{
-    if (!readings->fuses) {
-        attitude_add_motion(&pose->attitude, to_poi(pose->config, readings->gyro_rad_s),
-                            to_poi(pose->config, readings->accel_m_s2), seconds);
-        return;
-    }
-    /* In the chip's world +z points up, and in Kingyo's world +y points up. A quarter turn about x
-     * converts between the two worlds. `back` converts from the axes of the poi to the axes of the
-     * chip. */
-    const struct quaternion upright = { 0.70710678f, -0.70710678f, 0.0f, 0.0f };
-    const struct quaternion back = { pose->mount.w, -pose->mount.x, -pose->mount.y,
-                                     -pose->mount.z };
-    attitude_set(&pose->attitude, attitude_quaternion_product(
-                                      attitude_quaternion_product(upright, readings->turn), back));
 }
 
 /* Computes the position of the eye, where the draw wires meet, from the lengths of the wires. A
@@ -83,7 +89,20 @@ void board_pose_step(struct board_pose *pose, const struct readings *readings, f
                      struct poi_report *out)
 {
     const struct poi_config *config = pose->config;
-    feel_attitude(pose, readings, seconds);
+    assert(seconds > 0.0f);
+    if (readings->fuses) {
+        /* In the chip's world +z points up, and in Kingyo's world +y points up. A quarter turn about
+         * x converts between the two worlds. `back` converts from the axes of the poi to the axes of
+         * the chip. */
+        const struct quaternion upright = { 0.70710678f, -0.70710678f, 0.0f, 0.0f };
+        const struct quaternion mount = pose->mount,
+                                back = { mount.w, -mount.x, -mount.y, -mount.z };
+        const struct quaternion chip = attitude_quaternion_product(upright, readings->turn);
+        attitude_set(&pose->attitude, attitude_quaternion_product(chip, back));
+    } else {
+        attitude_add_motion(&pose->attitude, poi_config_from_chip(config, readings->gyro_rad_s),
+                            poi_config_from_chip(config, readings->accel_m_s2), seconds);
+    }
     out->buttons = readings->buttons;
     out->target.angles = attitude_angles(&pose->attitude, config->ahead_s, seconds);
     pose->wires = feel_wires(pose, readings);

@@ -1,9 +1,11 @@
-/* draw_wires.c -- computes the point at which three draw wires meet. The computation uses
- * coordinate axes along the spools, because the equations for two of the three coordinates are then
- * linear. */
+/* draw_wires.c -- computes the point at which three draw wires meet, and fits a straight line to the
+ * marks of a wire. The point is computed in coordinate axes along the spools, because the equations
+ * for two of the three coordinates are then linear. */
 #include "board/poi-gadget/draw_wires.h"
 
 #include <assert.h>
+
+#include "core/base/fmath.h"
 
 #define SPOOLS_APART_M 0.1f
 
@@ -84,5 +86,58 @@ const char *draw_wires_text(enum draw_wires_result result)
         [DRAW_WIRES_APART] = "the wires do not meet: is one caught, slack or torn?",
         [DRAW_WIRES_HIGH] = "the poi is held up among the spools, where its height is a guess",
     };
+    assert((uint32_t)result < DRAW_WIRES_RESULT_COUNT);
     return text[result];
+}
+
+/* ---- Calibration ----------------------------------------------------------------------------- */
+
+/* The coordinates of the marks are relative to the mean of the marks to reduce rounding errors. */
+
+void draw_wires_fit_add(struct wire_fit *fit, float step, float length_m)
+{
+    assert(fit->count < sizeof fit->step / sizeof fit->step[0]);
+    fit->step[fit->count] = step;
+    fit->length_m[fit->count] = length_m;
+    fit->count++;
+}
+
+int draw_wires_fit_solve(struct wire_fit *fit, const char **why)
+{
+    assert(fit->count <= sizeof fit->step / sizeof fit->step[0]);
+    if (fit->count < 3) {
+        *why = "three marks at least: two make any line true";
+        return 0;
+    }
+    float low = fit->step[0], high = fit->step[0], step_sum = 0.0f, length_sum_m = 0.0f;
+    for (uint32_t i = 0; i < fit->count; i++) {
+        low = f_min(low, fit->step[i]);
+        high = f_max(high, fit->step[i]);
+        step_sum += fit->step[i];
+        length_sum_m += fit->length_m[i];
+    }
+    if (high - low < WIRE_FIT_STEPS_MIN) {
+        *why = "the converter hardly moved from mark to mark: is it on this channel?";
+        return 0;
+    }
+    const float step_mean = step_sum / (float)fit->count;
+    const float length_mean_m = length_sum_m / (float)fit->count;
+    float both = 0.0f, square = 0.0f;
+    for (uint32_t i = 0; i < fit->count; i++) {
+        const float step = fit->step[i] - step_mean;
+        both += step * (fit->length_m[i] - length_mean_m);
+        square += step * step;
+    }
+    fit->step_m = both / square;
+    fit->zero_m = length_mean_m - fit->step_m * step_mean;
+    fit->miss_m = 0.0f;
+    for (uint32_t i = 0; i < fit->count; i++) {
+        const float length_m = fit->zero_m + fit->step_m * fit->step[i];
+        fit->miss_m = f_max(fit->miss_m, f_abs(length_m - fit->length_m[i]));
+    }
+    if (fit->miss_m > WIRE_FIT_MISS_MAX_M || fit->step_m == 0.0f) {
+        *why = "the marks miss a line by over 5 mm: is one misplaced, or the wire in layers?";
+        return 0;
+    }
+    return 1;
 }

@@ -1,6 +1,7 @@
 /* hid_gadget.c -- reads and writes USB reports without blocking. */
 #include "board/poi-gadget/hid_gadget.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
@@ -15,6 +16,7 @@
 
 void hid_gadget_init(struct hid_gadget *gadget, const char *path)
 {
+    assert(path);
     *gadget = (struct hid_gadget){ .path = path, .fd = -1 };
 }
 
@@ -42,23 +44,11 @@ static void survive(struct hid_gadget *gadget)
     }
 }
 
-/* Handles the error of a write. A missing host and a removed USB function give the same error. The
- * device is therefore closed after SHUT_MAX consecutive errors, so that a new USB function is found
- * when the device is opened again. */
-static void survive_send(struct hid_gadget *gadget)
-{
-    gadget->shut_count = errno == ESHUTDOWN ? gadget->shut_count + 1 : 0;
-    survive(gadget);
-    if (gadget->shut_count >= SHUT_MAX) {
-        hid_gadget_close(gadget);
-        gadget->shut_count = 0;
-    }
-}
-
 int hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report)
 {
     struct poi_report numbered = *report;
     uint8_t bytes[POI_REPORT_SIZE];
+    assert(gadget->shut_count < SHUT_MAX);
     numbered.sequence = gadget->sequence;
     poi_report_encode(&numbered, bytes);
     if (gadget->fd >= 0) {
@@ -68,7 +58,15 @@ int hid_gadget_send(struct hid_gadget *gadget, const struct poi_report *report)
             gadget->shut_count = 0;
             return 1;
         }
-        survive_send(gadget);
+        /* A missing host and a removed USB function give the same error. The device is therefore
+         * closed after SHUT_MAX consecutive errors, so that a new USB function is found when the
+         * device is opened again. */
+        gadget->shut_count = errno == ESHUTDOWN ? gadget->shut_count + 1 : 0;
+        survive(gadget);
+        if (gadget->shut_count >= SHUT_MAX) {
+            hid_gadget_close(gadget);
+            gadget->shut_count = 0;
+        }
     }
     gadget->skipped_count++;
     return 0;

@@ -1,17 +1,18 @@
 /* main.c -- `kingyo-poi`, the program that runs on the small computer board of a poi (a paper scoop
  * with sensors). */
+#include <assert.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "board/poi-gadget/calibrate.h"
+#include "board/poi-gadget/commands.h"
 #include "board/poi-gadget/motor.h"
 #include "board/poi-gadget/run.h"
-#include "board/poi-gadget/script_source.h"
-#include "board/poi-gadget/self_test.h"
-#include "board/poi-gadget/sensor_source.h"
+#include "board/poi-gadget/pose_script.h"
+#include "board/poi-gadget/sensor_twin.h"
+#include "board/poi-gadget/sensors.h"
 #include "drivers/hid/poi_descriptor.h"
 #include "platform/os/print.h"
 #include "platform/os/standard_streams.h"
@@ -43,6 +44,7 @@ struct arguments {
 static int read_count(const char *word, uint32_t least, uint32_t most, uint32_t *out)
 {
     char *end;
+    assert(least <= most);
     errno = 0;
     const unsigned long value = strtoul(word, &end, 10);
     if (errno || end == word || *end != '\0' || value < least || value > most || *word == '-') {
@@ -54,63 +56,42 @@ static int read_count(const char *word, uint32_t least, uint32_t most, uint32_t 
 
 /* ---- Command line ---------------------------------------------------------------------------- */
 
-static int read_flag(struct arguments *out, const char *name)
-{
-    const struct flag {
-        const char *name;
-        uint8_t *value;
-    } flags[] = {
-        { "--simulate", &out->simulate },
-        { "--script", &out->script },
-        { "--hex", &out->hex },
-    };
-    for (size_t i = 0; i < sizeof flags / sizeof flags[0]; i++) {
-        if (strcmp(flags[i].name, name) == 0) {
-            *flags[i].value = 1;
-            return 1;
-        }
-    }
-    return 0;
-}
-
-static int read_path(struct arguments *out, const char *name, const char *value)
-{
-    const struct path {
-        const char *name;
-        const char **value;
-    } paths[] = {
-        { "--config", &out->config },
-        { "--device", &out->run.device },
-        { "--root", &out->root },
-    };
-    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
-        if (strcmp(paths[i].name, name) == 0) {
-            *paths[i].value = value;
-            return 1;
-        }
-    }
-    return 0;
-}
-
 /* Parses one option and its value. Returns the number of command-line words that were parsed, or 0
  * if the option is invalid. */
 static int read_option(struct arguments *out, const char *name, const char *value)
 {
-    uint32_t seconds;
-    if (read_flag(out, name)) {
-        return 1;
+    /* Exactly one of `flag`, `path` and `count` is set. */
+    const struct option {
+        const char *name;
+        uint8_t *flag;
+        const char **path;
+        uint32_t *count, least, most;
+    } options[] = {
+        { "--simulate", .flag = &out->simulate },
+        { "--script", .flag = &out->script },
+        { "--hex", .flag = &out->hex },
+        { "--config", .path = &out->config },
+        { "--device", .path = &out->run.device },
+        { "--root", .path = &out->root },
+        { "--rate", .count = &out->run.rate_hz, .least = RUN_RATE_MIN_HZ, .most = RUN_RATE_MAX_HZ },
+        { "--seconds", .count = &out->run.seconds, .least = 0, .most = 86400 },
+    };
+    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
+        const struct option *option = &options[i];
+        if (strcmp(option->name, name) != 0) {
+            continue;
+        }
+        if (option->flag) {
+            *option->flag = 1;
+            return 1;
+        }
+        if (value && option->path) {
+            *option->path = value;
+            return 2;
+        }
+        return value && read_count(value, option->least, option->most, option->count) ? 2 : 0;
     }
-    if (!value) {
-        return 0;
-    }
-    if (strcmp(name, "--rate") == 0) {
-        return read_count(value, RUN_RATE_MIN_HZ, RUN_RATE_MAX_HZ, &out->run.rate_hz) ? 2 : 0;
-    }
-    if (strcmp(name, "--seconds") == 0 && read_count(value, 0, 86400, &seconds)) {
-        out->run.seconds = (float)seconds;
-        return 2;
-    }
-    return read_path(out, name, value) ? 2 : 0;
+    return 0;
 }
 
 static enum exit_code wrong(const char *what, const char *word)
@@ -134,17 +115,6 @@ static enum exit_code descriptor(const struct arguments *arguments)
     return EXIT_OK;
 }
 
-/* Loads the configuration. If no file is named, the defaults of poi_config_init() apply, which are
- * sufficient for simulated sensors. Returns EXIT_OK or an exit code for the error. */
-static enum exit_code load(struct poi_config *config, const struct arguments *arguments)
-{
-    poi_config_init(config);
-    if (arguments->config && !poi_config_load(config, arguments->config)) {
-        return access(arguments->config, R_OK) == 0 ? EXIT_DATA : EXIT_IO;
-    }
-    return EXIT_OK;
-}
-
 static enum exit_code play_sensors(const struct poi_config *config,
                                    const struct arguments *arguments, struct feel_sink sink,
                                    int prints)
@@ -160,7 +130,7 @@ static enum exit_code play_sensors(const struct poi_config *config,
         sensors_close(&own.sensors);
         return EXIT_IO;
     }
-    const struct pose_source source = sensor_source(&own, config);
+    const struct pose_source source = sensors_source(&own, config);
     const enum exit_code code =
         prints ? run_watch(&arguments->run, source) : run(&arguments->run, source, sink);
     print_error("kingyo-poi: %u readings missed", own.sensors.failed_count);
@@ -172,8 +142,8 @@ static enum exit_code play_sensors(const struct poi_config *config,
  * Otherwise sends the poses to the host. */
 static enum exit_code play(struct poi_config *config, const struct arguments *arguments, int prints)
 {
-    static struct script_source script;
-    static struct sensor_source_twin twin;
+    static struct pose_script_source script;
+    static struct sensor_twin_source twin;
     static struct motor motor;
     struct feel_sink sink = { 0 };
     struct pose_source source;
@@ -189,12 +159,13 @@ static enum exit_code play(struct poi_config *config, const struct arguments *ar
         return play_sensors(config, arguments, sink, prints);
     }
     if (arguments->script) {
-        source = script_source(&script, STDIN_FILENO, "standard input", arguments->run.rate_hz);
+        source =
+            pose_script_source(&script, STDIN_FILENO, "standard input", arguments->run.rate_hz);
     } else {
         if (!poi_config_is_calibrated(config)) {
             sensor_twin_calibrate(config);
         }
-        source = sensor_source_twin(&twin, config);
+        source = sensor_twin_source(&twin, config);
     }
     return prints ? run_watch(&arguments->run, source) : run(&arguments->run, source, sink);
 }
@@ -212,28 +183,18 @@ static enum exit_code command(const char *name, struct arguments *arguments)
     if (!arguments->config && !arguments->simulate && !arguments->script) {
         arguments->config = "/etc/kingyo-poi/poi.conf";
     }
-    const enum exit_code loaded = load(&config, arguments);
-    if (loaded != EXIT_OK) {
-        return loaded;
+    /* If no file is named, the defaults apply, which are sufficient for simulated sensors. */
+    poi_config_init(&config);
+    if (arguments->config && !poi_config_load(&config, arguments->config)) {
+        return access(arguments->config, R_OK) == 0 ? EXIT_DATA : EXIT_IO;
     }
     if (strcmp(name, "test") == 0) {
-        return self_test(&config, arguments->root, arguments->run.device);
+        return commands_self_test(&config, arguments->root, arguments->run.device);
     }
     if (strcmp(name, "calibrate") == 0) {
-        return calibrate(&config, arguments->root);
+        return commands_calibrate(&config, arguments->root);
     }
     return play(&config, arguments, prints);
-}
-
-static int is_command(const char *word)
-{
-    static const char *const commands[] = { "run", "watch", "test", "calibrate", "descriptor" };
-    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
-        if (strcmp(commands[i], word) == 0) {
-            return 1;
-        }
-    }
-    return 0;
 }
 
 static enum exit_code run_words(int argc, char **argv)
@@ -249,7 +210,12 @@ static enum exit_code run_words(int argc, char **argv)
         fputs(usage, stderr);
         return EXIT_USAGE;
     }
-    if (!is_command(argv[1])) {
+    static const char *const commands[] = { "run", "watch", "test", "calibrate", "descriptor" };
+    size_t known = 0;
+    while (known < sizeof commands / sizeof commands[0] && strcmp(commands[known], argv[1]) != 0) {
+        known++;
+    }
+    if (known == sizeof commands / sizeof commands[0]) {
         return wrong("unknown command", argv[1]);
     }
     for (int i = 2, taken; i < argc; i += taken) {

@@ -1,59 +1,80 @@
-/* motor.c -- writes the duty and the brightness as text to sysfs files. A file is written only if
- * its value has changed. */
+/* motor.c -- adds the decaying levels of drag, slap and tear to the level of the motor, and writes the
+ * duty and the brightness as text to sysfs files. A file is written only if its value has changed. */
 #include "board/poi-gadget/motor.h"
 
+#include <assert.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
 
+/* ---- Levels ---------------------------------------------------------------------------------- */
+
+struct feel_levels motor_mix_step(struct motor_mix *mix, const struct poi_force *newest,
+                                  float seconds)
+{
+    assert(seconds >= 0.0f);
+    mix->slap *= f_exp(-seconds / FEEL_SLAP_S);
+    mix->tear *= f_exp(-seconds / FEEL_TEAR_S);
+    mix->silent_s = newest ? 0.0f : mix->silent_s + seconds;
+    if (newest) {
+        mix->drag = f_clamp(newest->drag, 0.0f, 1.0f);
+        mix->slap = f_max(mix->slap, f_clamp(newest->slap, 0.0f, 1.0f));
+        mix->tear = f_max(mix->tear, f_clamp(newest->tear, 0.0f, 1.0f));
+    }
+    if (mix->silent_s > FEEL_SILENT_S) {
+        mix->drag = 0.0f;
+    }
+    mix->rattle_s = mix->tear > 0.02f ? mix->rattle_s + seconds : 0.0f;
+    const float beat = mix->rattle_s * FEEL_RATTLE_HZ;
+    const float rattle = beat - f_floor(beat) < 0.5f ? mix->tear : 0.0f;
+    const float blow = f_max(mix->slap, rattle);
+    return (struct feel_levels){
+        .motor = f_min(FEEL_DRAG_SHARE * mix->drag + blow, 1.0f),
+        .light = f_max(mix->slap, mix->tear),
+    };
+}
+
+/* ---- Files of sysfs -------------------------------------------------------------------------- */
+
 #define PATH_SIZE 256
 /* Maximum number of attempts to open the exported files, 10 ms apart. udev sets the permissions of
  * the files some time after the export. */
 #define EXPORT_TRIES 20
 
-static int motor_put(const char *path, uint32_t value)
+/* Writes a number to the start of an open file. Returns 1, or 0 after an error. */
+static int write_number(int fd, uint32_t value)
 {
     char text[16];
     const int size = snprintf(text, sizeof text, "%u", value);
+    return pwrite(fd, text, (size_t)size, 0) == size;
+}
+
+static int motor_put(const char *path, uint32_t value)
+{
     const int fd = open(path, O_WRONLY | O_CLOEXEC);
     if (fd < 0) {
         return 0;
     }
-    const int wrote = write(fd, text, (size_t)size) == size;
+    const int wrote = write_number(fd, value);
     close(fd);
     return wrote;
 }
 
 static void put_again(int fd, uint32_t *last, uint32_t value)
 {
-    char text[16];
-    if (fd < 0 || value == *last) {
-        return;
-    }
-    const int size = snprintf(text, sizeof text, "%u", value);
-    if (pwrite(fd, text, (size_t)size, 0) == size) {
+    if (fd >= 0 && value != *last && write_number(fd, value)) {
         *last = value;
     }
-}
-
-static int open_later(const char *path)
-{
-    for (int i = 0; i < EXPORT_TRIES; i++) {
-        const int fd = open(path, O_WRONLY | O_CLOEXEC);
-        if (fd >= 0) {
-            return fd;
-        }
-        nanosleep(&(struct timespec){ .tv_nsec = 10000000 }, NULL);
-    }
-    return -1;
 }
 
 static int open_pwm(struct motor *motor, const struct poi_config *config, const char *root,
                     char why[MOTOR_WHY_SIZE])
 {
     char chip[PATH_SIZE], path[PATH_SIZE + 32];
+    assert(config->pwm_chip >= 0);
+    assert(config->motor_hz > 0);
     snprintf(chip, sizeof chip, "%s/sys/class/pwm/pwmchip%d", root, config->pwm_chip);
     snprintf(path, sizeof path, "%s/pwm%u/duty_cycle", chip, config->pwm_channel);
     if (access(path, F_OK) != 0) {
@@ -64,7 +85,11 @@ static int open_pwm(struct motor *motor, const struct poi_config *config, const 
             return 0;
         }
     }
-    motor->duty_fd = open_later(path);
+    motor->duty_fd = open(path, O_WRONLY | O_CLOEXEC);
+    for (int i = 1; i < EXPORT_TRIES && motor->duty_fd < 0; i++) {
+        nanosleep(&(struct timespec){ .tv_nsec = 10000000 }, NULL);
+        motor->duty_fd = open(path, O_WRONLY | O_CLOEXEC);
+    }
     motor->period_ns = 1000000000u / config->motor_hz;
     motor->least = config->motor_least;
     motor->duty_ns = UINT32_MAX;
@@ -113,6 +138,7 @@ int motor_open(struct motor *motor, const struct poi_config *config, const char 
 
 void motor_set(struct motor *motor, struct feel_levels levels)
 {
+    assert(motor->least >= 0.0f && motor->least < 1.0f);
     const float level = f_clamp(levels.motor, 0.0f, 1.0f);
     const float duty = level < 0.02f ? 0.0f : motor->least + (1.0f - motor->least) * level;
     put_again(motor->duty_fd, &motor->duty_ns, (uint32_t)(duty * (float)motor->period_ns));
@@ -123,7 +149,7 @@ void motor_set(struct motor *motor, struct feel_levels levels)
 static void motor_feel(void *self, const struct poi_force *newest, float seconds)
 {
     struct motor *motor = self;
-    motor_set(motor, feel_mix_step(&motor->mix, newest, seconds));
+    motor_set(motor, motor_mix_step(&motor->mix, newest, seconds));
 }
 
 static void motor_stop(void *self)

@@ -1,14 +1,45 @@
-/* motor.h -- controls a vibration motor on a PWM channel and a light on an LED, through files of
- * sysfs. */
+/* motor.h -- converts the host's force feedback to the levels of one vibration motor and one light,
+ * and controls a motor on a PWM channel and a light on an LED through files of sysfs.
+ *
+ * A vibration motor cannot push or turn the hand. Only the levels of the force feedback report are
+ * used, and the force and the torque are ignored. Drag in the water gives a hum, a slap of a fish's
+ * tail gives a pulse that decays, and a tear of the paper gives a rattle. The motor stops if the
+ * host sends no more reports. */
 #ifndef KINGYO_BOARD_POI_GADGET_MOTOR_H
 #define KINGYO_BOARD_POI_GADGET_MOTOR_H
 
-#include "board/poi-gadget/feel_mix.h"
 #include "board/poi-gadget/poi_config.h"
 #include "board/poi-gadget/run.h"
+#include "core/output.h"
+
+/* Time in seconds without a report after which the motor stops. A kiosk sends one report in each
+ * video frame. */
+#define FEEL_SILENT_S 0.25f
+/* Level of the motor at full drag. The remaining range is used for slaps and tears. */
+#define FEEL_DRAG_SHARE 0.5f
+#define FEEL_SLAP_S 0.060f /* Time constant in seconds with which the pulse of a slap decays. */
+#define FEEL_TEAR_S 0.150f
+/* Frequency of the rattle in Hz. A higher frequency feels like an engine and not like tearing
+ * paper. */
+#define FEEL_RATTLE_HZ 25.0f
+
+struct motor_mix {
+    float drag, slap, tear; /* Present levels of drag, slap and tear, in [0, 1]. The levels
+                               decay. */
+    float silent_s, rattle_s;
+};
+
+struct feel_levels {
+    float motor, light; /* Levels of the motor and of the light, in [0, 1]. */
+};
+
+/* Advances the levels by `seconds` and returns the outputs. `newest` is the newest report from the
+ * host, or null if no report has arrived since the last call. */
+struct feel_levels motor_mix_step(struct motor_mix *mix, const struct poi_force *newest,
+                                  float seconds);
 
 struct motor {
-    struct feel_mix mix;
+    struct motor_mix mix;
     /* File descriptors of the PWM duty file and of the LED brightness file. -1 means that the part
      * is absent. */
     int duty_fd, light_fd;

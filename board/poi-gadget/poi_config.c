@@ -1,6 +1,7 @@
 /* poi_config.c -- parses the configuration file with a table of setting names and their types. */
 #include "board/poi-gadget/poi_config.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -12,6 +13,8 @@
 
 #define MM 0.001f
 #define NUMBERS_MAX 4u
+/* Greatest coordinate of a position in mm, in each direction. */
+#define PLACE_MAX_MM 3000.0f
 
 void poi_config_init(struct poi_config *config)
 {
@@ -29,16 +32,31 @@ void poi_config_init(struct poi_config *config)
     };
 }
 
-/* ---- Parsing values -------------------------------------------------------------------------- */
+/* ---- Settings -------------------------------------------------------------------------------- */
 
-/* Parses exactly `count` numbers, each in [-`most`, `most`]. Returns 1, or 0 if the text is
+/* One setting of the configuration file. `set` parses the value and returns 1, or 0 if the value is
  * invalid. */
-static int read_numbers(const char *text, uint32_t count, float most, float out[NUMBERS_MAX])
+struct setting {
+    const char *name;
+    int (*set)(struct poi_config *config, const struct setting *setting, const char *value);
+    const char *expects; /* Error text for an invalid value. */
+    /* Number of a spool or of a wire, or offset of the setting's field in struct poi_config. */
+    size_t at;
+    /* Number, range and unit of the numbers of read_floats(). */
+    uint32_t count;
+    float least, most, unit;
+};
+
+/* Parses exactly `count` numbers, each in [`least`, `most`]. Returns 1, or 0 if the text is
+ * invalid. */
+static int read_numbers(const char *text, uint32_t count, float least, float most,
+                        float out[NUMBERS_MAX])
 {
+    assert(count <= NUMBERS_MAX);
     for (uint32_t i = 0; i < count; i++) {
         char *end;
         out[i] = strtof(text, &end);
-        if (end == text || !f_is_finite(out[i]) || f_abs(out[i]) > most) {
+        if (end == text || !f_is_finite(out[i]) || out[i] < least || out[i] > most) {
             return 0;
         }
         text = end;
@@ -46,13 +64,19 @@ static int read_numbers(const char *text, uint32_t count, float most, float out[
     return text[strspn(text, " \t")] == '\0';
 }
 
-static int read_place(const char *value, vec3 *out)
+/* Parses numbers that are stored one after the other at `setting->at`, each multiplied by its
+ * unit. */
+static int read_floats(struct poi_config *config, const struct setting *setting, const char *value)
 {
     float n[NUMBERS_MAX];
-    if (!read_numbers(value, 3, 3000.0f, n)) {
+    assert(setting->at + setting->count * sizeof n[0] <= sizeof *config);
+    if (!read_numbers(value, setting->count, setting->least, setting->most, n)) {
         return 0;
     }
-    *out = v3_scale(v3(n[0], n[1], n[2]), MM);
+    for (uint32_t i = 0; i < setting->count; i++) {
+        n[i] *= setting->unit;
+    }
+    memcpy((char *)config + setting->at, n, setting->count * sizeof n[0]);
     return 1;
 }
 
@@ -61,33 +85,37 @@ static int poi_config_is_whole(float number, float most)
     return number >= 0.0f && number <= most && number == f_floor(number);
 }
 
-static int read_spool(struct poi_config *config, uint32_t index, const char *value)
+static int read_spool(struct poi_config *config, const struct setting *setting, const char *value)
 {
     float n[NUMBERS_MAX];
-    if (!read_numbers(value, 4, 3000.0f, n) || !poi_config_is_whole(n[0], POI_CONFIG_CHANNEL_MAX)) {
+    assert(setting->at < DRAW_WIRE_COUNT);
+    if (!read_numbers(value, 4, -PLACE_MAX_MM, PLACE_MAX_MM, n) ||
+        !poi_config_is_whole(n[0], POI_CONFIG_CHANNEL_MAX)) {
         return 0;
     }
-    config->channel[index] = (uint32_t)n[0];
-    config->spool_m[index] = v3_scale(v3(n[1], n[2], n[3]), MM);
+    config->channel[setting->at] = (uint32_t)n[0];
+    config->spool_m[setting->at] = v3_scale(v3(n[1], n[2], n[3]), MM);
     return 1;
 }
 
-static int poi_config_read_wire(struct poi_config *config, uint32_t index, const char *value)
+static int poi_config_read_wire(struct poi_config *config, const struct setting *setting,
+                                const char *value)
 {
     float n[NUMBERS_MAX];
-    if (!read_numbers(value, 2, 10000.0f, n) || n[1] == 0.0f) {
+    assert(setting->at < DRAW_WIRE_COUNT);
+    if (!read_numbers(value, 2, -10000.0f, 10000.0f, n) || n[1] == 0.0f) {
         return 0;
     }
-    config->zero_m[index] = n[0] * MM;
-    config->step_m[index] = n[1] * MM;
+    config->zero_m[setting->at] = n[0] * MM;
+    config->step_m[setting->at] = n[1] * MM;
     return 1;
 }
 
 /* Parses three axes of the chip, for example "+x -z +y". Returns 1, or 0 if the axes do not form a
  * rotation matrix. A reflection is invalid. */
-static int read_axes(struct poi_config *config, uint32_t index, const char *value)
+static int read_axes(struct poi_config *config, const struct setting *setting, const char *value)
 {
-    (void)index;
+    (void)setting;
     vec3 row[3];
     for (uint32_t i = 0; i < 3; i++) {
         value += strspn(value, " \t");
@@ -106,50 +134,26 @@ static int read_axes(struct poi_config *config, uint32_t index, const char *valu
     return 1;
 }
 
-static int read_ring(struct poi_config *config, uint32_t index, const char *value)
-{
-    (void)index;
-    return read_place(value, &config->ring_m);
-}
-
-static int read_name(char out[POI_CONFIG_NAME_SIZE], const char *value)
+static int read_name(struct poi_config *config, const struct setting *setting, const char *value)
 {
     if (strlen(value) >= POI_CONFIG_NAME_SIZE || strchr(value, '/')) {
         return 0;
     }
-    strcpy(out, value);
+    strcpy((char *)config + setting->at, value);
     return 1;
 }
 
-static int read_adc(struct poi_config *config, uint32_t index, const char *value)
+static int read_motor(struct poi_config *config, const struct setting *setting, const char *value)
 {
-    (void)index;
-    return read_name(config->adc, value);
-}
-
-static int read_imu(struct poi_config *config, uint32_t index, const char *value)
-{
-    (void)index;
-    return read_name(config->imu, value);
-}
-
-static int read_light(struct poi_config *config, uint32_t index, const char *value)
-{
-    (void)index;
-    return read_name(config->light, value);
-}
-
-static int read_motor(struct poi_config *config, uint32_t index, const char *value)
-{
-    (void)index;
+    (void)setting;
     float n[NUMBERS_MAX];
     if (strcmp(value, "none") == 0) {
         config->pwm_chip = -1;
         return 1;
     }
-    if (!read_numbers(value, 4, 100000.0f, n) || !poi_config_is_whole(n[0], 63.0f) ||
+    if (!read_numbers(value, 4, 0.0f, 100000.0f, n) || !poi_config_is_whole(n[0], 63.0f) ||
         !poi_config_is_whole(n[1], 15.0f) || !poi_config_is_whole(n[2], 100000.0f) ||
-        n[2] < 20.0f || n[3] < 0.0f || n[3] >= 1.0f) {
+        n[2] < 20.0f || n[3] >= 1.0f) {
         return 0;
     }
     config->pwm_chip = (int32_t)n[0];
@@ -159,65 +163,46 @@ static int read_motor(struct poi_config *config, uint32_t index, const char *val
     return 1;
 }
 
-static int read_mark(struct poi_config *config, uint32_t index, const char *value)
+static int read_mark(struct poi_config *config, const struct setting *setting, const char *value)
 {
-    (void)index;
+    (void)setting;
+    float n[NUMBERS_MAX];
     if (config->mark_count == POI_CONFIG_MARK_MAX ||
-        !read_place(value, &config->mark_m[config->mark_count])) {
+        !read_numbers(value, 3, -PLACE_MAX_MM, PLACE_MAX_MM, n)) {
         return 0;
     }
-    config->mark_count++;
+    config->mark_m[config->mark_count++] = v3_scale(v3(n[0], n[1], n[2]), MM);
     return 1;
 }
 
-static int read_bias(struct poi_config *config, uint32_t index, const char *value)
-{
-    (void)index;
-    float n[NUMBERS_MAX];
-    if (!read_numbers(value, 3, 0.2f, n)) {
-        return 0;
-    }
-    config->gyro_bias_rad_s = v3(n[0], n[1], n[2]);
-    return 1;
-}
+#define FIELD(name) offsetof(struct poi_config, name)
+#define SPOOL_TEXT "a spool is a channel and X Y Z in mm"
+#define WIRE_TEXT "a wire is its length at 0 and its length a step, in mm"
 
-static int read_ahead(struct poi_config *config, uint32_t index, const char *value)
-{
-    (void)index;
-    float n[NUMBERS_MAX];
-    if (!read_numbers(value, 1, 3600.0f, n) || n[0] < 0.0f) {
-        return 0;
-    }
-    config->ahead_s = n[0];
-    return 1;
-}
+static const struct setting settings[] = {
+    { "adc", read_name, "adc is the name of an IIO device, at most 31 letters", .at = FIELD(adc) },
+    { "imu", read_name, "imu is the name of an IIO device, at most 31 letters", .at = FIELD(imu) },
+    { "light", read_name, "light is a name of /sys/class/leds, at most 31 letters",
+      .at = FIELD(light) },
+    { "spool1", read_spool, SPOOL_TEXT, .at = 0 },
+    { "spool2", read_spool, SPOOL_TEXT, .at = 1 },
+    { "spool3", read_spool, SPOOL_TEXT, .at = 2 },
+    { "wire1", poi_config_read_wire, WIRE_TEXT, .at = 0 },
+    { "wire2", poi_config_read_wire, WIRE_TEXT, .at = 1 },
+    { "wire3", poi_config_read_wire, WIRE_TEXT, .at = 2 },
+    { "ring", read_floats, "ring is X Y Z in mm", FIELD(ring_m), 3, -PLACE_MAX_MM, PLACE_MAX_MM,
+      MM },
+    { "imu_axes", read_axes, "imu_axes is a turn such as +x +y +z or +x +z -y", .at = 0 },
+    { "gyro_bias", read_floats, "gyro_bias is three numbers of rad/s within +-0.2",
+      FIELD(gyro_bias_rad_s), 3, -0.2f, 0.2f, 1.0f },
+    { "ahead_s", read_floats, "ahead_s is seconds, 0 .. 3600", FIELD(ahead_s), 1, 0.0f, 3600.0f,
+      1.0f },
+    { "motor", read_motor, "motor is none, or chip, channel, Hz and least duty: 0 0 200 0.2",
+      .at = 0 },
+    { "mark", read_mark, "a mark is X Y Z in mm, and there are at most 8", .at = 0 },
+};
 
 /* ---- Parsing lines --------------------------------------------------------------------------- */
-
-/* Table of the settings. `index` is the number of a spool or of a wire. Settings without a number
- * ignore `index`. */
-static const struct setting {
-    const char *name;
-    int (*set)(struct poi_config *config, uint32_t index, const char *value);
-    uint32_t index;
-    const char *expects;
-} settings[] = {
-    { "adc", read_adc, 0, "adc is the name of an IIO device, at most 31 letters" },
-    { "imu", read_imu, 0, "imu is the name of an IIO device, at most 31 letters" },
-    { "light", read_light, 0, "light is a name of /sys/class/leds, at most 31 letters" },
-    { "spool1", read_spool, 0, "a spool is a channel and X Y Z in mm" },
-    { "spool2", read_spool, 1, "a spool is a channel and X Y Z in mm" },
-    { "spool3", read_spool, 2, "a spool is a channel and X Y Z in mm" },
-    { "wire1", poi_config_read_wire, 0, "a wire is its length at 0 and its length a step, in mm" },
-    { "wire2", poi_config_read_wire, 1, "a wire is its length at 0 and its length a step, in mm" },
-    { "wire3", poi_config_read_wire, 2, "a wire is its length at 0 and its length a step, in mm" },
-    { "ring", read_ring, 0, "ring is X Y Z in mm" },
-    { "imu_axes", read_axes, 0, "imu_axes is a turn such as +x +y +z or +x +z -y" },
-    { "gyro_bias", read_bias, 0, "gyro_bias is three numbers of rad/s within +-0.2" },
-    { "ahead_s", read_ahead, 0, "ahead_s is seconds, 0 .. 3600" },
-    { "motor", read_motor, 0, "motor is none, or chip, channel, Hz and least duty: 0 0 200 0.2" },
-    { "mark", read_mark, 0, "a mark is X Y Z in mm, and there are at most 8" },
-};
 
 /* Removes the comment and the white space around the text. Returns the first remaining
  * character. */
@@ -255,7 +240,7 @@ int poi_config_line(struct poi_config *config, const char *line, const char **wh
     for (size_t i = 0; i < sizeof settings / sizeof settings[0]; i++) {
         if (strcmp(settings[i].name, name) == 0) {
             *why = settings[i].expects;
-            return settings[i].set(config, settings[i].index, value) ? 1 : -1;
+            return settings[i].set(config, &settings[i], value) ? 1 : -1;
         }
     }
     return -1;
@@ -278,6 +263,12 @@ int poi_config_is_sound(const struct poi_config *config, const char **why)
 int poi_config_is_calibrated(const struct poi_config *config)
 {
     return config->step_m[0] != 0.0f && config->step_m[1] != 0.0f && config->step_m[2] != 0.0f;
+}
+
+vec3 poi_config_from_chip(const struct poi_config *config, vec3 chip)
+{
+    return v3(v3_dot(config->imu_row[0], chip), v3_dot(config->imu_row[1], chip),
+              v3_dot(config->imu_row[2], chip));
 }
 
 int poi_config_load(struct poi_config *config, const char *path)

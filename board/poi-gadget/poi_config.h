@@ -66,6 +66,9 @@ int poi_config_is_sound(const struct poi_config *config, const char **why);
 /* Returns 1 if all wires are calibrated, otherwise 0. */
 int poi_config_is_calibrated(const struct poi_config *config);
 
+/* Converts a vector from the axes of the inertial chip to the axes of the poi. */
+vec3 poi_config_from_chip(const struct poi_config *config, vec3 chip);
+
 /* Reads the configuration file at `path`. Returns 1. If the file is not readable or invalid, prints
  * one line to standard error and returns 0. */
 int poi_config_load(struct poi_config *config, const char *path);

@@ -1,6 +1,7 @@
 /* run.c -- runs the main loop at absolute times, so that delays do not accumulate. */
 #include "board/poi-gadget/run.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <inttypes.h>
 #include <signal.h>
@@ -9,7 +10,7 @@
 #include <time.h>
 
 #include "board/poi-gadget/hid_gadget.h"
-#include "board/poi-gadget/pose_line.h"
+#include "board/poi-gadget/pose_script.h"
 #include "platform/os/print.h"
 
 /* Number of cycles of the main loop between two attempts to open a missing device. */
@@ -21,15 +22,6 @@ static void on_signal(int number)
 {
     (void)number;
     told_to_end = 1;
-}
-
-static void heed_signals(void)
-{
-    const struct sigaction action = { .sa_handler = on_signal };
-    told_to_end = 0;
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    signal(SIGPIPE, SIG_IGN);
 }
 
 /* ---- Timing of the main loop ----------------------------------------------------------------- */
@@ -47,15 +39,10 @@ static uint64_t run_now_ns(void)
     return (uint64_t)time.tv_sec * 1000000000u + (uint64_t)time.tv_nsec;
 }
 
-static void beat_start(struct beat *beat, uint32_t rate_hz)
-{
-    const uint64_t now = run_now_ns();
-    *beat = (struct beat){ .next_ns = now, .begin_ns = now, .period_ns = 1000000000u / rate_hz };
-}
-
 /* Sleeps until the next cycle is due. Returns the time in seconds since the previous cycle. */
 static float beat_wait(struct beat *beat)
 {
+    assert(beat->period_ns > 0);
     const uint64_t now = run_now_ns();
     uint64_t beats = 1;
     if (now > beat->next_ns + beat->period_ns) {
@@ -72,15 +59,9 @@ static float beat_wait(struct beat *beat)
     return (float)(beats * beat->period_ns) * 1e-9f;
 }
 
-static int is_over(const struct beat *beat, const struct run_options *options)
-{
-    const float seconds = (float)(beat->next_ns - beat->begin_ns) * 1e-9f;
-    return told_to_end || (options->seconds > 0.0f && seconds > options->seconds);
-}
-
 /* ---- Statistics and the USB device ---------------------------------------------------------- */
 
-static void tell_figures(const struct hid_gadget *gadget, const struct beat *beat)
+static void print_figures(const struct hid_gadget *gadget, const struct beat *beat)
 {
     const double seconds = (double)(beat->next_ns - beat->begin_ns) * 1e-9;
     print_error("kingyo-poi: %u reports sent in %.1f s, %u not fetched in time; %u of %" PRIu64
@@ -89,11 +70,12 @@ static void tell_figures(const struct hid_gadget *gadget, const struct beat *bea
                 gadget->felt_count, gadget->refused_count);
 }
 
-static void one_beat(struct hid_gadget *gadget, struct feel_sink sink, float seconds,
-                     enum pose_result result, const struct poi_report *report)
+/* Sends the report if it is new, and forwards the host's force feedback to `sink`. */
+static void exchange(struct hid_gadget *gadget, struct feel_sink sink, float seconds,
+                     const struct poi_report *report)
 {
     struct poi_force force;
-    if (result == POSE_NEW) {
+    if (report) {
         hid_gadget_send(gadget, report);
     }
     const int felt = hid_gadget_feel(gadget, &force);
@@ -102,55 +84,64 @@ static void one_beat(struct hid_gadget *gadget, struct feel_sink sink, float sec
     }
 }
 
-enum exit_code run(const struct run_options *options, struct pose_source source,
-                   struct feel_sink sink)
+/* Runs the loop. If `gadget` is null, new poses are printed as text. Returns EXIT_OK, or EXIT_DATA
+ * if the source has an invalid pose. */
+static enum exit_code run_loop(const struct run_options *options, struct pose_source source,
+                               struct hid_gadget *gadget, struct feel_sink sink)
 {
-    struct hid_gadget gadget;
-    struct beat beat;
+    const uint64_t now = run_now_ns();
+    struct beat beat = { .next_ns = now, .begin_ns = now };
     struct poi_report report = { 0 };
     enum pose_result result = POSE_NONE;
-    hid_gadget_init(&gadget, options->device);
-    if (!hid_gadget_open(&gadget)) {
-        print_error("%s: %s; 'kingyo-poi-gadget start' makes it, or name it by --device",
-                    options->device, strerror(errno));
-        return EXIT_IO;
-    }
-    heed_signals();
-    beat_start(&beat, options->rate_hz);
+    assert(options->rate_hz >= RUN_RATE_MIN_HZ && options->rate_hz <= RUN_RATE_MAX_HZ);
+    const struct sigaction action = { .sa_handler = on_signal };
+    told_to_end = 0;
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    signal(SIGPIPE, SIG_IGN);
+    beat.period_ns = 1000000000u / options->rate_hz;
     float seconds = 1.0f / (float)options->rate_hz;
-    while (result >= 0 && !is_over(&beat, options)) {
-        if (gadget.fd < 0 && beat.count % REOPEN_BEATS == 0) {
-            hid_gadget_open(&gadget);
+    while (result >= 0 && !told_to_end && (gadget || !ferror(stdout)) &&
+           (options->seconds == 0 ||
+            (float)(beat.next_ns - beat.begin_ns) * 1e-9f <= (float)options->seconds)) {
+        if (gadget && gadget->fd < 0 && beat.count % REOPEN_BEATS == 0) {
+            hid_gadget_open(gadget);
         }
         result = source.step(source.self, seconds, &report);
-        one_beat(&gadget, sink, seconds, result, &report);
-        seconds = beat_wait(&beat);
-    }
-    if (sink.stop) {
-        sink.stop(sink.self);
-    }
-    tell_figures(&gadget, &beat);
-    hid_gadget_close(&gadget);
-    return result == POSE_BAD ? EXIT_DATA : EXIT_OK;
-}
-
-enum exit_code run_watch(const struct run_options *options, struct pose_source source)
-{
-    struct beat beat;
-    struct poi_report report = { 0 };
-    enum pose_result result = POSE_NONE;
-    heed_signals();
-    beat_start(&beat, options->rate_hz);
-    float seconds = 1.0f / (float)options->rate_hz;
-    while (result >= 0 && !is_over(&beat, options) && !ferror(stdout)) {
-        char text[POSE_LINE_SIZE];
-        result = source.step(source.self, seconds, &report);
-        if (result == POSE_NEW) {
+        if (gadget) {
+            exchange(gadget, sink, seconds, result == POSE_NEW ? &report : NULL);
+        } else if (result == POSE_NEW) {
+            char text[POSE_LINE_SIZE];
             pose_line_write(&report, text);
             puts(text);
             fflush(stdout);
         }
         seconds = beat_wait(&beat);
     }
+    if (sink.stop) {
+        sink.stop(sink.self);
+    }
+    if (gadget) {
+        print_figures(gadget, &beat);
+        hid_gadget_close(gadget);
+    }
     return result == POSE_BAD ? EXIT_DATA : EXIT_OK;
+}
+
+enum exit_code run(const struct run_options *options, struct pose_source source,
+                   struct feel_sink sink)
+{
+    struct hid_gadget gadget;
+    hid_gadget_init(&gadget, options->device);
+    if (!hid_gadget_open(&gadget)) {
+        print_error("%s: %s; 'kingyo-poi-gadget start' makes it, or name it by --device",
+                    options->device, strerror(errno));
+        return EXIT_IO;
+    }
+    return run_loop(options, source, &gadget, sink);
+}
+
+enum exit_code run_watch(const struct run_options *options, struct pose_source source)
+{
+    return run_loop(options, source, NULL, (struct feel_sink){ 0 });
 }

@@ -1,11 +1,28 @@
-/* run.h -- the main loop of the poi's board.
+/* run.h -- the main loop of the poi's board, and the interfaces of the sources of poses and of the
+ * receivers of force feedback.
  *
  * In each cycle, the loop sends a pose to the host and forwards the host's force feedback to the
- * motor. */
+ * motor. The sources of poses are the real sensors, the simulated sensors, and scripts. */
 #ifndef KINGYO_BOARD_POI_GADGET_RUN_H
 #define KINGYO_BOARD_POI_GADGET_RUN_H
 
-#include "board/poi-gadget/pose_source.h"
+#include "drivers/hid/poi_report.h"
+
+enum pose_result {
+    POSE_NEW = 1,  /* A report is available. The position in the report is NaN if the position is
+                      unknown. */
+    POSE_NONE = 0, /* No report is available yet. */
+    POSE_END = -1, /* The source has ended. */
+    /* The input contains an invalid pose. An error line was printed to standard error. */
+    POSE_BAD = -2,
+};
+
+struct pose_source {
+    /* Computes the next report. `seconds` is the time since the previous call. Never blocks. The
+     * caller sets the sequence number of the report. */
+    enum pose_result (*step)(void *self, float seconds, struct poi_report *out);
+    void *self;
+};
 
 enum exit_code {
     EXIT_OK = 0,
@@ -32,12 +49,12 @@ struct feel_sink {
 struct run_options {
     const char *device; /* Path of the device /dev/hidgN, or "-" for standard output. */
     uint32_t rate_hz;   /* Report rate in Hz, RUN_RATE_MIN_HZ .. RUN_RATE_MAX_HZ. */
-    float seconds;      /* Duration of the loop in seconds. 0 means no limit. */
+    uint32_t seconds;   /* Duration of the loop in seconds. 0 means no limit. */
 };
 
 /* Runs the loop until the source ends, the duration has passed, or a signal arrives. Prints
- * statistics to standard error. Returns EXIT_OK, or EXIT_IO if the device is missing at the
- * start. */
+ * statistics to standard error. Returns EXIT_OK, EXIT_IO if the device is missing at the start, or
+ * EXIT_DATA if the source has an invalid pose. Asserts that the rate is in range. */
 enum exit_code run(const struct run_options *options, struct pose_source source,
                    struct feel_sink sink);
 

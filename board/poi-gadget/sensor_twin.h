@@ -1,12 +1,37 @@
-/* sensor_twin.h -- simulates the sensors of a poi: computes the readings that the sensors would
- * give for a pose. The functions are pure.
+/* sensor_twin.h -- simulates a poi on its board: a hand that scoops without vision, and the readings
+ * that the sensors would give for its poses. A kiosk can thus be tested without sensors. The
+ * functions are pure.
  *
- * Only the sensors are simulated. The readings are decoded with the same wire computation, filter
- * and calibration as the readings of a real poi. */
+ * The readings are decoded with the same wire computation, filter and calibration as the readings
+ * of a real poi.
+ *
+ * For each scoop, the hand presses START and holds the poi (a paper scoop) still above the water,
+ * because its shade attracts fish. The poi then enters the water slanted, in the direction of its
+ * paper's plane, glides under the fish, and is lifted level so that the water drains. Finally the
+ * poi moves to the bowl of the first player in the festival tank and tips. The scoops enter the
+ * water at different positions that cover the whole tank. */
 #ifndef KINGYO_BOARD_POI_GADGET_SENSOR_TWIN_H
 #define KINGYO_BOARD_POI_GADGET_SENSOR_TWIN_H
 
 #include "board/poi-gadget/board_pose.h"
+#include "board/poi-gadget/pose_script.h"
+#include "board/poi-gadget/run.h"
+
+/* ---- Hand ------------------------------------------------------------------------------------ */
+
+struct scoop {
+    uint32_t stroke; /* Number of strokes since the start. Each scoop consists of SCOOP_STROKES
+                        strokes. */
+    struct pose_glide glide;
+};
+
+#define SCOOP_STROKES 8u
+
+/* Advances the hand by `seconds` and writes its pose to `out`. All fields of `scoop` must be 0
+ * before the first call. */
+void sensor_twin_scoop(struct scoop *scoop, float seconds, struct poi_report *out);
+
+/* ---- Sensors --------------------------------------------------------------------------------- */
 
 struct sensor_twin {
     const struct poi_config *config;
@@ -30,5 +55,16 @@ void sensor_twin_calibrate(struct poi_config *config);
  * must be above 0. The position of the pose must be known. */
 void sensor_twin_step(struct sensor_twin *twin, const struct poi_report *pose, float seconds,
                       struct readings *out);
+
+struct sensor_twin_source {
+    struct scoop scoop;
+    struct sensor_twin twin;
+    struct board_pose pose;
+};
+
+/* Returns a source of simulated sensors on a poi that the simulated hand moves. `config` must
+ * outlive the source. */
+struct pose_source sensor_twin_source(struct sensor_twin_source *source,
+                                      const struct poi_config *config);
 
 #endif

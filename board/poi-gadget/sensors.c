@@ -1,10 +1,178 @@
-/* sensors.c -- reads the sensor attributes in sequence. A complete reading takes about twenty
- * system calls. */
+/* sensors.c -- reads the sensor attributes in sequence. Each attribute is a text file that is read
+ * again from its start. A complete reading takes about twenty system calls. If the kernel reports
+ * that key events were lost, the state of all keys is read again. */
 #include "board/poi-gadget/sensors.h"
 
+#include <assert.h>
+#include <fcntl.h>
+#include <linux/input.h>
+#include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
+
+#include "drivers/hid/poi_report.h"
+
+/* ---- Attributes of IIO devices --------------------------------------------------------------- */
+
+#define IIO_PATH_SIZE 256u
+
+/* Maximum number of IIO devices that are searched. A board has only a few devices. */
+#define DEVICES_MAX 32
+
+static int read_text(int fd, char *text, size_t size)
+{
+    const ssize_t got = pread(fd, text, size - 1, 0);
+    text[got > 0 ? got : 0] = '\0';
+    return got > 0;
+}
+
+/* Opens an attribute of a device for repeated reads. Returns the file descriptor, or -1 after an
+ * error. */
+static int iio_open(const char *device_path, const char *attribute)
+{
+    char path[IIO_PATH_SIZE];
+    const int length = snprintf(path, sizeof path, "%s/%s", device_path, attribute);
+    return length < (int)sizeof path ? open(path, O_RDONLY | O_CLOEXEC) : -1;
+}
+
+/* Finds the folder of the IIO device whose kernel name is `name`, and writes the folder's path to
+ * `path`. `root` is the prefix of all paths: "" for this machine, or a test folder. If several
+ * devices have the name, the device with the lowest number is used. Returns 1, or 0 if there is no
+ * such device. */
+static int iio_find(char path[IIO_PATH_SIZE], const char *root, const char *name)
+{
+    for (int i = 0; i < DEVICES_MAX; i++) {
+        char text[64];
+        const int length =
+            snprintf(path, IIO_PATH_SIZE, "%s/sys/bus/iio/devices/iio:device%d", root, i);
+        const int fd = length < (int)IIO_PATH_SIZE ? iio_open(path, "name") : -1;
+        if (fd >= 0) {
+            const int got = read_text(fd, text, sizeof text);
+            close(fd);
+            text[strcspn(text, "\n")] = '\0';
+            if (got && strcmp(text, name) == 0) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+/* Reads the present numbers of an attribute. Returns 1 if the attribute contains exactly `count`
+ * numbers, otherwise 0. `count` is at most 4. */
+static int iio_read(int fd, uint32_t count, float *out)
+{
+    char text[96];
+    assert(count > 0 && count <= 4);
+    if (fd < 0 || !read_text(fd, text, sizeof text)) {
+        return 0;
+    }
+    const char *at = text;
+    for (uint32_t i = 0; i < count; i++) {
+        char *end;
+        out[i] = strtof(at, &end);
+        if (end == at) {
+            return 0;
+        }
+        at = end;
+    }
+    return at[strspn(at, " \n")] == '\0';
+}
+
+/* ---- Keys ------------------------------------------------------------------------------------ */
+
+#define EVENT_DEVICES 32u
+/* Maximum number of events in one read. Even a bouncing key sends fewer events. */
+#define EVENTS_MAX 16
+
+static const struct key_code {
+    uint16_t code;
+    uint8_t button;
+} codes[] = {
+    { BTN_TRIGGER, POI_BUTTON_OK },     { BTN_START, POI_BUTTON_START },
+    { BTN_DPAD_LEFT, POI_BUTTON_LEFT }, { BTN_DPAD_RIGHT, POI_BUTTON_RIGHT },
+    { BTN_THUMB, POI_BUTTON_FAN },
+};
+#define CODE_COUNT (sizeof codes / sizeof codes[0])
+
+/* Adds the keys that the kernel reports as pressed to `held`. If the kernel returns an error,
+ * `held` is unchanged. */
+static void ask_levels(struct keys *keys, int fd)
+{
+    uint8_t bits[KEY_MAX / 8 + 1] = { 0 };
+    if (ioctl(fd, EVIOCGKEY(sizeof bits), bits) < 0) {
+        return;
+    }
+    for (size_t k = 0; k < CODE_COUNT; k++) {
+        if (bits[codes[k].code / 8] >> codes[k].code % 8 & 1) {
+            keys->held |= codes[k].button;
+        }
+    }
+}
+
+void sensors_open_keys(struct keys *keys, const char *root)
+{
+    *keys = (struct keys){ 0 };
+    for (uint32_t i = 0; i < EVENT_DEVICES && keys->count < KEYS_DEVICES_MAX; i++) {
+        char path[256], phys[32] = "";
+        snprintf(path, sizeof path, "%s/sys/class/input/event%u/device/phys", root, i);
+        FILE *file = fopen(path, "r");
+        if (!file) {
+            continue;
+        }
+        const int is_keys = fgets(phys, sizeof phys, file) && strncmp(phys, "gpio-keys/", 10) == 0;
+        fclose(file);
+        snprintf(path, sizeof path, "%s/dev/input/event%u", root, i);
+        const int fd = is_keys ? open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC) : -1;
+        if (fd >= 0) {
+            keys->fd[keys->count++] = fd;
+            ask_levels(keys, fd);
+        }
+    }
+}
+
+static void keys_take_event(struct keys *keys, const struct input_event *event)
+{
+    if (event->type == EV_SYN && event->code == SYN_DROPPED) {
+        keys->held = 0;
+        for (uint32_t i = 0; i < keys->count; i++) {
+            ask_levels(keys, keys->fd[i]);
+        }
+    }
+    for (size_t k = 0; k < CODE_COUNT && event->type == EV_KEY; k++) {
+        if (codes[k].code == event->code) {
+            keys->held = event->value ? keys->held | codes[k].button
+                                      : keys->held & ~(uint32_t)codes[k].button;
+        }
+    }
+}
+
+uint8_t sensors_held_keys(struct keys *keys)
+{
+    assert(keys->count <= KEYS_DEVICES_MAX);
+    for (uint32_t i = 0; i < keys->count; i++) {
+        struct input_event events[EVENTS_MAX];
+        const ssize_t size = read(keys->fd[i], events, sizeof events);
+        for (ssize_t e = 0; e < size / (ssize_t)sizeof events[0]; e++) {
+            keys_take_event(keys, &events[e]);
+        }
+    }
+    return (uint8_t)keys->held;
+}
+
+void sensors_close_keys(struct keys *keys)
+{
+    for (uint32_t i = 0; i < keys->count; i++) {
+        close(keys->fd[i]);
+    }
+    keys->count = 0;
+}
+
+/* ---- All sensors ----------------------------------------------------------------------------- */
 
 static const char axis_of[3] = { 'x', 'y', 'z' };
 
@@ -40,7 +208,12 @@ static int open_three(int fd[3], const char *path, const char *quantity, float *
         }
     }
     snprintf(name, sizeof name, "in_%s_scale", quantity);
-    return iio_read_once(path, name, 1, scale) && *scale != 0.0f;
+    const int scale_fd = iio_open(path, name);
+    const int got = iio_read(scale_fd, 1, scale);
+    if (scale_fd >= 0) {
+        close(scale_fd);
+    }
+    return got && *scale != 0.0f;
 }
 
 /* Opens the inertial chip. By the sysfs-bus-iio ABI, the order of a quaternion is x y z w. Linux's
@@ -76,7 +249,7 @@ int sensors_open(struct sensors *sensors, const struct poi_config *config, const
     for (uint32_t i = 0; i < 3; i++) {
         sensors->wire_fd[i] = sensors->gyro_fd[i] = sensors->accel_fd[i] = -1;
     }
-    keys_open(&sensors->keys, root);
+    sensors_open_keys(&sensors->keys, root);
     return open_wires(sensors, config, root, why) && open_imu(sensors, config, root, why);
 }
 
@@ -108,26 +281,20 @@ static int read_turn(struct sensors *sensors, struct readings *out)
     return 1;
 }
 
-static int sensors_read_wire(int fd, float *out)
-{
-    float sum = 0.0f, one;
-    for (uint32_t i = 0; i < SENSORS_SAMPLES; i++) {
-        if (!iio_read(fd, 1, &one)) {
-            return 0;
-        }
-        sum += one;
-    }
-    *out = sum / (float)SENSORS_SAMPLES;
-    return 1;
-}
-
 int sensors_read(struct sensors *sensors, struct readings *out)
 {
     int all = read_turn(sensors, out);
     for (uint32_t i = 0; i < DRAW_WIRE_COUNT; i++) {
-        all &= sensors_read_wire(sensors->wire_fd[i], &out->wire[i]);
+        float sum = 0.0f, one = 0.0f;
+        int good = 1;
+        for (uint32_t k = 0; k < SENSORS_SAMPLES && good; k++) {
+            good = iio_read(sensors->wire_fd[i], 1, &one);
+            sum += one;
+        }
+        out->wire[i] = good ? sum / (float)SENSORS_SAMPLES : out->wire[i];
+        all &= good;
     }
-    out->buttons = keys_held(&sensors->keys);
+    out->buttons = sensors_held_keys(&sensors->keys);
     sensors->failed_count += !all;
     return all;
 }
@@ -148,5 +315,25 @@ void sensors_close(struct sensors *sensors)
         close_one(&sensors->accel_fd[i]);
     }
     close_one(&sensors->turn_fd);
-    keys_close(&sensors->keys);
+    sensors_close_keys(&sensors->keys);
+}
+
+/* ---- Source of poses ------------------------------------------------------------------------- */
+
+static enum pose_result sensors_step(void *self, float seconds, struct poi_report *out)
+{
+    struct sensor_source *source = self;
+    source->missed = sensors_read(&source->sensors, &source->readings) ? 0 : source->missed + 1;
+    board_pose_step(&source->pose, &source->readings, seconds, out);
+    if (source->missed > SENSOR_GONE_BEATS) {
+        out->target.position_m.x = __builtin_nanf("");
+    }
+    return POSE_NEW;
+}
+
+struct pose_source sensors_source(struct sensor_source *source, const struct poi_config *config)
+{
+    board_pose_init(&source->pose, config);
+    source->missed = 0;
+    return (struct pose_source){ .step = sensors_step, .self = source };
 }

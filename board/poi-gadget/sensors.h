@@ -1,11 +1,37 @@
 /* sensors.h -- reads the sensors of the poi's board: the analog-to-digital converter of the draw
- * wires, the inertial chip and the keys. */
+ * wires, the inertial chip and the keys, and computes the pose from the readings.
+ *
+ * The converter and the chip are devices of Linux's industrial I/O subsystem (IIO) and are found by
+ * their names. Their sysfs files stay open between readings. The keys on the poi's handle are GPIO
+ * lines that the kernel's gpio-keys driver debounces. */
 #ifndef KINGYO_BOARD_POI_GADGET_SENSORS_H
 #define KINGYO_BOARD_POI_GADGET_SENSORS_H
 
+#include <stdint.h>
+
 #include "board/poi-gadget/board_pose.h"
-#include "board/poi-gadget/iio.h"
-#include "board/poi-gadget/keys.h"
+#include "board/poi-gadget/run.h"
+
+/* Maximum number of gpio-keys devices that are opened. A handle has one device. */
+#define KEYS_DEVICES_MAX 8u
+
+struct keys {
+    int fd[KEYS_DEVICES_MAX];
+    uint32_t count;
+    uint32_t held; /* Bit mask of the pressed keys (enum poi_button). */
+};
+
+/* Opens each input device of the gpio-keys driver. `root` is the prefix of all paths: "" for this
+ * machine, or a test folder. A handle without keys is not an error. */
+void sensors_open_keys(struct keys *keys, const char *root);
+
+/* Returns the pressed keys as a bit mask of enum poi_button. BTN_TRIGGER is OK, BTN_START is START,
+ * BTN_DPAD_LEFT is LEFT, BTN_DPAD_RIGHT is RIGHT, and BTN_THUMB is FAN. These key codes were chosen
+ * because a text console does not interpret them as letters. */
+uint8_t sensors_held_keys(struct keys *keys);
+
+/* Closes all input devices. */
+void sensors_close_keys(struct keys *keys);
 
 /* Number of samples of each wire in one reading. The mean of four samples has half the noise of one
  * sample. */
@@ -37,6 +63,20 @@ int sensors_open(struct sensors *sensors, const struct poi_config *config, const
 /* Reads all sensors. Returns 1 if all sensors responded. Otherwise returns 0, and `out` contains
  * the readings of the sensors that responded. */
 int sensors_read(struct sensors *sensors, struct readings *out);
+
+/* Number of consecutive failed readings after which the position counts as unknown. */
+#define SENSOR_GONE_BEATS 25u
+
+struct sensor_source {
+    struct board_pose pose;
+    struct sensors sensors;
+    struct readings readings;
+    uint32_t missed; /* Number of consecutive failed readings so far. */
+};
+
+/* Returns a source that reads the board's sensors. `source->sensors` must be open. `config` must
+ * outlive the source. The caller guarantees that `config` is valid and calibrated. */
+struct pose_source sensors_source(struct sensor_source *source, const struct poi_config *config);
 
 /* Closes all sensors. */
 void sensors_close(struct sensors *sensors);

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "board/poi-gadget/board_pose.h"
-#include "board/poi-gadget/feel_mix.h"
+#include "board/poi-gadget/motor.h"
 #include "board/poi-gadget/sensor_twin.h"
 #include "tests/fuzz/trap.h"
 
@@ -29,7 +29,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
     struct poi_config config;
     struct board_pose pose;
-    struct feel_mix mix = { 0 };
+    struct motor_mix mix = { 0 };
     struct moment now;
     poi_config_init(&config);
     sensor_twin_calibrate(&config);
@@ -47,7 +47,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         board_pose_step(&pose, &readings, 0.004f, &report);
         hold_report(&report);
         const struct poi_force force = { .drag = now.drag, .slap = now.slap, .tear = now.tear };
-        const struct feel_levels levels = feel_mix_step(&mix, &force, 0.004f);
+        const struct feel_levels levels = motor_mix_step(&mix, &force, 0.004f);
         HOLD(levels.motor >= 0.0f && levels.motor <= 1.0f);
         HOLD(levels.light >= 0.0f && levels.light <= 1.0f);
     }

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "board/poi-gadget/poi_config.h"
-#include "board/poi-gadget/pose_tape.h"
+#include "board/poi-gadget/pose_script.h"
 #include "tests/fuzz/trap.h"
 
 #define STEPS_MAX 4000u

@@ -11,8 +11,8 @@ DEVICE_SRC := $(filter-out %/poi_hid.c,$(wildcard drivers/hid/*.c)) \
     $(patsubst %,drivers/gpio/%.c,gpio_config gpio_config_token gpio_edge_filter coin_mech debounce) \
     $(patsubst %,drivers/sim/%.c,hid_port_sim hid_device_list_sim) \
     drivers/usb/usb_choice.c $(patsubst %,platform/ctl/devices/hid_%.c,file rows live names) \
-    $(patsubst %,board/poi-gadget/%.c,pose_line pose_glide pose_tape poi_config draw_wires attitude steady \
-    board_pose sensor_twin feel_mix) $(patsubst %,platform/%.c,os/regular_file os/print ctl/lib/user_file) core/view.c \
+    $(patsubst %,board/poi-gadget/%.c,pose_script poi_config draw_wires attitude board_pose sensor_twin \
+    motor) $(patsubst %,platform/%.c,os/regular_file os/print ctl/lib/user_file) core/view.c \
     $(patsubst %,core/base/%.c,fmath vec rng printable)
 
 ## test/fuzz-devices: Fuzz descriptors, reports, mappings and coins; FUZZ_SECONDS=30

@@ -8,7 +8,6 @@
 #include <cmocka.h>
 
 #include "board/poi-gadget/board_pose.h"
-#include "board/poi-gadget/scoop.h"
 #include "board/poi-gadget/sensor_twin.h"
 
 #define DT_S 0.004f
@@ -73,7 +72,7 @@ static struct errors scoop_for_a_minute(uint8_t fuses, float noise_steps, vec3 b
     board_pose_init(&pose, &config);
     for (uint32_t n = 0; n < 15000; n++) {
         struct readings readings;
-        scoop_step(&scoop, DT_S, &hand);
+        sensor_twin_scoop(&scoop, DT_S, &hand);
         sensor_twin_step(&twin, &hand, DT_S, &readings);
         board_pose_step(&pose, &readings, DT_S, &out);
         const float off_m = v3_length(v3_sub(out.target.position_m, hand.target.position_m));
@@ -144,7 +143,7 @@ static void test_a_scoop_dips_and_tips_over_the_bowl_and_never_leaves_the_tank(v
     struct poi_report hand = { 0 }, before = { 0 };
     uint32_t dips = 0, tips = 0, starts = 0;
     for (uint32_t n = 0; n < 15000; n++) {
-        scoop_step(&scoop, DT_S, &hand);
+        sensor_twin_scoop(&scoop, DT_S, &hand);
         const vec3 at_m = hand.target.position_m, was_m = before.target.position_m;
         dips += was_m.y > -0.01f && at_m.y <= -0.01f;
         tips += before.target.angles.roll_rad < 0.9f && hand.target.angles.roll_rad >= 0.9f;

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "board/poi-gadget/sensor_source.h"
+#include "board/poi-gadget/sensor_twin.h"
 #include "core/game/control/controller.h"
 #include "core/tank/preset.h"
 #include "drivers/hid/poi_descriptor.h"
@@ -28,7 +28,7 @@ static struct {
     struct hal hal;
     struct kiosk kiosk;
     struct poi_config config;
-    struct sensor_source_twin twin;
+    struct sensor_twin_source twin;
     struct pose_source source;
     uint64_t next_report_ns;
     uint8_t sequence;
@@ -55,7 +55,7 @@ static void begin(uint32_t seed)
     wire_begin(&stall.wire, &stall.clock, poi_descriptor, POI_DESCRIPTOR_SIZE);
     poi_config_init(&stall.config);
     sensor_twin_calibrate(&stall.config);
-    stall.source = sensor_source_twin(&stall.twin, &stall.config);
+    stall.source = sensor_twin_source(&stall.twin, &stall.config);
     stall.hal = null_hal();
     stall.hal.clock = clock_sim_device(&stall.clock);
     poi_hid_init(&stall.poi, hid_port_sim_port(&stall.wire.port), stall.hal.clock,

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "board/poi-gadget/motor.h"
-#include "board/poi-gadget/sensor_source.h"
+#include "board/poi-gadget/sensor_twin.h"
 #include "board/poi-gadget/sensors.h"
 
 #define IIO "sys/bus/iio/devices/iio:device"
@@ -175,7 +175,7 @@ static void test_a_chip_that_stops_answering_loses_the_place_and_gets_it_back(vo
     }
     put(IIO "3/in_rot_quaternion_raw", "11585 11585 0 0\n"); /* Level: +z of its world is up. */
     assert_true(sensors_open(&own.sensors, &config, root, why));
-    struct pose_source source = sensor_source(&own, &config);
+    struct pose_source source = sensors_source(&own, &config);
     for (int n = 0; n < 5; n++) {
         assert_int_equal(source.step(source.self, 0.004f, &out), POSE_NEW);
     }
@@ -207,22 +207,22 @@ static void test_keys_of_gpio_are_levels_and_other_devices_are_left_alone(void *
 {
     (void)state;
     struct keys keys;
-    keys_open(&keys, root);
+    sensors_open_keys(&keys, root);
     assert_int_equal(keys.count, 1);
-    assert_int_equal(keys_held(&keys), 0);
+    assert_int_equal(sensors_held_keys(&keys), 0);
     press(BTN_START, 1);
     press(BTN_TRIGGER, 1);
-    assert_int_equal(keys_held(&keys), POI_BUTTON_START | POI_BUTTON_OK);
-    assert_int_equal(keys_held(&keys), POI_BUTTON_START | POI_BUTTON_OK);
+    assert_int_equal(sensors_held_keys(&keys), POI_BUTTON_START | POI_BUTTON_OK);
+    assert_int_equal(sensors_held_keys(&keys), POI_BUTTON_START | POI_BUTTON_OK);
     press(BTN_START, 0);
     press(KEY_Q, 1);
-    assert_int_equal(keys_held(&keys), POI_BUTTON_OK);
+    assert_int_equal(sensors_held_keys(&keys), POI_BUTTON_OK);
     press(BTN_TRIGGER, 2); /* Repeated: still held. */
     press(BTN_DPAD_LEFT, 1);
     press(BTN_DPAD_RIGHT, 1);
     press(BTN_THUMB, 1);
-    assert_int_equal(keys_held(&keys), 31 & ~POI_BUTTON_START);
-    keys_close(&keys);
+    assert_int_equal(sensors_held_keys(&keys), 31 & ~POI_BUTTON_START);
+    sensors_close_keys(&keys);
 }
 
 static void test_a_motor_hums_by_its_pulses_and_rests_when_told(void **state)

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "board/poi-gadget/wire_fit.h"
+#include "board/poi-gadget/draw_wires.h"
 #include "core/base/fmath.h"
 
 static struct wire_fit four_marks(float off_m)
@@ -15,7 +15,7 @@ static struct wire_fit four_marks(float off_m)
     static const float steps[4] = { 700.0f, 1500.0f, 2600.0f, 3900.0f };
     struct wire_fit fit = { 0 };
     for (uint32_t i = 0; i < 4; i++) {
-        wire_fit_add(&fit, steps[i], 0.21f + 0.000244f * steps[i] + (i % 2 ? off_m : -off_m));
+        draw_wires_fit_add(&fit, steps[i], 0.21f + 0.000244f * steps[i] + (i % 2 ? off_m : -off_m));
     }
     return fit;
 }
@@ -25,7 +25,7 @@ static void test_marks_on_a_line_give_it_back(void **state)
     (void)state;
     const char *why;
     struct wire_fit fit = four_marks(0.0f);
-    assert_true(wire_fit_solve(&fit, &why));
+    assert_true(draw_wires_fit_solve(&fit, &why));
     assert_float_equal(fit.step_m, 0.000244f, 1e-9f);
     assert_float_equal(fit.zero_m, 0.21f, 1e-6f);
     assert_true(fit.miss_m < 1e-6f);
@@ -37,9 +37,9 @@ static void test_a_converter_that_counts_down_is_a_line_as_well(void **state)
     const char *why;
     struct wire_fit fit = { 0 };
     for (uint32_t i = 0; i < 3; i++) {
-        wire_fit_add(&fit, 4000.0f - 1000.0f * (float)i, 0.2f + 0.25f * (float)i);
+        draw_wires_fit_add(&fit, 4000.0f - 1000.0f * (float)i, 0.2f + 0.25f * (float)i);
     }
-    assert_true(wire_fit_solve(&fit, &why));
+    assert_true(draw_wires_fit_solve(&fit, &why));
     assert_float_equal(fit.step_m, -0.00025f, 1e-9f);
 }
 
@@ -48,9 +48,9 @@ static void test_marks_that_miss_by_a_hand_say_so_and_by_a_hair_do_not(void **st
     (void)state;
     const char *why = NULL;
     struct wire_fit hair = four_marks(0.001f), hand = four_marks(0.010f);
-    assert_true(wire_fit_solve(&hair, &why));
+    assert_true(draw_wires_fit_solve(&hair, &why));
     assert_true(hair.miss_m > 0.0005f && hair.miss_m < 0.002f);
-    assert_false(wire_fit_solve(&hand, &why));
+    assert_false(draw_wires_fit_solve(&hand, &why));
     assert_non_null(strstr(why, "misplaced"));
 }
 
@@ -59,14 +59,14 @@ static void test_two_marks_or_a_wire_that_does_not_move_are_refused(void **state
     (void)state;
     const char *why = NULL;
     struct wire_fit two = { 0 }, still = { 0 };
-    wire_fit_add(&two, 100.0f, 0.3f);
-    wire_fit_add(&two, 3000.0f, 0.9f);
-    assert_false(wire_fit_solve(&two, &why));
+    draw_wires_fit_add(&two, 100.0f, 0.3f);
+    draw_wires_fit_add(&two, 3000.0f, 0.9f);
+    assert_false(draw_wires_fit_solve(&two, &why));
     assert_non_null(strstr(why, "three"));
     for (uint32_t i = 0; i < 4; i++) {
-        wire_fit_add(&still, 2000.0f + (float)i, 0.3f + 0.1f * (float)i);
+        draw_wires_fit_add(&still, 2000.0f + (float)i, 0.3f + 0.1f * (float)i);
     }
-    assert_false(wire_fit_solve(&still, &why));
+    assert_false(draw_wires_fit_solve(&still, &why));
     assert_non_null(strstr(why, "hardly moved"));
 }
 

@@ -1,4 +1,4 @@
-/* test_feel_mix.c -- blows that die away, a rattle, and a host that falls silent. */
+/* test_motor_mix.c -- blows that die away, a rattle, and a host that falls silent. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,30 +7,30 @@
 
 #include <cmocka.h>
 
-#include "board/poi-gadget/feel_mix.h"
+#include "board/poi-gadget/motor.h"
 
 #define DT_S 0.004f
 
 static void test_drag_hums_and_leaves_room_for_a_blow(void **state)
 {
     (void)state;
-    struct feel_mix mix = { 0 };
+    struct motor_mix mix = { 0 };
     const struct poi_force drag = { .drag = 1.0f }, blow = { .drag = 1.0f, .slap = 1.0f };
-    assert_float_equal(feel_mix_step(&mix, &drag, DT_S).motor, FEEL_DRAG_SHARE, 1e-6f);
-    assert_float_equal(feel_mix_step(&mix, &drag, DT_S).light, 0.0f, 0.0f);
-    assert_float_equal(feel_mix_step(&mix, &blow, DT_S).motor, 1.0f, 0.0f);
-    assert_float_equal(feel_mix_step(&mix, &drag, DT_S).light, 1.0f, 0.1f);
+    assert_float_equal(motor_mix_step(&mix, &drag, DT_S).motor, FEEL_DRAG_SHARE, 1e-6f);
+    assert_float_equal(motor_mix_step(&mix, &drag, DT_S).light, 0.0f, 0.0f);
+    assert_float_equal(motor_mix_step(&mix, &blow, DT_S).motor, 1.0f, 0.0f);
+    assert_float_equal(motor_mix_step(&mix, &drag, DT_S).light, 1.0f, 0.1f);
 }
 
 static void test_a_slap_dies_away_in_its_time(void **state)
 {
     (void)state;
-    struct feel_mix mix = { 0 };
+    struct motor_mix mix = { 0 };
     const struct poi_force slap = { .slap = 0.8f };
-    float level = feel_mix_step(&mix, &slap, DT_S).motor;
+    float level = motor_mix_step(&mix, &slap, DT_S).motor;
     assert_float_equal(level, 0.8f, 1e-6f);
     for (uint32_t n = 0; n < 15; n++) {
-        const float next = feel_mix_step(&mix, NULL, DT_S).motor;
+        const float next = motor_mix_step(&mix, NULL, DT_S).motor;
         assert_true(next < level);
         level = next;
     }
@@ -40,11 +40,11 @@ static void test_a_slap_dies_away_in_its_time(void **state)
 static void test_a_tear_rattles_as_paper_does(void **state)
 {
     (void)state;
-    struct feel_mix mix = { 0 };
+    struct motor_mix mix = { 0 };
     const struct poi_force tear = { .tear = 1.0f };
-    uint32_t turns = 0, on = feel_mix_step(&mix, &tear, DT_S).motor > 0.0f;
+    uint32_t turns = 0, on = motor_mix_step(&mix, &tear, DT_S).motor > 0.0f;
     for (uint32_t n = 1; n < 100; n++) { /* 0.4 s. */
-        const uint32_t now = feel_mix_step(&mix, &tear, DT_S).motor > 0.0f;
+        const uint32_t now = motor_mix_step(&mix, &tear, DT_S).motor > 0.0f;
         turns += now != on;
         on = now;
     }
@@ -54,15 +54,15 @@ static void test_a_tear_rattles_as_paper_does(void **state)
 static void test_a_host_that_falls_silent_leaves_the_motor_at_rest(void **state)
 {
     (void)state;
-    struct feel_mix mix = { 0 };
+    struct motor_mix mix = { 0 };
     const struct poi_force drag = { .drag = 1.0f };
-    struct feel_levels levels = feel_mix_step(&mix, &drag, DT_S);
+    struct feel_levels levels = motor_mix_step(&mix, &drag, DT_S);
     for (float s = 0.0f; s < 0.2f; s += DT_S) {
-        levels = feel_mix_step(&mix, NULL, DT_S);
+        levels = motor_mix_step(&mix, NULL, DT_S);
     }
     assert_float_equal(levels.motor, FEEL_DRAG_SHARE, 1e-3f);
     for (float s = 0.0f; s < 0.1f; s += DT_S) {
-        levels = feel_mix_step(&mix, NULL, DT_S);
+        levels = motor_mix_step(&mix, NULL, DT_S);
     }
     assert_float_equal(levels.motor, 0.0f, 1e-3f);
 }
@@ -70,10 +70,10 @@ static void test_a_host_that_falls_silent_leaves_the_motor_at_rest(void **state)
 static void test_numbers_beyond_all_bounds_stay_within_the_motor(void **state)
 {
     (void)state;
-    struct feel_mix mix = { 0 };
+    struct motor_mix mix = { 0 };
     const struct poi_force wild = { .drag = 1e30f, .slap = -5.0f, .tear = 1e30f };
     for (uint32_t n = 0; n < 50; n++) {
-        const struct feel_levels levels = feel_mix_step(&mix, &wild, DT_S);
+        const struct feel_levels levels = motor_mix_step(&mix, &wild, DT_S);
         assert_true(levels.motor >= 0.0f && levels.motor <= 1.0f);
         assert_true(levels.light >= 0.0f && levels.light <= 1.0f);
     }

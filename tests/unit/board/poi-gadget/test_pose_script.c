@@ -1,4 +1,4 @@
-/* test_pose_tape.c -- lines of poses: read, refused, written back, and glided through. */
+/* test_pose_script.c -- lines of poses: read, refused, written back, and glided through. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,8 +9,7 @@
 
 #include <unistd.h>
 
-#include "board/poi-gadget/pose_tape.h"
-#include "board/poi-gadget/script_source.h"
+#include "board/poi-gadget/pose_script.h"
 #include "core/base/rng.h"
 
 static void feed(struct pose_tape *tape, const char *text)
@@ -179,11 +178,11 @@ static void test_bytes_without_an_end_are_no_line_and_no_harm(void **state)
 static void test_missed_beats_skip_lines_and_keep_their_keys(void **state)
 {
     (void)state;
-    static struct script_source script;
+    static struct pose_script_source script;
     struct poi_report out = { 0 };
     int ends[2];
     assert_int_equal(pipe(ends), 0);
-    struct pose_source source = script_source(&script, ends[0], "a pipe", 100);
+    struct pose_source source = pose_script_source(&script, ends[0], "a pipe", 100);
     const char text[] = "10 0 0 0 0 0\n20 0 0 0 0 0 START\n30 0 0 0 0 0\n40 0 0 0 0 0\n"
                         "+40 80 0 0 0 0 0\n90 0 0 0 0 0\n";
     assert_int_equal(write(ends[1], text, sizeof text - 1), sizeof text - 1);
