@@ -23,23 +23,32 @@ function fill(text,    count, word, i, line) {
     if (line != "") print escape(line)
 }'
 
-options() { # Converts the output of kingyo --help: "  --name VALUE   what it does".
+options() { # Converts the output of kingyo --help: "  --name VALUE   what it does", in one line or more.
     "$build/kingyo" --help | awk "$words"'
-        /^  --/ {
-            text = $0
-            sub(/^  --[a-z]+ */, "", text)
-            name = substr($1, 3)
-            value = ""
-            if (text ~ /^[^ ]+  / || text ~ /^(\[[A-Z]+\]|[A-Z][A-Za-z]*(=[A-Z]+)?|[a-z]+\|[a-z]+) /) {
-                value = text
-                sub(/ .*/, "", value)
-                sub(/^[^ ]+ +/, "", text)
-            }
+        function flush() {
+            if (name == "") return
             if (value ~ /^\[/) { gsub(/[][]/, "", value); value = "Op Ar " value }
             else if (value != "") value = "Ar " value
             print ".It Fl -" name (value == "" ? "" : " " value)
             fill(toupper(substr(text, 1, 1)) substr(text, 2) ".")
-        }'
+            name = ""
+        }
+        /^  --/ {
+            flush()
+            left = substr($0, 3)
+            at = index(left, "  ")
+            text = at ? substr(left, at) : ""
+            left = at ? substr(left, 1, at - 1) : left
+            sub(/^ +/, "", text)
+            name = left
+            sub(/ .*/, "", name)
+            name = substr(name, 3)
+            value = left ~ / / ? substr(left, index(left, " ") + 1) : ""
+            next
+        }
+        /^    +/ && name != "" { sub(/^ +/, ""); text = text == "" ? $0 : text " " $0; next }
+        { flush() }
+        END { flush() }'
 }
 
 commands() { # Converts the --help output of each command.

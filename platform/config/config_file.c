@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "core/base/printable.h"
-#include "platform/config/option_table.h"
 #include "platform/os/regular_file.h"
 #include "platform/setting_text.h"
 
@@ -142,15 +141,12 @@ static int read_option(struct reading *reading, const struct option *option, con
     if (!is_here(reading, option->name, option->section)) {
         return -1;
     }
-    const char *objection = option_objects(option, value, text);
-    if (objection) {
-        return object(reading, "%s: %s", option->name, objection);
+    if (!option_parse(option, &tried, value, text)) {
+        return text[0] ? object(reading, "%s: %s", option->name, text)
+                       : object(reading, "%s: wrong value '%.60s'; expected %s", option->name,
+                                value, option_expects(option, text));
     }
-    if (!option->set(&tried, value)) {
-        return object(reading, "%s: wrong value '%.60s'; expected %s", option->name, value,
-                      option_text(option, option->expects, text));
-    }
-    if (option_wires_clash(&tried, text)) {
+    if (options_wires_clash(&tried, text)) {
         return object(reading, "%s", text);
     }
     *reading->options = tried;
@@ -160,7 +156,7 @@ static int read_option(struct reading *reading, const struct option *option, con
 static int read_key(struct reading *reading, const char *key, const char *value)
 {
     const uint32_t id = setting_find(key, strlen(key));
-    const struct option *option = option_find(key, strlen(key));
+    const struct option *option = option_table_find(&options_table, key, strlen(key));
     if (id < SETTING_COUNT) {
         return read_setting(reading, id, key, value);
     }
@@ -225,7 +221,7 @@ static void tell_rest(const struct warnings *warnings)
 static void check_fish(struct reading *reading, unsigned line, struct warnings *warnings)
 {
     char says[OPTION_TEXT_MAX], why[WHY_MAX];
-    if (option_too_many_fish(reading->options, says)) {
+    if (options_too_many_fish(reading->options, says)) {
         snprintf(why, sizeof why, "fish: %s", says);
         config_file_add_warning(warnings, line, why);
         reading->options->file.is_set[SET_FISH] = 0;
@@ -291,11 +287,12 @@ static void print_settings(FILE *out, const char *section)
 
 static void print_options(FILE *out, const char *section)
 {
-    const struct option *option;
-    for (uint32_t i = 0; (option = option_at(i)) != NULL; i++) {
+    char expects[OPTION_TEXT_MAX];
+    for (uint32_t i = 0; i < options_table.count; i++) {
+        const struct option *option = &options_table.options[i];
         if (option->section && strcmp(option->section, section) == 0) {
             fprintf(out, "\n# As --%s: %s.\n# Expects %s.\n#%s =\n", option->name, option->help,
-                    option->expects, option->name);
+                    option_expects(option, expects), option->name);
         }
     }
 }

@@ -1,70 +1,299 @@
-/* options.c -- parses the command line, prints --help, and combines the sources of the settings. */
+/* options.c -- the table of the options of `kingyo`, the parsers of their values, and the
+ * combination of the sources of settings. */
 #include "platform/config/options.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/config/option_table.h"
+#include "core/base/panic.h"
+#include "core/game/rules.h"
+#include "core/scene.h"
+#include "core/tank/tank.h"
+#include "platform/os/number.h"
+#include "platform/setting_text.h"
+
+/* ---- Parsers of values --------------------------------------------------------------------- */
+
+static int add_setting(struct options *options, uint32_t id, int32_t value)
+{
+    struct options_query_result *asked = options->is_file ? &options->file : &options->words;
+    CORE_ASSERT(id < SETTING_COUNT);
+    asked->value[id] = value;
+    asked->is_set[id] = 1;
+    return 1;
+}
+
+/* Parses the value of the setting option->id as setting_parse() does and stores the value. */
+static int set_one(void *target, const struct option *option, const char *value, char *why)
+{
+    int32_t number;
+    (void)why;
+    return setting_parse(option->id, value, &number) && add_setting(target, option->id, number);
+}
+
+static int set_demo(void *target, const struct option *option, const char *value, char *why)
+{
+    struct options *options = target;
+    (void)option;
+    (void)why;
+    options->demo = 1;
+    options->demo_s = OPTIONS_DEMO_S;
+    return !value || number_parse(value, OPTIONS_DEMO_S_MIN, OPTIONS_DEMO_S_MAX, &options->demo_s);
+}
+
+static int set_window(void *target, const struct option *option, const char *value, char *why)
+{
+    struct options *options = target;
+    char width[16];
+    const char *cross = strchr(value, 'x');
+    (void)option;
+    (void)why;
+    if (!cross || cross == value || (size_t)(cross - value) >= sizeof width) {
+        return 0;
+    }
+    snprintf(width, sizeof width, "%.*s", (int)(cross - value), value);
+    return number_parse(width, HAL_WINDOW_WIDTH_MIN, HAL_WINDOW_SIDE_MAX, &options->width) &&
+           number_parse(cross + 1, HAL_WINDOW_HEIGHT_MIN, HAL_WINDOW_SIDE_MAX, &options->height);
+}
+
+static int set_usb(void *target, const struct option *option, const char *value, char *why)
+{
+    struct options *options = target;
+    (void)option;
+    (void)why;
+    if (strlen(value) >= BOARD_USB_SIZE || options->usb_count == BOARD_USB_MAX ||
+        !board_check_usb(value)) {
+        return 0;
+    }
+    memcpy(options->usb[options->usb_count++], value, strlen(value) + 1u);
+    return 1;
+}
+
+static int set_line(void *target, const struct option *option, const char *value, char *why)
+{
+    struct options *options = target;
+    char line[1][BOARD_LINE_SIZE], reason[HAL_TEXT_SIZE];
+    (void)option;
+    if (strlen(value) >= BOARD_LINE_SIZE) {
+        snprintf(why, OPTION_TEXT_MAX, "longer than %u characters", BOARD_LINE_SIZE - 1u);
+        return 0;
+    }
+    memcpy(line[0], value, strlen(value) + 1u);
+    if (board_check_lines((const char(*)[BOARD_LINE_SIZE])line, 1, reason)) {
+        snprintf(why, OPTION_TEXT_MAX, "%s", reason);
+        return 0;
+    }
+    if (options->line_count == BOARD_LINE_MAX) {
+        return 0;
+    }
+    memcpy(options->line[options->line_count++], line[0], BOARD_LINE_SIZE);
+    return 1;
+}
+
+static int set_seed(void *target, const struct option *option, const char *value, char *why)
+{
+    struct options *options = target;
+    (void)option;
+    (void)why;
+    options->has_seed = 1;
+    return number_parse(value, 0, UINT32_MAX, &options->seed);
+}
+
+static uint32_t fish_max(uint8_t tank)
+{
+    return tank_preset_fish_max(tank_preset(tank), 1.0f);
+}
+
+static void print_fish_max(char out[OPTION_TEXT_MAX])
+{
+    snprintf(out, OPTION_TEXT_MAX / 2u, " %u (festival), %u (thesis) or %u (official)",
+             fish_max(TANK_PRESET_FESTIVAL), fish_max(TANK_PRESET_THESIS),
+             fish_max(TANK_PRESET_OFFICIAL));
+}
+
+/* Sets the number of fish. options_too_many_fish() checks the tank's maximum later, when the tank
+ * is known. */
+static int set_fish(void *target, const struct option *option, const char *value, char *why)
+{
+    uint32_t count;
+    (void)option;
+    (void)why;
+    return number_parse(value, 1, TANK_FISH_MAX, &count) &&
+           add_setting(target, SET_FISH, (int32_t)count);
+}
+
+/* Sets the game modes that a player can choose: one mode, the growth lab, or all modes. */
+static int set_mode(void *target, const struct option *option, const char *value, char *why)
+{
+    if (strcmp(value, "choose") == 0) {
+        return add_setting(target, SET_MODES, OPTIONS_MODES_ALL);
+    }
+    return !strchr(value, ',') && set_one(target, option, value, why);
+}
+
+static int set_grade(void *target, const struct option *option, const char *value, char *why)
+{
+    return strcmp(value, "own") != 0 && set_one(target, option, value, why);
+}
+
+static int set_coins(void *target, const struct option *option, const char *value, char *why)
+{
+    uint32_t coins;
+    (void)option;
+    (void)why;
+    if (!number_parse(value, 0, (uint32_t)settings_entry(SET_PRICE)->max, &coins)) {
+        return 0;
+    }
+    return coins == 0 ? add_setting(target, SET_PLAY, PLAY_FREE)
+                      : add_setting(target, SET_PLAY, PLAY_PAID) &&
+                            add_setting(target, SET_PRICE, (int32_t)coins);
+}
+
+/* Parses NAME=VALUE, where NAME is the name of a setting. */
+static int set_setting(void *target, const struct option *option, const char *text, char *why)
+{
+    char range[SETTING_RANGE_MAX];
+    int32_t value;
+    const size_t length = strcspn(text, "=");
+    const uint32_t id = text[length] ? setting_find(text, length) : SETTING_COUNT;
+    (void)option;
+    if (id == SETTING_COUNT) {
+        return 0;
+    }
+    if (!setting_parse(id, text + length + 1, &value)) {
+        setting_range(id, range);
+        snprintf(why, OPTION_TEXT_MAX, "expected %s", range);
+        return 0;
+    }
+    return add_setting(target, id, value);
+}
+
+/* ---- Table of options ---------------------------------------------------------------------- */
+
+static const char *const poi_names[] = {
+    [BOARD_POI_AUTO] = "auto",  [BOARD_POI_MOUSE] = "mouse", [BOARD_POI_TOUCH] = "touch",
+    [BOARD_POI_PAD] = "pad",    [BOARD_POI_USB] = "usb",     [BOARD_POI_BOT] = "bot",
+    [BOARD_POI_BOT + 1] = NULL,
+};
+
+static const char *const keyboard_names[] = {
+    [BOARD_KEYBOARD_AUTO] = "auto",
+    [BOARD_KEYBOARD_ON] = "on",
+    [BOARD_KEYBOARD_OFF] = "off",
+    [BOARD_KEYBOARD_OFF + 1] = NULL,
+};
+
+static const char *const tank_names[] = {
+    [TANK_PRESET_FESTIVAL] = "festival",
+    [TANK_PRESET_THESIS] = "thesis",
+    [TANK_PRESET_OFFICIAL] = "official",
+    [TANK_PRESET_COUNT] = NULL,
+};
+
+#define AT(member) .offset = offsetof(struct options, member)
+#define SET(function) .kind = OPTION_CUSTOM, .set = (function)
+
+/* clang-format off */
+static const struct option table[] = {
+    { "demo", "[SECONDS]", "let the bot play off screen and write pictures (20 s)", SET(set_demo),
+      .expects = "5 to 600 seconds" },
+    { "window", "WxH", "play in a window of this size in pixels; the default is full screen",
+      SET(set_window), .expects = "WIDTHxHEIGHT from 320x240 to 8192x8192", .section = "picture" },
+    { "poi", "KIND", "controller of the first player; with bot, the bot plays for all players",
+      OPTION_CHOICE, AT(poi), .choices = poi_names, .section = "devices" },
+    { "usb", "ID", "USB controller that may be a poi; repeat the option for each controller",
+      SET(set_usb), .expects = "VVVV:PPPP or VVVV:PPPP:SERIAL, as lsusb lists it; 8 at most",
+      .section = "devices" },
+    { "line", "ROLE=LINE",
+      "GPIO line and its role, see 'kingyoctl lines'; repeat the option for each line",
+      SET(set_line), .expects = "ROLE=LINE[,WORD...]; 32 at most", .section = "devices" },
+    { "keyboard", "USE",
+      "whether keys act as buttons and coins; auto means on, except in a service",
+      OPTION_CHOICE, AT(keyboard), .choices = keyboard_names, .section = "devices" },
+    { "mode", "NAME",
+      "festival, championship, practice, lab (fish grow), or choose, with which the player chooses "
+      "the mode after START",
+      SET(set_mode), .id = SET_MODES,
+      .expects = "festival, championship, practice, lab or choose", .section = "" },
+    { "grade", "N",
+      "grade of the paper from 4 (strong) to 7 (weak); the default is 6, and 5 in a championship",
+      SET(set_grade), .id = SET_GRADE, .expects = "4 to 7", .section = "" },
+    { "players", "N", "number of bowls at the tank; a bowl without a controller stays empty",
+      SET(set_one), .id = SET_PLAYERS, .expects = "1 to 4", .section = "" },
+    { "coins", "N", "coins that a round costs; 0, the default, is free play", SET(set_coins),
+      .expects = "0 to 20", .section = "" },
+    { "tickets", "N", "a ticket for each N fish that a player catches; 0 means no tickets",
+      SET(set_one), .id = SET_TICKET_FISH, .expects = "0 to 20", .section = "" },
+    { "record", "FILE", "record the session to FILE, which must be a new or empty file",
+      OPTION_PATH, AT(record), .section = "files" },
+    { "replay", "FILE", "show a recorded session and verify it", OPTION_PATH, AT(replay) },
+    { "shots", "DIR", "folder for pictures (demo: out/demo); otherwise one picture each 5 s",
+      OPTION_PATH, AT(shots), .section = "files" },
+    { "data", "DIR", "data folder of the kiosk (~/.local/share/kingyo)", OPTION_PATH, AT(data),
+      .section = "files" },
+    { "set", "KEY=VALUE",
+      "setting of kingyo.conf for this session only; repeat the option for each setting",
+      SET(set_setting), .expects = "KEY=VALUE; 'kingyoctl config defaults' lists them" },
+    { "config", "FILE",
+      "configuration file (/etc/kingyo/kingyo.conf), which the command line overrides",
+      OPTION_PATH, AT(config) },
+    { "lang", "ja|en", "language of the kiosk", SET(set_one), .id = SET_LANGUAGE,
+      .expects = "ja or en", .section = "" },
+    { "tank", "NAME",
+      "tank of the kiosk; thesis is the tank of 2013, and official that of a championship",
+      OPTION_CHOICE, AT(tank), .choices = tank_names, .expects = "festival, thesis or official",
+      .section = "game" },
+    { "seed", "N", "seed of all random numbers; equal seeds give equal fish", SET(set_seed),
+      .expects = "0 to 4294967295", .section = "game" },
+    { "fish", "N", "number of fish, at most", SET(set_fish), .more = print_fish_max,
+      .expects = "1 to", .section = "" },
+    { "help", NULL, "print this text", OPTION_FLAG, AT(help) },
+    { "version", NULL, "print the version", OPTION_FLAG, AT(version) },
+};
+/* clang-format on */
+
+const struct option_table options_table = { table, sizeof table / sizeof table[0], NULL };
 
 /* ---- Command line -------------------------------------------------------------------------- */
 
-/* Returns the value of the option at argv[*index]: the text after '=', or the next argument.
- * Returns null if there is no value. If the value is the next argument, advances `*index`. */
-static const char *value_of(const struct option *option, int argc, const char *const *argv,
-                            int *index)
+int options_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX])
 {
-    const char *equals = strchr(argv[*index], '=');
-    if (equals) {
-        return equals + 1;
+    char why[HAL_TEXT_SIZE];
+    CORE_ASSERT(options->line_count <= BOARD_LINE_MAX);
+    if (board_check_lines((const char(*)[BOARD_LINE_SIZE])options->line, options->line_count,
+                          why) == 0) {
+        return 0;
     }
-    if (!option->value || *index + 1 >= argc) {
-        return NULL;
-    }
-    const char *next = argv[*index + 1];
-    const int is_optional = option->value[0] == '[';
-    const char first = next[next[0] == '-']; /* A negative number is a value, so that the error
-                                                message names it as invalid. */
-    if (is_optional ? !isdigit((unsigned char)first) : strncmp(next, "--", 2) == 0) {
-        return NULL;
-    }
-    ++*index;
-    return next;
+    snprintf(says, OPTION_TEXT_MAX, "%s", why);
+    return 1;
 }
 
-static int parse_one(struct options *options, int argc, const char *const *argv, int *index,
-                     char error[OPTIONS_ERROR_MAX])
+int options_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX])
 {
-    const char *word = argv[*index];
-    const struct option *option = NULL;
-    char expects[OPTION_TEXT_MAX];
-    if (strncmp(word, "--", 2) == 0) {
-        option = option_find(word + 2, strcspn(word + 2, "="));
-    } else if (strcmp(word, "-h") == 0) {
-        option = option_find("help", 4);
+    const struct options_query_result *by = options->is_file ? &options->file : &options->words;
+    CORE_ASSERT(options->tank < TANK_PRESET_COUNT);
+    const uint32_t most = fish_max(options->tank);
+    if (!by->is_set[SET_FISH] || by->value[SET_FISH] <= (int32_t)most) {
+        return 0;
     }
-    if (!option) {
-        snprintf(error, OPTIONS_ERROR_MAX, "unknown option '%.100s'; --help lists them", word);
+    snprintf(says, OPTION_TEXT_MAX, "%d is too many; the %s tank holds 1 to %u",
+             by->value[SET_FISH], tank_preset(options->tank)->name, most);
+    return 1;
+}
+
+int options_check(const struct options *options, char error[OPTIONS_ERROR_MAX])
+{
+    char says[OPTION_TEXT_MAX];
+    if (options->record[0] && options->replay[0]) {
+        snprintf(error, OPTIONS_ERROR_MAX, "--record and --replay cannot go together");
         return -1;
     }
-    const char *value = value_of(option, argc, argv, index);
-    if (!option->value && value) {
-        snprintf(error, OPTIONS_ERROR_MAX, "--%s takes no value", option->name);
+    if (options_too_many_fish(options, says)) {
+        snprintf(error, OPTIONS_ERROR_MAX, "--fish: %s", says);
         return -1;
     }
-    if (option->value && option->value[0] != '[' && !value) {
-        snprintf(error, OPTIONS_ERROR_MAX, "--%s needs a value: %s", option->name,
-                 option_text(option, option->expects, expects));
-        return -1;
-    }
-    if (!option->set(options, value)) {
-        const char *objection = option_objects(option, value, expects);
-        if (objection) {
-            snprintf(error, OPTIONS_ERROR_MAX, "--%s: '%.60s': %s", option->name, value, objection);
-            return -1;
-        }
-        snprintf(error, OPTIONS_ERROR_MAX, "--%s: '%.100s' is not right; expected %s", option->name,
-                 value ? value : "", option_text(option, option->expects, expects));
+    if (options_wires_clash(options, says)) {
+        snprintf(error, OPTIONS_ERROR_MAX, "--line: %s", says);
         return -1;
     }
     return 0;
@@ -73,57 +302,40 @@ static int parse_one(struct options *options, int argc, const char *const *argv,
 int options_parse(struct options *options, int argc, const char *const *argv,
                   char error[OPTIONS_ERROR_MAX])
 {
-    for (int i = 1; i < argc; i++) {
-        if (parse_one(options, argc, argv, &i, error)) {
-            return -1;
-        }
-    }
-    if (options->record[0] && options->replay[0]) {
-        snprintf(error, OPTIONS_ERROR_MAX, "--record and --replay cannot go together");
-        return -1;
-    }
-    char says[OPTION_TEXT_MAX];
-    if (option_too_many_fish(options, says)) {
-        snprintf(error, OPTIONS_ERROR_MAX, "--fish: %s", says);
-        return -1;
-    }
-    if (option_wires_clash(options, says)) {
-        snprintf(error, OPTIONS_ERROR_MAX, "--line: %s", says);
-        return -1;
-    }
-    return 0;
+    CORE_ASSERT(argc >= 1);
+    return option_table_parse(&options_table, 0, options, argc - 1, argv + 1, error)
+               ? -1
+               : options_check(options, error);
 }
-
-/* ---- Text of --help ------------------------------------------------------------------------ */
 
 void options_print_help(void)
 {
-    puts(
-        "kingyo: a goldfish-scooping stall. The mouse is the poi: hold the left button to dip\n"
-        "it, let go to lift; the wheel tilts it, the right button levels it. While F is held\n"
-        "the mouse leads a fan over the water, whose still shade gathers fish. Space starts, the\n"
-        "arrows choose a mode, 5 is a coin, F2 opens the operator's menu, F3 is its service\n"
-        "button, L changes the language, F11 is full screen, Esc pressed twice quits. On a\n"
-        "touch screen one finger leads the poi, a second one dips it, and three press START. On\n"
-        "a pad the left stick leads it, A or a trigger dips it, the right stick tilts it. Without\n"
-        "a screen the bot plays, or the replay is checked, and pictures of it are written.\n");
-    const struct option *option;
-    for (uint32_t i = 0; (option = option_at(i)) != NULL; i++) {
-        char left[40], right[OPTION_TEXT_MAX];
-        snprintf(left, sizeof left, "--%s %s", option->name, option->value ? option->value : "");
-        printf("  %-18s %s\n", left, option_text(option, option->help, right));
-    }
-    puts("\nEach player needs a controller; a seat without one waits empty, and with --poi bot\n"
-         "the stall's bot plays them all. With --poi auto the first player gets the best that is\n"
-         "plugged in, also while the stall is open: a USB poi, else a pad, else mouse or finger.\n"
-         "Nobody's controller changes in mid-game. A championship is held in the official tank:\n"
-         "the stall changes tanks for it.\n"
-         "\nA recording is never written over: --record refuses a file that holds anything. It is\n"
-         "whole after each second: a kiosk that is killed loses one at most, a power cut more.\n"
-         "\nExit code: 0 fine; 1 the display was lost, no picture could be made, or a replay\n"
-         "differs; 2 wrong option; 65 a recording that is no whole recording; 74 a path or a\n"
-         "standard output that cannot be read or written, or finished rounds that could not be\n"
-         "kept.");
+    puts("kingyo: a goldfish-scooping kiosk.\n"
+         "\n"
+         "Mouse: hold the left button to dip the poi, and release it to lift the poi. The wheel\n"
+         "tilts the poi, and the right button levels it. Hold F to move the fan over the water;\n"
+         "fish gather in its shade while it does not move.\n"
+         "Keyboard: Space starts a round, the arrow keys choose a mode, 5 inserts a coin, F2\n"
+         "opens the operator's menu, F3 is the service button, L changes the language, F11\n"
+         "toggles full screen, and Esc pressed twice quits.\n"
+         "Touch screen: one finger moves the poi, a second finger dips it, and three fingers\n"
+         "press START.\n"
+         "Gamepad: the left stick moves the poi, A or a trigger dips it, and the right stick\n"
+         "tilts it.\n"
+         "Without a screen the bot plays, or the replay is verified, and pictures are written.\n");
+    option_table_print(&options_table);
+    puts("\nEach player needs a controller. A seat without a controller stays empty. With --poi\n"
+         "bot, the bot plays for all players. With --poi auto, the first player gets the best\n"
+         "connected controller, also if it is connected later: a USB poi, else a gamepad, else\n"
+         "mouse or touch screen. No controller changes during a game. A championship uses the\n"
+         "official tank: the kiosk changes the tank.\n"
+         "\n"
+         "--record refuses a file that is not empty. A recording is complete after each second:\n"
+         "a killed kiosk loses at most one second, and a power failure loses more.\n"
+         "\n"
+         "Exit code: 0 success; 1 the display was lost, no picture could be made, or a replay\n"
+         "differs; 2 wrong option; 65 invalid recording; 74 a path or standard output that\n"
+         "cannot be read or written, or finished rounds that could not be saved.");
 }
 
 /* ---- Combination of the sources of settings ------------------------------------------------ */
@@ -151,5 +363,6 @@ void options_last(const struct options *options, struct settings *settings)
 
 int options_query(const struct options *options, uint32_t id)
 {
+    CORE_ASSERT(id < SETTING_COUNT);
     return options->file.is_set[id] || options->words.is_set[id];
 }

@@ -1,5 +1,6 @@
-/* options.h -- parses the command line of `kingyo`. config_file.h reads the same options from a
- * file. Pure functions. */
+/* options.h -- the options of `kingyo`: their table, their targets, and the settings that they
+ * select. config_file.h reads the same options from a file. Pure functions, except for
+ * options_print_help(). */
 #ifndef KINGYO_PLATFORM_CONFIG_OPTIONS_H
 #define KINGYO_PLATFORM_CONFIG_OPTIONS_H
 
@@ -9,9 +10,8 @@
 #include "core/core.h"
 #include "core/settings.h"
 #include "platform/board.h"
+#include "platform/config/option_table.h"
 
-#define OPTIONS_PATH_MAX 1024u
-#define OPTIONS_ERROR_MAX 256u
 #define OPTIONS_DEMO_S 20u
 #define OPTIONS_DEMO_S_MIN 5u
 #define OPTIONS_DEMO_S_MAX 600u
@@ -60,11 +60,26 @@ struct options {
     char config[OPTIONS_PATH_MAX];
 };
 
-/* Parses `argv` into `options`. Options that `argv` does not name keep their values. Returns 0.
- * Returns -1 and writes one line to `error` if an option is invalid, or if the tank cannot hold the
- * number of fish. The order of the options has no effect. */
+/* Checks rules that concern several options. Returns 0, or -1 and writes one line to `error`. */
+int options_check(const struct options *options, char error[OPTIONS_ERROR_MAX]);
+
+/* The table of the options. Its target is struct options. */
+extern const struct option_table options_table;
+
+/* Parses `argv` into `options`, from argv[1] on. Options that `argv` does not name keep their
+ * values. Returns 0. Returns -1 and writes one line to `error` if an option is invalid, or if the
+ * tank cannot hold the number of fish. The order of the options has no effect. */
 int options_parse(struct options *options, int argc, const char *const *argv,
                   char error[OPTIONS_ERROR_MAX]);
+
+/* Returns 1 and names the GPIO line in `says` if two GPIO line options use the same GPIO line.
+ * Otherwise returns 0. */
+int options_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX]);
+
+/* Returns 1 if the tank cannot hold the configured number of fish, and writes the reason to `says`.
+ * Otherwise returns 0. Checks the configuration file if options->is_file is 1, otherwise the
+ * command line. */
+int options_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX]);
 
 /* Sets the initial settings, which the operator's menu may change later. Each setting is the
  * default, the value of the machine's locale, or the value of the configuration file. Later sources

@@ -17,14 +17,14 @@ static const struct ctl_command *const commands[] = {
 
 static void print_help(void)
 {
-    puts("kingyoctl COMMAND: looks into a goldfish stall without opening it.\n");
+    puts("kingyoctl COMMAND: inspects the goldfish-scooping kiosk without starting it.\n");
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
         printf("  %-8s %s\n", commands[i]->name, commands[i]->summary);
     }
     puts(
-        "\n'kingyoctl COMMAND --help' says more. Exit code: 0 fine; 1 checked, and not so;\n"
-        "2 wrong usage; 65 bad data; 74 a path that cannot be read or written, or standard output\n"
-        "that is full or closed.");
+        "\n'kingyoctl COMMAND --help' explains a command. Exit code: 0 success; 1 a check failed;\n"
+        "2 wrong usage; 65 invalid data; 74 a path that cannot be read or written, or standard\n"
+        "output that is full or closed.");
 }
 
 static int is_help(const char *word)
@@ -32,15 +32,28 @@ static int is_help(const char *word)
     return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
 }
 
+static void print_command_help(const struct ctl_command *command)
+{
+    printf("kingyoctl %s: %s\n\n%s", command->name, command->summary,
+           command->usage ? command->usage : "");
+    if (command->options) {
+        fputs(command->usage ? "\n" : "", stdout);
+        option_table_print(command->options);
+    }
+    if (command->notes) {
+        printf("\n%s", command->notes);
+    }
+    if (command->tell_more) {
+        command->tell_more();
+    }
+}
+
 static enum exit_code run_command(const struct ctl_command *command, int argc,
                                   const char *const *argv)
 {
     for (int i = 0; i < argc && !command->helps_itself; i++) {
         if (is_help(argv[i])) {
-            printf("kingyoctl %s: %s\n\n%s", command->name, command->summary, command->usage);
-            if (command->tell_more) {
-                command->tell_more();
-            }
+            print_command_help(command);
             return EXIT_OK;
         }
     }

@@ -208,7 +208,7 @@ check 'it is as it was' cmp $old/version-2.db "$work/old/kingyo.db"
 cp $old/version-5.db "$work/broken/kingyo.db"
 printf 'x%.0s' {1..4000} | dd of="$work/broken/kingyo.db" bs=1 seek=4096 conv=notrunc status=none
 check 'of a damaged file no backup is made' leaves_no_half_copy
-check 'an unknown word is told' ends 2 "'--nonesuch' is not understood" audits --nonesuch
+check 'an unknown word is told' ends 2 "unknown option '--nonesuch'" audits --nonesuch
 check 'a mode that there is not is told' ends 2 'festival, championship or practice' scores --mode tuna
 
 # ---- Nobody but the owner reads what holds the takings and the hash of the PIN

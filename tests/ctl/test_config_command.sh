@@ -27,8 +27,8 @@ check 'a key in another section' ends 1 'wrong.conf:5: .price. belongs to \[mone
 four() { config check "$work/wrong.conf"; [ "$(wc -l <"$work/err")" -eq 4 ] && [ ! -s "$work/out" ]; }
 check 'each has one line' four
 check 'a file that is not there' ends 74 'none.conf: No such file' check "$work/none.conf"
-check 'no word is wrong usage' ends 2 'check .* or defaults is wanted'
-check 'so is a third one' ends 2 'is wanted' check a b
+check 'no word is wrong usage' ends 2 'expected check .* or defaults'
+check 'so is a third one' ends 2 'expected check' check a b
 full() { "$build/kingyoctl" config defaults >/dev/full 2>"$work/err"; [ $? -eq 74 ] && grep -q 'No space' "$work/err"; }
 check 'a full disk is told' full
 

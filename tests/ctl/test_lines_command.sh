@@ -28,14 +28,14 @@ helps() { "$ctl" lines --help | grep -q 'kingyoctl lines pulse ROLE=LINE COUNT';
 echo 1..14
 check 'help names its subcommands' helps
 check 'the list says what there is, or that there is nothing' lists
-check 'a subcommand is wanted' refuses 2 'list, watch, set or pulse is wanted'
+check 'a subcommand is wanted' refuses 2 'expected list, watch, set or pulse'
 check 'an unknown one is told' refuses 2 "'look' is none of" look
-check 'list wants no words' refuses 2 'list wants no words' list start=A
-check 'watch wants a wire' refuses 2 'watch wants ROLE=LINE' watch
+check 'list wants no words' refuses 2 'list takes no arguments' list start=A
+check 'watch wants a wire' refuses 2 'watch needs ROLE=LINE' watch
 check 'a role that is none is told' refuses 2 "'strat' is no role" watch strat=A
 check 'a word that is none is told' refuses 2 "'lo' is none of" watch start=A,lo
 check 'two roles on one line are told' refuses 2 'one line, one role' watch left=A right=A
-check 'seconds are a number' refuses 2 '--seconds wants a number' watch start=A --seconds soon
+check 'seconds are a number' refuses 2 "--seconds: 'soon' is wrong; expected a whole number" watch start=A --seconds soon
 check 'a button cannot be switched' refuses 2 'start is a button' set start=A on
 check 'a lamp is on or off' refuses 2 "not 'bright'" set start-lamp=A bright
 check 'pulses are counted' refuses 2 'a count from 1 to' pulse ticket=A 0

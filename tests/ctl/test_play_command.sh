@@ -96,7 +96,7 @@ check 'people get a line a round and a summary' eval \
     '[ "$(grep -c "^round [12] .*caught.*scoops.*fouls.*hash" "$work/text")" = 2 ] && grep -q "^caught: median .*, p90 .*, most " "$work/text" &&
      [ "$(wc -l <"$work/text")" = 3 ]'
 check 'and the help says how long a round may be beyond its seconds' eval \
-    '"$ctl" play --help | tr -s " \n" "  " | grep -q "what lies on the paper when time is called may be brought home, 3 s at most"'
+    '"$ctl" play --help | tr -s " \n" "  " | grep -q "Fish on the paper at the end may still be brought to the bowl, 3 s at most"'
 check 'the help tells every key of a bot' eval \
     '"$ctl" play --help >"$work/help"; for key in base wet entry_deg glide_deg side place lift hunt fish_max fish_m arm_m_s dip_m_s glide_m_s lift_m_s \
      carry_m_s drain_s patience_s aim_m tremor_m reaction_min_s reaction_max_s; do grep -qw -- "$key" "$work/help" || { echo $key; exit 1; }; done'
@@ -134,7 +134,7 @@ check 'a mode that is none' mistake 2 "--mode: 'lab'" --mode lab
 check 'a grade that no mill makes' mistake 2 '--grade' --grade 3
 check 'no rounds' mistake 2 '--rounds' --rounds 0
 check 'more fish than the water holds' mistake 2 '1 to ' --fish 2000
-check 'a value that is missing' mistake 2 "--seed: ''" --seed
+check 'a value that is missing' mistake 2 '--seed needs a value' --seed
 check 'an option that is none' mistake 2 --fishes --fishes 3
 check 'a round of no length' mistake 2 '--round-s' --round-s 9
 check 'a folder that cannot be made' mistake 74 '/dev/null/rec' --record /dev/null/rec

@@ -1,6 +1,7 @@
 /* hid.c -- the command `kingyoctl hid`.
  *
  * The command explains a HID report descriptor and decodes reports with that descriptor. */
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -74,47 +75,70 @@ static enum exit_code map(const char *path, const char *ids)
     return EXIT_OK;
 }
 
+/* ---- Command line ---------------------------------------------------------------------------- */
+
+struct request {
+    struct hid_watch_options watch; /* watch.path is the first argument of every subcommand. */
+    const char *second; /* Second argument: a file of reports, or the ids of a device. */
+};
+
+enum group { GROUP_DESCRIBE = 1, GROUP_DECODE = 2, GROUP_MAP = 4, GROUP_WATCH = 8 };
+
+#define AT(member) .offset = offsetof(struct request, member)
+
+static const struct option options[] = {
+    { NULL, "FILE", "descriptor, or device to watch", OPTION_ARGUMENT, AT(watch.path) },
+    { NULL, "SECOND", "reports, or the ids of a device", OPTION_ARGUMENT, AT(second),
+      .groups = GROUP_DECODE | GROUP_MAP },
+    { "descriptor", "FILE", "descriptor of the device", OPTION_TEXT, AT(watch.descriptor_path),
+      .groups = GROUP_WATCH },
+    { "seconds", "N", "duration", OPTION_WHOLE, AT(watch.seconds), 1, HID_WATCH_SECONDS_MAX,
+      .groups = GROUP_WATCH },
+};
+
+static const struct option_table table = { options, sizeof options / sizeof options[0], NULL };
+
 static enum exit_code hid_run(int argc, const char *const *argv)
 {
-    const int has_option = argc >= 2 && argv[1][0] == '-' && argv[1][1];
-    if (has_option && strcmp(argv[0], "watch") != 0) {
-        return ctl_usage(name, "%s: there is no option '%s'; a file of that name is ./%s", argv[0],
-                         argv[1], argv[1]);
+    static const char *const subcommands[] = { "describe", "decode", "map", "watch" };
+    struct request request = { .second = NULL };
+    uint32_t group = GROUP_DESCRIBE;
+    for (size_t i = 0; argc > 0 && i < 4 && strcmp(argv[0], subcommands[i]) != 0; i++) {
+        group <<= 1;
     }
-    if (argc == 2 && strcmp(argv[0], "describe") == 0) {
-        return describe(argv[1]);
+    if (argc > 0 && group <= GROUP_WATCH) {
+        const enum exit_code code = ctl_options(name, &table, group, &request, argc - 1, argv + 1);
+        if (code != EXIT_OK || group == GROUP_WATCH) {
+            return code != EXIT_OK ? code : hid_watch(&request.watch);
+        }
+        if (request.watch.path && (request.second || group != GROUP_DECODE)) {
+            return group == GROUP_DESCRIBE ? describe(request.watch.path)
+                   : group == GROUP_DECODE ? decode(request.watch.path, request.second)
+                                           : map(request.watch.path, request.second);
+        }
     }
-    if (argc == 3 && strcmp(argv[0], "decode") == 0) {
-        return decode(argv[1], argv[2]);
-    }
-    if ((argc == 2 || argc == 3) && strcmp(argv[0], "map") == 0) {
-        return map(argv[1], argc == 3 ? argv[2] : NULL);
-    }
-    if (argc >= 1 && strcmp(argv[0], "watch") == 0) {
-        return hid_watch(argc - 1, argv + 1);
-    }
-    return ctl_usage(name, "describe FILE, decode DESCRIPTOR REPORTS.tsv, map FILE, or "
-                           "watch [DEVICE]; --help says more");
+    return ctl_usage(name, "expected describe FILE, decode DESCRIPTOR REPORTS.tsv, map FILE, or "
+                           "watch [DEVICE]; --help explains them");
 }
 
 const struct ctl_command ctl_hid = {
     .name = name,
-    .summary = "what a HID report descriptor says, what reports mean, what a device sends",
+    .summary = "explains HID report descriptors, decodes reports, and shows what a device sends",
     .usage =
-        "  kingyoctl hid describe FILE                   every input field, one row each\n"
-        "  kingyoctl hid decode DESCRIPTOR REPORTS.tsv   the values in recorded reports\n"
-        "  kingyoctl hid map FILE [VVVV:PPPP]            as what the kiosk would play such a\n"
-        "                                                device; exit 1: as nothing\n"
-        "  kingyoctl hid watch                           which devices there are\n"
-        "  kingyoctl hid watch DEVICE [OPTION...]        what one sends now: a picture on a\n"
-        "                                                terminal, rows as of decode elsewhere\n"
-        "      --descriptor FILE   DEVICE is a file or pipe of raw reports, which FILE declares\n"
-        "      --seconds N         ends by itself\n\n"
-        "A descriptor is hex text, or binary if the file holds anything else. Reports are rows\n"
-        "of id, number and hex (report id first, if the device has them) under a header line;\n"
-        "those are shown whose id is the descriptor's file name without its extension, and\n"
-        "that are as long as declared; exit 1: none is.\n"
-        "`cat /dev/hidraw3 >file` records what watch can read; it shows all of that at once.\n"
-        "Rows of watch have one more column, milliseconds since it began.\n",
+        "  kingyoctl hid describe FILE                   prints each input field in one row\n"
+        "  kingyoctl hid decode DESCRIPTOR REPORTS.tsv   prints the values in recorded reports\n"
+        "  kingyoctl hid map FILE [VVVV:PPPP]            prints the controller mapping that the\n"
+        "                                                kiosk would use; exit code 1: none\n"
+        "  kingyoctl hid watch                           lists the devices\n"
+        "  kingyoctl hid watch DEVICE [OPTION...]        shows what a device sends: a view on a\n"
+        "                                                terminal, otherwise rows as of decode\n"
+        "      --descriptor FILE   FILE describes the raw reports of DEVICE, a file or a pipe\n"
+        "      --seconds N         ends after N seconds, 1 to 86400\n\n"
+        "A descriptor is hex text, or binary if the file contains anything else. Reports are\n"
+        "rows of id, number and hex (report id first, if the device has report ids) below a\n"
+        "header line. Reports are decoded if their id is the descriptor's file name without its\n"
+        "extension, and if they are as long as declared; exit code 1: there are none.\n"
+        "`cat /dev/hidraw3 >file` records what watch can read; watch shows all of it at once.\n"
+        "Rows of watch have one more column, the milliseconds from its start.\n",
     .run = hid_run,
 };

@@ -18,7 +18,6 @@
 #include "platform/ctl/devices/hid_rows.h"
 #include "platform/ctl/devices/hid_source.h"
 #include "platform/ctl/lib/ctl.h"
-#include "platform/os/number.h"
 #include "platform/os/print.h"
 
 /* Timeout of one wait in ms. The timeout limits the delay after Ctrl-C, and lets the displayed
@@ -26,7 +25,6 @@
 #define WAIT_MS 50
 /* Minimum time between two redraws in ns, which gives 20 redraws per second. */
 #define PICTURE_NS 50000000ull
-#define SECONDS_MAX 86400u
 
 /* Terminal escape codes. SCREEN_BEGIN selects the alternate screen and hides the cursor. */
 #define SCREEN_BEGIN "\x1b[?1049h\x1b[?25l"
@@ -34,12 +32,6 @@
 #define LINE_REST "\x1b[K"
 #define SCREEN_REST "\x1b[J"
 #define SCREEN_END "\x1b[?25h\x1b[?1049l"
-
-struct watch_options {
-    const char *path, *descriptor_path;
-    uint32_t seconds; /* Duration in seconds. 0 means that the command runs until the source ends or
-                         the user stops the command. */
-};
 
 /* State of `kingyoctl hid watch` for one device. */
 struct watch {
@@ -160,7 +152,7 @@ static void hear_signals(void)
     sigaction(SIGHUP, &action, NULL);
 }
 
-static enum exit_code watch_one(const struct watch_options *options)
+static enum exit_code watch_one(const struct hid_watch_options *options)
 {
     static struct watch watch;
     hear_signals();
@@ -184,43 +176,12 @@ static enum exit_code watch_one(const struct watch_options *options)
     return end;
 }
 
-/* ---- Command line ---------------------------------------------------------------------------- */
-
-static enum exit_code hid_watch_take_option(struct watch_options *options, const char *word,
-                                            const char *value)
+enum exit_code hid_watch(const struct hid_watch_options *options)
 {
-    if (strcmp(word, "--descriptor") == 0 && value) {
-        options->descriptor_path = value;
-        return EXIT_OK;
-    }
-    if (strcmp(word, "--seconds") == 0 && number_parse(value, 1, SECONDS_MAX, &options->seconds)) {
-        return EXIT_OK;
-    }
-    return ctl_usage("hid", "watch: %s: --descriptor FILE and --seconds 1..%u are all there is",
-                     word, SECONDS_MAX);
-}
-
-enum exit_code hid_watch(int argc, const char *const *argv)
-{
-    struct watch_options options = { .path = NULL };
-    for (int i = 0; i < argc; i++) {
-        if (argv[i][0] == '-' && argv[i][1]) {
-            const enum exit_code code =
-                hid_watch_take_option(&options, argv[i], i + 1 < argc ? argv[i + 1] : NULL);
-            if (code != EXIT_OK) {
-                return code;
-            }
-            i++;
-        } else if (options.path) {
-            return ctl_usage("hid", "watch: one device at a time; '%s' is one too many", argv[i]);
-        } else {
-            options.path = argv[i];
-        }
-    }
-    if (!options.path) {
-        return options.descriptor_path || options.seconds
-                   ? ctl_usage("hid", "watch: of which device? Without a word it lists them")
+    if (!options->path) {
+        return options->descriptor_path || options->seconds
+                   ? ctl_usage("hid", "watch: a DEVICE is missing; without options it lists them")
                    : list();
     }
-    return watch_one(&options);
+    return watch_one(options);
 }

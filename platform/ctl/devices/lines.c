@@ -2,6 +2,7 @@
  *
  * The command lists the GPIO lines, shows events on configured lines and tests outputs. */
 #include <signal.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -49,37 +50,33 @@ static void end_at_signals(void)
 
 /* ---- Command line ---------------------------------------------------------------------------- */
 
-static enum exit_code lines_read_wire(struct request *request, const char *text)
+/* Parses ROLE=LINE, or the one word that is not a line. */
+static int take_word(void *target, const struct option *option, const char *text, char *why)
 {
-    char why[HAL_TEXT_SIZE];
-    if (!gpio_wire_read(text, request->wires, why) || !gpio_config_agrees(request->wires, why)) {
-        return ctl_usage(name, "%s", why);
+    struct request *request = target;
+    char reason[HAL_TEXT_SIZE];
+    (void)option;
+    if (!strchr(text, '=')) {
+        const int is_first = request->word == NULL;
+        request->word = text;
+        return is_first;
+    }
+    if (!gpio_wire_read(text, request->wires, reason) ||
+        !gpio_config_agrees(request->wires, reason)) {
+        snprintf(why, OPTION_TEXT_MAX, "%s", reason);
+        return 0;
     }
     request->role = gpio_role_find(text, (size_t)(strchr(text, '=') - text));
-    return EXIT_OK;
+    return 1;
 }
 
-static enum exit_code lines_read_words(struct request *request, int argc, const char *const *argv)
-{
-    for (int i = 0; i < argc; i++) {
-        if (strcmp(argv[i], "--seconds") == 0) {
-            const char *value = i + 1 < argc ? argv[++i] : NULL;
-            if (!number_parse(value, 1, SECONDS_MAX, &request->seconds)) {
-                return ctl_usage(name, "--seconds wants a number from 1 to %u", SECONDS_MAX);
-            }
-        } else if (strchr(argv[i], '=')) {
-            const enum exit_code code = lines_read_wire(request, argv[i]);
-            if (code != EXIT_OK) {
-                return code;
-            }
-        } else if (argv[i][0] == '-' || request->word) {
-            return ctl_usage(name, "'%.60s' is not understood; --help says more", argv[i]);
-        } else {
-            request->word = argv[i];
-        }
-    }
-    return EXIT_OK;
-}
+static const struct option options[] = {
+    { NULL, "ROLE=LINE", "line and its role, or a value", OPTION_ARGUMENT, .set = take_word },
+    { "seconds", "N", "duration", OPTION_WHOLE, .offset = offsetof(struct request, seconds), 1,
+      SECONDS_MAX },
+};
+
+static const struct option_table table = { options, sizeof options / sizeof options[0], NULL };
 
 /* ---- GPIO lines ------------------------------------------------------------------------------ */
 
@@ -131,7 +128,7 @@ static void step_until(uint64_t until_ns, struct lines_show *show)
 static enum exit_code run_list(const struct request *request)
 {
     if (gpio_config_count(request->wires) > 0 || request->word || request->seconds) {
-        return ctl_usage(name, "list wants no words");
+        return ctl_usage(name, "list takes no arguments");
     }
     return lines_list(gpio_lines_device(), stdout);
 }
@@ -139,7 +136,7 @@ static enum exit_code run_list(const struct request *request)
 static enum exit_code run_watch(const struct request *request)
 {
     if (gpio_config_count(request->wires) == 0 || request->word) {
-        return ctl_usage(name, "watch wants ROLE=LINE, once or more");
+        return ctl_usage(name, "watch needs ROLE=LINE, once or more");
     }
     const enum exit_code code = open_lines(request);
     if (code != EXIT_OK) {
@@ -162,7 +159,7 @@ static enum exit_code run_watch(const struct request *request)
 static enum exit_code open_output(const struct request *request, const char *wanted)
 {
     if (gpio_config_count(request->wires) != 1 || !request->word) {
-        return ctl_usage(name, "ROLE=LINE and %s are wanted", wanted);
+        return ctl_usage(name, "expected ROLE=LINE and %s", wanted);
     }
     if (gpio_role_is_input(request->role)) {
         return ctl_usage(name,
@@ -182,7 +179,7 @@ static enum exit_code run_set(const struct request *request)
     }
     const int is_on = strcmp(request->word, "on") == 0;
     if (!is_on && strcmp(request->word, "off") != 0) {
-        return ctl_usage(name, "%s is wanted, not '%.40s'", wanted, request->word);
+        return ctl_usage(name, "expected %s, not '%.40s'", wanted, request->word);
     }
     code = open_lines(request);
     if (code != EXIT_OK) {
@@ -204,7 +201,7 @@ static enum exit_code run_pulse(const struct request *request)
         return code;
     }
     if (!number_parse(request->word, 1, PULSES_MAX, &count)) {
-        return ctl_usage(name, "pulse wants a count from 1 to %u, not '%.40s'", PULSES_MAX,
+        return ctl_usage(name, "pulse needs a count from 1 to %u, not '%.40s'", PULSES_MAX,
                          request->word);
     }
     code = open_lines(request);
@@ -238,11 +235,11 @@ static enum exit_code run(int argc, const char *const *argv)
     };
     struct request request = { 0 };
     if (argc == 0) {
-        return ctl_usage(name, "list, watch, set or pulse is wanted; --help says more");
+        return ctl_usage(name, "expected list, watch, set or pulse; --help explains them");
     }
     for (size_t i = 0; i < sizeof subcommands / sizeof subcommands[0]; i++) {
         if (strcmp(argv[0], subcommands[i].word) == 0) {
-            const enum exit_code code = lines_read_words(&request, argc - 1, argv + 1);
+            const enum exit_code code = ctl_options(name, &table, 0, &request, argc - 1, argv + 1);
             return code != EXIT_OK ? code : subcommands[i].run(&request);
         }
     }
@@ -251,20 +248,20 @@ static enum exit_code run(int argc, const char *const *argv)
 
 const struct ctl_command ctl_lines = {
     .name = name,
-    .summary = "GPIO lines: which there are, what buttons and coins do, lamps and meters by hand",
+    .summary = "lists GPIO lines, shows their events, and tests lamps and meters",
     .usage =
-        "  kingyoctl lines list                       every line of every chip, and who holds it\n"
+        "  kingyoctl lines list                       every line of every chip, and its user\n"
         "  kingyoctl lines watch ROLE=LINE... [--seconds N]\n"
         "                                             presses, coins with their widths, faults\n"
         "  kingyoctl lines set ROLE=LINE on|off [--seconds N]\n"
-        "                                             for N seconds (3); then the line is let go\n"
-        "  kingyoctl lines pulse ROLE=LINE COUNT      steps a meter, asks for tickets\n"
+        "                                             for N seconds (3); then releases the line\n"
+        "  kingyoctl lines pulse ROLE=LINE COUNT      steps a meter, or requests tickets\n"
         "\n"
         "ROLE: start left right ok test service tilt coin coin2 coin3 door, start-lamp\n"
-        "coin-lockout ticket coin-counter. LINE: a line's name, or CHIP:OFFSET by the chip's\n"
-        "label; behind it, after commas: low high up down float as-is debounce=5ms\n"
-        "window=15ms-250ms pulse=100ms/100ms.\n"
-        "Exit code 74: a line could not be had. A line that the kiosk holds is the kiosk's: end\n"
-        "it first.\n",
+        "coin-lockout ticket coin-counter. LINE: the name of a line, or CHIP:OFFSET with the\n"
+        "chip's label, and after commas: low high up down float as-is debounce=5ms\n"
+        "window=15ms-250ms pulse=100ms/100ms. N: 1 to 86400.\n"
+        "Exit code 74: a line could not be opened. A line that the kiosk uses belongs to the\n"
+        "kiosk: stop the kiosk first.\n",
     .run = run,
 };

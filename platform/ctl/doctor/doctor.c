@@ -7,6 +7,7 @@
 #include <errno.h>
 #include <grp.h>
 #include <pwd.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -18,16 +19,13 @@
 #include "platform/os/print.h"
 #include "platform/os/regular_file.h"
 
-/* Maximum number of words on the command line. The kiosk accepts fewer GPIO lines and controllers
- * than this limit. */
-#define WORDS_MAX 160
-
 static const char name[] = "doctor";
 static struct doctor doctor;
 
 struct doctor_words {
+    struct options options; /* Options of the kiosk. */
     const char *root, *user;
-    int as_json;
+    uint8_t as_json;
 };
 
 /* ---- User account of the kiosk --------------------------------------------------------------- */
@@ -77,77 +75,61 @@ static void doctor_warn(const char *line)
                          "lists the keys");
 }
 
-/* Reads the options of the kiosk as the kiosk's main() does. The configuration file is read first,
- * and the command line overrides the file. Returns EXIT_OK. After an error, prints one line and
- * returns another exit code. */
-static enum exit_code read_config(int argc, const char *const *argv)
+#define AT(member) .offset = offsetof(struct doctor_words, member)
+
+static const struct option options[] = {
+    { "user", "NAME",
+      "user account of the kiosk, which has its own permissions and data folder; the default is "
+      "your account",
+      OPTION_TEXT, AT(user), .expects = "a user name" },
+    { "root", "FOLDER", "inspect /sys, /dev, /proc and the data folder below FOLDER", OPTION_TEXT,
+      AT(root) },
+    { "json", NULL,
+      "print JSON: {findings: [{part, level, what, state, todo}], more, fine, look, "
+      "wrong}",
+      OPTION_FLAG, AT(as_json) },
+};
+
+static const struct option_table own_table = { options, sizeof options / sizeof options[0], NULL };
+static const struct option_table whole_table = { options, sizeof options / sizeof options[0],
+                                                 &options_table };
+
+/* Parses the options of `kingyoctl doctor` and of the kiosk. Returns EXIT_OK. After an error,
+ * prints one line and returns EXIT_USAGE. */
+static enum exit_code read_words(struct doctor_words *words, int argc, const char *const *argv)
 {
-    char path[OPTIONS_PATH_MAX], error[OPTIONS_ERROR_MAX];
-    memcpy(path, doctor.options.config, sizeof path);
-    doctor.options = (struct options){ 0 };
-    memcpy(doctor.options.config, path, sizeof path);
-    const int failed = config_file_read(&doctor.options, path, doctor_warn);
+    char error[OPTIONS_ERROR_MAX];
+    const enum exit_code code = ctl_options(name, &whole_table, 0, words, argc, argv);
+    return code == EXIT_OK && options_check(&words->options, error) ? ctl_usage(name, "%s", error)
+                                                                    : code;
+}
+
+/* Reads the options of the kiosk as the kiosk's main() does. The configuration file is read first,
+ * and the command line overrides the file. Selects the default configuration file if the command
+ * line names no file. Returns EXIT_OK. After an error, prints one line and returns another exit
+ * code. */
+static enum exit_code read_config(struct doctor_words *words, int argc, const char *const *argv)
+{
+    char path[OPTIONS_PATH_MAX];
+    snprintf(path, sizeof path, "%.900s" CONFIG_FILE_DEFAULT, doctor.root);
+    if (words->options.config[0]) {
+        memcpy(path, words->options.config, sizeof path);
+    } else if (access(path, F_OK) != 0) {
+        return EXIT_OK;
+    }
+    words->options = (struct options){ 0 };
+    memcpy(words->options.config, path, sizeof path);
+    memcpy(doctor.options.config, path, sizeof path); /* doctor_warn() prints the path. */
+    const int failed = config_file_read(&words->options, path, doctor_warn);
     if (failed) {
         print_error("kingyoctl doctor: %s: %s", path, regular_file_error(-failed));
         return failed == -EFBIG ? EXIT_BAD_DATA : EXIT_IO;
     }
-    if (options_parse(&doctor.options, argc, argv, error)) {
-        return ctl_usage(name, "%s", error);
-    }
-    if (doctor_count(&doctor, DOCTOR_WRONG) == 0) {
+    const enum exit_code code = read_words(words, argc, argv);
+    if (code == EXIT_OK && doctor_count(&doctor, DOCTOR_WRONG) == 0) {
         doctor_state(doctor_find(&doctor, "config", DOCTOR_FINE, "%s", path), "every line is used");
     }
-    return EXIT_OK;
-}
-
-/* Selects the default configuration file if the command line names no file, as the kiosk does. */
-static void take_default_config(void)
-{
-    char path[OPTIONS_PATH_MAX];
-    snprintf(path, sizeof path, "%.900s" CONFIG_FILE_DEFAULT, doctor.root);
-    if (!doctor.options.config[0] && access(path, F_OK) == 0) {
-        memcpy(doctor.options.config, path, sizeof path);
-    }
-}
-
-static enum exit_code read_options(int argc, const char *const *argv)
-{
-    char error[OPTIONS_ERROR_MAX];
-    if (options_parse(&doctor.options, argc, argv, error)) {
-        return ctl_usage(name, "%s", error);
-    }
-    take_default_config();
-    const enum exit_code code = doctor.options.config[0] ? read_config(argc, argv) : EXIT_OK;
-    if (code == EXIT_OK && !doctor.options.data[0]) {
-        memcpy(doctor.options.data, doctor.user.data, sizeof doctor.user.data);
-    }
     return code;
-}
-
-/* Separates the options of `kingyoctl doctor` from the options of the kiosk. `rest` receives the
- * kiosk's options after a program name, as main() expects its arguments. */
-static enum exit_code take_words(struct doctor_words *words, int argc, const char *const *argv,
-                                 const char **rest, int *rest_count)
-{
-    *rest_count = 0;
-    rest[(*rest_count)++] = "kingyo";
-    for (int i = 0; i < argc; i++) {
-        const char **value = strcmp(argv[i], "--root") == 0   ? &words->root
-                             : strcmp(argv[i], "--user") == 0 ? &words->user
-                                                              : NULL;
-        if (strcmp(argv[i], "--json") == 0) {
-            words->as_json = 1;
-        } else if (value && i + 1 < argc) {
-            *value = argv[++i];
-        } else if (value) {
-            return ctl_usage(name, "%s needs a value", argv[i]);
-        } else if (*rest_count < WORDS_MAX) {
-            rest[(*rest_count)++] = argv[i];
-        } else {
-            return ctl_usage(name, "too many words");
-        }
-    }
-    return EXIT_OK;
 }
 
 /* ---- Running the checks ---------------------------------------------------------------------- */
@@ -183,15 +165,17 @@ static void doctor_run_checks(void)
 
 static enum exit_code doctor_run(int argc, const char *const *argv)
 {
-    struct doctor_words words = { .root = NULL };
-    const char *rest[WORDS_MAX];
-    int rest_count;
-    enum exit_code code = take_words(&words, argc, argv, rest, &rest_count);
+    static struct doctor_words words;
+    enum exit_code code = read_words(&words, argc, argv);
     code = code == EXIT_OK ? take_root(words.root) : code;
     code = code == EXIT_OK ? take_user(&doctor.user, words.user) : code;
-    code = code == EXIT_OK ? read_options(rest_count, rest) : code;
+    code = code == EXIT_OK ? read_config(&words, argc, argv) : code;
     if (code != EXIT_OK) {
         return code;
+    }
+    doctor.options = words.options;
+    if (!doctor.options.data[0]) {
+        memcpy(doctor.options.data, doctor.user.data, sizeof doctor.user.data);
     }
     doctor_run_checks();
     (words.as_json ? doctor_report_json : doctor_report_text)(&doctor);
@@ -200,17 +184,15 @@ static enum exit_code doctor_run(int argc, const char *const *argv)
 
 const struct ctl_command ctl_doctor = {
     .name = name,
-    .summary = "what is plugged in, what is in the way, and what to do about it",
-    .usage = "  kingyoctl doctor [--json] [--user NAME] [--root FOLDER] [KIOSK OPTION...]\n\n"
-             "Looks at controllers, GPIO lines, permissions, drivers, display, sound, data\n"
-             "folder and database, and touches nothing. Each finding is a line: fine, look (it\n"
-             "works, but look at it) or WRONG, with what to do below it.\n\n"
-             "  --user NAME     for whom: the kiosk's user (kingyo) may do less than you, and has\n"
-             "                  a data folder of its own\n"
-             "  --root FOLDER   looks at the /sys, /dev, /proc and data folder in FOLDER\n"
-             "  --json          for programs: {findings: [{part, level, what, state, todo}],\n"
-             "                  more, fine, look, wrong}\n\n"
-             "Options of the kiosk count as they would for it: --config FILE, --data FOLDER,\n"
-             "--usb VVVV:PPPP, --line ROLE=WIRE. Exit code 1: something is wrong.\n",
+    .summary = "checks what is connected, what interferes, and how to solve each problem",
+    .usage =
+        "  kingyoctl doctor [--json] [--user NAME] [--root FOLDER] [KIOSK OPTION...]\n\n"
+        "Checks controllers, GPIO lines, permissions, drivers, display, sound, data folder\n"
+        "and database, and changes nothing. Each finding is a line: fine, look (it works, but\n"
+        "should be inspected) or WRONG, with the action to take below it.\n",
+    .options = &own_table,
+    .notes = "Options of the kiosk have the same effect as for the kiosk, for example\n"
+             "--config FILE, --data FOLDER, --usb VVVV:PPPP, --line ROLE=LINE. Exit code 1:\n"
+             "something is wrong.\n",
     .run = doctor_run,
 };

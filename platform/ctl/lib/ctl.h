@@ -13,9 +13,13 @@
 struct ctl_command {
     const char *name;
     const char *summary;
-    const char *usage;       /* Help text that `kingyoctl NAME --help` prints after the summary. */
-    void (*tell_more)(void); /* Prints further help after the usage text. May be null. */
-    uint8_t helps_itself;    /* 1 if the command itself handles --help for its subcommands. 0 if
+    /* Forms of the command line, which `kingyoctl NAME --help` prints after the summary. Null if
+     * the command has options only. */
+    const char *usage;
+    const struct option_table *options; /* Options that --help lists after `usage`. May be null. */
+    const char *notes;                  /* Help text after the list of options. May be null. */
+    void (*tell_more)(void);            /* Prints further help at the end. May be null. */
+    uint8_t helps_itself; /* 1 if the command itself handles --help for its subcommands. 0 if
                                 main() handles --help. */
     /* Runs the command. argv[0] is the first argument after the command's name. Returns the exit
      * code of the program. main() has already handled --help unless `helps_itself` is 1. */
@@ -28,6 +32,11 @@ extern const struct ctl_command ctl_play, ctl_replay, ctl_tank, ctl_hid, ctl_pap
 /* Prints one line, "kingyoctl COMMAND: ...", on standard error. Returns EXIT_USAGE. */
 __attribute__((format(printf, 2, 3))) enum exit_code ctl_usage(const char *command,
                                                                const char *format, ...);
+
+/* Parses the words of the command line with option_table_parse(). Returns EXIT_OK. If the words are
+ * wrong, prints one line, "kingyoctl COMMAND: ...", to standard error and returns EXIT_USAGE. */
+enum exit_code ctl_options(const char *command, const struct option_table *table, uint32_t groups,
+                           void *target, int argc, const char *const *argv);
 
 /* Prints an error line for CORE_ERR_FLOAT, which the core returns if the floating-point settings
  * are unsuitable. Returns EXIT_NOT_SO. */

@@ -17,6 +17,15 @@ enum exit_code ctl_usage(const char *command, const char *format, ...)
     return EXIT_USAGE;
 }
 
+enum exit_code ctl_options(const char *command, const struct option_table *table, uint32_t groups,
+                           void *target, int argc, const char *const *argv)
+{
+    char error[OPTIONS_ERROR_MAX];
+    return option_table_parse(table, groups, target, argc, argv, error)
+               ? ctl_usage(command, "%s", error)
+               : EXIT_OK;
+}
+
 enum exit_code ctl_float(const char *command)
 {
     print_error("kingyoctl %s: " CPU_FLOAT_WRONG, command);

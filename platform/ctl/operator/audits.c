@@ -117,12 +117,8 @@ static enum exit_code audits_run(int argc, const char *const *argv)
 {
     struct books_words words = { 0 };
     struct ledger_file file;
-    for (int i = 0; i < argc; i++) {
-        if (!books_take(&words, argc, argv, &i)) {
-            return ctl_usage(name, "'%.60s' is not understood; --help says more", argv[i]);
-        }
-    }
-    const enum exit_code code = books_open(name, &words, &file);
+    enum exit_code code = ctl_options(name, &books_options, 0, &words, argc, argv);
+    code = code == EXIT_OK ? books_open(name, &words, &file) : code;
     if (code == EXIT_OK) {
         (words.as_json ? print_json : audits_print_text)(&file.content.memory);
         ledger_file_close(&file);
@@ -132,7 +128,8 @@ static enum exit_code audits_run(int argc, const char *const *argv)
 
 const struct ctl_command ctl_audits = {
     .name = name,
-    .summary = "the operator's books: what was earned, played and broken",
-    .usage = "  kingyoctl audits [--data DIR] [--json]\n\n" BOOKS_USAGE,
+    .summary = "the operator's audits: what was earned, played and broken",
+    .usage = "  kingyoctl audits [--data DIR] [--json]\n",
+    .options = &books_options,
     .run = audits_run,
 };

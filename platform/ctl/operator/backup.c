@@ -2,6 +2,7 @@
  *
  * The command copies the kiosk's ledger database while the kiosk runs. restore.c implements the
  * option --restore. */
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -76,34 +77,39 @@ static enum exit_code copy(struct ledger_file *file, const char *path,
     return EXIT_OK;
 }
 
+struct request {
+    struct books_words books;
+    const char *path;
+    uint8_t restores; /* 1 if the database is replaced with the copy `path`. */
+};
+
+static const struct option options[] = {
+    { NULL, "FILE", "copy of the database", OPTION_ARGUMENT,
+      .offset = offsetof(struct request, path) },
+    { "restore", NULL, "replace the database with FILE, also on another machine", OPTION_FLAG,
+      .offset = offsetof(struct request, restores) },
+};
+
+static const struct option_table table = { options, sizeof options / sizeof options[0],
+                                           &books_options };
+
 static enum exit_code backup_run(int argc, const char *const *argv)
 {
-    struct books_words words = { 0 };
+    struct request request = { .path = NULL };
     struct ledger_file file;
-    const char *path = NULL;
-    int goes_back = 0;
-    for (int i = 0; i < argc; i++) {
-        if (books_take(&words, argc, argv, &i)) {
-            continue;
-        }
-        if (strcmp(argv[i], "--restore") == 0 && !goes_back) {
-            goes_back = 1;
-            continue;
-        }
-        if (path || argv[i][0] == '-') {
-            return ctl_usage(name, "'%.60s' is not understood; --help says more", argv[i]);
-        }
-        path = argv[i];
+    enum exit_code code = ctl_options(name, &table, 0, &request, argc, argv);
+    if (code != EXIT_OK) {
+        return code;
     }
-    if (!path || strlen(path) + 32u > LEDGER_PATH_SIZE) {
-        return ctl_usage(name, path ? "the name is too long" : "wants a file");
+    if (!request.path || strlen(request.path) + 32u > LEDGER_PATH_SIZE) {
+        return ctl_usage(name, request.path ? "the name is too long" : "a FILE is missing");
     }
-    if (goes_back) {
-        return restore_backup(&words, path);
+    if (request.restores) {
+        return restore_backup(&request.books, request.path);
     }
-    enum exit_code code = books_open(name, &words, &file);
+    code = books_open(name, &request.books, &file);
     if (code == EXIT_OK) {
-        code = copy(&file, path, &words);
+        code = copy(&file, request.path, &request.books);
         ledger_file_close(&file);
     }
     return code;
@@ -111,12 +117,13 @@ static enum exit_code backup_run(int argc, const char *const *argv)
 
 const struct ctl_command ctl_backup = {
     .name = name,
-    .summary = "a copy of all that the stall keeps, while it runs",
+    .summary = "copies all that the kiosk stores, while the kiosk runs",
     .usage = "  kingyoctl backup FILE [--data DIR] [--json]\n"
-             "  kingyoctl backup --restore FILE [--data DIR] [--json]\n\n" BOOKS_USAGE
-             "  --restore    goes back to FILE, or begins with it on another machine\n"
-             "\nFILE is checked before it gets its name, and replaces nothing but an older copy.\n"
-             "To go back: stop the stall, --restore, start it. FILE is checked then, too, and\n"
-             "what was there is kept beside it as kingyo.db.before-N, with its own backup.\n",
+             "  kingyoctl backup --restore FILE [--data DIR] [--json]\n",
+    .options = &table,
+    .notes = "FILE is verified before it gets its name, and replaces only an older copy.\n"
+             "To restore: stop the kiosk, run --restore, start the kiosk. FILE is verified\n"
+             "again. The replaced database stays in the same folder as kingyo.db.before-N,\n"
+             "with its own backup.\n",
     .run = backup_run,
 };

@@ -2,6 +2,7 @@
 #include "platform/ctl/operator/books.h"
 
 #include <errno.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -14,18 +15,14 @@
 
 static const char service_folder[] = "/var/lib/kingyo";
 
-int books_take(struct books_words *words, int argc, const char *const *argv, int *at)
-{
-    if (strcmp(argv[*at], "--json") == 0) {
-        words->as_json = 1;
-        return 1;
-    }
-    if (strcmp(argv[*at], "--data") == 0 && *at + 1 < argc) {
-        words->data = argv[++*at];
-        return 1;
-    }
-    return 0;
-}
+static const struct option options[] = {
+    { "data", "DIR",
+      "data folder of the kiosk; the default is /var/lib/kingyo, or else your own data folder",
+      OPTION_TEXT, .offset = offsetof(struct books_words, data) },
+    { "json", NULL, "print JSON", OPTION_FLAG, .offset = offsetof(struct books_words, as_json) },
+};
+
+const struct option_table books_options = { options, sizeof options / sizeof options[0], NULL };
 
 /* Returns 0 if `path` exists, otherwise an errno. EACCES is common, because most users have no
  * access to the data folder of the system service. */

@@ -13,7 +13,8 @@
 /* Size in bytes of a buffer for the path of the ledger database. */
 #define BOOKS_PATH_SIZE (DIRECTORY_PATH_MAX + 32u)
 
-/* Options that all commands for the ledger database share. */
+/* Options that all commands for the ledger database share. Commands with further options have this
+ * structure as the first member of their own structure. */
 struct books_words {
     const char *data; /* Data folder given with --data, or null if the option is absent. Null
                          selects the folder of the system service, or the user's own data folder if
@@ -21,15 +22,8 @@ struct books_words {
     uint8_t as_json;
 };
 
-#define BOOKS_USAGE                                                                                \
-    "  --data DIR   where the stall keeps it: else /var/lib/kingyo, else your own data folder\n"   \
-    "  --json       for programs\n"
-
-/* Parses argv[*at] and its value if argv[*at] is an option of BOOKS_USAGE.
- *
- * Returns 1 and advances `*at` past the value. Returns 0 if argv[*at] is not an option of
- * BOOKS_USAGE. */
-int books_take(struct books_words *words, int argc, const char *const *argv, int *at);
+/* The table of these options. Its target is struct books_words. */
+extern const struct option_table books_options;
 
 /* Writes the path of the kiosk's ledger database to `out`. The file may not exist. */
 void books_path(const struct books_words *words, char out[BOOKS_PATH_SIZE]);

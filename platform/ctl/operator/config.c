@@ -54,16 +54,17 @@ static enum exit_code config_run(int argc, const char *const *argv)
     if (argc == 1 && strcmp(argv[0], "defaults") == 0) {
         return print_defaults();
     }
-    return ctl_usage(name, "check [FILE] or defaults is wanted; --help says more");
+    return ctl_usage(name, "expected check [FILE] or defaults; --help explains them");
 }
 
 const struct ctl_command ctl_config = {
     .name = name,
-    .summary = "the configuration file: what is wrong with it, and one to begin with",
-    .usage = "  kingyoctl config check [FILE]   reads FILE (" CONFIG_FILE_DEFAULT ") as the stall\n"
-             "                                  does; a line FILE:LINE: what for each that it\n"
-             "                                  passes over, with the range; exit code 1 then\n"
-             "  kingyoctl config defaults       every key with what it is for, its range and its\n"
-             "                                  standard, all in comments\n",
+    .summary = "validates the configuration file, or prints an example file",
+    .usage = "  kingyoctl config check [FILE]   reads FILE (" CONFIG_FILE_DEFAULT ") as the kiosk\n"
+             "                                  does; prints FILE:LINE: reason, with the valid\n"
+             "                                  range, for each line that the kiosk skips; then\n"
+             "                                  the exit code is 1\n"
+             "  kingyoctl config defaults       prints every key with its purpose, its range and\n"
+             "                                  its default, all in comments\n",
     .run = config_run,
 };

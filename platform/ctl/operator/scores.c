@@ -1,67 +1,17 @@
 /* scores.c -- `kingyoctl scores`, which prints the kiosk's leaderboard of each game mode. */
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "core/game/rules.h"
-#include "platform/ctl/operator/books.h"
 #include "platform/ctl/operator/scores_verify.h"
 #include "platform/os/json_char.h"
+#include "platform/os/number.h"
 #include "platform/os/print.h"
 #include "platform/store/sqlite/day.h"
 
 static const char name[] = "scores";
-static const char *const periods[RANK_PERIOD_COUNT] = { "day", "week", "ever" };
-
-struct request {
-    struct books_words books;
-    /* `mode` is the selected game mode, or MODE_COUNT for all modes. `period` is the selected
-     * ranking period, or RANK_PERIOD_COUNT for all periods. */
-    uint32_t mode, period;
-};
-
-/* ---- Command line ---------------------------------------------------------------------------- */
-
-static uint32_t mode_of(const char *word)
-{
-    uint32_t mode = 0;
-    while (mode < MODE_COUNT && strcmp(rules_of((uint8_t)mode)->name, word) != 0) {
-        mode++;
-    }
-    return mode;
-}
-
-static uint32_t period_of(const char *word)
-{
-    uint32_t period = 0;
-    while (period < RANK_PERIOD_COUNT && strcmp(periods[period], word) != 0) {
-        period++;
-    }
-    return period;
-}
-
-static enum exit_code scores_read_words(struct request *request, int argc, const char *const *argv)
-{
-    *request = (struct request){ .mode = MODE_COUNT, .period = RANK_PERIOD_COUNT };
-    for (int i = 0; i < argc; i++) {
-        if (books_take(&request->books, argc, argv, &i)) {
-            continue;
-        }
-        if (strcmp(argv[i], "--mode") == 0 && i + 1 < argc) {
-            request->mode = mode_of(argv[++i]);
-            if (request->mode == MODE_COUNT) {
-                return ctl_usage(name, "--mode wants festival, championship or practice");
-            }
-        } else if (strcmp(argv[i], "--period") == 0 && i + 1 < argc) {
-            request->period = period_of(argv[++i]);
-            if (request->period == RANK_PERIOD_COUNT) {
-                return ctl_usage(name, "--period wants day, week or ever");
-            }
-        } else {
-            return ctl_usage(name, "'%.60s' is not understood; --help says more", argv[i]);
-        }
-    }
-    return EXIT_OK;
-}
+static const char *const periods[RANK_PERIOD_COUNT + 1] = { "day", "week", "ever", NULL };
 
 /* ---- Output of the leaderboards -------------------------------------------------------------- */
 
@@ -97,7 +47,7 @@ static void print_json(const struct place *at, int is_first)
     putchar('}');
 }
 
-static uint32_t print_rows(const struct request *request, struct ledger_file *file)
+static uint32_t print_rows(const struct scores_request *request, struct ledger_file *file)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
@@ -120,39 +70,89 @@ static uint32_t print_rows(const struct request *request, struct ledger_file *fi
     return count;
 }
 
-static enum exit_code scores_run(int argc, const char *const *argv)
+static enum exit_code print_ranking(const struct scores_request *request, struct ledger_file *file)
 {
-    struct request request;
-    struct ledger_file file;
-    if (argc > 0 && (strcmp(argv[0], "verify") == 0 || strcmp(argv[0], "replay") == 0)) {
-        return scores_verify(argc, argv);
-    }
-    enum exit_code code = scores_read_words(&request, argc, argv);
-    code = code == EXIT_OK ? books_open(name, &request.books, &file) : code;
-    if (code != EXIT_OK) {
-        return code;
-    }
-    fputs(request.books.as_json ? "[" : "", stdout);
-    const uint32_t count = print_rows(&request, &file);
-    if (request.books.as_json) {
+    fputs(request->books.as_json ? "[" : "", stdout);
+    const uint32_t count = print_rows(request, file);
+    if (request->books.as_json) {
         puts("\n]");
     } else if (count == 0) {
         puts("nobody has caught a fish yet");
     }
-    ledger_file_close(&file);
     return EXIT_OK;
+}
+
+/* ---- Command line ---------------------------------------------------------------------------- */
+
+enum group { GROUP_RANKING = 1, GROUP_VERIFY = 2, GROUP_REPLAY = 4 };
+
+static const char *const modes[] = {
+    [MODE_FESTIVAL] = "festival",
+    [MODE_CHAMPIONSHIP] = "championship",
+    [MODE_PRACTICE] = "practice",
+    [MODE_COUNT] = NULL,
+};
+
+static int take_round(void *target, const struct option *option, const char *value, char *why)
+{
+    struct scores_request *request = target;
+    (void)option;
+    (void)why;
+    return request->round_id == 0 && number_parse(value, 1, UINT32_MAX, &request->round_id);
+}
+
+#define AT(member) .offset = offsetof(struct scores_request, member)
+
+static const struct option options[] = {
+    { NULL, "ROUND", "number of a ranked round, for verify and replay", OPTION_ARGUMENT,
+      .set = take_round, .groups = GROUP_VERIFY | GROUP_REPLAY },
+    { "mode", "MODE", "game mode", OPTION_CHOICE, AT(mode), .choices = modes,
+      .groups = GROUP_RANKING },
+    { "period", "PERIOD", "ranking period", OPTION_CHOICE, AT(period), .choices = periods,
+      .groups = GROUP_RANKING },
+    { "all", NULL, "verify all ranked rounds", OPTION_FLAG, AT(is_all), .groups = GROUP_VERIFY },
+    { "o", "FILE", "output file of replay", OPTION_TEXT, AT(out), .groups = GROUP_REPLAY },
+    { "with-pin", NULL, "write a replay even if it contains the PIN of the operator's menu",
+      OPTION_FLAG, AT(with_pin), .groups = GROUP_REPLAY },
+};
+
+static const struct option_table table = { options, sizeof options / sizeof options[0],
+                                           &books_options };
+
+static enum exit_code scores_run(int argc, const char *const *argv)
+{
+    struct scores_request request = { .mode = MODE_COUNT, .period = RANK_PERIOD_COUNT };
+    struct ledger_file file;
+    const enum group group = argc > 0 && strcmp(argv[0], "verify") == 0   ? GROUP_VERIFY
+                             : argc > 0 && strcmp(argv[0], "replay") == 0 ? GROUP_REPLAY
+                                                                          : GROUP_RANKING;
+    const int skip = group != GROUP_RANKING;
+    enum exit_code code = ctl_options(name, &table, group, &request, argc - skip, argv + skip);
+    if (code == EXIT_OK && group == GROUP_REPLAY &&
+        (request.round_id == 0 || !request.out || request.books.as_json)) {
+        return ctl_usage(name, "replay needs a ROUND and -o FILE");
+    }
+    if (code == EXIT_OK && group == GROUP_VERIFY && (request.round_id != 0) == request.is_all) {
+        return ctl_usage(name, "verify needs a ROUND or --all");
+    }
+    code = code == EXIT_OK ? books_open(name, &request.books, &file) : code;
+    if (code == EXIT_OK) {
+        code = (group == GROUP_VERIFY   ? scores_verify
+                : group == GROUP_REPLAY ? scores_write_replay
+                                        : print_ranking)(&request, &file);
+        ledger_file_close(&file);
+    }
+    return code;
 }
 
 const struct ctl_command ctl_scores = {
     .name = name,
-    .summary = "the best of each mode: today, this week, ever",
+    .summary = "the leaderboard of each mode: today, this week, ever",
     .usage = "  kingyoctl scores [--mode MODE] [--period PERIOD] [--data DIR] [--json]\n"
              "  kingyoctl scores verify ROUND|--all [--data DIR] [--json]\n"
-             "                   plays their replays again: is it genuine? (exit 1: it is not)\n"
+             "                   recomputes the replays; exit code 1: one is not genuine\n"
              "  kingyoctl scores replay ROUND -o FILE [--with-pin] [--data DIR]\n"
-             "                   takes a replay out, for 'kingyoctl replay' and 'kingyo --replay'\n"
-             "\n"
-             "  --mode MODE      festival, championship or practice\n"
-             "  --period PERIOD  day, week or ever\n" BOOKS_USAGE,
+             "                   writes a replay for 'kingyoctl replay' and 'kingyo --replay'\n",
+    .options = &table,
     .run = scores_run,
 };

@@ -8,61 +8,15 @@
 #include <time.h>
 
 #include "platform/cpu.h"
-#include "platform/ctl/operator/books.h"
 #include "platform/kiosk/replay_verifier.h"
 #include "platform/kiosk/session_recorder.h"
 #include "platform/os/atomic_file.h"
-#include "platform/os/number.h"
 #include "platform/os/print.h"
 
 #define ROUNDS_MAX (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
 
-static const char name[] = "scores";
-
-struct request {
-    struct books_words books;
-    uint32_t round_id; /* Number of the selected round. 0 selects all ranked rounds. */
-    const char *out;   /* Path of the output file for the replay, or null for the subcommand
-                          `verify`. */
-    int with_pin;      /* 1 if the output file may contain the PIN of the operator's menu, otherwise
-                          0. */
-};
-
 static struct replay_verifier judge;
 static uint8_t bytes[SESSION_RECORDER_SIZE];
-
-/* ---- Command line ---------------------------------------------------------------------------- */
-
-static enum exit_code scores_verify_read_words(struct request *request, int argc,
-                                               const char *const *argv)
-{
-    const int takes_out = strcmp(argv[0], "replay") == 0;
-    int is_all = 0;
-    *request = (struct request){ .round_id = 0 };
-    for (int i = 1; i < argc; i++) {
-        if (books_take(&request->books, argc, argv, &i)) {
-            continue;
-        }
-        if (!takes_out && strcmp(argv[i], "--all") == 0) {
-            is_all = 1;
-        } else if (takes_out && strcmp(argv[i], "-o") == 0 && i + 1 < argc) {
-            request->out = argv[++i];
-        } else if (takes_out && strcmp(argv[i], "--with-pin") == 0) {
-            request->with_pin = 1;
-        } else if (request->round_id != 0 ||
-                   !number_parse(argv[i], 1, UINT32_MAX, &request->round_id)) {
-            return ctl_usage(name, "%s: '%.60s' is not understood; --help says more", argv[0],
-                             argv[i]);
-        }
-    }
-    if (takes_out && (request->round_id == 0 || !request->out || request->books.as_json)) {
-        return ctl_usage(name, "replay wants a ROUND and -o FILE");
-    }
-    if (!takes_out && (request->round_id != 0) == is_all) {
-        return ctl_usage(name, "verify wants a ROUND or --all");
-    }
-    return EXIT_OK;
-}
 
 /* ---- Subcommand verify ----------------------------------------------------------------------- */
 
@@ -157,9 +111,7 @@ static uint32_t list_rounds(const struct ranking *ranking, uint32_t out[ROUNDS_M
     return count;
 }
 
-/* Verifies one round or all ranked rounds. A missing replay is an error only if the user named the
- * round. */
-static enum exit_code verify(const struct request *request, struct ledger_file *file)
+enum exit_code scores_verify(const struct scores_request *request, struct ledger_file *file)
 {
     uint32_t rounds[ROUNDS_MAX] = { request->round_id };
     const int is_all = request->round_id == 0;
@@ -198,7 +150,7 @@ static int holds_pin(const uint8_t *replay, size_t size)
     return holds;
 }
 
-static enum exit_code take_out(const struct request *request, struct ledger_file *file)
+enum exit_code scores_write_replay(const struct scores_request *request, struct ledger_file *file)
 {
     struct atomic_file out;
     size_t size;
@@ -227,18 +179,4 @@ static enum exit_code take_out(const struct request *request, struct ledger_file
         return EXIT_IO;
     }
     return EXIT_OK;
-}
-
-enum exit_code scores_verify(int argc, const char *const *argv)
-{
-    struct request request;
-    struct ledger_file file;
-    enum exit_code code = scores_verify_read_words(&request, argc, argv);
-    code = code == EXIT_OK ? books_open(name, &request.books, &file) : code;
-    if (code != EXIT_OK) {
-        return code;
-    }
-    code = (request.out ? take_out : verify)(&request, &file);
-    ledger_file_close(&file);
-    return code;
 }

@@ -1,6 +1,7 @@
 /* status.c -- `kingyoctl status`, which prints the status file that a running kiosk writes. */
 #include <errno.h>
 #include <sqlite3.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
@@ -21,23 +22,17 @@ static const char name[] = "status";
 
 struct request {
     const char *file;
-    int as_json;
+    uint8_t as_json;
 };
 
-static enum exit_code status_read_words(struct request *request, int argc, const char *const *argv)
-{
-    *request = (struct request){ .file = DEFAULT_FILE };
-    for (int i = 0; i < argc; i++) {
-        if (strcmp(argv[i], "--json") == 0) {
-            request->as_json = 1;
-        } else if (strcmp(argv[i], "--file") == 0 && i + 1 < argc) {
-            request->file = argv[++i];
-        } else {
-            return ctl_usage(name, "'%.60s' is not understood; --help says more", argv[i]);
-        }
-    }
-    return EXIT_OK;
-}
+static const struct option options[] = {
+    { "file", "FILE", "status file", OPTION_TEXT, .offset = offsetof(struct request, file),
+      .initial = DEFAULT_FILE },
+    { "json", NULL, "print the status file unchanged", OPTION_FLAG,
+      .offset = offsetof(struct request, as_json) },
+};
+
+static const struct option_table table = { options, sizeof options / sizeof options[0], NULL };
 
 static enum exit_code status_read_file(const char *path, char text[STATUS_TEXT_MAX])
 {
@@ -182,9 +177,9 @@ static enum exit_code status_print_report(const struct request *request, sqlite3
 static enum exit_code status_run(int argc, const char *const *argv)
 {
     static char text[STATUS_TEXT_MAX];
-    struct request request;
+    struct request request = { NULL, 0 };
     sqlite3 *database = NULL;
-    enum exit_code code = status_read_words(&request, argc, argv);
+    enum exit_code code = ctl_options(name, &table, 0, &request, argc, argv);
     code = code == EXIT_OK ? status_read_file(request.file, text) : code;
     if (code != EXIT_OK) {
         return code;
@@ -201,11 +196,12 @@ static enum exit_code status_run(int argc, const char *const *argv)
 
 const struct ctl_command ctl_status = {
     .name = name,
-    .summary = "the stall that runs: phase, credits, tickets, store, machine, devices, faults",
-    .usage = "  kingyoctl status [--json] [--file FILE]\n\n"
-             "Reads what the service writes each second (" DEFAULT_FILE "). --json prints it\n"
-             "as it is. 'machine' and 'files' are what the menu's page Ready? says.\n"
-             "Exit code: 0 it runs and keeps what it earns; 1 it has ended, stands\n"
-             "still or cannot keep it; 65 FILE is something else; 74 there is none.\n",
+    .summary = "the running kiosk: phase, credits, tickets, store, machine, devices, faults",
+    .usage = "  kingyoctl status [--json] [--file FILE]\n",
+    .options = &table,
+    .notes = "Prints the status that the service writes each second. 'machine' and 'files' show\n"
+             "the same as the page Ready? of the operator's menu.\n"
+             "Exit code: 0 the kiosk runs and saves what it earns; 1 the kiosk has ended, hangs\n"
+             "or cannot save; 65 FILE is not a status file; 74 FILE is missing.\n",
     .run = status_run,
 };

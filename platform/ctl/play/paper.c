@@ -153,6 +153,7 @@ static enum exit_code paper_run(int argc, const char *const *argv)
 const struct ctl_command ctl_paper = {
     .name = name,
     .summary = "one poi against water: force, tension, time to tear; weights to strength",
-    .usage = paper_options_usage,
+    .options = &paper_options_table,
+    .notes = paper_options_notes,
     .run = paper_run,
 };

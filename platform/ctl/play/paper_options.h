@@ -45,6 +45,8 @@ struct paper_options {
  * standard error and returns EXIT_USAGE. */
 enum exit_code paper_options_read(struct paper_options *plan, int argc, const char *const *argv);
 
-extern const char paper_options_usage[];
+/* Options and further text that `kingyoctl paper --help` prints. */
+extern const struct option_table paper_options_table;
+extern const char paper_options_notes[];
 
 #endif

@@ -13,7 +13,6 @@
 #include "platform/ctl/play/play_report.h"
 #include "platform/ctl/play/rounds.h"
 #include "platform/os/directory.h"
-#include "platform/os/number.h"
 #include "platform/os/print.h"
 
 static const char name[] = "play";
@@ -24,8 +23,7 @@ static const char speaker[] = "kingyoctl play";
 struct play_options {
     const char *bot, *record;
     uint32_t rounds, seed, fish_count, round_s, grade, jobs;
-    uint8_t mode;
-    int as_json;
+    uint8_t mode, as_json;
 };
 
 /* State of one run of `kingyoctl play`. */
@@ -168,75 +166,53 @@ static enum exit_code hold_evening(const struct play_options *options,
 
 /* ---- Command line ---------------------------------------------------------------------------- */
 
-static int parse_mode(const char *value, uint8_t *out)
-{
-    for (uint8_t mode = 0; value && mode < MODE_COUNT; mode++) {
-        if (strcmp(value, rules_of(mode)->name) == 0) {
-            *out = mode;
-            return 1;
-        }
-    }
-    return 0;
-}
+static const char *const modes[] = {
+    [MODE_FESTIVAL] = "festival",
+    [MODE_CHAMPIONSHIP] = "championship",
+    [MODE_PRACTICE] = "practice",
+    [MODE_COUNT] = NULL,
+};
 
-static int parse_text(const char *value, const char **out)
-{
-    *out = value;
-    return value && value[0];
-}
+#define AT(member) .offset = offsetof(struct play_options, member)
 
-/* Parses `value` for `option`. Returns 1 if the value is valid, 0 if the value is invalid, and -1
- * if the option does not exist. */
-static int take_value(struct play_options *options, const char *option, const char *value)
-{
-    if (strcmp(option, "--bot") == 0) {
-        return parse_text(value, &options->bot);
-    }
-    if (strcmp(option, "--mode") == 0) {
-        return parse_mode(value, &options->mode);
-    }
-    if (strcmp(option, "--grade") == 0) {
-        return number_parse(value, SHEET_GRADE_MIN, SHEET_GRADE_MAX, &options->grade);
-    }
-    if (strcmp(option, "--rounds") == 0) {
-        return number_parse(value, 1, ROUNDS_MAX, &options->rounds);
-    }
-    if (strcmp(option, "--seed") == 0) {
-        return number_parse(value, 0, UINT32_MAX, &options->seed);
-    }
-    if (strcmp(option, "--fish") == 0) {
-        return number_parse(value, 1, SCENE_FISH_MAX, &options->fish_count);
-    }
-    if (strcmp(option, "--round-s") == 0) {
-        return number_parse(value, 10, 600, &options->round_s);
-    }
-    if (strcmp(option, "--jobs") == 0) {
-        return number_parse(value, 1, ROUNDS_WORKERS_MAX, &options->jobs);
-    }
-    return strcmp(option, "--record") == 0 ? parse_text(value, &options->record) : -1;
-}
+/* clang-format off */
+static const struct option options_list[] = {
+    { "bot", "WHO", "novice, expert, or a bot FILE; the keys of the file are listed below",
+      OPTION_TEXT, AT(bot), .initial = "expert", .expects = "novice, expert or a bot FILE" },
+    { "mode", "MODE", "game mode", OPTION_CHOICE, AT(mode), .choices = modes,
+      .initial = "festival" },
+    { "grade", "G",
+      "grade of the paper, from strong to weak; without the option 6, and 5 in a championship",
+      OPTION_WHOLE, AT(grade), SHEET_GRADE_MIN, SHEET_GRADE_MAX },
+    { "rounds", "N", "number of rounds", OPTION_WHOLE, AT(rounds), 1, ROUNDS_MAX,
+      .initial = "1" },
+    { "seed", "N",
+      "seed of all random numbers. Round i is played in a tank of its own with the seed N + i - 1. "
+      "Its result is therefore the same if it is played alone, in any order, and for two bots that "
+      "are compared",
+      OPTION_WHOLE, AT(seed), 0, UINT32_MAX, .initial = "0" },
+    { "fish", "N", "number of fish, up to the maximum of the tank; the default is the kiosk's",
+      OPTION_WHOLE, AT(fish_count), 1, SCENE_FISH_MAX },
+    { "round-s", "N",
+      "seconds in a round; the defaults of the modes are 60, 180 and 180. Fish on the paper at the "
+      "end may still be brought to the bowl, 3 s at most",
+      OPTION_WHOLE, AT(round_s), 10, 600 },
+    { "jobs", "N", "rounds that are played at the same time; the default is one for each core",
+      OPTION_WHOLE, AT(jobs), 1, ROUNDS_WORKERS_MAX },
+    { "record", "DIR", "record each round to DIR/round-00001.kgr and so on", OPTION_TEXT,
+      AT(record) },
+    { "json", NULL,
+      "print as JSON: caught (fish that count), scoops (times that the ring entered the water), "
+      "fouls, torn_at_s (second of the round from which its first paper holds no fish; null if the "
+      "paper lasted), sheets (of paper; only practice replaces a torn sheet), hole_area_mm2 (of "
+      "the last sheet at the end; 5027 is the whole sheet) and state_hash of each round; the "
+      "median, 90 % quantile and maximum of all rounds",
+      OPTION_FLAG, AT(as_json) },
+};
+/* clang-format on */
 
-/* Parses the option at argv[*index] and its value, and advances `*index`. Returns EXIT_OK, or
- * prints one line to standard error and returns another exit code. */
-static enum exit_code play_take_option(struct play_options *options, int argc,
-                                       const char *const *argv, int *index)
-{
-    const char *option = argv[*index];
-    if (strcmp(option, "--json") == 0) {
-        options->as_json = 1;
-        return EXIT_OK;
-    }
-    const char *value = *index + 1 < argc ? argv[++*index] : NULL;
-    const int right = take_value(options, option, value);
-    if (right < 0) {
-        return ctl_usage(name, "unknown option '%.100s'; --help lists them", option);
-    }
-    if (!right) {
-        return ctl_usage(name, "%s: '%.100s' is not right; --help says what is", option,
-                         value ? value : "");
-    }
-    return EXIT_OK;
-}
+static const struct option_table table = { options_list,
+                                           sizeof options_list / sizeof options_list[0], NULL };
 
 /* Checks rules that concern several options. Returns EXIT_OK, or prints one line to standard error
  * and returns another exit code. */
@@ -247,7 +223,7 @@ static enum exit_code check_options(const struct play_options *options)
     const struct tank_preset *preset = tank_preset(table_setup_preset(&stall, options->mode));
     const uint32_t fish_max = tank_preset_fish_max(preset, 1.0f);
     if (options->fish_count > fish_max) {
-        return ctl_usage(name, "--fish: '%u' is not right; the water of a %s holds 1 to %u",
+        return ctl_usage(name, "--fish: '%u' is wrong; the water of a %s holds 1 to %u",
                          options->fish_count, rules->name, fish_max);
     }
     return EXIT_OK;
@@ -265,12 +241,9 @@ static enum exit_code open_folder(const struct play_options *options)
 
 static enum exit_code play_command_run(int argc, const char *const *argv)
 {
-    struct play_options options = { .bot = "expert", .rounds = 1 };
+    struct play_options options = { .bot = NULL };
     struct technique technique;
-    enum exit_code code = EXIT_OK;
-    for (int i = 0; i < argc && code == EXIT_OK; i++) {
-        code = play_take_option(&options, argc, argv, &i);
-    }
+    enum exit_code code = ctl_options(name, &table, 0, &options, argc, argv);
     code = code == EXIT_OK ? check_options(&options) : code;
     code = code == EXIT_OK ? bot_file_named(speaker, options.bot, &technique) : code;
     code = code == EXIT_OK ? open_folder(&options) : code;
@@ -280,26 +253,7 @@ static enum exit_code play_command_run(int argc, const char *const *argv)
 const struct ctl_command ctl_play = {
     .name = name,
     .summary = "rounds played by a bot, without a screen",
-    .usage =
-        "  --bot WHO        novice, expert, or a bot FILE: see below (expert)\n"
-        "  --mode MODE      festival, championship or practice (festival)\n"
-        "  --grade G        of the paper, 4 strong to 7 weak (festival and practice 6,\n"
-        "                   championship 5)\n"
-        "  --rounds N       how many rounds, 1 to 100000 (1)\n"
-        "  --seed N         of everything random (0): the i-th round is played at a stall of its\n"
-        "                   own with the seed N + i - 1, so it is the same alone, in any order,\n"
-        "                   and for two bots that are to be compared\n"
-        "  --fish N         how many fish, from 1 to what the water holds (the stall's own)\n"
-        "  --round-s N      seconds a round, 10 to 600 (the mode's own: 60, 180, 180); what lies\n"
-        "                   on the paper when time is called may be brought home, 3 s at most\n"
-        "  --jobs N         rounds at a time, 1 to 64 (a core each)\n"
-        "  --record DIR     write each round to DIR/round-00001.kgr and so on\n"
-        "  --json           for programs: caught (what counts), scoops (times the ring went in),\n"
-        "                   fouls, torn_at_s (second of the round from which its first paper\n"
-        "                   holds no fish; null: it lasted), sheets (of paper; a torn one is\n"
-        "                   renewed in practice alone), hole_area_mm2 (of the last of them,\n"
-        "                   at the end; 5027 is all), state_hash of each round;\n"
-        "                   median, ninth decile and maximum of all\n",
+    .options = &table,
     .tell_more = bot_keys_print,
     .run = play_command_run,
 };

@@ -217,37 +217,46 @@ static enum exit_code verify(const char *path)
     return tell_verdict(path, &replayer, now_s() - begin_s);
 }
 
+struct request {
+    const char *path;
+    uint8_t as_json;
+};
+
+enum group { GROUP_INFO = 1, GROUP_VERIFY = 2 };
+
+static const struct option options[] = {
+    { NULL, "FILE", "recording", OPTION_ARGUMENT, .offset = offsetof(struct request, path) },
+    { "json", NULL, "print the content of the recording as JSON", OPTION_FLAG,
+      .offset = offsetof(struct request, as_json), .groups = GROUP_INFO },
+};
+
+static const struct option_table table = { options, sizeof options / sizeof options[0], NULL };
+
 static enum exit_code replay_run(int argc, const char *const *argv)
 {
-    const char *path = NULL;
-    int as_json = 0;
+    struct request request = { NULL, 0 };
     if (argc < 1 || (strcmp(argv[0], "info") != 0 && strcmp(argv[0], "verify") != 0)) {
-        return ctl_usage(name, "expected 'info FILE' or 'verify FILE'; --help says more");
+        return ctl_usage(name, "expected 'info FILE' or 'verify FILE'; --help explains them");
     }
     const int is_info = strcmp(argv[0], "info") == 0;
-    for (int i = 1; i < argc; i++) {
-        if (is_info && strcmp(argv[i], "--json") == 0) {
-            as_json = 1;
-        } else if (argv[i][0] == '-' || path) {
-            return ctl_usage(name, "%s: '%.100s' is one too many", argv[0], argv[i]);
-        } else {
-            path = argv[i];
-        }
-    }
-    if (!path) {
+    const enum exit_code code = ctl_options(name, &table, is_info ? GROUP_INFO : GROUP_VERIFY,
+                                            &request, argc - 1, argv + 1);
+    if (code == EXIT_OK && !request.path) {
         return ctl_usage(name, "%s: a FILE is missing", argv[0]);
     }
-    return is_info ? info(path, as_json) : verify(path);
+    return code != EXIT_OK ? code
+           : is_info       ? info(request.path, request.as_json)
+                           : verify(request.path);
 }
 
 const struct ctl_command ctl_replay = {
     .name = name,
-    .summary = "what is in a recording, and whether it is true",
+    .summary = "prints the content of a recording, or verifies the recording",
     .usage =
-        "  kingyoctl replay info FILE [--json]   length, modes with their paper, players, rounds,\n"
-        "                                        catch, fouls and hash, without a play\n"
-        "  kingyoctl replay verify FILE          plays it again at full speed, without a screen;\n"
-        "                                        names the first tick that differs, or in which\n"
-        "                                        the core panics (exit 1)\n",
+        "  kingyoctl replay info FILE [--json]   prints length, modes with their paper, players,\n"
+        "                                        rounds, catch, fouls and hash\n"
+        "  kingyoctl replay verify FILE          recomputes the recording at full speed and\n"
+        "                                        prints the first tick that differs, or in which\n"
+        "                                        the core panics (exit code 1)\n",
     .run = replay_run,
 };

@@ -90,6 +90,7 @@ static enum exit_code tank_run(int argc, const char *const *argv)
 const struct ctl_command ctl_tank = {
     .name = "tank",
     .summary = "a tank of fish without a screen: figures as text or JSON, trajectories as CSV",
-    .usage = tank_options_usage,
+    .options = &tank_options_table,
+    .notes = tank_options_notes,
     .run = tank_run,
 };

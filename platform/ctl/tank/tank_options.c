@@ -1,11 +1,12 @@
-/* tank_options.c -- parses the options of `kingyoctl tank`, first each option in its own range, and
- * then checks the options against each other and against the tank preset. */
+/* tank_options.c -- the options of `kingyoctl tank`: their table, and the check of the options
+ * against each other and against the tank preset. */
 #include "platform/ctl/tank/tank_options.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/ctl/lib/ctl.h"
 #include "platform/os/number.h"
 
@@ -15,58 +16,23 @@
 
 static const char name[] = "tank";
 
-/* Options whose value is a number, in the order of `ranges`. */
-enum figure {
-    FIGURE_AREA_SCALE,
-    FIGURE_WALL_FOLLOW,
-    FIGURE_SECONDS,
-    FIGURE_SEED,
-    FIGURE_STAMINA,
-    FIGURE_TEMPERATURE_C,
-    FIGURE_PRESSURE_HPA,
-    FIGURE_OXYGEN_MG_L,
-    FIGURE_TIME_COMPRESSION,
-    FIGURE_TRACE_EVERY,
-    FIGURE_OBSERVE_EVERY,
-    FIGURE_COUNT,
-};
-
-struct range {
-    const char *option; /* Name of the option, or of one number in the option's list. */
-    double min, max;
-    uint8_t is_whole;
-};
-
-static const struct range ranges[FIGURE_COUNT] = {
-    [FIGURE_AREA_SCALE] = { "--area-scale", 0.05, 250, 0 },
-    [FIGURE_WALL_FOLLOW] = { "--wall-follow", 0, 1, 0 },
-    [FIGURE_SECONDS] = { "--seconds", 0.1, PLAN_SECONDS_MAX, 0 },
-    [FIGURE_SEED] = { "--seed", 0, UINT32_MAX, 1 },
-    [FIGURE_STAMINA] = { "--stamina", 0, 100, 0 },
-    [FIGURE_TEMPERATURE_C] = { "--temperature-c", (double)OXYGEN_TEMPERATURE_MIN_C,
-                               (double)OXYGEN_TEMPERATURE_MAX_C, 0 },
-    [FIGURE_PRESSURE_HPA] = { "--pressure-hpa", (double)OXYGEN_PRESSURE_MIN_HPA,
-                              (double)OXYGEN_PRESSURE_MAX_HPA, 0 },
-    [FIGURE_OXYGEN_MG_L] = { "--oxygen-mg-l", 0, (double)OXYGEN_MAX_MG_L, 0 },
-    [FIGURE_TIME_COMPRESSION] = { "--time-compression", 0, (double)OXYGEN_TIME_COMPRESSION_MAX, 0 },
-    [FIGURE_TRACE_EVERY] = { "--trace-every", 1, PLAN_SECONDS_MAX *CORE_TICK_HZ, 1 },
-    [FIGURE_OBSERVE_EVERY] = { "--observe-every", 1, PLAN_SECONDS_MAX *CORE_TICK_HZ, 1 },
-};
-
 enum pump {
-    PUMP_AS_PRESET,
     PUMP_OFF,
     PUMP_ON,
+    PUMP_AS_PRESET,
 };
 
-/* Options as the user wrote them, before the tank preset is applied. */
+/* Options as the user wrote them, before the tank preset is applied. A number that is NaN selects
+ * the value of the tank preset. */
 struct words {
-    uint8_t given[FIGURE_COUNT];
-    double figure[FIGURE_COUNT];
+    struct tank_options plan; /* Options that do not depend on the tank preset. */
     uint8_t preset;
     uint8_t pump;   /* Setting of the water pump (enum pump). */
     uint8_t search; /* Method of the pair search (enum pair_search). */
     uint8_t balls;  /* 1 if the option --spaces ball was given, otherwise 0. */
+    uint32_t seed;
+    double area_scale, wall_follow, stamina;
+    double temperature_c, pressure_hpa, oxygen_mg_l, time_compression;
     /* Size of the tank in cm along x, y and z. The size along y is the depth of the water. 0
      * selects the size of the tank preset. */
     double size_cm[3];
@@ -75,126 +41,17 @@ struct words {
     const char *fish;
 };
 
-static enum exit_code tank_options_error(const char *option, const char *value,
-                                         const char *expected)
-{
-    return ctl_usage(name, "%s: '%.100s' is not right; expected %s", option, value ? value : "",
-                     expected);
-}
+/* ---- Parsing lists of numbers ---------------------------------------------------------------- */
 
-/* ---- Parsing one option ---------------------------------------------------------------------- */
-
-static enum exit_code take_figure(struct words *words, enum figure figure, const char *value)
-{
-    const struct range *range = &ranges[figure];
-    double *out = &words->figure[figure];
-    char expected[96];
-    const int right = number_parse_decimal(value, range->min, range->max, out) &&
-                      (!range->is_whole || floor(*out) == *out);
-    if (!right) {
-        snprintf(expected, sizeof expected, "%s from %.10g to %.10g",
-                 range->is_whole ? "a whole number" : "a number", range->min, range->max);
-        return tank_options_error(range->option, value, expected);
-    }
-    words->given[figure] = 1;
-    return EXIT_OK;
-}
-
-static enum exit_code take_preset(struct tank_options *plan, struct words *words, const char *value)
-{
-    (void)plan;
-    for (uint8_t id = 0; id < TANK_PRESET_COUNT; id++) {
-        if (value && strcmp(value, tank_preset(id)->name) == 0) {
-            words->preset = id;
-            return EXIT_OK;
-        }
-    }
-    return tank_options_error("--preset", value, "thesis, official or festival");
-}
-
-static enum exit_code take_fish(struct tank_options *plan, struct words *words, const char *value)
-{
-    (void)plan;
-    words->fish = value ? value : "";
-    return EXIT_OK;
-}
-
-/* Parses an option whose value is the word `first` or the word `second`. Sets `*is_second` to 1 for
- * the second word and to 0 for the first word. */
-static enum exit_code take_choice(const char *option, const char *value, const char *first,
-                                  const char *second, uint8_t *is_second)
-{
-    char expected[32];
-    *is_second = value && strcmp(value, second) == 0;
-    if (*is_second || (value && strcmp(value, first) == 0)) {
-        return EXIT_OK;
-    }
-    snprintf(expected, sizeof expected, "%s or %s", first, second);
-    return tank_options_error(option, value, expected);
-}
-
-static enum exit_code take_pump(struct tank_options *plan, struct words *words, const char *value)
-{
-    uint8_t is_off;
-    (void)plan;
-    const enum exit_code code = take_choice("--pump", value, "on", "off", &is_off);
-    words->pump = is_off ? PUMP_OFF : PUMP_ON;
-    return code;
-}
-
-static enum exit_code take_pairs(struct tank_options *plan, struct words *words, const char *value)
-{
-    uint8_t is_all;
-    (void)plan;
-    const enum exit_code code = take_choice("--pairs", value, "grid", "all", &is_all);
-    words->search = is_all ? PAIR_SEARCH_ALL : PAIR_SEARCH_GRID;
-    return code;
-}
-
-static enum exit_code take_spaces(struct tank_options *plan, struct words *words, const char *value)
-{
-    (void)plan;
-    return take_choice("--spaces", value, "box", "ball", &words->balls);
-}
-
-static enum exit_code take_path(const char **path, const char *option, const char *value)
-{
-    *path = value;
-    return value && *value ? EXIT_OK : tank_options_error(option, value, "a path");
-}
-
-static enum exit_code take_poi_path(struct tank_options *plan, struct words *words,
-                                    const char *value)
-{
-    (void)words;
-    return take_path(&plan->poi_path, "--poi-path", value);
-}
-
-static enum exit_code take_place(struct tank_options *plan, struct words *words, const char *value)
-{
-    (void)words;
-    return take_path(&plan->place, "--place", value);
-}
-
-static enum exit_code take_trace(struct tank_options *plan, struct words *words, const char *value)
-{
-    (void)words;
-    return take_path(&plan->trace, "--trace", value);
-}
-
-static enum exit_code take_json(struct tank_options *plan, struct words *words, const char *value)
-{
-    (void)words;
-    (void)value;
-    plan->as_json = 1;
-    return EXIT_OK;
-}
+struct range {
+    double min, max;
+};
 
 /* Parses `count` comma-separated numbers, each in its own range. Returns 1, or 0 if the list is
  * invalid. */
 static int read_list(const char *text, const struct range *parts, int count, double *out)
 {
-    for (int i = 0; text && i < count; i++) {
+    for (int i = 0; i < count; i++) {
         char field[FIELD_MAX];
         const size_t length = strcspn(text, ",");
         if (length >= sizeof field || (text[length] == ',') != (i + 1 < count)) {
@@ -207,87 +64,154 @@ static int read_list(const char *text, const struct range *parts, int count, dou
         }
         text += length + (i + 1 < count);
     }
-    return text != NULL;
+    return 1;
 }
 
-static enum exit_code take_size(struct tank_options *plan, struct words *words, const char *value)
+static int take_size(void *target, const struct option *option, const char *value, char *why)
 {
-    (void)plan;
     static const struct range parts[3] = {
-        { "width", CM(TANK_SIDE_MIN_M), CM(TANK_SIDE_MAX_M), 0 },
-        { "depth", CM(TANK_DEPTH_MIN_M), CM(TANK_DEPTH_MAX_M), 0 },
-        { "breadth", CM(TANK_SIDE_MIN_M), CM(TANK_SIDE_MAX_M), 0 },
+        { CM(TANK_SIDE_MIN_M), CM(TANK_SIDE_MAX_M) },
+        { CM(TANK_DEPTH_MIN_M), CM(TANK_DEPTH_MAX_M) },
+        { CM(TANK_SIDE_MIN_M), CM(TANK_SIDE_MAX_M) },
     };
-    if (!read_list(value, parts, 3, words->size_cm)) {
-        return tank_options_error("--size-cm", value,
-                                  "WIDTH,DEPTH,BREADTH of the water: 30 to 200 cm, "
-                                  "5 to 50 cm, 30 to 200 cm");
-    }
-    return EXIT_OK;
+    (void)option;
+    (void)why;
+    return read_list(value, parts, 3, ((struct words *)target)->size_cm);
 }
 
-static enum exit_code take_shade(struct tank_options *plan, struct words *words, const char *value)
+static int take_shade(void *target, const struct option *option, const char *value, char *why)
 {
-    (void)words;
     static const struct range parts[5] = {
-        { "x", -1000, 1000, 0 },
-        { "z", -1000, 1000, 0 },
-        { "radius", CM(SHADE_RADIUS_MIN_M), CM(SHADE_RADIUS_MAX_M), 0 },
-        { "from", 0, PLAN_SECONDS_MAX, 0 },
-        { "to", 0, PLAN_SECONDS_MAX, 0 },
+        { -1000, 1000 },
+        { -1000, 1000 },
+        { CM(SHADE_RADIUS_MIN_M), CM(SHADE_RADIUS_MAX_M) },
+        { 0, PLAN_SECONDS_MAX },
+        { 0, PLAN_SECONDS_MAX },
     };
+    struct tank_options *plan = &((struct words *)target)->plan;
     double part[5];
+    (void)option;
     if (plan->shade_count == SHADE_MAX) {
-        return ctl_usage(name, "--shade: at most %u shades", SHADE_MAX);
+        snprintf(why, OPTION_TEXT_MAX, "at most %u shades", SHADE_MAX);
+        return 0;
     }
     if (!read_list(value, parts, 5, part) || part[3] >= part[4]) {
-        return tank_options_error(
-            "--shade", value,
-            "X_CM,Z_CM,R_CM,FROM_S,TO_S: centre -1000 to 1000 cm, radius 1 to 30 cm, "
-            "0 <= FROM_S < TO_S <= 36000");
+        return 0;
     }
     plan->shade[plan->shade_count++] = (struct plan_shade){
         0.01 * part[0], 0.01 * part[1], 0.01 * part[2], part[3], part[4],
     };
-    return EXIT_OK;
+    return 1;
 }
 
-/* Options whose value is not a number. */
-struct option {
-    const char *name;
-    enum exit_code (*take)(struct tank_options *plan, struct words *words, const char *value);
-    uint8_t word_count; /* Number of words on the command line: 2 for an option with a value, 1 for
-                           an option without a value. */
-};
+/* ---- Table of options ------------------------------------------------------------------------ */
 
+static const char *const presets[] = {
+    [TANK_PRESET_FESTIVAL] = "festival",
+    [TANK_PRESET_THESIS] = "thesis",
+    [TANK_PRESET_OFFICIAL] = "official",
+    [TANK_PRESET_COUNT] = NULL,
+};
+static const char *const pumps[] = { [PUMP_OFF] = "off", [PUMP_ON] = "on", NULL };
+static const char *const searches[] = {
+    [PAIR_SEARCH_GRID] = "grid",
+    [PAIR_SEARCH_ALL] = "all",
+    NULL,
+};
+static const char *const spaces[] = { "box", "ball", NULL };
+
+#define AT(member) .offset = offsetof(struct words, member)
+
+/* clang-format off */
 static const struct option table[] = {
-    { "--preset", take_preset, 2 }, { "--fish", take_fish, 2 },
-    { "--pump", take_pump, 2 },     { "--pairs", take_pairs, 2 },
-    { "--spaces", take_spaces, 2 }, { "--size-cm", take_size, 2 },
-    { "--shade", take_shade, 2 },   { "--poi-path", take_poi_path, 2 },
-    { "--place", take_place, 2 },   { "--trace", take_trace, 2 },
-    { "--json", take_json, 1 },
+    { .help = "The tank" },
+    { "preset", "NAME", "tank preset", OPTION_CHOICE, AT(preset), .choices = presets,
+      .initial = "thesis" },
+    { "fish", "N",
+      "number of fish, at most 131,072 and as many as the water holds; the default is the preset's "
+      "number, or the same number per volume in more or less water",
+      OPTION_TEXT, AT(fish), .expects = "a whole number" },
+    { "area-scale", "K", "floor area relative to the preset's floor area; 1 without the option",
+      OPTION_DECIMAL, AT(area_scale), 0.05, 250 },
+    { "size-cm", "W,D,B",
+      "width, depth and breadth of the water; the default is the preset's size",
+      OPTION_CUSTOM, .set = take_size,
+      .expects = "WIDTH,DEPTH,BREADTH of the water: 30 to 200 cm, 5 to 50 cm, 30 to 200 cm" },
+    { "wall-follow", "K", "strength with which walls attract fish; 0 without the option",
+      OPTION_DECIMAL, AT(wall_follow), 0, 1 },
+    { "spaces", "SHAPE", "shape of the personal spaces; ball is meant for comparisons",
+      OPTION_CHOICE, AT(balls), .choices = spaces, .initial = "box" },
+    { "stamina", "H", "stamina of every fish at the start; the default is the preset's spread",
+      OPTION_DECIMAL, AT(stamina), 0, 100 },
+    { "temperature-c", "T", "temperature of the water; the default is the preset's",
+      OPTION_DECIMAL, AT(temperature_c), (double)OXYGEN_TEMPERATURE_MIN_C,
+      (double)OXYGEN_TEMPERATURE_MAX_C },
+    { "pressure-hpa", "P", "pressure of the air; 1013.25 without the option", OPTION_DECIMAL,
+      AT(pressure_hpa), (double)OXYGEN_PRESSURE_MIN_HPA, (double)OXYGEN_PRESSURE_MAX_HPA },
+    { "oxygen-mg-l", "C",
+      "dissolved oxygen at the start; the default is as much as the water holds", OPTION_DECIMAL,
+      AT(oxygen_mg_l), 0, (double)OXYGEN_MAX_MG_L },
+    { "pump", "on|off", "whether the air stone bubbles; the default is the preset's",
+      OPTION_CHOICE, AT(pump), .choices = pumps },
+    { "time-compression", "K",
+      "hours of the water for one hour of the fish; the default is the preset's", OPTION_DECIMAL,
+      AT(time_compression), 0, (double)OXYGEN_TIME_COMPRESSION_MAX },
+    { "seed", "N", "seed of all random numbers; equal seeds give equal fish", OPTION_WHOLE,
+      AT(seed), 0, UINT32_MAX, .initial = "1" },
+    { "place", "FILE",
+      "start positions of the fish: CSV with x_cm,y_cm,z_cm,yaw_deg, and optionally "
+      "pitch_deg,roll_deg,length_cm,speed_cm_s,gait,stamina; or a trace, of which the first tick "
+      "is used. Gaits: rest, swim, burst; escape continues as burst; surface continues as gulp, or "
+      "rises to gulp if the fish is deep; held is refused because no poi holds the fish. The "
+      "length determines the box",
+      OPTION_TEXT, AT(plan.place) },
+    { .help = "The simulation" },
+    { "seconds", "S", "length of the simulation in seconds", OPTION_DECIMAL, AT(plan.seconds), 0.1,
+      PLAN_SECONDS_MAX, .initial = "10" },
+    { "shade", "X_CM,Z_CM,R_CM,FROM_S,TO_S",
+      "round shade over the water from second FROM_S to second TO_S; at most 4 shades. shade_count "
+      "counts the fish within a shade, also while the shade is not cast",
+      OPTION_CUSTOM, .set = take_shade,
+      .expects = "X_CM,Z_CM,R_CM,FROM_S,TO_S: centre -1000 to 1000 cm, radius 1 to 30 cm, "
+                 "0 <= FROM_S < TO_S <= 36000" },
+    { "poi-path", "FILE",
+      "path of a poi: CSV t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg; linear between the rows, "
+      "and constant after the last row. The poi is the game's poi with No. 5 paper and yields in "
+      "the same way",
+      OPTION_TEXT, AT(plan.poi_path) },
+    { .help = "The output" },
+    { "pairs", "HOW",
+      "search for near fish: with the grid, or each fish against each fish, which is slower and "
+      "gives equal results",
+      OPTION_CHOICE, AT(search), .choices = searches, .initial = "grid" },
+    { "json", NULL, "print the figures as JSON", OPTION_FLAG, AT(plan.as_json) },
+    { "trace", "FILE", "write the positions of all fish to FILE as CSV", OPTION_TEXT,
+      AT(plan.trace) },
+    { "trace-every", "TICKS", "ticks between two samples of the trace, from tick 0 on",
+      OPTION_WHOLE, AT(plan.trace_every), 1, PLAN_SECONDS_MAX * CORE_TICK_HZ, .initial = "12" },
+    { "observe-every", "TICKS",
+      "overlaps, encounters, shares and speeds are measured at this interval and after the last "
+      "tick. The default is 1, or 24 with more than 2,048 fish, because measuring takes longer "
+      "than a tick",
+      OPTION_WHOLE, AT(plan.observe_every), 1, PLAN_SECONDS_MAX * CORE_TICK_HZ },
 };
+/* clang-format on */
 
-/* Parses one option and its value. Sets `*used` to the number of command-line words that were
- * read. */
-static enum exit_code tank_options_take_option(struct tank_options *plan, struct words *words,
-                                               const char *option, const char *value, int *used)
-{
-    *used = 2;
-    for (enum figure figure = 0; figure < FIGURE_COUNT; figure++) {
-        if (strcmp(option, ranges[figure].option) == 0) {
-            return take_figure(words, figure, value);
-        }
-    }
-    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
-        if (strcmp(option, table[i].name) == 0) {
-            *used = table[i].word_count;
-            return table[i].take(plan, words, value);
-        }
-    }
-    return ctl_usage(name, "unknown option '%.100s'; --help lists them", option);
-}
+const struct option_table tank_options_table = { table, sizeof table / sizeof table[0], NULL };
+
+const char tank_options_notes[] =
+    "Lengths are in cm: x to the right, y up from the surface, z toward the player. Angles\n"
+    "are in degrees: yaw about +y (0 faces -z), then pitch (lifts the nose), then roll\n"
+    "(lowers the right side). A tick is 1/120 s. Counts per second begin with the start,\n"
+    "second 0. Shares and means are over all fish and observed ticks. Speeds, mean and max,\n"
+    "are over fish that swim: not held by a poi, and not falling through the air.\n"
+    "body_overlaps counts pairs deeper than 0.5 mm, once for each observed tick. An\n"
+    "encounter counts if it lasts until an observed tick.\n"
+    "ns_per_fish_tick and tick_ms are the CPU time of the tank's own tick, without the\n"
+    "measuring. The 4 ticks after each observation are not counted, because the measuring\n"
+    "has replaced the tank's data in the caches. With --observe-every 1 to 4, all ticks are\n"
+    "timed.\n"
+    "In CSV files every column must be known, and every row must be as long as the header.\n";
 
 /* ---- Checking all options together ----------------------------------------------------------- */
 
@@ -306,95 +230,68 @@ static double waters(const struct tank_config *config)
 static enum exit_code settle_fish(struct tank_options *plan, const struct words *words)
 {
     struct tank_config *config = &plan->config;
-    char tank[96];
+    char range[96];
     const uint32_t most = tank_config_fish_max(config);
-    snprintf(tank, sizeof tank, "1 to %u fish in %.3g times the water of the %s tank", most,
+    snprintf(range, sizeof range, "1 to %u fish in %.3g times the water of the %s tank", most,
              waters(config), tank_preset(config->preset)->name);
     if (words->fish) {
         return number_parse(words->fish, 1, most, &config->fish_count)
                    ? EXIT_OK
-                   : tank_options_error("--fish", words->fish, tank);
+                   : ctl_usage(name, "--fish: '%.100s' is wrong; expected %s", words->fish, range);
     }
     const double as_dense = round((double)config->fish_count * waters(config));
     if (as_dense > (double)most) {
         return ctl_usage(name,
-                         "%s: %.0f fish at the preset's density are too many; with --fish, "
-                         "%s",
-                         words->given[FIGURE_AREA_SCALE] ? "--area-scale" : "--size-cm", as_dense,
-                         tank);
+                         "%s: %.0f fish at the preset's density are too many; with --fish, %s",
+                         isnan(words->area_scale) ? "--size-cm" : "--area-scale", as_dense, range);
     }
     config->fish_count = as_dense > 1.0 ? (uint32_t)as_dense : 1u;
     return EXIT_OK;
 }
 
-static void settle_water(struct tank_config *config, const struct words *words)
+/* Returns `given` as a float, or the value `preset` if `given` is NaN. */
+static float or_preset(double given, float preset)
 {
-    const struct {
-        enum figure figure;
-        float *value;
-    } figures[] = {
-        { FIGURE_TEMPERATURE_C, &config->temperature_c },
-        { FIGURE_PRESSURE_HPA, &config->pressure_hpa },
-        { FIGURE_OXYGEN_MG_L, &config->oxygen_mg_l },
-        { FIGURE_TIME_COMPRESSION, &config->time_compression },
-    };
-    for (uint32_t i = 0; i < sizeof figures / sizeof figures[0]; i++) {
-        if (words->given[figures[i].figure]) {
-            *figures[i].value = (float)words->figure[figures[i].figure];
-        }
-    }
-    if (words->pump != PUMP_AS_PRESET) {
-        config->pump = words->pump == PUMP_ON;
-    }
-}
-
-static enum exit_code tank_options_finish(struct tank_options *plan, const struct words *words)
-{
-    struct tank_config *config = &plan->config;
-    const double *figure = words->figure;
-    *config = tank_config_of(words->preset);
-    if (words->given[FIGURE_AREA_SCALE]) {
-        config->area_scale =
-            f_clamp((float)figure[FIGURE_AREA_SCALE], TANK_AREA_SCALE_MIN, TANK_AREA_SCALE_MAX);
-    }
-    if (words->size_cm[0] > 0.0) {
-        config->size_m = v3((float)(0.01 * words->size_cm[0]), (float)(0.01 * words->size_cm[1]),
-                            (float)(0.01 * words->size_cm[2]));
-    }
-    if (words->given[FIGURE_WALL_FOLLOW]) {
-        config->wall_follow = (float)figure[FIGURE_WALL_FOLLOW];
-    }
-    if (words->given[FIGURE_SEED]) {
-        config->seed = (uint32_t)figure[FIGURE_SEED];
-    }
-    if (words->given[FIGURE_STAMINA]) {
-        config->stamina_min = config->stamina_max = (float)(0.01 * figure[FIGURE_STAMINA]);
-    }
-    plan->has_fish = words->fish != NULL;
-    config->search = words->search;
-    config->ball_spaces = words->balls;
-    settle_water(config, words);
-    plan->seconds = words->given[FIGURE_SECONDS] ? figure[FIGURE_SECONDS] : 10.0;
-    plan->tick_count = (uint32_t)round(plan->seconds * CORE_TICK_HZ);
-    plan->trace_every =
-        words->given[FIGURE_TRACE_EVERY] ? (uint32_t)figure[FIGURE_TRACE_EVERY] : 12u;
-    if (words->given[FIGURE_OBSERVE_EVERY]) {
-        plan->observe_every = (uint32_t)figure[FIGURE_OBSERVE_EVERY];
-    }
-    return settle_fish(plan, words);
+    return isnan(given) ? preset : (float)given;
 }
 
 enum exit_code tank_options_read(struct tank_options *plan, int argc, const char *const *argv)
 {
-    struct words words = { .preset = TANK_PRESET_THESIS };
-    int used = 0;
-    *plan = (struct tank_options){ 0 };
-    for (int i = 0; i < argc; i += used) {
-        const char *value = i + 1 < argc ? argv[i + 1] : NULL;
-        const enum exit_code code = tank_options_take_option(plan, &words, argv[i], value, &used);
-        if (code != EXIT_OK) {
-            return code;
-        }
+    struct words words = {
+        .pump = PUMP_AS_PRESET,
+        .area_scale = NAN,
+        .wall_follow = NAN,
+        .stamina = NAN,
+        .temperature_c = NAN,
+        .pressure_hpa = NAN,
+        .oxygen_mg_l = NAN,
+        .time_compression = NAN,
+    };
+    const enum exit_code code = ctl_options(name, &tank_options_table, 0, &words, argc, argv);
+    if (code != EXIT_OK) {
+        return code;
     }
-    return tank_options_finish(plan, &words);
+    *plan = words.plan;
+    plan->has_fish = words.fish != NULL;
+    plan->tick_count = (uint32_t)round(plan->seconds * CORE_TICK_HZ);
+    struct tank_config *config = &plan->config;
+    *config = tank_config_of(words.preset);
+    config->area_scale = f_clamp(or_preset(words.area_scale, config->area_scale),
+                                 TANK_AREA_SCALE_MIN, TANK_AREA_SCALE_MAX);
+    if (words.size_cm[0] > 0.0) {
+        config->size_m = v3((float)(0.01 * words.size_cm[0]), (float)(0.01 * words.size_cm[1]),
+                            (float)(0.01 * words.size_cm[2]));
+    }
+    config->wall_follow = or_preset(words.wall_follow, config->wall_follow);
+    config->seed = words.seed;
+    config->stamina_min = or_preset(0.01 * words.stamina, config->stamina_min);
+    config->stamina_max = or_preset(0.01 * words.stamina, config->stamina_max);
+    config->temperature_c = or_preset(words.temperature_c, config->temperature_c);
+    config->pressure_hpa = or_preset(words.pressure_hpa, config->pressure_hpa);
+    config->oxygen_mg_l = or_preset(words.oxygen_mg_l, config->oxygen_mg_l);
+    config->time_compression = or_preset(words.time_compression, config->time_compression);
+    config->pump = words.pump == PUMP_AS_PRESET ? config->pump : words.pump == PUMP_ON;
+    config->search = words.search;
+    config->ball_spaces = words.balls;
+    return settle_fish(plan, &words);
 }

@@ -38,7 +38,8 @@ struct tank_options {
  * returns another exit code. */
 enum exit_code tank_options_read(struct tank_options *plan, int argc, const char *const *argv);
 
-/* Text that `kingyoctl tank --help` prints. */
-extern const char tank_options_usage[];
+/* Options and further text that `kingyoctl tank --help` prints. */
+extern const struct option_table tank_options_table;
+extern const char tank_options_notes[];
 
 #endif
