@@ -64,7 +64,7 @@ CORE_SRC := $(call sources,core)
 KIOSK_SRC := $(call sources,platform/kiosk)
 CTL_SRC := $(call sources,platform/ctl)
 PLATFORM_SRC := $(filter-out $(KIOSK_SRC) $(CTL_SRC),$(call sources,platform))
-GPIOD_SRC := $(wildcard drivers/gpio/gpio_lines[0-9].c drivers/gpio/gpio_chips[0-9].c)
+GPIOD_SRC := $(wildcard drivers/gpio/gpio_lines[0-9].c)
 DRIVER_SRC = $(filter-out $(GPIOD_SRC),$(call sources,drivers)) $(filter %$(GPIOD).c,$(GPIOD_SRC))
 BOARD_SRC := $(wildcard board/*.c board/$(BOARD)/*.c)
 

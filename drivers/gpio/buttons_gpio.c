@@ -1,8 +1,17 @@
-/* buttons_gpio.c -- converts the counters of the GPIO thread (`reader`) to HAL samples, and HAL
- * commands to commands for the thread. */
+/* buttons_gpio.c -- runs the GPIO thread, converts the counters of the thread (`reader`) to HAL
+ * samples, and converts HAL commands to commands for the thread. */
 #include "drivers/gpio/buttons_gpio.h"
 
+#include <signal.h>
 #include <string.h>
+#include <time.h>
+
+#include "core/base/panic.h"
+
+/* Longest wait in buttons_gpio_stop(): 200 steps of 10 ms, enough for ten pulses of the slowest
+ * meters. */
+#define STOP_STEPS_MAX 200u
+#define STOP_STEP_NS 10000000
 
 /* Button of each input line as a bit of enum input_button, or 0 for the coin lines, which are no
  * buttons. */
@@ -22,27 +31,16 @@ static uint32_t buttons_of(uint32_t roles)
     return buttons;
 }
 
-/* Returns the index of the input `role` among the HAL_LINE_COUNT lines of a button sample: buttons
- * first, then coin lines. */
-static uint32_t line_of(uint32_t role)
-{
-    uint32_t line = 0;
-    if (gpio_role_is_coin((enum gpio_role)role)) {
-        return INPUT_BUTTON_COUNT + role - GPIO_COIN;
-    }
-    while (button_of[role] >> line != 1u) {
-        line++;
-    }
-    return line;
-}
-
 /* Fills the raw level, the edge count and the fault count of every line. The operator's test page
  * shows these values. */
 static void sample_lines(struct gpio_thread *reader, struct button_sample *out)
 {
     const uint32_t raw = atomic_load(&reader->raw);
     for (uint32_t role = 0; role < GPIO_INPUT_COUNT; role++) {
-        const uint32_t line = line_of(role);
+        /* The lines of a sample are the buttons, followed by the coin lines. */
+        const uint32_t line = gpio_role_is_coin(role) ? INPUT_BUTTON_COUNT + role - GPIO_COIN
+                                                      : (uint32_t)__builtin_ctz(button_of[role]);
+        CORE_ASSERT(line < HAL_LINE_COUNT);
         out->raw |= raw & 1u << role ? 1u << line : 0u;
         out->line[line] = (struct line_sample){
             .edges = atomic_exchange(&reader->edges[role], 0),
@@ -82,6 +80,7 @@ static const char *buttons_gpio_describe(void *self)
 
 void buttons_gpio_why(struct buttons_gpio *gpio, enum gpio_role role, char out[HAL_TEXT_SIZE])
 {
+    CORE_ASSERT(role < GPIO_ROLE_COUNT);
     pthread_mutex_lock(&gpio->reader.mutex);
     memcpy(out, gpio->reader.why[role], HAL_TEXT_SIZE);
     pthread_mutex_unlock(&gpio->reader.mutex);
@@ -89,6 +88,7 @@ void buttons_gpio_why(struct buttons_gpio *gpio, enum gpio_role role, char out[H
 
 static int is_wired(const struct gpio_thread *reader, enum hal_switch which)
 {
+    CORE_ASSERT(which < HAL_SWITCH_COUNT);
     return reader->wires[GPIO_INPUT_COUNT + which].wired;
 }
 
@@ -122,25 +122,74 @@ static int buttons_gpio_pulse(void *self, enum hal_switch which, uint32_t count)
 static uint32_t buttons_gpio_pending(void *self, enum hal_switch which)
 {
     struct gpio_thread *reader = &((struct buttons_gpio *)self)->reader;
+    CORE_ASSERT(which < HAL_SWITCH_COUNT);
     const uint32_t asked = atomic_load(&reader->pulses[which]);
     return asked + atomic_load(&reader->pending[which]);
 }
 
+/* ---- The thread ----------------------------------------------------------------------------- */
+
+static void *run_gpio_thread(void *context)
+{
+    struct gpio_thread *reader = context;
+    while (!atomic_load(&reader->stop)) {
+        gpio_thread_step(reader);
+    }
+    return NULL;
+}
+
+/* Signals that the kernel sends to a thread because of its own fault, such as an invalid memory
+ * access. */
+static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
+
+/* Starts the thread with all signals blocked except `panics`, because the main thread handles all
+ * other signals. */
 int buttons_gpio_start(struct buttons_gpio *gpio, struct gpio_lines lines,
                        const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock)
 {
-    gpio_thread_open(&gpio->reader, lines, wires, clock);
-    const int result = gpio_thread_start(&gpio->reader);
-    if (result != HAL_OK) {
-        gpio_thread_close(&gpio->reader);
+    struct gpio_thread *reader = &gpio->reader;
+    sigset_t all, before;
+    gpio_thread_open(reader, lines, wires, clock);
+    sigfillset(&all);
+    for (size_t i = 0; i < sizeof panics / sizeof panics[0]; i++) {
+        /* A blocked fault signal would end the process without a stack trace. */
+        sigdelset(&all, panics[i]);
     }
-    return result;
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    reader->runs = pthread_create(&reader->thread, NULL, run_gpio_thread, reader) == 0;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    if (!reader->runs) {
+        gpio_thread_close(reader);
+        return HAL_ERR_IO;
+    }
+    return HAL_OK;
+}
+
+/* Returns true while requested pulses have not ended. */
+static bool has_pulses(struct gpio_thread *reader)
+{
+    uint32_t asked = 0;
+    for (uint32_t i = 0; i < GPIO_OUTPUT_COUNT; i++) {
+        asked |= atomic_load(&reader->pulses[i]);
+    }
+    return asked > 0 || atomic_load(&reader->owed) > 0;
 }
 
 void buttons_gpio_stop(struct buttons_gpio *gpio)
 {
-    gpio_thread_stop(&gpio->reader);
+    struct gpio_thread *reader = &gpio->reader;
+    const struct timespec step = { .tv_nsec = STOP_STEP_NS };
+    CORE_ASSERT(reader->runs);
+    for (uint32_t i = 0; i < STOP_STEPS_MAX && has_pulses(reader); i++) {
+        nanosleep(&step, NULL);
+    }
+    atomic_store(&reader->stop, 1);
+    pthread_join(reader->thread, NULL);
+    reader->runs = 0;
+    gpio_thread_close(reader);
 }
+
+/* ---- The devices ---------------------------------------------------------------------------- */
 
 struct hal_buttons buttons_gpio_device(struct buttons_gpio *gpio)
 {

@@ -29,8 +29,9 @@ struct hal_switches buttons_gpio_switches(struct buttons_gpio *gpio);
  * wired. */
 void buttons_gpio_why(struct buttons_gpio *gpio, enum gpio_role role, char out[HAL_TEXT_SIZE]);
 
-/* Stops the GPIO thread. Coins are locked out, lamps are switched off, and the lines are released.
- * The bias (gpio_config.h) then sets the level of each line. */
+/* Waits at most two seconds for unfinished pulses and ends the GPIO thread. Coins are locked out,
+ * lamps are switched off, and the lines are released. The bias (gpio_config.h) then sets the level
+ * of each line. */
 void buttons_gpio_stop(struct buttons_gpio *gpio);
 
 #endif

@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
+
 static uint32_t bit_of(enum gpio_role role)
 {
     return 1u << role;
@@ -14,6 +16,7 @@ static uint32_t bit_of(enum gpio_role role)
 
 static void let_go(struct gpio_backend *backend, enum gpio_role role)
 {
+    CORE_ASSERT(role < GPIO_ROLE_COUNT);
     if (backend->held & bit_of(role)) {
         backend->ops->release(role);
     }
@@ -47,20 +50,12 @@ static bool gpio_backend_find(const struct gpio_backend *backend, const struct g
     return false;
 }
 
-static void gpio_backend_error(const struct gpio_backend *backend, const struct gpio_wire *wire,
-                               enum gpio_role role, int error, char why[HAL_TEXT_SIZE])
-{
-    char consumer[GPIO_TEXT_SIZE] = "";
-    backend->ops->consumer(role, consumer);
-    gpio_dev_why_refused(why, wire, error, consumer);
-    backend->ops->release(role);
-}
-
 static void hold(struct gpio_backend *backend, const struct gpio_wire *wire, enum gpio_role role,
                  char why[HAL_TEXT_SIZE])
 {
     const struct gpio_backend_ops *ops = backend->ops;
     bool has_edges = gpio_role_is_input(role);
+    CORE_ASSERT(!(backend->held & bit_of(role)));
     if (!gpio_backend_find(backend, wire, role, why)) {
         return;
     }
@@ -70,7 +65,11 @@ static void hold(struct gpio_backend *backend, const struct gpio_wire *wire, enu
         failed = ops->request(role, wire, has_edges);
     }
     if (failed) {
-        gpio_backend_error(backend, wire, role, errno, why);
+        const int error = errno;
+        char consumer[GPIO_TEXT_SIZE] = "";
+        ops->consumer(role, consumer);
+        gpio_dev_why_refused(why, wire, error, consumer);
+        ops->release(role);
         return;
     }
     backend->held |= bit_of(role);
@@ -112,6 +111,7 @@ static void backend_close(void *self)
  * removed: the line is released and the result is HAL_ERR_GONE. Every other error is HAL_ERR_IO. */
 static int failure(struct gpio_backend *backend, enum gpio_role role)
 {
+    CORE_ASSERT(backend->held & bit_of(role));
     if (errno != ENODEV) {
         return HAL_ERR_IO;
     }
@@ -132,6 +132,7 @@ static int backend_level(void *self, enum gpio_role role)
 static int backend_set(void *self, enum gpio_role role, int active)
 {
     struct gpio_backend *backend = self;
+    CORE_ASSERT(!gpio_role_is_input(role));
     if (!(backend->held & bit_of(role))) {
         return HAL_ERR_GONE;
     }
@@ -146,27 +147,21 @@ static int backend_debounces(void *self, enum gpio_role role)
 
 /* ---- Waiting for edges ---------------------------------------------------------------------- */
 
-/* Polls the level of a line that has no edge detection. Returns 1 and writes one edge if the level
- * changed, otherwise 0. */
-static uint32_t gpio_backend_poll_level(struct gpio_backend *backend, enum gpio_role role,
-                                        struct gpio_edge *out)
-{
-    const int level = backend_level(backend, role);
-    backend->went |= level == HAL_ERR_GONE;
-    return gpio_dev_poll_level(&backend->looks, role, level, out);
-}
-
-/* Reads the edges of `role` into `out`. Returns the number of edges. */
+/* Reads at most `max` edges of `role` into `out`. A line without edge detection is polled and gives
+ * one edge if its level changed. Returns the number of edges. */
 static uint32_t gpio_backend_read_edges(struct gpio_backend *backend,
                                         const struct gpio_dev_ready *ready, enum gpio_role role,
                                         struct gpio_edge *out, uint32_t max)
 {
     if (backend->looks.roles & bit_of(role) && max > 0) {
-        return gpio_backend_poll_level(backend, role, out);
+        const int level = backend_level(backend, role);
+        backend->went |= level == HAL_ERR_GONE;
+        return gpio_dev_poll_level(&backend->looks, role, level, out);
     }
     int taken = ready->gone & bit_of(role) ? -1 : 0;
     if (ready->readable & bit_of(role) && max > 0) {
         taken = backend->ops->read_edges(role, out, max);
+        CORE_ASSERT(taken <= (int)max);
     }
     if (taken < 0) {
         let_go(backend, role);
@@ -182,6 +177,7 @@ static int backend_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_
         backend->fds, backend->went ? 0 : gpio_dev_poll_ms(&backend->looks, timeout_ms));
     uint32_t count = 0;
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
+        CORE_ASSERT(count <= max);
         count += gpio_backend_read_edges(backend, &ready, role, out + count, max - count);
     }
     if (backend->went && count == 0) { /* The removal of a chip is reported only after all edges of
@@ -226,6 +222,7 @@ struct gpio_lines gpio_backend_device(struct gpio_backend *backend,
         .close = backend_close,
         .describe = backend_describe,
     };
+    CORE_ASSERT(ops && ops->open_chip && ops->request && ops->release && ops->version);
     backend->ops = ops;
     backend_close(backend); /* Closes nothing yet, but sets all file descriptors to -1, because 0 is
                                a valid descriptor. */

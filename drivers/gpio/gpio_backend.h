@@ -1,11 +1,80 @@
 /* gpio_backend.h -- the part of the GPIO driver that is the same for libgpiod 1.6 and libgpiod 2.x.
  *
- * This module finds lines, requests them, waits for edges, detects removed chips and releases
- * lines. gpio_lines1.c and gpio_lines2.c implement the operations that differ. */
+ * gpio_backend.c requests lines, waits for edges, detects removed chips and releases lines.
+ * gpio_dev.c finds chips in /dev, calls poll() and writes error messages. gpio_lines1.c and
+ * gpio_lines2.c implement the operations that differ. */
 #ifndef KINGYO_DRIVERS_GPIO_GPIO_BACKEND_H
 #define KINGYO_DRIVERS_GPIO_GPIO_BACKEND_H
 
-#include "drivers/gpio/gpio_dev.h"
+#include <dirent.h>
+
+#include "drivers/gpio/gpio_lines.h"
+
+/* ---- Devices in /dev, waiting and messages (gpio_dev.c) --------------------------------------- */
+
+/* Iteration over the device files of all chips, in directory order. Symbolic links are skipped,
+ * because Raspberry Pi OS has links that name chips by their former numbers.
+ *
+ * Before the first call of gpio_dev_next() all fields except `root` must be 0. The iteration ends
+ * when gpio_dev_next() returns false, or when the caller calls gpio_dev_end(). */
+struct gpio_dev_walk {
+    const char *root; /* Root folder of the file system to search; null means "/". */
+    DIR *folder;
+    char path[sizeof "/dev/" + 256]; /* Path of the current chip, without `root`. */
+    uint32_t count;                  /* Number of chips found so far. */
+};
+
+/* Finds the next chip. Returns true if there is a next chip, otherwise ends the iteration and
+ * returns false. */
+bool gpio_dev_next(struct gpio_dev_walk *walk);
+
+/* Ends an iteration early. */
+void gpio_dev_end(struct gpio_dev_walk *walk);
+
+/* Copies a text of libgpiod, truncated to GPIO_TEXT_SIZE. A null text becomes "". */
+void gpio_dev_text(char out[GPIO_TEXT_SIZE], const char *text);
+
+/* Result of gpio_dev_wait(): one bit in `readable` for each role with events, and one bit in `gone`
+ * for each role whose chip was removed. */
+struct gpio_dev_ready {
+    uint32_t readable, gone;
+};
+/* Waits at most `timeout_ms` for events on the file descriptors `fds` of the input lines. A
+ * descriptor of -1 is ignored. */
+struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t timeout_ms);
+
+/* Polling interval of lines without interrupts, such as lines of a port expander whose INT pin is
+ * not connected. The shortest coin pulse of 20 ms is five times as long. */
+#define GPIO_POLL_MS 4u
+struct gpio_dev_poll_state {
+    uint32_t roles;  /* Lines that are polled, one bit for each role. */
+    uint32_t active; /* Last level of each polled line, one bit for each role. */
+};
+
+/* Returns true if the errno value `error` of a request with edge detection means that the line has
+ * no interrupt. */
+bool gpio_dev_lacks_edges(int error);
+
+/* Starts polling the line of `role`, whose current level is `level`. */
+void gpio_dev_poll_begin(struct gpio_dev_poll_state *looks, enum gpio_role role, int level);
+/* Returns the longest wait in ms: `timeout_ms`, but at most GPIO_POLL_MS if a line is polled. */
+uint32_t gpio_dev_poll_ms(const struct gpio_dev_poll_state *looks, uint32_t timeout_ms);
+/* Returns true if `level` differs from the last level of `role`, and fills `out` with an edge at
+ * the current time. Otherwise, or if `level` is negative, returns false. */
+bool gpio_dev_poll_level(struct gpio_dev_poll_state *looks, enum gpio_role role, int level,
+                         struct gpio_edge *out);
+
+/* Writes to `why` the reason for which the kernel refused an existing line. `error` is the errno
+ * value. `consumer` is the program that uses the line, or "" if unknown. */
+void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, int error,
+                          const char *consumer);
+
+/* Writes to `why` the reason for which no chip has the line. `denied` is the path of a chip that
+ * could not be opened, or "" if all `chip_count` chips were opened. */
+void gpio_dev_why_missing(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, const char *denied,
+                          uint32_t chip_count);
+
+/* ---- The backend (gpio_backend.c) ------------------------------------------------------------- */
 
 /* Operations of one libgpiod release. Each call handles the line of one role. The members are
  * listed in the order of the calls. A failed call sets errno. */
@@ -27,7 +96,8 @@ struct gpio_backend_ops {
     int (*debounces)(enum gpio_role role);
     /* Releases the line if it was requested, and closes its chip. */
     void (*release)(enum gpio_role role);
-    /* Calls `tell` for each line of the chip at `path`, as gpio_chips_list() does. */
+    /* Calls `tell` for each line of the chip at `path`. Returns the number of lines, or 0 if the
+     * chip cannot be opened. */
     uint32_t (*tell_chip)(const char *path,
                           void (*tell)(void *context, const struct gpio_line_info *line),
                           void *context);

@@ -1,5 +1,5 @@
 /* gpio_dev.c -- finds /dev/gpiochip*, calls poll(), and writes error messages. */
-#include "drivers/gpio/gpio_dev.h"
+#include "drivers/gpio/gpio_backend.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -9,14 +9,8 @@
 #include <sys/stat.h>
 #include <time.h>
 
+#include "core/base/panic.h"
 #include "drivers/gpio/gpio_config.h"
-
-static DIR *open_dev(const char *root)
-{
-    char path[1024];
-    const int length = snprintf(path, sizeof path, "%s/dev", root ? root : "");
-    return length < (int)sizeof path ? opendir(path) : NULL;
-}
 
 static bool is_chip(DIR *folder, const char *name)
 {
@@ -30,7 +24,10 @@ static bool is_chip(DIR *folder, const char *name)
 bool gpio_dev_next(struct gpio_dev_walk *walk)
 {
     if (!walk->folder) {
-        walk->folder = open_dev(walk->root);
+        char path[1024];
+        const int length = snprintf(path, sizeof path, "%s/dev", walk->root ? walk->root : "");
+        CORE_ASSERT(length > 0 && walk->count == 0);
+        walk->folder = length < (int)sizeof path ? opendir(path) : NULL;
     }
     const struct dirent *entry;
     while (walk->folder && (entry = readdir(walk->folder)) != NULL) {
@@ -83,6 +80,7 @@ bool gpio_dev_lacks_edges(int error)
 
 void gpio_dev_poll_begin(struct gpio_dev_poll_state *looks, enum gpio_role role, int level)
 {
+    CORE_ASSERT(role < GPIO_INPUT_COUNT && level <= 1);
     looks->roles |= 1u << role;
     looks->active = level == 1 ? looks->active | 1u << role : looks->active & ~(1u << role);
 }
@@ -99,6 +97,7 @@ bool gpio_dev_poll_level(struct gpio_dev_poll_state *looks, enum gpio_role role,
     if (level < 0 || level == (int)(looks->active >> role & 1u)) {
         return false;
     }
+    CORE_ASSERT(looks->roles & 1u << role);
     gpio_dev_poll_begin(looks, role, level);
     clock_gettime(CLOCK_MONOTONIC, &now);
     *out = (struct gpio_edge){
@@ -113,6 +112,7 @@ void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire,
                           const char *consumer)
 {
     char line[GPIO_WIRE_TEXT_SIZE];
+    CORE_ASSERT(wire->wired && wire->name[GPIO_TEXT_SIZE - 1u] == '\0');
     gpio_wire_text(wire, line);
     if (error == EBUSY) {
         snprintf(why, HAL_TEXT_SIZE, "%s is held by '%.31s': end that, or take it off the line",

@@ -8,8 +8,8 @@
 #include <gpiod.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "drivers/gpio/gpio_backend.h"
-#include "drivers/gpio/gpio_chips.h"
 
 #define QUEUE_SIZE 16u /* Size of the LINEEVENT queue in the kernel's gpiolib-cdev.c. */
 #define NS_PER_S 1000000000ull
@@ -26,6 +26,7 @@ static struct held {
 
 static bool open_chip(enum gpio_role role, const char *path)
 {
+    CORE_ASSERT(role < GPIO_ROLE_COUNT && !lines[role].chip);
     lines[role].chip = gpiod_chip_open(path);
     return lines[role].chip != NULL;
 }
@@ -33,6 +34,7 @@ static bool open_chip(enum gpio_role role, const char *path)
 static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
 {
     struct held *held = &lines[role];
+    CORE_ASSERT(held->chip);
     if (wire->chip[0] && strcmp(gpiod_chip_label(held->chip), wire->chip) != 0) {
         return false;
     }
@@ -46,6 +48,7 @@ static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
 
 static void gpio_lines1_release(enum gpio_role role)
 {
+    CORE_ASSERT(lines[role].chip);
     gpiod_chip_close(lines[role].chip); /* Closing the chip releases the line. */
     lines[role] = (struct held){ 0 };
 }
@@ -67,6 +70,7 @@ static int request(enum gpio_role role, const struct gpio_wire *wire, bool has_e
             bias_flags[wire->bias] | (wire->active_low ? GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW : 0),
     };
     struct held *held = &lines[role];
+    CORE_ASSERT(held->line && wire->bias <= GPIO_BIAS_OFF);
     const int failed = gpiod_line_request(held->line, &config, gpio_role_begins_active(role));
     held->active = !failed && has_edges && gpiod_line_get_value(held->line) == 1;
     return failed;
@@ -74,8 +78,7 @@ static int request(enum gpio_role role, const struct gpio_wire *wire, bool has_e
 
 static void consumer(enum gpio_role role, char out[GPIO_TEXT_SIZE])
 {
-    const char *name = gpiod_line_consumer(lines[role].line);
-    gpio_dev_text(out, name);
+    gpio_dev_text(out, gpiod_line_consumer(lines[role].line));
 }
 
 /* ---- Edges ---------------------------------------------------------------------------------- */
@@ -85,31 +88,58 @@ static int edges_fd(enum gpio_role role)
     return gpiod_line_event_get_fd(lines[role].line);
 }
 
-static struct gpio_edge edge_of(struct held *held, enum gpio_role role,
-                                const struct gpiod_line_event *event)
-{
-    const uint8_t active = event->event_type == GPIOD_LINE_EVENT_RISING_EDGE;
-    const struct gpio_edge edge = {
-        .time_ns = (uint64_t)event->ts.tv_sec * NS_PER_S + (uint64_t)event->ts.tv_nsec,
-        .role = (uint8_t)role,
-        .active = active,
-        .lost_before = held->was_full && active == held->active,
-    };
-    held->active = active;
-    held->was_full = 0;
-    return edge;
-}
-
 static int read_edges(enum gpio_role role, struct gpio_edge *out, uint32_t max)
 {
     struct gpiod_line_event events[QUEUE_SIZE];
     struct held *held = &lines[role];
+    CORE_ASSERT(role < GPIO_INPUT_COUNT && held->line && max > 0);
     const uint32_t wanted = max < QUEUE_SIZE ? max : QUEUE_SIZE;
     const int count = gpiod_line_event_read_fd_multiple(edges_fd(role), events, wanted);
     for (int i = 0; i < count; i++) {
-        out[i] = edge_of(held, role, &events[i]);
+        const uint8_t active = events[i].event_type == GPIOD_LINE_EVENT_RISING_EDGE;
+        out[i] = (struct gpio_edge){
+            .time_ns = (uint64_t)events[i].ts.tv_sec * NS_PER_S + (uint64_t)events[i].ts.tv_nsec,
+            .role = (uint8_t)role,
+            .active = active,
+            .lost_before = held->was_full && active == held->active,
+        };
+        held->active = active;
+        held->was_full = 0;
     }
     held->was_full |= count == (int)QUEUE_SIZE;
+    return count;
+}
+
+/* ---- Lines of a chip ------------------------------------------------------------------------ */
+
+static uint32_t tell_chip(const char *path,
+                          void (*tell)(void *context, const struct gpio_line_info *line),
+                          void *context)
+{
+    struct gpiod_chip *chip = gpiod_chip_open(path);
+    const uint32_t line_count = chip ? gpiod_chip_num_lines(chip) : 0u;
+    uint32_t count = 0;
+    for (uint32_t offset = 0; offset < line_count; offset++) {
+        struct gpiod_line *line = gpiod_chip_get_line(chip, offset);
+        if (!line) {
+            continue;
+        }
+        struct gpio_line_info info = {
+            .offset = offset,
+            .used = gpiod_line_is_used(line),
+            .is_output = gpiod_line_direction(line) == GPIOD_LINE_DIRECTION_OUTPUT,
+            .active_low = gpiod_line_active_state(line) == GPIOD_LINE_ACTIVE_STATE_LOW,
+        };
+        gpio_dev_text(info.device, gpiod_chip_name(chip));
+        gpio_dev_text(info.chip, gpiod_chip_label(chip));
+        gpio_dev_text(info.name, gpiod_line_name(line));
+        gpio_dev_text(info.consumer, gpiod_line_consumer(line));
+        tell(context, &info);
+        count++;
+    }
+    if (chip) {
+        gpiod_chip_close(chip);
+    }
     return count;
 }
 
@@ -122,6 +152,7 @@ static int get(enum gpio_role role)
 
 static int gpio_lines1_set(enum gpio_role role, int active)
 {
+    CORE_ASSERT(!gpio_role_is_input(role));
     return gpiod_line_set_value(lines[role].line, active != 0);
 }
 
@@ -145,7 +176,7 @@ struct gpio_lines gpio_lines_device(void)
         .set = gpio_lines1_set,
         .debounces = debounces,
         .release = gpio_lines1_release,
-        .tell_chip = gpio_chips_list,
+        .tell_chip = tell_chip,
         .version = gpiod_version_string,
     };
     static struct gpio_backend backend;

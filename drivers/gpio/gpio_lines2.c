@@ -8,8 +8,8 @@
 #include <gpiod.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "drivers/gpio/gpio_backend.h"
-#include "drivers/gpio/gpio_chips.h"
 
 /* Requested queue size; the kernel's default is 16 edges for each line. */
 #define QUEUE_SIZE GPIO_EDGES_MAX
@@ -30,6 +30,7 @@ static struct held {
 
 static bool open_chip(enum gpio_role role, const char *path)
 {
+    CORE_ASSERT(role < GPIO_ROLE_COUNT && !lines[role].chip);
     lines[role].chip = gpiod_chip_open(path);
     return lines[role].chip != NULL;
 }
@@ -39,6 +40,7 @@ static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
     struct gpiod_chip *chip = lines[role].chip;
     struct gpiod_chip_info *info = gpiod_chip_get_info(chip);
     int offset = -1;
+    CORE_ASSERT(chip);
     if (!info) {
         return false;
     }
@@ -57,6 +59,7 @@ static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
 static void gpio_lines2_release(enum gpio_role role)
 {
     struct held *held = &lines[role];
+    CORE_ASSERT(held->chip);
     if (held->request) {
         gpiod_line_request_release(held->request);
     }
@@ -88,6 +91,7 @@ static int set_up(struct gpiod_line_settings *settings, const struct gpio_wire *
         [GPIO_BIAS_OFF] = GPIOD_LINE_BIAS_DISABLED,
     };
     const bool is_input = gpio_role_is_input(role);
+    CORE_ASSERT(wire->bias <= GPIO_BIAS_OFF && (is_input || !has_edges));
     gpiod_line_settings_set_active_low(settings, wire->active_low != 0);
     int failed = gpiod_line_settings_set_bias(settings, biases[wire->bias]);
     failed |= gpiod_line_settings_set_direction(settings, is_input ? GPIOD_LINE_DIRECTION_INPUT
@@ -131,6 +135,7 @@ static struct gpiod_line_request *request_line(const struct held *held,
 static int request(enum gpio_role role, const struct gpio_wire *wire, bool has_edges)
 {
     struct held *held = &lines[role];
+    CORE_ASSERT(held->chip && !held->request);
     if (has_edges && !held->buffer) {
         held->buffer = gpiod_edge_event_buffer_new(GPIO_EDGES_MAX);
         if (!held->buffer) {
@@ -145,8 +150,7 @@ static int request(enum gpio_role role, const struct gpio_wire *wire, bool has_e
 static void consumer(enum gpio_role role, char out[GPIO_TEXT_SIZE])
 {
     struct gpiod_line_info *info = gpiod_chip_get_line_info(lines[role].chip, lines[role].offset);
-    const char *name = info ? gpiod_line_info_get_consumer(info) : NULL;
-    gpio_dev_text(out, name);
+    gpio_dev_text(out, info ? gpiod_line_info_get_consumer(info) : NULL);
     gpiod_line_info_free(info);
 }
 
@@ -157,27 +161,60 @@ static int edges_fd(enum gpio_role role)
     return gpiod_line_request_get_fd(lines[role].request);
 }
 
-static struct gpio_edge edge_of(struct held *held, enum gpio_role role,
-                                struct gpiod_edge_event *event)
-{
-    const uint32_t number = (uint32_t)gpiod_edge_event_get_line_seqno(event);
-    const struct gpio_edge edge = {
-        .time_ns = gpiod_edge_event_get_timestamp_ns(event),
-        .role = (uint8_t)role,
-        .active = gpiod_edge_event_get_event_type(event) == GPIOD_EDGE_EVENT_RISING_EDGE,
-        .lost_before = number - held->seen - 1u, /* The kernel numbers the edges from 1. */
-    };
-    held->seen = number;
-    return edge;
-}
-
 static int read_edges(enum gpio_role role, struct gpio_edge *out, uint32_t max)
 {
     struct held *held = &lines[role];
+    CORE_ASSERT(held->request && held->buffer && max > 0);
     const int count = gpiod_line_request_read_edge_events(held->request, held->buffer, max);
     for (int i = 0; i < count; i++) {
-        out[i] =
-            edge_of(held, role, gpiod_edge_event_buffer_get_event(held->buffer, (unsigned long)i));
+        struct gpiod_edge_event *event =
+            gpiod_edge_event_buffer_get_event(held->buffer, (unsigned long)i);
+        const uint32_t number = (uint32_t)gpiod_edge_event_get_line_seqno(event);
+        out[i] = (struct gpio_edge){
+            .time_ns = gpiod_edge_event_get_timestamp_ns(event),
+            .role = (uint8_t)role,
+            .active = gpiod_edge_event_get_event_type(event) == GPIOD_EDGE_EVENT_RISING_EDGE,
+            .lost_before = number - held->seen - 1u, /* The kernel numbers the edges from 1. */
+        };
+        held->seen = number;
+    }
+    return count;
+}
+
+/* ---- Lines of a chip ------------------------------------------------------------------------ */
+
+static uint32_t tell_chip(const char *path,
+                          void (*tell)(void *context, const struct gpio_line_info *line),
+                          void *context)
+{
+    struct gpiod_chip *chip = gpiod_chip_open(path);
+    struct gpiod_chip_info *chip_info = chip ? gpiod_chip_get_info(chip) : NULL;
+    const size_t line_count = chip_info ? gpiod_chip_info_get_num_lines(chip_info) : 0u;
+    uint32_t count = 0;
+    for (unsigned int offset = 0; offset < line_count; offset++) {
+        struct gpiod_line_info *line = gpiod_chip_get_line_info(chip, offset);
+        if (!line) {
+            continue;
+        }
+        struct gpio_line_info info = {
+            .offset = offset,
+            .used = gpiod_line_info_is_used(line),
+            .is_output = gpiod_line_info_get_direction(line) == GPIOD_LINE_DIRECTION_OUTPUT,
+            .active_low = gpiod_line_info_is_active_low(line),
+        };
+        gpio_dev_text(info.device, gpiod_chip_info_get_name(chip_info));
+        gpio_dev_text(info.chip, gpiod_chip_info_get_label(chip_info));
+        gpio_dev_text(info.name, gpiod_line_info_get_name(line));
+        gpio_dev_text(info.consumer, gpiod_line_info_get_consumer(line));
+        gpiod_line_info_free(line);
+        tell(context, &info);
+        count++;
+    }
+    if (chip_info) {
+        gpiod_chip_info_free(chip_info);
+    }
+    if (chip) {
+        gpiod_chip_close(chip);
     }
     return count;
 }
@@ -193,6 +230,7 @@ static int get(enum gpio_role role)
 
 static int gpio_lines2_set(enum gpio_role role, int active)
 {
+    CORE_ASSERT(!gpio_role_is_input(role) && lines[role].request);
     return gpiod_line_request_set_value(lines[role].request, lines[role].offset,
                                         active ? GPIOD_LINE_VALUE_ACTIVE
                                                : GPIOD_LINE_VALUE_INACTIVE);
@@ -216,7 +254,7 @@ struct gpio_lines gpio_lines_device(void)
         .set = gpio_lines2_set,
         .debounces = debounces,
         .release = gpio_lines2_release,
-        .tell_chip = gpio_chips_list,
+        .tell_chip = tell_chip,
         .version = gpiod_api_version,
     };
     static struct gpio_backend backend;

@@ -1,23 +1,159 @@
-/* gpio_thread.c -- implements the GPIO thread: waits for edges, debounces, counts coins, and drives
- * outputs. */
+/* gpio_thread.c -- implements the GPIO thread's work: requests lines, waits for edges, debounces,
+ * counts coins, drives outputs, and reports missing lines. */
 #include "drivers/gpio/gpio_thread.h"
 
-#include <signal.h>
+#include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "core/base/panic.h"
 #include "drivers/gpio/gpio_config.h"
-#include "drivers/gpio/gpio_thread_lines.h"
 
 #define NS_PER_MS 1000000u
 /* Interval at which the levels of all input lines are read, in addition to edge events. */
 #define WATCH_NS 100000000u
-/* Longest wait in gpio_thread_stop(): 200 steps of 10 ms, enough for ten pulses of the slowest
- * meters. */
-#define STOP_STEPS_MAX 200u
-#define STOP_STEP_NS 10000000
+/* Interval of requests for missing lines, so that a chip that returns is used within a second. */
+#define RETRY_NS 1000000000u
 
 _Static_assert((int)GPIO_OUTPUT_COUNT == (int)HAL_SWITCH_COUNT, "outputs are the HAL's switches");
+
+static uint64_t now_ns(const struct gpio_thread *reader)
+{
+    return reader->clock.ops->now_ns(reader->clock.self);
+}
+
+static uint32_t role_bit(enum gpio_role role)
+{
+    CORE_ASSERT(role < GPIO_ROLE_COUNT);
+    return 1u << role;
+}
+
+/* ---- Requesting and losing lines ------------------------------------------------------------ */
+
+/* Returns the outputs that start active, one bit for each role. */
+static uint32_t begin_bits(void)
+{
+    uint32_t bits = 0;
+    for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
+        bits |= gpio_role_begins_active(role) ? role_bit(role) : 0u;
+    }
+    return bits;
+}
+
+/* Returns the missing lines, one bit for each role. A line is missing if the role is wired but the
+ * GPIO thread does not own the line at present. */
+static uint32_t missing_bits(const struct gpio_thread *reader)
+{
+    uint32_t bits = 0;
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        bits |= reader->wires[role].wired ? role_bit(role) : 0u;
+    }
+    return bits & ~reader->had;
+}
+
+static void begin_input(struct gpio_thread *reader, enum gpio_role role)
+{
+    const struct gpio_wire *wire = &reader->wires[role];
+    const struct gpio_lines *lines = &reader->lines;
+    CORE_ASSERT(gpio_role_is_input(role) && wire->wired);
+    const bool active = lines->ops->level(lines->self, role) == 1;
+    const uint64_t now = now_ns(reader);
+    const uint32_t period_us =
+        lines->ops->debounces(lines->self, role) == 1 ? 0u : wire->debounce_us;
+    reader->inputs[role] = gpio_edge_filter_begin(period_us * 1000ull, active, now);
+    if (gpio_role_is_coin(role)) {
+        reader->coin[role - GPIO_COIN] = gpio_coin_begin(wire->pulse_min_us * 1000ull,
+                                                         wire->pulse_max_us * 1000ull, active, now);
+    } else if (active) { /* The button was pressed before the line was requested, so no press is
+                            reported. */
+        reader->levels |= role_bit(role);
+    }
+}
+
+/* Marks one line as missing. A coin whose pulse had ended when the line was lost is counted, even
+ * if the end was not debounced yet. A pulse that had not ended is counted as cut. */
+static void lose_line(struct gpio_thread *reader, enum gpio_role role)
+{
+    reader->had &= ~role_bit(role);
+    reader->levels &= ~role_bit(role);
+    if (gpio_role_is_coin(role)) {
+        const struct debounce *debounce = &reader->inputs[role].debounce;
+        struct coin_mech *coin = &reader->coin[role - GPIO_COIN];
+        if (debounce->stable && !debounce->raw) {
+            gpio_coin_edge(coin, debounce->since_ns, false);
+        }
+        gpio_coin_lose(coin);
+    }
+}
+
+/* Marks the lines of removed chips as missing. Counts one fault if at least one line is newly
+ * missing. */
+static void lose_lines(struct gpio_thread *reader)
+{
+    const uint32_t before = reader->had;
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        if (before & role_bit(role) &&
+            reader->lines.ops->level(reader->lines.self, role) == HAL_ERR_GONE) {
+            lose_line(reader, role);
+        }
+    }
+    CORE_ASSERT((reader->had & ~before) == 0);
+    if (reader->had != before) {
+        reader->total.lost_chips++;
+        atomic_fetch_add(&reader->faults, 1);
+        atomic_store(&reader->held, reader->levels);
+        atomic_store(&reader->missing, missing_bits(reader));
+    }
+}
+
+/* Writes a text such as "; no start, coin (BTN_START: there is no GPIO chip in /dev)". The text
+ * lists all missing lines and gives the reason for the first missing line. */
+static void say_missing(uint32_t missing, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE],
+                        char out[HAL_TEXT_SIZE])
+{
+    const char *first = "";
+    size_t length = 0;
+    out[0] = 0;
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        if (missing & role_bit(role)) {
+            first = length == 0 ? why[role] : first;
+            snprintf(out + length, HAL_TEXT_SIZE - length, "%s%s", length ? ", " : "; no ",
+                     gpio_role_name(role));
+            length = strlen(out);
+        }
+    }
+    const size_t room = HAL_TEXT_SIZE - length;
+    if (first[0] && snprintf(out + length, room, " (%s)", first) >= (int)room) {
+        out[HAL_TEXT_SIZE - 2u] = ')'; /* Closes the parenthesis of a truncated text. */
+    }
+}
+
+/* Requests the missing lines. Returns the result of gpio_lines_ops.open. */
+static int request_lines(struct gpio_thread *reader)
+{
+    char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE] = { { 0 } };
+    const int result = reader->lines.ops->open(reader->lines.self, reader->wires, why);
+    CORE_ASSERT(result < 1 << GPIO_ROLE_COUNT);
+    const uint32_t fresh = result > 0 ? (uint32_t)result & ~reader->had : 0u;
+    for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
+        if (fresh & role_bit(role) && gpio_role_is_input(role)) {
+            begin_input(reader, role);
+        }
+    }
+    reader->had |= fresh;
+    reader->lit = (reader->lit & ~fresh) | (fresh & begin_bits());
+    reader->retry_ns = now_ns(reader) + RETRY_NS;
+    atomic_store(&reader->held, reader->levels);
+    atomic_store(&reader->missing, missing_bits(reader));
+    char missing[HAL_TEXT_SIZE];
+    say_missing(missing_bits(reader), why, missing);
+    pthread_mutex_lock(&reader->mutex);
+    memcpy(reader->why, why, sizeof reader->why);
+    snprintf(reader->text, sizeof reader->text, "%.30s: %u of %u lines%.110s",
+             reader->lines.ops->describe(reader->lines.self),
+             (uint32_t)__builtin_popcount(reader->had), gpio_config_count(reader->wires), missing);
+    pthread_mutex_unlock(&reader->mutex);
+    return result;
+}
 
 /* ---- Results -------------------------------------------------------------------------------- */
 
@@ -25,31 +161,17 @@ static void take_turn(struct gpio_thread *reader, enum gpio_role role,
                       struct debounce_edge_time turn)
 {
     if (gpio_role_is_coin(role)) {
-        coin_mech_edge(&reader->coin[role - GPIO_COIN], turn.time_ns, turn.active);
+        gpio_coin_edge(&reader->coin[role - GPIO_COIN], turn.time_ns, turn.active);
         return;
     }
     reader->levels =
-        turn.active ? reader->levels | gpio_role_bit(role) : reader->levels & ~gpio_role_bit(role);
+        turn.active ? reader->levels | role_bit(role) : reader->levels & ~role_bit(role);
     /* `held` is stored before `pressed`, so that a thread that sees the press also sees the
      * level. */
     atomic_store(&reader->held, reader->levels);
     if (turn.active) {
-        atomic_fetch_or(&reader->pressed, gpio_role_bit(role));
+        atomic_fetch_or(&reader->pressed, role_bit(role));
     }
-}
-
-static void publish_coins(struct gpio_thread *reader, uint32_t line)
-{
-    struct coin_mech *coin = &reader->coin[line];
-    struct gpio_total *total = &reader->total;
-    atomic_fetch_add(&reader->coins[line], coin->coins);
-    atomic_fetch_add(&reader->faults, coin_mech_faults(coin));
-    atomic_fetch_add(&reader->line_faults[GPIO_COIN + line], coin_mech_faults(coin));
-    total->coins[line] += coin->coins;
-    total->too_short += coin->too_short;
-    total->stuck += coin->stuck;
-    total->cut += coin->cut;
-    coin->coins = coin->too_short = coin->stuck = coin->cut = 0;
 }
 
 /* Adds the counts since the previous call to the atomic counters that the frame loop reads. */
@@ -62,12 +184,20 @@ static void publish(struct gpio_thread *reader)
         lost += input->lost;
         doubtful += input->doubtful;
         atomic_fetch_add(&reader->line_faults[i], input->lost + input->doubtful);
-        raw |= input->debounce.raw && (reader->had & gpio_role_bit(i)) ? gpio_role_bit(i) : 0u;
+        raw |= input->debounce.raw && (reader->had & role_bit(i)) ? role_bit(i) : 0u;
         input->lost = input->doubtful = 0;
     }
     atomic_store(&reader->raw, raw);
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
-        publish_coins(reader, line);
+        struct coin_mech *coin = &reader->coin[line];
+        atomic_fetch_add(&reader->coins[line], coin->coins);
+        atomic_fetch_add(&reader->faults, gpio_coin_faults(coin));
+        atomic_fetch_add(&reader->line_faults[GPIO_COIN + line], gpio_coin_faults(coin));
+        total->coins[line] += coin->coins;
+        total->too_short += coin->too_short;
+        total->stuck += coin->stuck;
+        total->cut += coin->cut;
+        coin->coins = coin->too_short = coin->stuck = coin->cut = 0;
     }
     atomic_fetch_add(&reader->faults, lost + doubtful);
     total->doubtful += doubtful;
@@ -86,28 +216,31 @@ static uint64_t input_due_ns(const struct gpio_thread *reader, enum gpio_role ro
     uint64_t due_ns = gpio_edge_filter_due_ns(&reader->inputs[role]);
     if (gpio_role_is_coin(role)) {
         const uint32_t line = role - GPIO_COIN;
-        due_ns = due_ns == UINT64_MAX ? coin_mech_due_ns(&reader->coin[line]) : due_ns;
+        due_ns = due_ns == UINT64_MAX ? gpio_coin_due_ns(&reader->coin[line]) : due_ns;
         earlier(&due_ns, reader->coin_look_ns[line]);
     }
     return due_ns;
 }
 
-static void take_edges(struct gpio_thread *reader, struct gpio_edge *edges, uint32_t count,
-                       uint32_t *touched)
+/* Processes edges of the lines. Returns the lines that had edges, one bit for each role. */
+static uint32_t take_edges(struct gpio_thread *reader, struct gpio_edge *edges, uint32_t count)
 {
-    const uint64_t now = gpio_thread_now_ns(reader);
+    const uint64_t now = now_ns(reader);
+    uint32_t touched = 0;
+    CORE_ASSERT(count <= GPIO_EDGES_MAX);
     for (uint32_t i = 0; i < count; i++) {
         const enum gpio_role role = edges[i].role;
         struct debounce_edge_time turn;
         edges[i].taken_ns = now;
-        if (gpio_role_is_input(role) && reader->had & gpio_role_bit(role)) {
-            *touched |= gpio_role_bit(role);
+        if (gpio_role_is_input(role) && reader->had & role_bit(role)) {
+            touched |= role_bit(role);
             atomic_fetch_add(&reader->edges[role], 1u);
             if (gpio_edge_filter_edge(&reader->inputs[role], &edges[i], &turn)) {
                 take_turn(reader, role, turn);
             }
         }
     }
+    return touched;
 }
 
 /* Reads the level of every line that had edges or whose deadline has passed. The level completes
@@ -116,9 +249,9 @@ static void settle_inputs(struct gpio_thread *reader, uint32_t touched)
 {
     const struct gpio_lines *lines = &reader->lines;
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
-        const uint64_t now = gpio_thread_now_ns(reader);
-        if (!(reader->had & gpio_role_bit(role)) ||
-            (!(touched & gpio_role_bit(role)) && now < input_due_ns(reader, role))) {
+        const uint64_t now = now_ns(reader);
+        if (!(reader->had & role_bit(role)) ||
+            (!(touched & role_bit(role)) && now < input_due_ns(reader, role))) {
             continue;
         }
         const int level = lines->ops->level(lines->self, role);
@@ -127,13 +260,13 @@ static void settle_inputs(struct gpio_thread *reader, uint32_t touched)
             reader->coin_look_ns[role - GPIO_COIN] = now + GPIO_COIN_POLL_NS;
         }
         if (level == HAL_ERR_GONE) {
-            gpio_thread_lose_lines(reader);
+            lose_lines(reader);
         }
         if (level >= 0 && gpio_edge_filter_level(&reader->inputs[role], now, level != 0, &turn)) {
             take_turn(reader, role, turn);
         }
         if (level >= 0 && gpio_role_is_coin(role)) {
-            coin_mech_settle(&reader->coin[role - GPIO_COIN],
+            gpio_coin_settle(&reader->coin[role - GPIO_COIN],
                              gpio_edge_filter_known_ns(&reader->inputs[role], now));
         }
     }
@@ -141,12 +274,13 @@ static void settle_inputs(struct gpio_thread *reader, uint32_t touched)
 
 static void drive_output(struct gpio_thread *reader, enum gpio_role role)
 {
-    const uint32_t bit = gpio_role_bit(role);
+    CORE_ASSERT(role >= GPIO_INPUT_COUNT && role < GPIO_ROLE_COUNT);
+    const uint32_t bit = role_bit(role);
     struct pulse_train *train = &reader->trains[role - GPIO_INPUT_COUNT];
     if (!(reader->had & bit)) {
         return; /* Pulses of a missing line are kept until the line is held again. */
     }
-    const bool pulses = pulse_train_at(train, gpio_thread_now_ns(reader));
+    const bool pulses = gpio_pulses_at(train, now_ns(reader));
     const bool active = pulses || (atomic_load(&reader->wanted) & bit) != 0;
     if (active == ((reader->lit & bit) != 0)) {
         return;
@@ -155,7 +289,7 @@ static void drive_output(struct gpio_thread *reader, enum gpio_role role)
     if (result == HAL_OK) {
         reader->lit ^= bit;
     } else if (result == HAL_ERR_GONE) {
-        gpio_thread_lose_lines(reader);
+        lose_lines(reader);
     }
 }
 
@@ -164,13 +298,14 @@ static void drive_output(struct gpio_thread *reader, enum gpio_role role)
 static void drive_outputs(struct gpio_thread *reader)
 {
     uint32_t owed = 0, taken[GPIO_OUTPUT_COUNT];
-    for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
-        struct pulse_train *train = &reader->trains[role - GPIO_INPUT_COUNT];
-        taken[role - GPIO_INPUT_COUNT] = atomic_load(&reader->pulses[role - GPIO_INPUT_COUNT]);
-        pulse_train_add(train, taken[role - GPIO_INPUT_COUNT]);
+    for (uint32_t i = 0; i < GPIO_OUTPUT_COUNT; i++) {
+        const enum gpio_role role = GPIO_INPUT_COUNT + i;
+        struct pulse_train *train = &reader->trains[i];
+        taken[i] = atomic_load(&reader->pulses[i]);
+        gpio_pulses_add(train, taken[i]);
         drive_output(reader, role);
-        atomic_store(&reader->pending[role - GPIO_INPUT_COUNT], train->left + train->on);
-        owed += reader->had & gpio_role_bit(role) ? train->left + train->on : 0u;
+        atomic_store(&reader->pending[i], train->left + train->on);
+        owed += reader->had & role_bit(role) ? train->left + train->on : 0u;
     }
     atomic_store(&reader->owed, owed);
     for (uint32_t i = 0; i < GPIO_OUTPUT_COUNT; i++) {
@@ -180,15 +315,15 @@ static void drive_outputs(struct gpio_thread *reader)
 
 static uint32_t wait_ms(const struct gpio_thread *reader)
 {
-    const uint64_t now = gpio_thread_now_ns(reader);
+    const uint64_t now = now_ns(reader);
     uint64_t due_ns = now + GPIO_WAIT_MS_MAX * (uint64_t)NS_PER_MS;
     for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
-        if (!(reader->had & gpio_role_bit(role))) {
+        if (!(reader->had & role_bit(role))) {
             continue;
         }
         earlier(&due_ns, gpio_role_is_input(role)
                              ? input_due_ns(reader, role)
-                             : pulse_train_due_ns(&reader->trains[role - GPIO_INPUT_COUNT]));
+                             : gpio_pulses_due_ns(&reader->trains[role - GPIO_INPUT_COUNT]));
     }
     return due_ns <= now ? 1u : (uint32_t)((due_ns - now + NS_PER_MS - 1u) / NS_PER_MS);
 }
@@ -196,22 +331,22 @@ static uint32_t wait_ms(const struct gpio_thread *reader)
 void gpio_thread_step(struct gpio_thread *reader)
 {
     struct gpio_edge edges[GPIO_EDGES_MAX];
-    uint32_t touched = 0;
-    if (gpio_thread_missing_bits(reader) != 0 && gpio_thread_now_ns(reader) >= reader->retry_ns) {
-        gpio_thread_request_lines(reader);
+    CORE_ASSERT((reader->levels & ~reader->had) == 0);
+    if (missing_bits(reader) != 0 && now_ns(reader) >= reader->retry_ns) {
+        request_lines(reader);
     }
     const int count =
         reader->lines.ops->wait(reader->lines.self, edges, GPIO_EDGES_MAX, wait_ms(reader));
     if (count == HAL_ERR_GONE) {
-        gpio_thread_lose_lines(reader);
+        lose_lines(reader);
         publish(reader); /* Publishes the counts before the lines are requested again. */
-        gpio_thread_request_lines(reader);
+        request_lines(reader);
     }
-    take_edges(reader, edges, count > 0 ? (uint32_t)count : 0u, &touched);
+    uint32_t touched = take_edges(reader, edges, count > 0 ? (uint32_t)count : 0u);
     if (count < (int)GPIO_EDGES_MAX) { /* If the buffer was full, more edges must be read before the
                                           levels. */
-        if (gpio_thread_now_ns(reader) >= reader->watch_ns) {
-            reader->watch_ns = gpio_thread_now_ns(reader) + WATCH_NS;
+        if (now_ns(reader) >= reader->watch_ns) {
+            reader->watch_ns = now_ns(reader) + WATCH_NS;
             touched = ~0u;
         }
         settle_inputs(reader, touched);
@@ -220,15 +355,16 @@ void gpio_thread_step(struct gpio_thread *reader)
     publish(reader);
 }
 
-/* ---- Start and stop ------------------------------------------------------------------------- */
+/* ---- Open and close ------------------------------------------------------------------------- */
 
 int gpio_thread_open(struct gpio_thread *reader, struct gpio_lines lines,
                      const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock)
 {
+    CORE_ASSERT(lines.ops && clock.ops);
     memset(reader, 0, sizeof *reader);
     reader->lines = lines;
     reader->clock = clock;
-    atomic_store(&reader->wanted, gpio_thread_begin_bits());
+    atomic_store(&reader->wanted, begin_bits());
     pthread_mutex_init(&reader->mutex, NULL);
     for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
         reader->wires[role] = gpio_wire_filled(&wires[role], role);
@@ -239,10 +375,8 @@ int gpio_thread_open(struct gpio_thread *reader, struct gpio_lines lines,
             };
         }
     }
-    const int result = gpio_thread_request_lines(reader);
-    for (uint32_t bits = gpio_thread_missing_bits(reader); bits != 0; bits &= bits - 1u) {
-        atomic_fetch_add(&reader->faults, 1);
-    }
+    const int result = request_lines(reader);
+    atomic_fetch_add(&reader->faults, (uint32_t)__builtin_popcount(missing_bits(reader)));
     return result;
 }
 
@@ -250,63 +384,11 @@ void gpio_thread_close(struct gpio_thread *reader)
 {
     const struct gpio_lines *lines = &reader->lines;
     for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
-        if (reader->had & gpio_role_bit(role)) {
+        if (reader->had & role_bit(role)) {
             lines->ops->set(lines->self, role, gpio_role_begins_active(role));
         }
     }
     lines->ops->close(lines->self);
     reader->had = reader->lit = 0;
     pthread_mutex_destroy(&reader->mutex);
-}
-
-static void *gpio_thread_read_lines(void *context)
-{
-    struct gpio_thread *reader = context;
-    while (!atomic_load(&reader->stop)) {
-        gpio_thread_step(reader);
-    }
-    return NULL;
-}
-
-/* Signals that the kernel sends to a thread because of its own fault, such as an invalid memory
- * access. */
-static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
-
-/* Starts the thread with all signals blocked except `panics`, because the main thread handles all
- * other signals. */
-int gpio_thread_start(struct gpio_thread *reader)
-{
-    sigset_t all, before;
-    sigfillset(&all);
-    for (size_t i = 0; i < sizeof panics / sizeof panics[0]; i++) {
-        /* A blocked fault signal would end the process without a stack trace. */
-        sigdelset(&all, panics[i]);
-    }
-    pthread_sigmask(SIG_SETMASK, &all, &before);
-    reader->runs = pthread_create(&reader->thread, NULL, gpio_thread_read_lines, reader) == 0;
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return reader->runs ? HAL_OK : HAL_ERR_IO;
-}
-
-static bool owes(struct gpio_thread *reader)
-{
-    uint32_t asked = 0;
-    for (uint32_t i = 0; i < GPIO_OUTPUT_COUNT; i++) {
-        asked |= atomic_load(&reader->pulses[i]);
-    }
-    return asked > 0 || atomic_load(&reader->owed) > 0;
-}
-
-void gpio_thread_stop(struct gpio_thread *reader)
-{
-    if (reader->runs) {
-        const struct timespec step = { .tv_nsec = STOP_STEP_NS };
-        for (uint32_t i = 0; i < STOP_STEPS_MAX && owes(reader); i++) {
-            nanosleep(&step, NULL);
-        }
-        atomic_store(&reader->stop, 1);
-        pthread_join(reader->thread, NULL);
-        reader->runs = 0;
-    }
-    gpio_thread_close(reader);
 }

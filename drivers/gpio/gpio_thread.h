@@ -10,9 +10,7 @@
 #include <pthread.h>
 #include <stdatomic.h>
 
-#include "drivers/gpio/coin_mech.h"
-#include "drivers/gpio/gpio_edge_filter.h"
-#include "drivers/gpio/pulse_train.h"
+#include "drivers/gpio/gpio_signal.h"
 
 #define GPIO_OUTPUT_COUNT (GPIO_ROLE_COUNT - GPIO_INPUT_COUNT)
 /* Longest wait of the GPIO thread for edges, in ms. An output changes at most this much later. */
@@ -26,8 +24,8 @@ struct gpio_total {
     uint32_t coins[COIN_LINE_COUNT];
     uint32_t too_short, stuck, cut; /* Numbers of pulses that were too short, too long (`stuck`)
                                        or unfinished (`cut`), summed over all coin lines
-                                       (coin_mech.h). */
-    /* Number of pairs of null edges (gpio_edge_filter.h). Each pair is either two glitches or a
+                                       (gpio_signal.h). */
+    /* Number of pairs of null edges (gpio_signal.h). Each pair is either two glitches or a
      * missed coin. */
     uint32_t doubtful;
     uint32_t lost_edges, lost_chips; /* Number of lost edges (`lost_edges`), and number of removals
@@ -100,11 +98,5 @@ void gpio_thread_step(struct gpio_thread *reader);
 /* Closes the lines. Coins are locked out, lamps are switched off, and unfinished pulses are
  * dropped. */
 void gpio_thread_close(struct gpio_thread *reader);
-
-/* Starts the thread. Returns HAL_OK, or HAL_ERR_IO if the thread cannot be created. */
-int gpio_thread_start(struct gpio_thread *reader);
-
-/* Waits at most two seconds for unfinished pulses, ends the thread and closes the lines. */
-void gpio_thread_stop(struct gpio_thread *reader);
 
 #endif

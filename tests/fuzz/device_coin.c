@@ -5,8 +5,7 @@
  * in ms, and the first level of the line. After these bytes each edge has two bytes, low byte
  * first: 13 bits of time since the last edge in units of 50 us, one bit each for a poll just before
  * and just after the edge, and its level. */
-#include "drivers/gpio/coin_mech.h"
-#include "drivers/gpio/debounce.h"
+#include "drivers/gpio/gpio_signal.h"
 #include "tests/fuzz/trap.h"
 
 #define EDGE_MAX 2048u
@@ -102,7 +101,7 @@ static void take(struct coin_mech *mech, bool turned, const struct debounce_edge
 {
     if (turned) {
         HOLD(turn->active != last->active && turn->time_ns >= last->time_ns);
-        coin_mech_edge(mech, turn->time_ns, turn->active);
+        gpio_coin_edge(mech, turn->time_ns, turn->active);
         *last = *turn;
     }
 }
@@ -111,29 +110,29 @@ static void look(struct coin_mech *mech, struct debounce *line, uint64_t now_ns,
                  struct debounce_edge_time *last)
 {
     struct debounce_edge_time turn;
-    take(mech, debounce_settle(line, now_ns, &turn), &turn, last);
-    coin_mech_settle(mech, line->raw != line->stable ? line->since_ns : now_ns);
+    take(mech, gpio_debounce_settle(line, now_ns, &turn), &turn, last);
+    gpio_coin_settle(mech, line->raw != line->stable ? line->since_ns : now_ns);
 }
 
 static struct tally count_live(const struct slot *slot)
 {
-    struct debounce line = debounce_begin(slot->period_ns, slot->active, slot->begin_ns);
+    struct debounce line = gpio_debounce_begin(slot->period_ns, slot->active, slot->begin_ns);
     struct coin_mech mech =
-        coin_mech_begin(slot->width_min_ns, slot->width_max_ns, slot->active, slot->begin_ns);
+        gpio_coin_begin(slot->width_min_ns, slot->width_max_ns, slot->active, slot->begin_ns);
     struct debounce_edge_time turn, last = { .time_ns = slot->begin_ns, .active = slot->active };
     for (uint32_t i = 0; i < slot->edge_count; i++) {
         const struct edge *edge = &slot->edge[i];
         if (edge->looks_before) {
             look(&mech, &line, edge->time_ns, &last);
         }
-        take(&mech, debounce_edge(&line, edge->time_ns, edge->active, &turn), &turn, &last);
+        take(&mech, gpio_debounce_edge(&line, edge->time_ns, edge->active, &turn), &turn, &last);
         if (edge->looks_after) {
             look(&mech, &line, edge->time_ns, &last);
         }
     }
     look(&mech, &line, slot->end_ns, &last);
-    HOLD(coin_mech_due_ns(&mech) == UINT64_MAX || mech.state == COIN_IDLE);
-    HOLD(mech.cut == 0 && coin_mech_faults(&mech) == mech.too_short + mech.stuck);
+    HOLD(gpio_coin_due_ns(&mech) == UINT64_MAX || mech.state == COIN_IDLE);
+    HOLD(mech.cut == 0 && gpio_coin_faults(&mech) == mech.too_short + mech.stuck);
     return (struct tally){ mech.coins, mech.too_short, mech.stuck };
 }
 

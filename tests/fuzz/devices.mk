@@ -8,7 +8,7 @@ DEVICE_BIN := $(DEVICE_TARGETS:%=$(FUZZ)/device_%)
 DEVICE_SRC := $(filter-out %/poi_hid.c,$(wildcard drivers/hid/*.c)) \
     $(patsubst %,drivers/pointer/%.c,pointer_fan pointer_poi dip_trajectory touch_fingers) \
     $(patsubst %,drivers/gamepad/%.c,stick_motion gamepad_decoder gamepad_imu_filter gamepad_queue) \
-    $(patsubst %,drivers/gpio/%.c,gpio_config gpio_config_token gpio_edge_filter coin_mech debounce) \
+    $(patsubst %,drivers/gpio/%.c,gpio_config gpio_signal) \
     $(patsubst %,drivers/sim/%.c,hid_port_sim hid_device_list_sim) \
     drivers/usb/usb_choice.c $(patsubst %,platform/ctl/devices/hid_%.c,file rows live names) \
     $(patsubst %,board/poi-gadget/%.c,pose_script poi_config draw_wires attitude board_pose sensor_twin \

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "drivers/gpio/gpio_dev.h"
+#include "drivers/gpio/gpio_backend.h"
 
 struct fake_chip fake_chips[FAKE_CHIPS];
 

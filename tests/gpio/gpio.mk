@@ -19,7 +19,7 @@ GPIO_TEST = $(if $(filter-out 0,$(GPIOD)),$(BUILD)/tests/gpio/test_gpio_backend)
 GPIO_TEST_WRAP := -Wl,--wrap=gpio_dev_next,--wrap=gpio_dev_end
 
 $(BUILD)/tests/gpio/test_gpio_backend: $(addprefix $(BUILD)/tests/gpio/,test_gpio_backend.o \
-    fake_board.o fake_gpiod$(GPIOD).o) $(BUILD)/shell.a
+    fake_board.o fake_gpiod$(GPIOD).o) $(BUILD)/tests/unit/support/panic.o $(BUILD)/shell.a
 	$(call step,LINK,$@)
 	$(Q)$(CC) $(OPT) -g $(GPIO_TEST_WRAP) -o $@ $^ -lcmocka -lpthread
 

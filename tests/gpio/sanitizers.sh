@@ -8,8 +8,8 @@ read -ra ldflags <<<"${LDFLAGS:-}"
 cc=${CC:-gcc}
 gpiod=${GPIOD:-0}
 mkdir -p "$home"
-drivers=(drivers/gpio/{buttons_gpio,coin_mech,debounce,gpio_edge_filter,gpio_thread,gpio_thread_lines,gpio_config}.c
-    drivers/gpio/{gpio_config_token,pulse_train}.c drivers/sim/{gpio_lines_sim,gpio_sim_kernel}.c)
+drivers=(drivers/gpio/{buttons_gpio,gpio_signal,gpio_thread,gpio_config}.c
+    drivers/sim/{gpio_lines_sim,gpio_sim_kernel}.c tests/unit/support/panic.c)
 
 try() { # NAME SANITIZERS SOURCES...
     local name=$1 sanitizers=$2
@@ -26,5 +26,5 @@ try test_gpio_thread address,undefined tests/unit/drivers/gpio/test_gpio_thread.
 try test_coin_rain address,undefined tests/unit/drivers/gpio/test_coin_rain.c tests/gpio/coin_rain.c "${drivers[@]}"
 if [ "$gpiod" != 0 ]; then
     try test_gpio_backend address,undefined "${ldflags[@]}" tests/gpio/{test_gpio_backend,fake_board,"fake_gpiod$gpiod"}.c \
-        drivers/gpio/{"gpio_lines$gpiod","gpio_chips$gpiod",gpio_backend,gpio_dev,gpio_config,gpio_config_token}.c
+        drivers/gpio/{"gpio_lines$gpiod",gpio_backend,gpio_dev,gpio_config}.c tests/unit/support/panic.c
 fi

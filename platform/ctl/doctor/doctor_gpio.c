@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 #include "drivers/gpio/gpio_config.h"
-#include "drivers/gpio/gpio_dev.h"
+#include "drivers/gpio/gpio_backend.h"
 #include "platform/ctl/doctor/doctor.h"
 
 /* ---- Reading all GPIO lines ------------------------------------------------------------------ */

@@ -5,7 +5,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/gpio/coin_mech.h"
+#include "drivers/gpio/gpio_signal.h"
 
 #define MS 1000000ull
 #define MIN_NS (15 * MS)
@@ -13,13 +13,13 @@
 
 static struct coin_mech idle_mech(void)
 {
-    return coin_mech_begin(MIN_NS, MAX_NS, false, 0);
+    return gpio_coin_begin(MIN_NS, MAX_NS, false, 0);
 }
 
 static void pulse(struct coin_mech *mech, uint64_t begin_ns, uint64_t width_ns)
 {
-    coin_mech_edge(mech, begin_ns, true);
-    coin_mech_edge(mech, begin_ns + width_ns, false);
+    gpio_coin_edge(mech, begin_ns, true);
+    gpio_coin_edge(mech, begin_ns + width_ns, false);
 }
 
 static void assert_counts(const struct coin_mech *mech, uint32_t coins, uint32_t too_short,
@@ -29,7 +29,7 @@ static void assert_counts(const struct coin_mech *mech, uint32_t coins, uint32_t
     assert_int_equal(mech->too_short, too_short);
     assert_int_equal(mech->stuck, stuck);
     assert_int_equal(mech->cut, cut);
-    assert_int_equal(coin_mech_faults(mech), too_short + stuck + cut);
+    assert_int_equal(gpio_coin_faults(mech), too_short + stuck + cut);
 }
 
 static void test_a_pulse_is_a_coin_from_the_first_width_of_the_window_to_the_last(void **state)
@@ -46,7 +46,7 @@ static void test_a_pulse_is_a_coin_from_the_first_width_of_the_window_to_the_las
     for (size_t i = 0; i < sizeof widths / sizeof widths[0]; i++) {
         struct coin_mech mech = idle_mech();
         pulse(&mech, 1000 * MS, widths[i].width_ns);
-        coin_mech_settle(&mech, 9000 * MS);
+        gpio_coin_settle(&mech, 9000 * MS);
         assert_counts(&mech, widths[i].coins, widths[i].too_short, widths[i].stuck, 0);
     }
 }
@@ -56,12 +56,12 @@ static void test_a_coin_counts_when_the_gap_behind_it_is_over(void **state)
     (void)state;
     struct coin_mech mech = idle_mech();
     pulse(&mech, 1000 * MS, 50 * MS);
-    assert_int_equal(coin_mech_due_ns(&mech), 1050 * MS + COIN_GAP_NS);
-    coin_mech_settle(&mech, 1050 * MS + COIN_GAP_NS - 1);
+    assert_int_equal(gpio_coin_due_ns(&mech), 1050 * MS + COIN_GAP_NS);
+    gpio_coin_settle(&mech, 1050 * MS + COIN_GAP_NS - 1);
     assert_counts(&mech, 0, 0, 0, 0);
-    coin_mech_settle(&mech, 1050 * MS + COIN_GAP_NS);
+    gpio_coin_settle(&mech, 1050 * MS + COIN_GAP_NS);
     assert_counts(&mech, 1, 0, 0, 0);
-    coin_mech_settle(&mech, 9000 * MS);
+    gpio_coin_settle(&mech, 9000 * MS);
     assert_counts(&mech, 1, 0, 0, 0);
 }
 
@@ -71,7 +71,7 @@ static void test_a_pulse_whose_contact_jumps_is_one_coin(void **state)
     struct coin_mech mech = idle_mech();
     pulse(&mech, 1000 * MS, 20 * MS);
     pulse(&mech, 1020 * MS + COIN_GAP_NS - 1, 20 * MS);
-    coin_mech_settle(&mech, 9000 * MS);
+    gpio_coin_settle(&mech, 9000 * MS);
     assert_counts(&mech, 1, 0, 0, 0);
 }
 
@@ -81,7 +81,7 @@ static void test_a_pulse_in_pieces_is_as_wide_as_all_of_them(void **state)
     struct coin_mech mech = idle_mech();
     pulse(&mech, 1000 * MS, 10 * MS);
     pulse(&mech, 1015 * MS, 10 * MS);
-    coin_mech_settle(&mech, 9000 * MS);
+    gpio_coin_settle(&mech, 9000 * MS);
     assert_counts(&mech, 1, 0, 0, 0);
     assert_int_equal(mech.width_ns, 25 * MS);
 }
@@ -93,7 +93,7 @@ static void test_pulses_that_say_a_coins_worth_are_counted_each(void **state)
     for (uint32_t i = 0; i < 10; i++) {
         pulse(&mech, (1000 + 50 * i) * MS, 25 * MS);
     }
-    coin_mech_settle(&mech, 9000 * MS);
+    gpio_coin_settle(&mech, 9000 * MS);
     assert_counts(&mech, 10, 0, 0, 0);
 }
 
@@ -101,31 +101,31 @@ static void test_a_coin_that_sticks_is_told_while_it_sticks_and_once(void **stat
 {
     (void)state;
     struct coin_mech mech = idle_mech();
-    coin_mech_edge(&mech, 1000 * MS, true);
-    coin_mech_settle(&mech, 1250 * MS);
+    gpio_coin_edge(&mech, 1000 * MS, true);
+    gpio_coin_settle(&mech, 1250 * MS);
     assert_counts(&mech, 0, 0, 0, 0);
-    coin_mech_settle(&mech, 1250 * MS + 1);
+    gpio_coin_settle(&mech, 1250 * MS + 1);
     assert_counts(&mech, 0, 0, 1, 0);
-    coin_mech_settle(&mech, 60000 * MS);
-    coin_mech_edge(&mech, 61000 * MS, false);
-    coin_mech_edge(&mech, 61005 * MS, true); /* It rattles loose ... */
-    coin_mech_edge(&mech, 61030 * MS, false);
-    coin_mech_settle(&mech, 62000 * MS);
+    gpio_coin_settle(&mech, 60000 * MS);
+    gpio_coin_edge(&mech, 61000 * MS, false);
+    gpio_coin_edge(&mech, 61005 * MS, true); /* It rattles loose ... */
+    gpio_coin_edge(&mech, 61030 * MS, false);
+    gpio_coin_settle(&mech, 62000 * MS);
     assert_counts(&mech, 0, 0, 1, 0);
     pulse(&mech, 63000 * MS, 50 * MS); /* ... and the next one is a coin again. */
-    coin_mech_settle(&mech, 64000 * MS);
+    gpio_coin_settle(&mech, 64000 * MS);
     assert_counts(&mech, 1, 0, 1, 0);
 }
 
 static void test_what_covers_the_sensor_from_the_start_is_no_coin(void **state)
 {
     (void)state;
-    struct coin_mech mech = coin_mech_begin(MIN_NS, MAX_NS, true, 1000 * MS);
-    coin_mech_edge(&mech, 1050 * MS, false);
-    coin_mech_settle(&mech, 2000 * MS);
+    struct coin_mech mech = gpio_coin_begin(MIN_NS, MAX_NS, true, 1000 * MS);
+    gpio_coin_edge(&mech, 1050 * MS, false);
+    gpio_coin_settle(&mech, 2000 * MS);
     assert_counts(&mech, 0, 0, 0, 0);
     pulse(&mech, 3000 * MS, 50 * MS);
-    coin_mech_settle(&mech, 4000 * MS);
+    gpio_coin_settle(&mech, 4000 * MS);
     assert_counts(&mech, 1, 0, 0, 0);
 }
 
@@ -134,14 +134,14 @@ static void test_a_line_that_goes_keeps_the_coin_that_fell_and_cuts_one_that_fal
     (void)state;
     struct coin_mech fell = idle_mech(), falls = idle_mech(), none = idle_mech();
     pulse(&fell, 1000 * MS, 50 * MS);
-    coin_mech_lose(&fell);
+    gpio_coin_lose(&fell);
     assert_counts(&fell, 1, 0, 0, 0);
-    coin_mech_edge(&falls, 1000 * MS, true);
-    coin_mech_lose(&falls);
+    gpio_coin_edge(&falls, 1000 * MS, true);
+    gpio_coin_lose(&falls);
     assert_counts(&falls, 0, 0, 0, 1);
-    coin_mech_lose(&none);
+    gpio_coin_lose(&none);
     assert_counts(&none, 0, 0, 0, 0);
-    coin_mech_settle(&fell, 9000 * MS);
+    gpio_coin_settle(&fell, 9000 * MS);
     assert_counts(&fell, 1, 0, 0, 0);
 }
 

@@ -5,7 +5,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/gpio/coin_mech.h" /* The shell is linked. */
+#include "drivers/gpio/gpio_signal.h" /* The shell is linked. */
 #include "tests/gpio/coin_rain.h"
 
 #define COINS 20000u

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/gpio/gpio_dev.h"
+#include "drivers/gpio/gpio_backend.h"
 
 static char root[] = "/tmp/kingyo_gpio_dev.XXXXXX";
 

@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/gpio/gpio_edge_filter.h"
+#include "drivers/gpio/gpio_signal.h"
 
 #define MS 1000000ull
 #define PERIOD_NS (3 * MS)

@@ -5,7 +5,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/gpio/pulse_train.h"
+#include "drivers/gpio/gpio_signal.h"
 
 #define MS 1000000ull
 
@@ -15,30 +15,30 @@ static void test_pulses_come_one_after_the_other_with_a_rest_behind_each(void **
 {
     (void)state;
     struct pulse_train train = slow;
-    assert_int_equal(pulse_train_due_ns(&train), UINT64_MAX);
-    assert_false(pulse_train_at(&train, 5 * MS));
-    pulse_train_add(&train, 2);
-    assert_true(pulse_train_at(&train, 10 * MS));
-    assert_int_equal(pulse_train_due_ns(&train), 110 * MS);
-    assert_true(pulse_train_at(&train, 110 * MS - 1));
-    assert_false(pulse_train_at(&train, 110 * MS));
-    assert_false(pulse_train_at(&train, 170 * MS - 1));
-    assert_true(pulse_train_at(&train, 170 * MS));
-    assert_false(pulse_train_at(&train, 270 * MS));
-    assert_int_equal(pulse_train_due_ns(&train), UINT64_MAX);
-    assert_false(pulse_train_at(&train, 900 * MS));
+    assert_int_equal(gpio_pulses_due_ns(&train), UINT64_MAX);
+    assert_false(gpio_pulses_at(&train, 5 * MS));
+    gpio_pulses_add(&train, 2);
+    assert_true(gpio_pulses_at(&train, 10 * MS));
+    assert_int_equal(gpio_pulses_due_ns(&train), 110 * MS);
+    assert_true(gpio_pulses_at(&train, 110 * MS - 1));
+    assert_false(gpio_pulses_at(&train, 110 * MS));
+    assert_false(gpio_pulses_at(&train, 170 * MS - 1));
+    assert_true(gpio_pulses_at(&train, 170 * MS));
+    assert_false(gpio_pulses_at(&train, 270 * MS));
+    assert_int_equal(gpio_pulses_due_ns(&train), UINT64_MAX);
+    assert_false(gpio_pulses_at(&train, 900 * MS));
 }
 
 static void test_the_rest_holds_for_a_pulse_that_is_asked_for_in_it(void **state)
 {
     (void)state;
     struct pulse_train train = slow;
-    pulse_train_add(&train, 1);
-    pulse_train_at(&train, 10 * MS);
-    pulse_train_at(&train, 110 * MS);
-    pulse_train_add(&train, 1);
-    assert_false(pulse_train_at(&train, 169 * MS));
-    assert_true(pulse_train_at(&train, 170 * MS));
+    gpio_pulses_add(&train, 1);
+    gpio_pulses_at(&train, 10 * MS);
+    gpio_pulses_at(&train, 110 * MS);
+    gpio_pulses_add(&train, 1);
+    assert_false(gpio_pulses_at(&train, 169 * MS));
+    assert_true(gpio_pulses_at(&train, 170 * MS));
 }
 
 static void test_whoever_looks_late_makes_pulses_longer_and_no_fewer(void **state)
@@ -48,9 +48,9 @@ static void test_whoever_looks_late_makes_pulses_longer_and_no_fewer(void **stat
     uint32_t begun = 0;
     uint64_t changed_ns = 0, shortest_on_ns = UINT64_MAX, shortest_off_ns = UINT64_MAX;
     bool on = false;
-    pulse_train_add(&train, 50);
+    gpio_pulses_add(&train, 50);
     for (uint64_t now_ns = MS; now_ns < 60000 * MS; now_ns += (1 + now_ns / MS % 97) * MS) {
-        const bool is_on = pulse_train_at(&train, now_ns);
+        const bool is_on = gpio_pulses_at(&train, now_ns);
         if (is_on == on) {
             continue;
         }
@@ -73,8 +73,8 @@ static void test_more_pulses_than_can_be_counted_are_as_many_as_can(void **state
 {
     (void)state;
     struct pulse_train train = slow;
-    pulse_train_add(&train, UINT32_MAX);
-    pulse_train_add(&train, 5);
+    gpio_pulses_add(&train, UINT32_MAX);
+    gpio_pulses_add(&train, 5);
     assert_int_equal(train.left, UINT32_MAX);
 }
 
