@@ -6,8 +6,7 @@
 
 #include "core/input.h"
 #include "drivers/null.h"
-#include "drivers/sim/buttons_sim.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 
 #define PRESS_NS 200000000ull /* Duration of a simulated button press. */
 
@@ -28,7 +27,7 @@ void board_open_rehearsal(struct hal *hal, const struct board_options *options, 
     *hal = null_hal();
     hal->display = display;
     rehearsal_clock = (struct clock_sim){ 0 };
-    hal->clock = clock_sim_device(&rehearsal_clock);
+    hal->clock = sim_clock_device(&rehearsal_clock);
     rehearsal_press[0] = (struct button_event){ .time_ns = start_ns, .pressed = INPUT_START };
     rehearsal_press[1] =
         (struct button_event){ .time_ns = start_ns + PRESS_NS, .released = INPUT_START };
@@ -37,7 +36,7 @@ void board_open_rehearsal(struct hal *hal, const struct board_options *options, 
         .events = rehearsal_press,
         .event_count = sizeof rehearsal_press / sizeof rehearsal_press[0],
     };
-    hal->buttons = buttons_sim_device(&rehearsal_buttons);
+    hal->buttons = sim_buttons_device(&rehearsal_buttons);
 }
 
 void board_rehearsal_advance(uint64_t ns)

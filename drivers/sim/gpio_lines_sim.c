@@ -1,19 +1,142 @@
-/* gpio_lines_sim.c -- implements the simulated GPIO lines and their clock. */
+/* gpio_lines_sim.c -- models the wires, the kernel's delayed interrupt thread, the queues of edges, the
+ * GPIO backend and its clock. */
 #include "drivers/sim/gpio_lines_sim.h"
 
 #include <stdio.h>
 #include <string.h>
 
-#include "drivers/sim/gpio_sim_kernel.h"
+#include "core/base/panic.h"
 
 #define NS_PER_MS 1000000u
+#define NEVER UINT64_MAX
+
+/* ---- Model of the kernel --------------------------------------------------------------------- */
+
+/* Returns a random delay from late_min_ns to late_max_ns by the xorshift32 generator. */
+static uint64_t lateness_ns(struct gpio_lines_sim *sim)
+{
+    sim->seed ^= sim->seed << 13;
+    sim->seed ^= sim->seed >> 17;
+    sim->seed ^= sim->seed << 5;
+    CORE_ASSERT(sim->late_min_ns <= sim->late_max_ns);
+    const uint64_t range_ns = sim->late_max_ns - sim->late_min_ns + 1u;
+    return sim->late_min_ns + sim->seed % range_ns;
+}
+
+static void queue_edge(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
+{
+    CORE_ASSERT(sim->queue_size <= GPIO_SIM_QUEUE_MAX && line->count <= sim->queue_size);
+    line->number++;
+    if (line->count == sim->queue_size) {
+        sim->dropped++;
+        if (!sim->is_numbered) {
+            return;
+        }
+        line->first++; /* The second version of the kernel's interface drops the oldest edge. */
+        line->count--;
+    }
+    const uint32_t at = (line->first + line->count++) % GPIO_SIM_QUEUE_MAX;
+    line->queue[at].time_ns = line->stamp_ns;
+    line->queue[at].number = line->number;
+    line->queue[at].active = line->level;
+}
+
+/* Runs the kernel's interrupt thread for a line: the thread reads the current level and queues an
+ * edge. */
+static void serve(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
+{
+    const uint64_t time_ns = line->busy_until_ns;
+    CORE_ASSERT(time_ns > 0);
+    queue_edge(sim, line);
+    line->busy_until_ns = 0;
+    if (line->pending) { /* The edge that arrived while the kernel served this edge is served next.
+                            Its time stamp is the current time. */
+        line->pending = 0;
+        line->stamp_ns = time_ns;
+        line->busy_until_ns = time_ns + lateness_ns(sim);
+    }
+}
+
+static void move_wire(struct gpio_lines_sim *sim, const struct gpio_sim_event *event)
+{
+    CORE_ASSERT(event->what <= GPIO_SIM_SPARK && event->role < GPIO_INPUT_COUNT);
+    struct gpio_sim_line *line = &sim->lines[event->role];
+    const bool is_spark = event->what == GPIO_SIM_SPARK;
+    const bool is_edge = is_spark || line->level != event->active;
+    line->level = is_spark ? line->level : event->active;
+    if (!is_edge || !(sim->held & 1u << event->role)) {
+        return;
+    }
+    if (line->busy_until_ns) {
+        line->pending = 1;
+        return;
+    }
+    line->stamp_ns = event->time_ns;
+    line->busy_until_ns = event->time_ns + lateness_ns(sim);
+}
+
+static void pull_chip(struct gpio_lines_sim *sim)
+{
+    sim->chip_is_away = true;
+    sim->went |= sim->held != 0;
+    for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
+        const uint8_t level = sim->lines[i].level;
+        sim->lines[i] = (struct gpio_sim_line){ .level = level };
+    }
+    memset(sim->outputs, 0, sizeof sim->outputs);
+    sim->held = 0;
+}
+
+/* Returns the line that the kernel serves next, or null if the kernel is idle. */
+static struct gpio_sim_line *next_served(struct gpio_lines_sim *sim)
+{
+    struct gpio_sim_line *first = NULL;
+    for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
+        struct gpio_sim_line *line = &sim->lines[i];
+        if (line->busy_until_ns && (!first || line->busy_until_ns < first->busy_until_ns)) {
+            first = line;
+        }
+    }
+    return first;
+}
+
+/* Executes the next event of the script or of the kernel if its time is at most `until_ns`. Returns
+ * true if an event was executed, otherwise false. */
+static bool advance(struct gpio_lines_sim *sim, uint64_t until_ns)
+{
+    struct gpio_sim_line *line = next_served(sim);
+    const uint64_t served_ns = line ? line->busy_until_ns : NEVER;
+    const uint64_t event_ns = sim->has_next ? sim->next_event.time_ns : NEVER;
+    const uint64_t time_ns = served_ns <= event_ns ? served_ns : event_ns;
+    if (time_ns > until_ns) {
+        return false;
+    }
+    sim->now_ns = time_ns > sim->now_ns ? time_ns : sim->now_ns;
+    if (served_ns <= event_ns) {
+        serve(sim, line);
+    } else {
+        const struct gpio_sim_event event = sim->next_event;
+        sim->has_next = sim->script.next(sim->script.self, &sim->next_event);
+        switch (event.what) {
+        case GPIO_SIM_GONE:
+            pull_chip(sim);
+            break;
+        case GPIO_SIM_BACK:
+            sim->chip_is_away = false;
+            break;
+        default:
+            move_wire(sim, &event);
+        }
+    }
+    return true;
+}
 
 /* ---- Simulated time ------------------------------------------------------------------------- */
 
 void gpio_lines_sim_pass(struct gpio_lines_sim *sim, uint64_t ns)
 {
     const uint64_t until_ns = sim->now_ns + ns;
-    while (gpio_sim_advance(sim, until_ns)) {
+    while (advance(sim, until_ns)) {
     }
     sim->now_ns = until_ns;
 }
@@ -30,8 +153,8 @@ static bool has_edges(const struct gpio_lines_sim *sim)
 
 /* ---- Operations of the GPIO backend --------------------------------------------------------- */
 
-static void gpio_lines_sim_open_line(struct gpio_lines_sim *sim, const struct gpio_wire *wire,
-                                     enum gpio_role role, char why[HAL_TEXT_SIZE])
+static void open_line(struct gpio_lines_sim *sim, const struct gpio_wire *wire, enum gpio_role role,
+                      char why[HAL_TEXT_SIZE])
 {
     if (sim->chip_is_away) {
         snprintf(why, HAL_TEXT_SIZE, "%u: the chip is away", role);
@@ -55,16 +178,16 @@ static int sim_open(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT],
     for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
         why[role][0] = '\0';
         if (wires[role].wired && !(sim->held & 1u << role)) {
-            gpio_lines_sim_open_line(sim, &wires[role], role, why[role]);
+            open_line(sim, &wires[role], role, why[role]);
         }
     }
     return sim->chip_is_away ? HAL_ERR_ABSENT : (int)sim->held;
 }
 
-static struct gpio_edge gpio_lines_sim_take_edge(struct gpio_lines_sim *sim, enum gpio_role role,
-                                                 bool was_full)
+static struct gpio_edge take_edge(struct gpio_lines_sim *sim, enum gpio_role role, bool was_full)
 {
     struct gpio_sim_line *line = &sim->lines[role];
+    CORE_ASSERT(line->count > 0);
     const uint32_t at = line->first++ % GPIO_SIM_QUEUE_MAX;
     line->count--;
     const uint32_t number = line->queue[at].number;
@@ -90,7 +213,7 @@ static uint32_t take_all(struct gpio_lines_sim *sim, enum gpio_role role, struct
     const bool is_full = line->count == sim->queue_size;
     uint32_t count = 0;
     while (line->count > 0 && count < max) {
-        out[count] = gpio_lines_sim_take_edge(sim, role, line->was_full && count == 0);
+        out[count] = take_edge(sim, role, line->was_full && count == 0);
         count++;
     }
     if (count > 0) {
@@ -103,7 +226,7 @@ static int sim_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_t ti
 {
     struct gpio_lines_sim *sim = self;
     const uint64_t until_ns = sim->now_ns + timeout_ms * (uint64_t)NS_PER_MS;
-    while (!sim->went && !has_edges(sim) && gpio_sim_advance(sim, until_ns)) {
+    while (!sim->went && !has_edges(sim) && advance(sim, until_ns)) {
     }
     if (sim->went) {
         sim->went = false;
@@ -113,6 +236,7 @@ static int sim_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_t ti
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
         count += take_all(sim, role, out + count, max - count);
     }
+    CORE_ASSERT(count <= max && sim->now_ns <= until_ns);
     if (count == 0) {
         sim->now_ns = until_ns;
     }
@@ -122,6 +246,7 @@ static int sim_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_t ti
 static int sim_level(void *self, enum gpio_role role)
 {
     const struct gpio_lines_sim *sim = self;
+    CORE_ASSERT(role < GPIO_ROLE_COUNT);
     if (!(sim->held & 1u << role)) {
         return HAL_ERR_GONE;
     }
@@ -131,6 +256,7 @@ static int sim_level(void *self, enum gpio_role role)
 static int sim_set(void *self, enum gpio_role role, int active)
 {
     struct gpio_lines_sim *sim = self;
+    CORE_ASSERT(!gpio_role_is_input(role));
     if (!(sim->held & 1u << role)) {
         return HAL_ERR_GONE;
     }
@@ -217,6 +343,7 @@ struct hal_clock gpio_lines_sim_clock(struct gpio_lines_sim *sim)
 static bool next_of_events(void *self, struct gpio_sim_event *out)
 {
     struct gpio_sim_events *events = self;
+    CORE_ASSERT(events->next <= events->count);
     if (events->next == events->count) {
         return false;
     }
@@ -231,6 +358,7 @@ struct gpio_sim_script gpio_lines_sim_events_script(struct gpio_sim_events *even
 
 void gpio_lines_sim_init(struct gpio_lines_sim *sim, struct gpio_sim_script script, uint32_t seed)
 {
+    CORE_ASSERT(sim);
     memset(sim, 0, sizeof *sim);
     sim->queue_size = GPIO_SIM_QUEUE_MAX;
     sim->is_numbered = 1;

@@ -1,149 +1,127 @@
-/* pointer_sim.c -- implements the simulated mouse. */
+/* pointer_sim.c -- implements the simulated mouse and the simulated touch screen. */
 #include "drivers/sim/pointer_sim.h"
 
-#include <string.h>
+#include "core/base/panic.h"
 
-#include "core/base/rng.h"
+static struct poi_sample pointer_sample(struct pointer_poi *pointer, uint64_t time_ns)
+{
+    return (struct poi_sample){
+        .time_ns = time_ns,
+        .target = pointer_poi_target(pointer, time_ns),
+    };
+}
+
+/* ---- Mouse ------------------------------------------------------------------------------------ */
+
+#define POINTER_STREAM 79u
 
 void pointer_sim_init(struct pointer_sim *sim, struct hal_clock clock, const struct view *view)
 {
-    *sim = (struct pointer_sim){
-        .clock = clock,
-        .unplug_at = POINTER_SIM_NEVER,
-        .jump_at = POINTER_SIM_NEVER,
-    };
+    *sim = (struct pointer_sim){ .feed = report_feed_begin(clock) };
     pointer_poi_init(&sim->pointer, view);
     pointer_fan_init(&sim->fan, view);
 }
 
-static uint64_t pointer_sim_now_ns(const struct pointer_sim *sim)
-{
-    return sim->clock.ops->now_ns(sim->clock.self);
-}
-
-static int poi_sim_open(void *self)
+static int pointer_sim_open(void *self)
 {
     struct pointer_sim *sim = self;
-    sim->open_count++;
-    if (sim->gone && pointer_sim_now_ns(sim) >= sim->replug_ns) {
-        sim->gone = 0;
-        sim->unplug_at = POINTER_SIM_NEVER;
-    }
-    return sim->gone ? HAL_ERR_GONE : HAL_OK;
+    return report_feed_open(&sim->feed) < 0 ? HAL_ERR_GONE : HAL_OK;
 }
 
-static struct poi_sample sample_now(struct pointer_sim *sim, uint64_t time_ns)
+/* Returns the next report with its faults. Every fourth report with random numbers has a NaN. */
+static struct pointer_report faulty_report(struct pointer_sim *sim,
+                                           const struct report_fault *fault)
 {
-    return (struct poi_sample){
-        .time_ns = time_ns,
-        .target = pointer_poi_target(&sim->pointer, time_ns),
-    };
-}
-
-static float any_bits(uint32_t index, uint32_t what)
-{
-    const uint32_t bits = rng_u32((struct rng_key){ 79, index, what, RNG_TEST });
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-/* Fills a report with random numbers; every fourth report contains a NaN. */
-static void spoil(struct pointer_report *report, uint32_t index)
-{
-    report->x_px = index % 4u ? any_bits(index, 0) : 0.0f / 0.0f;
-    report->y_px = any_bits(index, 1);
-    report->wheel_notches = any_bits(index, 2);
-    report->buttons = rng_u32((struct rng_key){ 79, index, 3, RNG_TEST });
-    report->width_px = index % 3u ? report->width_px : 0u;
-}
-
-static struct pointer_report take_report(struct pointer_sim *sim)
-{
-    struct pointer_report report = sim->reports[sim->next];
-    if (sim->next == sim->jump_at) {
+    struct pointer_report report = sim->reports[fault->index];
+    if (fault->jumps) {
         report.x_px = (float)report.width_px;
         report.y_px = 0.0f;
     }
-    if (sim->next >= sim->spoil_from && sim->next < sim->spoil_to) {
-        spoil(&report, sim->spoil_count++);
+    if (fault->spoils) {
+        const uint32_t index = sim->spoil_count++;
+        report.x_px = index % 4u ? report_feed_random_float(POINTER_STREAM, index, 0) : 0.0f / 0.0f;
+        report.y_px = report_feed_random_float(POINTER_STREAM, index, 1);
+        report.wheel_notches = report_feed_random_float(POINTER_STREAM, index, 2);
+        report.buttons = report_feed_random(POINTER_STREAM, index, 3);
+        report.width_px = index % 3u ? report.width_px : 0u;
     }
-    sim->next++;
     return report;
 }
 
 /* Plays all reports that are due. The last sample is at the current time, because a dip continues
  * between reports and a resting pointer is still valid. */
-static int poi_sim_poll(void *self, struct poi_sample *out, uint32_t max)
+static int pointer_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct pointer_sim *sim = self;
-    const uint64_t now_ns = pointer_sim_now_ns(sim);
+    struct report_feed *feed = &sim->feed;
+    const uint64_t now_ns = report_feed_now_ns(feed);
     uint32_t count = 0;
-    if (sim->gone) {
-        return HAL_ERR_GONE;
+    if (feed->gone || report_feed_is_silent(feed, now_ns)) {
+        return feed->gone ? HAL_ERR_GONE : 0;
     }
-    if (now_ns >= sim->silent_from_ns && now_ns < sim->silent_to_ns) {
-        return 0;
-    }
-    while (sim->next < sim->report_count && sim->reports[sim->next].time_ns <= now_ns) {
-        if (sim->next >= sim->unplug_at) {
-            sim->gone = 1;
+    while (feed->next < feed->count && sim->reports[feed->next].time_ns <= now_ns) {
+        struct report_fault fault;
+        if (!report_feed_take(feed, &fault)) {
             return HAL_ERR_GONE;
         }
-        const uint32_t index = sim->next;
-        const struct pointer_report report = take_report(sim);
-        const int twice = sim->double_every > 0 && index % sim->double_every == 0;
-        for (int i = 0; i <= twice; i++) {
+        const struct pointer_report report = faulty_report(sim, &fault);
+        for (uint32_t i = 0; i < fault.copies; i++) {
             pointer_fan_report(&sim->fan, &report);
             if (pointer_poi_report(&sim->pointer, &report) && count + 1 < max) {
-                out[count++] = sample_now(sim, report.time_ns);
+                out[count++] = pointer_sample(&sim->pointer, report.time_ns);
             }
         }
     }
     if (count < max) {
-        out[count++] = sample_now(sim, now_ns);
+        out[count++] = pointer_sample(&sim->pointer, now_ns);
     }
     return (int)count;
 }
 
-static void poi_sim_set_view(void *self, const struct view *view,
-                             const struct display_settings *display_settings)
+static void pointer_sim_set_view(void *self, const struct view *view,
+                                 const struct display_settings *display_settings)
 {
     struct pointer_sim *sim = self;
     (void)display_settings; /* Unused, because the simulated image fills the window. */
     sim->pointer.view = sim->fan.view = *view;
 }
 
-static int poi_sim_set_force(void *self, const struct poi_force *force)
+static int pointer_sim_set_force(void *self, const struct poi_force *force)
 {
     struct pointer_sim *sim = self;
     sim->felt = *force;
-    return sim->gone ? HAL_ERR_GONE : HAL_OK;
+    return sim->feed.gone ? HAL_ERR_GONE : HAL_OK;
 }
 
-static const char *poi_sim_describe(void *self)
+static const char *pointer_sim_describe(void *self)
 {
     (void)self;
     return "simulated mouse";
 }
 
-static int pointer_sim_fan_open(void *self)
+struct hal_poi pointer_sim_device(struct pointer_sim *sim)
 {
-    const struct pointer_sim *sim = self;
-    return sim->gone ? HAL_ERR_GONE : HAL_OK;
+    static const struct hal_poi_ops ops = {
+        .open = pointer_sim_open,
+        .poll = pointer_sim_poll,
+        .set_force = pointer_sim_set_force,
+        .set_view = pointer_sim_set_view,
+        .describe = pointer_sim_describe,
+    };
+    return (struct hal_poi){ .ops = &ops, .self = sim };
 }
 
-static int pointer_sim_fan_poll(void *self, struct shade_input *out)
+static int pointer_fan_sim_poll(void *self, struct shade_input *out)
 {
     struct pointer_sim *sim = self;
-    if (sim->gone) {
+    if (sim->feed.gone) {
         return HAL_ERR_GONE;
     }
-    *out = pointer_fan_shade(&sim->fan, pointer_sim_now_ns(sim));
+    *out = pointer_fan_shade(&sim->fan, report_feed_now_ns(&sim->feed));
     return HAL_OK;
 }
 
-static const char *pointer_sim_fan_describe(void *self)
+static const char *pointer_fan_sim_describe(void *self)
 {
     (void)self;
     return "simulated fan";
@@ -152,21 +130,119 @@ static const char *pointer_sim_fan_describe(void *self)
 struct hal_fan pointer_sim_fan(struct pointer_sim *sim)
 {
     static const struct hal_fan_ops ops = {
-        .open = pointer_sim_fan_open,
-        .poll = pointer_sim_fan_poll,
-        .describe = pointer_sim_fan_describe,
+        .open = report_feed_fan_open,
+        .poll = pointer_fan_sim_poll,
+        .describe = pointer_fan_sim_describe,
     };
     return (struct hal_fan){ .ops = &ops, .self = sim };
 }
 
-struct hal_poi pointer_sim_device(struct pointer_sim *sim)
+/* ---- Touch screen ----------------------------------------------------------------------------- */
+
+#define TOUCH_STREAM 89u
+
+void sim_touch_init(struct touch_sim *sim, struct hal_clock clock, const struct view *view,
+                    uint32_t width, uint32_t height)
+{
+    CORE_ASSERT(width > 0 && height > 0);
+    *sim = (struct touch_sim){
+        .feed = report_feed_begin(clock),
+        .report = { .width_px = width, .height_px = height },
+    };
+    sim->report.x_px = 0.5f * (float)width;
+    sim->report.y_px = 0.5f * (float)height;
+    pointer_poi_init(&sim->pointer, view);
+}
+
+/* Opens the screen without fingers, because the fingers from before unplugging are unknown. */
+static int touch_sim_open(void *self)
+{
+    struct touch_sim *sim = self;
+    const int result = report_feed_open(&sim->feed);
+    if (result > 0) {
+        sim->fingers = (struct touch_fingers){ 0 };
+    }
+    return result < 0 ? HAL_ERR_GONE : HAL_OK;
+}
+
+/* Passes an event with its faults to the decoder. */
+static void play_event(struct touch_sim *sim, const struct report_fault *fault)
+{
+    struct touch_event event = sim->events[fault->index];
+    const bool is_mute =
+        sim->mute_every > 0 && fault->index % sim->mute_every == 0 && event.kind == TOUCH_UP;
+    if (fault->jumps) {
+        event.x = 1.0f;
+        event.y = 0.0f;
+    }
+    if (fault->spoils) {
+        event.x = report_feed_random_float(TOUCH_STREAM, fault->index, 0);
+        event.y = report_feed_random_float(TOUCH_STREAM, fault->index, 1);
+        event.kind = (uint8_t)report_feed_random(TOUCH_STREAM, fault->index, 2);
+        event.id = (int64_t)report_feed_random(TOUCH_STREAM, fault->index, 3) % 16;
+    }
+    for (uint32_t i = 0; i < fault->copies && !is_mute; i++) {
+        touch_fingers_take(&sim->fingers, &event);
+    }
+    touch_fingers_point(&sim->fingers, &sim->report);
+    sim->report.time_ns = event.time_ns;
+    pointer_poi_report(&sim->pointer, &sim->report);
+}
+
+static int touch_sim_poll(void *self, struct poi_sample *out, uint32_t max)
+{
+    struct touch_sim *sim = self;
+    struct report_feed *feed = &sim->feed;
+    const uint64_t now_ns = report_feed_now_ns(feed);
+    uint32_t count = 0;
+    if (feed->gone || report_feed_is_silent(feed, now_ns)) {
+        return feed->gone ? HAL_ERR_GONE : 0;
+    }
+    while (feed->next < feed->count && sim->events[feed->next].time_ns <= now_ns) {
+        struct report_fault fault;
+        if (!report_feed_take(feed, &fault)) {
+            return HAL_ERR_GONE;
+        }
+        play_event(sim, &fault);
+        if (count + 1u < max) {
+            out[count++] = pointer_sample(&sim->pointer, sim->report.time_ns);
+        }
+    }
+    if (count < max) {
+        out[count++] = pointer_sample(&sim->pointer, now_ns);
+    }
+    return (int)count;
+}
+
+static void touch_sim_set_view(void *self, const struct view *view,
+                               const struct display_settings *display_settings)
+{
+    struct touch_sim *sim = self;
+    (void)display_settings; /* Unused, because the simulated image fills the window. */
+    sim->pointer.view = *view;
+}
+
+static int touch_sim_set_force(void *self, const struct poi_force *force)
+{
+    (void)self;
+    (void)force;
+    return HAL_ERR_ABSENT; /* A touch screen has no force feedback. */
+}
+
+static const char *touch_sim_describe(void *self)
+{
+    (void)self;
+    return "simulated touch screen";
+}
+
+struct hal_poi sim_touch_device(struct touch_sim *sim)
 {
     static const struct hal_poi_ops ops = {
-        .open = poi_sim_open,
-        .poll = poi_sim_poll,
-        .set_force = poi_sim_set_force,
-        .set_view = poi_sim_set_view,
-        .describe = poi_sim_describe,
+        .open = touch_sim_open,
+        .poll = touch_sim_poll,
+        .set_force = touch_sim_set_force,
+        .set_view = touch_sim_set_view,
+        .describe = touch_sim_describe,
     };
     return (struct hal_poi){ .ops = &ops, .self = sim };
 }

@@ -23,8 +23,7 @@
 #include "core/base/rng.h"
 #include "core/tank/preset.h"
 #include "drivers/null.h"
-#include "drivers/sim/clock_sim.h"
-#include "drivers/sim/display_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/pointer_sim.h"
 #include "platform/kiosk/kiosk.h"
 
@@ -48,9 +47,9 @@ static struct booth base, with, without;
 static struct hal wire(struct booth *stall)
 {
     struct hal hal = null_hal();
-    hal.clock = clock_sim_device(&stall->clock);
-    hal.display = display_sim_device(&stall->display);
-    stall->poi.clock = hal.clock;
+    hal.clock = sim_clock_device(&stall->clock);
+    hal.display = sim_display_device(&stall->display);
+    stall->poi.feed.clock = hal.clock;
     stall->poi.reports = stall->reports;
     hal.poi[0] = pointer_sim_device(&stall->poi);
     return hal;
@@ -80,10 +79,10 @@ static void open_stall(uint64_t frame_ns)
 {
     const struct kiosk_config config = { .core = { .seed = 1, .fish_count = 20 } };
     base = (struct booth){ .clock.now_ns = 1000000000 };
-    pointer_sim_init(&base.poi, clock_sim_device(&base.clock),
+    pointer_sim_init(&base.poi, sim_clock_device(&base.clock),
                      &tank_preset(TANK_PRESET_FESTIVAL)->view);
     base.reports[0] = report_at(1000000001, 640.0f, 0);
-    base.poi.report_count = 1;
+    base.poi.feed.count = 1;
     const struct hal hal = wire(&base);
     if (kiosk_init(&base.kiosk, &hal, &config) != CORE_OK) {
         abort();
@@ -126,7 +125,7 @@ static struct latency measure(const struct event *event, float phase)
     with = base;
     without = base;
     with.reports[1] = report_at(event_ns, event->x_px, event->buttons);
-    with.poi.report_count = 2;
+    with.poi.feed.count = 2;
     do {
         const uint32_t tick = with.kiosk.core.game.tick;
         frame(&with, event->frame_ns);

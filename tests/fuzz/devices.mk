@@ -9,7 +9,7 @@ DEVICE_SRC := $(filter-out %/poi_hid.c,$(wildcard drivers/hid/*.c)) \
     $(patsubst %,drivers/pointer/%.c,pointer_fan pointer_poi dip_trajectory touch_fingers) \
     $(patsubst %,drivers/gamepad/%.c,stick_motion gamepad_decoder gamepad_imu_filter gamepad_queue) \
     $(patsubst %,drivers/gpio/%.c,gpio_config gpio_signal) \
-    $(patsubst %,drivers/sim/%.c,hid_port_sim hid_device_list_sim) \
+    $(patsubst %,drivers/sim/%.c,hid_sim) \
     drivers/usb/usb_choice.c $(patsubst %,platform/ctl/devices/hid_%.c,file rows live names) \
     $(patsubst %,board/poi-gadget/%.c,pose_script poi_config draw_wires attitude board_pose sensor_twin \
     motor) $(patsubst %,platform/%.c,os/regular_file os/print ctl/lib/user_file) core/view.c \

@@ -9,7 +9,7 @@ cc=${CC:-gcc}
 gpiod=${GPIOD:-0}
 mkdir -p "$home"
 drivers=(drivers/gpio/{buttons_gpio,gpio_signal,gpio_thread,gpio_config}.c
-    drivers/sim/{gpio_lines_sim,gpio_sim_kernel}.c tests/unit/support/panic.c)
+    drivers/sim/gpio_lines_sim.c tests/unit/support/panic.c)
 
 try() { # NAME SANITIZERS SOURCES...
     local name=$1 sanitizers=$2

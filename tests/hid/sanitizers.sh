@@ -12,7 +12,7 @@ tests=(drivers/hid/test_{hid_mapping,hid_pose_decoder,hid_learn,hid_mapping_stor
     platform/kiosk/test_{menu_desk,unplug_paid})
 mapfile -t sources < <(find core/game drivers/hid -name '*.c')
 sources+=(drivers/pointer/{dip_trajectory,pointer_fan,pointer_poi}.c drivers/gamepad/stick_motion.c drivers/null.c
-    drivers/sim/{hid_port_sim,hid_device_list_sim,clock_sim,display_sim}.c
+    drivers/sim/{hid_sim,hal_sim}.c
     platform/kiosk/{kiosk,poi_sampler,resample,operator_view,file_notes}.c tests/unit/support/panic.c)
 
 for sanitizers in address,undefined thread; do

@@ -19,7 +19,7 @@
 #include "drivers/null.h"
 #include "drivers/pointer/buttons_keyboard.h"
 #include "drivers/pointer/mouse_poi.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/pointer_sim.h"
 #include "drivers/sim/storage_sim.h"
 #include "platform/kiosk/kiosk.h"
@@ -120,10 +120,10 @@ static void plug_or_unplug(uint32_t chance)
                                       .height_px = HEIGHT,
                                       .buttons = (uint8_t)(chance / 3u % 8u) };
     rig.poi.reports = &report;
-    rig.poi.report_count = 1;
-    rig.poi.next = 0;
-    rig.poi.unplug_at = chance & 1u ? 0 : POINTER_SIM_NEVER;
-    rig.poi.replug_ns = rig.clock.now_ns + (uint64_t)(chance / 11u % 3000u) * 1000000u;
+    rig.poi.feed.count = 1;
+    rig.poi.feed.next = 0;
+    rig.poi.feed.unplug_at = chance & 1u ? 0 : REPORT_FEED_NEVER;
+    rig.poi.feed.replug_ns = rig.clock.now_ns + (uint64_t)(chance / 11u % 3000u) * 1000000u;
 }
 
 static void act(void)
@@ -171,7 +171,7 @@ static int open_board(void)
     const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
     rig.clock.now_ns = 1000000000u;
     rig.hal = null_hal();
-    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.hal.clock = sim_clock_device(&rig.clock);
     rig.display.config =
         (struct display_gl_config){ .width = WIDTH, .height = HEIGHT, .off_screen = true };
     rig.hal.display = display_gl_device(&rig.display);

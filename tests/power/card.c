@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "drivers/null.h"
-#include "drivers/sim/buttons_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/pointer_sim.h"
 #include "platform/kiosk/kiosk.h"
 #include "platform/os/clock.h"
@@ -76,7 +76,7 @@ static int open_stall(const char *folder, uint32_t mood_s)
     hal.clock = clock;
     hal.storage = storage_device(&store);
     fill_script(clock.ops->now_ns(clock.self) + S_NS, MOOD_COUNT * mood_s * S_NS);
-    hal.buttons = buttons_sim_device(&buttons);
+    hal.buttons = sim_buttons_device(&buttons);
     pointer_sim_init(&poi, clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     hal.poi[0] = pointer_sim_device(&poi);
     if (hal.storage.ops->open(hal.storage.self) != HAL_OK) {

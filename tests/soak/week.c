@@ -22,7 +22,7 @@
 #include "core/base/rng.h"
 #include "core/game/score.h"
 #include "drivers/null.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "platform/kiosk/kiosk.h"
 #include "platform/os/number.h"
 #include "platform/panic.h"
@@ -135,7 +135,7 @@ static struct hal broad_phase(const char *folder)
                                              .describe = crowd_describe };
     struct hal all = null_hal();
     store = (struct storage){ .dir = folder };
-    all.clock = clock_sim_device(&clock_of_week);
+    all.clock = sim_clock_device(&clock_of_week);
     all.storage = storage_device(&store);
     all.buttons = (struct hal_buttons){ .ops = &buttons };
     all.poi[0] = (struct hal_poi){ .ops = &hand };

@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "platform/watchdog.h"
 
 #define MS 1000000ull
@@ -44,7 +44,7 @@ static void test_it_says_ready_once_and_then_a_few_times_a_deadline(void **state
     (void)state;
     snprintf(name, sizeof name, "@kingyo-test-%d", (int)getpid());
     const int fd = listen_as(name);
-    assert_int_equal(watchdog_init(&watchdog, clock_sim_device(&clock), name, 2000000), HAL_OK);
+    assert_int_equal(watchdog_init(&watchdog, sim_clock_device(&clock), name, 2000000), HAL_OK);
     const struct hal_watchdog device = watchdog_device(&watchdog);
     device.ops->kick(device.self);
     assert_string_equal(heard(fd), "READY=1");
@@ -73,7 +73,7 @@ static void test_a_manager_too_busy_to_hear_ready_is_told_again(void **state)
     (void)state;
     snprintf(name, sizeof name, "@kingyo-busy-%d", (int)getpid());
     const int fd = listen_as(name);
-    assert_int_equal(watchdog_init(&watchdog, clock_sim_device(&clock), name, 2000000), HAL_OK);
+    assert_int_equal(watchdog_init(&watchdog, sim_clock_device(&clock), name, 2000000), HAL_OK);
     const struct hal_watchdog device = watchdog_device(&watchdog);
     while (send(watchdog.socket_fd, "x", 1, MSG_NOSIGNAL) == 1) { /* Until its queue is full. */
     }
@@ -95,7 +95,7 @@ static void test_without_a_manager_there_is_no_watchdog(void **state)
     struct watchdog watchdog;
     (void)state;
     for (size_t i = 0; i < sizeof nobody / sizeof nobody[0]; i++) {
-        assert_int_equal(watchdog_init(&watchdog, clock_sim_device(&clock), nobody[i], 0),
+        assert_int_equal(watchdog_init(&watchdog, sim_clock_device(&clock), nobody[i], 0),
                          HAL_ERR_ABSENT);
         assert_int_equal(watchdog.socket_fd, -1);
     }

@@ -10,8 +10,8 @@
 #include <string.h>
 
 #include "drivers/hid/hid_mapping_auto.h"
-#include "drivers/sim/clock_sim.h"
-#include "drivers/sim/hid_port_sim.h"
+#include "drivers/sim/hal_sim.h"
+#include "drivers/sim/hid_sim.h"
 
 #define CORPUS "tests/hid/good/descriptors/"
 #define KNOWN "../../known/"
@@ -33,7 +33,7 @@ static inline void wire_begin(struct hid_wire *wire, struct clock_sim *clock, co
     memcpy(wire->face.descriptor, bytes, size);
     wire->face.descriptor_size = size;
     assert_int_equal(hid_descriptor_read(&wire->descriptor, bytes, size), HID_OK);
-    hid_port_sim_init(&wire->port, clock_sim_device(clock), &wire->face);
+    hid_port_sim_init(&wire->port, sim_clock_device(clock), &wire->face);
 }
 
 /* Initializes a controller with the report descriptor in file NAME.hid of the corpus. `name` is the

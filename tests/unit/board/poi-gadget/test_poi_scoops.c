@@ -57,7 +57,7 @@ static void begin(uint32_t seed)
     sensor_twin_calibrate(&stall.config);
     stall.source = sensor_twin_source(&stall.twin, &stall.config);
     stall.hal = null_hal();
-    stall.hal.clock = clock_sim_device(&stall.clock);
+    stall.hal.clock = sim_clock_device(&stall.clock);
     poi_hid_init(&stall.poi, hid_port_sim_port(&stall.wire.port), stall.hal.clock,
                  (struct hid_mapper){ 0 }, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     stall.hal.poi[0] = poi_hid_device(&stall.poi);

@@ -12,7 +12,7 @@
 #include "core/base/float_env.h"
 #include "core/core.h"
 #include "drivers/null.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/kiosk.h"
 
@@ -138,7 +138,7 @@ static uint64_t play(int mode, uint32_t frames, uint32_t *resets)
     mode_left = mode;
     ops.present = present;
     hal.display.ops = &ops;
-    hal.clock = clock_sim_device(&clock);
+    hal.clock = sim_clock_device(&clock);
     assert_int_equal(kiosk_init(&kiosk, &hal, &with), CORE_OK);
     for (uint32_t i = 0; i < frames; i++) {
         clock.now_ns += FRAME_NS;

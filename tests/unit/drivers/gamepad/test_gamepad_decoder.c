@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "core/game/control/input_validation.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/gamepad_sim.h"
 #include "tests/unit/support/pointer.h"
 
@@ -237,7 +237,7 @@ static int begin_twin(void **state)
 {
     (void)state;
     clock_state = (struct clock_sim){ .now_ns = 1000 * MS };
-    gamepad_sim_init(&sim, clock_sim_device(&clock_state), stall_view());
+    gamepad_sim_init(&sim, sim_clock_device(&clock_state), stall_view());
     for (uint32_t i = 0; i < SCRIPT; i++) { /* At 250 a second, leading about and dipping. */
         script[i] = (struct gamepad_report){ .time_ns = (1000 + 4 * (uint64_t)i) * MS };
         script[i].axis[GAMEPAD_LEAD_X] = (int16_t)(32767.0f * f_sin((float)i * 0.02f));
@@ -245,7 +245,7 @@ static int begin_twin(void **state)
         script[i].buttons = i % 300 < 150 ? (uint32_t)GAMEPAD_SOUTH : 0u;
     }
     sim.reports = script;
-    sim.report_count = SCRIPT;
+    sim.feed.count = SCRIPT;
     poi = gamepad_sim_device(&sim);
     return poi.ops->open(poi.self);
 }
@@ -298,12 +298,12 @@ static void test_the_way_is_the_same_however_slow_the_frames(void **state)
 static void test_any_bits_make_a_hand_all_the_same(void **state)
 {
     (void)state;
-    sim.spoil_from = 100;
-    sim.spoil_to = 900;
-    sim.jump_at = 50;
-    sim.double_every = 3;
+    sim.feed.spoil_from = 100;
+    sim.feed.spoil_to = 900;
+    sim.feed.jump_at = 50;
+    sim.feed.double_every = 3;
     play_ms(5000, 16);
-    assert_int_equal(sim.next, SCRIPT);
+    assert_int_equal(sim.feed.next, SCRIPT);
 }
 
 static void test_a_burst_after_a_silence_loses_no_press(void **state)
@@ -314,8 +314,8 @@ static void test_a_burst_after_a_silence_loses_no_press(void **state)
     for (uint32_t i = 100; i < SCRIPT; i += 100) {
         script[i].buttons |= GAMEPAD_START;
     }
-    sim.silent_from_ns = 1000 * MS;
-    sim.silent_to_ns = 4900 * MS;
+    sim.feed.silent_from_ns = 1000 * MS;
+    sim.feed.silent_to_ns = 4900 * MS;
     uint32_t edges = 0;
     for (uint32_t i = 0; i < 500; i++) {
         play_ms(10, 10);
@@ -323,7 +323,7 @@ static void test_a_burst_after_a_silence_loses_no_press(void **state)
         edges += (buttons.pressed & INPUT_START) != 0;
     }
     assert_int_equal(edges, 1); /* Nine presses in one look are one edge, and none is none. */
-    assert_int_equal(sim.next, SCRIPT);
+    assert_int_equal(sim.feed.next, SCRIPT);
 }
 
 /* At each of its 1,000 reports: gone is told, and it comes back when it is plugged in again. */
@@ -333,17 +333,17 @@ static void test_it_may_be_unplugged_at_any_report(void **state)
     struct poi_sample samples[HAL_POI_SAMPLES_MAX];
     for (uint32_t at = 0; at < SCRIPT; at++) {
         begin_twin(state);
-        sim.unplug_at = at;
-        sim.replug_ns = clock_state.now_ns + (4 * (uint64_t)at + 100) * MS;
+        sim.feed.unplug_at = at;
+        sim.feed.replug_ns = clock_state.now_ns + (4 * (uint64_t)at + 100) * MS;
         int result = 0;
         for (uint32_t i = 0; i < SCRIPT && result >= 0; i++) {
             clock_state.now_ns += 16 * MS;
             result = poi.ops->poll(poi.self, samples, HAL_POI_SAMPLES_MAX);
         }
         assert_int_equal(result, HAL_ERR_GONE);
-        assert_int_equal(sim.next, at);
+        assert_int_equal(sim.feed.next, at);
         assert_int_equal(poi.ops->open(poi.self), HAL_ERR_GONE);
-        clock_state.now_ns = sim.replug_ns;
+        clock_state.now_ns = sim.feed.replug_ns;
         assert_int_equal(poi.ops->open(poi.self), HAL_OK);
         assert_true(poi.ops->poll(poi.self, samples, HAL_POI_SAMPLES_MAX) > 0);
     }

@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "drivers/gamepad/gamepad_poi.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "tests/unit/support/pointer.h"
 
 static struct clock_sim clock_state;
@@ -84,7 +84,7 @@ static int begin(void **state)
     hum_count = 0;
     setenv("SDL_VIDEODRIVER", "dummy", 1);
     SDL_InitSubSystem(SDL_INIT_VIDEO);
-    gamepads_init(&gamepads, clock_sim_device(&clock_state), stall_view());
+    gamepads_init(&gamepads, sim_clock_device(&clock_state), stall_view());
     return gamepads_open(&gamepads, NULL);
 }
 
@@ -120,7 +120,7 @@ static void test_one_that_was_there_before_us_is_found(void **state)
     gamepads_close(&gamepads);
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER); /* It would be gone with SDL's joysticks. */
     attach(1);
-    gamepads_init(&gamepads, clock_sim_device(&clock_state), stall_view());
+    gamepads_init(&gamepads, sim_clock_device(&clock_state), stall_view());
     assert_int_equal(gamepads_open(&gamepads, NULL), HAL_OK);
     assert_true(gamepad_poi_is_present(&gamepads.pad[0]));
     wait_ms(16);

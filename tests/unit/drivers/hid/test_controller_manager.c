@@ -13,7 +13,7 @@
 #include <cmocka.h>
 
 #include "drivers/hid/controller_manager.h"
-#include "drivers/sim/hid_device_list_sim.h"
+#include "drivers/sim/hid_sim.h"
 #include "tests/unit/support/hid_wire.h"
 #include "tests/unit/support/pointer.h"
 
@@ -40,9 +40,9 @@ static int set_up(void **state)
         (struct hid_identity){ .vendor = 0x256c, .product = 0x006e, .port = "3-2" };
     hid_mapping_store_open(&book, NULL, NULL, NULL);
     for (uint32_t i = 0; i < 2; i++) {
-        hid_port_sim_init(&port[i], clock_sim_device(&clock_now), &wire[0].face);
+        hid_port_sim_init(&port[i], sim_clock_device(&clock_now), &wire[0].face);
         port[i].absent = 1;
-        poi_hid_init(&seat[i], hid_port_sim_port(&port[i]), clock_sim_device(&clock_now),
+        poi_hid_init(&seat[i], hid_port_sim_port(&port[i]), sim_clock_device(&clock_now),
                      hid_mapping_store_mapper(&book), stall_view());
     }
     hid_device_list_sim_init(&device_list, ports);

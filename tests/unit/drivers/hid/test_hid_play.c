@@ -196,7 +196,7 @@ static void begin_round(uint32_t seed)
     const struct kiosk_config config = { .core = { .seed = seed, .fish_count = 300 } };
     const struct view *view = &tank_preset(TANK_PRESET_FESTIVAL)->view;
     player.hal = null_hal();
-    player.hal.clock = clock_sim_device(&player.clock);
+    player.hal.clock = sim_clock_device(&player.clock);
     poi_hid_init(&player.poi, hid_port_sim_port(&player.wire.port), player.hal.clock,
                  (struct hid_mapper){ 0 }, view);
     player.hal.poi[0] = poi_hid_device(&player.poi);

@@ -34,7 +34,7 @@ static void begin(void)
     memset(&stand, 0, sizeof stand);
     stand.clock.now_ns = 1000000000ull;
     wire_begin(&stand.wire, &stand.clock, poi_descriptor, POI_DESCRIPTOR_SIZE);
-    poi_hid_init(&stand.poi, hid_port_sim_port(&stand.wire.port), clock_sim_device(&stand.clock),
+    poi_hid_init(&stand.poi, hid_port_sim_port(&stand.wire.port), sim_clock_device(&stand.clock),
                  (struct hid_mapper){ 0 }, stall_view());
 }
 
@@ -264,7 +264,7 @@ static void test_the_last_report_before_a_silence_is_always_heard(void **state)
         stand.clock.now_ns = 1000000000ull;
         wire_load(&stand.wire, &stand.clock, "010-8bitdo-sn30pro-bt-dinput");
         poi_hid_init(&stand.poi, hid_port_sim_port(&stand.wire.port),
-                     clock_sim_device(&stand.clock), (struct hid_mapper){ 0 }, stall_view());
+                     sim_clock_device(&stand.clock), (struct hid_mapper){ 0 }, stall_view());
         reopen();
         const uint8_t id = wire_put(&stand.wire, -1, USAGE_X, 0x80);
         wire_put(&stand.wire, id, USAGE_Y, 0x80);
@@ -303,7 +303,7 @@ static void test_no_way_of_a_mouse_is_lost_in_a_slow_frame(void **state)
         stand.clock.now_ns = 1000000000ull;
         wire_load(&stand.wire, &stand.clock, "011-dell-413c-301a-mouse");
         poi_hid_init(&stand.poi, hid_port_sim_port(&stand.wire.port),
-                     clock_sim_device(&stand.clock), (struct hid_mapper){ 0 }, stall_view());
+                     sim_clock_device(&stand.clock), (struct hid_mapper){ 0 }, stall_view());
         reopen();
         const uint8_t id = wire_put(&stand.wire, -1, USAGE_X, 0);
         wire_send(&stand.wire, id);
@@ -346,7 +346,7 @@ static void begin_round(void)
     const struct kiosk_config config = { .core = { .seed = 3, .fish_count = 10 } };
     begin();
     stand.hal = null_hal();
-    stand.hal.clock = clock_sim_device(&stand.clock);
+    stand.hal.clock = sim_clock_device(&stand.clock);
     stand.hal.poi[0] = poi_hid_device(&stand.poi);
     assert_int_equal(kiosk_init(&stand.kiosk, &stand.hal, &config), CORE_OK);
     frames(20);

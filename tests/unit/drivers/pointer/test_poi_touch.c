@@ -13,8 +13,8 @@
 #include "core/base/rng.h"
 #include "core/game/control/input_validation.h"
 #include "drivers/pointer/mouse_poi.h"
-#include "drivers/sim/clock_sim.h"
-#include "drivers/sim/touch_sim.h"
+#include "drivers/sim/hal_sim.h"
+#include "drivers/sim/pointer_sim.h"
 #include "tests/unit/support/pointer.h"
 
 /* ---- Fingers -------------------------------------------------------------------------------- */
@@ -137,7 +137,7 @@ static int begin_twin(void **state)
 {
     (void)state;
     twin_clock = (struct clock_sim){ .now_ns = 1000 * MS };
-    touch_sim_init(&sim, clock_sim_device(&twin_clock), stall_view(), WIDTH, HEIGHT);
+    sim_touch_init(&sim, sim_clock_device(&twin_clock), stall_view(), WIDTH, HEIGHT);
     for (uint32_t i = 0; i < SCRIPT; i++) {
         const int second = i > 0 && i % 30 == 0;
         script[i] = (struct touch_event){
@@ -152,8 +152,8 @@ static int begin_twin(void **state)
         };
     }
     sim.events = script;
-    sim.event_count = SCRIPT;
-    twin = touch_sim_device(&sim);
+    sim.feed.count = SCRIPT;
+    twin = sim_touch_device(&sim);
     return twin.ops->open(twin.self);
 }
 
@@ -196,15 +196,15 @@ static void test_a_script_of_fingers_strolls_and_dips(void **state)
 static void test_a_bad_panel_is_still_a_hand(void **state)
 {
     (void)state;
-    sim.double_every = 3;
+    sim.feed.double_every = 3;
     sim.mute_every = 4;
-    sim.jump_at = 77;
-    sim.spoil_from = 200;
-    sim.spoil_to = 800;
-    sim.silent_from_ns = 3000 * MS;
-    sim.silent_to_ns = 4000 * MS;
+    sim.feed.jump_at = 77;
+    sim.feed.spoil_from = 200;
+    sim.feed.spoil_to = 800;
+    sim.feed.silent_from_ns = 3000 * MS;
+    sim.feed.silent_to_ns = 4000 * MS;
     play_out();
-    assert_int_equal(sim.next, SCRIPT);
+    assert_int_equal(sim.feed.next, SCRIPT);
     for (int64_t id = 0; id < 16; id++) {
         const struct touch_event up = { .kind = TOUCH_UP, .id = id };
         touch_fingers_take(&sim.fingers, &up);
@@ -221,12 +221,12 @@ static void test_it_may_be_unplugged_at_any_event(void **state)
     struct poi_sample sample;
     for (uint32_t at = 0; at < SCRIPT; at++) {
         begin_twin(state);
-        sim.unplug_at = at;
-        sim.replug_ns = UINT64_MAX;
+        sim.feed.unplug_at = at;
+        sim.feed.replug_ns = UINT64_MAX;
         assert_int_equal(play_out(), HAL_ERR_GONE);
-        assert_int_equal(sim.next, at);
+        assert_int_equal(sim.feed.next, at);
         assert_int_equal(twin.ops->open(twin.self), HAL_ERR_GONE);
-        sim.replug_ns = twin_clock.now_ns;
+        sim.feed.replug_ns = twin_clock.now_ns;
         assert_int_equal(twin.ops->open(twin.self), HAL_OK);
         assert_int_equal(twin.ops->poll(twin.self, &sample, 1), 1);
         assert_false(sim.fingers.dips);
@@ -245,7 +245,7 @@ static int open_pointer(uint32_t heeds)
     setenv("SDL_VIDEODRIVER", "dummy", 1);
     SDL_InitSubSystem(SDL_INIT_VIDEO);
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
-    mouse_poi_init(&mouse, clock_sim_device(&clock_state), stall_view(), WIDTH, HEIGHT, heeds);
+    mouse_poi_init(&mouse, sim_clock_device(&clock_state), stall_view(), WIDTH, HEIGHT, heeds);
     poi = mouse_poi_device(&mouse);
     return poi.ops->open(poi.self);
 }

@@ -12,7 +12,7 @@
 #include "core/tank/preset.h"
 #include "drivers/hid/poi_hid.h"
 #include "drivers/null.h"
-#include "drivers/sim/buttons_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/storage_sim.h"
 #include "drivers/usb/usb_transport.h"
 #include "platform/kiosk/kiosk.h"
@@ -151,7 +151,7 @@ static int set_up(void **state)
     stall.event[0] = (struct button_event){ .coin_count[0] = COINS };
     stall.buttons =
         (struct buttons_sim){ .clock = stall_clock(), .events = stall.event, .event_count = 1 };
-    stall.hal.buttons = buttons_sim_device(&stall.buttons);
+    stall.hal.buttons = sim_buttons_device(&stall.buttons);
     const struct view view = tank_preset(TANK_PRESET_FESTIVAL)->view;
     poi_hid_init(&stall.poi, usb_transport_port(stall.bench.seats, 0), stall_clock(),
                  (struct hid_mapper){ NULL, NULL }, &view);

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/sim/audio_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "platform/kiosk/audio_output.h"
 
 #define S 1000000000ull
@@ -24,7 +24,7 @@ static int set_up(void **state)
     (void)state;
     memset(&voice, 0, sizeof voice);
     memset(&sim, 0, sizeof sim);
-    audio = audio_sim_device(&sim);
+    audio = sim_audio_device(&sim);
     settings_reset(&settings);
     output.sound_count = 0;
     output_sound(&output, SOUND_DIP, 0.5f, 0.0f);

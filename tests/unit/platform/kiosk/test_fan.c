@@ -11,7 +11,7 @@
 #include "drivers/null.h"
 #include "drivers/pointer/buttons_keyboard.h"
 #include "drivers/pointer/mouse_poi.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/pointer_sim.h"
 #include "platform/kiosk/kiosk.h"
 #include "tests/unit/support/pointer.h"
@@ -33,7 +33,7 @@ static int open_mouse(void **state)
     }
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
     bench_clock.now_ns = 1000 * MS;
-    mouse_poi_init(&mouse, clock_sim_device(&bench_clock), stall_view(), WIDTH, HEIGHT,
+    mouse_poi_init(&mouse, sim_clock_device(&bench_clock), stall_view(), WIDTH, HEIGHT,
                    POINTER_FILTER_MOUSE);
     const struct hal_poi device = mouse_poi_device(&mouse);
     const int opened = device.ops->open(device.self);
@@ -132,7 +132,7 @@ static int open_stall(void **state)
     memset(&rig, 0, sizeof rig);
     rig.clock.now_ns = 1000 * MS;
     rig.hal = null_hal();
-    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.hal.clock = sim_clock_device(&rig.clock);
     pointer_sim_init(&rig.poi, rig.hal.clock, stall_view());
     rig.poi.reports = rig.reports;
     rig.hal.poi[0] = pointer_sim_device(&rig.poi);
@@ -151,7 +151,7 @@ static void frames(uint32_t count)
 static void lead_fan(float x_px, float y_px, uint32_t buttons)
 {
     const uint64_t ms = rig.clock.now_ns / MS;
-    rig.reports[rig.poi.report_count++] = report(ms, x_px, y_px, buttons);
+    rig.reports[rig.poi.feed.count++] = report(ms, x_px, y_px, buttons);
 }
 
 /* A glide of whole pixels at 60 Hz reaches the core as even steps, one a tick. */
@@ -193,8 +193,8 @@ static void test_a_fan_whose_cable_is_pulled_is_gone_and_comes_back(void **state
     (void)state;
     lead_fan(500.0f, 320.0f, POINTER_FAN);
     frames(60);
-    rig.poi.unplug_at = rig.poi.report_count;
-    rig.poi.replug_ns = rig.clock.now_ns + 1500 * MS;
+    rig.poi.feed.unplug_at = rig.poi.feed.count;
+    rig.poi.feed.replug_ns = rig.clock.now_ns + 1500 * MS;
     lead_fan(500.0f, 330.0f, POINTER_FAN);
     frames(2);
     assert_int_equal(rig.kiosk.scene.fan[0].present, 0);

@@ -14,8 +14,7 @@
 
 #include "core/game/menu/menu_pages.h"
 #include "drivers/null.h"
-#include "drivers/sim/clock_sim.h"
-#include "drivers/sim/display_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/storage_sim.h"
 #include "platform/kiosk/run_common.h"
 #include "platform/store/graph_file.h"
@@ -149,8 +148,8 @@ static int set_up(void **state)
     assert_non_null(mkdtemp(rig.data));
     struct hal *hal = &rig.session.hal;
     *hal = null_hal();
-    hal->clock = clock_sim_device(&rig.clock);
-    hal->display = display_sim_device(&rig.display);
+    hal->clock = sim_clock_device(&rig.clock);
+    hal->display = sim_display_device(&rig.display);
     hal->buttons = (struct hal_buttons){ .ops = &buttons };
     hal->storage = storage_sim_device(&rig.storage);
     snprintf(rig.session.options.data, sizeof rig.session.options.data, "%s", rig.data);

@@ -11,10 +11,7 @@
 
 #include "core/tank/preset.h"
 #include "drivers/null.h"
-#include "drivers/sim/audio_sim.h"
-#include "drivers/sim/buttons_sim.h"
-#include "drivers/sim/clock_sim.h"
-#include "drivers/sim/display_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/pointer_sim.h"
 #include "drivers/sim/storage_sim.h"
 #include "platform/kiosk/kiosk.h"
@@ -73,14 +70,14 @@ static int set_up(void **state)
     memset(&rig, 0, sizeof rig);
     rig.clock.now_ns = 1000 * MS;
     rig.hal = null_hal();
-    rig.hal.clock = clock_sim_device(&rig.clock);
-    rig.hal.display = display_sim_device(&rig.display);
+    rig.hal.clock = sim_clock_device(&rig.clock);
+    rig.hal.display = sim_display_device(&rig.display);
     rig.buttons.clock = rig.hal.clock;
-    rig.hal.buttons = buttons_sim_device(&rig.buttons);
+    rig.hal.buttons = sim_buttons_device(&rig.buttons);
     pointer_sim_init(&rig.poi, rig.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     rig.hal.poi[0] = pointer_sim_device(&rig.poi);
     rig.hal.storage = storage_sim_device(&rig.storage);
-    rig.hal.audio = audio_sim_device(&rig.audio);
+    rig.hal.audio = sim_audio_device(&rig.audio);
     rig.hal.watchdog = (struct hal_watchdog){ .ops = &watchdog };
     return kiosk_init(&rig.kiosk, &rig.hal, &small);
 }
@@ -309,7 +306,7 @@ static void glide(uint32_t count, uint64_t step_ms)
         };
     }
     rig.poi.reports = reports;
-    rig.poi.report_count = count;
+    rig.poi.feed.count = count;
 }
 
 static void test_no_pose_is_used_twice_while_the_hand_moves(void **state)
@@ -329,8 +326,8 @@ static void test_a_lost_poi_waits_where_it_is_and_is_found_again_within_a_second
 {
     (void)state;
     glide(1000, 10);
-    rig.poi.unplug_at = 20;
-    rig.poi.replug_ns = 2500 * MS;
+    rig.poi.feed.unplug_at = 20;
+    rig.poi.feed.replug_ns = 2500 * MS;
     frames(30);
     const struct poi_input lost = rig.kiosk.input.poi[0];
     assert_int_equal(lost.link, POI_SOURCE_LOST);
@@ -344,7 +341,7 @@ static void test_a_lost_poi_waits_where_it_is_and_is_found_again_within_a_second
     }
     assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
     assert_true(rig.clock.now_ns < (2500 + 1000 + 20) * MS);
-    assert_in_range(rig.poi.open_count, 3, 5); /* At start, then once a second. */
+    assert_in_range(rig.poi.feed.open_count, 3, 5); /* At start, then once a second. */
 }
 
 static void test_unplugged_at_any_report_the_loop_runs_on(void **state)
@@ -353,10 +350,10 @@ static void test_unplugged_at_any_report_the_loop_runs_on(void **state)
     for (uint32_t at = 0; at < 50; at++) {
         set_up(state);
         glide(100, 3);
-        rig.poi.unplug_at = at;
-        rig.poi.replug_ns = 1500 * MS;
-        rig.poi.double_every = 3;
-        rig.poi.jump_at = at / 2;
+        rig.poi.feed.unplug_at = at;
+        rig.poi.feed.replug_ns = 1500 * MS;
+        rig.poi.feed.double_every = 3;
+        rig.poi.feed.jump_at = at / 2;
         frames(200);
         assert_int_equal(rig.kiosk.input.poi[0].link, POI_SOURCE_LIVE);
         assert_int_equal(rig.kiosk.core.game.tick, 400);
@@ -367,8 +364,8 @@ static void test_silence_holds_the_poi_and_loses_nothing(void **state)
 {
     (void)state;
     glide(1000, 2);
-    rig.poi.silent_from_ns = 1200 * MS;
-    rig.poi.silent_to_ns = 1700 * MS;
+    rig.poi.feed.silent_from_ns = 1200 * MS;
+    rig.poi.feed.silent_to_ns = 1700 * MS;
     frames(30);
     const float held = rig.kiosk.input.poi[0].target.position_m.x;
     frames(5);
@@ -645,7 +642,7 @@ static void test_with_every_device_missing_the_stall_still_runs(void **state)
 {
     (void)state;
     rig.hal = null_hal();
-    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.hal.clock = sim_clock_device(&rig.clock);
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &small), CORE_OK);
     frames(600);
     assert_int_equal(rig.kiosk.core.game.tick, 1200);

@@ -11,7 +11,7 @@
 
 #include "core/game/menu/menu_pages.h"
 #include "drivers/null.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/storage_sim.h"
 #include "platform/kiosk/kiosk.h"
 
@@ -155,7 +155,7 @@ static int set_up(void **state)
     rig.level[HAL_COIN_LOCKOUT] = 1;  /* As a driver begins. */
     rest_at(v3(-0.4f, 0.06f, -0.3f)); /* Over no tag. */
     rig.hal = null_hal();
-    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.hal.clock = sim_clock_device(&rig.clock);
     rig.hal.poi[0] = (struct hal_poi){ .ops = &poi };
     rig.hal.storage = storage_sim_device(&rig.storage);
     rig.hal.buttons = (struct hal_buttons){ .ops = &buttons };

@@ -15,7 +15,7 @@
 
 #include "core/game/control/controller.h"
 #include "drivers/null.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/pointer_sim.h"
 #include "drivers/sim/sensor_sim.h"
 #include "platform/kiosk/kiosk.h"
@@ -48,7 +48,7 @@ static void frame(void)
 {
     rig.clock.now_ns += FRAME_NS;
     rig.report.time_ns = rig.clock.now_ns;
-    rig.pointer.next = 0;
+    rig.pointer.feed.next = 0;
     assert_int_equal(kiosk_frame(&rig.kiosk, &rig.hal), KIOSK_RUNS);
     rig.lost_frames += (uint32_t)controller_is_lost(&rig.kiosk.core.world, 0);
     rig.age_max = seen()->age_ticks > rig.age_max ? seen()->age_ticks : rig.age_max;
@@ -66,7 +66,7 @@ static void open_kiosk(const struct kiosk_config *with)
     memset(&rig, 0, sizeof rig);
     rig.clock.now_ns = 1000 * MS;
     rig.hal = null_hal();
-    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.hal.clock = sim_clock_device(&rig.clock);
     sensor_sim_init(&rig.sensor, rig.hal.clock, 250);
     rig.sensor.hand.position_m = v3(0.05f, 0.06f, 0.02f);
     rig.hal.poi[0] = sensor_sim_device(&rig.sensor);
@@ -200,7 +200,7 @@ static void open_with_pointer(void)
     open_kiosk(&config);
     pointer_sim_init(&rig.pointer, rig.hal.clock, &rig.kiosk.scene.view);
     rig.pointer.reports = &rig.report;
-    rig.pointer.report_count = 1;
+    rig.pointer.feed.count = 1;
     rig.report =
         (struct pointer_report){ .x_px = 640, .y_px = 400, .width_px = 1280, .height_px = 720 };
     rig.hal.poi[0] = pointer_sim_device(&rig.pointer);
@@ -251,10 +251,10 @@ static void test_a_pointer_whose_reports_are_any_bits_stays_a_pointer(void **sta
     (void)state;
     open_with_pointer();
     start_round();
-    rig.pointer.spoil_to = UINT32_MAX;
+    rig.pointer.feed.spoil_to = UINT32_MAX;
     rig.report.width_px = 1280;
     for (uint32_t i = 0; i < 600; i++) {
-        rig.pointer.spoil_from = i % 7u ? 0 : UINT32_MAX;
+        rig.pointer.feed.spoil_from = i % 7u ? 0 : UINT32_MAX;
         frame();
         assert_true(v3_is_finite(seen()->target.position_m));
     }

@@ -14,10 +14,7 @@
 
 #include "core/tank/preset.h"
 #include "drivers/null.h"
-#include "drivers/sim/audio_sim.h"
-#include "drivers/sim/buttons_sim.h"
-#include "drivers/sim/clock_sim.h"
-#include "drivers/sim/display_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/pointer_sim.h"
 #include "drivers/sim/storage_sim.h"
 #include "platform/kiosk/kiosk.h"
@@ -94,16 +91,16 @@ static void open_rig(const char *record_path)
         };
     }
     rig.hal = null_hal();
-    rig.hal.clock = clock_sim_device(&rig.clock);
-    rig.hal.display = display_sim_device(&rig.display);
+    rig.hal.clock = sim_clock_device(&rig.clock);
+    rig.hal.display = sim_display_device(&rig.display);
     rig.buttons = (struct buttons_sim){ .clock = rig.hal.clock, .events = press, .event_count = 1 };
-    rig.hal.buttons = buttons_sim_device(&rig.buttons);
+    rig.hal.buttons = sim_buttons_device(&rig.buttons);
     pointer_sim_init(&rig.poi, rig.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     rig.poi.reports = reports;
-    rig.poi.report_count = 3000;
+    rig.poi.feed.count = 3000;
     rig.hal.poi[0] = pointer_sim_device(&rig.poi);
     rig.hal.storage = storage_sim_device(&rig.storage);
-    rig.hal.audio = audio_sim_device(&rig.audio);
+    rig.hal.audio = sim_audio_device(&rig.audio);
     const struct kiosk_config config = {
         .core = { .seed = 3, .fish_count = 60, .round_s = 10 },
         .tap = recorder_tap(&rig.recorder),
@@ -124,8 +121,8 @@ static void test_the_running_frame_loop_allocates_nothing(void **state)
     assert_true(fd >= 0);
     close(fd);
     open_rig(path);
-    rig.poi.unplug_at = 1200;
-    rig.poi.replug_ns = 10500000000ull;
+    rig.poi.feed.unplug_at = 1200;
+    rig.poi.feed.replug_ns = 10500000000ull;
     const uint32_t before = allocations;
     for (uint32_t i = 0; i < 1200; i++) {
         rig.clock.now_ns += STEP_NS;

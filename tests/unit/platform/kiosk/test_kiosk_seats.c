@@ -9,8 +9,7 @@
 #include <cmocka.h>
 
 #include "drivers/null.h"
-#include "drivers/sim/buttons_sim.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "platform/kiosk/kiosk.h"
 
 #define MS 1000000ull
@@ -104,9 +103,9 @@ static int set_up(void **state)
     rig.clock.now_ns = 1000 * MS;
     rig.told = 1;
     rig.hal = null_hal();
-    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.hal.clock = sim_clock_device(&rig.clock);
     rig.buttons.clock = rig.hal.clock;
-    rig.hal.buttons = buttons_sim_device(&rig.buttons);
+    rig.hal.buttons = sim_buttons_device(&rig.buttons);
     rig.hal.seats.ops = &seats;
     rig.hal.poi[0].ops = &hand;
     return kiosk_init(&rig.kiosk, &rig.hal, &config);

@@ -15,7 +15,7 @@
 #include <sqlite3.h>
 
 #include "drivers/null.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "platform/kiosk/kiosk.h"
 #include "platform/store/storage.h"
 
@@ -120,7 +120,7 @@ static void begin(void)
     rig.clock.now_ns = FRAME_NS;
     rig.storage = (struct storage){ .dir = dir, .by_hand = 1 };
     rig.hal = null_hal();
-    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.hal.clock = sim_clock_device(&rig.clock);
     rig.hal.storage = storage_device(&rig.storage);
     rig.hal.buttons = (struct hal_buttons){ .ops = &buttons };
     rig.hal.switches = (struct hal_switches){ .ops = &switches };

@@ -14,8 +14,8 @@
 #include "core/tank/preset.h"
 #include "drivers/hid/controller_manager.h"
 #include "drivers/null.h"
-#include "drivers/sim/display_sim.h"
-#include "drivers/sim/hid_device_list_sim.h"
+#include "drivers/sim/hal_sim.h"
+#include "drivers/sim/hid_sim.h"
 #include "drivers/sim/storage_sim.h"
 #include "platform/kiosk/kiosk.h"
 #include "tests/unit/support/hid_wire.h"
@@ -135,8 +135,8 @@ static int set_up(void **state)
     hid_device_list_sim_plug(&rig.device_list, ROW, &rig.wire.face);
     hid_mapping_store_open(&rig.book, NULL, NULL, NULL);
     rig.hal = null_hal();
-    rig.hal.clock = clock_sim_device(&rig.clock);
-    rig.hal.display = display_sim_device(&rig.display);
+    rig.hal.clock = sim_clock_device(&rig.clock);
+    rig.hal.display = sim_display_device(&rig.display);
     rig.hal.storage = storage_sim_device(&rig.storage);
     rig.hal.buttons = (struct hal_buttons){ .ops = &buttons };
     rig.hal.switches = (struct hal_switches){ .ops = &switches };

@@ -13,7 +13,7 @@
 #include "core/game/control/controller.h"
 #include "core/tank/preset.h"
 #include "drivers/null.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/pointer_sim.h"
 #include "platform/kiosk/kiosk.h"
 
@@ -38,8 +38,8 @@ static struct mouse_player {
 static void frame(void)
 {
     player.poi.reports = player.reports;
-    player.poi.report_count = player.report_count;
-    player.poi.next = 0;
+    player.poi.feed.count = player.report_count;
+    player.poi.feed.next = 0;
     kiosk_frame(&player.kiosk, &player.hal);
     player.report_count = player.moment_count = 0;
     assert_false(
@@ -81,7 +81,7 @@ static void begin_round(uint32_t seed, uint32_t fish_count)
     player.x_px = 640.0f;
     player.y_px = 330.0f;
     player.hal = null_hal();
-    player.hal.clock = clock_sim_device(&player.clock);
+    player.hal.clock = sim_clock_device(&player.clock);
     pointer_sim_init(&player.poi, player.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     player.hal.poi[0] = pointer_sim_device(&player.poi);
     assert_int_equal(kiosk_init(&player.kiosk, &player.hal, &config), CORE_OK);

@@ -18,8 +18,7 @@
 
 #include "core/tank/preset.h"
 #include "drivers/null.h"
-#include "drivers/sim/buttons_sim.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/pointer_sim.h"
 #include "platform/audio.h"
 #include "platform/kiosk/kiosk.h"
@@ -103,7 +102,7 @@ static void wire_hand(void)
     }
     pointer_sim_init(&rig.poi, rig.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     rig.poi.reports = rig.reports;
-    rig.poi.report_count = REPORT_COUNT;
+    rig.poi.feed.count = REPORT_COUNT;
     rig.hal.poi[0] = pointer_sim_device(&rig.poi);
 }
 
@@ -111,12 +110,12 @@ static void wire_devices(void)
 {
     static const struct button_event press[] = { { .time_ns = 500000000, .pressed = INPUT_START } };
     rig.hal = null_hal();
-    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.hal.clock = sim_clock_device(&rig.clock);
     rig.display.config =
         (struct display_gl_config){ .width = 320, .height = 180, .off_screen = true };
     rig.hal.display = display_gl_device(&rig.display);
     rig.buttons = (struct buttons_sim){ .clock = rig.hal.clock, .events = press, .event_count = 1 };
-    rig.hal.buttons = buttons_sim_device(&rig.buttons);
+    rig.hal.buttons = sim_buttons_device(&rig.buttons);
     rig.storage.dir = rig.folder;
     rig.hal.storage = storage_device(&rig.storage);
     rig.hal.audio = audio_device(&rig.audio);

@@ -16,7 +16,7 @@
 #include "drivers/gamepad/gamepad_poi.h"
 #include "drivers/null.h"
 #include "drivers/pointer/mouse_poi.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "platform/kiosk/kiosk.h"
 #include "tests/unit/support/calm_fish.h"
 
@@ -209,7 +209,7 @@ static int begin(void **state)
     SDL_InitSubSystem(SDL_INIT_VIDEO);
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
     player.hal = null_hal();
-    player.hal.clock = clock_sim_device(&player.clock);
+    player.hal.clock = sim_clock_device(&player.clock);
     return 0;
 }
 

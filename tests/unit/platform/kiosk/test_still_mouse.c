@@ -10,7 +10,7 @@
 
 #include "core/tank/preset.h"
 #include "drivers/null.h"
-#include "drivers/sim/clock_sim.h"
+#include "drivers/sim/hal_sim.h"
 #include "drivers/sim/pointer_sim.h"
 #include "platform/kiosk/kiosk.h"
 
@@ -27,8 +27,8 @@ static void frame(uint64_t frame_ns)
     seat.clock.now_ns += frame_ns;
     seat.report.time_ns = seat.clock.now_ns;
     seat.poi.reports = &seat.report;
-    seat.poi.report_count = 1;
-    seat.poi.next = 0;
+    seat.poi.feed.count = 1;
+    seat.poi.feed.next = 0;
     kiosk_frame(&seat.kiosk, &seat.hal);
 }
 
@@ -41,7 +41,7 @@ static void sit_down(void)
         .x_px = 640.0f, .y_px = 400.0f, .width_px = 1280, .height_px = 720
     };
     seat.hal = null_hal();
-    seat.hal.clock = clock_sim_device(&seat.clock);
+    seat.hal.clock = sim_clock_device(&seat.clock);
     pointer_sim_init(&seat.poi, seat.hal.clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     seat.hal.poi[0] = pointer_sim_device(&seat.poi);
     assert_int_equal(kiosk_init(&seat.kiosk, &seat.hal, &config), CORE_OK);

@@ -84,7 +84,7 @@ static int set_up(void **state)
     memset(&rig, 0, sizeof rig);
     wire_begin(&rig.wire, &rig.clock, poi_descriptor, POI_DESCRIPTOR_SIZE);
     rig.hal = null_hal();
-    rig.hal.clock = clock_sim_device(&rig.clock);
+    rig.hal.clock = sim_clock_device(&rig.clock);
     poi_hid_init(&rig.poi, hid_port_sim_port(&rig.wire.port), rig.hal.clock,
                  (struct hid_mapper){ 0 }, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     rig.hal.poi[0] = poi_hid_device(&rig.poi);

@@ -1,13 +1,15 @@
-/* hid_port_sim.c -- implements a simulated HID connection in memory. */
-#include "drivers/sim/hid_port_sim.h"
+/* hid_sim.c -- implements the simulated HID ports and the simulated device list in memory. */
+#include "drivers/sim/hid_sim.h"
 
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/base/rng.h"
 
 void hid_port_sim_init(struct hid_port_sim *sim, struct hal_clock clock,
                        const struct hid_device_info *face)
 {
+    CORE_ASSERT(clock.ops);
     memset(sim, 0, sizeof *sim);
     sim->clock = clock;
     sim->face = face;
@@ -36,6 +38,7 @@ static void scramble(struct hid_raw *raw, uint32_t number, uint32_t from)
 static void suffer(const struct hid_port_sim *sim, uint8_t kind, uint32_t number,
                    struct hid_raw *raw)
 {
+    CORE_ASSERT(kind < HID_SIM_KIND_COUNT && raw->size <= HID_REPORT_MAX);
     switch (kind) {
     case HID_SIM_GARBAGE:
         scramble(raw, number, 1);
@@ -87,6 +90,7 @@ static void arrive(struct hid_port_sim *sim, const struct hid_raw *raw)
     if (!sim->is_open) {
         return;
     }
+    CORE_ASSERT(sim->ring_first < HID_REPORTS_MAX && sim->ring_count <= HID_REPORTS_MAX);
     if (sim->ring_count == HID_REPORTS_MAX) {
         sim->ring_count--;
         sim->lost_count++;
@@ -103,6 +107,7 @@ static void say_at(struct hid_port_sim *sim, const uint8_t *bytes, uint32_t size
         sim->gone = 1;
         return;
     }
+    CORE_ASSERT(bytes && sim->said_count < HID_SIM_NEVER);
     sim->said_count++;
     raw.size = size < HID_REPORT_MAX ? size : HID_REPORT_MAX;
     memcpy(raw.bytes, bytes, raw.size);
@@ -215,4 +220,112 @@ struct hid_port hid_port_sim_port(struct hid_port_sim *sim)
         .describe = hid_port_sim_describe,
     };
     return (struct hid_port){ .ops = &ops, .self = sim };
+}
+
+/* ---- The device list ------------------------------------------------------------------------ */
+
+void hid_device_list_sim_init(struct hid_device_list_sim *sim,
+                              struct hid_port_sim *const seats[POI_MAX])
+{
+    CORE_ASSERT(seats);
+    memset(sim, 0, sizeof *sim);
+    memcpy(sim->seat, seats, sizeof sim->seat);
+}
+
+/* Attaches the device of `row` to its slot, or to the first free slot. Returns 0 if all slots are
+ * occupied, otherwise 1. */
+static int sit_down(struct hid_device_list_sim *sim, uint32_t row)
+{
+    CORE_ASSERT(row < CONTROLLER_MAX);
+    for (uint32_t i = 0; i < POI_MAX && !sim->taken[row]; i++) {
+        if (sim->seat[i] && !memchr(sim->taken, (int)i + 1, CONTROLLER_MAX)) {
+            sim->taken[row] = (uint8_t)(i + 1u);
+        }
+    }
+    if (!sim->taken[row]) {
+        return 0;
+    }
+    struct hid_port_sim *seat = sim->seat[sim->taken[row] - 1u];
+    seat->face = sim->face[row];
+    seat->absent = sim->face[row] == NULL;
+    return 1;
+}
+
+void hid_device_list_sim_plug(struct hid_device_list_sim *sim, uint32_t row,
+                              const struct hid_device_info *face)
+{
+    CORE_ASSERT(row < CONTROLLER_MAX);
+    if (!face && sim->taken[row]) {
+        sim->seat[sim->taken[row] - 1u]->absent = 1;
+    }
+    if (!face && !sim->chosen[row]) {
+        sim->barred[row] = sim->denied[row] = 0;
+    }
+    sim->face[row] = face;
+    sim->who[row] = face ? face->identity : sim->who[row];
+    if (face && sim->chosen[row]) {
+        sit_down(sim, row);
+    }
+}
+
+static void rows(void *self, struct hid_row out[CONTROLLER_MAX])
+{
+    const struct hid_device_list_sim *sim = self;
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        const uint8_t state = !sim->face[i]     ? sim->chosen[i] ? CONTROLLER_LOST : CONTROLLER_NONE
+                              : sim->barred[i]  ? CONTROLLER_UNSUPPORTED
+                              : !sim->chosen[i] ? CONTROLLER_FREE
+                              : sim->denied[i] || !sim->taken[i] ? CONTROLLER_DENIED
+                                                                 : CONTROLLER_ACTIVE;
+        out[i] = (struct hid_row){ .state = state, .seat = POI_MAX };
+        if (out[i].state != CONTROLLER_NONE) {
+            out[i].identity = sim->face[i] ? sim->face[i]->identity : sim->who[i];
+        }
+        if (sim->taken[i]) {
+            out[i].seat = (uint8_t)(sim->taken[i] - 1u);
+        }
+    }
+}
+
+static int hid_device_list_sim_select(void *self, uint32_t row)
+{
+    struct hid_device_list_sim *sim = self;
+    sim->choose_count++;
+    if (row >= CONTROLLER_MAX || !sim->face[row] || sim->barred[row]) {
+        return HAL_ERR_ABSENT;
+    }
+    if (!sim->denied[row] && !sit_down(sim, row)) {
+        return HAL_ERR_BUSY;
+    }
+    sim->chosen[row] = 1;
+    return HAL_OK;
+}
+
+static int hid_device_list_sim_release(void *self, uint32_t row)
+{
+    struct hid_device_list_sim *sim = self;
+    sim->release_count++;
+    if (row >= CONTROLLER_MAX || !sim->chosen[row]) {
+        return HAL_ERR_ABSENT;
+    }
+    if (sim->taken[row]) {
+        sim->seat[sim->taken[row] - 1u]->absent = 1;
+    }
+    sim->taken[row] = sim->chosen[row] = 0;
+    return HAL_OK;
+}
+
+static const char *describe(void *self)
+{
+    (void)self;
+    return "controllers made of memory";
+}
+
+struct hid_device_list hid_device_list_sim_device(struct hid_device_list_sim *sim)
+{
+    static const struct hid_device_list_ops ops = { .rows = rows,
+                                                    .choose = hid_device_list_sim_select,
+                                                    .release = hid_device_list_sim_release,
+                                                    .describe = describe };
+    return (struct hid_device_list){ .ops = &ops, .self = sim };
 }

@@ -1,0 +1,78 @@
+/* report_feed.c -- implements the position in the reports and the faults of a simulated device. */
+#include "drivers/sim/report_feed.h"
+
+#include <string.h>
+
+#include "core/base/panic.h"
+#include "core/base/rng.h"
+
+struct report_feed report_feed_begin(struct hal_clock clock)
+{
+    CORE_ASSERT(clock.ops);
+    return (struct report_feed){
+        .clock = clock,
+        .unplug_at = REPORT_FEED_NEVER,
+        .jump_at = REPORT_FEED_NEVER,
+    };
+}
+
+uint64_t report_feed_now_ns(const struct report_feed *feed)
+{
+    return feed->clock.ops->now_ns(feed->clock.self);
+}
+
+int report_feed_open(struct report_feed *feed)
+{
+    feed->open_count++;
+    if (!feed->gone) {
+        return 0;
+    }
+    if (report_feed_now_ns(feed) < feed->replug_ns) {
+        return HAL_ERR_GONE;
+    }
+    feed->gone = 0;
+    feed->unplug_at = REPORT_FEED_NEVER;
+    return 1;
+}
+
+bool report_feed_is_silent(const struct report_feed *feed, uint64_t now_ns)
+{
+    return now_ns >= feed->silent_from_ns && now_ns < feed->silent_to_ns;
+}
+
+bool report_feed_take(struct report_feed *feed, struct report_fault *out)
+{
+    const uint32_t index = feed->next;
+    CORE_ASSERT(index < feed->count && !feed->gone);
+    if (index >= feed->unplug_at) {
+        feed->gone = 1;
+        return false;
+    }
+    *out = (struct report_fault){
+        .index = index,
+        .copies = feed->double_every > 0 && index % feed->double_every == 0 ? 2u : 1u,
+        .jumps = index == feed->jump_at,
+        .spoils = index >= feed->spoil_from && index < feed->spoil_to,
+    };
+    feed->next++;
+    return true;
+}
+
+uint32_t report_feed_random(uint32_t stream, uint32_t index, uint32_t what)
+{
+    return rng_u32((struct rng_key){ stream, index, what, RNG_TEST });
+}
+
+float report_feed_random_float(uint32_t stream, uint32_t index, uint32_t what)
+{
+    const uint32_t bits = report_feed_random(stream, index, what);
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+int report_feed_fan_open(void *self)
+{
+    const struct report_feed *feed = self;
+    return feed->gone ? HAL_ERR_GONE : HAL_OK;
+}

@@ -1,0 +1,72 @@
+/* report_feed.h -- plays the reports of a simulated mouse, touch screen or game pad with faults.
+ *
+ * A device plays an array of reports (for the touch screen: finger events) that is sorted by time.
+ * The faults change the input of the real decoder. The caller owns the state and the reports, which
+ * must outlive the device. */
+#ifndef KINGYO_DRIVERS_SIM_REPORT_FEED_H
+#define KINGYO_DRIVERS_SIM_REPORT_FEED_H
+
+#include <stdbool.h>
+
+#include "platform/hal.h"
+
+/* Index of a report that does not exist. A fault at this index never occurs. */
+#define REPORT_FEED_NEVER UINT32_MAX
+
+/* Position of a device in its reports, and the faults of the device. The caller sets `count` and the
+ * faults after the initialization of the device. */
+struct report_feed {
+    struct hal_clock clock;
+    uint32_t count;        /* Number of reports. */
+    uint32_t next;         /* Index of the next report to play. */
+    uint32_t unplug_at;    /* Index of the report before which the device is unplugged;
+                              REPORT_FEED_NEVER means never. */
+    uint64_t replug_ns;    /* Time from which open() finds the device again. */
+    uint32_t double_every; /* Interval n of doubled reports: every n-th report arrives twice. 0
+                              means that no report is doubled. */
+    uint32_t jump_at;      /* Index of the report that jumps to the top right corner (mouse, touch
+                              screen), or in which the sticks jump to a corner (game pad);
+                              REPORT_FEED_NEVER means that there is no such report. */
+    uint32_t spoil_from, spoil_to;         /* Index of the first report with random bits (including
+                                              NaN), and index after the last report with random
+                                              bits. */
+    uint64_t silent_from_ns, silent_to_ns; /* Start and end of the time without reports. The reports
+                                              of this time arrive together at its end. */
+    uint8_t gone;                          /* 1 while the device is unplugged, otherwise 0. */
+    uint32_t open_count;                   /* Number of open() calls. */
+};
+
+/* Faults of one report. */
+struct report_fault {
+    uint32_t index;  /* Index of the report. */
+    uint32_t copies; /* Number of times that the report arrives, 1 or 2. */
+    bool jumps, spoils;
+};
+
+/* Returns a feed without reports and faults. */
+struct report_feed report_feed_begin(struct hal_clock clock);
+
+/* Returns the current time of the feed's clock. */
+uint64_t report_feed_now_ns(const struct report_feed *feed);
+
+/* Opens the device. Returns 1 if the device was plugged in again, 0 if it was present already, or
+ * HAL_ERR_GONE while it is unplugged. */
+int report_feed_open(struct report_feed *feed);
+
+/* Returns true if no reports arrive at `now_ns`. */
+bool report_feed_is_silent(const struct report_feed *feed, uint64_t now_ns);
+
+/* Takes the next report and fills `out`. Returns false if the device is unplugged instead. The
+ * caller guarantees that there is a next report and that the device is present. */
+bool report_feed_take(struct report_feed *feed, struct report_fault *out);
+
+/* Returns 32 random bits. `stream` separates the kinds of devices. */
+uint32_t report_feed_random(uint32_t stream, uint32_t index, uint32_t what);
+/* Returns a float with random bits, which may be infinite or NaN. */
+float report_feed_random_float(uint32_t stream, uint32_t index, uint32_t what);
+
+/* Opens the fan of a mouse or of a game pad (hal_fan_ops.open). `self` starts with the struct
+ * report_feed of the device. */
+int report_feed_fan_open(void *self);
+
+#endif
