@@ -245,6 +245,16 @@ static void feel_pois(const struct core *core, const uint8_t live[POI_MAX], stru
     }
 }
 
+/* Copies the state on which the platform acts to `output`. The copy is not part of the hash. */
+static void report_state(const struct game *game, struct output *output)
+{
+    output->tick = game->tick;
+    output->round_tick = game->round_tick;
+    output->phase = game->phase;
+    output->is_idle =
+        game->phase == PHASE_ATTRACT && game->accounts.ledger.balance.open == PAYMENT_NONE;
+}
+
 enum core_error core_tick(struct core *core, const struct input *input, struct output *output)
 {
     if (core->game.tick % CORE_TICK_HZ == 0 && !float_env_is_standard()) {
@@ -266,7 +276,19 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
         session_restart(&core->game, &core->config);
         open_world(core);
     }
+    report_state(&core->game, output);
     return CORE_OK;
+}
+
+const struct ranking *core_ranking(const struct core *core)
+{
+    return &core->game.accounts.ranking;
+}
+
+int core_final_entry(const struct core *core, const struct input *input, struct ledger_entry *out)
+{
+    return health_log_final(&core->game.accounts, &core->game.health_log, core->game.tick, input,
+                            out);
 }
 
 int core_is_fresh(const struct core *core)

@@ -47,6 +47,13 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
  * core_init() with `core->config` produces exactly the state in `core`. */
 int core_is_fresh(const struct core *core);
 
+/* Returns the ranking of all modes and periods. The ranking changes with each tick. */
+const struct ranking *core_ranking(const struct core *core);
+
+/* Writes the health entry for a regular end of the program to `out`. The entry contains the uptime
+ * and the counts of `input`. Returns 1, or 0 if the kiosk has no store. */
+int core_final_entry(const struct core *core, const struct input *input, struct ledger_entry *out);
+
 /* Fills every field of `scene` from `core`. The state in `core` is not changed. */
 void core_scene(const struct core *core, struct scene *scene);
 

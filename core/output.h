@@ -92,6 +92,12 @@ struct output {
                              dropped. */
     struct sound_event sounds[OUTPUT_SOUND_MAX];
     struct poi_force poi[POI_MAX];
+    uint32_t tick;       /* Number of ticks that the core has run. */
+    uint32_t round_tick; /* Tick at which the newest round started. 0 means no round yet. */
+    uint8_t phase;       /* Phase of the game after the newest tick (enum scene_phase). 0 before the
+                            first tick, which is PHASE_ATTRACT. */
+    uint8_t is_idle;     /* 1 after a tick in attract mode without an open payment. The program may
+                            then restart. Otherwise 0. */
     uint8_t start_lamp;     /* 1 if the START button's lamp is lit, otherwise 0. */
     uint8_t coin_lockout;   /* 1 if coins fall through to the return tray, otherwise 0. */
     uint32_t coins_counted; /* Number of coins counted since the kiosk started. The coin meter in

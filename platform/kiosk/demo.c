@@ -141,10 +141,9 @@ static void write_sheet(struct demo *demo)
 
 /* ---- Main loop ----------------------------------------------------------------------------- */
 
-static int round_is_under_way(const struct core *core)
+static int round_is_under_way(const struct output *output)
 {
-    return core->game.phase == PHASE_ROUND &&
-           core->game.tick - core->game.round_tick >= IN_ROUND_TICKS;
+    return output->phase == PHASE_ROUND && output->tick - output->round_tick >= IN_ROUND_TICKS;
 }
 
 /* Runs frames without pictures until the round is in progress. Before the round, the bot's poi is
@@ -152,10 +151,10 @@ static int round_is_under_way(const struct core *core)
 static enum kiosk_end skip_to_round(struct demo *demo)
 {
     struct run_common *session = demo->session;
-    const struct core *core = &session->kiosk.core;
+    const struct output *output = &session->kiosk.output;
     enum kiosk_end end = KIOSK_RUNS;
-    while (end == KIOSK_RUNS && !*session->stop && !round_is_under_way(core) &&
-           core->game.tick < PRELUDE_TICKS_MAX) {
+    while (end == KIOSK_RUNS && !*session->stop && !round_is_under_way(output) &&
+           output->tick < PRELUDE_TICKS_MAX) {
         end = kiosk_frame(&session->kiosk, &session->hal);
         board_rehearsal_advance(PRELUDE_NS);
     }
@@ -206,7 +205,7 @@ static void print_summary(const struct demo *demo)
     const struct run_common *session = demo->session;
     const struct kiosk *kiosk = &session->kiosk;
     const struct timing *frame = &kiosk->work_time;
-    const double ticks = kiosk->core.game.tick > 0 ? kiosk->core.game.tick : 1;
+    const double ticks = kiosk->output.tick > 0 ? kiosk->output.tick : 1;
     const double share = frame->sum_ns > 0 ? (double)kiosk->core_ns / (double)frame->sum_ns : 0.0;
     printf("Kingyo %s: %.0f s %s, seed %u, %u fish\n", KINGYO_VERSION,
            (double)demo->now_ns / (double)NS_PER_S,
@@ -218,7 +217,7 @@ static void print_summary(const struct demo *demo)
                    kiosk->scene.caught[i], 100.0 * (double)kiosk->scene.poi[i].paper_left);
         }
     }
-    printf("  ticks         %u, %llu dropped\n", kiosk->core.game.tick,
+    printf("  ticks         %u, %llu dropped\n", kiosk->output.tick,
            (unsigned long long)kiosk->pace.dropped);
     printf("  frames        %llu of %ux%u%s; frame time median %.1f ms, p99 %.1f ms\n",
            (unsigned long long)kiosk->frames, demo->width, demo->height,

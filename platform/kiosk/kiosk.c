@@ -176,8 +176,8 @@ static void show_encore(struct kiosk *kiosk, const struct hal *hal, uint32_t tic
         score_playback_request(playback, kiosk->wanted_replay_id);
         kiosk->wanted_replay_id = 0;
     }
-    score_playback_frame(playback, hal, &kiosk->config.stopwatch,
-                         &kiosk->core.game.accounts.ranking, tick_count);
+    score_playback_frame(playback, hal, &kiosk->config.stopwatch, core_ranking(&kiosk->core),
+                         tick_count);
     score_playback_show(playback, &kiosk->scene, &kiosk->output);
 }
 
@@ -235,7 +235,7 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     if (tick_due > 0) {
         time_reports(kiosk, hal);
     }
-    dimmer_notice(&kiosk->dimmer, &kiosk->input, kiosk->core.game.phase == PHASE_ATTRACT);
+    dimmer_notice(&kiosk->dimmer, &kiosk->input, kiosk->output.phase == PHASE_ATTRACT);
     const uint64_t core_begin_ns = stopwatch_ns(kiosk);
     const uint32_t tick_count = run_ticks(kiosk, tick_due);
     show_encore(kiosk, hal, tick_count);
@@ -258,8 +258,7 @@ static void tell_last_word(struct kiosk *kiosk, const struct hal *hal)
 {
     struct ledger_entry entry;
     if (!kiosk->config.source.next && saving_is_done(&kiosk->saving, &kiosk->output) &&
-        health_log_final(&kiosk->core.game.accounts, &kiosk->core.game.health_log,
-                         kiosk->core.game.tick, &kiosk->input, &entry)) {
+        core_final_entry(&kiosk->core, &kiosk->input, &entry)) {
         hal->storage.ops->append(hal->storage.self, &entry);
     }
 }

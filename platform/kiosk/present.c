@@ -14,7 +14,7 @@ void present_view(struct kiosk *kiosk, const struct hal *hal)
 {
     const struct display_settings display_settings =
         dimmer_step(&kiosk->dimmer, &kiosk->core.config.persistent.settings, &kiosk->input,
-                    kiosk->core.game.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
+                    kiosk->output.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
     if (memcmp(&kiosk->display_settings, &display_settings, sizeof display_settings) == 0 &&
         memcmp(&kiosk->view, &kiosk->scene.view, sizeof kiosk->view) == 0) {
         return;
@@ -31,7 +31,7 @@ static void present_sounds(struct kiosk *kiosk, const struct hal *hal)
 {
     kiosk->faults.audio += audio_output_play(
         &kiosk->voice, &hal->audio, &kiosk->output, &kiosk->core.config.persistent.settings,
-        kiosk->core.game.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
+        kiosk->output.phase == PHASE_ATTRACT, hal_now_ns(hal->clock));
 }
 
 /* Sends the start lamp, the coin lockout, the coin counter and the tickets to the driver. A replay
@@ -76,9 +76,7 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
  * restart, because a credit cannot be played before it is stored. */
 static int is_called_back(struct kiosk *kiosk, const struct hal *hal)
 {
-    return kiosk->core.game.phase == PHASE_ATTRACT && !kiosk->config.source.next &&
-           !kiosk->config.tap.tick &&
-           kiosk->core.game.accounts.ledger.balance.open == PAYMENT_NONE &&
+    return kiosk->output.is_idle && !kiosk->config.source.next && !kiosk->config.tap.tick &&
            hal->storage.ops->wants_restart(hal->storage.self) &&
            offline_flush_step(&kiosk->late, &hal->storage, &kiosk->core);
 }

@@ -88,13 +88,13 @@ static enum exit_code tell_end(struct run_common *session, enum kiosk_end end)
     const uint32_t lost = kiosk_close_store(kiosk, &session->hal);
     if (end == KIOSK_DISPLAY_LOST) {
         log_print(LOG_LEVEL_ERROR, "the display was lost after %u s: %s",
-                  kiosk->core.game.tick / CORE_TICK_HZ,
+                  kiosk->output.tick / CORE_TICK_HZ,
                   session->hal.display.ops->describe(session->hal.display.self));
     }
     printf("%llu frames, median %.1f ms, p99 %.1f ms; %u ticks, %llu dropped; device faults %u\n",
            (unsigned long long)kiosk->frames,
            (double)timing_quantile_ns(&kiosk->frame_time, 0.5) * 1e-6,
-           (double)timing_quantile_ns(&kiosk->frame_time, 0.99) * 1e-6, kiosk->core.game.tick,
+           (double)timing_quantile_ns(&kiosk->frame_time, 0.99) * 1e-6, kiosk->output.tick,
            (unsigned long long)kiosk->pace.dropped, kiosk_fault_count(&kiosk->faults));
     tell_work(kiosk);
     tell_reports(kiosk);
@@ -216,7 +216,7 @@ static void shoot_if_due(struct run_common *session, uint32_t *shots)
     char path[OPTIONS_PATH_MAX + 32];
     struct hal_image image;
     if (session->options.shots[0] && *shots < UINT32_MAX &&
-        session->kiosk.core.game.tick >= (*shots + 1) * SHOT_TICKS) {
+        session->kiosk.output.tick >= (*shots + 1) * SHOT_TICKS) {
         snprintf(path, sizeof path, "%s/shot-%04u.png", session->options.shots, ++*shots);
         if (run_common_shot(session, path, &image)) {
             *shots = UINT32_MAX;

@@ -26,7 +26,7 @@ static void open_seat(struct kiosk *kiosk, const struct hal *hal, uint32_t seat,
  * is shown, so that no player loses a controller during a game. */
 static void arrange_seats(struct kiosk *kiosk, const struct hal *hal)
 {
-    const uint8_t phase = kiosk->core.game.phase;
+    const uint8_t phase = kiosk->output.phase;
     const int may_move = phase == PHASE_ATTRACT || phase == PHASE_MENU;
     const uint32_t moved = hal->seats.ops->arrange(hal->seats.self, may_move);
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -51,7 +51,7 @@ void sample_open(struct kiosk *kiosk, const struct hal *hal)
  * In the operator's menu the key goes back one page. */
 static void heed_quit(struct kiosk *kiosk, const struct button_sample *buttons)
 {
-    const int is_menu = kiosk->core.game.phase == PHASE_MENU;
+    const int is_menu = kiosk->output.phase == PHASE_MENU;
     if (buttons->pressed != 0 || is_menu) {
         kiosk->quit_until_ns = 0;
     }

@@ -46,9 +46,9 @@ static void take_devices(struct status_report *report, const struct hal *hal)
 void status_take(struct status_report *report, const struct kiosk *kiosk, const struct hal *hal)
 {
     const struct core *core = &kiosk->core;
-    report->up_s = core->game.tick / CORE_TICK_HZ;
+    report->up_s = kiosk->output.tick / CORE_TICK_HZ;
     report->boot = core->config.persistent.ledger.boots;
-    report->phase = core->game.phase;
+    report->phase = kiosk->output.phase;
     report->players = core->config.players;
     report->balance = core->game.accounts.ledger.balance;
     report->tickets_out = core->game.accounts.audits.count[AUDIT_TICKETS_OUT];
@@ -57,7 +57,7 @@ void status_take(struct status_report *report, const struct kiosk *kiosk, const 
     report->store_well = kiosk->input.store_well;
     report->frames = kiosk->frames;
     report->dropped_ticks = kiosk->pace.dropped;
-    report->ticks = core->game.tick;
+    report->ticks = kiosk->output.tick;
     report->frame_median_ns = timing_quantile_ns(&kiosk->frame_time, 0.5);
     report->frame_p99_ns = timing_quantile_ns(&kiosk->frame_time, 0.99);
     report->faults = kiosk->faults;

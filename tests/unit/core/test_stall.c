@@ -101,6 +101,10 @@ static void test_a_wild_minute_of_four_pois_creates_and_loses_no_fish(void **sta
         }
         input.pressed = tick == 10 ? INPUT_START : 0;
         core_tick(&core, &input, &output);
+        assert_int_equal(output.tick, core.game.tick);
+        assert_int_equal(output.phase, core.game.phase);
+        assert_int_equal(output.round_tick, core.game.round_tick);
+        assert_int_equal(output.is_idle, core.game.phase == PHASE_ATTRACT);
         output.sound_count = 0;
         count_all();
     }

@@ -237,6 +237,7 @@ static void test_lost_for_good_the_seat_is_the_mouses_in_the_next_game(void **st
         assert_true(is_lost());
     }
     stall.kiosk.core.game.phase = PHASE_ATTRACT; /* As after a minute. */
+    stall.kiosk.output.phase = PHASE_ATTRACT;
     until(mouse_sits);
 }
 
