@@ -322,28 +322,37 @@ static int null_offline_merged(void *self)
 
 struct hal_storage null_storage(const char *line)
 {
-    static const struct hal_storage_ops ops = {
+    static const struct hal_ledger_ops ledger = {
         .open = null_open,
         .load = null_load,
         .append = null_append,
-        .store_replay = null_store_replay,
-        .stored_replay_id = null_none,
-        .fetch_replay = null_fetch_replay,
-        .replay_fetched = null_replay_fetched,
-        .has_replay = null_has_replay,
-        .saved_id = null_none,
-        .store_edit = null_store_edit,
-        .stored_edit_id = null_none,
-        .edits_failed = null_edits_failed,
+        .committed_id = null_none,
+        .failed_count = null_none,
         .is_healthy = null_is_healthy,
-        .wants_restart = null_is_healthy,
+        .needs_restart = null_is_healthy,
         .merge_offline = null_merge_offline,
         .offline_merged = null_offline_merged,
-        .refused_count = null_none,
         .describe = null_describe,
         .close = null_none,
     };
-    return (struct hal_storage){ .ops = &ops, .self = line_self(line) };
+    static const struct hal_replay_store_ops replays = {
+        .store = null_store_replay,
+        .stored_id = null_none,
+        .fetch = null_fetch_replay,
+        .fetched = null_replay_fetched,
+        .has = null_has_replay,
+    };
+    static const struct hal_edit_store_ops edits = {
+        .store = null_store_edit,
+        .stored_id = null_none,
+        .has_failed = null_edits_failed,
+    };
+    void *self = line_self(line);
+    return (struct hal_storage){
+        .ledger = { &ledger, self },
+        .replays = { &replays, self },
+        .edits = { &edits, self },
+    };
 }
 
 static uint8_t null_watches(void *self)

@@ -234,7 +234,10 @@ struct balance_change {
     struct balance from, to;
 };
 
-struct hal_storage_ops {
+/* Functions of the ledger, the append-only list of money events and rounds, and of the disk that
+ * holds the ledger, the replays and the edits. */
+struct hal_ledger_ops {
+    /* Opens the ledger, the replay store and the edit store. */
     int (*open)(void *self);
     /* Loads the persistent state at program start and sets ledger.boots to the number of this
      * program start. A setting that was never changed in the menu keeps its value in `out`. If
@@ -243,49 +246,61 @@ struct hal_storage_ops {
     /* Queues the next ledger entry. Each entry's id must be greater than the previous id. Copies
      * `entry`. Returns HAL_ERR_BUSY if the queue is full; the caller retries in the next frame. */
     int (*append)(void *self, const struct ledger_entry *entry);
-    uint32_t (*saved_id)(void *self); /* Returns the id of the newest ledger entry that is on disk.
-                                         The value never decreases. */
-    /* Stores the replay of the round whose ledger entry has the id `round_id`. Only ranked rounds
-     * have a replay. The caller must not change `bytes` until stored_replay_id() returns
-     * `round_id`, or until a later call of store_replay() is accepted. Returns HAL_ERR_BUSY while
-     * another replay is being written. */
-    int (*store_replay)(void *self, uint32_t round_id, const uint8_t *bytes, size_t size);
-    uint32_t (*stored_replay_id)(void *self); /* Returns the newest round id whose replay was
-                                                 written or abandoned. */
-    /* Starts to load the replay of a round and its ledger entry. The buffers `bytes` (of `size`
-     * bytes) and `round` must stay valid while replay_fetched() returns HAL_ERR_BUSY. Sets the
-     * entry's id to 0 if the ledger no longer has the entry. */
-    int (*fetch_replay)(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
-                        struct ledger_entry *round);
-    int (*replay_fetched)(void *self);
-    int (*has_replay)(void *self, uint32_t round_id); /* Returns 1 if the replay of the ranked round
-                                                         `round_id` is on disk, otherwise 0. */
-    /* Queues an edit of the growth lab. Copies `edit`. Returns HAL_ERR_BUSY if the queue is full;
-     * the caller retries in the next frame. */
-    int (*store_edit)(void *self, const struct graph_edit_record *edit);
-    uint32_t (*stored_edit_id)(void *self); /* Returns the id of the newest edit that is on disk. */
-    int (*edits_failed)(void *self);        /* Returns 1 if edits cannot be stored, or if the
-                                               last write of an edit failed, otherwise 0. */
-    uint32_t (*refused_count)(void *self);  /* Returns the number of writes that failed since
-                                               open(). */
-    int (*is_healthy)(
-        void *self); /* Returns 1 if entries are stored and the last write succeeded, otherwise
-                        0. */
+    /* Returns the id of the newest ledger entry that is on disk. The value never decreases. */
+    uint32_t (*committed_id)(void *self);
+    /* Returns the number of writes of entries, replays and edits that failed since open(). */
+    uint32_t (*failed_count)(void *self);
+    /* Returns 1 if entries are stored and the last write succeeded, otherwise 0. */
+    int (*is_healthy)(void *self);
     /* Returns 1 if there was no store at program start and a store is available now, otherwise 0.
      * The program must restart to use the new store. */
-    int (*wants_restart)(void *self);
-    /* Adds offline credits to the store that wants_restart() reported. `entries` has 1 .. 16 ledger
+    int (*needs_restart)(void *self);
+    /* Adds offline credits to the store that needs_restart() reported. `entries` has 1 .. 16 ledger
      * entries for coins that were inserted while there was no store. `step` is the change of the
      * balance. The store sets the ids, boot numbers and balances of the entries. Copies all
      * arguments. Returns HAL_ERR_BUSY while earlier entries are being written. */
     int (*merge_offline)(void *self, const struct balance_change *step,
                          const struct ledger_entry *entries, uint32_t count);
-    int (*offline_merged)(void *self); /* Returns HAL_OK if all entries accepted by merge_offline()
-                                          are on disk, otherwise HAL_ERR_BUSY. */
+    /* Returns HAL_OK if all entries accepted by merge_offline() are on disk, otherwise
+     * HAL_ERR_BUSY. */
+    int (*offline_merged)(void *self);
     const char *(*describe)(void *self);
-    /* Writes the entries that append() and store_edit() accepted, then closes the store. May block
-     * for a few seconds. Returns the number of entries and edits that could not be written. */
+    /* Writes the entries and edits that append() and hal_edit_store_ops.store() accepted, then
+     * closes all three stores. May block for a few seconds. Returns the number of entries and edits
+     * that could not be written. */
     uint32_t (*close)(void *self);
+};
+
+/* Functions of the store of replays. Only ranked rounds have a replay. A replay is identified by
+ * the id of its round's ledger entry. */
+struct hal_replay_store_ops {
+    /* Stores the replay of the round `round_id`. The caller must not change `bytes` until
+     * stored_id() returns `round_id`, or until a later call of store() is accepted. Returns
+     * HAL_ERR_BUSY while another replay is being written. */
+    int (*store)(void *self, uint32_t round_id, const uint8_t *bytes, size_t size);
+    /* Returns the newest round id whose replay was written or abandoned. */
+    uint32_t (*stored_id)(void *self);
+    /* Starts to load the replay of a round and its ledger entry. The buffers `bytes` (of `size`
+     * bytes) and `round` must stay valid while fetched() returns HAL_ERR_BUSY. Sets the entry's id
+     * to 0 if the ledger no longer has the entry. */
+    int (*fetch)(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
+                 struct ledger_entry *round);
+    /* Returns the size in bytes of the loaded replay, HAL_ERR_BUSY while the replay is being
+     * loaded, or HAL_ERR_ABSENT if there is no such replay. */
+    int (*fetched)(void *self);
+    /* Returns 1 if the replay of the ranked round `round_id` is on disk, otherwise 0. */
+    int (*has)(void *self, uint32_t round_id);
+};
+
+/* Functions of the store of the growth lab's edits. */
+struct hal_edit_store_ops {
+    /* Queues an edit. Copies `edit`. Returns HAL_ERR_BUSY if the queue is full; the caller retries
+     * in the next frame. */
+    int (*store)(void *self, const struct graph_edit_record *edit);
+    /* Returns the id of the newest edit that is on disk. */
+    uint32_t (*stored_id)(void *self);
+    /* Returns 1 if edits cannot be stored, or if the last write of an edit failed, otherwise 0. */
+    int (*has_failed)(void *self);
 };
 
 struct hal_watchdog_ops {
@@ -307,9 +322,18 @@ struct hal_buttons { const struct hal_buttons_ops *ops; void *self; };
 struct hal_switches { const struct hal_switches_ops *ops; void *self; };
 struct hal_controllers { const struct hal_controllers_ops *ops; void *self; };
 struct hal_audio { const struct hal_audio_ops *ops; void *self; };
-struct hal_storage { const struct hal_storage_ops *ops; void *self; };
+struct hal_ledger { const struct hal_ledger_ops *ops; void *self; };
+struct hal_replay_store { const struct hal_replay_store_ops *ops; void *self; };
+struct hal_edit_store { const struct hal_edit_store_ops *ops; void *self; };
 struct hal_watchdog { const struct hal_watchdog_ops *ops; void *self; };
 /* clang-format on */
+
+/* The three stores of one folder or card. One constructor makes all of them. */
+struct hal_storage {
+    struct hal_ledger ledger;
+    struct hal_replay_store replays;
+    struct hal_edit_store edits;
+};
 
 /* Returns the clock's time in nanoseconds, or 0 if there is no clock. */
 static inline uint64_t hal_now_ns(struct hal_clock clock)

@@ -26,7 +26,7 @@ void board_release_store(struct hal *hal)
 {
     hal->audio.ops->close(hal->audio.self);
     /* The store may already be closed; a second close() has no effect. */
-    hal->storage.ops->close(hal->storage.self);
+    hal->storage.ledger.ops->close(hal->storage.ledger.self);
     panel_close();
     hands_close();
     usb_close();

@@ -27,7 +27,7 @@ void store_open(struct hal *hal, const struct board_options *options)
         devices.storage.dir = options->data_dir;
         devices.storage.chore = pin_sweep_chore(&devices.sweep);
         hal->storage = storage_device(&devices.storage);
-        hal->storage.ops->open(hal->storage.self);
+        hal->storage.ledger.ops->open(hal->storage.ledger.self);
     } else {
         hal->storage = null_storage("no store: HOME is not set; --data DIR keeps the scores");
     }

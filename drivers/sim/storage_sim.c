@@ -89,7 +89,7 @@ static int storage_sim_append(void *self, const struct ledger_entry *entry)
     return HAL_OK;
 }
 
-static uint32_t storage_sim_saved_id(void *self)
+static uint32_t storage_sim_committed_id(void *self)
 {
     struct storage_sim *sim = self;
     return sim->polls_since++ >= sim->delay_polls ? sim->entry.id : 0;
@@ -136,7 +136,7 @@ static const char *storage_sim_describe(void *self)
     return "simulated store";
 }
 
-static uint32_t storage_sim_refused_count(void *self)
+static uint32_t storage_sim_failed_count(void *self)
 {
     const struct storage_sim *sim = self;
     return sim->write_refused_count;
@@ -155,10 +155,10 @@ static uint32_t storage_sim_close(void *self)
     return 0;
 }
 
-static int storage_sim_wants_restart(void *self)
+static int storage_sim_needs_restart(void *self)
 {
     const struct storage_sim *sim = self;
-    return sim->wants_restart;
+    return sim->needs_restart;
 }
 
 static int storage_sim_merge_offline(void *self, const struct balance_change *step,
@@ -171,11 +171,11 @@ static int storage_sim_merge_offline(void *self, const struct balance_change *st
     for (uint32_t i = 0; i < count; i++) {
         audits_note(&sim->late, &entries[i]);
     }
-    sim->late_purse.units += step->to.units - step->from.units;
-    sim->late_purse.bonus_units += step->to.bonus_units - step->from.bonus_units;
-    sim->late_purse.paid += step->to.paid - step->from.paid;
-    sim->late_purse.service += step->to.service - step->from.service;
-    sim->late_purse.unlogged += step->to.unlogged - step->from.unlogged;
+    sim->late_balance.units += step->to.units - step->from.units;
+    sim->late_balance.bonus_units += step->to.bonus_units - step->from.bonus_units;
+    sim->late_balance.paid += step->to.paid - step->from.paid;
+    sim->late_balance.service += step->to.service - step->from.service;
+    sim->late_balance.unlogged += step->to.unlogged - step->from.unlogged;
     sim->late_polls_left = sim->late_polls;
     return HAL_OK;
 }
@@ -189,26 +189,34 @@ static int storage_sim_offline_merged(void *self)
 
 struct hal_storage storage_sim_device(struct storage_sim *sim)
 {
-    static const struct hal_storage_ops ops = {
+    static const struct hal_ledger_ops ledger = {
         .open = storage_sim_open,
         .load = storage_sim_load,
         .append = storage_sim_append,
-        .store_replay = storage_sim_store_replay,
-        .stored_replay_id = storage_sim_stored_replay_id,
-        .fetch_replay = storage_sim_fetch_replay,
-        .replay_fetched = storage_sim_replay_fetched,
-        .has_replay = storage_sim_has_replay,
-        .saved_id = storage_sim_saved_id,
-        .store_edit = storage_sim_store_edit,
-        .stored_edit_id = storage_sim_stored_edit_id,
-        .edits_failed = storage_sim_edits_failed,
-        .refused_count = storage_sim_refused_count,
+        .committed_id = storage_sim_committed_id,
+        .failed_count = storage_sim_failed_count,
         .is_healthy = storage_sim_is_healthy,
-        .wants_restart = storage_sim_wants_restart,
+        .needs_restart = storage_sim_needs_restart,
         .merge_offline = storage_sim_merge_offline,
         .offline_merged = storage_sim_offline_merged,
         .describe = storage_sim_describe,
         .close = storage_sim_close,
     };
-    return (struct hal_storage){ .ops = &ops, .self = sim };
+    static const struct hal_replay_store_ops replays = {
+        .store = storage_sim_store_replay,
+        .stored_id = storage_sim_stored_replay_id,
+        .fetch = storage_sim_fetch_replay,
+        .fetched = storage_sim_replay_fetched,
+        .has = storage_sim_has_replay,
+    };
+    static const struct hal_edit_store_ops edits = {
+        .store = storage_sim_store_edit,
+        .stored_id = storage_sim_stored_edit_id,
+        .has_failed = storage_sim_edits_failed,
+    };
+    return (struct hal_storage){
+        .ledger = { &ledger, sim },
+        .replays = { &replays, sim },
+        .edits = { &edits, sim },
+    };
 }

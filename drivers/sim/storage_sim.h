@@ -15,29 +15,29 @@ struct storage_sim {
     struct graph_edit_record edit; /* Last accepted edit of a species. */
     uint32_t accepted_count;
     uint32_t refused_count;
-    /* Result of refused_count(): the number of entries that could not be written to disk. */
+    /* Result of failed_count(): the number of entries that could not be written to disk. */
     uint32_t write_refused_count;
     uint32_t busy_left;   /* Number of further writes that return HAL_ERR_BUSY. */
     int edit_failed;      /* 1 if the last edit could not be stored, otherwise 0. */
     uint32_t fail_left;   /* Number of further writes that return HAL_ERR_IO, after the writes that
                              return HAL_ERR_BUSY. */
-    uint32_t delay_polls; /* Number of saved_id() calls before an accepted entry counts as on
+    uint32_t delay_polls; /* Number of committed_id() calls before an accepted entry counts as on
                              disk. */
-    uint32_t polls_since; /* Number of saved_id() calls after the last accepted entry. */
+    uint32_t polls_since; /* Number of committed_id() calls after the last accepted entry. */
     uint8_t *replay;      /* Buffer for one replay, owned by the caller; null means that replays are
                              not stored. */
     size_t replay_room;
     uint32_t replay_id; /* Id of the round whose replay is stored; 0 means none. */
     size_t replay_size;
-    /* Number of further calls of stored_replay_id() or replay_fetched() until the replay is stored
+    /* Number of further calls of stored_id() or fetched() until the replay is stored
      * or fetched. */
     uint32_t replay_polls_left;
-    uint32_t replay_asked_id;       /* Round id in the last call of fetch_replay(). */
+    uint32_t replay_asked_id;       /* Round id in the last call of fetch(). */
     struct persistent_state memory; /* Result of load(): the state at the program start. */
-    int wants_restart;              /* Result of wants_restart(): 1 if a store became available
+    int needs_restart;              /* Result of needs_restart(): 1 if a store became available
                                        after the program start, otherwise 0. */
     struct audits late;             /* Sums of the ledger entries that merge_offline() received. */
-    struct balance late_purse;      /* Sum of the balance changes that merge_offline() received. */
+    struct balance late_balance;    /* Sum of the balance changes that merge_offline() received. */
     uint32_t late_polls;            /* Value for `late_polls_left` at each merge_offline(): the
                                        number of offline_merged() calls until the merged entries are
                                        on disk. */

@@ -259,7 +259,7 @@ static void tell_last_word(struct kiosk *kiosk, const struct hal *hal)
     struct ledger_entry entry;
     if (!kiosk->config.source.next && saving_is_done(&kiosk->saving, &kiosk->output) &&
         core_final_entry(&kiosk->core, &kiosk->input, &entry)) {
-        hal->storage.ops->append(hal->storage.self, &entry);
+        hal->storage.ledger.ops->append(hal->storage.ledger.self, &entry);
     }
 }
 
@@ -268,7 +268,7 @@ uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal)
     const int is_replay = kiosk->config.source.next != NULL;
     const uint32_t waiting = is_replay ? 0 : kiosk->output.entry_id - kiosk->saving.accepted_id;
     tell_last_word(kiosk, hal);
-    const uint32_t unwritten = hal->storage.ops->close(hal->storage.self);
-    kiosk->faults.storage += saving_refused(&kiosk->saving, &hal->storage);
+    const uint32_t unwritten = hal->storage.ledger.ops->close(hal->storage.ledger.self);
+    kiosk->faults.storage += saving_refused(&kiosk->saving, &hal->storage.ledger);
     return unwritten + waiting;
 }

@@ -96,24 +96,24 @@ static int offline_flush_is_same(const struct balance *a, const struct balance *
 
 /* Returns 1 if no transfer is in progress, otherwise 0. When the store has written a transfer,
  * records its amounts as transferred. */
-static int is_written(struct offline_flush *flush, const struct hal_storage *storage)
+static int is_written(struct offline_flush *flush, const struct hal_ledger *store)
 {
-    if (flush->is_asked && storage->ops->offline_merged(storage->self) == HAL_OK) {
+    if (flush->is_asked && store->ops->offline_merged(store->self) == HAL_OK) {
         flush->told = flush->asked;
-        flush->told_purse = flush->asked_purse;
+        flush->told_balance = flush->asked_balance;
         flush->is_asked = 0;
     }
     return !flush->is_asked;
 }
 
-int offline_flush_step(struct offline_flush *flush, const struct hal_storage *storage,
+int offline_flush_step(struct offline_flush *flush, const struct hal_ledger *store,
                        const struct core *core)
 {
     struct batch batch = { .core = core };
-    if (!is_written(flush, storage)) {
+    if (!is_written(flush, store)) {
         return 0;
     }
-    const struct balance_change step = { flush->told_purse, core->game.accounts.ledger.balance };
+    const struct balance_change step = { flush->told_balance, core->game.accounts.ledger.balance };
     add_coins(&batch, flush);
     add_credits(&batch, flush);
     add_tickets(&batch, flush);
@@ -125,12 +125,12 @@ int offline_flush_step(struct offline_flush *flush, const struct hal_storage *st
                                 0); /* A health entry without counts only stores the changed
                                        balance. */
     }
-    if (storage->ops->merge_offline(storage->self, &step, batch.entries, batch.count) == HAL_OK) {
+    if (store->ops->merge_offline(store->self, &step, batch.entries, batch.count) == HAL_OK) {
         flush->asked = flush->told;
         for (uint32_t i = 0; i < batch.count; i++) {
             audits_note(&flush->asked, &batch.entries[i]);
         }
-        flush->asked_purse = step.to;
+        flush->asked_balance = step.to;
         flush->is_asked = 1;
     }
     return 0;

@@ -14,19 +14,19 @@
 
 /* State of the transfer. A structure of zeros means that nothing has been transferred. */
 struct offline_flush {
-    struct audits told;        /* Part of this kiosk's audits that the store has written to disk. */
-    struct balance told_purse; /* Part of this kiosk's balance that the store has written to
+    struct audits told; /* Part of this kiosk's audits that the store has written to disk. */
+    struct balance told_balance; /* Part of this kiosk's balance that the store has written to
                                   disk. */
-    struct audits asked;       /* Part of this kiosk's audits that will be on disk when the current
+    struct audits asked; /* Part of this kiosk's audits that will be on disk when the current
                                   write succeeds. */
-    struct balance asked_purse;
+    struct balance asked_balance;
     uint8_t is_asked;
 };
 
 /* Transfers the amounts that are not yet on disk. Call once per frame while a new store exists and
  * no game runs. Returns 1 if all amounts are on disk, so that the kiosk may restart in this frame.
  * Otherwise returns 0. */
-int offline_flush_step(struct offline_flush *flush, const struct hal_storage *storage,
+int offline_flush_step(struct offline_flush *flush, const struct hal_ledger *store,
                        const struct core *core);
 
 #endif

@@ -52,11 +52,12 @@ static void name_devices(struct scene_devices *devices, const struct hal *hal)
 static struct scene_file store_row(const struct hal_storage *store)
 {
     struct scene_file row = {
-        .state = store->ops->is_healthy(store->self) && !store->ops->edits_failed(store->self)
+        .state = store->ledger.ops->is_healthy(store->ledger.self) &&
+                         !store->edits.ops->has_failed(store->edits.self)
                      ? FILE_USED
                      : FILE_REFUSED,
     };
-    copy_line(row.words, sizeof row.words, store->ops->describe(store->self));
+    copy_line(row.words, sizeof row.words, store->ledger.ops->describe(store->ledger.self));
     return row;
 }
 
@@ -86,7 +87,7 @@ static void tell_about(struct scene_devices *devices, const struct hal *hal)
     const char *const lines[ABOUT_COUNT] = {
         [ABOUT_DISPLAY] = hal->display.ops->describe(hal->display.self),
         [ABOUT_SOUND] = hal->audio.ops->describe(hal->audio.self),
-        [ABOUT_STORE] = hal->storage.ops->describe(hal->storage.self),
+        [ABOUT_STORE] = hal->storage.ledger.ops->describe(hal->storage.ledger.self),
         [ABOUT_CONTROLLERS] = hal->controllers.ops->describe(hal->controllers.self),
         [ABOUT_BUTTONS] = hal->buttons.ops->describe(hal->buttons.self),
         [ABOUT_SWITCHES] = hal->switches.ops->describe(hal->switches.self),
@@ -112,7 +113,8 @@ static void seal_scores(struct scene_leaderboard *board, const struct hal_storag
 {
     for (uint32_t i = 0; i < SCENE_LEADERBOARD_ROWS && board->shown; i++) {
         struct scene_row *row = &board->row[i];
-        row->is_sealed = row->caught > 0 && store->ops->has_replay(store->self, row->round_id);
+        row->is_sealed =
+            row->caught > 0 && store->replays.ops->has(store->replays.self, row->round_id);
     }
 }
 

@@ -77,8 +77,8 @@ static void present_orders(struct kiosk *kiosk, const struct hal *hal)
 static int is_called_back(struct kiosk *kiosk, const struct hal *hal)
 {
     return kiosk->output.is_idle && !kiosk->config.source.next && !kiosk->config.tap.tick &&
-           hal->storage.ops->wants_restart(hal->storage.self) &&
-           offline_flush_step(&kiosk->late, &hal->storage, &kiosk->core);
+           hal->storage.ledger.ops->needs_restart(hal->storage.ledger.self) &&
+           offline_flush_step(&kiosk->late, &hal->storage.ledger, &kiosk->core);
 }
 
 /* Ends the frame loop for a restart. A restart requested by the operator waits until the store has
@@ -114,8 +114,8 @@ static void present_savings(struct kiosk *kiosk, const struct hal *hal)
     const uint64_t now_ns = hal_now_ns(hal->clock);
     uint32_t faults = 0;
     if (!kiosk->config.source.next) {
-        faults += saving_put_entries(&kiosk->saving, storage, &kiosk->output, now_ns);
-        faults += saving_put_edit(&kiosk->saving, storage, &kiosk->output, now_ns);
+        faults += saving_put_entries(&kiosk->saving, &storage->ledger, &kiosk->output, now_ns);
+        faults += saving_put_edit(&kiosk->saving, &storage->edits, &kiosk->output, now_ns);
     }
     if (kiosk->config.chapters) {
         faults += (uint32_t)session_recorder_offer(kiosk->config.chapters, storage);

@@ -38,7 +38,7 @@ static void tell_devices(const struct hal *hal)
     tell_device("switches", hal->switches.ops->describe(hal->switches.self));
     tell_device("usb", hal->controllers.ops->describe(hal->controllers.self));
     tell_device("sound", hal->audio.ops->describe(hal->audio.self));
-    tell_device("store", hal->storage.ops->describe(hal->storage.self));
+    tell_device("store", hal->storage.ledger.ops->describe(hal->storage.ledger.self));
     tell_device("watchdog", hal->watchdog.ops->describe(hal->watchdog.self));
 }
 
@@ -101,7 +101,7 @@ static enum exit_code tell_end(struct run_common *session, enum kiosk_end end)
     if (lost > 0) {
         const struct hal_storage *storage = &session->hal.storage;
         log_print(LOG_LEVEL_ERROR, "%u entries or graphs could not be written (%s)", lost,
-                  storage->ops->describe(storage->self));
+                  storage->ledger.ops->describe(storage->ledger.self));
     }
     return lost > 0 ? EXIT_IO : EXIT_OK;
 }
@@ -199,7 +199,7 @@ static enum exit_code run_interactive_begin(struct run_common *session)
     };
     struct settings *settings = &config.core.persistent.settings;
     options_first(options, settings);
-    storage->ops->load(storage->self, &config.core.persistent);
+    storage->ledger.ops->load(storage->ledger.self, &config.core.persistent);
     options_last(options, settings);
     settings_hide_pin(settings, config.core.seed);
     config_apply_settings(&config.core, settings);

@@ -100,11 +100,11 @@ static void sample_display(struct kiosk *kiosk, const struct hal *hal)
 
 static void sample_store(struct kiosk *kiosk, const struct hal_storage *storage)
 {
-    kiosk->input.record_saved_id = storage->ops->saved_id(storage->self);
-    kiosk->input.edit_saved_id = storage->ops->stored_edit_id(storage->self);
-    kiosk->input.edit_refused = storage->ops->edits_failed(storage->self) != 0;
-    kiosk->input.store_well = storage->ops->is_healthy(storage->self) != 0;
-    kiosk->faults.storage += saving_refused(&kiosk->saving, storage);
+    kiosk->input.record_saved_id = storage->ledger.ops->committed_id(storage->ledger.self);
+    kiosk->input.edit_saved_id = storage->edits.ops->stored_id(storage->edits.self);
+    kiosk->input.edit_refused = storage->edits.ops->has_failed(storage->edits.self) != 0;
+    kiosk->input.store_well = storage->ledger.ops->is_healthy(storage->ledger.self) != 0;
+    kiosk->faults.storage += saving_refused(&kiosk->saving, &storage->ledger);
 }
 
 void sample_devices(struct kiosk *kiosk, const struct hal *hal)

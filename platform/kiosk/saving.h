@@ -21,17 +21,17 @@ struct saving {
 /* Offers the ledger's entries to the store, oldest first. Call once per frame. A busy store is
  * retried in the next frame, a failed store after one second, and an absent store never. Returns
  * the number of faults. */
-uint32_t saving_put_entries(struct saving *saving, const struct hal_storage *storage,
+uint32_t saving_put_entries(struct saving *saving, const struct hal_ledger *store,
                             const struct output *output, uint64_t now_ns);
 
 /* Offers the newest edit of the growth lab to the store. Retries and returns as
  * saving_put_entries() does. */
-uint32_t saving_put_edit(struct saving *saving, const struct hal_storage *storage,
+uint32_t saving_put_edit(struct saving *saving, const struct hal_edit_store *edits,
                          const struct output *output, uint64_t now_ns);
 
 /* Returns the number of writes that failed in the store's thread since the last call of
  * saving_refused(). */
-uint32_t saving_refused(struct saving *saving, const struct hal_storage *storage);
+uint32_t saving_refused(struct saving *saving, const struct hal_ledger *store);
 
 /* Returns 1 if every ledger entry is settled: the store accepted the entry, or no store exists.
  * Otherwise returns 0. */

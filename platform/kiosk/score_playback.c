@@ -60,13 +60,13 @@ static void fetch(struct score_playback *playback, const struct hal_storage *sto
 {
     if (!playback->is_asked) {
         const int result =
-            storage->ops->fetch_replay(storage->self, playback->round_id, playback->bytes,
-                                       sizeof playback->bytes, &playback->kept);
+            storage->replays.ops->fetch(storage->replays.self, playback->round_id, playback->bytes,
+                                        sizeof playback->bytes, &playback->kept);
         playback->is_asked = result == HAL_OK;
         playback->state = result == HAL_OK || result == HAL_ERR_BUSY ? ENCORE_SEEKS : ENCORE_NONE;
         return;
     }
-    const int size = storage->ops->replay_fetched(storage->self);
+    const int size = storage->replays.ops->fetched(storage->replays.self);
     if (size == HAL_ERR_BUSY) {
         return;
     }

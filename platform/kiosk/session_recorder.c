@@ -183,23 +183,23 @@ int session_recorder_dump(struct session_recorder *chapters, const struct core *
  * disk. */
 int session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage)
 {
-    const struct hal_storage_ops *ops = storage->ops;
+    const struct hal_replay_store *store = &storage->replays;
     if (chapters->round_id != 0 && !chapters->is_sealed) {
         chapters->is_sealed =
             (uint8_t)replay_seal_next(&chapters->seal, SESSION_RECORDER_SEAL_SIZE);
     }
     if (chapters->round_id == 0 || !chapters->is_sealed ||
-        ops->saved_id(storage->self) < chapters->round_id) {
+        storage->ledger.ops->committed_id(storage->ledger.self) < chapters->round_id) {
         return 0;
     }
     if (chapters->is_lent) {
-        const int is_done = ops->stored_replay_id(storage->self) == chapters->round_id;
+        const int is_done = store->ops->stored_id(store->self) == chapters->round_id;
         chapters->round_id = is_done ? 0 : chapters->round_id;
         chapters->is_lent = !is_done;
         return 0;
     }
-    const int result = ops->store_replay(storage->self, chapters->round_id, chapters->replay,
-                                         chapters->replay_size);
+    const int result =
+        store->ops->store(store->self, chapters->round_id, chapters->replay, chapters->replay_size);
     if (result == HAL_OK) {
         chapters->is_lent = 1;
     } else if (result != HAL_ERR_BUSY) {

@@ -39,7 +39,7 @@ static void take_devices(struct status_report *report, const struct hal *hal)
     take_device(report, "switches", hal->switches.ops->describe(hal->switches.self));
     take_device(report, "usb", hal->controllers.ops->describe(hal->controllers.self));
     take_device(report, "sound", hal->audio.ops->describe(hal->audio.self));
-    take_device(report, "store", hal->storage.ops->describe(hal->storage.self));
+    take_device(report, "store", hal->storage.ledger.ops->describe(hal->storage.ledger.self));
     take_device(report, "watchdog", hal->watchdog.ops->describe(hal->watchdog.self));
 }
 

@@ -148,7 +148,7 @@ static int storage_append(void *self, const struct ledger_entry *entry)
     return HAL_OK;
 }
 
-static uint32_t storage_saved_id(void *self)
+static uint32_t storage_committed_id(void *self)
 {
     struct storage *storage = self;
     return atomic_load(&storage->is_unproven) ? 0u : atomic_load(&storage->saved_id);
@@ -207,13 +207,13 @@ static int storage_is_healthy(void *self)
            storage_stuck_ms(storage) == 0;
 }
 
-static int storage_wants_restart(void *self)
+static int storage_needs_restart(void *self)
 {
     struct storage *storage = self;
     return !storage->start.has_read && atomic_load(&storage->error) == LEDGER_FILE_FOREIGN;
 }
 
-static uint32_t storage_refused_count(void *self)
+static uint32_t storage_failed_count(void *self)
 {
     struct storage *storage = self;
     return atomic_load(&storage->refused);
@@ -276,26 +276,34 @@ static uint32_t storage_close(void *self)
 
 struct hal_storage storage_device(struct storage *storage)
 {
-    static const struct hal_storage_ops ops = {
+    static const struct hal_ledger_ops ledger = {
         .open = storage_open,
         .load = storage_load,
         .append = storage_append,
-        .store_replay = storage_store_replay,
-        .stored_replay_id = storage_stored_replay_id,
-        .fetch_replay = storage_fetch_replay,
-        .replay_fetched = storage_replay_fetched,
-        .has_replay = storage_has_replay,
-        .saved_id = storage_saved_id,
-        .store_edit = storage_store_edit,
-        .stored_edit_id = storage_stored_edit_id,
-        .edits_failed = storage_edits_failed,
+        .committed_id = storage_committed_id,
+        .failed_count = storage_failed_count,
         .is_healthy = storage_is_healthy,
-        .wants_restart = storage_wants_restart,
+        .needs_restart = storage_needs_restart,
         .merge_offline = offline_credits_merge,
         .offline_merged = offline_credits_result,
-        .refused_count = storage_refused_count,
         .describe = storage_describe,
         .close = storage_close,
     };
-    return (struct hal_storage){ .ops = &ops, .self = storage };
+    static const struct hal_replay_store_ops replays = {
+        .store = storage_store_replay,
+        .stored_id = storage_stored_replay_id,
+        .fetch = storage_fetch_replay,
+        .fetched = storage_replay_fetched,
+        .has = storage_has_replay,
+    };
+    static const struct hal_edit_store_ops edits = {
+        .store = storage_store_edit,
+        .stored_id = storage_stored_edit_id,
+        .has_failed = storage_edits_failed,
+    };
+    return (struct hal_storage){
+        .ledger = { &ledger, storage },
+        .replays = { &replays, storage },
+        .edits = { &edits, storage },
+    };
 }

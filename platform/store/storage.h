@@ -4,7 +4,7 @@
  *
  * The frame loop never blocks on the card, which contains the database's folder. append() copies an
  * entry into a queue of STORAGE_QUEUE_MAX entries and returns. The store's thread writes and syncs
- * all queued entries in one transaction. Afterwards saved_id() returns the id of the newest entry.
+ * all queued entries in one transaction. Afterwards committed_id() returns the id of the newest entry.
  * After a failed sync, an entry counts as saved only when its bytes were written again and synced,
  * in the database (platform/store/sqlite/ledger_log.c) and in the ledger mirror. The ledger mirror
  * is a second copy of the newest entries.
@@ -222,7 +222,7 @@ struct storage {
                              entry stores nothing. */
     atomic_uint saved_id;
     atomic_bool is_unproven; /* True if the write-ahead log that the store has read may not be on
-                                disk. saved_id() then returns 0 and the store counts as
+                                disk. committed_id() then returns 0 and the store counts as
                                 unhealthy. */
     uint32_t saved_boot, saved_tick; /* Boot number and tick of the entry `saved_id`. Used by the
                                         store's thread only. */
@@ -255,7 +255,7 @@ struct storage {
     int64_t put_since_ms; /* Time when the card first rejected the requested replay. 0 means that
                              the card has not rejected the replay. */
     atomic_uint put_id;   /* Round id of the newest replay that was written or abandoned. */
-    atomic_int got;       /* Value that replay_fetched() returns when the request is complete. */
+    atomic_int got;       /* Value that fetched() returns when the request is complete. */
     atomic_uint sealed[STORAGE_RANKS]; /* Round id of each ranking row whose replay is on disk. 0
                                           means that the row has no replay on disk. */
 };

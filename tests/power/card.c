@@ -79,8 +79,8 @@ static int open_stall(const char *folder, uint32_t mood_s)
     hal.buttons = sim_buttons_device(&buttons);
     pointer_sim_init(&poi, clock, &tank_preset(TANK_PRESET_FESTIVAL)->view);
     hal.poi[0] = pointer_sim_device(&poi);
-    if (hal.storage.ops->open(hal.storage.self) != HAL_OK) {
-        fprintf(stderr, "card: %s\n", hal.storage.ops->describe(hal.storage.self));
+    if (hal.storage.ledger.ops->open(hal.storage.ledger.self) != HAL_OK) {
+        fprintf(stderr, "card: %s\n", hal.storage.ledger.ops->describe(hal.storage.ledger.self));
         return -1;
     }
     settings_reset(&config.core.persistent.settings);
@@ -161,11 +161,11 @@ static int holds_all(const char *folder)
     static struct persistent_state memory;
     store = (struct storage){ .dir = folder };
     const struct hal_storage device = storage_device(&store);
-    if (device.ops->open(device.self) != HAL_OK) {
+    if (device.ledger.ops->open(device.ledger.self) != HAL_OK) {
         return 0;
     }
-    device.ops->load(device.self, &memory);
-    device.ops->close(device.self);
+    device.ledger.ops->load(device.ledger.self, &memory);
+    device.ledger.ops->close(device.ledger.self);
     const uint32_t is = memory.audits.count[AUDIT_COINS_1];
     const uint32_t should = kiosk.core.game.accounts.audits.count[AUDIT_COINS_1];
     printf("  %u coins were taken, %u are in the store; entry %u of %u\n", should, is,

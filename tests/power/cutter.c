@@ -36,13 +36,13 @@ static int wake(const char *folder, struct persistent_state *memory, char why[BO
     settings_reset(&memory->settings);
     store = (struct storage){ .dir = folder };
     const struct hal_storage device = storage_device(&store);
-    int result = device.ops->open(device.self);
+    int result = device.ledger.ops->open(device.ledger.self);
     if (result == HAL_OK) {
-        result = device.ops->load(device.self, memory);
+        result = device.ledger.ops->load(device.ledger.self, memory);
     }
-    snprintf(why, BOOKS_WHY_SIZE, "%s", device.ops->describe(device.self));
+    snprintf(why, BOOKS_WHY_SIZE, "%s", device.ledger.ops->describe(device.ledger.self));
     const int is_fresh = atomic_load(&store.aside) != 0;
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     return result == HAL_OK && !is_fresh ? 0 : -1;
 }
 

@@ -85,14 +85,16 @@ static int play(const char *folder, uint32_t last_id, char why[BOOKS_WHY_SIZE])
 {
     store = (struct storage){ .dir = folder };
     const struct hal_storage device = storage_device(&store);
-    if (device.ops->open(device.self) != HAL_OK ||
+    if (device.ledger.ops->open(device.ledger.self) != HAL_OK ||
         hour_open(&morning, 1000u + last_id, device) != 0) {
-        return refuse(why, device.ops->describe(device.self));
+        return refuse(why, device.ledger.ops->describe(device.ledger.self));
     }
     for (uint32_t i = 0; i < FRAMES; i++) {
         hour_frame(&morning, device);
     }
-    return device.ops->close(device.self) == 0 ? 0 : refuse(why, "entries were not written");
+    return device.ledger.ops->close(device.ledger.self) == 0
+               ? 0
+               : refuse(why, "entries were not written");
 }
 
 int go_on(const char *folder, const struct books *before, uint32_t last_id,
@@ -113,11 +115,11 @@ int go_on(const char *folder, const struct books *before, uint32_t last_id,
     settings_reset(&memory.settings);
     store = (struct storage){ .dir = folder };
     const struct hal_storage device = storage_device(&store);
-    if (device.ops->open(device.self) != HAL_OK) {
-        return refuse(why, device.ops->describe(device.self));
+    if (device.ledger.ops->open(device.ledger.self) != HAL_OK) {
+        return refuse(why, device.ledger.ops->describe(device.ledger.self));
     }
-    device.ops->load(device.self, &memory);
-    device.ops->close(device.self);
+    device.ledger.ops->load(device.ledger.self, &memory);
+    device.ledger.ops->close(device.ledger.self);
     snprintf(path, sizeof path, "%.250s/" STORAGE_FILE, folder);
     if (memory.ledger.last_id != morning.kept_id || books_read(path, 0, &file) != 0) {
         return refuse(why, "its entries are not there");

@@ -32,7 +32,7 @@ int hour_open(struct hour *hour, uint32_t seed, struct hal_storage store)
     memset(hour, 0, sizeof *hour);
     hour->seed = seed;
     struct core_config config = { .seed = seed };
-    store.ops->load(store.self, &config.persistent);
+    store.ledger.ops->load(store.ledger.self, &config.persistent);
     settings_reset(&config.persistent.settings);
     config.persistent.settings.value[SET_PLAY] = PLAY_PAID;
     config.persistent.settings.value[SET_PRICE] = 2;
@@ -182,7 +182,7 @@ static void hand_over(struct hour *hour, struct hal_storage store)
         const struct ledger_entry *entry =
             &hour->output.entries[(hour->kept_id + 1u) % LEDGER_RING];
         tape_mark(TAPE_KEPT, entry->id);
-        if (store.ops->append(store.self, entry) != HAL_OK) {
+        if (store.ledger.ops->append(store.ledger.self, entry) != HAL_OK) {
             return;
         }
         note(hour, entry);
@@ -194,7 +194,8 @@ static void hand_over_replay(struct hour *hour, struct hal_storage store)
 {
     if (hour->replay_id != 0 && hour->replay_id != hour->replay_taken_id) {
         const size_t size = hour_replay(hour->replay_id, hour->replay);
-        if (store.ops->store_replay(store.self, hour->replay_id, hour->replay, size) == HAL_OK) {
+        if (store.replays.ops->store(store.replays.self, hour->replay_id, hour->replay, size) ==
+            HAL_OK) {
             hour->replay_taken_id = hour->replay_id;
         }
     }
@@ -216,29 +217,29 @@ static void save_graph(struct hour *hour, struct hal_storage store)
         struct graph_edit_record edit = hour_edit(hour->edit_number + 1u);
         edit.id -= hour->edit_first;
         tape_mark(TAPE_EDIT_KEPT, hour->edit_number + 1u);
-        hour->edit_number += store.ops->store_edit(store.self, &edit) == HAL_OK;
+        hour->edit_number += store.edits.ops->store(store.edits.self, &edit) == HAL_OK;
     }
 }
 
 static void ask(struct hour *hour, struct hal_storage store)
 {
-    const uint32_t saved_id = store.ops->saved_id(store.self);
+    const uint32_t saved_id = store.ledger.ops->committed_id(store.ledger.self);
     if (saved_id > hour->acked_id) {
         hour->acked_id = saved_id;
         tape_mark(TAPE_ACKED, saved_id);
     }
-    const uint32_t replay_id = store.ops->stored_replay_id(store.self);
+    const uint32_t replay_id = store.replays.ops->stored_id(store.replays.self);
     if (replay_id != hour->replay_acked_id) {
         hour->replay_acked_id = replay_id;
         tape_mark(TAPE_REPLAY_ACKED, replay_id);
     }
-    const uint32_t edit = hour->edit_first + store.ops->stored_edit_id(store.self);
+    const uint32_t edit = hour->edit_first + store.edits.ops->stored_id(store.edits.self);
     if (hour->edit_each_s > 0 && edit > hour->edit_acked) {
         hour->edit_acked = edit;
         tape_mark(TAPE_EDIT_ACKED, edit);
     }
     hour->input.record_saved_id = hour->acked_id;
-    hour->input.store_well = store.ops->is_healthy(store.self) != 0;
+    hour->input.store_well = store.ledger.ops->is_healthy(store.ledger.self) != 0;
 }
 
 void hour_frame(struct hour *hour, struct hal_storage store)

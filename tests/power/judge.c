@@ -73,13 +73,15 @@ static void look(struct tally *tally, const char *folder, uint32_t acked, uint32
     settings_reset(&memory.settings);
     store = (struct storage){ .dir = folder };
     const struct hal_storage device = storage_device(&store);
-    const int opens = device.ops->open(device.self) == HAL_OK && atomic_load(&store.aside) == 0;
+    const int opens =
+        device.ledger.ops->open(device.ledger.self) == HAL_OK && atomic_load(&store.aside) == 0;
     if (!opens) {
-        tally_complain(tally, &tally->unopenable, where, device.ops->describe(device.self));
+        tally_complain(tally, &tally->unopenable, where,
+                       device.ledger.ops->describe(device.ledger.self));
     } else {
-        device.ops->load(device.self, &memory);
+        device.ledger.ops->load(device.ledger.self, &memory);
     }
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     found = memory.ledger.last_id;
     if (opens && found < acked) {
         tally_complain(tally, &tally->lost, where, "an entry that was reported is not there");

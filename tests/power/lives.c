@@ -74,7 +74,7 @@ static void add_up(uint32_t known)
  * credits. */
 static int begin_part(struct life *life, struct hal_storage device)
 {
-    if (device.ops->open(device.self) != HAL_OK ||
+    if (device.ledger.ops->open(device.ledger.self) != HAL_OK ||
         hour_open(&hour, (uint32_t)life->seed + life->draws, device) != 0) {
         life->tally->refused_starts++;
         return -1;
@@ -82,7 +82,7 @@ static int begin_part(struct life *life, struct hal_storage device)
     hour.haste = HASTE;
     hour.edit_each_s = 1;
     hour.edit_first = hour.edit_number = hour.edit_acked = life->edit_number;
-    if (device.ops->is_healthy(device.self)) {
+    if (device.ledger.ops->is_healthy(device.ledger.self)) {
         tape_mark(TAPE_ACKED, hour.kept_id);
     }
     return 0;
@@ -119,7 +119,7 @@ static void live_part(struct life *life)
         const int is_killed = draw(life) % 2u == 0;
         life->tally->kills += (uint64_t)is_killed;
         tape_be_dead(is_killed);
-        device.ops->close(device.self);
+        device.ledger.ops->close(device.ledger.self);
         tape_be_dead(0);
     }
 }

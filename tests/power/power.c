@@ -55,14 +55,15 @@ static int play(const struct plan *plan, const char *folder)
     tape_sync_us(SYNC_US);
     store = (struct storage){ .dir = folder, .how.journal = plan->journal };
     const struct hal_storage device = storage_device(&store);
-    if (device.ops->open(device.self) != HAL_OK || hour_open(&hour, plan->seed, device) != 0) {
-        fprintf(stderr, "power: %s\n", device.ops->describe(device.self));
+    if (device.ledger.ops->open(device.ledger.self) != HAL_OK ||
+        hour_open(&hour, plan->seed, device) != 0) {
+        fprintf(stderr, "power: %s\n", device.ledger.ops->describe(device.ledger.self));
         return -1;
     }
     for (uint32_t i = 0; i < plan->frames; i++) {
         hour_frame(&hour, device);
     }
-    const uint32_t unwritten = device.ops->close(device.self);
+    const uint32_t unwritten = device.ledger.ops->close(device.ledger.self);
     tape_end();
     if (unwritten > 0) {
         fprintf(stderr, "power: %u entries were not written at the end\n", unwritten);

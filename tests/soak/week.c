@@ -260,7 +260,8 @@ static void tell(uint32_t hour, const struct sample *sample)
 static void wait_for_store(void)
 {
     const struct ledger *ledger = &kiosk.core.game.accounts.ledger;
-    while (ledger->last_id - hal.storage.ops->saved_id(hal.storage.self) > LEDGER_RING / 2u) {
+    while (ledger->last_id - hal.storage.ledger.ops->committed_id(hal.storage.ledger.self) >
+           LEDGER_RING / 2u) {
         nanosleep(&(struct timespec){ .tv_nsec = 100000 }, NULL);
     }
 }
@@ -280,8 +281,8 @@ static int open_week(const char *folder)
     struct kiosk_config config = { .core = { .seed = 3 } };
     clock_of_week.now_ns = SIXTY_FRAMES_NS * 3600u * (OPEN_HOUR - 1u);
     hal = broad_phase(folder);
-    if (hal.storage.ops->open(hal.storage.self) != HAL_OK) {
-        fprintf(stderr, "week: %s\n", hal.storage.ops->describe(hal.storage.self));
+    if (hal.storage.ledger.ops->open(hal.storage.ledger.self) != HAL_OK) {
+        fprintf(stderr, "week: %s\n", hal.storage.ledger.ops->describe(hal.storage.ledger.self));
         return -1;
     }
     settings_reset(&config.core.persistent.settings);
@@ -298,11 +299,11 @@ static int holds_all(const char *folder)
     static struct persistent_state memory;
     store = (struct storage){ .dir = folder };
     const struct hal_storage device = storage_device(&store);
-    if (device.ops->open(device.self) != HAL_OK) {
+    if (device.ledger.ops->open(device.ledger.self) != HAL_OK) {
         return 0;
     }
-    device.ops->load(device.self, &memory);
-    device.ops->close(device.self);
+    device.ledger.ops->load(device.ledger.self, &memory);
+    device.ledger.ops->close(device.ledger.self);
     printf("  %u coins fell, %u are in the store\n", coins, memory.audits.count[AUDIT_COINS_1]);
     return coins > 0 && memory.audits.count[AUDIT_COINS_1] == coins;
 }

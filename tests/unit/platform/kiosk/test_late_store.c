@@ -125,8 +125,8 @@ static void begin(void)
     rig.hal.buttons = (struct hal_buttons){ .ops = &buttons };
     rig.hal.switches = (struct hal_switches){ .ops = &switches };
     rig.hal.poi[0] = (struct hal_poi){ .ops = &hand };
-    rig.hal.storage.ops->open(rig.hal.storage.self);
-    rig.hal.storage.ops->load(rig.hal.storage.self, &config.core.persistent);
+    rig.hal.storage.ledger.ops->open(rig.hal.storage.ledger.self);
+    rig.hal.storage.ledger.ops->load(rig.hal.storage.ledger.self, &config.core.persistent);
     config.core.credit_coins = PRICE;
     assert_int_equal(kiosk_init(&rig.kiosk, &rig.hal, &config), CORE_OK);
 }
@@ -195,7 +195,7 @@ static int tear_down(void **state)
 {
     (void)state;
     char command[192];
-    rig.hal.storage.ops->close(rig.hal.storage.self);
+    rig.hal.storage.ledger.ops->close(rig.hal.storage.ledger.self);
     snprintf(command, sizeof command, "rm -rf %s %s", dir, away);
     return system(command);
 }
@@ -261,7 +261,8 @@ static void test_money_waits_for_a_card_that_can_be_written(void **state)
     assert_int_equal(sqlite3_open(file, &other), SQLITE_OK);
     assert_int_equal(sqlite3_exec(other, "BEGIN IMMEDIATE", NULL, NULL, NULL), SQLITE_OK);
     assert_int_equal(frames(3), KIOSK_RUNS);
-    assert_int_equal(rig.hal.storage.ops->offline_merged(rig.hal.storage.self), HAL_ERR_BUSY);
+    assert_int_equal(rig.hal.storage.ledger.ops->offline_merged(rig.hal.storage.ledger.self),
+                     HAL_ERR_BUSY);
     drop_coins(0, 1); /* Another one falls while the first is on its way. */
     assert_int_equal(sqlite3_exec(other, "ROLLBACK", NULL, NULL, NULL), SQLITE_OK);
     sqlite3_close(other);

@@ -222,16 +222,16 @@ static void test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_pla
     struct balance *balance = &rig.kiosk.core.game.accounts.ledger.balance;
     push(INPUT_TEST);
     assert_int_equal(rig.display.scene.phase, PHASE_MENU);
-    rig.storage.wants_restart = 1;
+    rig.storage.needs_restart = 1;
     rig.storage.late_polls = 30;
     balance->paid = 1;
     balance->unlogged = 3;
     frames(10);
-    assert_int_equal(rig.storage.late_purse.paid, 0);
+    assert_int_equal(rig.storage.late_balance.paid, 0);
     rig.buttons.quit = 1;
     frames(10);
-    assert_int_equal(rig.storage.late_purse.paid, 1);
-    assert_int_equal(rig.storage.late_purse.unlogged, 3);
+    assert_int_equal(rig.storage.late_balance.paid, 1);
+    assert_int_equal(rig.storage.late_balance.unlogged, 3);
     balance->unlogged = 4;
     enum kiosk_end end = KIOSK_RUNS;
     for (uint32_t i = 0; i < 100u && end == KIOSK_RUNS; i++) {
@@ -239,8 +239,8 @@ static void test_a_store_that_came_late_has_the_stall_begin_anew_when_nobody_pla
         end = kiosk_frame(&rig.kiosk, &rig.hal);
     }
     assert_int_equal(end, KIOSK_RESTART);
-    assert_int_equal(rig.storage.late_purse.paid, 1);
-    assert_int_equal(rig.storage.late_purse.unlogged, 4);
+    assert_int_equal(rig.storage.late_balance.paid, 1);
+    assert_int_equal(rig.storage.late_balance.unlogged, 4);
 }
 
 /* ---- Names ---------------------------------------------------------------------------------- */

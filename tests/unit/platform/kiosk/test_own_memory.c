@@ -133,7 +133,7 @@ static int open_stall(void **state)
     snprintf(rig.recording, sizeof rig.recording, "%s/play.kgr", rig.folder);
     wire_devices();
     const int opened = rig.hal.display.ops->open(rig.hal.display.self) |
-                       rig.hal.storage.ops->open(rig.hal.storage.self) |
+                       rig.hal.storage.ledger.ops->open(rig.hal.storage.ledger.self) |
                        rig.hal.audio.ops->open(rig.hal.audio.self);
     const struct kiosk_config config = {
         .core = { .seed = 3, .fish_count = 300, .round_s = 10 },
@@ -167,7 +167,7 @@ static int close_stall(void **state)
 static int is_round_saved(void)
 {
     const uint32_t id = rig.kiosk.output.record.id;
-    return id != 0 && rig.hal.storage.ops->saved_id(rig.hal.storage.self) >= id;
+    return id != 0 && rig.hal.storage.ledger.ops->committed_id(rig.hal.storage.ledger.self) >= id;
 }
 
 /* Attract, a round that is drawn, heard and recorded, its result, and its row in the store. */

@@ -227,13 +227,13 @@ static void test_the_store_does_the_work_while_no_entry_waits(void **state)
     memset(&sweep, 0, sizeof sweep);
     storage = (struct storage){ .dir = folder, .by_hand = 1, .chore = pin_sweep_chore(&sweep) };
     const struct hal_storage device = storage_device(&storage);
-    assert_int_equal(device.ops->open(device.self), 0);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), 0);
     for (uint32_t i = 0; i < 100000u && storage.chore.step; i++) {
         storage_work(&storage);
     }
     assert_int_equal(sweep.stage, PIN_SWEEP_DONE);
     assert_int_equal(sweep.cleaned, 1);
-    assert_int_equal(device.ops->close(device.self), 0);
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     assert_int_equal(ledger_file_open(&file, path, NULL), SQLITE_OK);
     assert_int_equal(judged(round_id), REPLAY_VERDICT_GENUINE);
     assert_false(session_recorder_start_has_pin(&judge.replayer.reader.header.config));

@@ -138,7 +138,8 @@ static void test_the_files_page_shows_the_store_and_then_the_notes(void **state)
                                                 .hands = hands,
                                                 .lines = &lines,
                                                 .machine = &machine });
-    assert_string_equal(scene.devices.file[0].words, hal.storage.ops->describe(hal.storage.self));
+    assert_string_equal(scene.devices.file[0].words,
+                        hal.storage.ledger.ops->describe(hal.storage.ledger.self));
     assert_string_equal(scene.devices.file[1].name, "koi.kfish");
     assert_int_equal(scene.devices.file[2].state, FILE_UNKNOWN);
 }

@@ -37,7 +37,7 @@ static void tick(uint32_t pressed)
     core_tick(&bots, &by_bot, &unheard);
     input.pressed = pressed;
     input.store_well = 1;
-    input.record_saved_id = storage.ops->saved_id(storage.self);
+    input.record_saved_id = storage.ledger.ops->committed_id(storage.ledger.self);
     input.poi[0] = (struct poi_input){ .link = POI_SOURCE_LIVE,
                                        .has_wrist = 1,
                                        .target = bots.game.hand_pose[0] };
@@ -45,7 +45,7 @@ static void tick(uint32_t pressed)
     const uint32_t before = output.entry_id;
     core_tick(&core, &input, &output);
     for (uint32_t id = before + 1u; id <= output.entry_id; id++) {
-        storage.ops->append(storage.self, &output.entries[id % LEDGER_RING]);
+        storage.ledger.ops->append(storage.ledger.self, &output.entries[id % LEDGER_RING]);
     }
     session_recorder_tick(&chapters, &input, &core, &output);
     session_recorder_offer(&chapters, &storage);

@@ -253,14 +253,16 @@ static void test_the_store_keeps_a_graph_on_its_own_thread(void **state)
     storage.dir = folder;
     const struct hal_storage device = storage_device(&storage);
     struct graph_edit_record record = drawn();
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
-    assert_int_equal(device.ops->store_edit(device.self, &record), HAL_OK);
-    assert_int_equal(device.ops->store_edit(device.self, &record), HAL_OK); /* Asked twice: one. */
-    for (uint32_t i = 0; i < 500 && device.ops->stored_edit_id(device.self) != record.id; i++) {
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
+    assert_int_equal(device.edits.ops->store(device.edits.self, &record), HAL_OK);
+    assert_int_equal(device.edits.ops->store(device.edits.self, &record),
+                     HAL_OK); /* Asked twice: one. */
+    for (uint32_t i = 0; i < 500 && device.edits.ops->stored_id(device.edits.self) != record.id;
+         i++) {
         usleep(10000);
     }
-    assert_int_equal(device.ops->stored_edit_id(device.self), record.id);
-    assert_int_equal(device.ops->close(device.self), 0);
+    assert_int_equal(device.edits.ops->stored_id(device.edits.self), record.id);
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     graph_file_load(folder, &book, warn);
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
 }
@@ -277,18 +279,19 @@ static void test_a_graph_is_kept_where_the_database_cannot_be(void **state)
     const struct hal_storage device = storage_device(&storage);
     const struct graph_edit_record record = drawn();
     const struct ledger_entry round = { .id = 1, .kind = LEDGER_ROUND, .round = { .id = 1 } };
-    assert_int_equal(device.ops->edits_failed(device.self), 1);
-    assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
-    assert_int_equal(device.ops->append(device.self, &round), HAL_ERR_ABSENT);
-    assert_int_equal(device.ops->edits_failed(device.self), 0);
-    assert_int_equal(device.ops->store_edit(device.self, &record), HAL_OK);
-    for (uint32_t i = 0; i < 500 && device.ops->stored_edit_id(device.self) != record.id; i++) {
+    assert_int_equal(device.edits.ops->has_failed(device.edits.self), 1);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_ERR_IO);
+    assert_int_equal(device.ledger.ops->append(device.ledger.self, &round), HAL_ERR_ABSENT);
+    assert_int_equal(device.edits.ops->has_failed(device.edits.self), 0);
+    assert_int_equal(device.edits.ops->store(device.edits.self, &record), HAL_OK);
+    for (uint32_t i = 0; i < 500 && device.edits.ops->stored_id(device.edits.self) != record.id;
+         i++) {
         usleep(10000);
     }
-    assert_int_equal(device.ops->stored_edit_id(device.self), record.id);
-    assert_non_null(strstr(device.ops->describe(device.self), "nothing is kept"));
-    assert_int_equal(device.ops->close(device.self), 0);
-    assert_int_equal(device.ops->edits_failed(device.self), 1);
+    assert_int_equal(device.edits.ops->stored_id(device.edits.self), record.id);
+    assert_non_null(strstr(device.ledger.ops->describe(device.ledger.self), "nothing is kept"));
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
+    assert_int_equal(device.edits.ops->has_failed(device.edits.self), 1);
     graph_file_load(folder, &book, warn);
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
     close(hold);
@@ -303,17 +306,18 @@ static void test_graphs_in_a_queue_are_each_written_in_turn(void **state)
     storage.dir = folder;
     const struct hal_storage device = storage_device(&storage);
     struct graph_edit_record record = drawn();
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     for (uint32_t i = 0; i < 3u * STORAGE_EDITS_MAX; i++) {
         record.id = 1u + i;
         record.edit.graph.knots[1].progress = 0.05f + 0.005f * (float)i;
-        for (int busy = 0; device.ops->store_edit(device.self, &record) == HAL_ERR_BUSY; busy++) {
+        for (int busy = 0; device.edits.ops->store(device.edits.self, &record) == HAL_ERR_BUSY;
+             busy++) {
             assert_true(busy < 500);
             usleep(10000);
         }
     }
-    assert_int_equal(device.ops->close(device.self), 0);
-    assert_int_equal(device.ops->stored_edit_id(device.self), record.id);
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
+    assert_int_equal(device.edits.ops->stored_id(device.edits.self), record.id);
     graph_file_load(folder, &book, warn);
     assert_memory_equal(&book.edits[0], &record.edit, sizeof record.edit);
 }
@@ -331,16 +335,17 @@ static void test_a_store_that_cannot_write_a_graph_says_so_and_counts_it(void **
     fclose(file);
     const struct hal_storage device = storage_device(&storage);
     const struct graph_edit_record record = drawn();
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
-    assert_int_equal(device.ops->store_edit(device.self, &record), HAL_OK);
-    for (uint32_t i = 0; i < 500 && device.ops->refused_count(device.self) == 0; i++) {
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
+    assert_int_equal(device.edits.ops->store(device.edits.self, &record), HAL_OK);
+    for (uint32_t i = 0; i < 500 && device.ledger.ops->failed_count(device.ledger.self) == 0; i++) {
         usleep(10000);
     }
-    assert_true(device.ops->refused_count(device.self) > 0);
-    assert_int_equal(device.ops->edits_failed(device.self), 1);
-    assert_int_equal(device.ops->stored_edit_id(device.self), 0);
-    assert_non_null(strstr(device.ops->describe(device.self), "graph was not written"));
-    assert_int_equal(device.ops->close(device.self), 1);
+    assert_true(device.ledger.ops->failed_count(device.ledger.self) > 0);
+    assert_int_equal(device.edits.ops->has_failed(device.edits.self), 1);
+    assert_int_equal(device.edits.ops->stored_id(device.edits.self), 0);
+    assert_non_null(
+        strstr(device.ledger.ops->describe(device.ledger.self), "graph was not written"));
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 1);
 }
 
 int main(void)

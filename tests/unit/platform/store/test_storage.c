@@ -44,7 +44,7 @@ static int set_up(void **state)
 static int tear_down(void **state)
 {
     struct stall *stall = *state;
-    stall->device.ops->close(stall->device.self);
+    stall->device.ledger.ops->close(stall->device.ledger.self);
     char command[128];
     snprintf(command, sizeof command, "rm -rf %s", stall->dir);
     const int failed = system(command);
@@ -54,7 +54,7 @@ static int tear_down(void **state)
 
 static int open_store(struct stall *stall)
 {
-    return stall->device.ops->open(stall->device.self);
+    return stall->device.ledger.ops->open(stall->device.ledger.self);
 }
 
 static int save(struct stall *stall, uint32_t id, uint32_t caught, uint8_t by_bot)
@@ -70,17 +70,17 @@ static int save(struct stall *stall, uint32_t id, uint32_t caught, uint8_t by_bo
     const struct ledger_entry entry = {
         .id = id, .boot = 1, .day = 9821, .kind = LEDGER_ROUND, .round = record
     };
-    return stall->device.ops->append(stall->device.self, &entry);
+    return stall->device.ledger.ops->append(stall->device.ledger.self, &entry);
 }
 
 static uint32_t saved_id(struct stall *stall)
 {
-    return stall->device.ops->saved_id(stall->device.self);
+    return stall->device.ledger.ops->committed_id(stall->device.ledger.self);
 }
 
 static const char *text(struct stall *stall)
 {
-    return stall->device.ops->describe(stall->device.self);
+    return stall->device.ledger.ops->describe(stall->device.ledger.self);
 }
 
 /* Up to 5 s: a syncing disk is slow, a lost record never comes. */
@@ -94,7 +94,7 @@ static void wait_until_saved(struct stall *stall, uint32_t id)
 
 static void reopen(struct stall *stall)
 {
-    stall->device.ops->close(stall->device.self);
+    stall->device.ledger.ops->close(stall->device.ledger.self);
     memset(&stall->storage, 0, sizeof stall->storage);
     stall->storage.dir = stall->dir;
     assert_int_equal(open_store(stall), HAL_OK);
@@ -140,7 +140,7 @@ static void test_the_next_start_goes_on_where_the_last_ended(void **state)
     struct stall *stall = *state;
     static struct persistent_state memory;
     assert_int_equal(open_store(stall), HAL_OK);
-    assert_int_equal(stall->device.ops->load(stall->device.self, &memory), HAL_OK);
+    assert_int_equal(stall->device.ledger.ops->load(stall->device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 0);
     assert_int_equal(memory.ledger.boots, 1);
     const struct ledger_entry coin = { .id = 1,
@@ -149,12 +149,12 @@ static void test_the_next_start_goes_on_where_the_last_ended(void **state)
                                        .count = 1,
                                        .value = 1,
                                        .balance = { .units = 2, .paid = 3 } };
-    stall->device.ops->append(stall->device.self, &coin);
+    stall->device.ledger.ops->append(stall->device.ledger.self, &coin);
     save(stall, 2, 4, 0);
     wait_until_saved(stall, 2);
     reopen(stall);
     assert_int_equal(saved_id(stall), 2);
-    assert_int_equal(stall->device.ops->load(stall->device.self, &memory), HAL_OK);
+    assert_int_equal(stall->device.ledger.ops->load(stall->device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 2);
     assert_int_equal(memory.ledger.boots, 2);
     assert_int_equal(memory.ranking.row[MODE_FESTIVAL][RANK_DAY][0].caught, 4);
@@ -178,7 +178,7 @@ static void test_closing_writes_what_is_queued(void **state)
     for (uint32_t id = 1; id <= 5; id++) {
         assert_int_equal(save(stall, id, id, 0), HAL_OK);
     }
-    stall->device.ops->close(stall->device.self);
+    stall->device.ledger.ops->close(stall->device.ledger.self);
     assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), 5);
 }
 
@@ -222,13 +222,14 @@ static void test_rounds_that_no_try_could_write_are_counted_and_told(void **stat
     assert_int_equal(sqlite3_exec(other, "BEGIN EXCLUSIVE", 0, 0, 0), SQLITE_OK);
     save(stall, 1, 4, 0);
     save(stall, 2, 5, 0);
-    for (int i = 0; i < 500 && stall->device.ops->refused_count(stall->device.self) == 0; i++) {
+    for (int i = 0;
+         i < 500 && stall->device.ledger.ops->failed_count(stall->device.ledger.self) == 0; i++) {
         pause_ms(10);
     }
-    assert_true(stall->device.ops->refused_count(stall->device.self) > 0);
+    assert_true(stall->device.ledger.ops->failed_count(stall->device.ledger.self) > 0);
     assert_non_null(strstr(text(stall), "2 entries not written"));
     assert_non_null(strstr(text(stall), "locked"));
-    assert_int_equal(stall->device.ops->close(stall->device.self), 2);
+    assert_int_equal(stall->device.ledger.ops->close(stall->device.ledger.self), 2);
     assert_non_null(strstr(text(stall), "lost"));
     sqlite3_exec(other, "ROLLBACK", 0, 0, 0);
     sqlite3_close(other);
@@ -242,7 +243,7 @@ static void test_the_folder_is_made_where_it_can_be(void **state)
     snprintf(dir, sizeof dir, "%s/not/there/yet", stall->dir);
     stall->storage.dir = dir;
     assert_int_equal(open_store(stall), HAL_OK);
-    stall->device.ops->close(stall->device.self);
+    stall->device.ledger.ops->close(stall->device.ledger.self);
 
     memset(&stall->storage, 0, sizeof stall->storage);
     write_file(stall->file, "", 0);
@@ -262,7 +263,8 @@ static void test_a_folder_that_cannot_be_written_is_one_line(void **state)
     assert_null(strchr(text(stall), '\n'));
     static struct persistent_state memory;
     assert_int_equal(save(stall, 1, 1, 0), HAL_ERR_ABSENT);
-    assert_int_equal(stall->device.ops->load(stall->device.self, &memory), HAL_ERR_ABSENT);
+    assert_int_equal(stall->device.ledger.ops->load(stall->device.ledger.self, &memory),
+                     HAL_ERR_ABSENT);
     assert_int_equal(saved_id(stall), 0);
 }
 
@@ -294,7 +296,7 @@ static void test_a_file_that_is_no_database_is_set_aside(void **state)
 
 static void open_by_hand(struct stall *stall)
 {
-    stall->device.ops->close(stall->device.self);
+    stall->device.ledger.ops->close(stall->device.ledger.self);
     memset(&stall->storage, 0, sizeof stall->storage);
     stall->storage.dir = stall->dir;
     stall->storage.by_hand = 1;
@@ -317,7 +319,7 @@ static void fill_and_close(struct stall *stall)
     open_by_hand(stall);
     work_rounds(stall, 1, 4);
     work_rounds(stall, 5, 8);
-    stall->device.ops->close(stall->device.self);
+    stall->device.ledger.ops->close(stall->device.ledger.self);
 }
 
 /* So that the database has to do alone. */
@@ -349,7 +351,7 @@ static struct persistent_state *remember(struct stall *stall)
 {
     static struct persistent_state memory;
     memset(&memory, 0, sizeof memory);
-    assert_int_equal(stall->device.ops->load(stall->device.self, &memory), HAL_OK);
+    assert_int_equal(stall->device.ledger.ops->load(stall->device.ledger.self, &memory), HAL_OK);
     return &memory;
 }
 
@@ -434,10 +436,11 @@ static void test_a_bad_page_hides_no_other(void **state)
                                            .count = 1,
                                            .value = 1,
                                            .balance = { .paid = id } };
-        assert_int_equal(stall->device.ops->append(stall->device.self, &coin), HAL_OK);
+        assert_int_equal(stall->device.ledger.ops->append(stall->device.ledger.self, &coin),
+                         HAL_OK);
         storage_work(&stall->storage);
     }
-    stall->device.ops->close(stall->device.self);
+    stall->device.ledger.ops->close(stall->device.ledger.self);
     lose_tail(stall);
     const long page = ask(stall, "SELECT pageno FROM dbstat WHERE name = 'entries' AND"
                                  " pagetype = 'leaf' ORDER BY path LIMIT 1 OFFSET 1");
@@ -542,14 +545,14 @@ static void test_a_name_that_cannot_be_looked_at_is_not_taken_for_none(void **st
     fill_and_close(stall);
     assert_int_equal(rename(stall->file, hidden), 0);
     assert_int_equal(symlink(strrchr(stall->file, '/') + 1, stall->file), 0);
-    stall->device.ops->close(stall->device.self);
+    stall->device.ledger.ops->close(stall->device.ledger.self);
     memset(&stall->storage, 0, sizeof stall->storage);
     stall->storage.dir = stall->dir;
     stall->storage.by_hand = 1;
     assert_int_not_equal(open_store(stall), HAL_OK);
-    assert_int_equal(stall->device.ops->is_healthy(stall->device.self), 0);
+    assert_int_equal(stall->device.ledger.ops->is_healthy(stall->device.ledger.self), 0);
     assert_int_equal(rename(hidden, stall->file), 0); /* Over the link, which is still there. */
-    stall->device.ops->close(stall->device.self);
+    stall->device.ledger.ops->close(stall->device.ledger.self);
     open_by_hand(stall);
     assert_int_equal(remember(stall)->ledger.last_id, 8);
 }
@@ -612,7 +615,7 @@ static void test_a_copy_that_is_put_back_is_gone_on_from(void **state)
     work_rounds(stall, 3, 4);
     stall->storage.backup_due_s = 0;
     storage_work(&stall->storage);
-    stall->device.ops->close(stall->device.self);
+    stall->device.ledger.ops->close(stall->device.ledger.self);
     assert_int_equal(last_id_of(backup), 4);
     assert_int_equal(rename(copy, stall->file), 0);
     open_by_hand(stall);
@@ -624,7 +627,7 @@ static void test_a_copy_that_is_put_back_is_gone_on_from(void **state)
     work_rounds(stall, 3, 5);
     stall->storage.backup_due_s = 0;
     storage_work(&stall->storage);
-    stall->device.ops->close(stall->device.self);
+    stall->device.ledger.ops->close(stall->device.ledger.self);
     do_sql(stall, "DELETE FROM entries WHERE id > 3"); /* It is no copy any more. */
     open_by_hand(stall);
     assert_non_null(strstr(text(stall), "damaged-1"));
@@ -654,7 +657,7 @@ static void test_a_backup_is_not_written_over_by_a_file_that_has_less(void **sta
     stall->storage.file.content.memory.ledger.last_id = 3; /* As if it had been swapped. */
     storage_work(&stall->storage);
     assert_int_equal(last_id_of(backup), 4);
-    assert_int_equal(stall->device.ops->refused_count(stall->device.self), 1);
+    assert_int_equal(stall->device.ledger.ops->failed_count(stall->device.ledger.self), 1);
 }
 
 /* Each is SQL as good as before. */
@@ -670,7 +673,7 @@ static void test_tables_that_are_not_as_they_were_made_are_damage(void **state)
         char command[160];
         sqlite3 *db;
         snprintf(command, sizeof command, "rm -f %s*", stall->file);
-        stall->device.ops->close(stall->device.self);
+        stall->device.ledger.ops->close(stall->device.ledger.self);
         assert_int_equal(system(command), 0);
         fill_and_close(stall);
         sqlite3_open(stall->file, &db);
@@ -741,12 +744,12 @@ static void test_a_store_without_memory_says_so_and_goes_on_when_it_has_some(voi
     assert_int_equal(save(stall, 2, 2, 0), HAL_OK);
     storage_work(&stall->storage);
     assert_int_equal(saved_id(stall), 1);
-    assert_int_equal(stall->device.ops->is_healthy(stall->device.self), 0);
+    assert_int_equal(stall->device.ledger.ops->is_healthy(stall->device.ledger.self), 0);
     assert_non_null(strstr(text(stall), "out of memory"));
     sqlite3_hard_heap_limit64(STORAGE_HEAP_MAX);
     storage_work(&stall->storage);
     assert_int_equal(saved_id(stall), 2);
-    assert_int_equal(stall->device.ops->is_healthy(stall->device.self), 1);
+    assert_int_equal(stall->device.ledger.ops->is_healthy(stall->device.ledger.self), 1);
     assert_int_equal(ask(stall, "SELECT count(*) FROM rounds"), 2);
 }
 
@@ -769,7 +772,7 @@ static void test_a_file_of_a_later_kingyo_is_one_line_and_left_alone(void **stat
 {
     struct stall *stall = *state;
     assert_int_equal(open_store(stall), HAL_OK);
-    stall->device.ops->close(stall->device.self);
+    stall->device.ledger.ops->close(stall->device.ledger.self);
     sqlite3 *db;
     sqlite3_open(stall->file, &db);
     assert_int_equal(sqlite3_exec(db, "PRAGMA user_version = 99", 0, 0, 0), 0);
@@ -793,7 +796,7 @@ static void test_sqlite_has_a_hard_limit_on_memory(void **state)
 
 static int has_replay(const struct stall *stall, uint32_t round_id)
 {
-    return stall->device.ops->has_replay(stall->device.self, round_id);
+    return stall->device.replays.ops->has(stall->device.replays.self, round_id);
 }
 
 static void test_a_ranked_round_is_sealed_while_its_replay_is_kept(void **state)
@@ -804,8 +807,9 @@ static void test_a_ranked_round_is_sealed_while_its_replay_is_kept(void **state)
     assert_int_equal(save(stall, 1, 5, 0), HAL_OK);
     storage_work(&stall->storage);
     assert_false(has_replay(stall, 1));
-    assert_int_equal(stall->device.ops->store_replay(stall->device.self, 1, bytes, sizeof bytes),
-                     HAL_OK);
+    assert_int_equal(
+        stall->device.replays.ops->store(stall->device.replays.self, 1, bytes, sizeof bytes),
+        HAL_OK);
     assert_false(has_replay(stall, 1));
     storage_work(&stall->storage);
     assert_true(has_replay(stall, 1));
@@ -817,7 +821,7 @@ static void test_a_ranked_round_is_sealed_while_its_replay_is_kept(void **state)
         assert_int_equal(save(stall, id, 9, 0), HAL_OK);
     }
     wait_until_saved(stall, 1u + RANK_ROWS);
-    stall->device.ops->close(stall->device.self);
+    stall->device.ledger.ops->close(stall->device.ledger.self);
     open_by_hand(stall);
     storage_work(&stall->storage);
     assert_false(has_replay(stall, 1));

@@ -60,7 +60,7 @@ static int tear_down(void **state)
     is_read_only = false;
     tape_sync_us(0);
     tape_refuse(0);
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     tape_end();
     tape_free(&tape);
     snprintf(command, sizeof command, "rm -rf %s", dir);
@@ -76,22 +76,22 @@ static int keep(uint32_t id)
                                        .count = 1,
                                        .value = 1,
                                        .balance = { .paid = id } };
-    return device.ops->append(device.self, &coin);
+    return device.ledger.ops->append(device.ledger.self, &coin);
 }
 
 static uint32_t saved_id(void)
 {
-    return device.ops->saved_id(device.self);
+    return device.ledger.ops->committed_id(device.ledger.self);
 }
 
 static int is_well(void)
 {
-    return device.ops->is_healthy(device.self);
+    return device.ledger.ops->is_healthy(device.ledger.self);
 }
 
 static const char *text(void)
 {
-    return device.ops->describe(device.self);
+    return device.ledger.ops->describe(device.ledger.self);
 }
 
 static int64_t now_ms(void)
@@ -129,7 +129,7 @@ static int count_entries(void)
 
 static void refuses_and_goes_on(int error, const char *words)
 {
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     keep(1);
     storage_work(&storage);
     assert_int_equal(saved_id(), 1);
@@ -145,7 +145,7 @@ static void refuses_and_goes_on(int error, const char *words)
         assert_false(is_well());
     }
     assert_non_null(strstr(text(), words));
-    assert_int_equal(device.ops->refused_count(device.self), 3);
+    assert_int_equal(device.ledger.ops->failed_count(device.ledger.self), 3);
     tape_refuse(0);
     storage_work(&storage);
     assert_int_equal(saved_id(), STORAGE_QUEUE_MAX + 1);
@@ -175,7 +175,7 @@ static void test_no_frame_waits_for_a_slow_card(void **state)
 {
     (void)state;
     storage.by_hand = 0;
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     pause_ms(300); /* The first backup. */
     tape_sync_us(200000);
     int64_t longest_ms = 0;
@@ -197,7 +197,7 @@ static void test_a_card_that_does_not_come_back_is_told(void **state)
 {
     (void)state;
     storage.by_hand = 0;
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     pause_ms(300);
     tape_sync_us(999999);
     keep(1);
@@ -230,8 +230,8 @@ static void test_a_card_that_comes_late_and_is_fresh_is_used(void **state)
     (void)state;
     static struct persistent_state memory;
     take_card_away();
-    assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
-    assert_int_equal(device.ops->load(device.self, &memory), HAL_ERR_ABSENT);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_ERR_IO);
+    assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_ERR_ABSENT);
     assert_int_equal(keep(1), HAL_ERR_ABSENT);
     assert_false(is_well());
     put_away();
@@ -249,7 +249,7 @@ static void test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart(voi
     static struct persistent_state memory;
     char command[256];
     take_card_away();
-    assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_ERR_IO);
     put_away();
     snprintf(command, sizeof command, "cp tests/unit/platform/store/files/version-5.db %s", file);
     assert_int_equal(system(command), 0);
@@ -257,13 +257,13 @@ static void test_a_card_that_comes_late_and_is_not_empty_waits_for_a_restart(voi
     assert_int_equal(keep(1), HAL_ERR_ABSENT);
     assert_false(is_well());
     assert_non_null(strstr(text(), "restart"));
-    assert_int_equal(device.ops->wants_restart(device.self), 1);
-    device.ops->close(device.self);
+    assert_int_equal(device.ledger.ops->needs_restart(device.ledger.self), 1);
+    device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
-    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 9);
-    assert_int_equal(device.ops->wants_restart(device.self), 0);
+    assert_int_equal(device.ledger.ops->needs_restart(device.ledger.self), 0);
 }
 
 /* Its credits are there, and coins are taken as soon as it can be written: no start is needed. */
@@ -271,14 +271,14 @@ static void test_a_card_that_is_read_only_at_the_start_is_used_when_it_is_not(vo
 {
     (void)state;
     static struct persistent_state memory;
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     keep(1);
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
     is_read_only = true;
     tape_refuse(EROFS);
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
-    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.balance.paid, 1);
     keep(2);
     storage_work(&storage);
@@ -295,7 +295,7 @@ static void test_somebody_elses_card_is_not_written_on(void **state)
 {
     (void)state;
     char command[256];
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     keep(1);
     storage_work(&storage);
     tape_refuse(EIO);
@@ -310,7 +310,8 @@ static void test_somebody_elses_card_is_not_written_on(void **state)
     assert_non_null(strstr(text(), "not the card that it began with"));
     assert_int_equal(count_entries(), 9);
     assert_int_equal(saved_id(), 1);
-    assert_int_equal(device.ops->wants_restart(device.self), 0); /* Here it would change purses. */
+    assert_int_equal(device.ledger.ops->needs_restart(device.ledger.self),
+                     0); /* Here it would change purses. */
 }
 
 /* ---- A card that is full when the kiosk starts ----------------------------------------------- */
@@ -319,7 +320,7 @@ static void test_somebody_elses_card_is_not_written_on(void **state)
 static void leave_five_entries_in_the_log(void)
 {
     char command[400];
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     for (uint32_t id = 1; id <= 5; id++) {
         keep(id);
         storage_work(&storage);
@@ -327,7 +328,7 @@ static void leave_five_entries_in_the_log(void)
     snprintf(command, sizeof command,
              "cd %s && mkdir left && cp -a " STORAGE_FILE " " STORAGE_FILE "-wal left", dir);
     assert_int_equal(system(command), 0);
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     snprintf(command, sizeof command,
              "cd %s && rm -f " STORAGE_FILE "* && mv left/* . && "
              "rmdir left",
@@ -341,8 +342,8 @@ static void remembers_and_goes_on(uint32_t proven)
 {
     static struct persistent_state memory;
     tape_refuse(ENOSPC);
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
-    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 5);
     assert_int_equal(memory.ledger.balance.paid, 5);
     assert_false(is_well());
@@ -370,11 +371,11 @@ static void test_a_card_that_is_full_at_the_start_is_read_and_written_when_it_ha
 static void test_so_is_one_that_was_closed_in_good_order(void **state)
 {
     (void)state;
-    device.ops->open(device.self);
+    device.ledger.ops->open(device.ledger.self);
     for (uint32_t id = 1; id <= 5; id++) {
         keep(id);
     }
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
     remembers_and_goes_on(5); /* All of it is in the database. */
 }
@@ -384,7 +385,7 @@ static void test_others_may_read_a_full_card_meanwhile(void **state)
     (void)state;
     leave_five_entries_in_the_log();
     tape_refuse(ENOSPC);
-    device.ops->open(device.self);
+    device.ledger.ops->open(device.ledger.self);
     tape_refuse(0);
     assert_int_equal(count_entries(), 5);
 }
@@ -405,7 +406,7 @@ static void put_a_later_kingyos_file(void)
 /* How often it was looked through. */
 static uint32_t looks(void)
 {
-    return device.ops->refused_count(device.self);
+    return device.ledger.ops->failed_count(device.ledger.self);
 }
 
 /* Both would give out the same numbers, and each take the other's coins for its own. */
@@ -416,25 +417,27 @@ static void test_a_second_stall_at_one_folder_waits_until_the_first_has_ended(vo
     second = (struct storage){ .dir = dir, .by_hand = 1 };
     const struct hal_storage other = storage_device(&second);
     const struct ledger_entry coin = { .id = 1, .boot = 1, .kind = LEDGER_COINS, .count = 1 };
-    device.ops->open(device.self);
+    device.ledger.ops->open(device.ledger.self);
     keep(1);
     storage_work(&storage);
-    assert_int_equal(other.ops->open(other.self), HAL_ERR_IO);
-    assert_int_equal(other.ops->append(other.self, &coin), HAL_ERR_ABSENT);
-    assert_non_null(strstr(other.ops->describe(other.self), "another Kingyo has it open"));
+    assert_int_equal(other.ledger.ops->open(other.ledger.self), HAL_ERR_IO);
+    assert_int_equal(other.ledger.ops->append(other.ledger.self, &coin), HAL_ERR_ABSENT);
+    assert_non_null(
+        strstr(other.ledger.ops->describe(other.ledger.self), "another Kingyo has it open"));
     storage_work(&second);
-    assert_false(other.ops->is_healthy(other.self));
-    device.ops->close(device.self);
+    assert_false(other.ledger.ops->is_healthy(other.ledger.self));
+    device.ledger.ops->close(device.ledger.self);
     storage_work(&second);
-    assert_true(other.ops->wants_restart(other.self)); /* The first stall's list lies there. */
-    other.ops->close(other.self);
+    assert_true(other.ledger.ops->needs_restart(
+        other.ledger.self)); /* The first stall's list lies there. */
+    other.ledger.ops->close(other.ledger.self);
 }
 
 static void test_a_file_that_is_of_no_use_is_looked_at_ever_less_often(void **state)
 {
     (void)state;
     put_a_later_kingyos_file();
-    assert_int_equal(device.ops->open(device.self), HAL_ERR_IO);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_ERR_IO);
     storage_work(&storage);
     assert_int_equal(looks(), 1);
     for (int64_t wait_ms = STORAGE_RETRY_MS, i = 0; i < 8; i++) {
@@ -458,12 +461,12 @@ static bool is_beside(const char *suffix)
 
 static void keep_eight_and_close(void)
 {
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     for (uint32_t id = 1; id <= 8; id++) {
         assert_int_equal(keep(id), HAL_OK);
         storage_work(&storage); /* The backup has the first. */
     }
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
 }
 
@@ -472,8 +475,8 @@ static void is_read_and_left(void)
 {
     static struct persistent_state memory;
     tape_refuse(ENOSPC);
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
-    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 8);
     assert_int_equal(memory.ledger.balance.paid, 8);
     assert_int_equal(memory.audits.count[AUDIT_UNITS], 8);
@@ -520,7 +523,7 @@ static void test_room_that_others_take_and_give_is_no_reason_to_look(void **stat
 {
     (void)state;
     put_a_later_kingyos_file();
-    device.ops->open(device.self);
+    device.ledger.ops->open(device.ledger.self);
     storage_work(&storage);
     storage.room = 0; /* A gigabyte was freed since. */
     storage_work(&storage);
@@ -531,7 +534,7 @@ static void test_a_file_that_changes_is_looked_at_at_once(void **state)
 {
     (void)state;
     put_a_later_kingyos_file();
-    device.ops->open(device.self);
+    device.ledger.ops->open(device.ledger.self);
     for (int i = 0; i < 8; i++) {
         storage.look_due_ms = 0;
         storage_work(&storage);
@@ -557,31 +560,33 @@ static void play_round(uint32_t id, uint32_t caught)
         .kind = LEDGER_ROUND,
         .round = { .id = id, .caught = caught, .players = 1, .player = { { .caught = caught } } },
     };
-    assert_int_equal(device.ops->append(device.self, &round), HAL_OK);
+    assert_int_equal(device.ledger.ops->append(device.ledger.self, &round), HAL_OK);
 }
 
 static struct ledger_entry fetched;
 
 static int fetch(uint32_t round_id, uint8_t *bytes, size_t size)
 {
-    assert_int_equal(device.ops->fetch_replay(device.self, round_id, bytes, size, &fetched),
-                     HAL_OK);
-    assert_int_equal(device.ops->replay_fetched(device.self), HAL_ERR_BUSY);
+    assert_int_equal(
+        device.replays.ops->fetch(device.replays.self, round_id, bytes, size, &fetched), HAL_OK);
+    assert_int_equal(device.replays.ops->fetched(device.replays.self), HAL_ERR_BUSY);
     storage_work(&storage);
-    return device.ops->replay_fetched(device.self);
+    return device.replays.ops->fetched(device.replays.self);
 }
 
 static void test_a_ranked_rounds_replay_is_kept_and_comes_back(void **state)
 {
     (void)state;
     uint8_t found[64];
-    device.ops->open(device.self);
+    device.ledger.ops->open(device.ledger.self);
     play_round(1, 5); /* Written in the same go, before its replay. */
-    assert_int_equal(device.ops->store_replay(device.self, 1, replay, sizeof replay), HAL_OK);
-    assert_int_equal(device.ops->store_replay(device.self, 2, replay, sizeof replay), HAL_ERR_BUSY);
-    assert_int_equal(device.ops->stored_replay_id(device.self), 0);
+    assert_int_equal(device.replays.ops->store(device.replays.self, 1, replay, sizeof replay),
+                     HAL_OK);
+    assert_int_equal(device.replays.ops->store(device.replays.self, 2, replay, sizeof replay),
+                     HAL_ERR_BUSY);
+    assert_int_equal(device.replays.ops->stored_id(device.replays.self), 0);
     storage_work(&storage);
-    assert_int_equal(device.ops->stored_replay_id(device.self), 1);
+    assert_int_equal(device.replays.ops->stored_id(device.replays.self), 1);
     assert_int_equal(fetch(1, found, sizeof found), sizeof replay);
     assert_memory_equal(found, replay, sizeof replay);
     assert_int_equal(fetched.id, 1); /* And the round's own entry with it. */
@@ -594,13 +599,13 @@ static void test_a_round_that_is_not_ranked_keeps_no_replay(void **state)
 {
     (void)state;
     uint8_t found[64];
-    device.ops->open(device.self);
+    device.ledger.ops->open(device.ledger.self);
     for (uint32_t id = 1; id <= RANK_ROWS + 1; id++) {
         play_round(id, id <= RANK_ROWS ? 9 : 1);
     }
-    device.ops->store_replay(device.self, RANK_ROWS + 1, replay, sizeof replay);
+    device.replays.ops->store(device.replays.self, RANK_ROWS + 1, replay, sizeof replay);
     storage_work(&storage);
-    assert_int_equal(device.ops->stored_replay_id(device.self), RANK_ROWS + 1);
+    assert_int_equal(device.replays.ops->stored_id(device.replays.self), RANK_ROWS + 1);
     assert_int_equal(fetch(RANK_ROWS + 1, found, sizeof found), HAL_ERR_ABSENT);
 }
 
@@ -609,38 +614,40 @@ static void test_a_replay_is_written_after_its_round_and_never_before(void **sta
 {
     (void)state;
     uint8_t found[64];
-    device.ops->open(device.self);
+    device.ledger.ops->open(device.ledger.self);
     tape_refuse(ENOSPC);
     play_round(1, 5);
-    assert_int_equal(device.ops->store_replay(device.self, 1, replay, sizeof replay), HAL_OK);
+    assert_int_equal(device.replays.ops->store(device.replays.self, 1, replay, sizeof replay),
+                     HAL_OK);
     for (int i = 0; i < 3; i++) {
         storage_work(&storage);
         assert_int_equal(saved_id(), 0);
-        assert_int_equal(device.ops->stored_replay_id(device.self), 0);
+        assert_int_equal(device.replays.ops->stored_id(device.replays.self), 0);
     }
     tape_refuse(0);
     storage_work(&storage);
     assert_int_equal(saved_id(), 1);
-    assert_int_equal(device.ops->stored_replay_id(device.self), 1);
+    assert_int_equal(device.replays.ops->stored_id(device.replays.self), 1);
     assert_int_equal(fetch(1, found, sizeof found), sizeof replay);
 }
 
 static void test_a_replay_that_the_card_refuses_is_given_back(void **state)
 {
     (void)state;
-    device.ops->open(device.self);
+    device.ledger.ops->open(device.ledger.self);
     play_round(1, 5);
     storage_work(&storage);
     tape_refuse(ENOSPC);
-    device.ops->store_replay(device.self, 1, replay, sizeof replay);
+    device.replays.ops->store(device.replays.self, 1, replay, sizeof replay);
     storage_work(&storage);
     storage_work(&storage);
-    assert_int_equal(device.ops->stored_replay_id(device.self), 0); /* Tried again, ... */
-    storage.put_since_ms -= STORAGE_REPLAY_MS;                      /* ... but not for ever. */
+    assert_int_equal(device.replays.ops->stored_id(device.replays.self), 0); /* Tried again, ... */
+    storage.put_since_ms -= STORAGE_REPLAY_MS; /* ... but not for ever. */
     storage_work(&storage);
-    assert_int_equal(device.ops->stored_replay_id(device.self), 1);
+    assert_int_equal(device.replays.ops->stored_id(device.replays.self), 1);
     tape_refuse(0);
-    assert_int_equal(device.ops->store_replay(device.self, 1, replay, sizeof replay), HAL_OK);
+    assert_int_equal(device.replays.ops->store(device.replays.self, 1, replay, sizeof replay),
+                     HAL_OK);
 }
 
 int main(void)

@@ -48,16 +48,16 @@ static int tear_down(void **state)
 {
     (void)state;
     char command[160];
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     snprintf(command, sizeof command, "rm -rf %s %s", dir, whole);
     return system(command);
 }
 
 static void reopen(void)
 {
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
 }
 
 /* Each round catches as many fish as its id. */
@@ -72,7 +72,7 @@ static void hand_over_rounds(uint32_t first, uint32_t last)
             .balance = { .paid = id },
             .round = { .id = id, .caught = id, .players = 1, .player = { { .caught = id } } },
         };
-        assert_int_equal(device.ops->append(device.self, &round), HAL_OK);
+        assert_int_equal(device.ledger.ops->append(device.ledger.self, &round), HAL_OK);
     }
     storage_work(&storage);
 }
@@ -80,7 +80,7 @@ static void hand_over_rounds(uint32_t first, uint32_t last)
 static void play_rounds(uint32_t first, uint32_t last)
 {
     hand_over_rounds(first, last);
-    assert_int_equal(device.ops->saved_id(device.self), last);
+    assert_int_equal(device.ledger.ops->committed_id(device.ledger.self), last);
 }
 
 /* The backup has the first four. */
@@ -89,7 +89,7 @@ static void play_eight_and_close(void)
     reopen();
     play_rounds(1, 4);
     play_rounds(5, 8);
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
 }
 
 static int ask(const char *path, const char *question)
@@ -110,7 +110,7 @@ static void has_all_eight(void)
     static struct persistent_state memory;
     reopen();
     memset(&memory, 0, sizeof memory);
-    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 8);
     assert_int_equal(memory.ledger.balance.paid, 8);
     assert_int_equal(memory.audits.count[AUDIT_CAUGHT], 36);
@@ -162,7 +162,7 @@ static void test_whichever_page_is_damaged_nothing_is_lost(void **state)
         run(command);
         spoil_page(page);
         has_all_eight();
-        device.ops->close(device.self);
+        device.ledger.ops->close(device.ledger.self);
     }
 }
 
@@ -172,7 +172,7 @@ static void test_of_a_file_that_was_removed_nothing_is_lost(void **state)
     play_eight_and_close();
     assert_int_equal(unlink(file), 0);
     has_all_eight();
-    assert_string_equal(device.ops->describe(device.self),
+    assert_string_equal(device.ledger.ops->describe(device.ledger.self),
                         "kingyo.db was missing: 4 entries from the backup, 4 later ones, 0 lost");
     assert_true(is_beside(".missing-1"));
     assert_int_equal(mode_beside(".missing-1"), 0600);
@@ -185,7 +185,7 @@ static void test_without_file_and_tail_nobody_knows_what_is_lost(void **state)
     assert_int_equal(unlink(file), 0);
     assert_int_equal(unlink(tail_path), 0);
     reopen();
-    assert_non_null(strstr(device.ops->describe(device.self),
+    assert_non_null(strstr(device.ledger.ops->describe(device.ledger.self),
                            "4 entries from the backup, 0 later ones, unknown how many lost"));
 }
 
@@ -197,7 +197,7 @@ static void test_nor_where_all_of_it_is_dirt(void **state)
     assert_int_equal(unlink(backup), 0);
     assert_int_equal(unlink(tail_path), 0);
     reopen();
-    assert_non_null(strstr(device.ops->describe(device.self),
+    assert_non_null(strstr(device.ledger.ops->describe(device.ledger.self),
                            "damaged-1: 0 entries from the backup, 0 later ones, unknown how many"));
 }
 
@@ -218,7 +218,7 @@ static void test_of_one_of_the_third_version_its_rounds_are_read_too(void **stat
         assert_int_equal(atomic_load(&storage.aside), 1);
         assert_int_equal(storage.salvaged.lost, 0);
         assert_int_equal(storage.salvaged.entries, ask(copy, "SELECT max(id) FROM entries"));
-        device.ops->close(device.self);
+        device.ledger.ops->close(device.ledger.self);
     }
 }
 
@@ -233,7 +233,7 @@ static void test_what_neither_has_is_counted(void **state)
         storage.backup_id = id;
         play_rounds(id, id + 23u);
     }
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     assert_int_equal(ask(backup, "SELECT max(id) FROM entries"), 4);
     assert_int_equal(unlink(file), 0);
     reopen();
@@ -250,7 +250,7 @@ static void test_a_database_of_another_list_is_not_followed_by_this_tail(void **
     snprintf(other, sizeof other, "%s/other", whole);
     reopen();
     play_rounds(1, 3);
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     assert_int_equal(rename(file, other), 0);
     snprintf(command, sizeof command, "rm -f %s/*", dir);
     run(command);
@@ -259,7 +259,7 @@ static void test_a_database_of_another_list_is_not_followed_by_this_tail(void **
     boot = 1;
     assert_int_equal(rename(other, file), 0);
     reopen();
-    assert_int_equal(device.ops->saved_id(device.self), 3);
+    assert_int_equal(device.ledger.ops->committed_id(device.ledger.self), 3);
     assert_int_equal(atomic_load(&storage.aside), 0);
     assert_true(is_beside(".backup.other-1"));
     assert_true(is_beside(".tail.other-2"));
@@ -374,11 +374,11 @@ static void test_a_copy_that_is_put_back_has_a_tail_of_its_own(void **state)
     play_rounds(1, 2);
     assert_int_equal(ledger_backup_make(&storage.file, copy, true), SQLITE_OK);
     play_rounds(3, 8);
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     assert_int_equal(rename(copy, file), 0);
     reopen();
     assert_int_equal(atomic_load(&storage.aside), 0);
-    assert_int_equal(device.ops->saved_id(device.self), 2);
+    assert_int_equal(device.ledger.ops->committed_id(device.ledger.self), 2);
     play_rounds(3, 3);
     assert_int_equal(ledger_mirror_last_id(&storage.tail), 3);
 }
@@ -390,15 +390,16 @@ static void test_a_card_that_refuses_the_tail_alone_has_nothing_acknowledged(voi
     reopen();
     assert_int_equal(mkdir(tail_path, 0755), 0); /* At the start it would be set aside. */
     hand_over_rounds(1, 3);
-    assert_int_equal(device.ops->saved_id(device.self), 0);
-    assert_false(device.ops->is_healthy(device.self));
-    assert_non_null(strstr(device.ops->describe(device.self), "second copy is not written"));
+    assert_int_equal(device.ledger.ops->committed_id(device.ledger.self), 0);
+    assert_false(device.ledger.ops->is_healthy(device.ledger.self));
+    assert_non_null(
+        strstr(device.ledger.ops->describe(device.ledger.self), "second copy is not written"));
     hand_over_rounds(4, 4);
-    assert_int_equal(device.ops->saved_id(device.self), 0);
+    assert_int_equal(device.ledger.ops->committed_id(device.ledger.self), 0);
     assert_int_equal(rmdir(tail_path), 0);
     play_rounds(5, 5);
-    assert_true(device.ops->is_healthy(device.self));
-    assert_null(strstr(device.ops->describe(device.self), "second copy"));
+    assert_true(device.ledger.ops->is_healthy(device.ledger.self));
+    assert_null(strstr(device.ledger.ops->describe(device.ledger.self), "second copy"));
     for (uint32_t id = 1; id <= 5; id++) {
         assert_true(ledger_mirror_entry(&storage.tail, id, &found));
         assert_int_equal(found.round.caught, id);
@@ -411,7 +412,7 @@ static void test_entries_that_only_the_tail_lacks_are_not_lost_at_the_end(void *
     reopen();
     assert_int_equal(mkdir(tail_path, 0755), 0); /* At the start it would be set aside. */
     hand_over_rounds(1, 3);
-    assert_int_equal(device.ops->close(device.self), 0);
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     assert_int_equal(ask(file, "SELECT max(id) FROM entries"), 3);
 }
 
@@ -437,11 +438,11 @@ static void test_a_name_that_is_taken_back_is_not_left_in_it(void **state)
         .id = 1, .boot = 1, .kind = LEDGER_NAME, .count = 9, .detail = 1, .name = "A WORD"
     };
     reopen();
-    device.ops->append(device.self, &name);
+    device.ledger.ops->append(device.ledger.self, &name);
     storage_work(&storage);
     memset(name.name, 0, sizeof name.name);
     name.id = 2;
-    device.ops->append(device.self, &name);
+    device.ledger.ops->append(device.ledger.self, &name);
     storage_work(&storage);
     assert_true(ledger_mirror_entry(&storage.tail, 1, &found));
     assert_string_equal(found.name, "");

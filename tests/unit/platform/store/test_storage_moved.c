@@ -28,7 +28,7 @@ static void begin(int by_hand)
 {
     storage = (struct storage){ .dir = dir, .by_hand = (uint8_t)by_hand };
     device = storage_device(&storage);
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
 }
 
 static int set_up(void **state)
@@ -53,7 +53,7 @@ static void do_shell(const char *text)
 static int tear_down(void **state)
 {
     (void)state;
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     do_shell("rm -rf /tmp/kingyo-moved-gone; cd / && rm -rf \"$OLDPWD\"");
     return 0;
 }
@@ -65,7 +65,7 @@ static void pause_ms(long ms)
 
 static int is_well(void)
 {
-    return device.ops->is_healthy(device.self);
+    return device.ledger.ops->is_healthy(device.ledger.self);
 }
 
 static int keep(uint32_t id)
@@ -77,12 +77,12 @@ static int keep(uint32_t id)
                                        .count = 1,
                                        .value = 1,
                                        .balance = { .paid = id } };
-    return device.ops->append(device.self, &coin);
+    return device.ledger.ops->append(device.ledger.self, &coin);
 }
 
 static uint32_t saved_id(void)
 {
-    return device.ops->saved_id(device.self);
+    return device.ledger.ops->committed_id(device.ledger.self);
 }
 
 static void wait_until_well(int well, long most_ms)
@@ -113,7 +113,7 @@ static void is_detected_after(const char *what)
     save_three();
     do_shell(what);
     wait_until_well(0, WITHIN_MS);
-    const char *text = device.ops->describe(device.self);
+    const char *text = device.ledger.ops->describe(device.ledger.self);
     assert_non_null(strstr(text, "removed or replaced"));
     assert_non_null(strstr(text, "restart the kiosk"));
     keep(4);
@@ -127,12 +127,13 @@ static void test_a_deleted_folder_is_detected_and_saved_at_the_end(void **state)
     (void)state;
     static struct persistent_state memory;
     is_detected_after("rm -rf data");
-    assert_int_equal(device.ops->close(device.self), 0);
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     begin(1);
-    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 4); /* The one that waited as well. */
     assert_int_equal(memory.audits.count[AUDIT_COINS_1], 4);
-    assert_non_null(strstr(device.ops->describe(device.self), "kingyo.db was missing"));
+    assert_non_null(
+        strstr(device.ledger.ops->describe(device.ledger.self), "kingyo.db was missing"));
 }
 
 static void test_a_deleted_and_made_folder_is_detected_and_saved_at_the_end(void **state)
@@ -140,9 +141,9 @@ static void test_a_deleted_and_made_folder_is_detected_and_saved_at_the_end(void
     (void)state;
     static struct persistent_state memory;
     is_detected_after("rm -rf data && mkdir data");
-    assert_int_equal(device.ops->close(device.self), 0);
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     begin(1);
-    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 4);
 }
 
@@ -151,7 +152,8 @@ static void test_a_deleted_folder_in_whose_place_is_another_keeps_the_other_as_i
     (void)state;
     is_detected_after("rm -rf data && mkdir data && "
                       "cp $OLDPWD/tests/unit/platform/store/files/version-5.db data/kingyo.db");
-    assert_int_equal(device.ops->close(device.self), 1); /* Entry 4 was never acknowledged. */
+    assert_int_equal(device.ledger.ops->close(device.ledger.self),
+                     1); /* Entry 4 was never acknowledged. */
     do_shell("cmp -s $OLDPWD/tests/unit/platform/store/files/version-5.db data/kingyo.db");
     begin(1);
 }
@@ -195,7 +197,7 @@ static void test_a_file_that_is_deleted_or_replaced_is_detected(void **state)
 {
     (void)state;
     is_detected_after("rm data/kingyo.db");
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     do_shell("rm -rf data");
     is_detected_after("mv data/kingyo.db data/old && cp data/old data/kingyo.db && "
                       "rm data/old data/kingyo.db-*");
@@ -215,9 +217,9 @@ static void test_a_log_that_is_deleted_is_detected_and_loses_nothing(void **stat
     storage_work(&storage);
     assert_int_equal(saved_id(), 2);
     do_shell("rm -f data/kingyo.db-wal.lost");
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     begin(1);
-    device.ops->load(device.self, &memory);
+    device.ledger.ops->load(device.ledger.self, &memory);
     assert_int_equal(memory.ledger.last_id, 2);
 }
 
@@ -226,20 +228,20 @@ static void test_a_deleted_log_raises_the_alarm_and_then_the_database_is_opened_
     (void)state;
     static struct persistent_state memory;
     save_three();
-    const uint32_t refused = device.ops->refused_count(device.self);
+    const uint32_t refused = device.ledger.ops->failed_count(device.ledger.self);
     do_shell("rm data/kingyo.db-wal");
     wait_until_well(0, WITHIN_MS);
-    assert_non_null(strstr(device.ops->describe(device.self), "removed or replaced"));
-    assert_true(device.ops->refused_count(device.self) > refused);
+    assert_non_null(strstr(device.ledger.ops->describe(device.ledger.self), "removed or replaced"));
+    assert_true(device.ledger.ops->failed_count(device.ledger.self) > refused);
     keep(4);
     wait_until_well(1, 2 * WITHIN_MS);
     for (int i = 0; i < 200 && saved_id() < 4; i++) {
         pause_ms(10);
     }
     assert_int_equal(saved_id(), 4);
-    assert_int_equal(device.ops->close(device.self), 0);
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     begin(1);
-    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 4);
 }
 
@@ -252,9 +254,9 @@ static void test_a_log_that_is_deleted_right_before_the_end_loses_nothing(void *
     storage_work(&storage);
     keep(2);
     do_shell("rm data/kingyo.db-wal");
-    assert_int_equal(device.ops->close(device.self), 0);
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     begin(1);
-    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 2);
 }
 

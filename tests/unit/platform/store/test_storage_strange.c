@@ -109,14 +109,14 @@ static int keep(uint32_t id)
                                        .count = 1,
                                        .value = 1,
                                        .balance = { .paid = id } };
-    return device.ops->append(device.self, &coin);
+    return device.ledger.ops->append(device.ledger.self, &coin);
 }
 
 static int begin(void)
 {
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
     device = storage_device(&storage);
-    return device.ops->open(device.self);
+    return device.ledger.ops->open(device.ledger.self);
 }
 
 static void fill_and_close(void)
@@ -129,7 +129,7 @@ static void fill_and_close(void)
         assert_int_equal(keep(id), HAL_OK);
     }
     storage_work(&storage);
-    assert_int_equal(device.ops->close(device.self), 0);
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
 }
 
 static void goes_on_after(const char *name, void (*put)(const char *))
@@ -140,9 +140,9 @@ static void goes_on_after(const char *name, void (*put)(const char *))
     unlink(in_dir(name));
     put(in_dir(name));
     assert_int_equal(begin(), HAL_OK);
-    assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+    assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
     assert_int_equal(memory.ledger.last_id, 3);
-    const char *text = device.ops->describe(device.self);
+    const char *text = device.ledger.ops->describe(device.ledger.self);
     assert_non_null(strstr(text, "was not a regular file and was set aside"));
     assert_non_null(strstr(text, name));
     assert_null(strchr(text, '\n'));
@@ -150,9 +150,9 @@ static void goes_on_after(const char *name, void (*put)(const char *))
     assert_int_equal(faccessat(AT_FDCWD, in_dir(aside), F_OK, AT_SYMLINK_NOFOLLOW), 0);
     keep(4);
     storage_work(&storage);
-    assert_int_equal(device.ops->saved_id(device.self), 4);
-    assert_true(device.ops->is_healthy(device.self));
-    assert_int_equal(device.ops->close(device.self), 0);
+    assert_int_equal(device.ledger.ops->committed_id(device.ledger.self), 4);
+    assert_true(device.ledger.ops->is_healthy(device.ledger.self));
+    assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     victim_is_untouched();
 }
 
@@ -179,10 +179,10 @@ static void test_what_is_no_file_in_place_of_the_database_gives_way_to_the_backu
         unlink(in_dir(STORAGE_FILE));
         others[i](in_dir(STORAGE_FILE));
         assert_int_equal(begin(), HAL_OK);
-        assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+        assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
         assert_int_equal(memory.ledger.last_id, 3);
-        assert_non_null(strstr(device.ops->describe(device.self), "damaged-1"));
-        assert_int_equal(device.ops->close(device.self), 0);
+        assert_non_null(strstr(device.ledger.ops->describe(device.ledger.self), "damaged-1"));
+        assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
     }
 }
 
@@ -196,9 +196,10 @@ static void test_a_link_in_place_of_the_database_is_not_followed_and_reported(vo
         unlink(in_dir(STORAGE_FILE));
         links[i](in_dir(STORAGE_FILE));
         assert_int_equal(begin(), HAL_ERR_IO);
-        assert_non_null(strstr(device.ops->describe(device.self), "is a symbolic link"));
+        assert_non_null(
+            strstr(device.ledger.ops->describe(device.ledger.self), "is a symbolic link"));
         storage_work(&storage);
-        assert_int_equal(device.ops->close(device.self), 0);
+        assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
         victim_is_untouched();
     }
 }
@@ -214,10 +215,10 @@ static void test_what_is_no_file_in_place_of_a_file_in_the_making_is_no_obstacle
         unlink(in_dir(STORAGE_FILE));
         (i % 2u == 0 ? put_fifo : put_link)(in_dir(names[i / 2u]));
         assert_int_equal(begin(), HAL_OK);
-        assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+        assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
         assert_int_equal(memory.ledger.last_id, 3);
         storage_work(&storage);
-        assert_int_equal(device.ops->close(device.self), 0);
+        assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
         victim_is_untouched();
     }
 }

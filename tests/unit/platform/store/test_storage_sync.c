@@ -95,14 +95,14 @@ static int set_up(void **state)
     fail_syncs(NULL, 0);
     watched = NULL;
     written = 0;
-    return device.ops->open(device.self) == HAL_OK ? 0 : -1;
+    return device.ledger.ops->open(device.ledger.self) == HAL_OK ? 0 : -1;
 }
 
 static int tear_down(void **state)
 {
     (void)state;
     char command[80];
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     snprintf(command, sizeof command, "rm -rf %s", dir);
     return system(command);
 }
@@ -113,14 +113,14 @@ static void drop_coins(uint32_t first, uint32_t last)
         const struct ledger_entry coin = {
             .id = id, .boot = 1, .tick = id, .kind = LEDGER_COINS, .count = 1
         };
-        assert_int_equal(device.ops->append(device.self, &coin), HAL_OK);
+        assert_int_equal(device.ledger.ops->append(device.ledger.self, &coin), HAL_OK);
     }
     storage_work(&storage);
 }
 
 static uint32_t saved(void)
 {
-    return device.ops->saved_id(device.self);
+    return device.ledger.ops->committed_id(device.ledger.self);
 }
 
 static uint64_t size_of(const char *path)
@@ -139,13 +139,13 @@ static void test_after_a_failed_sync_of_the_log_its_bytes_are_written_again(void
     fail_syncs(wal, 2); /* At COMMIT, and when the file is closed. */
     drop_coins(2, 3);
     assert_int_equal(saved(), 1);
-    assert_false(device.ops->is_healthy(device.self));
+    assert_false(device.ledger.ops->is_healthy(device.ledger.self));
     const uint64_t size = size_of(wal);
     assert_true(size > 0);
     written = 0;
     storage_work(&storage);
     assert_int_equal(saved(), 3);
-    assert_true(device.ops->is_healthy(device.self));
+    assert_true(device.ledger.ops->is_healthy(device.ledger.self));
     assert_true(written >= size);
 }
 
@@ -157,12 +157,12 @@ static void test_while_every_sync_fails_nothing_is_acknowledged(void **state)
     for (uint32_t id = 3; id < 12; id++) {
         drop_coins(id, id);
         assert_int_equal(saved(), 2);
-        assert_false(device.ops->is_healthy(device.self));
+        assert_false(device.ledger.ops->is_healthy(device.ledger.self));
     }
     fail_syncs(NULL, 0);
     storage_work(&storage);
     assert_int_equal(saved(), 11);
-    assert_true(device.ops->is_healthy(device.self));
+    assert_true(device.ledger.ops->is_healthy(device.ledger.self));
 }
 
 static void test_a_failed_sync_of_the_tail_alone_is_not_acknowledged(void **state)
@@ -173,7 +173,7 @@ static void test_a_failed_sync_of_the_tail_alone_is_not_acknowledged(void **stat
     fail_syncs(tail, 1);
     drop_coins(2, 2);
     assert_int_equal(saved(), 1);
-    assert_false(device.ops->is_healthy(device.self));
+    assert_false(device.ledger.ops->is_healthy(device.ledger.self));
     written = 0;
     storage_work(&storage);
     assert_int_equal(saved(), 2);
@@ -191,7 +191,7 @@ static void test_a_failed_checkpoint_closes_the_file_and_loses_nothing(void **st
     }
     assert_int_equal(fails_left, 0);
     assert_int_equal(saved(), id - 1u);
-    assert_false(device.ops->is_healthy(device.self));
+    assert_false(device.ledger.ops->is_healthy(device.ledger.self));
     assert_null(storage.file.db);
     watched = wal;
     written = 0;
@@ -208,7 +208,7 @@ static void be_killed(void)
     snprintf(command, sizeof command, "mkdir %s/copy && cp %s %s %s %s/copy", dir, file, wal, tail,
              dir);
     assert_int_equal(system(command), 0);
-    device.ops->close(device.self);
+    device.ledger.ops->close(device.ledger.self);
     snprintf(command, sizeof command, "mv %s/copy/* %s", dir, dir);
     assert_int_equal(system(command), 0);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
@@ -224,10 +224,10 @@ static void test_a_log_that_is_found_at_the_start_is_written_again_before_it_cou
     const uint64_t size = size_of(wal);
     assert_true(size > 0);
     fail_syncs(wal, 1);
-    assert_int_not_equal(device.ops->open(device.self), HAL_OK);
-    device.ops->close(device.self);
+    assert_int_not_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
+    device.ledger.ops->close(device.ledger.self);
     storage = (struct storage){ .dir = dir, .by_hand = 1 };
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     assert_int_equal(saved(), 5);
     assert_true(written >= 2u * size);
 }
@@ -240,13 +240,14 @@ static void test_a_log_that_another_program_locks_at_the_start_is_not_acknowledg
     be_killed();
     assert_int_equal(sqlite3_open(file, &other), SQLITE_OK);
     assert_int_equal(sqlite3_exec(other, "BEGIN IMMEDIATE", NULL, NULL, NULL), SQLITE_OK);
-    assert_int_equal(device.ops->open(device.self), HAL_OK);
+    assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
     for (int i = 0; i < 2; i++) {
         assert_int_equal(saved(), 0);
-        assert_false(device.ops->is_healthy(device.self));
+        assert_false(device.ledger.ops->is_healthy(device.ledger.self));
         storage_work(&storage); /* The lock still lasts. */
     }
-    assert_non_null(strstr(device.ops->describe(device.self), "another program holds it"));
+    assert_non_null(
+        strstr(device.ledger.ops->describe(device.ledger.self), "another program holds it"));
     assert_int_equal(sqlite3_exec(other, "ROLLBACK", NULL, NULL, NULL), SQLITE_OK);
     watched = wal;
     written = 0;
@@ -254,7 +255,7 @@ static void test_a_log_that_another_program_locks_at_the_start_is_not_acknowledg
     storage_work(&storage); /* After the failed sync the file is opened again. */
     assert_int_equal(fails_left, 0);
     assert_int_equal(saved(), 5);
-    assert_true(device.ops->is_healthy(device.self));
+    assert_true(device.ledger.ops->is_healthy(device.ledger.self));
     assert_true(written >= 2u * size_of(wal));
     sqlite3_close(other);
 }
@@ -265,7 +266,7 @@ static void test_a_name_taken_back_is_written_again_after_a_failed_sync_of_the_t
     struct ledger_entry name = {
         .id = 1, .boot = 1, .kind = LEDGER_NAME, .count = 9, .detail = 1, .name = "A WORD"
     };
-    device.ops->append(device.self, &name);
+    device.ledger.ops->append(device.ledger.self, &name);
     storage_work(&storage);
     memset(name.name, 0, sizeof name.name);
     name.id = 2;

@@ -191,12 +191,12 @@ static void test_a_start_passes_over_a_tail_entry_that_is_out_of_range(void **st
         ledger_mirror_close(&tail);
         storage = (struct storage){ .dir = dir, .by_hand = 1 };
         const struct hal_storage device = storage_device(&storage);
-        assert_int_equal(device.ops->open(device.self), HAL_OK);
-        assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+        assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
+        assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
         assert_int_equal(memory.ledger.last_id, 3);
         const struct core_config config = { .fish_count = 4, .persistent = memory };
         assert_int_equal(core_init(&core, &config), CORE_OK);
-        device.ops->close(device.self);
+        device.ledger.ops->close(device.ledger.self);
     }
 }
 
@@ -283,9 +283,9 @@ static void expect_a_start_for_each_change(bool has_backup)
         storage = (struct storage){ .dir = dir, .by_hand = 1 };
         const struct hal_storage device = storage_device(&storage);
         memset(&memory, 0, sizeof memory);
-        assert_int_equal(device.ops->open(device.self), HAL_OK);
-        assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
-        assert_int_equal(device.ops->close(device.self), 0);
+        assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
+        assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
+        assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
         const struct core_config config = { .fish_count = 4, .persistent = memory };
         assert_int_equal(core_init(&core, &config), CORE_OK);
         assert_int_equal(memory.ledger.last_id, 1);
@@ -329,14 +329,14 @@ static void test_a_database_whose_ids_would_wrap_keeps_its_credits_over_a_restar
         for (uint32_t start = 0; start < 2; start++) { /* The second reads what the first wrote. */
             storage = (struct storage){ .dir = dir, .by_hand = 1 };
             const struct hal_storage device = storage_device(&storage);
-            assert_int_equal(device.ops->open(device.self), HAL_OK);
-            assert_int_equal(device.ops->load(device.self, &memory), HAL_OK);
+            assert_int_equal(device.ledger.ops->open(device.ledger.self), HAL_OK);
+            assert_int_equal(device.ledger.ops->load(device.ledger.self, &memory), HAL_OK);
             assert_int_equal(memory.ledger.last_id, 7u + start);
             assert_int_equal(memory.ledger.balance.paid, 5);
             struct ledger_entry next = coin(8u + start);
             next.boot = 2;
-            assert_int_equal(device.ops->append(device.self, &next), HAL_OK);
-            assert_int_equal(device.ops->close(device.self), 0);
+            assert_int_equal(device.ledger.ops->append(device.ledger.self, &next), HAL_OK);
+            assert_int_equal(device.ledger.ops->close(device.ledger.self), 0);
         }
     }
 }

@@ -98,10 +98,10 @@ static void test_the_drivers_own_words_are_known(void **state)
     snprintf(line, sizeof line, "%s", buttons.ops->describe(buttons.self));
     assert_string_not_equal(in_japanese(line), line);
     assert_null(strstr(out, "arrows"));
-    snprintf(line, sizeof line, "%s", store.ops->describe(store.self));
+    snprintf(line, sizeof line, "%s", store.ledger.ops->describe(store.ledger.self));
     assert_string_not_equal(in_japanese(line), line);
-    store.ops->open(store.self);
-    snprintf(line, sizeof line, "%s", store.ops->describe(store.self));
+    store.ledger.ops->open(store.ledger.self);
+    snprintf(line, sizeof line, "%s", store.ledger.ops->describe(store.ledger.self));
     assert_string_not_equal(in_japanese(line), line);
     assert_null(strstr(out, "folder"));
 }
@@ -145,19 +145,19 @@ static void test_whatever_the_store_says_is_known(void **state)
             storage = (struct storage){ .path = "/kingyo.db" };
             atomic_store(&storage.has_file, has_file != 0);
             atomic_store(&storage.error, errors[i]);
-            expect_japanese(store.ops->describe(store.self));
+            expect_japanese(store.ledger.ops->describe(store.ledger.self));
         }
     }
     atomic_store(&storage.error, SQLITE_OK);
     atomic_store(&storage.edit_error, ENOSPC);
-    expect_japanese(store.ops->describe(store.self));
+    expect_japanese(store.ledger.ops->describe(store.ledger.self));
     atomic_store(&storage.edit_error, 0);
     atomic_store(&storage.strange, 1);
-    expect_japanese(store.ops->describe(store.self));
+    expect_japanese(store.ledger.ops->describe(store.ledger.self));
     atomic_store(&storage.aside, 2);
-    expect_japanese(store.ops->describe(store.self));
+    expect_japanese(store.ledger.ops->describe(store.ledger.self));
     atomic_store(&storage.busy_since_ms, 1);
-    expect_japanese(store.ops->describe(store.self));
+    expect_japanese(store.ledger.ops->describe(store.ledger.self));
 }
 
 static void test_what_is_too_long_ends_after_a_whole_character(void **state)
