@@ -8,7 +8,7 @@
 #include "board/desktop/parts.h"
 #include "drivers/null.h"
 #include "platform/render/display_gl.h"
-#include "platform/render/drm_card.h"
+#include "platform/render/screen.h"
 
 static struct {
     struct display_gl display;
@@ -90,7 +90,7 @@ int board_has_screen(char *why, size_t why_size)
                  "graphics card");
         return 0;
     }
-    drm_card_prefer();
+    screen_card_prefer();
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
         snprintf(why, why_size, "%s (SDL: %s)",
                  has_windows ? "the display does not answer" : "no screen is plugged in",

@@ -8,8 +8,7 @@
 
 #include "core/game/lab/lab_layout.h"
 #include "platform/os/clock.h"
-#include "platform/render/drm_card.h"
-#include "platform/render/x11_guard.h"
+#include "platform/render/screen.h"
 
 #define WINDOW_WIDTH 1280
 #define WINDOW_HEIGHT 720
@@ -54,16 +53,6 @@ static void display_gl_release(struct display_gl *display)
     display->has_shown = false;
 }
 
-/* Returns true if SDL unexpectedly chose a driver without a visible picture ("offscreen" or
- * "dummy"), for example because the window system stopped. Returns false if `off_screen` or the
- * environment variable SDL_VIDEODRIVER requested the driver. */
-static int shows_nothing(const struct display_gl *display)
-{
-    const char *driver = SDL_GetCurrentVideoDriver();
-    return !display->config.off_screen && !SDL_getenv("SDL_VIDEODRIVER") && driver &&
-           (strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0);
-}
-
 static const char *sockets_of(const struct display_gl *display)
 {
     return display->config.sockets ? display->config.sockets : "/sys/class/drm";
@@ -81,7 +70,7 @@ static int has_nothing_plugged(struct display_gl *display)
 {
     const char *driver = SDL_getenv("SDL_VIDEODRIVER");
     display->is_bare = !display->config.off_screen && driver && strcasecmp(driver, "kmsdrm") == 0;
-    display->plugged = connectors_read(sockets_of(display));
+    display->plugged = screen_connectors(sockets_of(display));
     display->looked_ns = display_gl_now_ns();
     display->changed_looks = 0;
     return display->is_bare && display->plugged.count > 0 && display->plugged.connected == 0;
@@ -99,11 +88,16 @@ static int create_window(struct display_gl *display)
     if (config->off_screen) {
         SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, "offscreen", SDL_HINT_OVERRIDE);
     }
-    drm_card_prefer();
+    screen_card_prefer();
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
         return display_gl_fail(display, "SDL video does not start", SDL_GetError());
     }
-    if (shows_nothing(display)) {
+    /* SDL chooses a driver without a visible picture ("offscreen" or "dummy"), for example, if the
+     * window system has stopped. Only `off_screen` or the environment variable SDL_VIDEODRIVER may
+     * request such a driver. */
+    const char *driver = SDL_GetCurrentVideoDriver();
+    if (!display->config.off_screen && !SDL_getenv("SDL_VIDEODRIVER") && driver &&
+        (strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0)) {
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
         return display_gl_fail(display, "no screen answers",
                                "SDL found only one that shows nothing");
@@ -159,22 +153,6 @@ static int create_context(struct display_gl *display)
     return HAL_OK;
 }
 
-/* Starts the quality governor. Does nothing if the display is off-screen, because off-screen
- * pictures must be identical on every machine. Also does nothing if the configuration sets the
- * scene scale or the samples. */
-static void begin_to_govern(struct display_gl *display)
-{
-    const struct display_gl_config *const config = &display->config;
-    SDL_DisplayMode mode = { 0 };
-    display->is_governed =
-        !config->off_screen && config->scene_scale <= 0.0f && config->samples == 0;
-    if (display->is_governed) {
-        SDL_GetCurrentDisplayMode(SDL_GetWindowDisplayIndex(display->window), &mode);
-        governor_begin(&display->governor, mode.refresh_rate > 0 ? (uint32_t)mode.refresh_rate : 0);
-        thermal_start(&display->thermal);
-    }
-}
-
 /* Lowers the picture's quality after late frames or on a hot machine. Called after each frame. */
 static int govern(struct display_gl *display, const struct scene *scene)
 {
@@ -185,10 +163,12 @@ static int govern(struct display_gl *display, const struct scene *scene)
     }
     if (looks != display->heat_looks) {
         display->heat_looks = looks;
-        governor_set_temperature(&display->governor, atomic_load(&display->thermal.margin_mdeg));
+        quality_governor_set_temperature(&display->governor,
+                                         atomic_load(&display->thermal.margin_mdeg));
     }
     const bool may_refine = scene->phase == PHASE_ATTRACT || scene->phase == PHASE_MENU;
-    const uint32_t step = governor_frame(&display->governor, display_gl_now_ns(), may_refine);
+    const uint32_t step =
+        quality_governor_frame(&display->governor, display_gl_now_ns(), may_refine);
     if (step == display->renderer.step) {
         return HAL_OK;
     }
@@ -211,7 +191,7 @@ static int display_open(void *self)
     }
     int error = create_window(display);
     if (error == HAL_OK) {
-        x11_guard(display->window, on_broken, display);
+        screen_guard_x11(display->window, on_broken, display);
         error = create_context(display);
     }
     if (error != HAL_OK) {
@@ -222,7 +202,19 @@ static int display_open(void *self)
     const char *driver = SDL_GetCurrentVideoDriver();
     display->is_bare = driver && strcasecmp(driver, "kmsdrm") == 0;
     renderer_describe(&display->renderer, display->text, sizeof display->text);
-    begin_to_govern(display);
+    /* The quality governor does not run if the display is off-screen, because off-screen pictures
+     * must be identical on every machine, or if the configuration sets the scene scale or the
+     * samples. */
+    const struct display_gl_config *const config = &display->config;
+    SDL_DisplayMode mode = { 0 };
+    display->is_governed =
+        !config->off_screen && config->scene_scale <= 0.0f && config->samples == 0;
+    if (display->is_governed) {
+        SDL_GetCurrentDisplayMode(SDL_GetWindowDisplayIndex(display->window), &mode);
+        quality_governor_begin(&display->governor,
+                               mode.refresh_rate > 0 ? (uint32_t)mode.refresh_rate : 0);
+        thermal_start(&display->thermal);
+    }
     return HAL_OK;
 }
 
@@ -236,7 +228,7 @@ static void watch_plugs(struct display_gl *display)
         return;
     }
     display->looked_ns = now;
-    const struct connectors plugged = connectors_read(sockets_of(display));
+    const struct connectors plugged = screen_connectors(sockets_of(display));
     const bool is_other = plugged.count > 0 && plugged.which != display->plugged.which;
     display->changed_looks = (uint8_t)(is_other ? display->changed_looks + 1u : 0u);
     if (display->changed_looks >= LOOKS) {
@@ -349,18 +341,6 @@ static int display_toggle_full_screen(void *self)
     return HAL_OK;
 }
 
-/* Draws the scene `shown` once. If the display draws only on demand and the scene shows the growth
- * lab or the album, draws the scene PAINT_DRAWS times, until the fish are painted at full
- * resolution. */
-static void draw_picture(struct display_gl *display)
-{
-    const uint8_t phase = display->shown.phase;
-    const int paints = display->config.on_demand && (phase == PHASE_LAB || phase == PHASE_ALBUM);
-    for (uint32_t i = 0; i < (paints ? PAINT_DRAWS : 1u); i++) {
-        renderer_draw(&display->renderer, &display->shown);
-    }
-}
-
 static int display_capture(void *self, struct hal_image *image)
 {
     struct display_gl *const display = self;
@@ -370,7 +350,13 @@ static int display_capture(void *self, struct hal_image *image)
     if (!display->has_shown) {
         return HAL_ERR_IO;
     }
-    draw_picture(display);
+    /* If the display draws only on demand, the fish of the growth lab and of the album are drawn
+     * until they are painted at full resolution. */
+    const uint8_t phase = display->shown.phase;
+    const int paints = display->config.on_demand && (phase == PHASE_LAB || phase == PHASE_ALBUM);
+    for (uint32_t i = 0; i < (paints ? PAINT_DRAWS : 1u); i++) {
+        renderer_draw(&display->renderer, &display->shown);
+    }
     return renderer_read(&display->renderer, image);
 }
 

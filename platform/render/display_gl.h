@@ -12,8 +12,8 @@
 #include <stdint.h>
 
 #include "platform/hal.h"
-#include "platform/render/connectors.h"
-#include "platform/render/governor.h"
+#include "platform/render/screen.h"
+#include "platform/render/quality.h"
 #include "platform/render/renderer.h"
 #include "platform/thermal.h"
 

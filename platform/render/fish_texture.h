@@ -17,8 +17,7 @@
 /* Maximum number of sheets. The distance from one key to the next is six sheets in a species with
  * three keys, three sheets with five keys, and one sheet with eight keys. */
 #define FISH_TEXTURE_SHEETS 13u
-#define FISH_TEXTURE_BAND 8u /* Number of texel rows that are painted and uploaded together. */
-#define FISH_TEXTURE_BANDS (PAINT_SIZE / FISH_TEXTURE_BAND)
+#define FISH_TEXTURE_BANDS (PAINT_SIZE / PAINT_BAND) /* Number of bands of a sheet. */
 
 struct fish_texture {
     struct species species; /* Copy of the species, because its coats are read as long as the
@@ -38,18 +37,6 @@ struct fish_texture {
     GLuint shines;  /* Array texture of the sheets' reflectance. */
 };
 
-#define FISH_TEXTURE_COARSE 4u /* Distance in texels between two points of the coarse painting. */
-#define FISH_TEXTURE_COARSE_SIZE (PAINT_SIZE / FISH_TEXTURE_COARSE)
-
-/* Scratch memory for painting a band of FISH_TEXTURE_BAND texel rows. All fish textures may share
- * one brush. */
-struct fish_texture_brush {
-    uint8_t paint[FISH_TEXTURE_BAND * PAINT_SIZE][4];
-    uint8_t shine[FISH_TEXTURE_BAND * PAINT_SIZE];
-    /* Colour, transparency and reflectance of each coarse point. */
-    float coarse[FISH_TEXTURE_COARSE_SIZE * FISH_TEXTURE_COARSE_SIZE][5];
-};
-
 void fish_texture_open(struct gl_status *status, struct fish_texture *skin);
 void fish_texture_close(struct fish_texture *skin);
 
@@ -60,13 +47,12 @@ void fish_texture_bind(struct fish_texture *skin, const struct species *species)
  * sheet, the number of the second sheet and the blend weight of the second sheet to `sheets`.
  * Paints each of the two sheets coarsely if it is unpainted, in about 2 ms per sheet. `length_px`
  * is the fish's length on the screen. */
-void fish_texture_request(struct fish_texture *skin, struct fish_texture_brush *brush,
+void fish_texture_request(struct fish_texture *skin, struct paint_brush *brush,
                           const float weights[MORPH_KEY_MAX], float length_px, float sheets[3]);
 
 /* Paints up to `bands` more bands finely, in about 1 ms each. Stops early when all sheets are
  * finished. Returns how many of the `bands` were left over. */
-uint32_t fish_texture_work(struct fish_texture *skin, struct fish_texture_brush *brush,
-                           uint32_t bands);
+uint32_t fish_texture_work(struct fish_texture *skin, struct paint_brush *brush, uint32_t bands);
 
 /* Returns true if the sheets that the largest fish shows are painted finely. See
  * fish_texture_request(). */

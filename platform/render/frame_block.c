@@ -64,16 +64,6 @@ static void frame_block_view_matrix(float out[16], const struct basis *axes, vec
     memcpy(out, m, sizeof m);
 }
 
-static void project(float out[16], float tan_y, float aspect)
-{
-    memset(out, 0, 16 * sizeof *out);
-    out[0] = 1.0f / (tan_y * aspect);
-    out[5] = 1.0f / tan_y;
-    out[10] = (FAR_M + NEAR_M) / (NEAR_M - FAR_M);
-    out[11] = -1.0f;
-    out[14] = 2.0f * FAR_M * NEAR_M / (NEAR_M - FAR_M);
-}
-
 static void frame_block_set(float out[4], float x, float y, float z, float w)
 {
     out[0] = x;
@@ -93,19 +83,6 @@ void frame_close(struct frame *frame)
     glDeleteBuffers(1, &frame->buffer);
 }
 
-/* Writes the matrix from the picture's clip space to the screen's clip space. Every pass can
- * therefore draw directly at the final place on the screen. */
-static void frame_block_screen_transform(float out[16], const struct display_transform *transform)
-{
-    float turned[4], move[2];
-    memset(out, 0, 16 * sizeof *out);
-    display_clip_matrix(transform, turned, move);
-    frame_block_set(out, turned[0], turned[1], 0.0f, 0.0f);
-    frame_block_set(out + 4, turned[2], turned[3], 0.0f, 0.0f);
-    out[10] = 1.0f;
-    frame_block_set(out + 12, move[0], move[1], 0.0f, 1.0f);
-}
-
 static void set_camera(struct frame *frame, const struct view *view,
                        const struct display_transform *transform)
 {
@@ -117,9 +94,22 @@ static void set_camera(struct frame *frame, const struct view *view,
     const struct basis axes = view_basis(view);
     const float tan_y = view_half_height_tan(view, aspect);
     frame_block_view_matrix(rotation, &axes, view->eye_m);
-    project(projection, tan_y, aspect);
+    memset(projection, 0, 16 * sizeof *projection);
+    projection[0] = 1.0f / (tan_y * aspect);
+    projection[5] = 1.0f / tan_y;
+    projection[10] = (FAR_M + NEAR_M) / (NEAR_M - FAR_M);
+    projection[11] = -1.0f;
+    projection[14] = 2.0f * FAR_M * NEAR_M / (NEAR_M - FAR_M);
     multiply(seen, projection, rotation);
-    frame_block_screen_transform(placed, transform);
+    /* The matrix `placed` leads from the picture's clip space to the screen's clip space. Every
+     * pass can therefore draw directly at the final place on the screen. */
+    float turned[4], move[2];
+    memset(placed, 0, 16 * sizeof *placed);
+    display_clip_matrix(transform, turned, move);
+    frame_block_set(placed, turned[0], turned[1], 0.0f, 0.0f);
+    frame_block_set(placed + 4, turned[2], turned[3], 0.0f, 0.0f);
+    placed[10] = 1.0f;
+    frame_block_set(placed + 12, move[0], move[1], 0.0f, 1.0f);
     multiply(frame->block.view_projection, placed, seen);
     memcpy(frame->block.placed, (float[4]){ placed[0], placed[1], placed[4], placed[5] },
            sizeof frame->block.placed);
@@ -127,11 +117,19 @@ static void set_camera(struct frame *frame, const struct view *view,
     frame->view.focal_px = 0.5f * transform->height / tan_y;
 }
 
-/* Sets how far the refracted picture moves on the screen per unit of surface slope. The distance
- * is computed for a point at the camera's target. Elsewhere in the tank the error is a few per
- * cent. */
-static void set_bend(struct frame *frame, const struct scene *scene, float aspect)
+void frame_begin(struct frame *frame, const struct scene *scene,
+                 const struct display_transform *transform)
 {
+    struct frame_block *const block = &frame->block;
+    const float aspect = transform->width / transform->height;
+    const float seconds = (float)(scene->tick % SECONDS_WRAP_TICKS) * CORE_TICK_S;
+    const float layers = seconds * CAUSTIC_LAYERS_HZ;
+    const float loops = f_floor(layers / (float)ASSET_CAUSTICS_FRAMES);
+    const vec3 size = scene->tank_size_m;
+    set_camera(frame, &scene->view, transform);
+    /* `bend` is how far the refracted picture moves on the screen per unit of surface slope. The
+     * distance is computed for a point at the camera's target. Elsewhere in the tank the error is
+     * a few per cent. */
     const struct view *const view = &scene->view;
     const struct basis axes = view_basis(view);
     const float distance = v3_length(v3_sub(view->eye_m, view->target_m));
@@ -140,13 +138,10 @@ static void set_bend(struct frame *frame, const struct scene *scene, float aspec
     frame_block_set(frame->block.bend, 0.5f * shift_m / (half_height_m * aspect),
                     0.5f * shift_m / half_height_m * v3_dot(axes.up, v3(0.0f, 0.0f, 1.0f)), 0.0f,
                     0.0f);
-}
-
-/* Adds the circular shadows of the fans, then the circular shadows of the pois. Only fish under
- * water receive both kinds. All other objects receive only the fans' shadows. The floor gets the
- * pois' shadows from the shadow map instead, because the map shows the holes in the paper. */
-static void set_shades(struct frame_block *block, const struct scene *scene)
-{
+    /* `shades` lists the circular shadows of the fans, then the circular shadows of the pois. Only
+     * fish under water receive both kinds. All other objects receive only the fans' shadows. The
+     * floor gets the pois' shadows from the shadow map instead, because the map shows the holes in
+     * the paper. */
     uint32_t count = 0;
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         const struct scene_fan *const fan = &scene->fan[i];
@@ -163,20 +158,6 @@ static void set_shades(struct frame_block *block, const struct scene *scene)
         }
     }
     block->bend[3] = (float)count;
-}
-
-void frame_begin(struct frame *frame, const struct scene *scene,
-                 const struct display_transform *transform)
-{
-    struct frame_block *const block = &frame->block;
-    const float aspect = transform->width / transform->height;
-    const float seconds = (float)(scene->tick % SECONDS_WRAP_TICKS) * CORE_TICK_S;
-    const float layers = seconds * CAUSTIC_LAYERS_HZ;
-    const float loops = f_floor(layers / (float)ASSET_CAUSTICS_FRAMES);
-    const vec3 size = scene->tank_size_m;
-    set_camera(frame, &scene->view, transform);
-    set_bend(frame, scene, aspect);
-    set_shades(block, scene);
     frame_block_set(block->eye, scene->view.eye_m.x, scene->view.eye_m.y, scene->view.eye_m.z,
                     seconds);
     frame_block_set(block->tank, 0.5f * size.x, size.y, 0.5f * size.z,

@@ -4,6 +4,9 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
+
+#include "shaders.h"
 
 void gl_fail(struct gl_status *status, const char *format, ...)
 {
@@ -38,17 +41,6 @@ static uint32_t mipmap_levels(uint32_t width, uint32_t height)
     return levels;
 }
 
-static void set_sampling(GLenum kind, const struct gl_texture_desc *desc)
-{
-    const GLint edge = (GLint)(desc->wrap ? desc->wrap : GL_CLAMP_TO_EDGE);
-    const GLint magnify = desc->nearest ? GL_NEAREST : GL_LINEAR;
-    glTexParameteri(kind, GL_TEXTURE_MIN_FILTER,
-                    desc->mipmaps ? GL_LINEAR_MIPMAP_NEAREST : magnify);
-    glTexParameteri(kind, GL_TEXTURE_MAG_FILTER, magnify);
-    glTexParameteri(kind, GL_TEXTURE_WRAP_S, edge);
-    glTexParameteri(kind, GL_TEXTURE_WRAP_T, edge);
-}
-
 static bool fits(struct gl_status *status, const char *name, const struct gl_texture_desc *desc)
 {
     GLint side_max = 0, layers_max = 0;
@@ -67,9 +59,16 @@ static bool fits(struct gl_status *status, const char *name, const struct gl_tex
     return true;
 }
 
-/* Allocates the memory of the bound texture. */
-static void allocate(GLenum kind, const struct gl_texture_desc *desc)
+GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_texture_desc *desc)
 {
+    const GLenum kind = desc->layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+    GLuint texture = 0;
+    if (!fits(status, name, desc)) {
+        return 0;
+    }
+    glGenTextures(1, &texture);
+    gl_bind_texture(0, kind, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const GLsizei width = (GLsizei)desc->width;
     const GLsizei height = (GLsizei)desc->height;
     const GLsizei layers = (GLsizei)desc->layers;
@@ -85,23 +84,16 @@ static void allocate(GLenum kind, const struct gl_texture_desc *desc)
     } else if (desc->pixels) {
         glTexSubImage2D(kind, 0, 0, 0, width, height, desc->format, GL_UNSIGNED_BYTE, desc->pixels);
     }
-}
-
-GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_texture_desc *desc)
-{
-    const GLenum kind = desc->layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
-    GLuint texture = 0;
-    if (!fits(status, name, desc)) {
-        return 0;
-    }
-    glGenTextures(1, &texture);
-    gl_bind_texture(0, kind, texture);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    allocate(kind, desc);
     if (desc->mipmaps) {
         glGenerateMipmap(kind);
     }
-    set_sampling(kind, desc);
+    const GLint edge = (GLint)(desc->wrap ? desc->wrap : GL_CLAMP_TO_EDGE);
+    const GLint magnify = desc->nearest ? GL_NEAREST : GL_LINEAR;
+    glTexParameteri(kind, GL_TEXTURE_MIN_FILTER,
+                    desc->mipmaps ? GL_LINEAR_MIPMAP_NEAREST : magnify);
+    glTexParameteri(kind, GL_TEXTURE_MAG_FILTER, magnify);
+    glTexParameteri(kind, GL_TEXTURE_WRAP_S, edge);
+    glTexParameteri(kind, GL_TEXTURE_WRAP_T, edge);
     const GLenum error = glGetError();
     if (error != GL_NO_ERROR) {
         gl_fail(status, "texture %s (%ux%u): OpenGL error 0x%x", name, desc->width, desc->height,
@@ -243,4 +235,103 @@ void gl_attribute_floats(GLuint location, GLint count, size_t stride, size_t off
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, count, GL_FLOAT, GL_FALSE, (GLsizei)stride,
                           (const void *)offset);
+}
+
+#define LOG_SIZE 512
+#define NAME_SIZE 32
+
+GLuint gl_compile(struct gl_status *status, const char *name, GLenum stage,
+                  const char *const *parts, GLsizei count)
+{
+    const GLuint shader = glCreateShader(stage);
+    glShaderSource(shader, count, parts, NULL);
+    glCompileShader(shader);
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (!compiled) {
+        char log[LOG_SIZE] = "no log";
+        glGetShaderInfoLog(shader, LOG_SIZE, NULL, log);
+        gl_fail(status, "shader %s (%s) does not compile: %s", name,
+                stage == GL_VERTEX_SHADER ? "vertex" : "fragment", log);
+        glDeleteShader(shader);
+        return 0;
+    }
+    return shader;
+}
+
+GLuint gl_link(struct gl_status *status, const char *name, GLuint vertex, GLuint fragment)
+{
+    if (!vertex || !fragment) {
+        return 0; /* gl_compile() has already stored the name of the failed shader in the status. */
+    }
+    const GLuint program = glCreateProgram();
+    glAttachShader(program, vertex);
+    glAttachShader(program, fragment);
+    glLinkProgram(program);
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (!linked) {
+        char log[LOG_SIZE] = "no log";
+        glGetProgramInfoLog(program, LOG_SIZE, NULL, log);
+        gl_fail(status, "shader %s does not link: %s", name, log);
+        glDeleteProgram(program);
+        return 0;
+    }
+    return program;
+}
+
+static void bind_block(GLuint program, const char *name, GLuint point)
+{
+    const GLuint block = glGetUniformBlockIndex(program, name);
+    if (block != GL_INVALID_INDEX) {
+        glUniformBlockBinding(program, block, point);
+    }
+}
+
+void gl_program_bind(GLuint program, const char *samplers)
+{
+    bind_block(program, "Frame", 0);
+    bind_block(program, "Pose", 1);
+    char name[NAME_SIZE];
+    GLint unit = 0;
+    glUseProgram(program);
+    while (*samplers) {
+        const size_t length = strcspn(samplers, " ");
+        snprintf(name, sizeof name, "%.*s", (int)length, samplers);
+        glUniform1i(glGetUniformLocation(program, name), unit++);
+        samplers += length + (samplers[length] == ' ');
+    }
+}
+
+static GLuint build(struct gl_status *status, const char *name, const char *defines,
+                    const char *library, const char *vertex, const char *fragment,
+                    const char *samplers)
+{
+    const char *const vertex_parts[] = { "#version 300 es\n", defines, shader_common, library,
+                                         vertex };
+    const char *const fragment_parts[] = { "#version 300 es\n", defines, shader_common, fragment };
+    const GLuint stages[2] = {
+        gl_compile(status, name, GL_VERTEX_SHADER, vertex_parts, 5),
+        gl_compile(status, name, GL_FRAGMENT_SHADER, fragment_parts, 4),
+    };
+    const GLuint program = gl_link(status, name, stages[0], stages[1]);
+    glDeleteShader(stages[0]); /* OpenGL keeps the shader until the program is deleted. The name 0
+                                  of a failed shader is ignored. */
+    glDeleteShader(stages[1]);
+    if (program) {
+        gl_program_bind(program, samplers);
+    }
+    return program;
+}
+
+GLuint gl_program(struct gl_status *status, const char *name, const char *defines,
+                  const char *vertex, const char *fragment, const char *samplers)
+{
+    return build(status, name, defines, "", vertex, fragment, samplers);
+}
+
+GLuint gl_morph_program(struct gl_status *status, const char *name, const char *defines,
+                        const char *vertex, const char *fragment, const char *samplers)
+{
+    return build(status, name, defines, shader_morph, vertex, fragment, samplers);
 }

@@ -1,8 +1,15 @@
 /* paint_atlas.c -- implementation of paint_atlas.h. */
 #include "platform/render/paint_atlas.h"
 
+#include <string.h>
+
 #include "core/base/fmath.h"
 #include "core/base/panic.h"
+
+/* Maximum colour difference, of 255, between neighbouring texels. If the difference is larger, both
+ * texels are painted from four points. */
+#define EDGE 20
+#define BAND_TEXELS (PAINT_BAND * PAINT_SIZE)
 
 #define CELLS_A_ROW (PAINT_SIZE / PAINT_CELL_WIDTH)
 
@@ -23,30 +30,13 @@ struct place {
                                      size in texels. */
 };
 
-static struct place paint_atlas_place_of(uint32_t cell)
+static const struct place body_place = { 0, 0, PAINT_SIZE, PAINT_BODY_HEIGHT };
+
+static struct place place_of_cell(uint32_t cell)
 {
     return (struct place){ cell % CELLS_A_ROW * PAINT_CELL_WIDTH,
                            PAINT_BODY_HEIGHT + cell / CELLS_A_ROW * PAINT_CELL_HEIGHT,
                            PAINT_CELL_WIDTH, PAINT_CELL_HEIGHT };
-}
-
-/* Returns the atlas cell of a vertex. A fin in the midplane has one cell, regardless of the
- * vertex's side. A vertex of a paired fin without a side uses the right fin's cell. */
-static struct place paint_atlas_find_cell(const struct species_vertex *vertex)
-{
-    uint32_t found = CELL_COUNT;
-    CORE_ASSERT(vertex->part < PART_COUNT);
-    if (vertex->part == PART_BODY) {
-        return (struct place){ 0, 0, PAINT_SIZE, PAINT_BODY_HEIGHT };
-    }
-    for (uint32_t i = 0; i < CELL_COUNT; i++) {
-        if (cells[i].part == vertex->part &&
-            (found == CELL_COUNT || cells[i].side == vertex->side)) {
-            found = i;
-        }
-    }
-    CORE_ASSERT(found < CELL_COUNT);
-    return paint_atlas_place_of(found);
 }
 
 /* Returns the centre of a texel row or column, as a fraction of the atlas. `t` in [0, 1] selects
@@ -57,14 +47,26 @@ static float middle(uint32_t first, uint32_t count, float t)
     return at / (float)PAINT_SIZE;
 }
 
+/* A fin in the midplane has one cell, regardless of the vertex's side. A vertex of a paired fin
+ * without a side uses the right fin's cell. */
 void paint_atlas_find(const struct species_vertex *vertex, float uv[2])
 {
-    const struct place place = paint_atlas_find_cell(vertex);
+    uint32_t found = CELL_COUNT;
+    CORE_ASSERT(vertex->part < PART_COUNT);
+    for (uint32_t i = 0; i < CELL_COUNT; i++) {
+        if (cells[i].part == vertex->part &&
+            (found == CELL_COUNT || cells[i].side == vertex->side)) {
+            found = i;
+        }
+    }
+    CORE_ASSERT(found < CELL_COUNT || vertex->part == PART_BODY);
+    const struct place place = vertex->part == PART_BODY ? body_place : place_of_cell(found);
     uv[0] = middle(place.x, place.width, vertex->u);
     uv[1] = middle(place.y, place.height, vertex->v);
 }
 
-static float paint_atlas_along(float at, uint32_t first, uint32_t count)
+/* Returns the share of a row or column of `count` texels that lies before texel position `at`. */
+static float share_along(float at, uint32_t first, uint32_t count)
 {
     return f_clamp((at - (float)first - 0.5f) / (float)(count - 1u), 0.0f, 1.0f);
 }
@@ -79,15 +81,157 @@ bool paint_atlas_at(float x, float y, struct species_vertex *vertex)
     if (!body && cell >= CELL_COUNT) {
         return false;
     }
-    const struct place place =
-        body ? (struct place){ 0, 0, PAINT_SIZE, PAINT_BODY_HEIGHT } : paint_atlas_place_of(cell);
+    const struct place place = body ? body_place : place_of_cell(cell);
     *vertex = (struct species_vertex){
-        .u = paint_atlas_along(x, place.x, place.width),
-        .v = paint_atlas_along(y, place.y, place.height),
+        .u = share_along(x, place.x, place.width),
+        .v = share_along(y, place.y, place.height),
         .part = body ? PART_BODY : cells[cell].part,
         .side = body ? SIDE_MIDDLE : cells[cell].side,
         .anchor = ANCHOR_NONE,
         .mask = { 255 },
     };
     return true;
+}
+
+/* ---- Painting of a band of texels
+ * ------------------------------------------------------------- */
+
+static uint8_t byte(float x)
+{
+    return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
+/* Computes the paint at (x, y), in texels. Returns false if no body part has texels there. */
+static bool paint_point(const struct painting *painting, float x, float y, struct paint *paint)
+{
+    struct species_vertex at;
+    if (!paint_atlas_at(x, y, &at)) {
+        return false;
+    }
+    *paint = paint_at(painting->species, painting->weights, &at);
+    return true;
+}
+
+static void put_texel(const struct painting *painting, uint32_t index, const struct paint *paint)
+{
+    const uint8_t texel[4] = { byte(paint->colour.x), byte(paint->colour.y), byte(paint->colour.z),
+                               byte(paint->clear) };
+    memcpy(painting->brush->paint[index], texel, sizeof texel);
+    painting->brush->shine[index] = byte(paint->shine);
+}
+
+void paint_atlas_coarse_points(const struct painting *painting)
+{
+    const float half = 0.5f * (float)PAINT_COARSE;
+    for (uint32_t i = 0; i < PAINT_COARSE_SIZE * PAINT_COARSE_SIZE; i++) {
+        struct paint paint = { .colour = { 0.0f, 0.0f, 0.0f } };
+        float *const point = painting->brush->coarse[i];
+        paint_point(painting, (float)(i % PAINT_COARSE_SIZE * PAINT_COARSE) + half,
+                    (float)(i / PAINT_COARSE_SIZE * PAINT_COARSE) + half, &paint);
+        point[0] = paint.colour.x;
+        point[1] = paint.colour.y;
+        point[2] = paint.colour.z;
+        point[3] = paint.clear;
+        point[4] = paint.shine;
+    }
+}
+
+/* Writes the indices of the two coarse points between which texel `at` lies. Both points are within
+ * the texel's atlas cell, which is `size` texels wide. Returns the interpolation weight of the
+ * second point. */
+static float beside(uint32_t at, uint32_t size, uint32_t points[2])
+{
+    const float first = (float)(at - at % size) / (float)PAINT_COARSE;
+    const float last = first + (float)(size / PAINT_COARSE) - 1.0f;
+    const float x = f_clamp(((float)at + 0.5f) / (float)PAINT_COARSE - 0.5f, first, last);
+    points[0] = (uint32_t)x;
+    points[1] = (float)points[0] + 1.0f <= last ? points[0] + 1u : points[0];
+    return x - (float)points[0];
+}
+
+void paint_atlas_coarse_band(const struct painting *painting, uint32_t first)
+{
+    CORE_ASSERT(first % PAINT_BAND == 0 && first < PAINT_SIZE);
+    for (uint32_t index = 0; index < BAND_TEXELS; index++) {
+        const uint32_t x = index % PAINT_SIZE, y = first + index / PAINT_SIZE;
+        const bool body = y < PAINT_BODY_HEIGHT;
+        uint32_t columns[2], rows[2];
+        float value[5];
+        const float right = beside(x, body ? PAINT_SIZE : PAINT_CELL_WIDTH, columns);
+        const float down = beside(y, body ? PAINT_BODY_HEIGHT : PAINT_CELL_HEIGHT, rows);
+        for (uint32_t i = 0; i < 5; i++) {
+            float line[2];
+            for (uint32_t k = 0; k < 2; k++) {
+                const uint32_t row = rows[k] * PAINT_COARSE_SIZE;
+                line[k] = f_lerp(painting->brush->coarse[row + columns[0]][i],
+                                 painting->brush->coarse[row + columns[1]][i], right);
+            }
+            value[i] = f_lerp(line[0], line[1], down);
+        }
+        put_texel(painting, index,
+                  &(struct paint){ .colour = { value[0], value[1], value[2] },
+                                   .clear = value[3],
+                                   .shine = value[4] });
+    }
+}
+
+/* Returns true if two neighbouring texels of the band differ by more than EDGE. */
+static bool differ(const uint8_t a[4], const uint8_t b[4])
+{
+    int32_t most = 0;
+    for (uint32_t i = 0; i < 4; i++) {
+        const int32_t d = (int32_t)a[i] - (int32_t)b[i];
+        most = d > most ? d : -d > most ? -d : most;
+    }
+    return most > EDGE;
+}
+
+/* Paints texel (x, y) as the mean of the paint at four points. */
+static void paint_four_points(const struct painting *painting, uint32_t index, uint32_t x,
+                              uint32_t y)
+{
+    struct paint mean = { .colour = { 0.0f, 0.0f, 0.0f } }, paint;
+    for (uint32_t i = 0; i < 4; i++) {
+        const float right = 0.25f + 0.5f * (float)(i & 1u), down = 0.25f + 0.5f * (float)(i >> 1);
+        if (!paint_point(painting, (float)x + right, (float)y + down, &paint)) {
+            return;
+        }
+        mean.colour = v3_muladd(mean.colour, paint.colour, 0.25f);
+        mean.clear += 0.25f * paint.clear;
+        mean.shine += 0.25f * paint.shine;
+    }
+    put_texel(painting, index, &mean);
+}
+
+/* Each texel first gets the paint at its centre. Then the edges of marks are smoothed, because an
+ * edge may be narrower than a texel and would be jagged if each texel were painted from one
+ * point. */
+void paint_atlas_fine_band(const struct painting *painting, uint32_t first)
+{
+    struct paint paint;
+    bool edge[BAND_TEXELS] = { false };
+    CORE_ASSERT(first % PAINT_BAND == 0 && first < PAINT_SIZE);
+    for (uint32_t i = 0; i < BAND_TEXELS; i++) {
+        const float x = (float)(i % PAINT_SIZE) + 0.5f;
+        const float y = (float)(first + i / PAINT_SIZE) + 0.5f;
+        if (paint_point(painting, x, y, &paint)) {
+            put_texel(painting, i, &paint);
+        }
+    }
+    for (uint32_t i = 0; i < BAND_TEXELS; i++) {
+        const uint32_t right = i % PAINT_SIZE < PAINT_SIZE - 1u ? i + 1u : i;
+        const uint32_t below = i + PAINT_SIZE < BAND_TEXELS ? i + PAINT_SIZE : i;
+        const uint8_t(*const texels)[4] = (const uint8_t(*)[4])painting->brush->paint;
+        if (differ(texels[i], texels[right])) {
+            edge[i] = edge[right] = true;
+        }
+        if (differ(texels[i], texels[below])) {
+            edge[i] = edge[below] = true;
+        }
+    }
+    for (uint32_t i = 0; i < BAND_TEXELS; i++) {
+        if (edge[i]) {
+            paint_four_points(painting, i, i % PAINT_SIZE, first + i / PAINT_SIZE);
+        }
+    }
 }

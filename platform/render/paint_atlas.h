@@ -1,5 +1,5 @@
-/* paint_atlas.h -- computes the layout of a fish's paint atlas: the place of each body part on a
- * sheet of PAINT_SIZE x PAINT_SIZE texels.
+/* paint_atlas.h -- computes the layout of a fish's paint atlas, and paints its texels. The layout
+ * is the place of each body part on a sheet of PAINT_SIZE x PAINT_SIZE texels. Uses no OpenGL.
  *
  * The upper half of the sheet shows the body, with the surface coordinate u to the right and v
  * downward. Below the body are cells of PAINT_CELL_WIDTH x PAINT_CELL_HEIGHT texels, four in a row.
@@ -10,6 +10,7 @@
 
 #include <stdbool.h>
 
+#include "core/morph/morph.h"
 #include "core/morph/species.h"
 
 #define PAINT_SIZE 256u
@@ -23,5 +24,33 @@ void paint_atlas_find(const struct species_vertex *vertex, float uv[2]);
 /* Finds the surface point that is painted at (x, y), in texels [0, PAINT_SIZE). Texel centres are
  * at half texels. Returns false if no body part has texels at (x, y). */
 bool paint_atlas_at(float x, float y, struct species_vertex *vertex);
+
+#define PAINT_BAND 8u   /* Number of texel rows that are painted together. */
+#define PAINT_COARSE 4u /* Distance in texels between two points of the coarse painting. */
+#define PAINT_COARSE_SIZE (PAINT_SIZE / PAINT_COARSE)
+
+/* Scratch memory for painting a band of PAINT_BAND texel rows. All sheets may share one brush. */
+struct paint_brush {
+    uint8_t paint[PAINT_BAND * PAINT_SIZE][4]; /* Colour and transparency of each texel. */
+    uint8_t shine[PAINT_BAND * PAINT_SIZE];    /* Reflectance of each texel. */
+    /* Colour, transparency and reflectance of each coarse point. */
+    float coarse[PAINT_COARSE_SIZE * PAINT_COARSE_SIZE][5];
+};
+
+/* Parameters for painting one sheet. */
+struct painting {
+    const struct species *species;
+    float weights[MORPH_KEY_MAX]; /* Weight of each key shape in the sheet's paint. */
+    struct paint_brush *brush;
+};
+
+/* Computes the coarse points of the whole sheet. Call before paint_atlas_coarse_band(). */
+void paint_atlas_coarse_points(const struct painting *painting);
+/* Paints the band that begins at texel row `first`, a multiple of PAINT_BAND, by interpolation
+ * between the coarse points. */
+void paint_atlas_coarse_band(const struct painting *painting, uint32_t first);
+/* Paints the band that begins at texel row `first`, a multiple of PAINT_BAND, with the paint of
+ * each texel. */
+void paint_atlas_fine_band(const struct painting *painting, uint32_t first);
 
 #endif

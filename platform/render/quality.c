@@ -1,10 +1,11 @@
-/* quality.c -- implementation of quality.h. The cost of a frame is estimated from its number of
+/* quality.c -- implementation of quality.h: the choice of the quality, and the governor. The cost of a frame is estimated from its number of
  * pixels only, because the vertices of 300 fish cost little time. */
 #include "platform/render/quality.h"
 
 #include <string.h>
 
 #include "core/base/fmath.h"
+#include "core/base/panic.h"
 
 /* Kind of graphics hardware, and the amount of drawing that it can do in a frame. */
 struct machine {
@@ -49,33 +50,14 @@ static const struct machine *machine_of(const char *renderer)
     return &desktop;
 }
 
-/* Returns the automatic scene scale for a screen of `width` x `height` pixels. */
-static float scale_for(const struct machine *machine, uint32_t width, uint32_t height)
-{
-    const float share = machine->pixels / ((float)width * (float)height);
-    return f_clamp(f_sqrt(share), SCALE_MIN, 1.0f);
-}
-
-/* Limits the sizes of the render targets to the largest texture size of the driver. If the screen
- * is larger than this limit, the scene is drawn at the limit, and the screen is drawn without
- * multisampling. */
-static void fit_textures(struct quality *quality, const struct quality_wish *wish)
-{
-    const uint32_t side = wish->width > wish->height ? wish->width : wish->height;
-    const float scale_max = (float)wish->side_max / (float)side;
-    quality->scene_scale = f_min(quality->scene_scale, scale_max);
-    quality->floor_scale = f_min(quality->floor_scale, scale_max);
-    if (side > wish->side_max) {
-        quality->samples = 1;
-    }
-}
-
 struct quality quality_choose(const struct quality_wish *wish)
 {
+    CORE_ASSERT(wish->width > 0 && wish->height > 0 && wish->side_max > 0);
     const struct machine *const machine = machine_of(wish->renderer);
+    const float share = machine->pixels / ((float)wish->width * (float)wish->height);
     struct quality quality = {
         .software = machine->software,
-        .scene_scale = scale_for(machine, wish->width, wish->height),
+        .scene_scale = f_clamp(f_sqrt(share), SCALE_MIN, 1.0f),
         .samples = machine->samples,
         .lod_near_px = machine->lod_near_px,
     };
@@ -89,7 +71,17 @@ struct quality quality_choose(const struct quality_wish *wish)
     if (quality.samples > wish->samples_max) {
         quality.samples = wish->samples_max ? wish->samples_max : 1u;
     }
-    fit_textures(&quality, wish);
+    /* The largest texture size of the driver limits the sizes of the render targets. If the screen
+     * is larger than this limit, the scene is drawn at the limit, and the screen is drawn without
+     * multisampling. */
+    const uint32_t side = wish->width > wish->height ? wish->width : wish->height;
+    const float scale_max = (float)wish->side_max / (float)side;
+    quality.scene_scale = f_min(quality.scene_scale, scale_max);
+    quality.floor_scale = f_min(quality.floor_scale, scale_max);
+    if (side > wish->side_max) {
+        quality.samples = 1;
+    }
+    CORE_ASSERT(quality.scene_scale > 0.0f && quality.samples >= 1u);
     return quality;
 }
 
@@ -106,4 +98,70 @@ struct quality quality_lower(const struct quality *best, uint32_t step)
         quality.lod_near_px = best->lod_near_px / of_best;
     }
     return quality;
+}
+
+#define NS_PER_S 1000000000ull
+#define STALL_NS (NS_PER_S / 4u)
+/* Number of consecutive stalls after which slow drawing is assumed to be their cause. */
+#define STALLS 3u
+#define HZ 60u
+/* Limit of the mean frame duration, in per cent of a refresh period. At the limit, one frame in
+ * nine is late by one refresh period. */
+#define LATE_PERCENT 111u
+/* Number of seconds without late frames after which the trial of a finer step has succeeded. */
+#define HELD_S 60u
+
+void quality_governor_begin(struct governor *governor, uint32_t refresh_hz)
+{
+    const uint32_t hz = refresh_hz == 0 || refresh_hz > HZ ? HZ : refresh_hz;
+    *governor = (struct governor){ .turn_ns = NS_PER_S / hz, .patience_s = GOVERNOR_PATIENCE_S };
+}
+
+uint32_t quality_governor_frame(struct governor *governor, uint64_t now_ns, bool may_refine)
+{
+    const uint64_t frame_ns = now_ns - governor->last_ns;
+    governor->stalls = frame_ns < STALL_NS ? 0 : governor->stalls + 1u;
+    const bool is_drawing = governor->stalls == 0 || governor->stalls >= STALLS;
+    const bool counts = governor->last_ns > 0 && is_drawing;
+    governor->last_ns = now_ns;
+    if (counts) {
+        governor->sum_ns += frame_ns;
+        governor->count++;
+    }
+    if (governor->sum_ns >= GOVERNOR_LOOK_S * NS_PER_S) {
+        const uint64_t mean_ns = governor->sum_ns / governor->count;
+        governor->sum_ns = governor->count = 0;
+        if (mean_ns * 100u > governor->turn_ns * LATE_PERCENT) {
+            if (governor->is_trying && governor->patience_s < GOVERNOR_PATIENCE_MAX_S) {
+                governor->patience_s *= 2u;
+            }
+            governor->is_trying = 0;
+            governor->timely_s = 0;
+            if (governor->step < QUALITY_STEP_MAX) {
+                governor->step++;
+            }
+        } else {
+            governor->timely_s += GOVERNOR_LOOK_S;
+            if (governor->is_trying && governor->timely_s >= HELD_S) {
+                governor->is_trying = 0;
+                governor->patience_s = GOVERNOR_PATIENCE_S;
+            }
+            if (governor->step > 0 && governor->timely_s >= governor->patience_s && may_refine) {
+                governor->step--;
+                governor->is_trying = 1;
+                governor->timely_s = 0;
+            }
+        }
+    }
+    CORE_ASSERT(governor->step <= QUALITY_STEP_MAX && governor->heat <= QUALITY_STEP_MAX);
+    return governor->step > governor->heat ? governor->step : governor->heat;
+}
+
+void quality_governor_set_temperature(struct governor *governor, int32_t margin_mdeg)
+{
+    if (margin_mdeg < GOVERNOR_HOT_MDEG && governor->heat < QUALITY_STEP_MAX) {
+        governor->heat++;
+    } else if (margin_mdeg > GOVERNOR_COOL_MDEG && governor->heat > 0) {
+        governor->heat--;
+    }
 }

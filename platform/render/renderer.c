@@ -8,35 +8,6 @@ static void step_done(const struct renderer *renderer, enum render_step step)
     }
 }
 
-/* Sets the OpenGL state for drawing the scene, because the user interface and other users of the
- * context change the state. */
-static void reset_state(void)
-{
-    glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_DEPTH_TEST);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_LEQUAL);
-    glFrontFace(GL_CCW);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-}
-
-static void prepare(struct renderer *renderer, const struct scene *scene)
-{
-    frame_begin(&renderer->frame, scene, &renderer->transform);
-    fish_pass_prepare(&renderer->fish, scene, &renderer->frame.view, &renderer->quality);
-    basin_pass_prepare(&renderer->basin, scene);
-    poi_pass_prepare(&renderer->poi, scene);
-    step_done(renderer, STEP_PREPARE);
-}
-
-static void draw_light(const struct renderer *renderer, const struct scene *scene)
-{
-    light_pass_caustics(&renderer->light, &renderer->textures);
-    light_pass_shadows(&renderer->light, scene, &renderer->fish, &renderer->poi);
-    step_done(renderer, STEP_LIGHT);
-}
-
 static void draw_ground(const struct renderer *renderer)
 {
     gl_target_bind(&renderer->ground);
@@ -68,7 +39,7 @@ static void draw_life(const struct renderer *renderer, const struct scene *scene
             poi_pass_frame(&renderer->poi, &scene->poi[i]);
         }
     }
-    air_pass_draw(&renderer->air, scene);
+    quad_pass_air(&renderer->quad, scene);
     for (enum fish_group group = FISH_FAR; group <= FISH_GULPING; group++) {
         fish_pass_fins(&renderer->fish, group, caustics);
     }
@@ -109,9 +80,15 @@ static void draw_surface(const struct renderer *renderer, const struct scene *sc
     step_done(renderer, STEP_SURFACE);
 }
 
-static void draw_bowls(const struct renderer *renderer, const struct scene *scene)
+/* Draws the objects above the water. The rim may hide a bowl. A poi always hides the rim. A fan
+ * hides all other objects. */
+static void draw_above(const struct renderer *renderer, const struct scene *scene)
 {
     const GLuint caustics = renderer->light.caustics.texture;
+    /* Of a gulping fish, the parts above the surface are drawn without the water's tint. The depth
+     * of the surface hides the parts below the surface. */
+    fish_pass_rings(&renderer->fish);
+    fish_pass_snouts(&renderer->fish, &renderer->textures, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
             bowl_pass_shell(&renderer->bowl, &scene->bowl[i], caustics);
@@ -124,11 +101,8 @@ static void draw_bowls(const struct renderer *renderer, const struct scene *scen
             bowl_pass_water(&renderer->bowl, &scene->bowl[i]);
         }
     }
-}
-
-static void draw_pois(const struct renderer *renderer, const struct scene *scene)
-{
-    const GLuint caustics = renderer->light.caustics.texture;
+    basin_pass_deck(&renderer->basin, &renderer->textures);
+    quad_pass_drips(&renderer->quad, scene);
     fish_pass_bodies(&renderer->fish, FISH_ON_POI, &renderer->textures, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (poi_is_above(&scene->poi[i])) {
@@ -139,27 +113,8 @@ static void draw_pois(const struct renderer *renderer, const struct scene *scene
         }
     }
     fish_pass_fins(&renderer->fish, FISH_ON_POI, caustics);
-}
-
-/* Draws the parts of gulping fish that are above the surface, without the water's tint. The depth
- * of the surface hides the parts below the surface. */
-static void draw_snouts(const struct renderer *renderer)
-{
-    fish_pass_rings(&renderer->fish);
-    fish_pass_snouts(&renderer->fish, &renderer->textures, renderer->light.caustics.texture);
-}
-
-/* Draws the objects above the water. The rim may hide a bowl. A poi always hides the rim. A fan
- * hides all other objects. */
-static void draw_above(const struct renderer *renderer, const struct scene *scene)
-{
-    draw_snouts(renderer);
-    draw_bowls(renderer, scene);
-    basin_pass_deck(&renderer->basin, &renderer->textures);
-    drip_pass_draw(&renderer->drip, scene);
-    draw_pois(renderer, scene);
     glDisable(GL_DEPTH_TEST);
-    fan_pass_draw(&renderer->fan, scene, &renderer->textures);
+    quad_pass_fans(&renderer->quad, scene, &renderer->textures);
     step_done(renderer, STEP_ABOVE);
 }
 
@@ -185,8 +140,14 @@ static void finish_screen(const struct renderer *renderer)
 
 static void draw_tank(struct renderer *renderer, const struct scene *scene)
 {
-    prepare(renderer, scene);
-    draw_light(renderer, scene);
+    frame_begin(&renderer->frame, scene, &renderer->transform);
+    fish_pass_prepare(&renderer->fish, scene, &renderer->frame.view, &renderer->quality);
+    basin_pass_prepare(&renderer->basin, scene);
+    poi_pass_prepare(&renderer->poi, scene);
+    step_done(renderer, STEP_PREPARE);
+    light_pass_caustics(&renderer->light, &renderer->textures);
+    light_pass_shadows(&renderer->light, scene, &renderer->fish, &renderer->poi);
+    step_done(renderer, STEP_LIGHT);
     draw_ground(renderer);
     draw_life(renderer, scene);
     draw_surface(renderer, scene);
@@ -203,30 +164,34 @@ static void draw_ui(struct renderer *renderer, const struct scene *scene)
     ui_draw(&renderer->ui, &renderer->specimens, scene, &renderer->transform);
 }
 
-/* Draws the growth lab or the album, which cover the tank. Their specimens use multisampling if it
- * is enabled. */
-static void draw_page(struct renderer *renderer, const struct scene *scene)
-{
-    bind_screen(renderer);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    draw_ui(renderer, scene);
-    finish_screen(renderer);
-}
-
 void renderer_draw(struct renderer *renderer, const struct scene *scene)
 {
-    reset_state();
+    /* The OpenGL state is set in each frame, because the user interface and other users of the context change
+     * the state. */
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LEQUAL);
+    glFrontFace(GL_CCW);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     if (renderer->transform.light <= 0.0f) {
-        edge_pass_night();
+        glClearColor(0.0f, 0.0f, 0.0f, 1.0f); /* At brightness 0 the screen is black. */
+        glClear(GL_COLOR_BUFFER_BIT);
         return;
     }
     if (scene->phase == PHASE_LAB || scene->phase == PHASE_ALBUM) {
-        draw_page(renderer, scene);
+        /* The growth lab and the album cover the tank. Their specimens use multisampling if it is
+         * enabled. */
+        bind_screen(renderer);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        draw_ui(renderer, scene);
+        finish_screen(renderer);
     } else {
         draw_tank(renderer, scene);
         finish_screen(renderer);
         draw_ui(renderer, scene);
     }
-    edge_pass_draw(&renderer->edge, &renderer->transform);
+    quad_pass_edge(&renderer->quad, &renderer->transform);
     step_done(renderer, STEP_UI);
 }

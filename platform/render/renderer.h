@@ -9,19 +9,16 @@
 
 #include "core/scene.h"
 #include "platform/hal.h"
-#include "platform/render/pass/air_pass.h"
+#include "platform/render/frame_block.h"
 #include "platform/render/pass/basin_pass.h"
 #include "platform/render/pass/bowl_pass.h"
-#include "platform/render/pass/drip_pass.h"
-#include "platform/render/pass/edge_pass.h"
-#include "platform/render/pass/fan_pass.h"
 #include "platform/render/pass/fish_pass.h"
-#include "platform/render/frame_block.h"
 #include "platform/render/pass/light_pass.h"
 #include "platform/render/pass/poi_pass.h"
+#include "platform/render/pass/quad_pass.h"
+#include "platform/render/pass/specimen_pass.h"
 #include "platform/render/quality.h"
 #include "platform/render/textures.h"
-#include "platform/render/pass/specimen_pass.h"
 #include "platform/render/ui/ui.h"
 
 /* Maximum width in pixels of a picture that can be read back, twice the width of 4K. */
@@ -69,10 +66,7 @@ struct renderer {
     struct fish_pass fish;
     struct poi_pass poi;
     struct bowl_pass bowl;
-    struct fan_pass fan;
-    struct air_pass air;
-    struct drip_pass drip;
-    struct edge_pass edge;
+    struct quad_pass quad;
     struct specimen_pass specimens;
     struct ui ui;
     struct gl_target ground, life;

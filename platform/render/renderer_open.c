@@ -17,23 +17,6 @@ static const char *gl_string(GLenum name)
     return text ? text : "unknown";
 }
 
-/* Combines a version such as "OpenGL ES 3.2 Mesa 22.3.6" and a renderer such as "llvmpipe (LLVM
- * 15.0.6, 256 bits)" to a short name such as "OpenGL ES 3.2 llvmpipe". */
-static void name_context(struct renderer *renderer)
-{
-    const char *const version = gl_string(GL_VERSION);
-    const char *const device = gl_string(GL_RENDERER);
-    const size_t prefix = strlen("OpenGL ES ");
-    const int version_length =
-        (int)(strlen(version) > prefix ? prefix + strcspn(version + prefix, " ") : strlen(version));
-    snprintf(renderer->gl_name, sizeof renderer->gl_name, "%.*s %.*s", version_length, version,
-             (int)strcspn(device, "("), device);
-    const size_t length = strlen(renderer->gl_name);
-    if (length && renderer->gl_name[length - 1] == ' ') {
-        renderer->gl_name[length - 1] = '\0';
-    }
-}
-
 static uint32_t scaled(uint32_t size, float scale)
 {
     const float pixels = (float)size * scale + 0.5f;
@@ -82,28 +65,6 @@ static void close_targets(struct renderer *renderer)
     gl_target_close(&renderer->screen);
 }
 
-static void open_passes(struct renderer *renderer)
-{
-    struct gl_status *const status = &renderer->status;
-    frame_open(&renderer->frame);
-    textures_open(status, &renderer->textures);
-    light_pass_open(status, &renderer->light);
-    basin_pass_open(status, &renderer->basin);
-    specimen_pass_open(status, &renderer->specimens, &renderer->textures);
-    fish_pass_open(status, &renderer->fish, &renderer->specimens.memory);
-    poi_pass_open(status, &renderer->poi);
-    bowl_pass_open(status, &renderer->bowl);
-    fan_pass_open(status, &renderer->fan);
-    air_pass_open(status, &renderer->air);
-    drip_pass_open(status, &renderer->drip);
-    edge_pass_open(status, &renderer->edge);
-    char why[HAL_TEXT_SIZE] = "";
-    if (!ui_init(&renderer->ui, why, sizeof why)) {
-        gl_fail(status, "words: %s", why);
-    }
-    renderer->ui.memory.library = renderer->config.library;
-}
-
 int renderer_open(struct renderer *renderer, const struct renderer_config *config)
 {
     GLint samples_max = 1, side_max = GL_TEXTURE_SURE;
@@ -114,8 +75,34 @@ int renderer_open(struct renderer *renderer, const struct renderer_config *confi
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side_max);
     renderer->samples_max = (uint32_t)samples_max;
     renderer->side_max = (uint32_t)side_max;
-    name_context(renderer);
-    open_passes(renderer);
+    /* The name combines a version such as "OpenGL ES 3.2 Mesa 22.3.6" and a renderer such as
+     * "llvmpipe (LLVM 15.0.6, 256 bits)", for example to "OpenGL ES 3.2 llvmpipe". */
+    const char *const version = gl_string(GL_VERSION);
+    const char *const device = gl_string(GL_RENDERER);
+    const size_t prefix = strlen("OpenGL ES ");
+    const int version_length =
+        (int)(strlen(version) > prefix ? prefix + strcspn(version + prefix, " ") : strlen(version));
+    snprintf(renderer->gl_name, sizeof renderer->gl_name, "%.*s %.*s", version_length, version,
+             (int)strcspn(device, "("), device);
+    const size_t length = strlen(renderer->gl_name);
+    if (length && renderer->gl_name[length - 1] == ' ') {
+        renderer->gl_name[length - 1] = '\0';
+    }
+    struct gl_status *const status = &renderer->status;
+    frame_open(&renderer->frame);
+    textures_open(status, &renderer->textures);
+    light_pass_open(status, &renderer->light);
+    basin_pass_open(status, &renderer->basin);
+    specimen_pass_open(status, &renderer->specimens, &renderer->textures);
+    fish_pass_open(status, &renderer->fish, &renderer->specimens.memory);
+    poi_pass_open(status, &renderer->poi);
+    bowl_pass_open(status, &renderer->bowl);
+    quad_pass_open(status, &renderer->quad);
+    char why[HAL_TEXT_SIZE] = "";
+    if (!ui_init(&renderer->ui, why, sizeof why)) {
+        gl_fail(status, "words: %s", why);
+    }
+    renderer->ui.memory.library = renderer->config.library;
     open_targets(renderer);
     return gl_is_well(&renderer->status) ? HAL_OK : HAL_ERR_GONE;
 }
@@ -124,10 +111,7 @@ void renderer_close(struct renderer *renderer)
 {
     close_targets(renderer);
     ui_close(&renderer->ui);
-    edge_pass_close(&renderer->edge);
-    drip_pass_close(&renderer->drip);
-    air_pass_close(&renderer->air);
-    fan_pass_close(&renderer->fan);
+    quad_pass_close(&renderer->quad);
     bowl_pass_close(&renderer->bowl);
     poi_pass_close(&renderer->poi);
     fish_pass_close(&renderer->fish);

@@ -5,17 +5,6 @@
 
 #define NORMAL_STEP 1e-3f
 
-static vec3 grid_normal(float u, float v, shape_point point, const void *context)
-{
-    const float u0 = f_max(u - NORMAL_STEP, 0.0f);
-    const float u1 = f_min(u + NORMAL_STEP, 1.0f);
-    const float v0 = f_max(v - NORMAL_STEP, 0.0f);
-    const float v1 = f_min(v + NORMAL_STEP, 1.0f);
-    const vec3 along_u = v3_sub(point(u1, v, context).position, point(u0, v, context).position);
-    const vec3 along_v = v3_sub(point(u, v1, context).position, point(u, v0, context).position);
-    return v3_normalize_or(v3_cross(along_u, along_v), v3(0.0f, 1.0f, 0.0f));
-}
-
 void shape_grid(struct shape *shape, uint32_t columns, uint32_t rows, shape_point point,
                 const void *context)
 {
@@ -27,7 +16,15 @@ void shape_grid(struct shape *shape, uint32_t columns, uint32_t rows, shape_poin
             const float u = (float)column / (float)(columns - 1u);
             const float v = (float)row / (float)(rows - 1u);
             struct shape_vertex vertex = point(u, v, context);
-            vertex.normal = grid_normal(u, v, point, context);
+            const float u0 = f_max(u - NORMAL_STEP, 0.0f);
+            const float u1 = f_min(u + NORMAL_STEP, 1.0f);
+            const float v0 = f_max(v - NORMAL_STEP, 0.0f);
+            const float v1 = f_min(v + NORMAL_STEP, 1.0f);
+            const vec3 along_u =
+                v3_sub(point(u1, v, context).position, point(u0, v, context).position);
+            const vec3 along_v =
+                v3_sub(point(u, v1, context).position, point(u, v0, context).position);
+            vertex.normal = v3_normalize_or(v3_cross(along_u, along_v), v3(0.0f, 1.0f, 0.0f));
             shape->vertices[shape->vertex_count++] = vertex;
         }
     }

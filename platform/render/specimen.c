@@ -32,19 +32,6 @@ void specimen_project(const struct specimen *specimen, vec3 point, float *x_px, 
     *y_px = specimen->y_px - specimen->length_px * v3_dot(axes.up, point);
 }
 
-static struct specimen_bounds reach(const struct specimen_axes *axes, const vec3 *positions,
-                                    uint32_t count, struct specimen_bounds bounds)
-{
-    for (uint32_t i = 0; i < count; i++) {
-        const float x = v3_dot(axes->right, positions[i]), y = v3_dot(axes->up, positions[i]);
-        bounds.left = f_max(bounds.left, -x);
-        bounds.right = f_max(bounds.right, x);
-        bounds.up = f_max(bounds.up, y);
-        bounds.down = f_max(bounds.down, -y);
-    }
-    return bounds;
-}
-
 struct specimen_bounds specimen_bounds(const struct specimen *specimen)
 {
     vec3 positions[MESH_VERTEX_MAX];
@@ -59,7 +46,13 @@ struct specimen_bounds specimen_bounds(const struct specimen *specimen)
     for (uint32_t key = 0; key <= last; key++) {
         morph_pose(&rig, mesh, (float)key / (float)last, &pose);
         morph_shape(mesh, species->card.key_count, &pose, positions, NULL);
-        bounds = reach(&axes, positions, mesh->vertex_count, bounds);
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            const float x = v3_dot(axes.right, positions[i]), y = v3_dot(axes.up, positions[i]);
+            bounds.left = f_max(bounds.left, -x);
+            bounds.right = f_max(bounds.right, x);
+            bounds.up = f_max(bounds.up, y);
+            bounds.down = f_max(bounds.down, -y);
+        }
     }
     return bounds;
 }

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "platform/render/gl_program.h"
+#include "platform/render/gl_util.h"
 #include "shaders.h"
 
 /* A corner of the tank. The coordinates are small integers. The vertex shaders tank.vert.glsl and
@@ -68,33 +68,6 @@ static const struct face faces[] = {
 
 static const uint8_t part_faces[PART_END + 1] = { 0, 1, 5, 6, 10, 14, FACE_COUNT };
 
-static struct corner *put_corner(struct corner *out, const float position[3], const float normal[3])
-{
-    memcpy(out->position, position, sizeof out->position);
-    memcpy(out->normal, normal, sizeof out->normal);
-    return out + 1;
-}
-
-static void upload_faces(struct basin_pass *pass)
-{
-    struct corner corners[FACE_COUNT * VERTICES_PER_FACE];
-    struct corner *out = corners;
-    for (uint32_t i = 0; i < FACE_COUNT; i++) {
-        const struct face *const face = &faces[i];
-        const float *const around[VERTICES_PER_FACE] = { face->a, face->b, face->c,
-                                                         face->a, face->c, face->d };
-        for (uint32_t k = 0; k < VERTICES_PER_FACE; k++) {
-            out = put_corner(out, around[k], face->normal);
-        }
-    }
-    glGenVertexArrays(1, &pass->vertex_array);
-    glBindVertexArray(pass->vertex_array);
-    pass->vertex_buffer = gl_buffer(GL_ARRAY_BUFFER, corners, sizeof corners);
-    gl_attribute_floats(0, 3, sizeof *corners, offsetof(struct corner, position));
-    gl_attribute_floats(1, 3, sizeof *corners, offsetof(struct corner, normal));
-    glBindVertexArray(0);
-}
-
 static void draw_part(const struct basin_pass *pass, enum contact_solver part)
 {
     const GLint first = part_faces[part] * (GLint)VERTICES_PER_FACE;
@@ -117,7 +90,24 @@ void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
         gl_program(status, "rim sides", "", shader_deck_vert, shader_deck_frag, "wood");
     pass->water_program = gl_program(status, "water", "", shader_water_vert, shader_water_frag,
                                      "ground life slopes environment");
-    upload_faces(pass);
+    struct corner corners[FACE_COUNT * VERTICES_PER_FACE];
+    struct corner *out = corners;
+    for (uint32_t i = 0; i < FACE_COUNT; i++) {
+        const struct face *const face = &faces[i];
+        const float *const around[VERTICES_PER_FACE] = { face->a, face->b, face->c,
+                                                         face->a, face->c, face->d };
+        for (uint32_t k = 0; k < VERTICES_PER_FACE; k++) {
+            memcpy(out->position, around[k], sizeof out->position);
+            memcpy(out->normal, face->normal, sizeof out->normal);
+            out++;
+        }
+    }
+    glGenVertexArrays(1, &pass->vertex_array);
+    glBindVertexArray(pass->vertex_array);
+    pass->vertex_buffer = gl_buffer(GL_ARRAY_BUFFER, corners, sizeof corners);
+    gl_attribute_floats(0, 3, sizeof *corners, offsetof(struct corner, position));
+    gl_attribute_floats(1, 3, sizeof *corners, offsetof(struct corner, normal));
+    glBindVertexArray(0);
     gl_ring_open(
         status, "slopes", &pass->slope_ring,
         &(struct gl_texture_desc){

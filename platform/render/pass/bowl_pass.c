@@ -2,7 +2,7 @@
  * Horizontal lengths are in mouth radii, and vertical lengths in bowl depths. */
 #include "platform/render/pass/bowl_pass.h"
 
-#include "platform/render/gl_program.h"
+#include "platform/render/gl_util.h"
 #include "platform/render/pass/poi_pass.h"
 #include "shaders.h"
 
@@ -63,25 +63,6 @@ static struct shape_vertex disc_point(float u, float v, const void *context)
     return (struct shape_vertex){ .position = v3(v * f_cos(around), 0.0f, v * f_sin(around)) };
 }
 
-/* Returns the profile's inner radius at height `y` (in bowl depths), by bisection. */
-static float radius_at(float y)
-{
-    float low = 0.0f;
-    float high = 1.0f;
-    float r = 1.0f;
-    for (int i = 0; i < 16; i++) {
-        const float middle = 0.5f * (low + high);
-        float height;
-        profile(middle, false, &r, &height);
-        if (height < y) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return r;
-}
-
 static struct bowl_part open_part(struct gl_status *status, const char *name, const char *defines)
 {
     struct bowl_part part;
@@ -132,7 +113,22 @@ static void use(const struct bowl_part *part, const struct scene_bowl *bowl)
     glUseProgram(part->program);
     glUniformMatrix3fv(part->heel, 1, GL_FALSE, heel);
     glUniform4f(part->mouth, at.x, at.y, at.z, bowl->radius_m);
-    glUniform4f(part->form, bowl->depth_m, level, radius_at(level), 0.0f);
+    /* The loop computes the profile's inner radius at height `level` (in bowl depths), by
+     * bisection. */
+    float low = 0.0f;
+    float high = 1.0f;
+    float r = 1.0f;
+    for (int i = 0; i < 16; i++) {
+        const float middle = 0.5f * (low + high);
+        float height;
+        profile(middle, false, &r, &height);
+        if (height < level) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    glUniform4f(part->form, bowl->depth_m, level, r, 0.0f);
     glUniform4fv(part->paint, 1, poi_paint(bowl->owner));
 }
 

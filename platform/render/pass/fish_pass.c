@@ -6,7 +6,7 @@
 
 #include "assets.h"
 #include "core/base/panic.h"
-#include "platform/render/gl_program.h"
+#include "platform/render/gl_util.h"
 #include "shaders.h"
 
 #define SORT_LEVELS 256u
@@ -81,13 +81,6 @@ static void sort_by_height(struct fish_pass *pass, const struct scene *scene)
     }
 }
 
-/* Returns true if the snout or the back of the fish is above the water surface. */
-static bool is_bare(const struct scene_fish *fish)
-{
-    const float nose_m = 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);
-    return fish->position_m.y + f_max(nose_m, 0.15f * fish->length_m) > 0.0f;
-}
-
 static enum fish_group group_of(const struct scene_fish *fish, const struct frame_view *view,
                                 float near_px)
 {
@@ -99,7 +92,11 @@ static enum fish_group group_of(const struct scene_fish *fish, const struct fram
     }
     const float distance = v3_length(v3_sub(fish->position_m, view->eye_m));
     const bool near = fish->length_m * view->focal_px >= near_px * distance;
-    return is_bare(fish) ? (near ? FISH_GULPING : FISH_GULPING_FAR) : (near ? FISH_NEAR : FISH_FAR);
+    /* The fish gulps if its snout or its back is above the water surface. */
+    const float nose_m = 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);
+    return (fish->position_m.y + f_max(nose_m, 0.15f * fish->length_m) > 0.0f)
+               ? (near ? FISH_GULPING : FISH_GULPING_FAR)
+               : (near ? FISH_NEAR : FISH_FAR);
 }
 
 static void fill_instance(struct fish_instance *out, const struct scene_fish *fish, uint32_t row)
@@ -118,21 +115,6 @@ static void fill_instance(struct fish_instance *out, const struct scene_fish *fi
 static bool is_far(enum fish_group group)
 {
     return group == FISH_FAR || group == FISH_GULPING_FAR;
-}
-
-/* Updates the poses. The texture row of each fish is its index in the scene. A row is written again
- * only if the fish has grown or its level of detail has changed. */
-static void pose(struct fish_pass *pass, const struct scene *scene)
-{
-    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
-        fish_poses_begin(&pass->poses[lod]);
-        for (uint32_t i = 0; i < scene->fish_count; i++) {
-            if (is_far(pass->group[i]) == (lod > 0)) {
-                fish_poses_set(&pass->poses[lod], &pass->rig, i, scene->fish[i].progress);
-            }
-        }
-        fish_poses_end(&pass->poses[lod]);
-    }
 }
 
 void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
@@ -155,7 +137,17 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
         const uint32_t fish = pass->order[i];
         fill_instance(&pass->instances[next[pass->group[fish]]++], &scene->fish[fish], fish);
     }
-    pose(pass, scene);
+    /* The texture row of each fish is its index in the scene. A row is written again only if the
+     * fish has grown or its level of detail has changed. */
+    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
+        fish_poses_begin(&pass->poses[lod]);
+        for (uint32_t i = 0; i < scene->fish_count; i++) {
+            if (is_far(pass->group[i]) == (lod > 0)) {
+                fish_poses_set(&pass->poses[lod], &pass->rig, i, scene->fish[i].progress);
+            }
+        }
+        fish_poses_end(&pass->poses[lod]);
+    }
     glBindBuffer(GL_ARRAY_BUFFER, pass->instance_buffer);
     gl_buffer_refill(GL_ARRAY_BUFFER, pass->instances, scene->fish_count * sizeof *pass->instances);
 }
@@ -201,11 +193,6 @@ static void draw_group(const struct fish_pass *pass, const struct fish_program *
     fish_mesh_draw(mesh, fins, (GLsizei)pass->count[group]);
 }
 
-static bool is_gulping(enum fish_group group)
-{
-    return group == FISH_GULPING_FAR || group == FISH_GULPING;
-}
-
 static void begin_bodies(const struct fish_program *program, const struct textures *textures,
                          GLuint caustics)
 {
@@ -225,7 +212,8 @@ static void end_bodies(void)
 void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
                       const struct textures *textures, GLuint caustics)
 {
-    const struct fish_program *const program = is_gulping(group) ? &pass->sunk : &pass->body;
+    const struct fish_program *const program =
+        (group == FISH_GULPING_FAR || group == FISH_GULPING) ? &pass->sunk : &pass->body;
     begin_bodies(program, textures, caustics);
     draw_group(pass, program, group, false);
     end_bodies();

@@ -6,7 +6,6 @@
 
 #include "core/scene.h"
 #include "platform/render/fish_mesh.h"
-#include "platform/render/fish_poses.h"
 #include "platform/render/frame_block.h"
 #include "platform/render/quality.h"
 #include "platform/render/textures.h"

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "assets.h"
-#include "platform/render/gl_program.h"
+#include "platform/render/gl_util.h"
 #include "shaders.h"
 
 /* Width of the shadow map in texels. A texel is 1.7 mm wide, which is narrower than the soft edge
@@ -80,17 +80,6 @@ static void poi_shadow(const struct light_pass *pass, const struct scene *scene,
                 (const float[3]){ 3.7f, 0.34f, (float)index });
 }
 
-static void bowl_shadow(const struct light_pass *pass, const struct scene *scene,
-                        const struct scene_bowl *bowl)
-{
-    float pose[16];
-    const vec3 bottom = v3_sub(bowl->position_m, v3(0.0f, bowl->depth_m * 0.6f, 0.0f));
-    frame_pose(pose, bottom, (struct angles){ 0 }, bowl->radius_m);
-    glUniform1f(pass->disc_slant, 1.0f);
-    disc_shadow(pass, pose, bottom.y + scene->tank_size_m.y, bowl->radius_m,
-                (const float[3]){ 1.0f, 0.62f, -1.0f });
-}
-
 void light_pass_shadows(const struct light_pass *pass, const struct scene *scene,
                         const struct fish_pass *fish, const struct poi_pass *poi)
 {
@@ -115,7 +104,13 @@ void light_pass_shadows(const struct light_pass *pass, const struct scene *scene
             poi_shadow(pass, scene, i);
         }
         if (scene->bowl[i].present) {
-            bowl_shadow(pass, scene, &scene->bowl[i]);
+            float pose[16];
+            const vec3 bottom =
+                v3_sub(scene->bowl[i].position_m, v3(0.0f, scene->bowl[i].depth_m * 0.6f, 0.0f));
+            frame_pose(pose, bottom, (struct angles){ 0 }, scene->bowl[i].radius_m);
+            glUniform1f(pass->disc_slant, 1.0f);
+            disc_shadow(pass, pose, bottom.y + scene->tank_size_m.y, scene->bowl[i].radius_m,
+                        (const float[3]){ 1.0f, 0.62f, -1.0f });
         }
     }
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

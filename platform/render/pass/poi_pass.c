@@ -5,9 +5,69 @@
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "platform/render/gl_program.h"
-#include "platform/render/poi_pool.h"
+#include "platform/render/gl_util.h"
 #include "shaders.h"
+
+/* Number of samples along each side of the square around the paper. Neighbouring samples are 6.7 mm
+ * apart. */
+#define LINES 12u
+/* Number of bisection steps. They narrow a range of some centimetres to a hundredth of a
+ * millimetre. */
+#define HALVINGS 12
+
+/* Heights of the paper above the ring's centre, at the sample points on the paper. */
+struct relief {
+    uint32_t count;
+    float height_m[LINES * LINES];
+    float low_m, high_m;
+};
+
+/* Returns the mean depth of the water, over the whole paper, if the water's surface is at
+ * `level_m`. */
+static float mean_depth(const struct relief *relief, float level_m)
+{
+    float sum = 0.0f;
+    for (uint32_t i = 0; i < relief->count; i++) {
+        sum += f_max(level_m - relief->height_m[i], 0.0f);
+    }
+    return sum / (float)relief->count;
+}
+
+struct poi_pool poi_pool_of(const struct scene_poi *poi)
+{
+    struct poi_pool pool = { POI_NO_POOL_M, f_clamp(poi->water_m, 0.0f, POI_FILM_M) };
+    const float depth_m = poi->water_m - pool.film_m;
+    if (!(depth_m > 1e-5f)) {
+        return pool;
+    }
+    struct relief relief = { .low_m = 1.0f, .high_m = -1.0f };
+    const struct basis axes = vec_basis_from_angles(poi->angles);
+    const float radius_m = poi->ring_radius_m;
+    for (uint32_t i = 0; i < LINES * LINES; i++) {
+        const float x = ((float)(i % LINES) + 0.5f) * (2.0f / (float)LINES) - 1.0f;
+        const float z = ((float)(i / LINES) + 0.5f) * (2.0f / (float)LINES) - 1.0f;
+        const float r2 = x * x + z * z;
+        if (r2 > 1.0f) {
+            continue;
+        }
+        const float height_m =
+            radius_m * (x * axes.right.y + z * axes.back.y) - poi->sag_m * (1.0f - r2) * axes.up.y;
+        relief.height_m[relief.count++] = height_m;
+        relief.low_m = f_min(relief.low_m, height_m);
+        relief.high_m = f_max(relief.high_m, height_m);
+    }
+    float low_m = relief.low_m, high_m = relief.high_m + depth_m;
+    for (int i = 0; i < HALVINGS; i++) {
+        const float middle_m = 0.5f * (low_m + high_m);
+        if (mean_depth(&relief, middle_m) < depth_m) {
+            low_m = middle_m;
+        } else {
+            high_m = middle_m;
+        }
+    }
+    pool.level_m = poi->position_m.y + 0.5f * (low_m + high_m);
+    return pool;
+}
 
 /* Middle radius of the ring. The inner radius is 40 mm, and the outer radius is 46.5 mm. */
 #define RING_MIDDLE 1.08f
@@ -77,17 +137,6 @@ static struct shape_vertex paper_point(float u, float v, const void *context)
     return (struct shape_vertex){ .position = v3(r * f_cos(around), r * f_sin(around), 0.0f) };
 }
 
-static void open_solids(struct poi_pass *pass)
-{
-    struct shape shape = { 0 };
-    shape_grid(&shape, RING_COLUMNS, RING_ROWS, ring_point, NULL);
-    shape_grid(&shape, HANDLE_COLUMNS, HANDLE_ROWS, handle_point, NULL);
-    shape_upload(&shape, &pass->solid);
-    shape.vertex_count = shape.index_count = 0;
-    shape_grid(&shape, PAPER_COLUMNS, PAPER_ROWS, paper_point, NULL);
-    shape_upload(&shape, &pass->disc);
-}
-
 void poi_pass_open(struct gl_status *status, struct poi_pass *pass)
 {
     pass->frame_program =
@@ -107,7 +156,13 @@ void poi_pass_open(struct gl_status *status, struct poi_pass *pass)
                                             .width = SHEET_SIDE,
                                             .height = SHEET_SIDE,
                                             .layers = POI_MAX });
-    open_solids(pass);
+    struct shape shape = { 0 };
+    shape_grid(&shape, RING_COLUMNS, RING_ROWS, ring_point, NULL);
+    shape_grid(&shape, HANDLE_COLUMNS, HANDLE_ROWS, handle_point, NULL);
+    shape_upload(&shape, &pass->solid);
+    shape.vertex_count = shape.index_count = 0;
+    shape_grid(&shape, PAPER_COLUMNS, PAPER_ROWS, paper_point, NULL);
+    shape_upload(&shape, &pass->disc);
 }
 
 void poi_pass_close(struct poi_pass *pass)

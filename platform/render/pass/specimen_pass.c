@@ -5,7 +5,7 @@
 
 #include "core/base/panic.h"
 #include "platform/os/clock.h"
-#include "platform/render/gl_program.h"
+#include "platform/render/gl_util.h"
 #include "shaders.h"
 
 #define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"
@@ -228,13 +228,6 @@ void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *spe
                       FISH_TEXTURE_SHEETS * FISH_TEXTURE_BANDS);
 }
 
-static void colour_of(float out[4], uint32_t rgba)
-{
-    for (uint32_t i = 0; i < 4; i++) {
-        out[i] = (float)(rgba >> (24u - 8u * i) & 255u) / 255.0f;
-    }
-}
-
 /* Values of the uniforms that the shader programs of the body and of the fins share. */
 struct told {
     float sheets[3];
@@ -261,7 +254,9 @@ static void send(const struct specimen_program *program, const struct specimen *
     const float rows[9] = { axes.right.x,  axes.up.x,    axes.toward.x, axes.right.y, axes.up.y,
                             axes.toward.y, axes.right.z, axes.up.z,     axes.toward.z };
     float tint[4];
-    colour_of(tint, specimen->tint);
+    for (uint32_t i = 0; i < 4; i++) {
+        tint[i] = (float)(specimen->tint >> (24u - 8u * i) & 255u) / 255.0f;
+    }
     glUseProgram(program->name);
     glUniformMatrix3fv(program->axes, 1, GL_FALSE, rows);
     glUniform3f(program->place, specimen->x_px, specimen->y_px, specimen->length_px);
@@ -277,33 +272,6 @@ static void send(const struct specimen_program *program, const struct specimen *
         glUniform4fv(program->line_shape + i, 1, told->lines[i].shape);
         glUniform3fv(program->line_colour + i, 1, told->lines[i].colour);
     }
-}
-
-static void draw_shadow(const struct specimen_pass *pass, const struct specimen *specimen,
-                        const struct display_transform *transform)
-{
-    glUseProgram(pass->shadow.name);
-    glUniform3f(pass->shadow.place, specimen->x_px, specimen->y_px, specimen->length_px);
-    send_screen(&pass->shadow.screen, transform);
-    glUniform3f(pass->shadow.look, specimen->shadow * (1.0f - specimen->fade),
-                f_abs(f_cos(specimen->yaw_rad)), 0.0f);
-    glBindVertexArray(pass->no_attributes);
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-}
-
-/* Clears the depth around the specimen. The depth of earlier specimens is not needed because
- * specimens do not overlap on a page. */
-static void clear_depth(const struct specimen *specimen, float reach_lengths,
-                        const struct display_transform *p)
-{
-    const float reach = (reach_lengths + SWAY_LENGTHS) * specimen->length_px;
-    const float x = p->x + p->xx * specimen->x_px + p->xy * specimen->y_px;
-    const float y = p->y + p->yx * specimen->x_px + p->yy * specimen->y_px;
-    glEnable(GL_SCISSOR_TEST);
-    glScissor((GLint)(x - reach), (GLint)(p->screen_height - y - reach), (GLsizei)(2.0f * reach),
-              (GLsizei)(2.0f * reach));
-    glClear(GL_DEPTH_BUFFER_BIT);
-    glDisable(GL_SCISSOR_TEST);
 }
 
 static void draw_part(const struct specimen_program *program, const struct fish_mesh *mesh,
@@ -332,28 +300,6 @@ static void draw_behind(const struct specimen_pass *pass, const struct fish_mesh
     glDepthFunc(GL_LEQUAL);
 }
 
-static void draw_fish(const struct specimen_pass *pass, const struct fish_mesh *mesh, bool clear,
-                      const float look[4])
-{
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_CULL_FACE);
-    draw_behind(pass, mesh, clear, look);
-    draw_part(&pass->body, mesh, false);
-    glDepthMask(GL_FALSE);
-    draw_part(&pass->fin, mesh, true);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_DEPTH_TEST);
-}
-
-static void send_pose(struct specimen_pass *pass, uint32_t anchor_count)
-{
-    fish_poses_pack(pass->texels, &pass->pose, MORPH_CURVE_MAX, anchor_count);
-    glBindBuffer(GL_UNIFORM_BUFFER, pass->pose_buffer);
-    gl_buffer_refill(GL_UNIFORM_BUFFER, pass->texels, sizeof pass->texels);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 1, pass->pose_buffer);
-}
-
 void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *specimen,
                         const struct display_transform *transform)
 {
@@ -367,21 +313,47 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     fish_texture_request(slot->worn, &pass->brush, pass->pose.weight[0], specimen->length_px,
                          told.sheets);
     fish_texture_lines(slot->worn, pass->pose.weight[0], told.lines);
-    send_pose(pass, mesh->anchor_count);
+    fish_poses_pack(pass->texels, &pass->pose, MORPH_CURVE_MAX, mesh->anchor_count);
+    glBindBuffer(GL_UNIFORM_BUFFER, pass->pose_buffer);
+    gl_buffer_refill(GL_UNIFORM_BUFFER, pass->texels, sizeof pass->texels);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, pass->pose_buffer);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     if (specimen->shadow > 0.0f) {
-        draw_shadow(pass, specimen, transform);
+        glUseProgram(pass->shadow.name);
+        glUniform3f(pass->shadow.place, specimen->x_px, specimen->y_px, specimen->length_px);
+        send_screen(&pass->shadow.screen, transform);
+        glUniform3f(pass->shadow.look, specimen->shadow * (1.0f - specimen->fade),
+                    f_abs(f_cos(specimen->yaw_rad)), 0.0f);
+        glBindVertexArray(pass->no_attributes);
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }
     told.look[2] = fish_texture_opacity(slot->worn, pass->pose.weight[0]);
     send(&pass->body, specimen, slot, &told);
     send(&pass->fin, specimen, slot, &told);
-    clear_depth(specimen, mesh->reach, transform);
+    /* The depth is cleared around the specimen. The depth of earlier specimens is not needed
+     * because specimens do not overlap on a page. */
+    const float reach = (mesh->reach + SWAY_LENGTHS) * specimen->length_px;
+    const float x = transform->x + transform->xx * specimen->x_px + transform->xy * specimen->y_px;
+    const float y = transform->y + transform->yx * specimen->x_px + transform->yy * specimen->y_px;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor((GLint)(x - reach), (GLint)(transform->screen_height - y - reach),
+              (GLsizei)(2.0f * reach), (GLsizei)(2.0f * reach));
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glDisable(GL_SCISSOR_TEST);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, slot->worn->paints);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, slot->worn->shines);
     gl_bind_texture(2, GL_TEXTURE_2D_ARRAY, pass->patterns);
     glBindVertexArray(slot->mesh[lod].vertex_array);
-    draw_fish(pass, &slot->mesh[lod], told.look[2] > CLEAR_MIN, told.look);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    draw_behind(pass, &slot->mesh[lod], told.look[2] > CLEAR_MIN, told.look);
+    draw_part(&pass->body, &slot->mesh[lod], false);
+    glDepthMask(GL_FALSE);
+    draw_part(&pass->fin, &slot->mesh[lod], true);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
     glBindVertexArray(0);
 }

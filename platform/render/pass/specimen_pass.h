@@ -10,7 +10,6 @@
 #define KINGYO_PLATFORM_RENDER_PASS_SPECIMEN_PASS_H
 
 #include "platform/render/fish_mesh.h"
-#include "platform/render/fish_poses.h"
 #include "platform/render/fish_texture.h"
 #include "platform/render/specimen.h"
 #include "platform/render/textures.h"
@@ -55,7 +54,7 @@ struct specimen_pass {
     struct morph_pose pose;
     float texels[POSE_TEXELS_MAX][4];
     struct fish_mesh_memory memory;
-    struct fish_texture_brush brush;
+    struct paint_brush brush;
 };
 
 /* Creates programs and buffers. `textures` must stay open until the pass is closed, because the

@@ -41,4 +41,12 @@ const struct font_glyph *text_glyph_or_mark(enum font_id font, uint32_t code);
  * added between characters. */
 float text_width_em(enum font_id font, const char *words, float spacing_em);
 
+/* Maximum size of a translated line in bytes. A Japanese character needs up to three bytes. */
+#define TEXT_TRANSLATE_SIZE (3u * SCENE_LINE_SIZE)
+
+/* Writes the translation of `line` into `language` (enum language) to `out`. If `out` is too small,
+ * the translation is cut after a whole character. Parts of `line` that "; " separates are
+ * translated separately. */
+void text_translate(char *out, size_t out_size, uint8_t language, const char *line);
+
 #endif

@@ -7,9 +7,7 @@
 
 #include "assets.h"
 #include "fonts.h"
-#include "platform/render/gl_program.h"
 #include "platform/render/gl_util.h"
-#include "platform/render/ui/ui_shader.h"
 
 #define INDICES_PER_QUAD 6u
 

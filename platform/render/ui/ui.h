@@ -58,4 +58,11 @@ void ui_show(struct ui *ui, struct specimen_pass *specimens,
 /* Deletes the OpenGL objects. The context of ui_init() must be current. */
 void ui_close(struct ui *ui);
 
+extern const char *const ui_vertex_source;
+
+/* Source code at the start of every fragment shader in ui_fragment_sources: inputs and shared
+ * functions. Macros FONT_EDGE and FONT_STEP must be defined before this code. */
+extern const char *const ui_fragment_head;
+extern const char *const ui_fragment_sources[UI_KIND_COUNT];
+
 #endif

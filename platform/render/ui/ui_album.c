@@ -97,11 +97,7 @@ static void life(const struct ui_frame *frame, struct ui_box line, const struct 
     const float day = line.x + line.width * met, r = 8.0f * u;
     ui_segment(frame->batch, from, to, 5.0f * u, 0xd9c8a0ffu);
     ui_segment(frame->batch, from, now, 5.0f * u, UI_VERMILION);
-    ui_shape(frame->batch, &(struct ui_shape){ .box = { day - r, y - r, 2.0f * r, 2.0f * r },
-                                               .kind = UI_PANEL,
-                                               .fill = fish->is_caught ? 0xc92c1cffu : 0xfff6e2ffu,
-                                               .line = 0xc92c1cffu,
-                                               .shape = { 0, 0, r, 2.5f * u } });
+    ui_disc(frame, day, y, r, 2.5f * u, fish->is_caught ? 0xc92c1cffu : 0xfff6e2ffu, 0xc92c1cffu);
 }
 
 /* Draws the seal of the catch, which appears when the animated age reaches the day of the catch. */
@@ -115,8 +111,7 @@ static void met_seal(const struct ui_frame *frame, struct ui_box water,
     }
     lab_age_words(frame->language, fish->caught_age_days, age, sizeof age);
     lab_length_words(fish->caught_length_m, length, sizeof length);
-    snprintf(words, sizeof words, "%s  %s  %s", text_words(frame->language, TEXT_ALBUM_MET), age,
-             length);
+    snprintf(words, sizeof words, "%s  %s  %s", ui_words(frame, TEXT_ALBUM_MET), age, length);
     const float size = SEAL_SIZE * u;
     const struct ui_ribbon seal = { .x = water.x + 0.5f * water.width,
                                     .y = water.y + water.height - 1.15f * size,
@@ -138,15 +133,8 @@ static void picture(const struct ui_frame *frame, const struct scene *scene, uin
     const struct ui_box shade = { box.x + 3.0f * u, box.y + 6.0f * u, box.width, box.height };
     const struct ui_box water = { box.x + 10.0f * u, box.y + 10.0f * u, box.width - 20.0f * u,
                                   box.height - 82.0f * u };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = shade,
-                                               .kind = UI_PANEL,
-                                               .fill = 0x04061880u,
-                                               .shape = { 0, 0, 10.0f * u } });
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
-                                               .kind = UI_WASHI,
-                                               .fill = LAB_PAPER,
-                                               .line = LAB_PAPER_LINE,
-                                               .shape = { 0, 0, 10.0f * u, 2.0f * u } });
+    ui_panel(frame, UI_PANEL, shade, 10.0f * u, 0.0f, 0x04061880u, 0);
+    ui_panel(frame, UI_WASHI, box, 10.0f * u, 2.0f * u, LAB_PAPER, LAB_PAPER_LINE);
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = water,
                                  .kind = UI_WATER,
@@ -187,18 +175,16 @@ static void head(const struct ui_frame *frame, const struct scene *scene)
                                    .fill = 0xfff6e2ffu,
                                    .line = 0x0a0c24e0u,
                                    .fit_px = frame->width - 60.0f * u };
-    ui_text(frame->batch, &title, 0.5f * frame->width, ui_text_middle(&title, 48.0f * u),
-            text_words(frame->language, TEXT_ALBUM));
+    ui_text_at(frame, &title, 0.5f * frame->width, 48.0f * u, ui_words(frame, TEXT_ALBUM));
     const struct ui_text small = { .font = FONT_BODY,
                                    .size_px = 22.0f * u,
                                    .align = 0.5f,
                                    .fill = 0xd6dcf2ffu,
                                    .fit_px = frame->width - 60.0f * u };
     const int all = scene->album.caught <= scene->album.fish_count;
-    text_number(words, sizeof words,
-                text_words(frame->language, all ? TEXT_ALBUM_ALL : TEXT_ALBUM_FIRST),
+    text_number(words, sizeof words, ui_words(frame, all ? TEXT_ALBUM_ALL : TEXT_ALBUM_FIRST),
                 all ? scene->album.caught : scene->album.fish_count);
-    ui_text(frame->batch, &small, 0.5f * frame->width, ui_text_middle(&small, 92.0f * u), words);
+    ui_text_at(frame, &small, 0.5f * frame->width, 92.0f * u, words);
 }
 
 void ui_album(const struct ui_frame *frame, const struct scene *scene)
@@ -206,12 +192,8 @@ void ui_album(const struct ui_frame *frame, const struct scene *scene)
     const struct scene_album *album = &scene->album;
     const struct spatial_grid grid = grid_of(frame, album->fish_count > 0 ? album->fish_count : 1u);
     const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = cloth, .kind = UI_PANEL, .fill = 0x171d42ffu });
-    ui_shape(frame->batch, &(struct ui_shape){ .box = cloth,
-                                               .kind = UI_WAVES,
-                                               .fill = 0x141a3cffu,
-                                               .shape = { 0, 0, 36.0f * frame->unit } });
+    ui_panel(frame, UI_PANEL, cloth, 0.0f, 0.0f, 0x171d42ffu, 0);
+    ui_panel(frame, UI_WAVES, cloth, 36.0f * frame->unit, 0.0f, 0x141a3cffu, 0);
     head(frame, scene);
     for (uint32_t i = 0; i < album->fish_count; i++) {
         const float in = ui_smooth(0.15f * (float)i, 0.15f * (float)i + 0.4f, scene->phase_s);

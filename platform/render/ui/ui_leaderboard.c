@@ -1,6 +1,6 @@
 /* ui_leaderboard.c -- draws the leaderboard on a sheet of paper, in the style of a sumo ranking
  * list with the best player first. */
-#include "platform/render/ui/ui_leaderboard.h"
+#include "platform/render/ui/ui_widgets.h"
 
 #include <math.h>
 
@@ -59,15 +59,10 @@ static void ui_leaderboard_heading(const struct ui_frame *frame,
                                    .fill = 0xfff6e2ffu,
                                    .fit_px = 0.52f * band.width };
     const float y = band.y + 0.5f * band.height;
-    ui_shape(frame->batch, &(struct ui_shape){ .box = band,
-                                               .kind = UI_WAVES,
-                                               .fill = UI_INDIGO,
-                                               .line = 0x0b1030ffu,
-                                               .shape = { 0, 0, 9.0f * u, 1.5f * u } });
-    ui_text(frame->batch, &mode, band.x + 20.0f * u, ui_text_middle(&mode, y),
-            ui_mode_name(frame->language, board->mode));
-    ui_text(frame->batch, &title, band.x + band.width - 20.0f * u, ui_text_middle(&title, y),
-            text_words(frame->language, ui_leaderboard_key(board->period)));
+    ui_panel(frame, UI_WAVES, band, 9.0f * u, 1.5f * u, UI_INDIGO, 0x0b1030ffu);
+    ui_text_at(frame, &mode, band.x + 20.0f * u, y, ui_mode_name(frame->language, board->mode));
+    ui_text_at(frame, &title, band.x + band.width - 20.0f * u, y,
+               ui_words(frame, ui_leaderboard_key(board->period)));
 }
 
 /* Draws the number of a place. Places 1 to 3 have a medal of gold, silver or bronze. */
@@ -79,19 +74,14 @@ static void place_mark(const struct ui_frame *frame, float x, float y, uint32_t 
     char number[12];
     text_number(number, sizeof number, "{}", place + 1u);
     if (has_medal) {
-        ui_shape(frame->batch, &(struct ui_shape){
-                                   .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
-                                   .kind = UI_PANEL,
-                                   .fill = medals[place],
-                                   .line = 0x5a3a20ffu,
-                                   .shape = { 0, 0, radius, 1.5f * u } });
+        ui_disc(frame, x, y, radius, 1.5f * u, medals[place], 0x5a3a20ffu);
     }
     const struct ui_text style = { .font = FONT_STALL,
                                    .size_px = 26.0f * u,
                                    .align = 0.5f,
                                    .fill = has_medal ? UI_INK : UI_INK_SOFT,
                                    .fit_px = 1.8f * radius };
-    ui_text(frame->batch, &style, x, ui_text_middle(&style, y), number);
+    ui_text_at(frame, &style, x, y, number);
 }
 
 /* Draws a vermilion seal, which means that the round can be replayed to verify its score. */
@@ -102,12 +92,8 @@ void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
                                   .size_px = 0.74f * size,
                                   .fill = 0xfff1ddffu };
     const struct ui_box box = { x - 0.5f * size, y - 0.5f * size, size, size };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
-                                               .kind = UI_PANEL,
-                                               .fill = 0xc92c1cffu,
-                                               .line = 0xfff1ddb0u,
-                                               .shape = { 0, 0, 5.0f * u, 1.5f * u } });
-    ui_words_in(frame, box, &word, text_words(frame->language, TEXT_BOARD_SEAL));
+    ui_panel(frame, UI_PANEL, box, 5.0f * u, 1.5f * u, 0xc92c1cffu, 0xfff1ddb0u);
+    ui_words_in(frame, box, &word, ui_words(frame, TEXT_BOARD_SEAL));
 }
 
 /* Draws the background of a newly added row in the colour of the player's ring. */
@@ -116,11 +102,7 @@ static void new_ground(const struct ui_frame *frame, const struct scene_row *row
     const float u = frame->unit;
     const uint32_t colour = ui_player_colours[row->seat < POI_MAX ? row->seat : 0];
     const float glow = 0.30f + 0.20f * ui_pulse(frame->time_s, 1.2f);
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
-                                               .kind = UI_PANEL,
-                                               .fill = ui_fade(colour, glow),
-                                               .line = colour,
-                                               .shape = { 0, 0, 9.0f * u, 2.0f * u } });
+    ui_panel(frame, UI_PANEL, box, 9.0f * u, 2.0f * u, ui_fade(colour, glow), colour);
 }
 
 static void row_at(const struct ui_frame *frame, const struct scene_row *row, uint32_t place,
@@ -143,10 +125,9 @@ static void row_at(const struct ui_frame *frame, const struct scene_row *row, ui
         new_ground(frame, row, box);
     }
     place_mark(frame, box.x + 34.0f * u, y, place);
-    ui_text(frame->batch, &name, box.x + 74.0f * u, ui_text_middle(&name, y),
-            row->name[0] ? row->name : "---");
+    ui_text_at(frame, &name, box.x + 74.0f * u, y, row->name[0] ? row->name : "---");
     text_number(number, sizeof number, "{}", row->caught);
-    const char *words = text_words(frame->language, TEXT_UNIT);
+    const char *words = ui_words(frame, TEXT_UNIT);
     const float baseline = ui_text_middle(&digits, y);
     ui_text(frame->batch, &unit, right, baseline, words);
     const float digits_right = right - ui_text_width(&unit, words) - 8.0f * u;

@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "core/game/ranking/name_keyboard.h"
-#include "platform/render/ui/ui_leaderboard.h"
 #include "platform/render/ui/ui_widgets.h"
 
 _Static_assert(SCENE_NAME_LETTERS == NAME_LETTERS_MAX, "every letter can be shown");
@@ -44,8 +43,7 @@ static struct ui_box place(const struct slate *slate, struct layout_box box)
 static void veil(const struct slate *slate)
 {
     const struct ui_box box = { 0.0f, 0.0f, slate->frame.width, slate->frame.height };
-    ui_shape(slate->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = 0x090d24b4u });
+    ui_panel(&slate->frame, UI_PANEL, box, 0.0f, 0.0f, 0x090d24b4u, 0);
 }
 
 /* ---- Player, leaderboard place and remaining time ------------------------------------------- */
@@ -54,7 +52,7 @@ static void place_words(const struct slate *slate, const struct scene *scene, ch
                         size_t out_size)
 {
     const struct scene_player *player = &scene->player[slate->name->seat];
-    text_number(out, out_size, text_words(slate->frame.language, ui_place_key(player->period)),
+    text_number(out, out_size, ui_words(&slate->frame, ui_place_key(player->period)),
                 player->place);
 }
 
@@ -80,12 +78,10 @@ static void title(const struct slate *slate, const struct scene *scene)
                                           .font = FONT_STALL,
                                           .fill = WARN_PAPER,
                                           .line = UI_GOLD,
-                                          .ink = 0xfff8eaffu,
                                           .room_px = line.width };
-        ui_ribbon(&slate->frame, &ribbon, text_words(slate->frame.language, TEXT_NAME_REFUSED));
+        ui_ribbon(&slate->frame, &ribbon, ui_words(&slate->frame, TEXT_NAME_REFUSED));
     } else {
-        ui_words_in(&slate->frame, line, &words,
-                    text_words(slate->frame.language, TEXT_NAME_TITLE));
+        ui_words_in(&slate->frame, line, &words, ui_words(&slate->frame, TEXT_NAME_TITLE));
     }
     if (ui_player_count(scene) > 1u) {
         const struct ui_box mark =
@@ -109,17 +105,12 @@ static void seconds(const struct slate *slate, const struct scene *scene)
         return;
     }
     text_number(number, sizeof number, "{}", (uint32_t)whole);
-    ui_shape(
-        slate->frame.batch,
-        &(struct ui_shape){ .box = { at.x - radius, at.y - radius, 2.0f * radius, 2.0f * radius },
-                            .kind = UI_RING,
-                            .fill = UI_VERMILION,
-                            .line = 0xffffff26u,
-                            .shape = { radius, 6.0f * u, scene->seconds_left / 15.0f } });
+    ui_ring(&slate->frame, at.x, at.y, radius, 6.0f * u, scene->seconds_left / 15.0f, UI_VERMILION,
+            0xffffff26u);
     const struct ui_text digits = {
         .font = FONT_STALL, .size_px = 30.0f * u, .align = 0.5f, .fill = 0xfff8eaffu
     };
-    ui_text(slate->frame.batch, &digits, at.x, ui_text_middle(&digits, at.y), number);
+    ui_text_at(&slate->frame, &digits, at.x, at.y, number);
 }
 
 /* ---- Line with the letters of the name ------------------------------------------------------ */
@@ -149,12 +140,9 @@ static void line(const struct slate *slate)
             place(slate, (struct layout_box){ left + pitch * (float)i, y, width, height });
         const int is_next = i == slate->name->letter_count;
         const float pulse = 0.45f + 0.55f * ui_pulse(slate->frame.time_s, 1.0f);
-        ui_shape(slate->frame.batch,
-                 &(struct ui_shape){ .box = box,
-                                     .kind = UI_WASHI,
-                                     .fill = is_next ? KEY_PAPER : 0xe6dcc4ffu,
-                                     .line = is_next ? ui_fade(slate->colour, pulse) : 0x6a5238ffu,
-                                     .shape = { 0, 0, 8.0f * u, (is_next ? 5.0f : 1.5f) * u } });
+        ui_panel(&slate->frame, UI_WASHI, box, 8.0f * u, (is_next ? 5.0f : 1.5f) * u,
+                 is_next ? KEY_PAPER : 0xe6dcc4ffu,
+                 is_next ? ui_fade(slate->colour, pulse) : 0x6a5238ffu);
         if (i < slate->name->letter_count) {
             one_letter(slate, box, slate->name->letter[i], 58.0f, UI_INK);
         }
@@ -214,7 +202,7 @@ static void board(const struct slate *slate)
         const struct ui_box box = key_paper(slate, key);
         ui_words_in(&slate->frame,
                     (struct ui_box){ box.x + 10.0f * u, box.y, box.width - 20.0f * u, box.height },
-                    &style, text_words(slate->frame.language, key_words(name, key)));
+                    &style, ui_words(&slate->frame, key_words(name, key)));
     }
 }
 
@@ -227,7 +215,7 @@ static void keys(const struct slate *slate)
     ui_words_in(&slate->frame,
                 place(slate, upright ? (struct layout_box){ 27.0f, 1190.0f, 800.0f, 40.0f }
                                      : (struct layout_box){ 60.0f, 678.0f, 1160.0f, 34.0f }),
-                &style, text_words(slate->frame.language, TEXT_NAME_KEYS));
+                &style, ui_words(&slate->frame, TEXT_NAME_KEYS));
 }
 
 static void hand(const struct slate *slate)

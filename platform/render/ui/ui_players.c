@@ -45,12 +45,8 @@ void ui_player_mark(const struct ui_frame *frame, float x, float y, float radius
     const struct ui_text digit = {
         .font = FONT_STALL, .size_px = 1.35f * radius, .align = 0.5f, .fill = 0x14101cffu
     };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
-                                               .kind = UI_PANEL,
-                                               .fill = ui_player_colours[player],
-                                               .line = 0xfff8eaffu,
-                                               .shape = { 0, 0, radius, 0.13f * radius } });
-    ui_text(frame->batch, &digit, x, ui_text_middle(&digit, y), number);
+    ui_panel(frame, UI_PANEL, box, radius, 0.13f * radius, ui_player_colours[player], 0xfff8eaffu);
+    ui_text_at(frame, &digit, x, y, number);
 }
 
 void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius, float step,
@@ -68,11 +64,8 @@ void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius,
                                                        .fill = 0xff5a30a0u,
                                                        .shape = { 0, 0, 1.0f } });
         }
-        ui_shape(frame->batch, &(struct ui_shape){ .box = lamp,
-                                                   .kind = UI_PANEL,
-                                                   .fill = lit ? 0xff5236ffu : 0x120c18c0u,
-                                                   .line = lit ? 0xffd9a0ffu : 0xe8b85ca0u,
-                                                   .shape = { 0, 0, radius, 0.2f * radius } });
+        ui_panel(frame, UI_PANEL, lamp, radius, 0.2f * radius, lit ? 0xff5236ffu : 0x120c18c0u,
+                 lit ? 0xffd9a0ffu : 0xe8b85ca0u);
     }
 }
 
@@ -91,15 +84,14 @@ static void player_state(const struct ui_frame *frame, const struct scene *scene
                                        .align = 0.5f,
                                        .fill = 0xff9a80ffu,
                                        .fit_px = 46.0f * u };
-        ui_text(frame->batch, &stamp, x, ui_text_middle(&stamp, y),
-                text_words(frame->language, TEXT_OUT));
+        ui_text_at(frame, &stamp, x, y, ui_words(frame, TEXT_OUT));
     } else if (state->lost) {
         const struct ui_text ask = { .font = FONT_STALL,
                                      .size_px = 40.0f * u,
                                      .align = 0.5f,
                                      .fill = ui_fade(0xff9a80ffu,
                                                      0.4f + 0.6f * ui_pulse(frame->time_s, 1.0f)) };
-        ui_text(frame->batch, &ask, x, ui_text_middle(&ask, y), "?");
+        ui_text_at(frame, &ask, x, y, "?");
     } else {
         ui_poi_sign(frame, x, y - 5.0f * u, 14.0f * u, scene->poi[player].paper_left,
                     ui_player_colours[player]);
@@ -123,12 +115,9 @@ static void plate(const struct ui_frame *frame, const struct scene *scene,
     ui_plate(frame, box);
     const struct ui_box band = { box.x + 4.0f * u, box.y + 10.0f * u, 5.0f * u,
                                  box.height - 20.0f * u };
-    ui_shape(frame->batch, &(struct ui_shape){ .box = band,
-                                               .kind = UI_PANEL,
-                                               .fill = ui_player_colours[player],
-                                               .shape = { 0, 0, 2.5f * u } });
+    ui_panel(frame, UI_PANEL, band, 2.5f * u, 0.0f, ui_player_colours[player], 0);
     ui_player_mark(frame, box.x + 32.0f * u, y, 17.0f * u, player);
-    ui_text(frame->batch, &digits, box.x + 58.0f * u, ui_text_middle(&digits, y), number);
+    ui_text_at(frame, &digits, box.x + 58.0f * u, y, number);
     player_state(frame, scene, player, box.x + box.width - 30.0f * u,
                  0.5f * (y + box.y) + 16.0f * u);
     if (judged) {

@@ -31,6 +31,26 @@ float ui_smooth(float from, float to, float x);
 /* Returns a smooth pulse from 0 to 1 and back to 0 with period `period_s`. */
 float ui_pulse(float time_s, float period_s);
 
+/* Returns the text with the key `key` in the language of the screen. */
+const char *ui_words(const struct ui_frame *frame, enum text_key key);
+
+/* Draws a box with rounded corners. `kind` is UI_PANEL, UI_WASHI, UI_WAVES, UI_WOOD or UI_HEAT. A
+ * border of 0 px means no border. `fill` is the colour of the surface, and `line` is the colour of
+ * the border. */
+void ui_panel(const struct ui_frame *frame, enum ui_kind kind, struct ui_box box, float radius_px,
+              float border_px, uint32_t fill, uint32_t line);
+/* Draws a plain disc with a border, centred at (x, y). */
+void ui_disc(const struct ui_frame *frame, float x, float y, float radius_px, float border_px,
+             uint32_t fill, uint32_t line);
+/* Draws a ring that is centred at (x, y). The fraction `part` [0, 1] of the ring has the colour
+ * `fill`, clockwise from the top. The rest of the ring has the colour `line`. */
+void ui_ring(const struct ui_frame *frame, float x, float y, float radius_px, float width_px,
+             float part, uint32_t fill, uint32_t line);
+/* Adds one line of text as ui_text() does, vertically centred on `y`. Returns the width of the text
+ * in pixels. */
+float ui_text_at(const struct ui_frame *frame, const struct ui_text *style, float x, float y,
+                 const char *words);
+
 /* Draws the shop curtain: a pole, strips of dyed cloth, and the title. `lift` in [0, 1] is how far
  * the curtain is raised. At 1 the curtain is out of view. */
 void ui_noren(const struct ui_frame *frame, float lift);
@@ -51,12 +71,15 @@ void ui_card(const struct ui_frame *frame, struct ui_box box);
 void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct ui_text *style,
                  const char *words);
 
-/* Parameters of ui_ribbon(). */
+/* Parameters of ui_ribbon(). A field that is 0 has its default value if its comment names one. */
 struct ui_ribbon {
-    float x, y, size_px;
+    float x, y; /* Centre of the ribbon in pixels. An `x` of 0 means the middle of the screen. */
+    float size_px;
     enum font_id font;
-    uint32_t fill, line, ink;
-    float room_px; /* Maximum width of the ribbon in pixels. A longer text is shrunk to fit. */
+    uint32_t fill, line;
+    uint32_t ink;  /* Colour of the text. 0 means cream. */
+    float room_px; /* Maximum width of the ribbon in pixels. A longer text is shrunk to fit. 0 means
+                      nearly the width of the screen. */
 };
 /* Draws a rounded ribbon with one line of text, centred at (x, y). Returns the ribbon's width in
  * pixels. */

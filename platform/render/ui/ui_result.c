@@ -3,7 +3,6 @@
 #include <stdio.h>
 
 #include "core/game/ranking/ranking.h"
-#include "platform/render/ui/ui_leaderboard.h"
 #include "platform/render/ui/ui_widgets.h"
 
 #define GRADES 6u
@@ -49,13 +48,9 @@ static void seal(const struct ui_frame *frame, float x, float y, float in, const
                                   .fit_px = 216.0f * u * (2.0f - in) };
     const float width = ui_text_width(&text, words) + 34.0f * u, height = 50.0f * u * (2.0f - in);
     frame->batch->opacity = in;
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = { x - 0.5f * width, y - 0.5f * height, width, height },
-                                 .kind = UI_WASHI,
-                                 .fill = 0xc92c1cffu,
-                                 .line = 0xfff1ddb0u,
-                                 .shape = { 0, 0, 8.0f * u, 2.5f * u } });
-    ui_text(frame->batch, &text, x, ui_text_middle(&text, y), words);
+    ui_panel(frame, UI_WASHI, (struct ui_box){ x - 0.5f * width, y - 0.5f * height, width, height },
+             8.0f * u, 2.5f * u, 0xc92c1cffu, 0xfff1ddb0u);
+    ui_text_at(frame, &text, x, y, words);
     frame->batch->opacity = 1.0f;
 }
 
@@ -76,7 +71,7 @@ static void result_count(const struct ui_frame *frame, const struct scene *scene
         .font = FONT_STALL, .size_px = 116.0f * u, .fill = UI_INK, .fit_px = 320.0f * u
     };
     const struct ui_text unit = { .font = FONT_STALL, .size_px = 48.0f * u, .fill = UI_INK_SOFT };
-    const char *words = text_words(frame->language, TEXT_UNIT);
+    const char *words = ui_words(frame, TEXT_UNIT);
     const float fish = 164.0f * u, gap = 20.0f * u;
     const float number_width = ui_text_width(&digits, number);
     const float whole = fish + number_width + ui_text_width(&unit, words) + 2.0f * gap;
@@ -98,7 +93,7 @@ static void ui_result_heading(const struct ui_frame *frame, const struct scene *
                                   .fit_px = box.width - 60.0f * u };
     char words[2u * TEXT_LINE_MAX];
     snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode),
-             text_words(frame->language, TEXT_RESULT));
+             ui_words(frame, TEXT_RESULT));
     ui_text(frame->batch, &text, box.x + 0.5f * box.width, box.y + 56.0f * u, words);
 }
 
@@ -116,7 +111,7 @@ static void last_line(const struct ui_frame *frame, const struct scene *scene, s
     char best[TEXT_LINE_MAX];
     ui_best_words(scene, best, sizeof best);
     ui_text(frame->batch, &small, box.x + 0.5f * box.width, box.y + box.height - 28.0f * u,
-            scored ? best : text_words(frame->language, TEXT_PRACTICE_WORDS));
+            scored ? best : ui_words(frame, TEXT_PRACTICE_WORDS));
 }
 
 static void praise(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
@@ -138,9 +133,8 @@ static void praise(const struct ui_frame *frame, const struct scene *scene, uint
                                    .fill = UI_INK,
                                    .fit_px = box.width - 60.0f * u };
     frame->batch->opacity = ui_smooth(1.1f, 1.5f, scene->phase_s);
-    ui_text(frame->batch, &word, x, ui_text_middle(&word, box.y + 252.0f * u),
-            text_words(frame->language, grade->praise));
-    ui_text(frame->batch, &words, x, box.y + 338.0f * u, text_words(frame->language, grade->words));
+    ui_text_at(frame, &word, x, box.y + 252.0f * u, ui_words(frame, grade->praise));
+    ui_text(frame->batch, &words, x, box.y + 338.0f * u, ui_words(frame, grade->words));
     frame->batch->opacity = 1.0f;
 }
 
@@ -160,10 +154,8 @@ static void given_back(const struct ui_frame *frame, struct ui_box box)
                                    .fill = UI_INK,
                                    .fit_px = box.width - 60.0f * u };
     ui_fish_sign(frame, x, box.y + 138.0f * u, 124.0f * u);
-    ui_text(frame->batch, &word, x, ui_text_middle(&word, box.y + 238.0f * u),
-            text_words(frame->language, TEXT_GIVEN_BACK));
-    ui_text(frame->batch, &words, x, box.y + 338.0f * u,
-            text_words(frame->language, TEXT_GIVEN_BACK_WORDS));
+    ui_text_at(frame, &word, x, box.y + 238.0f * u, ui_words(frame, TEXT_GIVEN_BACK));
+    ui_text(frame->batch, &words, x, box.y + 338.0f * u, ui_words(frame, TEXT_GIVEN_BACK_WORDS));
 }
 
 static void one_players_result(const struct ui_frame *frame, const struct scene *scene,
@@ -178,8 +170,7 @@ static void one_players_result(const struct ui_frame *frame, const struct scene 
                                        .size_px = 24.0f * u,
                                        .fill = UI_INK_SOFT };
         const float x = box.x + 26.0f * u, y = box.y + box.height - 37.0f * u;
-        const float width = ui_text(frame->batch, &label, x, ui_text_middle(&label, y),
-                                    text_words(frame->language, TEXT_FOUL));
+        const float width = ui_text_at(frame, &label, x, y, ui_words(frame, TEXT_FOUL));
         ui_foul_lamps(frame, x + width + 22.0f * u, y, 9.5f * u, 25.0f * u,
                       scene->player[player].fouls);
     }
@@ -202,15 +193,11 @@ static void ranked(const struct ui_frame *frame, const struct scene *scene, uint
     const float u = frame->unit, y = row.y + 0.5f * row.height;
     const uint32_t place = ui_result_place_of(scene, player);
     char words[TEXT_LINE_MAX], number[12];
-    text_number(words, sizeof words, text_words(frame->language, TEXT_PLACE), place + 1u);
+    text_number(words, sizeof words, ui_words(frame, TEXT_PLACE), place + 1u);
     text_number(number, sizeof number, "{}", counted_up(scene, player));
-    ui_shape(
-        frame->batch,
-        &(struct ui_shape){ .box = row,
-                            .kind = UI_PANEL,
-                            .fill = ui_fade(ui_player_colours[player], place == 0 ? 0.42f : 0.20f),
-                            .line = ui_fade(ui_player_colours[player], place == 0 ? 1.0f : 0.5f),
-                            .shape = { 0, 0, 10.0f * u, 2.0f * u } });
+    ui_panel(frame, UI_PANEL, row, 10.0f * u, 2.0f * u,
+             ui_fade(ui_player_colours[player], place == 0 ? 0.42f : 0.20f),
+             ui_fade(ui_player_colours[player], place == 0 ? 1.0f : 0.5f));
     const struct ui_text rank = { .font = FONT_STALL, .size_px = 36.0f * u, .fill = UI_INK };
     const struct ui_text digits = { .font = FONT_STALL,
                                     .size_px = 44.0f * u,
@@ -218,13 +205,12 @@ static void ranked(const struct ui_frame *frame, const struct scene *scene, uint
                                     .fill = UI_INK,
                                     .fit_px = 150.0f * u };
     const struct ui_text unit = { .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_INK_SOFT };
-    ui_text(frame->batch, &rank, row.x + 24.0f * u, ui_text_middle(&rank, y), words);
+    ui_text_at(frame, &rank, row.x + 24.0f * u, y, words);
     ui_player_mark(frame, row.x + 148.0f * u, y, 22.0f * u, player);
     ui_fish_sign(frame, row.x + 226.0f * u, y, 74.0f * u);
     const float digits_x = row.x + 428.0f * u, baseline = ui_text_middle(&digits, y);
     ui_text(frame->batch, &digits, digits_x, baseline, number);
-    ui_text(frame->batch, &unit, digits_x + 14.0f * u, baseline,
-            text_words(frame->language, TEXT_UNIT));
+    ui_text(frame->batch, &unit, digits_x + 14.0f * u, baseline, ui_words(frame, TEXT_UNIT));
     if (rules_of(scene->mode)->judges) {
         ui_foul_lamps(frame, row.x + row.width - 84.0f * u, y, 10.0f * u, 29.0f * u,
                       scene->player[player].fouls);

@@ -5,6 +5,137 @@
 
 #include "platform/render/ui/ui_widgets.h"
 
+/* Time in seconds for which an announcement is shown, which is longer than reading it takes. */
+#define CALL_S 1.9f
+#define FOUL_S 2.6f
+#define COUNTDOWN_S 5.0f
+
+static float shown(float age_s, float length_s)
+{
+    return ui_smooth(0.0f, 0.12f, age_s) * (1.0f - ui_smooth(length_s - 0.5f, length_s, age_s));
+}
+
+/* Draws the last seconds of a round as one large digit per second, which grows and fades out. */
+static void countdown(const struct ui_frame *frame, const struct scene *scene)
+{
+    if (scene->phase != PHASE_ROUND || scene->seconds_left <= 0.0f ||
+        scene->seconds_left > COUNTDOWN_S) {
+        return;
+    }
+    const float whole = ceilf(scene->seconds_left), gone = whole - scene->seconds_left;
+    const char digit[2] = { (char)('0' + (int)whole), 0 };
+    const float pop = 1.0f + 0.30f * (1.0f - ui_smooth(0.0f, 0.25f, gone));
+    ui_big_word(frame, FONT_STALL, 0.36f * frame->height, 150.0f * frame->unit * pop,
+                0.85f * (1.0f - ui_smooth(0.6f, 0.95f, gone)), digit);
+}
+
+static void call(const struct ui_frame *frame, const struct scene *scene)
+{
+    static const uint16_t keys[] = {
+        [CALL_ONE_MINUTE] = TEXT_CALL_ONE_MINUTE,
+        [CALL_TWO_MINUTES] = TEXT_CALL_TWO_MINUTES,
+        [CALL_TEN_SECONDS] = TEXT_CALL_TEN_SECONDS,
+        [CALL_TIME] = TEXT_CALL_TIME,
+    };
+    if (scene->call == CALL_COUNTDOWN) {
+        countdown(frame, scene);
+    } else if (scene->call < sizeof keys && keys[scene->call] != 0 && scene->call_s < CALL_S) {
+        const int brush = frame->language == LANGUAGE_JA;
+        const float grow = 1.0f + 0.10f * ui_smooth(0.0f, CALL_S, scene->call_s);
+        ui_big_word(frame, brush ? FONT_BRUSH : FONT_STALL, 0.33f * frame->height,
+                    (brush ? 122.0f : 84.0f) * frame->unit * grow, shown(scene->call_s, CALL_S),
+                    ui_words(frame, (enum text_key)keys[scene->call]));
+    }
+}
+
+/* Draws a red flag with the foul's name and, if there are several players, the player's number.
+ * Returns the flag's height. */
+static float foul_flag(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
+                       float y)
+{
+    static const uint16_t keys[FOUL_COUNT] = {
+        [FOUL_POURED] = TEXT_FOUL_POURED,
+        [FOUL_WALL] = TEXT_FOUL_WALL,
+        [FOUL_SHADE] = TEXT_FOUL_SHADE,
+    };
+    const struct scene_player *state = &scene->player[player];
+    const float u = frame->unit, height = 66.0f * u;
+    if (state->foul == FOUL_NONE || state->foul >= FOUL_COUNT || state->foul_s >= FOUL_S) {
+        return 0.0f;
+    }
+    const char *foul = ui_words(frame, TEXT_FOUL);
+    const char *name = ui_words(frame, (enum text_key)keys[state->foul]);
+    const struct ui_text head = { .font = FONT_STALL, .size_px = 32.0f * u, .fill = 0xffd9a0ffu };
+    const struct ui_text body = { .font = FONT_STALL, .size_px = 42.0f * u, .fill = 0xfff8eaffu };
+    const float mark = ui_seat_count(scene) > 1u ? 58.0f * u : 0.0f;
+    const float head_width = ui_text_width(&head, foul), gap = 20.0f * u, lamps = 112.0f * u;
+    const float width =
+        2.0f * 26.0f * u + mark + head_width + gap + ui_text_width(&body, name) + lamps;
+    float x = 0.5f * (frame->width - width);
+    frame->batch->opacity = shown(state->foul_s, FOUL_S);
+    ui_panel(frame, UI_WASHI, (struct ui_box){ x, y, width, height }, 10.0f * u, 2.5f * u,
+             0xb3261ef2u, 0xfff1ddd0u);
+    x += 26.0f * u;
+    if (mark > 0.0f) {
+        ui_player_mark(frame, x + 20.0f * u, y + 0.5f * height, 20.0f * u, player);
+        x += mark;
+    }
+    ui_text_at(frame, &head, x, y + 0.5f * height, foul);
+    x += head_width + gap;
+    x += ui_text_at(frame, &body, x, y + 0.5f * height, name);
+    ui_foul_lamps(frame, x + 38.0f * u, y + 0.5f * height, 10.0f * u, 29.0f * u, state->fouls);
+    frame->batch->opacity = 1.0f;
+    return height + 8.0f * u;
+}
+
+static void fouls(const struct ui_frame *frame, const struct scene *scene)
+{
+    /* During the countdown the first flag is below the digits, and further flags are above the
+     * first flag. */
+    const int counts_down = scene->phase == PHASE_READY;
+    float y = (counts_down ? 0.72f : 0.47f) * frame->height;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const float height = foul_flag(frame, scene, i, y);
+        y += counts_down ? -height : height;
+    }
+}
+
+/* Draws the word with which a sumo referee pauses a bout, on a band across the tank. Drawn while
+ * the game is paused. */
+static void pause(const struct ui_frame *frame, const struct scene *scene)
+{
+    const float u = frame->unit, y = 0.46f * frame->height, height = 220.0f * u;
+    const int brush = frame->language == LANGUAGE_JA;
+    const struct ui_box band = { 0.0f, y - 0.5f * height, frame->width, height };
+    const struct ui_text words = { .font = FONT_BODY,
+                                   .size_px = 30.0f * u,
+                                   .align = 0.5f,
+                                   .fill = 0xfff8eaffu,
+                                   .fit_px = frame->width - 60.0f * u };
+    ui_panel(frame, UI_PANEL, band, 0.0f, 0.0f, 0x0a0c24c8u, 0);
+    ui_big_word(frame, brush ? FONT_BRUSH : FONT_STALL, y - 30.0f * u, (brush ? 132.0f : 96.0f) * u,
+                1.0f, ui_words(frame, TEXT_PAUSED));
+    ui_text(frame->batch, &words, 0.5f * frame->width, y + 82.0f * u,
+            ui_words(frame, TEXT_PAUSED_WORDS));
+    float x = 0.5f * frame->width + 270.0f * u;
+    for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
+        if (scene->player[i].lost && !scene->player[i].out) {
+            ui_player_mark(frame, x, y - 30.0f * u, 24.0f * u, i);
+            x += 56.0f * u;
+        }
+    }
+}
+
+void ui_umpire(const struct ui_frame *frame, const struct scene *scene)
+{
+    if (scene->paused) {
+        pause(frame, scene);
+        return;
+    }
+    call(frame, scene);
+    fouls(frame, scene);
+}
+
 #define HURRY_S 10.0f /* Remaining time in seconds below which the clock is red. */
 /* Time in seconds for which the number of caught fish is enlarged after a catch. */
 #define POP_S 0.45f
@@ -20,7 +151,7 @@ static void caught_plate(const struct ui_frame *frame, const struct scene *scene
     text_number(number, sizeof number, "{}", scene->caught[player]);
     const struct ui_text digits = { .font = FONT_STALL, .size_px = 68.0f * u, .fill = 0xfff8eaffu };
     const struct ui_text unit = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = UI_GOLD };
-    const char *words = text_words(frame->language, TEXT_UNIT);
+    const char *words = ui_words(frame, TEXT_UNIT);
     const float number_x = left + 108.0f * u;
     const float unit_x = number_x + ui_text_width(&digits, number) + 12.0f * u;
     const float right = unit_x + ui_text_width(&unit, words) + 22.0f * u;
@@ -30,8 +161,8 @@ static void caught_plate(const struct ui_frame *frame, const struct scene *scene
     struct ui_text jump = digits;
     jump.size_px *= 1.0f + 0.22f * pop;
     jump.align = 0.5f;
-    ui_text(frame->batch, &jump, number_x + 0.5f * ui_text_width(&digits, number),
-            ui_text_middle(&jump, top + 0.5f * height), number);
+    ui_text_at(frame, &jump, number_x + 0.5f * ui_text_width(&digits, number), top + 0.5f * height,
+               number);
     ui_text(frame->batch, &unit, unit_x, baseline, words);
 }
 
@@ -40,11 +171,10 @@ static void foul_plate(const struct ui_frame *frame, const struct scene *scene, 
 {
     const float u = frame->unit, left = 18.0f * u, top = 112.0f * u, height = 46.0f * u;
     const struct ui_text label = { .font = FONT_STALL, .size_px = 26.0f * u, .fill = UI_GOLD };
-    const char *words = text_words(frame->language, TEXT_FOUL);
+    const char *words = ui_words(frame, TEXT_FOUL);
     const float lamps_x = left + 16.0f * u + ui_text_width(&label, words) + 28.0f * u;
     ui_plate(frame, (struct ui_box){ left, top, lamps_x + 72.0f * u - left, height });
-    ui_text(frame->batch, &label, left + 16.0f * u, ui_text_middle(&label, top + 0.5f * height),
-            words);
+    ui_text_at(frame, &label, left + 16.0f * u, top + 0.5f * height, words);
     ui_foul_lamps(frame, lamps_x, top + 0.5f * height, 9.5f * u, 26.0f * u,
                   scene->player[player].fouls);
 }
@@ -55,13 +185,8 @@ static void time_ring(const struct ui_frame *frame, const struct scene *scene, f
     const float total = scene->phase_s + scene->seconds_left;
     const int hurry = scene->seconds_left < HURRY_S;
     const float beat = hurry ? ui_pulse(scene->seconds_left, 1.0f) : 0.0f;
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
-                                 .kind = UI_RING,
-                                 .fill = hurry ? UI_VERMILION : UI_GOLD,
-                                 .line = 0xffffff28u,
-                                 .shape = { radius, 6.0f * u,
-                                            total > 0.0f ? scene->seconds_left / total : 0.0f } });
+    ui_ring(frame, x, y, radius, 6.0f * u, total > 0.0f ? scene->seconds_left / total : 0.0f,
+            hurry ? UI_VERMILION : UI_GOLD, 0xffffff28u);
     char number[12];
     text_number(number, sizeof number, "{}", (uint32_t)ceilf(fmaxf(scene->seconds_left, 0.0f)));
     const struct ui_text digits = { .font = FONT_STALL,
@@ -89,7 +214,7 @@ static void time_digits(const struct ui_frame *frame, const struct scene *scene,
                                     .align = 0.5f,
                                     .fit_px = TIME_WIDTH * u,
                                     .fill = hurry ? 0xff9a80ffu : 0xfff8eaffu };
-    ui_text(frame->batch, &digits, x, ui_text_middle(&digits, y), words);
+    ui_text_at(frame, &digits, x, y, words);
 }
 
 static int is_long(const struct scene *scene)
@@ -107,10 +232,10 @@ static float state_plate(const struct ui_frame *frame, const struct scene *scene
         .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_GOLD, .fit_px = 88.0f * u
     };
     char grade[TEXT_LINE_MAX];
-    text_number(grade, sizeof grade, text_words(frame->language, TEXT_GRADE), scene->grade);
+    text_number(grade, sizeof grade, ui_words(frame, TEXT_GRADE), scene->grade);
     const int names_time = alone && !is_long(scene);
-    const char *const paper = scene->grade ? grade : text_words(frame->language, TEXT_PAPER_LEFT);
-    const char *const time = text_words(frame->language, TEXT_TIME_LEFT);
+    const char *const paper = scene->grade ? grade : ui_words(frame, TEXT_PAPER_LEFT);
+    const char *const time = ui_words(frame, TEXT_TIME_LEFT);
     const float paper_width = ui_text_width(&label, paper);
     const float poi_width = alone ? 76.0f * u : 0.0f;
     const float time_width = names_time ? ui_text_width(&label, time) + 6.0f * u : 0.0f;
@@ -149,19 +274,13 @@ static void stress_legend(const struct ui_frame *frame, float top)
     };
     struct ui_text end = { .font = FONT_BODY, .size_px = 22.0f * u, .fill = UI_GOLD };
     ui_plate(frame, (struct ui_box){ left, top, width, height });
-    ui_text(frame->batch, &title, left + 0.5f * width, ui_text_middle(&title, top + 21.0f * u),
-            text_words(frame->language, TEXT_STRESS));
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = { left + 14.0f * u, top + 39.0f * u, room, 17.0f * u },
-                                 .kind = UI_HEAT,
-                                 .fill = 0xffffffffu,
-                                 .line = 0x0a0c24ffu,
-                                 .shape = { 0, 0, 5.0f * u, 1.5f * u } });
+    ui_text_at(frame, &title, left + 0.5f * width, top + 21.0f * u, ui_words(frame, TEXT_STRESS));
+    ui_panel(frame, UI_HEAT, (struct ui_box){ left + 14.0f * u, top + 39.0f * u, room, 17.0f * u },
+             5.0f * u, 1.5f * u, 0xffffffffu, 0x0a0c24ffu);
     const float y = ui_text_middle(&end, top + 73.0f * u);
-    ui_text(frame->batch, &end, left + 14.0f * u, y, text_words(frame->language, TEXT_STRESS_LOW));
+    ui_text(frame->batch, &end, left + 14.0f * u, y, ui_words(frame, TEXT_STRESS_LOW));
     end.align = 1.0f;
-    ui_text(frame->batch, &end, left + width - 14.0f * u, y,
-            text_words(frame->language, TEXT_STRESS_HIGH));
+    ui_text(frame->batch, &end, left + width - 14.0f * u, y, ui_words(frame, TEXT_STRESS_HIGH));
 }
 
 static int shows_stress(const struct scene *scene)
@@ -206,7 +325,7 @@ void ui_round(const struct ui_frame *frame, const struct scene *scene,
         const float grow = 1.0f + 0.25f * ui_smooth(0.0f, 1.0f, scene->phase_s);
         ui_big_word(frame, frame->language == LANGUAGE_JA ? FONT_BRUSH : FONT_STALL,
                     0.44f * frame->height, 150.0f * frame->unit * grow, out,
-                    text_words(frame->language, TEXT_GO));
+                    ui_words(frame, TEXT_GO));
     }
     ui_umpire(frame, scene);
     if (!scene->paused) {

@@ -4,7 +4,7 @@
  * exactly one pixel. The output has premultiplied alpha. Additive light has alpha 0. Names in the
  * shaders: `at` is (u, v) of struct ui_vertex, `s` is `shape`, `inner` is `fill`, and `outer` is
  * `line`. */
-#include "platform/render/ui/ui_shader.h"
+#include "platform/render/ui/ui.h"
 
 /* clang-format off */
 const char *const ui_vertex_source =

@@ -85,12 +85,8 @@ static struct ui_box tag(const struct lab_page *page, const struct button *butto
     if (pointed && page->lab->presses) {
         box.y += 2.0f * u;
     }
-    ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = box,
-                                 .kind = UI_PANEL,
-                                 .fill = button_fill(page, button),
-                                 .line = pointed ? UI_GOLD : UI_GOLD_DIM,
-                                 .shape = { 0, 0, 10.0f * u, (pointed ? 2.5f : 1.5f) * u } });
+    ui_panel(&page->frame, UI_PANEL, box, 10.0f * u, (pointed ? 2.5f : 1.5f) * u,
+             button_fill(page, button), pointed ? UI_GOLD : UI_GOLD_DIM);
     return box;
 }
 
@@ -112,7 +108,7 @@ static void word_button(const struct lab_page *page, const struct button *button
 static void sign(const struct lab_page *page, struct ui_box box, enum text_key key)
 {
     const struct ui_text style = lab_text(page, 30.0f, BUTTON_INK);
-    lab_words_in(page, box, &style, text_words(page->frame.language, key));
+    lab_words_in(page, box, &style, ui_words(&page->frame, key));
 }
 
 static void arrow_button(const struct lab_page *page, enum lab_part part, enum text_key key)
@@ -138,8 +134,7 @@ static void play_button(const struct lab_page *page)
     }
     const struct ui_text style = lab_text(page, 23.0f, BUTTON_INK);
     const struct ui_box room = { box.x + 64.0f * u, box.y, box.width - 76.0f * u, box.height };
-    lab_words_in(page, room, &style,
-                 text_words(page->frame.language, plays ? TEXT_LAB_STOP : TEXT_LAB_PLAY));
+    lab_words_in(page, room, &style, ui_words(&page->frame, plays ? TEXT_LAB_STOP : TEXT_LAB_PLAY));
 }
 
 static void save_button(const struct lab_page *page)
@@ -190,18 +185,13 @@ static void name_plate(const struct lab_page *page)
     const uint8_t language = page->frame.language;
     char of[24];
     snprintf(of, sizeof of, "%u / %u", lab->species + 1u, lab->species_count);
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = box,
-                                                    .kind = UI_WASHI,
-                                                    .fill = LAB_PAPER,
-                                                    .line = LAB_PAPER_LINE,
-                                                    .shape = { 0, 0, 10.0f * u, 2.0f * u } });
+    ui_panel(&page->frame, UI_WASHI, box, 10.0f * u, 2.0f * u, LAB_PAPER, LAB_PAPER_LINE);
     const struct ui_text name = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = LAB_INK };
     struct ui_text small = lab_text(page, 20.0f, LAB_INK_SOFT);
     const struct ui_box room = { box.x + 16.0f * u, box.y, box.width - 120.0f * u, box.height };
     lab_words_in(page, room, &name, lab_species_name(language, lab->card.id));
     small.align = 1.0f;
-    ui_text(page->frame.batch, &small, box.x + box.width - 18.0f * u,
-            ui_text_middle(&small, box.y + 0.5f * box.height), of);
+    ui_text_at(&page->frame, &small, box.x + box.width - 18.0f * u, box.y + 0.5f * box.height, of);
 }
 
 /* Returns the box of the help line. The box is beside the species' name. On a tall upright screen,
@@ -222,8 +212,7 @@ static void refused_words(const struct lab_page *page, struct ui_box room)
 {
     char words[TEXT_LINE_MAX];
     const struct ui_text style = lab_text(page, 20.0f, REFUSED);
-    text_number(words, sizeof words, text_words(page->frame.language, TEXT_LAB_REFUSED),
-                page->lab->refused);
+    text_number(words, sizeof words, ui_words(&page->frame, TEXT_LAB_REFUSED), page->lab->refused);
     lab_words_in(page, room, &style, words);
 }
 
@@ -253,7 +242,7 @@ static void help_line(const struct lab_page *page)
     }
     if (turn == 0) {
         const struct ui_text style = lab_text(page, 20.0f, 0xc9d2eeffu);
-        lab_words_in(page, room, &style, text_words(page->frame.language, TEXT_LAB_HELP));
+        lab_words_in(page, room, &style, ui_words(&page->frame, TEXT_LAB_HELP));
     } else if (turn <= counted) {
         refused_words(page, room);
     } else {
@@ -326,12 +315,8 @@ void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_m
     struct lab_page page = open_page(frame, scene, species != NULL ? &memory->bench : NULL);
     page.library = memory->library;
     const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
-    ui_shape(frame->batch,
-             &(struct ui_shape){ .box = cloth, .kind = UI_PANEL, .fill = CLOTH_EDGE });
-    ui_shape(frame->batch, &(struct ui_shape){ .box = cloth,
-                                               .kind = UI_WAVES,
-                                               .fill = CLOTH,
-                                               .shape = { 0, 0, 36.0f * page.frame.unit } });
+    ui_panel(frame, UI_PANEL, cloth, 0.0f, 0.0f, CLOTH_EDGE, 0);
+    ui_panel(frame, UI_WAVES, cloth, 36.0f * page.frame.unit, 0.0f, CLOTH, 0);
     lab_stage(&page);
     lab_keys(&page);
     lab_graph(&page);

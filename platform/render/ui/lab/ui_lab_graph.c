@@ -17,15 +17,8 @@ static void paper(const struct lab_page *page, enum lab_part part)
     const float u = page->frame.unit;
     const struct ui_box box = lab_place(page, part);
     const struct ui_box shade = { box.x + 3.0f * u, box.y + 5.0f * u, box.width, box.height };
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = shade,
-                                                    .kind = UI_PANEL,
-                                                    .fill = 0x04061880u,
-                                                    .shape = { 0, 0, 12.0f * u } });
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = box,
-                                                    .kind = UI_WASHI,
-                                                    .fill = LAB_PAPER,
-                                                    .line = LAB_PAPER_LINE,
-                                                    .shape = { 0, 0, 12.0f * u, 2.0f * u } });
+    ui_panel(&page->frame, UI_PANEL, shade, 12.0f * u, 0.0f, 0x04061880u, 0);
+    ui_panel(&page->frame, UI_WASHI, box, 12.0f * u, 2.0f * u, LAB_PAPER, LAB_PAPER_LINE);
 }
 
 static void in_field(struct ui_box field, float x, float y, float out[2])
@@ -49,12 +42,7 @@ static void dot_in(const struct lab_page *page, struct ui_box field, float x, fl
     float at[2];
     const float r = radius * page->frame.unit;
     in_field(field, x, y, at);
-    ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = { at[0] - r, at[1] - r, 2.0f * r, 2.0f * r },
-                                 .kind = UI_PANEL,
-                                 .fill = fill,
-                                 .line = line,
-                                 .shape = { 0, 0, r, 2.0f * page->frame.unit } });
+    ui_disc(&page->frame, at[0], at[1], r, 2.0f * page->frame.unit, fill, line);
 }
 
 /* ---- Deformation graph ---------------------------------------------------------------------- */
@@ -75,8 +63,7 @@ static void percent_axis(const struct lab_page *page, struct ui_box field)
             float at[2];
             in_field(field, 0.0f, share, at);
             snprintf(words, sizeof words, "%u%%", i * 25u);
-            ui_text(page->frame.batch, &style, at[0] - 10.0f * u, ui_text_middle(&style, at[1]),
-                    words);
+            ui_text_at(&page->frame, &style, at[0] - 10.0f * u, at[1], words);
         }
     }
 }
@@ -101,8 +88,7 @@ static void length_axis(const struct lab_page *page, struct ui_box field)
         in_field(field, 1.0f, share, at);
         const float from[2] = { at[0], at[1] }, to[2] = { at[0] + 5.0f * page->frame.unit, at[1] };
         ui_segment(page->frame.batch, from, to, 1.6f * page->frame.unit, LAB_PURPLE);
-        ui_text(page->frame.batch, &style, at[0] + 8.0f * page->frame.unit,
-                ui_text_middle(&style, at[1]), marks[i].words);
+        ui_text_at(&page->frame, &style, at[0] + 8.0f * page->frame.unit, at[1], marks[i].words);
     }
 }
 
@@ -221,7 +207,7 @@ static void title(const struct lab_page *page)
     const struct ui_text style = lab_text(page, 22.0f, LAB_INK);
     const struct ui_box room = { card.x + 16.0f * u, card.y + 4.0f * u, card.width - 32.0f * u,
                                  plot.y - card.y - 8.0f * u };
-    lab_words_in(page, room, &style, text_words(page->frame.language, TEXT_LAB_TITLE));
+    lab_words_in(page, room, &style, ui_words(&page->frame, TEXT_LAB_TITLE));
 }
 
 /* Draws a small tool button on the paper. The button is slightly lower while it is pressed. */
@@ -231,17 +217,14 @@ static void tool(const struct lab_page *page, enum lab_part part, enum text_key 
     const float u = page->frame.unit;
     const struct ui_box box = lab_place(page, part);
     const int pointed = lab_is_pointed(page, part);
-    ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = box,
-                                 .kind = UI_PANEL,
-                                 .fill = is_on     ? colour
-                                         : pointed ? 0xffffffffu
-                                                   : 0xf0e2c4ffu,
-                                 .line = colour,
-                                 .shape = { 0, 0, 9.0f * u, (pointed ? 2.6f : 1.6f) * u } });
+    ui_panel(&page->frame, UI_PANEL, box, 9.0f * u, (pointed ? 2.6f : 1.6f) * u,
+             is_on     ? colour
+             : pointed ? 0xffffffffu
+                       : 0xf0e2c4ffu,
+             colour);
     const struct ui_text style = lab_text(page, 19.5f, is_on ? 0xffffffffu : colour);
     const struct ui_box room = { box.x + 6.0f * u, box.y, box.width - 12.0f * u, box.height };
-    lab_words_in(page, room, &style, text_words(page->frame.language, key));
+    lab_words_in(page, room, &style, ui_words(&page->frame, key));
 }
 
 void lab_graph(const struct lab_page *page)
@@ -279,7 +262,7 @@ static void chart_axes(const struct lab_page *page, struct ui_box field, float m
             words);
     style.align = 0.0f;
     ui_text(page->frame.batch, &style, field.x, field.y + field.height + 20.0f * u,
-            text_words(page->frame.language, TEXT_LAB_CHART));
+            ui_words(&page->frame, TEXT_LAB_CHART));
 }
 
 /* A point of the growth curve: age and length, as fractions of the chart's width and height. */

@@ -2,9 +2,92 @@
  * weight of each key at the current age, and the lifeline. */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "core/game/lab/lab.h"
 #include "platform/render/ui/lab/ui_lab.h"
+#include "platform/render/ui/text.h"
+
+#define DAYS_PER_YEAR 365.25f
+#define DAYS_TO_TELL 700.0f /* Minimum age in days that is written in years. */
+
+struct known {
+    const char *id;
+    enum text_key words;
+};
+
+static const char *look_up(uint8_t language, const struct known *known, size_t count,
+                           const char *id)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(known[i].id, id) == 0) {
+            return text_words(language, known[i].words);
+        }
+    }
+    return id;
+}
+
+const char *lab_species_name(uint8_t language, const char *id)
+{
+    static const struct known known[] = {
+        { "wakin", TEXT_FISH_WAKIN },         { "kurodai", TEXT_FISH_KURODAI },
+        { "shimafugu", TEXT_FISH_SHIMAFUGU }, { "kuroanago", TEXT_FISH_KUROANAGO },
+        { "hirame", TEXT_FISH_HIRAME },       { "ray", TEXT_FISH_RAY },
+        { "mebachi", TEXT_FISH_MEBACHI },
+    };
+    return look_up(language, known, sizeof known / sizeof *known, id);
+}
+
+const char *lab_key_name(uint8_t language, const char *name)
+{
+    /* clang-format off */
+    static const struct known known[] = {
+        { "hatchling", TEXT_KEY_HATCHLING }, { "larva", TEXT_KEY_LARVA },
+        { "juvenile", TEXT_KEY_JUVENILE },   { "juvenile_b", TEXT_KEY_JUVENILE_B },
+        { "juvenile_c", TEXT_KEY_JUVENILE_C }, { "young", TEXT_KEY_YOUNG },
+        { "adult", TEXT_KEY_ADULT },         { "aoko", TEXT_KEY_AOKO },
+        { "kuroko", TEXT_KEY_KUROKO },       { "koaka", TEXT_KEY_KOAKA },
+        { "upright", TEXT_KEY_UPRIGHT },     { "crossing", TEXT_KEY_CROSSING },
+        { "settling", TEXT_KEY_SETTLING },   { "settled", TEXT_KEY_SETTLED },
+        { "leaf", TEXT_KEY_LEAF },           { "long_leaf", TEXT_KEY_LONG_LEAF },
+        { "shrinking", TEXT_KEY_SHRINKING }, { "newborn", TEXT_KEY_NEWBORN },
+    };
+    /* clang-format on */
+    return look_up(language, known, sizeof known / sizeof *known, name);
+}
+
+static void put_in(const char *words, const char *number, char *out, size_t out_size)
+{
+    const char *gap = strstr(words, "{}");
+    if (gap == NULL) {
+        snprintf(out, out_size, "%s", words);
+    } else {
+        snprintf(out, out_size, "%.*s%s%s", (int)(gap - words), words, number, gap + 2);
+    }
+}
+
+void lab_age_words(uint8_t language, float age_days, char *out, size_t out_size)
+{
+    char number[16];
+    const int in_days = age_days < DAYS_TO_TELL;
+    const float value = in_days ? age_days : age_days / DAYS_PER_YEAR;
+    snprintf(number, sizeof number, in_days ? "%.0f" : "%.1f", (double)value);
+    put_in(text_words(language, in_days ? TEXT_DAYS_OLD : TEXT_YEARS_OLD), number, out, out_size);
+}
+
+void lab_length_words(float length_m, char *out, size_t out_size)
+{
+    const float mm = 1000.0f * length_m;
+    if (mm < 9.95f) {
+        snprintf(out, out_size, "%.1f mm", (double)mm);
+    } else if (mm < 99.5f) {
+        snprintf(out, out_size, "%.0f mm", (double)mm);
+    } else if (mm < 399.5f) {
+        snprintf(out, out_size, "%.1f cm", (double)(0.1f * mm));
+    } else {
+        snprintf(out, out_size, "%.0f cm", (double)(0.1f * mm));
+    }
+}
 
 static enum lab_part part_of_key(uint32_t key)
 {
@@ -35,15 +118,9 @@ static void weight_bar(const struct lab_page *page, struct ui_box box, uint32_t 
     const float weight = page->lab->weight[key];
     const uint32_t colour = lab_key_colour(page->lab->card.key_count, key);
     const struct ui_box full = { box.x, box.y, box.width * weight, box.height };
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = box,
-                                                    .kind = UI_PANEL,
-                                                    .fill = ui_fade(colour, 0.22f),
-                                                    .shape = { 0, 0, 0.5f * box.height } });
+    ui_panel(&page->frame, UI_PANEL, box, 0.5f * box.height, 0.0f, ui_fade(colour, 0.22f), 0);
     if (full.width > box.height) {
-        ui_shape(page->frame.batch, &(struct ui_shape){ .box = full,
-                                                        .kind = UI_PANEL,
-                                                        .fill = colour,
-                                                        .shape = { 0, 0, 0.5f * box.height } });
+        ui_panel(&page->frame, UI_PANEL, full, 0.5f * box.height, 0.0f, colour, 0);
     }
 }
 
@@ -59,15 +136,9 @@ static void key_card(const struct lab_page *page, uint32_t key)
         const float out = (in_hand ? 4.0f : 2.0f) * u;
         const struct ui_box halo = { box.x - out, box.y - out, box.width + 2.0f * out,
                                      box.height + 2.0f * out };
-        ui_shape(page->frame.batch,
-                 &(struct ui_shape){
-                     .box = halo, .kind = UI_PANEL, .fill = colour, .shape = { 0, 0, 12.0f * u } });
+        ui_panel(&page->frame, UI_PANEL, halo, 12.0f * u, 0.0f, colour, 0);
     }
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = box,
-                                                    .kind = UI_WASHI,
-                                                    .fill = LAB_PAPER,
-                                                    .line = ui_fade(colour, 0.7f),
-                                                    .shape = { 0, 0, 9.0f * u, 2.0f * u } });
+    ui_panel(&page->frame, UI_WASHI, box, 9.0f * u, 2.0f * u, LAB_PAPER, ui_fade(colour, 0.7f));
     const struct ui_box picture = { box.x + 8.0f * u, box.y + 26.0f * u, box.width - 16.0f * u,
                                     box.height - 66.0f * u };
     if (page->bench != NULL) {
@@ -99,11 +170,7 @@ static void notch(const struct lab_page *page, uint32_t key, float y)
         lab_px_x(page, lab_age_x(page->lab->upright, card->key_count, (float)key / (float)last));
     const float r = 8.0f * u;
     char words[TEXT_LINE_MAX];
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = { x - r, y - r, 2.0f * r, 2.0f * r },
-                                                    .kind = UI_PANEL,
-                                                    .fill = lab_key_colour(card->key_count, key),
-                                                    .line = 0xfff4deffu,
-                                                    .shape = { 0, 0, r, 2.0f * u } });
+    ui_disc(&page->frame, x, y, r, 2.0f * u, lab_key_colour(card->key_count, key), 0xfff4deffu);
     lab_age_words(page->frame.language, card->key_age_days[key], words, sizeof words);
     struct ui_text style = lab_text(page, 19.0f, 0xd9def2ffu);
     style.align = 0.5f;
@@ -123,11 +190,7 @@ static void handle(const struct lab_page *page, float y)
                                                     .kind = UI_GLOW,
                                                     .fill = lit ? 0xffb050b0u : 0xffb05060u,
                                                     .shape = { 0, 0, 1.0f } });
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = { x - r, y - r, 2.0f * r, 2.0f * r },
-                                                    .kind = UI_PANEL,
-                                                    .fill = UI_VERMILION,
-                                                    .line = 0xfff4deffu,
-                                                    .shape = { 0, 0, r, 3.0f * u } });
+    ui_disc(&page->frame, x, y, r, 3.0f * u, UI_VERMILION, 0xfff4deffu);
 }
 
 static void life_line(const struct lab_page *page)

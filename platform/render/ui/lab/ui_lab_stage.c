@@ -167,11 +167,7 @@ static void ruler(const struct lab_page *page, const struct tank_room *room,
     const float zero = fish->x_px - 0.5f * fish->length_px;
     const float fine = step_m(px_per_m, 7.0f * u), coarse = step_m(px_per_m, 74.0f * u);
     const int in_cm = coarse >= 0.0099f;
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = rule,
-                                                    .kind = UI_WOOD,
-                                                    .fill = 0xe2bf82ffu,
-                                                    .line = 0x6a4a22ffu,
-                                                    .shape = { 0, 0, 5.0f * u, 1.5f * u } });
+    ui_panel(&page->frame, UI_WOOD, rule, 5.0f * u, 1.5f * u, 0xe2bf82ffu, 0x6a4a22ffu);
     const float right = rule.x + rule.width - 6.0f * u;
     for (uint32_t i = 0; i < RULE_MARKS_MAX; i++) {
         const float x = zero + (float)i * fine * px_per_m;
@@ -201,8 +197,8 @@ static void ui_lab_stage_draw_words(const struct lab_page *page, const struct ta
                                               TEXT_FORK_LENGTH, TEXT_DISC_WIDTH };
     lab_age_words(page->frame.language, lab->age_days, age, sizeof age);
     lab_length_words(lab->length_m, length, sizeof length);
-    snprintf(line, sizeof line, "%s %s",
-             text_words(page->frame.language, measures[lab->card.measure & 3u]), length);
+    snprintf(line, sizeof line, "%s %s", ui_words(&page->frame, measures[lab->card.measure & 3u]),
+             length);
     const struct ui_text big = { .font = FONT_STALL,
                                  .size_px = 40.0f * u,
                                  .fill = 0xffffffffu,
@@ -230,8 +226,7 @@ static void caption(const struct lab_page *page, const struct tank_room *room, e
     char age[TEXT_LINE_MAX], length[32];
     lab_age_words(page->frame.language, page->lab->age_days, age, sizeof age);
     lab_length_words(page->lab->length_m, length, sizeof length);
-    snprintf(words, sizeof words, "%s   %s  %s", text_words(page->frame.language, key), age,
-             length);
+    snprintf(words, sizeof words, "%s   %s  %s", ui_words(&page->frame, key), age, length);
     const struct ui_ribbon ribbon = { .x = room->box.x + 0.5f * room->box.width,
                                       .y = room->box.y + 26.0f * u,
                                       .size_px = 21.0f * u,
@@ -267,12 +262,8 @@ static void way_dot(const struct lab_page *page, const struct specimen *fish, ve
     float middle[2];
     const float r = radius * page->frame.unit;
     ui_lab_stage_put(fish, at, middle);
-    ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = { middle[0] - r, middle[1] - r, 2.0f * r, 2.0f * r },
-                                 .kind = UI_PANEL,
-                                 .fill = fill,
-                                 .line = line,
-                                 .shape = { 0, 0, r, fminf(2.0f * page->frame.unit, 0.35f * r) } });
+    ui_disc(&page->frame, middle[0], middle[1], r, fminf(2.0f * page->frame.unit, 0.35f * r), fill,
+            line);
 }
 
 /* Returns the size of the dots on a trajectory. The dots are smaller on a short trajectory, for
@@ -335,8 +326,8 @@ static void way_legend(const struct lab_page *page, const struct tank_room *room
         if (!way->is_there) {
             continue;
         }
-        snprintf(words, sizeof words, "%s  %.1f %%",
-                 text_words(page->frame.language, way_name(page, i)), (double)(100.0f * way->bow));
+        snprintf(words, sizeof words, "%s  %.1f %%", ui_words(&page->frame, way_name(page, i)),
+                 (double)(100.0f * way->bow));
         const float from[2] = { room->box.x + 20.0f * u, y - 7.0f * u };
         const float to[2] = { from[0] + 26.0f * u, from[1] };
         ui_segment(page->frame.batch, from, to, 4.5f * u, colours[i]);
@@ -372,11 +363,8 @@ static void water(const struct lab_page *page)
 static void frame_line(const struct lab_page *page)
 {
     const float u = page->frame.unit;
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = lab_place(page, LAB_STAGE),
-                                                    .kind = UI_PANEL,
-                                                    .fill = 0,
-                                                    .line = UI_GOLD_DIM,
-                                                    .shape = { 0, 0, 16.0f * u, 2.0f * u } });
+    ui_panel(&page->frame, UI_PANEL, lab_place(page, LAB_STAGE), 16.0f * u, 2.0f * u, 0,
+             UI_GOLD_DIM);
 }
 
 /* Draws the comparison fish, which is the ordinary morph (2005 thesis, eq. 3.1) between the first

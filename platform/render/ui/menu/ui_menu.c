@@ -45,7 +45,7 @@ void menu_words_at(const struct menu_view *view, float x, float y, float room, f
     fitted.fit_px = room;
     fitted.size_px = ui_text_size(&fitted, words);
     fitted.align = align;
-    ui_text(view->frame.batch, &fitted, x, ui_text_middle(&fitted, y), words);
+    ui_text_at(&view->frame, &fitted, x, y, words);
 }
 
 /* ---- Wooden tags of the menu ---------------------------------------------------------------- */
@@ -88,10 +88,7 @@ static void corner(const struct menu_view *view, struct ui_box box, uint8_t page
     const float x = box.x + box.width - 26.0f * u, y = box.y + 26.0f * u;
     const struct ui_text sign = menu_style(view, 26.0f, MENU_CREAM);
     if (calls_for_a_look(view, page)) {
-        ui_shape(view->frame.batch, &(struct ui_shape){ .box = { x - r, y - r, 2.0f * r, 2.0f * r },
-                                                        .kind = UI_PANEL,
-                                                        .fill = 0xb3261effu,
-                                                        .shape = { 0, 0, r } });
+        ui_disc(&view->frame, x, y, r, 0.0f, 0xb3261effu, 0);
         menu_words_at(view, x, y, 2.0f * r, 0.5f, &sign, "!");
     } else if (page == MENU_NEW_PIN && view->menu->settings.value[SET_PIN] != 0) {
         menu_seal(view, x, y);
@@ -180,8 +177,7 @@ static void tags(const struct menu_view *view)
 static void veil(const struct menu_view *view)
 {
     const struct ui_box box = { 0.0f, 0.0f, view->frame.width, view->frame.height };
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = 0x090d24dcu });
+    ui_panel(&view->frame, UI_PANEL, box, 0.0f, 0.0f, 0x090d24dcu, 0);
 }
 
 static void title(const struct menu_view *view)
@@ -197,7 +193,7 @@ static void title(const struct menu_view *view)
     ui_words_in(&view->frame, box, &style, menu_text(view, menu_words_of(view->menu->page)->title));
 }
 
-static void keys(const struct menu_view *view)
+static void key_help(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
     const struct menu_page_desc *sheet = menu_page_desc_of(view->menu->page);
@@ -258,7 +254,7 @@ static void page(const struct menu_view *view)
     title(view);
     tags(view);
     body(view);
-    keys(view);
+    key_help(view);
 }
 
 void ui_menu(const struct ui_frame *frame, const struct scene *scene)
@@ -273,4 +269,125 @@ void ui_menu(const struct ui_frame *frame, const struct scene *scene)
     }
     hand(&view);
     frame->batch->opacity = 1.0f;
+}
+
+/* ---- Confirmation page ----------------------------------------------------------------------- */
+
+static enum text_key question(uint8_t page)
+{
+    return page == MENU_RESET     ? TEXT_SURE_RESET
+           : page == MENU_RESTART ? TEXT_SURE_RESTART
+                                  : TEXT_SURE_FACTORY;
+}
+
+static enum text_key cost(uint8_t page)
+{
+    return page == MENU_RESET     ? TEXT_SURE_RESET_WORDS
+           : page == MENU_RESTART ? TEXT_SURE_RESTART_WORDS
+                                  : TEXT_SURE_FACTORY_WORDS;
+}
+
+void menu_confirm(const struct menu_view *view)
+{
+    const struct scene_menu *menu = view->menu;
+    const int upright = menu->upright;
+    const float u = view->frame.unit;
+    const struct ui_box box =
+        menu_place(view, upright ? (struct layout_box){ 27.0f, 480.0f, 800.0f, 300.0f }
+                                 : (struct layout_box){ 140.0f, 210.0f, 1000.0f, 250.0f });
+    const struct ui_text asks = menu_style(view, 38.0f, UI_INK);
+    const struct ui_text costs = menu_style(view, 24.0f, UI_INK_SOFT);
+    const struct ui_text about = menu_style(view, 26.0f, 0xc23a22ffu);
+    ui_panel(&view->frame, UI_WASHI, box, 12.0f * u, 2.0f * u, UI_WASHI_WHITE, 0xb5762fffu);
+    const float x = box.x + 24.0f * u, width = box.width - 48.0f * u;
+    if (menu->page == MENU_RESET) {
+        /* The page also shows the name of the account book that would be reset. */
+        ui_words_in(&view->frame,
+                    (struct ui_box){ x, box.y + 0.06f * box.height, width, 0.2f * box.height },
+                    &about, menu_text(view, menu_words_of(menu->from)->title));
+    }
+    ui_words_in(&view->frame,
+                (struct ui_box){ x, box.y + 0.26f * box.height, width, 0.32f * box.height }, &asks,
+                menu_text(view, question(menu->page)));
+    ui_words_in(&view->frame,
+                (struct ui_box){ x, box.y + 0.64f * box.height, width, 0.2f * box.height }, &costs,
+                menu_text(view, cost(menu->page)));
+}
+
+/* ---- PIN page: ten number keys, and a place for each digit ----------------------------------- */
+
+static struct ui_box pin_slot(const struct menu_view *view, uint32_t index)
+{
+    const int upright = view->menu->upright;
+    const float size = upright ? 120.0f : 92.0f, gap = upright ? 36.0f : 28.0f;
+    const float width = (float)MENU_PIN_DIGITS * (size + gap) - gap;
+    const float left = 0.5f * (pointer_layout_size(upright).x - width);
+    return menu_place(view, (struct layout_box){ left + (float)index * (size + gap),
+                                                 upright ? 260.0f : 124.0f, size, size });
+}
+
+static char digit_at(const struct scene_menu *menu, uint32_t index)
+{
+    uint32_t pin = menu->pin;
+    for (uint32_t i = index + 1u; i < menu->pin_count; i++) {
+        pin /= 10u;
+    }
+    return (char)('0' + pin % 10u);
+}
+
+/* Draws one place for each digit. The digits of a new PIN are visible. When an existing PIN is
+ * entered, a fish replaces each digit. */
+static void pin_slots(const struct menu_view *view)
+{
+    const struct scene_menu *menu = view->menu;
+    const float u = view->frame.unit;
+    const struct ui_text style = { .font = FONT_STALL, .size_px = 56.0f * u, .fill = UI_INK };
+    for (uint32_t i = 0; i < MENU_PIN_DIGITS; i++) {
+        const struct ui_box box = pin_slot(view, i);
+        const int is_typed = i < menu->pin_count;
+        ui_panel(&view->frame, UI_WASHI, box, 10.0f * u, 2.0f * u,
+                 is_typed ? UI_WASHI_WHITE : 0xfbf2dd60u, 0xb5762fffu);
+        if (is_typed && menu->page == MENU_NEW_PIN) {
+            const char digit[2] = { digit_at(menu, i), 0 };
+            ui_words_in(&view->frame, box, &style, digit);
+        } else if (is_typed) {
+            ui_fish_sign(&view->frame, box.x + 0.5f * box.width, box.y + 0.5f * box.height,
+                         0.72f * box.width);
+        }
+    }
+}
+
+static void pin_keys(const struct menu_view *view)
+{
+    const struct ui_text style = { .font = FONT_STALL,
+                                   .size_px = 70.0f * view->frame.unit,
+                                   .fill = MENU_INK };
+    for (uint32_t tag = 0; tag < PIN_ERASE; tag++) {
+        if (view->menu->tags >> tag & 1u) {
+            const struct ui_box box = menu_tag_board(view, tag);
+            const char digit[2] = { (char)('0' + (tag + 1u) % 10u), 0 };
+            ui_words_in(&view->frame, box, &style, digit);
+        }
+    }
+}
+
+void menu_pin(const struct menu_view *view)
+{
+    const struct scene_menu *menu = view->menu;
+    const int upright = menu->upright, waits = menu->page == MENU_PIN && menu->pin_wait_s > 0.0f;
+    const struct ui_text style = menu_style(view, 26.0f, waits ? 0xff9c86ffu : MENU_CREAM);
+    const enum text_key new_pin =
+        menu->settings.value[SET_PIN] != 0 ? TEXT_PIN_CHANGE : TEXT_PIN_NEW;
+    char words[TEXT_LINE_MAX];
+    text_number(words, sizeof words,
+                menu_text(view, waits                        ? TEXT_PIN_WAIT
+                                : menu->page == MENU_NEW_PIN ? new_pin
+                                                             : TEXT_PIN_ASK),
+                (uint32_t)ceilf(menu->pin_wait_s));
+    pin_slots(view);
+    pin_keys(view);
+    ui_words_in(&view->frame,
+                menu_place(view, upright ? (struct layout_box){ 27.0f, 184.0f, 800.0f, 44.0f }
+                                         : (struct layout_box){ 60.0f, 218.0f, 1160.0f, 38.0f }),
+                &style, words);
 }

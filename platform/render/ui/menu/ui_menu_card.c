@@ -29,7 +29,7 @@
 
 static void ui_menu_card_fill_box(const struct menu_view *view, struct ui_box box, uint32_t colour)
 {
-    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box, .kind = UI_PANEL, .fill = colour });
+    ui_panel(&view->frame, UI_PANEL, box, 0.0f, 0.0f, colour, 0);
 }
 
 /* Draws a horizontal line at whole pixel positions. A line between two pixel rows would be two

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "platform/render/ui/menu/ui_menu.h"
-#include "platform/render/ui/message_translate.h"
+#include "platform/render/ui/text.h"
 
 #define CLINK_S 0.5f
 #define MISSING_PAINT 0xb3261effu
@@ -47,12 +47,8 @@ static void lamp(const struct menu_view *view, float x, float y, float radius, f
                                      .shape = { 0, 0, 1.0f },
                                      .fill = ui_fade(0xff8a30ffu, 0.9f * lit) });
     }
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
-                                 .kind = UI_PANEL,
-                                 .fill = lit > 0.5f ? 0xffd070ffu : 0x3a2a30ffu,
-                                 .line = lit > 0.5f ? 0xfff4deffu : 0x6b5a50ffu,
-                                 .shape = { 0, 0, radius, 3.0f * u } });
+    ui_disc(&view->frame, x, y, radius, 3.0f * u, lit > 0.5f ? 0xffd070ffu : 0x3a2a30ffu,
+            lit > 0.5f ? 0xfff4deffu : 0x6b5a50ffu);
 }
 
 /* Draws a red slip instead of a lamp if a configured input line is missing. */
@@ -60,11 +56,7 @@ static void not_there(const struct menu_view *view, struct ui_box box)
 {
     const float u = view->frame.unit;
     const struct ui_text style = menu_style(view, 22.0f, MENU_CREAM);
-    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
-                                                    .kind = UI_PANEL,
-                                                    .fill = MISSING_PAINT,
-                                                    .line = 0xffe7b0a0u,
-                                                    .shape = { 0, 0, 8.0f * u, 1.5f * u } });
+    ui_panel(&view->frame, UI_PANEL, box, 8.0f * u, 1.5f * u, MISSING_PAINT, 0xffe7b0a0u);
     ui_words_in(&view->frame,
                 (struct ui_box){ box.x + 6.0f * u, box.y, box.width - 12.0f * u, box.height },
                 &style, menu_text(view, TEXT_LINE_MISSING));
@@ -97,12 +89,9 @@ static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box
     const struct ui_text faults = menu_style(view, 22.0f, MISSING_PAINT);
     const float y = box.y + box.height - 22.0f * u;
     char digits[12];
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = { box.x + 14.0f * u, y - 0.5f * size, size, size },
-                                 .kind = UI_PANEL,
-                                 .fill = is_raw ? 0xffd070feu : 0x4a3630ffu,
-                                 .line = 0x2a160cffu,
-                                 .shape = { 0, 0, 3.0f * u, 1.5f * u } });
+    ui_panel(&view->frame, UI_PANEL,
+             (struct ui_box){ box.x + 14.0f * u, y - 0.5f * size, size, size }, 3.0f * u, 1.5f * u,
+             is_raw ? 0xffd070feu : 0x4a3630ffu, 0x2a160cffu);
     snprintf(digits, sizeof digits, "%u", line.edges % 1000000u);
     menu_words_at(view, box.x + 38.0f * u, y, 0.5f * box.width, 0.0f, &edges, digits);
     if (line.faults > 0) {
@@ -153,8 +142,8 @@ static void state_of_lines(const struct menu_view *view, float x, float y, float
 {
     const uint32_t paint = view->devices->buttons_missing ? 0xff9c86ffu : 0xc9d2eeffu;
     const struct ui_text style = menu_style(view, 22.0f, paint);
-    char row[MESSAGE_TRANSLATE_SIZE], said[MESSAGE_TRANSLATE_SIZE];
-    message_translate(said, sizeof said, view->frame.language, view->devices->lines);
+    char row[TEXT_TRANSLATE_SIZE], said[TEXT_TRANSLATE_SIZE];
+    text_translate(said, sizeof said, view->frame.language, view->devices->lines);
     const char *words = said;
     for (uint32_t i = 0; i < STATE_ROWS && *words; i++) {
         const size_t size = i + 1u == STATE_ROWS

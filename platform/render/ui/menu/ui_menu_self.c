@@ -230,11 +230,7 @@ static void self_test_draw_mark(const struct menu_view *view, float x, float y, 
 static void sheet(const struct menu_view *view, struct ui_box box, uint32_t edge)
 {
     const float u = view->frame.unit;
-    ui_shape(view->frame.batch, &(struct ui_shape){ .box = box,
-                                                    .kind = UI_WASHI,
-                                                    .fill = UI_WASHI_WHITE,
-                                                    .line = edge,
-                                                    .shape = { 0, 0, 8.0f * u, 2.0f * u } });
+    ui_panel(&view->frame, UI_WASHI, box, 8.0f * u, 2.0f * u, UI_WASHI_WHITE, edge);
 }
 
 /* Returns the position after the last comma or full stop behind which the rest of the text fits on

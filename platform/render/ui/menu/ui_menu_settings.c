@@ -160,11 +160,9 @@ static struct ui_text sized(const struct menu_view *view, const struct ui_box *b
 void menu_seal(const struct menu_view *view, float x, float y)
 {
     const float radius = 8.0f * view->frame.unit;
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
-                                 .kind = UI_PANEL,
-                                 .fill = CHANGED_PAINT,
-                                 .shape = { 0, 0, 3.0f * view->frame.unit } });
+    ui_panel(&view->frame, UI_PANEL,
+             (struct ui_box){ x - radius, y - radius, 2.0f * radius, 2.0f * radius },
+             3.0f * view->frame.unit, 0.0f, CHANGED_PAINT, 0);
 }
 
 static void setting_board(const struct menu_view *view, const struct places *places,

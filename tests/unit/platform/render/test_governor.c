@@ -7,7 +7,6 @@
 
 #include <cmocka.h>
 
-#include "platform/render/governor.h"
 #include "platform/render/quality.h"
 
 #define S 1000000000ull
@@ -23,7 +22,7 @@ static struct machine {
 static void begin(uint64_t best_ns, uint32_t hz)
 {
     machine = (struct machine){ .now_ns = 7 * S, .best_ns = best_ns, .hz = hz };
-    governor_begin(&machine.governor, hz);
+    quality_governor_begin(&machine.governor, hz);
 }
 
 /* What a step leaves of the cost: a third of it is not the scene's. */
@@ -43,7 +42,7 @@ static uint32_t run(uint32_t seconds, bool may_refine)
         const uint64_t turns = (cost_ns(machine.step) + turn_ns - 1u) / turn_ns;
         machine.now_ns += turns * turn_ns;
         late += turns > 1;
-        const uint32_t step = governor_frame(&machine.governor, machine.now_ns, may_refine);
+        const uint32_t step = quality_governor_frame(&machine.governor, machine.now_ns, may_refine);
         machine.changes += step != machine.step;
         machine.step = step;
     }
@@ -129,21 +128,21 @@ static void test_heat_is_answered_at_once_and_forgiven_when_it_is_cool(void **st
 {
     (void)state;
     begin(14 * MS, 60);
-    governor_set_temperature(&machine.governor, GOVERNOR_HOT_MDEG - 1);
+    quality_governor_set_temperature(&machine.governor, GOVERNOR_HOT_MDEG - 1);
     run(1, false);
     assert_int_equal(machine.step, 1);
     for (uint32_t i = 0; i < 10; i++) {
-        governor_set_temperature(&machine.governor, -5000);
+        quality_governor_set_temperature(&machine.governor, -5000);
     }
     run(1, false);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
-    governor_set_temperature(&machine.governor,
-                             GOVERNOR_HOT_MDEG); /* Neither hot nor cool: as it is. */
-    governor_set_temperature(&machine.governor, GOVERNOR_COOL_MDEG);
+    quality_governor_set_temperature(&machine.governor,
+                                     GOVERNOR_HOT_MDEG); /* Neither hot nor cool: as it is. */
+    quality_governor_set_temperature(&machine.governor, GOVERNOR_COOL_MDEG);
     run(1, false);
     assert_int_equal(machine.step, QUALITY_STEP_MAX);
     for (uint32_t i = 0; i < QUALITY_STEP_MAX; i++) {
-        governor_set_temperature(&machine.governor, GOVERNOR_COOL_MDEG + 1);
+        quality_governor_set_temperature(&machine.governor, GOVERNOR_COOL_MDEG + 1);
     }
     run(1, false);
     assert_int_equal(machine.step, 0);

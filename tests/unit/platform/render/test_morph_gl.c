@@ -15,8 +15,7 @@
 #include <SDL.h>
 
 #include "platform/render/fish_mesh.h"
-#include "platform/render/fish_poses.h"
-#include "platform/render/gl_program.h"
+#include "platform/render/gl_util.h"
 #include "shaders.h"
 #include "tests/unit/support/gl_context.h"
 

@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "platform/render/poi_pool.h"
+#include "platform/render/pass/poi_pass.h"
 
 #define RADIUS_M 0.040f
 #define FINE 160

@@ -13,7 +13,7 @@
 #include <cmocka.h>
 
 #include "platform/os/directory.h"
-#include "platform/render/drm_card.h"
+#include "platform/render/screen.h"
 
 static char root[] = "/tmp/kingyo-drm-XXXXXX";
 
@@ -68,21 +68,21 @@ static void test_the_card_with_the_monitor_is_taken_whatever_its_number(void **s
 {
     (void)state;
     put_raspberry("card0", "card1-HDMI-A-1", "disconnected", "card1-HDMI-A-2", "connected");
-    assert_int_equal(drm_card_find(root), 1);
+    assert_int_equal(screen_card_find(root), 1);
 }
 
 static void test_and_after_a_start_that_numbered_them_the_other_way(void **state)
 {
     (void)state;
     put_raspberry("card1", "card0-HDMI-A-1", "connected", "card0-HDMI-A-2", "disconnected");
-    assert_int_equal(drm_card_find(root), 0);
+    assert_int_equal(screen_card_find(root), 0);
 }
 
 static void test_a_monitor_that_is_off_leaves_the_card_with_sockets(void **state)
 {
     (void)state;
     put_raspberry("card0", "card1-HDMI-A-1", "disconnected", "card1-HDMI-A-2", "unknown");
-    assert_int_equal(drm_card_find(root), 1);
+    assert_int_equal(screen_card_find(root), 1);
 }
 
 static void test_of_two_with_sockets_the_connected_one_is_taken(void **state)
@@ -90,7 +90,7 @@ static void test_of_two_with_sockets_the_connected_one_is_taken(void **state)
     (void)state;
     put("card0-VGA-1", "disconnected");
     put("card12-DP-1", "connected");
-    assert_int_equal(drm_card_find(root), 12);
+    assert_int_equal(screen_card_find(root), 12);
 }
 
 static void test_of_two_monitors_the_first_cards_is_taken(void **state)
@@ -98,7 +98,7 @@ static void test_of_two_monitors_the_first_cards_is_taken(void **state)
     (void)state;
     put("card2-DP-1", "connected");
     put("card1-DP-1", "connected");
-    assert_int_equal(drm_card_find(root), 1);
+    assert_int_equal(screen_card_find(root), 1);
 }
 
 static void test_what_leads_into_memory_is_no_monitor(void **state)
@@ -106,19 +106,19 @@ static void test_what_leads_into_memory_is_no_monitor(void **state)
     (void)state;
     put("card0-Writeback-1", "connected");
     put("card1-HDMI-A-1", "disconnected");
-    assert_int_equal(drm_card_find(root), 1);
+    assert_int_equal(screen_card_find(root), 1);
 }
 
 static void test_without_sockets_there_is_none(void **state)
 {
     (void)state;
-    assert_int_equal(drm_card_find(root), -1);
+    assert_int_equal(screen_card_find(root), -1);
     put("card0", NULL);
     put("card0-HDMI-A-1", NULL); /* Its status cannot be read. */
     put("card-HDMI-A-1", "connected");
     put("card64-HDMI-A-1", "connected");
     put("renderD128", "connected");
-    assert_int_equal(drm_card_find(root), -1);
+    assert_int_equal(screen_card_find(root), -1);
 }
 
 int main(void)

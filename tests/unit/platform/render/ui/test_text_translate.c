@@ -13,16 +13,15 @@
 
 #include "drivers/pointer/buttons_keyboard.h"
 #include "platform/os/regular_file.h"
-#include "platform/render/ui/message_translate.h"
 #include "platform/render/ui/text.h"
 #include "platform/store/storage.h"
 #include "platform/watchdog.h"
 
-static char out[MESSAGE_TRANSLATE_SIZE];
+static char out[TEXT_TRANSLATE_SIZE];
 
 static const char *in_japanese(const char *line)
 {
-    message_translate(out, sizeof out, LANGUAGE_JA, line);
+    text_translate(out, sizeof out, LANGUAGE_JA, line);
     return out;
 }
 
@@ -33,13 +32,13 @@ static void test_every_pattern_is_its_own(void **state)
     for (uint32_t key = TEXT_SAYS_NO_PICTURE; key <= TEXT_SAYS_NO_ROOM; key++) {
         const char *words[2] = { text_words(LANGUAGE_EN, (enum text_key)key),
                                  text_words(LANGUAGE_JA, (enum text_key)key) };
-        char line[2][MESSAGE_TRANSLATE_SIZE];
+        char line[2][TEXT_TRANSLATE_SIZE];
         for (uint32_t side = 0; side < 2u; side++) {
             char name[] = "x0";
             size_t length = 0;
             for (const char *c = words[side]; *c; c++) {
                 const int is_gap = c[0] == '{' && c[1] == '}';
-                length += (size_t)snprintf(line[side] + length, MESSAGE_TRANSLATE_SIZE - length,
+                length += (size_t)snprintf(line[side] + length, TEXT_TRANSLATE_SIZE - length,
                                            "%.*s", is_gap ? 2 : 1, is_gap ? name : c);
                 name[1] = (char)(name[1] + is_gap);
                 c += is_gap;
@@ -47,7 +46,7 @@ static void test_every_pattern_is_its_own(void **state)
         }
         assert_string_not_equal(line[0], line[1]);
         assert_string_equal(in_japanese(line[0]), line[1]);
-        message_translate(out, sizeof out, LANGUAGE_EN, line[0]);
+        text_translate(out, sizeof out, LANGUAGE_EN, line[0]);
         assert_string_equal(out, line[0]);
     }
 }
@@ -164,7 +163,7 @@ static void test_what_is_too_long_ends_after_a_whole_character(void **state)
 {
     (void)state;
     for (size_t size = 1; size < 40u; size++) {
-        message_translate(out, size, LANGUAGE_JA, "three fingers start");
+        text_translate(out, size, LANGUAGE_JA, "three fingers start");
         const size_t length = strlen(out);
         assert_true(length < size && length % 3u == 0 && length + 3u >= (size < 28u ? size : 0u));
         assert_memory_equal(out, "三本の指でスタート", length);

@@ -1,0 +1,178 @@
+/* quad_pass.c -- implementation of quad_pass.h. */
+#include "platform/render/pass/quad_pass.h"
+
+#include "core/base/panic.h"
+#include "platform/render/frame_block.h"
+#include "platform/render/gl_util.h"
+#include "platform/render/pass/poi_pass.h"
+#include "shaders.h"
+
+/* Maximum number of bubbles. At any time about a third of the bubbles have risen and float on the
+ * surface. */
+#define BUBBLE_COUNT 72
+#define DROPS_MAX 5
+/* Minimum mean depth of the water on the paper at which drops fall. A thinner layer adheres to the
+ * paper. */
+#define DRIPS_FROM_M 0.0002f
+/* Mean depth of the water on the paper at which DROPS_MAX drops fall. */
+#define DRIPS_FULL_M 0.0015f
+/* Minimum height above the water surface of the poi's low side at which drops fall. */
+#define CLEAR_M 0.008f
+/* Distance of the drops from the paper's centre, in paper radii. Drops fall from the ring's outer
+ * edge. */
+#define RING_REACH 1.17f
+/* Height of the hand-held fan above the water. At this height, from the player's eye, the fan hides
+ * half of its shadow on the water and little of the floor. */
+#define FAN_HEIGHT_M 0.15f
+/* Tilt of the hand-held fan. The far edge is lower, so that the player sees the picture on the
+ * fan. */
+#define FAN_PITCH_RAD (-7.0f * F_DEG)
+/* Amplitude of the fan's sway. The sway imitates a human hand, which is never quite still. */
+#define SWAY_RAD (1.6f * F_DEG)
+#define SWAY_HZ 0.23f
+/* Transparency of a fan that has not been moved for SEEN_TO_S seconds. */
+#define SEEN_THROUGH 0.34f
+/* Time in seconds without motion after which a fan becomes transparent. */
+#define SEEN_FROM_S 0.6f
+#define SEEN_TO_S 2.0f
+
+void quad_pass_open(struct gl_status *status, struct quad_pass *pass)
+{
+    pass->bubble_program =
+        gl_program(status, "air stone", "", shader_bubble_vert, shader_bubble_frag, "");
+    pass->stone = glGetUniformLocation(pass->bubble_program, "stone");
+    pass->drip_program = gl_program(status, "drops", "", shader_drip_vert, shader_drip_frag, "");
+    pass->lip = glGetUniformLocation(pass->drip_program, "lip");
+    pass->fan_program = gl_program(status, "fan", "", shader_fan_vert, shader_fan_frag, "fibres");
+    pass->fan_pose = glGetUniformLocation(pass->fan_program, "pose");
+    pass->fan_trim = glGetUniformLocation(pass->fan_program, "trim");
+    pass->dark_program = gl_program(status, "dark", "", shader_fill_vert, shader_dark_frag, "");
+    pass->dark = glGetUniformLocation(pass->dark_program, "dark");
+    glGenVertexArrays(1, &pass->no_attributes);
+}
+
+void quad_pass_close(struct quad_pass *pass)
+{
+    glDeleteProgram(pass->bubble_program);
+    glDeleteProgram(pass->drip_program);
+    glDeleteProgram(pass->fan_program);
+    glDeleteProgram(pass->dark_program);
+    glDeleteVertexArrays(1, &pass->no_attributes);
+}
+
+/* Draws `count` quads with blending. The quads do not write depth. */
+static void draw_translucent(const struct quad_pass *pass, GLsizei count)
+{
+    glBindVertexArray(pass->no_attributes);
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+void quad_pass_air(const struct quad_pass *pass, const struct scene *scene)
+{
+    const struct scene_pump *const pump = &scene->pump;
+    if (pump->present) {
+        glUseProgram(pass->bubble_program);
+        glUniform3f(pass->stone, pump->stone_m.x, pump->stone_m.y, pump->stone_m.z);
+        /* The first quad is the air stone. */
+        draw_translucent(pass, 1 + (pump->runs ? BUBBLE_COUNT : 0));
+    }
+}
+
+/* Returns the lowest point of the ring. For a level ring, returns the centre of the sagging
+ * paper. */
+static vec3 low_side(const struct scene_poi *poi)
+{
+    const vec3 up = vec_basis_from_angles(poi->angles).up;
+    /* Direction of steepest descent in the plane of the poi's ring. */
+    const vec3 down = v3(up.x * up.y, up.y * up.y - 1.0f, up.z * up.y);
+    const float steep = v3_length(down);
+    const float reach_m = RING_REACH * poi->ring_radius_m * f_smoothstep(0.03f, 0.20f, steep);
+    return v3_muladd(poi->position_m, v3_normalize_or(down, v3(0.0f, 0.0f, 0.0f)), reach_m);
+}
+
+void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene)
+{
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct scene_poi *const poi = &scene->poi[i];
+        const vec3 at = low_side(poi);
+        if (poi->present && poi->water_m >= DRIPS_FROM_M && at.y >= CLEAR_M) {
+            const float wet = (poi->water_m - DRIPS_FROM_M) / (DRIPS_FULL_M - DRIPS_FROM_M);
+            const float drops = (float)DROPS_MAX * f_clamp(0.2f + 0.8f * wet, 0.0f, 1.0f);
+            glUseProgram(pass->drip_program);
+            glUniform4f(pass->lip, at.x, at.y, at.z, drops);
+            draw_translucent(pass, DROPS_MAX);
+        }
+    }
+}
+
+void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene,
+                    const struct textures *textures)
+{
+    const uint32_t period = (uint32_t)((float)CORE_TICK_HZ / SWAY_HZ);
+    glUseProgram(pass->fan_program);
+    gl_bind_texture(0, GL_TEXTURE_2D, textures->paper);
+    glBindVertexArray(pass->no_attributes);
+    glEnable(GL_BLEND);
+    for (uint32_t i = 0; i < SHADE_MAX; i++) {
+        const struct scene_fan *const fan = &scene->fan[i];
+        float pose[16];
+        if (!fan->present || fan->unseen) {
+            continue;
+        }
+        const float phase = (float)(scene->tick % period) / (float)period;
+        const float sway = phase * F_TAU + (float)fan->owner;
+        const struct angles angles = { .yaw_rad = 0.18f + SWAY_RAD * f_sin(sway),
+                                       .pitch_rad = FAN_PITCH_RAD,
+                                       .roll_rad = SWAY_RAD * f_cos(sway) };
+        frame_pose(pose, v3(fan->x_m, FAN_HEIGHT_M, fan->z_m), angles, fan->radius_m);
+        glUniformMatrix4fv(pass->fan_pose, 1, GL_FALSE, pose);
+        /* A fan that is not moved becomes partly transparent, so that its player sees the fish
+         * behind the fan. */
+        const float through = SEEN_THROUGH * f_smoothstep(SEEN_FROM_S, SEEN_TO_S, fan->still_s);
+        const float *const paint = poi_paint(fan->owner);
+        glUniform4f(pass->fan_trim, paint[0], paint[1], paint[2], 1.0f - through);
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    }
+    glDisable(GL_BLEND);
+}
+
+/* Fills the rectangle from (left, bottom) to (right, top) with black, in OpenGL's window
+ * coordinates with the origin at the lower left. Does nothing if the rectangle is empty. */
+static void blacken(GLint left, GLint bottom, GLint right, GLint top)
+{
+    if (right > left && top > bottom) {
+        glScissor(left, bottom, right - left, top - bottom);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+}
+
+void quad_pass_edge(const struct quad_pass *pass, const struct display_transform *transform)
+{
+    const struct display_rect part = display_picture_rect(transform);
+    const GLint width = (GLint)transform->screen_width, height = (GLint)transform->screen_height;
+    const GLint left = (GLint)part.left, right = (GLint)part.right;
+    const GLint top = height - (GLint)part.top, bottom = height - (GLint)part.bottom;
+    CORE_ASSERT(width > 0 && height > 0);
+    if (transform->light < 1.0f) {
+        glViewport(0, 0, width, height);
+        glDisable(GL_DEPTH_TEST);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        glUseProgram(pass->dark_program);
+        glUniform1f(pass->dark, 1.0f - transform->light);
+        glBindVertexArray(pass->no_attributes);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glBindVertexArray(0);
+    }
+    glEnable(GL_SCISSOR_TEST);
+    glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    blacken(0, top, width, height);
+    blacken(0, 0, width, bottom);
+    blacken(0, 0, left, height);
+    blacken(right, 0, width, height);
+    glDisable(GL_SCISSOR_TEST);
+}

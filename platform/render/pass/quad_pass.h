@@ -1,0 +1,40 @@
+/* quad_pass.h -- draws the objects that need no mesh, because their shaders compute each object
+ * from a few quads: the air stone with its bubbles, the drops that fall from a wet poi, the
+ * hand-held fans, and the black edge of the picture. */
+#ifndef KINGYO_PLATFORM_RENDER_PASS_QUAD_PASS_H
+#define KINGYO_PLATFORM_RENDER_PASS_QUAD_PASS_H
+
+#include "core/scene.h"
+#include "platform/render/textures.h"
+
+struct quad_pass {
+    GLuint no_attributes; /* Vertex array without attributes. */
+    GLuint bubble_program, drip_program, fan_program, dark_program;
+    GLint stone, lip, fan_pose, fan_trim, dark; /* Locations of the shader uniforms. */
+};
+
+void quad_pass_open(struct gl_status *status, struct quad_pass *pass);
+void quad_pass_close(struct quad_pass *pass);
+
+/* Draws the air stone on the tank's floor, and its bubbles while the air pump runs, into a render
+ * target with depth. Call after all opaque objects have been drawn. Draws nothing if the tank has
+ * no air stone. */
+void quad_pass_air(const struct quad_pass *pass, const struct scene *scene);
+
+/* Draws the drops that fall from each wet poi (the paper scoop) that is held over the water, into a
+ * render target with depth. Call after the bowls and before the pois. */
+void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene);
+
+/* Draws the hand-held fans over all other objects of the scene, with blending. The render target
+ * needs no depth buffer. The frame block (frame_block.h) contains the fans' shadows, so that every
+ * shader that draws objects below the fans can apply them. */
+void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene,
+                    const struct textures *textures);
+
+/* Dims the finished picture to the configured brightness, and fills the area beside the picture
+ * with black. Draws nothing if the picture fills the screen at full brightness. The size of the
+ * bound framebuffer must be the screen size of `transform`. Afterwards blending is on and the
+ * scissor test is off. */
+void quad_pass_edge(const struct quad_pass *pass, const struct display_transform *transform);
+
+#endif
