@@ -91,9 +91,9 @@ void board_pose_step(struct board_pose *pose, const struct readings *readings, f
     const struct poi_config *config = pose->config;
     assert(seconds > 0.0f);
     if (readings->fuses) {
-        /* In the chip's world +z points up, and in Kingyo's world +y points up. A quarter turn about
-         * x converts between the two worlds. `back` converts from the axes of the poi to the axes of
-         * the chip. */
+        /* In the chip's world +z points up, and in Kingyo's world +y points up. A quarter turn
+         * about x converts between the two worlds. `back` converts from the axes of the poi to the
+         * axes of the chip. */
         const struct quaternion upright = { 0.70710678f, -0.70710678f, 0.0f, 0.0f };
         const struct quaternion mount = pose->mount,
                                 back = { mount.w, -mount.x, -mount.y, -mount.z };

@@ -1,6 +1,6 @@
 /* commands.h -- the commands `kingyo-poi calibrate`, which calibrates each draw wire at marks with
- * known positions, and `kingyo-poi test`, which checks each part of a poi and prints advice for each
- * failure.
+ * known positions, and `kingyo-poi test`, which checks each part of a poi and prints advice for
+ * each failure.
  *
  * The instructions of the calibration are printed to standard error. Its results, which are lines
  * for the configuration file, and the results of the checks are printed to standard output. */

@@ -1,6 +1,6 @@
-/* draw_wires.c -- computes the point at which three draw wires meet, and fits a straight line to the
- * marks of a wire. The point is computed in coordinate axes along the spools, because the equations
- * for two of the three coordinates are then linear. */
+/* draw_wires.c -- computes the point at which three draw wires meet, and fits a straight line to
+ * the marks of a wire. The point is computed in coordinate axes along the spools, because the
+ * equations for two of the three coordinates are then linear. */
 #include "board/poi-gadget/draw_wires.h"
 
 #include <assert.h>

@@ -1,5 +1,6 @@
-/* draw_wires.h -- computes the point at which three draw wires meet from the lengths of the wires, and
- * calibrates the converter of a wire from known positions of the wire's end. The functions are pure.
+/* draw_wires.h -- computes the point at which three draw wires meet from the lengths of the wires,
+ * and calibrates the converter of a wire from known positions of the wire's end. The functions are
+ * pure.
  *
  * Each wire leads from a spool above the tank to an eye on the neck of the poi (a paper scoop). The
  * lengths define three spheres around the spools. The spheres meet in two points, above and below

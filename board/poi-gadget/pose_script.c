@@ -1,5 +1,6 @@
-/* pose_script.c -- parses and prints pose lines, moves the simulated hand along a polynomial of degree
- * five between two poses, and reads the lines from a text buffer that is filled from an input. */
+/* pose_script.c -- parses and prints pose lines, moves the simulated hand along a polynomial of
+ * degree five between two poses, and reads the lines from a text buffer that is filled from an
+ * input. */
 #include "board/poi-gadget/pose_script.h"
 
 #include <assert.h>

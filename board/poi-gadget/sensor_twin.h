@@ -1,6 +1,6 @@
-/* sensor_twin.h -- simulates a poi on its board: a hand that scoops without vision, and the readings
- * that the sensors would give for its poses. A kiosk can thus be tested without sensors. The
- * functions are pure.
+/* sensor_twin.h -- simulates a poi on its board: a hand that scoops without vision, and the
+ * readings that the sensors would give for its poses. A kiosk can thus be tested without sensors.
+ * The functions are pure.
  *
  * The readings are decoded with the same wire computation, filter and calibration as the readings
  * of a real poi.
