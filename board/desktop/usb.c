@@ -1,4 +1,4 @@
-/* usb.c -- opens USB controllers: Kingyo's poi controller (drivers/hid/poi_descriptor.h), and the
+/* usb.c -- opens USB controllers: Kingyo's poi controller (drivers/hid/poi_report.h), and the
  * controllers that the operator selected. */
 #include <stdio.h>
 

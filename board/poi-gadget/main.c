@@ -13,7 +13,7 @@
 #include "board/poi-gadget/pose_script.h"
 #include "board/poi-gadget/sensor_twin.h"
 #include "board/poi-gadget/sensors.h"
-#include "drivers/hid/poi_descriptor.h"
+#include "drivers/hid/poi_report.h"
 #include "platform/os/print.h"
 #include "platform/os/standard_streams.h"
 

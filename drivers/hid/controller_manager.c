@@ -5,9 +5,12 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
+
 void controller_manager_init(struct controller_manager *manager, struct hid_device_list device_list,
                              struct hid_mapping_store *book, struct poi_hid *const seats[POI_MAX])
 {
+    CORE_ASSERT(device_list.ops);
     memset(manager, 0, sizeof *manager);
     manager->device_list = device_list;
     manager->book = book;
@@ -19,6 +22,7 @@ void controller_manager_init(struct controller_manager *manager, struct hid_devi
 
 static struct poi_hid *learning_seat(const struct controller_manager *manager)
 {
+    CORE_ASSERT(manager->learn_seat <= POI_MAX);
     return manager->learn_seat < POI_MAX ? manager->seat[manager->learn_seat] : NULL;
 }
 
@@ -30,6 +34,7 @@ static void show_report(void *self, const struct hid_raw *raw)
 
 static void leave_seat(struct controller_manager *manager)
 {
+    CORE_ASSERT(manager->learn_seat <= POI_MAX);
     struct poi_hid *seat = learning_seat(manager);
     if (seat) {
         poi_hid_set_observer(seat, (struct hid_watch){ 0 });
@@ -55,6 +60,7 @@ static int is_kind(const struct hid_identity *one, const struct hid_identity *ot
 static void give_back(struct controller_manager *manager)
 {
     const struct hid_row *row = &manager->row[manager->learn_row];
+    CORE_ASSERT(manager->learn_row < CONTROLLER_MAX);
     manager->gives_back =
         manager->gives_back && is_kind(&row->identity, &manager->learn_identity) &&
         manager->device_list.ops->release(manager->device_list.self, manager->learn_row) ==
@@ -80,25 +86,21 @@ static void end_learning(struct controller_manager *manager)
     give_back(manager);
 }
 
-/* Ends the current learning procedure, if any, and prepares a new one for `row`. If learning
- * restarts with the same row, `gives_back` keeps its value. */
-static void begin_anew(struct controller_manager *manager, uint32_t row)
+static int begin_learning(struct controller_manager *manager, uint32_t row)
 {
+    /* The current learning procedure ends. If learning restarts with the same row, `gives_back`
+     * keeps its value. */
     const int again = manager->learn.step != LEARN_NONE && manager->learn_row == row;
     if (again) {
         stop_learning(manager, NULL);
     } else if (manager->learn.step != LEARN_NONE) {
         end_learning(manager);
     }
+    CORE_ASSERT(row < CONTROLLER_MAX);
     manager->gives_back =
         manager->row[row].state == CONTROLLER_FREE || (again && manager->gives_back);
     manager->learn_row = (uint8_t)row;
     manager->learn_identity = manager->row[row].identity;
-}
-
-static int begin_learning(struct controller_manager *manager, uint32_t row)
-{
-    begin_anew(manager, row);
     const int result = manager->row[row].state == CONTROLLER_ACTIVE
                            ? HAL_OK
                            : manager->device_list.ops->choose(manager->device_list.self, row);
@@ -114,25 +116,21 @@ static int begin_learning(struct controller_manager *manager, uint32_t row)
     return HAL_OK;
 }
 
-static int controller_manager_is_same(const struct hid_identity *one,
-                                      const struct hid_identity *other)
-{
-    return is_kind(one, other) && strcmp(one->port, other->port) == 0;
-}
-
 /* Starts recording when the frame loop has opened the controller's slot. Opening takes up to one
  * second. */
 static void sit_down(struct controller_manager *manager)
 {
     const struct hid_row *row = &manager->row[manager->learn_row];
+    CORE_ASSERT(manager->learn_waits);
+    CORE_ASSERT(manager->learn_seat == POI_MAX);
     struct poi_hid *seat = row->seat < POI_MAX ? manager->seat[row->seat] : NULL;
     if (row->state == CONTROLLER_DENIED || row->state == CONTROLLER_UNSUPPORTED ||
         row->state == CONTROLLER_NONE) {
         fail_learning(manager);
         return;
     }
-    if (!seat || !seat->is_open ||
-        !controller_manager_is_same(&seat->face.identity, &row->identity)) {
+    if (!seat || !seat->is_open || !is_kind(&seat->face.identity, &row->identity) ||
+        strcmp(seat->face.identity.port, row->identity.port) != 0) {
         return;
     }
     manager->learn_waits = 0;
@@ -169,6 +167,7 @@ static void go_on(struct controller_manager *manager)
  * the kiosk without losing the mapping. */
 static void watch_writing(struct controller_manager *manager)
 {
+    CORE_ASSERT(manager->writes);
     const int result = hid_mapping_store_result(manager->book);
     if (result == HAL_OK) {
         stop_learning(manager, &manager->learn.map);
@@ -180,6 +179,7 @@ static void watch_writing(struct controller_manager *manager)
 
 static int controller_manager_save_mapping(struct controller_manager *manager)
 {
+    CORE_ASSERT(manager->book);
     const struct poi_hid *seat = learning_seat(manager);
     if (!seat || (manager->learn.step != LEARN_TRY && manager->learn.step != LEARN_NOT_SAVED)) {
         return HAL_ERR_IO;
@@ -206,6 +206,7 @@ static void controller_manager_forget_mapping(struct controller_manager *manager
 
 static int controller_manager_release(struct controller_manager *manager, uint32_t row)
 {
+    CORE_ASSERT(row < CONTROLLER_MAX);
     if (manager->learn.step != LEARN_NONE && manager->learn_row == row) {
         stop_learning(manager, NULL);
         manager->gives_back = 0; /* No other release is needed, because this function releases the
@@ -252,6 +253,7 @@ static int hid_desk_command(void *self, const struct controller_command *order)
 static void watch_learning(struct controller_manager *manager)
 {
     const struct poi_hid *seat = learning_seat(manager);
+    CORE_ASSERT(!(manager->keeps && manager->writes));
     if (manager->learn_waits) {
         sit_down(manager);
     } else if (seat && !seat->is_open && !manager->writes) {
@@ -305,6 +307,7 @@ static const char *hid_desk_describe(void *self)
 
 struct hal_controllers controller_manager_device(struct controller_manager *manager)
 {
+    CORE_ASSERT(manager->device_list.ops);
     static const struct hal_controllers_ops ops = {
         .poll = hid_desk_poll,
         .name = hid_desk_name,

@@ -1,4 +1,5 @@
-/* hid_descriptor.c -- parses a HID report descriptor in one pass.
+/* hid_descriptor.c -- parses a HID report descriptor in one pass, finds usages in the parsed
+ * descriptor, and reads the values of fields from reports.
  *
  * Global and Local items set the state of the parser. Each Input item adds a group of fields from
  * that state. */
@@ -6,7 +7,7 @@
 
 #include <string.h>
 
-#include "drivers/hid/hid_globals.h"
+#include "core/base/panic.h"
 #include "drivers/hid/hid_item.h"
 
 enum main_tag { MAIN_INPUT = 8, MAIN_COLLECTION = 10, MAIN_END_COLLECTION = 12 };
@@ -32,16 +33,9 @@ struct reader {
 
 /* ---- Usages (Local items) ------------------------------------------------------------------- */
 
-/* Returns the complete usage of an item. A usage of one or two bytes belongs to the usage page that
- * is current at the item. */
-static hid_usage whole_usage(const struct reader *reader, const struct hid_item *item)
-{
-    const uint32_t page = reader->globals.now.usage_page;
-    return item->size == 4 ? item->data : page << 16 | item->data;
-}
-
 static enum hid_error add_range(struct reader *reader, hid_usage first, hid_usage last)
 {
+    CORE_ASSERT(reader->range_first <= reader->out->range_count);
     struct hid_descriptor *out = reader->out;
     if (first >> 16 != last >> 16) {
         return HID_ERR_USAGE_PAGES;
@@ -61,44 +55,38 @@ static enum hid_error add_range(struct reader *reader, hid_usage first, hid_usag
     return HID_OK;
 }
 
-static enum hid_error delimit(struct reader *reader, uint32_t opens)
-{
-    if ((opens != 0) == (reader->in_delimiter != 0)) {
-        return HID_ERR_DELIMITER;
-    }
-    reader->in_delimiter = opens != 0;
-    reader->alternatives = 0;
-    return HID_OK;
-}
-
-static enum hid_error end_usage_range(struct reader *reader, const struct hid_item *item)
-{
-    const hid_usage last = whole_usage(reader, item);
-    /* A Usage Maximum of four bytes contains the usage page for both the minimum and the maximum. A
-     * Usage Maximum without a Usage Minimum means a range from usage id 0. */
-    const hid_usage first = reader->has_usage_min ? reader->usage_min : last & 0xffff0000u;
-    reader->has_usage_min = 0;
-    return add_range(reader, first, last);
-}
-
 static enum hid_error read_local(struct reader *reader, const struct hid_item *item)
 {
+    CORE_ASSERT(item->type == HID_ITEM_LOCAL);
     if (item->tag == LOCAL_DELIMITER) {
-        return delimit(reader, item->data);
+        if ((item->data != 0) == (reader->in_delimiter != 0)) {
+            return HID_ERR_DELIMITER;
+        }
+        reader->in_delimiter = item->data != 0;
+        reader->alternatives = 0;
+        return HID_OK;
     }
     const int names_usage = item->tag == LOCAL_USAGE || item->tag == LOCAL_USAGE_MAX;
     if (reader->in_delimiter && names_usage && reader->alternatives++ > 0) {
         return HID_OK;
     }
+    /* A usage of one or two bytes belongs to the usage page that is current at the item. */
+    const uint32_t page = reader->globals.now.usage_page;
+    const hid_usage usage = item->size == 4 ? item->data : page << 16 | item->data;
     switch (item->tag) {
     case LOCAL_USAGE:
-        return add_range(reader, whole_usage(reader, item), whole_usage(reader, item));
+        return add_range(reader, usage, usage);
     case LOCAL_USAGE_MIN:
-        reader->usage_min = whole_usage(reader, item);
+        reader->usage_min = usage;
         reader->has_usage_min = 1;
         return HID_OK;
-    case LOCAL_USAGE_MAX:
-        return end_usage_range(reader, item);
+    case LOCAL_USAGE_MAX: {
+        /* A Usage Maximum of four bytes contains the usage page for both the minimum and the
+         * maximum. A Usage Maximum without a Usage Minimum means a range from usage id 0. */
+        const hid_usage first = reader->has_usage_min ? reader->usage_min : usage & 0xffff0000u;
+        reader->has_usage_min = 0;
+        return add_range(reader, first, usage);
+    }
     default: /* Designator and String items do not affect the layout of reports. */
         return HID_OK;
     }
@@ -108,6 +96,7 @@ static enum hid_error read_local(struct reader *reader, const struct hid_item *i
 
 static enum hid_error open_collection(struct reader *reader, uint32_t kind)
 {
+    CORE_ASSERT(reader->depth <= HID_DEPTH_MAX);
     const struct hid_descriptor *out = reader->out;
     if (reader->depth == HID_DEPTH_MAX) {
         return HID_ERR_DEPTH;
@@ -120,17 +109,10 @@ static enum hid_error open_collection(struct reader *reader, uint32_t kind)
     return HID_OK;
 }
 
-static enum hid_error close_collection(struct reader *reader)
-{
-    if (reader->depth == 0) {
-        return HID_ERR_NO_COLLECTION;
-    }
-    reader->depth--;
-    return HID_OK;
-}
-
 static struct hid_group group_of(const struct reader *reader, uint32_t flags)
 {
+    CORE_ASSERT(reader->depth <= HID_DEPTH_MAX);
+    CORE_ASSERT(reader->range_first <= reader->out->range_count);
     const struct hid_globals *now = &reader->globals.now;
     struct hid_group group = {
         .application = reader->application[reader->depth],
@@ -153,6 +135,8 @@ static struct hid_group group_of(const struct reader *reader, uint32_t flags)
 
 static enum hid_error add_input(struct reader *reader, uint32_t flags)
 {
+    CORE_ASSERT(reader->out->group_count <= HID_GROUP_MAX);
+    CORE_ASSERT(reader->out->field_count <= HID_FIELD_MAX);
     struct hid_descriptor *out = reader->out;
     const struct hid_globals *now = &reader->globals.now;
     const uint32_t used = out->report_bits[now->report_id];
@@ -179,8 +163,9 @@ static enum hid_error add_input(struct reader *reader, uint32_t flags)
     return HID_OK;
 }
 
-static enum hid_error do_main(struct reader *reader, const struct hid_item *item)
+static enum hid_error read_main(struct reader *reader, const struct hid_item *item)
 {
+    CORE_ASSERT(item->type == HID_ITEM_MAIN);
     if (reader->in_delimiter) {
         return HID_ERR_DELIMITER; /* Delimiters must be closed before the main item. */
     }
@@ -190,47 +175,39 @@ static enum hid_error do_main(struct reader *reader, const struct hid_item *item
     case MAIN_COLLECTION:
         return open_collection(reader, item->data);
     case MAIN_END_COLLECTION:
-        return close_collection(reader);
+        if (reader->depth == 0) {
+            return HID_ERR_NO_COLLECTION;
+        }
+        reader->depth--;
+        return HID_OK;
     default: /* Output, Feature and reserved items are skipped. */
         return HID_OK;
     }
 }
 
-/* Clears the Local state after a main item, and removes usages that no group uses. */
-static void forget_locals(struct reader *reader)
-{
-    struct hid_descriptor *out = reader->out;
-    const struct hid_group *last = out->group_count ? &out->group[out->group_count - 1u] : NULL;
-    out->range_count = last ? (uint32_t)last->range_first + last->range_count : 0;
-    reader->range_first = out->range_count;
-    reader->has_usage_min = 0;
-}
-
-static enum hid_error read_main(struct reader *reader, const struct hid_item *item)
-{
-    const enum hid_error error = do_main(reader, item);
-    if (error == HID_OK) {
-        forget_locals(reader);
-    }
-    return error;
-}
-
 /* ---- Parsing of items ----------------------------------------------------------------------- */
-
-static enum hid_error read_global(struct reader *reader, const struct hid_item *item)
-{
-    const enum hid_error error = hid_globals_take(&reader->globals, item);
-    reader->out->has_report_ids |= reader->globals.now.report_id > 0;
-    return error;
-}
 
 static enum hid_error read_item(struct reader *reader, const struct hid_item *item)
 {
+    CORE_ASSERT(item->size <= sizeof item->data);
+    struct hid_descriptor *out = reader->out;
+    enum hid_error error = HID_OK;
     switch (item->type) {
     case HID_ITEM_MAIN:
-        return read_main(reader, item);
+        error = read_main(reader, item);
+        if (error == HID_OK) {
+            /* A main item ends the Local state. Usages that no group uses are removed. */
+            const struct hid_group *last =
+                out->group_count ? &out->group[out->group_count - 1u] : NULL;
+            out->range_count = last ? (uint32_t)last->range_first + last->range_count : 0;
+            reader->range_first = out->range_count;
+            reader->has_usage_min = 0;
+        }
+        return error;
     case HID_ITEM_GLOBAL:
-        return read_global(reader, item);
+        error = hid_globals_take(&reader->globals, item);
+        out->has_report_ids |= reader->globals.now.report_id > 0;
+        return error;
     case HID_ITEM_LOCAL:
         return read_local(reader, item);
     default: /* Long and reserved items are skipped. */
@@ -238,33 +215,36 @@ static enum hid_error read_item(struct reader *reader, const struct hid_item *it
     }
 }
 
-static enum hid_error hid_descriptor_fail(struct hid_descriptor *out, enum hid_error error,
-                                          size_t offset)
-{
-    out->error = error;
-    out->error_offset = offset;
-    return error;
-}
-
 enum hid_error hid_descriptor_read(struct hid_descriptor *out, const uint8_t *bytes, size_t size)
 {
+    CORE_ASSERT(bytes || size == 0);
     struct reader reader = { .out = out };
     /* The arrays from `group` on occupy 61 KB. They need no clearing, because entries beyond the
      * counts are not read. */
     memset(out, 0, offsetof(struct hid_descriptor, group));
     if (size > HID_DESCRIPTOR_SIZE_MAX) {
-        return hid_descriptor_fail(out, HID_ERR_TOO_LONG, HID_DESCRIPTOR_SIZE_MAX);
+        out->error = HID_ERR_TOO_LONG;
+        out->error_offset = HID_DESCRIPTOR_SIZE_MAX;
+        return out->error;
     }
-    for (size_t offset = 0; offset < size;) {
+    size_t offset = 0;
+    while (offset < size) {
         struct hid_item item;
         const size_t taken = hid_item_read(&item, bytes, size, offset);
-        const enum hid_error error = taken ? read_item(&reader, &item) : HID_ERR_CUT_OFF;
-        if (error) {
-            return hid_descriptor_fail(out, error, offset);
+        out->error = taken ? read_item(&reader, &item) : HID_ERR_CUT_OFF;
+        if (out->error) {
+            break;
         }
         offset += taken;
     }
-    return reader.depth > 0 ? hid_descriptor_fail(out, HID_ERR_OPEN_COLLECTION, size) : HID_OK;
+    if (out->error == HID_OK && reader.depth > 0) {
+        out->error = HID_ERR_OPEN_COLLECTION;
+    }
+    out->error_offset = out->error ? offset : 0;
+    CORE_ASSERT(out->group_count <= HID_GROUP_MAX);
+    CORE_ASSERT(out->range_count <= HID_RANGE_MAX);
+    CORE_ASSERT(out->field_count <= HID_FIELD_MAX);
+    return out->error;
 }
 
 const char *hid_error_text(enum hid_error error)
@@ -290,4 +270,82 @@ const char *hid_error_text(enum hid_error error)
         [HID_ERR_DELIMITER] = "delimiters that are nested, or not in pairs",
     };
     return (unsigned)error < HID_ERR_COUNT ? texts[error] : "unknown error";
+}
+
+/* ---- Usages and values of reports ------------------------------------------------------------ */
+
+uint32_t hid_usage_count(const struct hid_descriptor *descriptor, const struct hid_group *group)
+{
+    if (group->range_count == 0) {
+        return 0;
+    }
+    CORE_ASSERT((uint32_t)group->range_first + group->range_count <= HID_RANGE_MAX);
+    const struct hid_range *last = &descriptor->range[group->range_first + group->range_count - 1u];
+    return last->place + (last->last - last->first) + 1u;
+}
+
+hid_usage hid_usage_at(const struct hid_descriptor *descriptor, const struct hid_group *group,
+                       uint32_t index)
+{
+    CORE_ASSERT((uint32_t)group->range_first + group->range_count <= HID_RANGE_MAX);
+    uint32_t low = 0, high = group->range_count; /* The usage is in one of the ranges from index
+                                                    `low` to index `high` - 1. */
+    if (high == 0) {
+        return 0;
+    }
+    while (high - low > 1u) {
+        const uint32_t middle = low + (high - low) / 2u;
+        if (index < descriptor->range[group->range_first + middle].place) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    const struct hid_range *range = &descriptor->range[group->range_first + low];
+    const uint32_t within = index - range->place, most = range->last - range->first;
+    return range->first + (within < most ? within : most);
+}
+
+int hid_report_id(const struct hid_descriptor *descriptor, struct hid_report report)
+{
+    CORE_ASSERT(report.bytes || report.size == 0);
+    if (!descriptor->has_report_ids) {
+        return 0;
+    }
+    return report.size > 0 ? report.bytes[0] : -1;
+}
+
+int hid_report_is_whole(const struct hid_descriptor *descriptor, struct hid_report report)
+{
+    const int id = hid_report_id(descriptor, report);
+    CORE_ASSERT(id <= 255);
+    if (id < 0 || descriptor->report_bits[id] == 0) {
+        return 0;
+    }
+    const size_t payload = (descriptor->report_bits[id] + 7u) / 8u;
+    return report.size >= payload + descriptor->has_report_ids;
+}
+
+int64_t hid_field_value(const struct hid_descriptor *descriptor, const struct hid_group *group,
+                        uint32_t index, struct hid_report report)
+{
+    CORE_ASSERT(index < group->count);
+    CORE_ASSERT(descriptor->has_report_ids <= 1);
+    const uint8_t *payload = report.bytes + descriptor->has_report_ids;
+    const uint32_t size = group->bit_size < 32u ? group->bit_size : 32u;
+    const uint32_t raw = hid_bits_at(payload, group->bit_offset + index * group->bit_size, size);
+    const int is_signed = group->logical_min < 0 && (group->flags & HID_VARIABLE);
+    return is_signed ? hid_signed_bits(raw, size) : (int64_t)raw;
+}
+
+hid_usage hid_selected(const struct hid_descriptor *descriptor, const struct hid_group *group,
+                       int64_t value)
+{
+    CORE_ASSERT(group->range_first <= descriptor->range_count);
+    const int64_t index = value - group->logical_min;
+    const int in_range = value >= group->logical_min && value <= group->logical_max;
+    if (!in_range || index >= (int64_t)hid_usage_count(descriptor, group)) {
+        return 0;
+    }
+    return hid_usage_at(descriptor, group, (uint32_t)index);
 }

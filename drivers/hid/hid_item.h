@@ -1,12 +1,14 @@
-/* hid_item.h -- the items of a HID report descriptor (HID 1.11, section 6.2.2.2).
+/* hid_item.h -- the items of a HID report descriptor (HID 1.11, section 6.2.2.2), and the state
+ * that Global items set, with the stack of Push and Pop (section 6.2.2.7).
  *
- * A private part of hid_descriptor.c. The parser finds the end of an item and does not interpret
- * the data. Pure: uses no device and no clock. */
+ * A private part of hid_descriptor.c. Pure: uses no device and no clock. */
 #ifndef KINGYO_DRIVERS_HID_HID_ITEM_H
 #define KINGYO_DRIVERS_HID_HID_ITEM_H
 
 #include <stddef.h>
 #include <stdint.h>
+
+#include "drivers/hid/hid_descriptor.h"
 
 enum hid_item_type {
     HID_ITEM_MAIN = 0,
@@ -23,11 +25,39 @@ struct hid_item {
     uint32_t data;
 };
 
-/* Parses the item at `offset`, which must be less than `size`. Returns the length of the item in
- * bytes, or 0 if the item extends past the end of `bytes`. */
+/* Parses the item at `offset`, which must be less than `size`. Finds the end of the item and does
+ * not interpret the data. Returns the length of the item in bytes, or 0 if the item extends past
+ * the end of `bytes`. */
 size_t hid_item_read(struct hid_item *item, const uint8_t *bytes, size_t size, size_t offset);
 
-/* Returns `data` as two's complement of `size` bytes (0, 1, 2 or 4). */
-int32_t hid_item_signed(uint32_t data, uint8_t size);
+/* Raw data of a logical or physical limit. A maximum is signed only if its minimum is negative. The
+ * minimum can still change until the Input item. */
+struct hid_limit {
+    uint32_t data;
+    uint8_t size;
+};
+
+struct hid_globals {
+    uint16_t usage_page;
+    struct hid_limit logical_min, logical_max, physical_min, physical_max;
+    int32_t unit_exponent;
+    uint32_t unit, report_size, report_count;
+    uint8_t report_id; /* Id of the current report; 0 means that no report id is declared yet. */
+};
+
+struct hid_global_stack {
+    struct hid_globals now, pushed[HID_PUSH_MAX];
+    uint32_t pushed_count; /* Number of Push items without a Pop item. */
+};
+
+/* Applies one Global item. Returns HID_OK, or an error if a Push, Pop or Report ID item is
+ * invalid. */
+enum hid_error hid_globals_take(struct hid_global_stack *stack, const struct hid_item *item);
+
+/* Returns a minimum, which is always signed. */
+int64_t hid_limit_min(struct hid_limit limit);
+
+/* Returns a maximum, which is signed only if its minimum `min` is negative. */
+int64_t hid_limit_max(struct hid_limit limit, int64_t min);
 
 #endif

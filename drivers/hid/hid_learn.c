@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/base/fmath.h"
-#include "drivers/hid/hid_mapping_infer.h"
+#include "core/base/panic.h"
 
 /* Time from the first report after which the progress of LEARN_REST is complete. */
 #define REST_NS 1000000000ull
@@ -14,21 +14,10 @@
 
 /* ---- Fields of the controller --------------------------------------------------------------- */
 
-static void add_fields(struct hid_learn *learn, uint32_t group_index)
-{
-    const struct hid_group *group = &learn->descriptor.group[group_index];
-    if ((group->flags & HID_CONSTANT) || !(group->flags & HID_VARIABLE) || group->bit_size > 32u ||
-        hid_mapping_infer_high(group) <= group->logical_min) {
-        return;
-    }
-    for (uint32_t i = 0; i < group->count && learn->field_count < LEARN_FIELD_MAX; i++) {
-        learn->field[learn->field_count++] =
-            (struct learn_field){ .group = (uint16_t)group_index, .index = (uint16_t)i };
-    }
-}
-
 static void begin_step(struct hid_learn *learn, enum learn_step step)
 {
+    CORE_ASSERT(step >= LEARN_REST && step <= LEARN_DIP);
+    CORE_ASSERT(learn->field_count <= LEARN_FIELD_MAX);
     learn->step = (uint8_t)step;
     learn->report_count = 0;
     for (uint32_t i = 0; i < learn->field_count; i++) {
@@ -52,7 +41,15 @@ void hid_learn_begin(struct hid_learn *learn, const struct hid_device_info *face
     }
     hid_mapping_choose(&learn->offered, &face->identity, &learn->descriptor);
     for (uint32_t i = 0; i < learn->descriptor.group_count; i++) {
-        add_fields(learn, i);
+        const struct hid_group *group = &learn->descriptor.group[i];
+        const int is_usable = !(group->flags & HID_CONSTANT) && (group->flags & HID_VARIABLE) &&
+                              group->bit_size <= 32u &&
+                              hid_mapping_infer_high(group) > group->logical_min;
+        for (uint32_t j = 0; is_usable && j < group->count && learn->field_count < LEARN_FIELD_MAX;
+             j++) {
+            learn->field[learn->field_count++] =
+                (struct learn_field){ .group = (uint16_t)i, .index = (uint16_t)j };
+        }
     }
     if (learn->field_count > 0) {
         begin_step(learn, LEARN_REST);
@@ -61,19 +58,10 @@ void hid_learn_begin(struct hid_learn *learn, const struct hid_device_info *face
 
 /* ---- Recording ------------------------------------------------------------------------------ */
 
-static void hear_rest(struct learn_field *field, int64_t value)
-{
-    if (!field->rested || value < field->rest_low) {
-        field->rest_low = value;
-    }
-    if (!field->rested || value > field->rest_high) {
-        field->rest_high = value;
-    }
-    field->rested = 1;
-}
-
 static void hear_field(struct hid_learn *learn, struct learn_field *field, struct hid_report report)
 {
+    CORE_ASSERT(learn->step >= LEARN_REST);
+    CORE_ASSERT(learn->step <= LEARN_DIP);
     const struct hid_group *group = hid_mapping_infer_group(learn, field);
     const int64_t value = hid_field_value(&learn->descriptor, group, field->index, report);
     const int relative = hid_mapping_infer_is_relative(group);
@@ -86,19 +74,21 @@ static void hear_field(struct hid_learn *learn, struct learn_field *field, struc
         field->low[learn->step] = field->high[learn->step] = field->rest_low;
     }
     if (learn->step == LEARN_REST && !relative) {
-        hear_rest(field, value);
+        field->rest_low = !field->rested || value < field->rest_low ? value : field->rest_low;
+        field->rest_high = !field->rested || value > field->rest_high ? value : field->rest_high;
+        field->rested = 1;
     }
-    if (field->now < field->low[learn->step]) {
-        field->low[learn->step] = field->now;
-    }
-    if (field->now > field->high[learn->step]) {
-        field->high[learn->step] = field->now;
-    }
+    int64_t *low = &field->low[learn->step], *high = &field->high[learn->step];
+    *low = field->now < *low ? field->now : *low;
+    *high = field->now > *high ? field->now : *high;
+    CORE_ASSERT(*low <= *high);
 }
 
 static void hear_key(struct hid_learn *learn, uint32_t group_index, hid_usage usage)
 {
+    CORE_ASSERT(group_index < learn->descriptor.group_count);
     const uint8_t rested = learn->step != LEARN_DIP;
+    CORE_ASSERT(learn->key_count <= LEARN_KEY_MAX);
     for (uint32_t i = 0; i < learn->key_count; i++) {
         if (learn->key[i].group == group_index && learn->key[i].usage == usage) {
             learn->key[i].rested |= rested;
@@ -113,6 +103,7 @@ static void hear_key(struct hid_learn *learn, uint32_t group_index, hid_usage us
 
 static void hear_arrays(struct hid_learn *learn, int report_id, struct hid_report report)
 {
+    CORE_ASSERT(report_id >= 0 && report_id <= 255);
     const struct hid_descriptor *descriptor = &learn->descriptor;
     for (uint32_t i = 0; i < descriptor->group_count; i++) {
         const struct hid_group *group = &descriptor->group[i];
@@ -153,6 +144,7 @@ void hid_learn_report(struct hid_learn *learn, const struct hid_raw *raw)
 
 void hid_learn_next(struct hid_learn *learn)
 {
+    CORE_ASSERT(learn->field_count <= LEARN_FIELD_MAX);
     if (learn->step < LEARN_REST || learn->step > LEARN_DIP) {
         return;
     }
@@ -168,25 +160,15 @@ void hid_learn_next(struct hid_learn *learn)
 
 /* ---- Progress of the current step ----------------------------------------------------------- */
 
-static float rest_share(const struct hid_learn *learn)
-{
-    const float seconds = (float)(learn->now_ns - learn->begun_ns) / (float)REST_NS;
-    const float reports = (float)learn->report_count / (float)REST_REPORTS;
-    return learn->report_count == 0 ? 0.0f : f_min(1.0f, f_min(seconds, reports));
-}
-
 uint8_t hid_learn_progress(const struct hid_learn *learn)
 {
-    switch (learn->step) {
-    case LEARN_REST:
-        return (uint8_t)(255.0f * rest_share(learn));
-    case LEARN_LEFT:
-    case LEARN_RIGHT:
-    case LEARN_FAR:
-    case LEARN_NEAR:
-    case LEARN_DIP:
-        return (uint8_t)(255.0f * hid_mapping_infer_clarity(learn));
-    default:
-        return 0;
+    if (learn->step == LEARN_REST) {
+        const float seconds = (float)(learn->now_ns - learn->begun_ns) / (float)REST_NS;
+        const float reports = (float)learn->report_count / (float)REST_REPORTS;
+        const float share = f_min(1.0f, f_min(seconds, reports));
+        return learn->report_count == 0 ? 0 : (uint8_t)(255.0f * share);
     }
+    return learn->step > LEARN_REST && learn->step <= LEARN_DIP
+               ? (uint8_t)(255.0f * hid_mapping_infer_clarity(learn))
+               : 0;
 }

@@ -1,6 +1,6 @@
 /* hid_mapping.h -- a mapping: which field of a controller's reports has which role in the game.
  *
- * A mapping comes from a table of known controllers (hid_mapping_known.c), from the HID descriptor
+ * A mapping comes from a table of known controllers (hid_mapping.c), from the HID descriptor
  * (hid_mapping_auto.c) or from learning (hid_learn.h). hid_pose_decoder.h decodes reports with a
  * mapping. A mapping is stored as one line of text for each vendor:product:serial
  * (hid_mapping_text.c). A poi is a paper scoop, and also the controller that moves it. This project
@@ -139,6 +139,14 @@ void hid_mapping_choose(struct hid_mapping *out, const struct hid_identity *iden
  * memory. */
 const char *hid_mapping_absence_reason(const struct hid_descriptor *descriptor);
 
+/* Selects the mapping of a controller; learned mappings take precedence. Writes the mapping to
+ * `out` as hid_mapping_choose() does. */
+struct hid_mapper {
+    void (*choose)(void *self, const struct hid_device_info *face,
+                   const struct hid_descriptor *descriptor, struct hid_mapping *out);
+    void *self;
+};
+
 /* Returns a score for the mapping that hid_mapping_choose() finds, by which the interfaces of one
  * USB device are compared. A higher score is better, and 0 means that there is no mapping. */
 uint32_t hid_mapping_score(const struct hid_identity *identity,
@@ -161,5 +169,36 @@ int hid_mapping_write(const struct hid_mapping *map, char text[HID_MAPPING_TEXT_
 /* Parses a line of hid_mapping_write(). Returns 0, or -1 with a description of the error in
  * `error`. */
 int hid_mapping_read(struct hid_mapping *out, const char *text, char error[HAL_TEXT_SIZE]);
+
+/* ---- Files of mappings ----------------------------------------------------------------------- */
+
+#define HID_MAPPING_STORE_TEXT_SIZE (HID_MAPPING_TEXT_SIZE + 256u)
+
+struct hid_mapping_store_entry {
+    uint16_t vendor, product;
+    /* Serial number of the device. "" means every device of the product that reports no serial
+     * number. */
+    char serial[HID_TEXT_SIZE];
+    struct hid_mapping map;
+};
+
+/* Size of a file name with the longest serial number. Each byte of the serial number can become
+ * three characters. */
+#define HID_MAPPING_STORE_NAME_SIZE 224u
+
+/* Writes the file name, such as "054c-09cc-SERIAL.poi". All characters of the serial number except
+ * letters, digits and '_' are written as %XX. */
+void hid_mapping_store_name(const struct hid_mapping_store_entry *entry,
+                            char name[HID_MAPPING_STORE_NAME_SIZE]);
+
+/* Writes three lines: the format version, vendor:product:serial, and the mapping. Returns 0, or -1
+ * if the mapping cannot be written as text. */
+int hid_mapping_store_write(const struct hid_mapping_store_entry *entry,
+                            char text[HID_MAPPING_STORE_TEXT_SIZE]);
+
+/* Parses a mapping file. Returns 0. On an error, returns the number (1 to 3) of the first invalid
+ * line and describes the error in `error`. */
+int hid_mapping_store_read(struct hid_mapping_store_entry *out, const char *text,
+                           char error[HAL_TEXT_SIZE]);
 
 #endif

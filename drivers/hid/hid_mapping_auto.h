@@ -81,9 +81,4 @@ void hid_mapping_auto_build(struct hid_mapping *out, const struct hid_descriptor
  * there is no mapping. */
 uint32_t hid_mapping_auto_score(const struct hid_descriptor *descriptor);
 
-/* Fills `out` from the table of known controllers. Returns 1, or 0 if the controller is not known;
- * `out` is then unchanged. */
-int hid_mapping_known(struct hid_mapping *out, const struct hid_identity *identity,
-                      const struct hid_descriptor *descriptor);
-
 #endif

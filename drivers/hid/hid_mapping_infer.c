@@ -1,7 +1,8 @@
 /* hid_mapping_infer.c -- finds the recorded fields that moved farthest, and binds them. */
-#include "drivers/hid/hid_mapping_infer.h"
+#include "drivers/hid/hid_learn.h"
 
 #include "core/base/fmath.h"
+#include "core/base/panic.h"
 #include "drivers/hid/hid_mapping_auto.h"
 
 /* Largest noise of a usable field at rest, as a fraction of the field's range. */
@@ -27,6 +28,7 @@
 const struct hid_group *hid_mapping_infer_group(const struct hid_learn *learn,
                                                 const struct learn_field *field)
 {
+    CORE_ASSERT(field->group < learn->descriptor.group_count);
     return &learn->descriptor.group[field->group];
 }
 
@@ -37,6 +39,7 @@ int hid_mapping_infer_is_relative(const struct hid_group *group)
 
 int64_t hid_mapping_infer_high(const struct hid_group *group)
 {
+    CORE_ASSERT(group->bit_size >= 1 && group->bit_size <= 32);
     const uint32_t bits = group->bit_size - (group->logical_min < 0);
     const int64_t most = ((int64_t)1 << bits) - 1;
     return group->logical_max < most && group->bit_size > 1 ? group->logical_max : most;
@@ -53,18 +56,21 @@ static float span_of(const struct hid_group *group)
 
 static int64_t rest_of(const struct learn_field *field)
 {
+    CORE_ASSERT(field->rest_low <= field->rest_high);
     return (field->rest_low + field->rest_high) / 2;
 }
 
 /* Returns the largest deflection of a field from its rest value in `step`, with its sign. */
 static int64_t way_in(const struct learn_field *field, enum learn_step step)
 {
+    CORE_ASSERT(step < LEARN_STEP_COUNT);
     const int64_t down = field->low[step] - rest_of(field);
     const int64_t up = field->high[step] - rest_of(field);
     return up >= -down ? up : down;
 }
 
-static float worth_of(const struct hid_learn *learn, const struct learn_field *field)
+static float hid_mapping_infer_share_of(const struct hid_learn *learn,
+                                        const struct learn_field *field, int64_t way)
 {
     const struct hid_group *group = hid_mapping_infer_group(learn, field);
     const float noise = (float)(field->rest_high - field->rest_low) / span_of(group);
@@ -72,14 +78,8 @@ static float worth_of(const struct hid_learn *learn, const struct learn_field *f
     if (!field->heard || noise > NOISE_MAX) {
         return 0.0f;
     }
-    return PAGE_OF(usage) >= PAGE_VENDOR ? VENDOR_WORTH : 1.0f;
-}
-
-static float hid_mapping_infer_share_of(const struct hid_learn *learn,
-                                        const struct learn_field *field, int64_t way)
-{
-    const float share = f_abs((float)way) / span_of(hid_mapping_infer_group(learn, field));
-    return f_min(share, 1.0f) * worth_of(learn, field);
+    const float share = f_min(f_abs((float)way) / span_of(group), 1.0f);
+    return share * (PAGE_OF(usage) >= PAGE_VENDOR ? VENDOR_WORTH : 1.0f);
 }
 
 /* `there` is the deflection of a field in one step, and `back` is its deflection in the opposite
@@ -93,6 +93,9 @@ struct ways {
 static struct ways ways_of(const struct learn_field *field, enum learn_step one,
                            enum learn_step other)
 {
+    CORE_ASSERT(one < LEARN_STEP_COUNT);
+    CORE_ASSERT(other < LEARN_STEP_COUNT);
+    CORE_ASSERT(one != other);
     const int64_t rest = rest_of(field);
     const struct ways down_up = { field->low[one] - rest, field->high[other] - rest };
     const struct ways up_down = { field->high[one] - rest, field->low[other] - rest };
@@ -101,38 +104,26 @@ static struct ways ways_of(const struct learn_field *field, enum learn_step one,
     return first <= 0 && second <= 0 ? (struct ways){ 0 } : first >= second ? down_up : up_down;
 }
 
-static float axis_share(const struct hid_learn *learn, const struct learn_field *field,
-                        enum learn_step one, enum learn_step other)
-{
-    const struct ways ways = ways_of(field, one, other);
-    const int is_wide = hid_mapping_infer_group(learn, field)->bit_size >= 4;
-    return is_wide ? f_min(hid_mapping_infer_share_of(learn, field, ways.there),
-                           hid_mapping_infer_share_of(learn, field, ways.back))
-                   : 0.0f;
-}
-
 static const struct learn_field *best_axis(const struct hid_learn *learn, enum learn_step one,
                                            enum learn_step other,
                                            const struct learn_field *not_this)
 {
+    CORE_ASSERT(learn->field_count <= LEARN_FIELD_MAX);
     const struct learn_field *best = NULL;
     float best_share = WAY_MIN;
     for (uint32_t i = 0; i < learn->field_count; i++) {
         const struct learn_field *field = &learn->field[i];
-        const float share = axis_share(learn, field, one, other);
+        const struct ways ways = ways_of(field, one, other);
+        const int is_wide = hid_mapping_infer_group(learn, field)->bit_size >= 4;
+        const float share = is_wide ? f_min(hid_mapping_infer_share_of(learn, field, ways.there),
+                                            hid_mapping_infer_share_of(learn, field, ways.back))
+                                    : 0.0f;
         if (field != not_this && share > best_share) {
             best = field;
             best_share = share;
         }
     }
     return best;
-}
-
-static float press_share(const struct hid_learn *learn, const struct learn_field *field)
-{
-    return hid_mapping_infer_is_relative(hid_mapping_infer_group(learn, field))
-               ? 0.0f
-               : hid_mapping_infer_share_of(learn, field, way_in(field, LEARN_DIP));
 }
 
 static const struct learn_field *
@@ -142,9 +133,12 @@ best_press(const struct hid_learn *learn, const struct learn_field *x, const str
     float best_share = PRESS_MIN;
     for (uint32_t i = 0; i < learn->field_count; i++) {
         const struct learn_field *field = &learn->field[i];
-        if (field != x && field != z && press_share(learn, field) > best_share) {
+        const int is_relative =
+            hid_mapping_infer_is_relative(hid_mapping_infer_group(learn, field));
+        const float share = hid_mapping_infer_share_of(learn, field, way_in(field, LEARN_DIP));
+        if (field != x && field != z && !is_relative && share > best_share) {
             best = field;
-            best_share = press_share(learn, field);
+            best_share = share;
         }
     }
     return best;
@@ -152,6 +146,7 @@ best_press(const struct hid_learn *learn, const struct learn_field *x, const str
 
 static const struct learn_key *best_key(const struct hid_learn *learn)
 {
+    CORE_ASSERT(learn->key_count <= LEARN_KEY_MAX);
     for (uint32_t i = 0; i < learn->key_count; i++) {
         if (!learn->key[i].rested) {
             return &learn->key[i];
@@ -162,6 +157,7 @@ static const struct learn_key *best_key(const struct hid_learn *learn)
 
 float hid_mapping_infer_clarity(const struct hid_learn *learn)
 {
+    CORE_ASSERT(learn->step < LEARN_STEP_COUNT);
     float best = 0.0f;
     for (uint32_t i = 0; i < learn->field_count; i++) {
         const struct learn_field *field = &learn->field[i];
@@ -179,6 +175,8 @@ float hid_mapping_infer_clarity(const struct hid_learn *learn)
 static struct hid_binding binding_of(const struct hid_learn *learn, const struct learn_field *field,
                                      enum hid_role role)
 {
+    CORE_ASSERT(role > HID_ROLE_NONE && role < HID_ROLE_COUNT);
+    CORE_ASSERT(field->index < hid_mapping_infer_group(learn, field)->count);
     const struct hid_group *group = hid_mapping_infer_group(learn, field);
     return (struct hid_binding){
         .role = (uint8_t)role,
@@ -237,31 +235,9 @@ static void bind_axis(struct hid_learn *learn, const struct learn_field *field, 
     hid_mapping_auto_bits(&learn->map, binding);
 }
 
-static void bind_press(struct hid_learn *learn, const struct learn_field *field)
-{
-    struct hid_binding binding = binding_of(learn, field, HID_ROLE_DIP);
-    binding.manner = HID_BINDING_PRESS;
-    binding.rest = rest_of(field);
-    binding.full = rest_of(field) + way_in(field, LEARN_DIP);
-    hid_mapping_auto_bits(&learn->map, binding);
-}
-
-static void bind_key(struct hid_learn *learn, const struct learn_key *key)
-{
-    const struct hid_group *group = &learn->descriptor.group[key->group];
-    hid_mapping_auto_bits(&learn->map, (struct hid_binding){
-                                           .role = HID_ROLE_DIP,
-                                           .manner = HID_BINDING_PRESS,
-                                           .report_id = group->report_id,
-                                           .bit_offset = group->bit_offset,
-                                           .bit_size = (uint8_t)group->bit_size,
-                                           .usage = key->usage,
-                                           .full = 1,
-                                       });
-}
-
 static int is_taken(const struct hid_mapping *map, const struct hid_binding *binding)
 {
+    CORE_ASSERT(map->count <= HID_BINDING_MAX);
     for (uint32_t i = 0; i < map->count; i++) {
         const struct hid_binding *taken = &map->binding[i];
         if (taken->report_id == binding->report_id && taken->bit_offset == binding->bit_offset &&
@@ -277,6 +253,7 @@ static int is_taken(const struct hid_mapping *map, const struct hid_binding *bin
  * used. */
 static int never_said(const struct hid_learn *learn, const struct hid_binding *binding)
 {
+    CORE_ASSERT(binding->role == HID_ROLE_IN_RANGE);
     for (uint32_t i = 0; i < learn->field_count; i++) {
         const struct learn_field *field = &learn->field[i];
         const struct hid_binding own = binding_of(learn, field, HID_ROLE_IN_RANGE);
@@ -292,6 +269,7 @@ static int never_said(const struct hid_learn *learn, const struct hid_binding *b
  * second stick. The bindings are copied from learn->offered. */
 static void keep_offered(struct hid_learn *learn)
 {
+    CORE_ASSERT(learn->offered.count <= HID_BINDING_MAX);
     for (uint32_t i = 0; i < learn->offered.count; i++) {
         const struct hid_binding *binding = &learn->offered.binding[i];
         const int was_shown = binding->role == HID_ROLE_X || binding->role == HID_ROLE_Y ||
@@ -305,6 +283,7 @@ static void keep_offered(struct hid_learn *learn)
 
 int hid_mapping_infer_map(struct hid_learn *learn)
 {
+    CORE_ASSERT(learn->step == LEARN_DIP);
     const struct learn_field *x = best_axis(learn, LEARN_LEFT, LEARN_RIGHT, NULL);
     const struct learn_field *z = best_axis(learn, LEARN_FAR, LEARN_NEAR, x);
     const struct learn_field *press = best_press(learn, x, z);
@@ -312,16 +291,32 @@ int hid_mapping_infer_map(struct hid_learn *learn)
     if (!x || !z || (!press && !key)) {
         return 0;
     }
+    CORE_ASSERT(x != z);
+    CORE_ASSERT(press != x && press != z);
     learn->map = (struct hid_mapping){ .source = HID_MAPPING_LEARNED };
     bind_axis(learn, x, HID_ROLE_X, LEARN_LEFT, LEARN_RIGHT);
     bind_axis(learn, z, HID_ROLE_Z, LEARN_FAR, LEARN_NEAR);
     learn->map.style =
         learn->map.binding[0].manner == HID_BINDING_RATE ? HID_STYLE_FLY : HID_STYLE_POINTER;
     if (press) {
-        bind_press(learn, press);
+        struct hid_binding binding = binding_of(learn, press, HID_ROLE_DIP);
+        binding.manner = HID_BINDING_PRESS;
+        binding.rest = rest_of(press);
+        binding.full = rest_of(press) + way_in(press, LEARN_DIP);
+        hid_mapping_auto_bits(&learn->map, binding);
     } else {
-        bind_key(learn, key);
+        const struct hid_group *group = &learn->descriptor.group[key->group];
+        hid_mapping_auto_bits(&learn->map, (struct hid_binding){
+                                               .role = HID_ROLE_DIP,
+                                               .manner = HID_BINDING_PRESS,
+                                               .report_id = group->report_id,
+                                               .bit_offset = group->bit_offset,
+                                               .bit_size = (uint8_t)group->bit_size,
+                                               .usage = key->usage,
+                                               .full = 1,
+                                           });
     }
     keep_offered(learn);
+    CORE_ASSERT(learn->map.count <= HID_BINDING_MAX);
     return hid_mapping_is_sound(&learn->map, &learn->descriptor);
 }

@@ -1,15 +1,84 @@
-/* hid_mapping_store.c -- the mapping store in memory, and the thread that writes its files. */
+/* hid_mapping_store.c -- the mapping store in memory, its small files, which are replaced
+ * atomically, and the thread that writes them. */
 #include "drivers/hid/hid_mapping_store.h"
 
 #include <dirent.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "drivers/hid/hid_mapping_store_file.h"
-#include "drivers/hid/hid_mapping_store_text.h"
+#include "core/base/panic.h"
+#include "drivers/hid/hid_mapping.h"
+#include "platform/os/regular_file.h"
+
+/* ---- Files ----------------------------------------------------------------------------------- */
+
+int hid_mapping_store_file_read(const char *path, char text[HID_MAPPING_STORE_TEXT_SIZE])
+{
+    const int fd = regular_file_handle(path, O_RDONLY, 0);
+    size_t used = 0;
+    ssize_t got = 0;
+    if (fd < 0) {
+        return errno == EISDIR ? ENOTSUP : errno;
+    }
+    while (used < HID_MAPPING_STORE_TEXT_SIZE &&
+           ((got = read(fd, text + used, HID_MAPPING_STORE_TEXT_SIZE - used)) > 0 ||
+            (got < 0 && errno == EINTR))) {
+        used += got > 0 ? (size_t)got : 0u;
+    }
+    const int error = got < 0 ? errno : used == HID_MAPPING_STORE_TEXT_SIZE ? EFBIG : 0;
+    close(fd);
+    text[used < HID_MAPPING_STORE_TEXT_SIZE ? used : 0u] = '\0';
+    return error;
+}
+
+static int write_all(int fd, const char *text)
+{
+    CORE_ASSERT(fd >= 0);
+    size_t left = strlen(text);
+    while (left > 0) {
+        const ssize_t done = write(fd, text, left);
+        if (done < 0 && errno != EINTR) {
+            return errno;
+        }
+        text += done > 0 ? done : 0;
+        left -= done > 0 ? (size_t)done : 0u;
+    }
+    return fsync(fd) == 0 ? 0 : errno;
+}
+
+/* Flushes the folder itself, so that a created, renamed or deleted file name survives a power
+ * loss. Returns 0 or an errno value. */
+static int sync_folder(const char *folder)
+{
+    const int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int error = fd < 0 || fsync(fd) != 0 ? errno : 0;
+    if (fd >= 0) {
+        close(fd);
+    }
+    return error;
+}
+
+int hid_mapping_store_file_replace(const char *path, const char *text)
+{
+    char beside[HID_MAPPING_STORE_PATH_SIZE + 8u];
+    snprintf(beside, sizeof beside, "%s.new", path);
+    unlink(beside); /* The temporary file can remain from a power loss or from another process. */
+    const int fd = open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+    if (fd < 0) {
+        return errno;
+    }
+    int error = write_all(fd, text);
+    error = close(fd) != 0 && !error ? errno : error;
+    error = !error && rename(beside, path) != 0 ? errno : error;
+    if (error) {
+        unlink(beside);
+    }
+    return error;
+}
 
 #define FOLDER "pois"
 #define SUFFIX ".poi"
@@ -35,21 +104,24 @@ static void complain(struct complaints *to, const char *path, int line, const ch
 
 /* ---- Reading of the files ------------------------------------------------------------------- */
 
-static struct hid_mapping_store_entry *entry_of(struct hid_mapping_store *store, uint16_t vendor,
-                                                uint16_t product, const char *serial)
+/* Returns the index of the entry with this key, or store->count if there is none. */
+static uint32_t find_entry(const struct hid_mapping_store *store, uint16_t vendor, uint16_t product,
+                           const char *serial)
 {
+    CORE_ASSERT(store->count <= HID_MAPPING_STORE_MAX);
     for (uint32_t i = 0; i < store->count; i++) {
-        struct hid_mapping_store_entry *entry = &store->entry[i];
+        const struct hid_mapping_store_entry *entry = &store->entry[i];
         if (entry->vendor == vendor && entry->product == product &&
             strcmp(entry->serial, serial) == 0) {
-            return entry;
+            return i;
         }
     }
-    return NULL;
+    return store->count;
 }
 
 static void read_entry(struct hid_mapping_store *store, const char *path, struct complaints *to)
 {
+    CORE_ASSERT(store->count <= HID_MAPPING_STORE_MAX);
     char text[HID_MAPPING_STORE_TEXT_SIZE], why[HAL_TEXT_SIZE];
     struct hid_mapping_store_entry entry;
     const int error = hid_mapping_store_file_read(path, text);
@@ -58,21 +130,13 @@ static void read_entry(struct hid_mapping_store *store, const char *path, struct
         complain(to, path, bad_line, error ? strerror(error) : why);
         return;
     }
-    struct hid_mapping_store_entry *known =
-        entry_of(store, entry.vendor, entry.product, entry.serial);
-    if (known) {
-        *known = entry;
-    } else if (store->count < HID_MAPPING_STORE_MAX) {
-        store->entry[store->count++] = entry;
-    } else {
+    const uint32_t index = find_entry(store, entry.vendor, entry.product, entry.serial);
+    if (index == HID_MAPPING_STORE_MAX) {
         complain(to, path, 0, "more learned controllers than the book holds");
+        return;
     }
-}
-
-static int is_ours(const char *name)
-{
-    const size_t length = strlen(name), suffix = sizeof SUFFIX - 1u;
-    return length > suffix && strcmp(name + length - suffix, SUFFIX) == 0;
+    store->entry[index] = entry;
+    store->count += index == store->count;
 }
 
 static void read_folder(struct hid_mapping_store *store, struct complaints *to)
@@ -87,7 +151,8 @@ static void read_folder(struct hid_mapping_store *store, struct complaints *to)
         return;
     }
     while ((file = readdir(folder)) != NULL) {
-        if (is_ours(file->d_name)) {
+        const size_t length = strlen(file->d_name), suffix = sizeof SUFFIX - 1u;
+        if (length > suffix && strcmp(file->d_name + length - suffix, SUFFIX) == 0) {
             snprintf(path, sizeof path, "%s/%s", store->folder, file->d_name);
             read_entry(store, path, to);
         }
@@ -99,6 +164,7 @@ static void read_folder(struct hid_mapping_store *store, struct complaints *to)
 
 static int do_job(const char *folder, const struct hid_mapping_store_job *job)
 {
+    CORE_ASSERT(memchr(job->path, 0, sizeof job->path));
     int error = 0;
     if (mkdir(folder, 0755) != 0 && errno != EEXIST) {
         return errno;
@@ -108,18 +174,7 @@ static int do_job(const char *folder, const struct hid_mapping_store_job *job)
     } else if (unlink(job->path) != 0 && errno != ENOENT) {
         error = errno;
     }
-    return error ? error : hid_mapping_store_file_sync(folder);
-}
-
-static void say_failed(const struct complaints *to, const struct hid_mapping_store_job *job,
-                       int error)
-{
-    char text[HID_MAPPING_STORE_PATH_SIZE + HAL_TEXT_SIZE];
-    snprintf(text, sizeof text, "%s: %s; what was %s holds until the kiosk ends", job->path,
-             strerror(error), job->text[0] ? "learned" : "forgotten");
-    if (to->complain) {
-        to->complain(to->self, text);
-    }
+    return error ? error : sync_folder(folder);
 }
 
 static void *write_down(void *self)
@@ -133,11 +188,17 @@ static void *write_down(void *self)
         }
         /* No other thread changes `job` until has_job is 0. */
         const struct hid_mapping_store_job job = store->job;
-        const struct complaints to = { .complain = store->tell, .self = store->tell_self };
+        void (*const tell)(void *self, const char *line) = store->tell;
+        void *const tell_self = store->tell_self;
         pthread_mutex_unlock(&store->lock);
         const int error = do_job(store->folder, &job);
         if (error) {
-            say_failed(&to, &job, error);
+            char text[HID_MAPPING_STORE_PATH_SIZE + HAL_TEXT_SIZE];
+            snprintf(text, sizeof text, "%s: %s; what was %s holds until the kiosk ends", job.path,
+                     strerror(error), job.text[0] ? "learned" : "forgotten");
+            if (tell) {
+                tell(tell_self, text);
+            }
         }
         pthread_mutex_lock(&store->lock);
         store->has_job = 0;
@@ -173,6 +234,7 @@ static int give_job(struct hid_mapping_store *store, const struct hid_mapping_st
                     int forget)
 {
     char name[HID_MAPPING_STORE_NAME_SIZE];
+    CORE_ASSERT(!store->has_job);
     if (!store->has_thread) {
         return store->folder[0] ? HAL_ERR_IO : HAL_OK;
     }
@@ -217,29 +279,25 @@ uint32_t hid_mapping_store_open(struct hid_mapping_store *store, const char *dat
 const struct hid_mapping *hid_mapping_store_find(const struct hid_mapping_store *store,
                                                  const struct hid_identity *identity)
 {
-    for (uint32_t i = 0; i < store->count; i++) {
-        const struct hid_mapping_store_entry *entry = &store->entry[i];
-        if (entry->vendor == identity->vendor && entry->product == identity->product &&
-            strcmp(entry->serial, identity->serial) == 0) {
-            return &entry->map;
-        }
-    }
-    return NULL;
+    const uint32_t index = find_entry(store, identity->vendor, identity->product, identity->serial);
+    return index < store->count ? &store->entry[index].map : NULL;
 }
 
 int hid_mapping_store_put(struct hid_mapping_store *store, const struct hid_identity *identity,
                           const struct hid_mapping *map)
 {
+    CORE_ASSERT(map->count <= HID_BINDING_MAX);
+    CORE_ASSERT(memchr(identity->serial, 0, sizeof identity->serial));
     if (hid_mapping_store_result(store) == HAL_ERR_BUSY) {
         return HAL_ERR_BUSY;
     }
-    struct hid_mapping_store_entry *entry =
-        entry_of(store, identity->vendor, identity->product, identity->serial);
-    if (!entry) {
-        if (store->count == HID_MAPPING_STORE_MAX) {
-            return HAL_ERR_IO;
-        }
-        entry = &store->entry[store->count++];
+    const uint32_t index = find_entry(store, identity->vendor, identity->product, identity->serial);
+    if (index == HID_MAPPING_STORE_MAX) {
+        return HAL_ERR_IO;
+    }
+    struct hid_mapping_store_entry *entry = &store->entry[index];
+    if (index == store->count) {
+        store->count++;
         *entry = (struct hid_mapping_store_entry){ .vendor = identity->vendor,
                                                    .product = identity->product };
         memcpy(entry->serial, identity->serial, sizeof entry->serial);
@@ -253,11 +311,11 @@ int hid_mapping_store_forget(struct hid_mapping_store *store, const struct hid_i
     if (hid_mapping_store_result(store) == HAL_ERR_BUSY) {
         return HAL_ERR_BUSY;
     }
-    struct hid_mapping_store_entry *entry =
-        entry_of(store, identity->vendor, identity->product, identity->serial);
-    if (!entry) {
+    const uint32_t index = find_entry(store, identity->vendor, identity->product, identity->serial);
+    if (index == store->count) {
         return HAL_OK;
     }
+    struct hid_mapping_store_entry *entry = &store->entry[index];
     const int result = give_job(store, entry, 1);
     *entry = store->entry[--store->count];
     return result;

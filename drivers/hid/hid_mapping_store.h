@@ -12,8 +12,8 @@
 #include <pthread.h>
 #include <stdint.h>
 
-#include "drivers/hid/hid_mapping_store_text.h"
-#include "drivers/hid/poi_hid.h"
+#include "drivers/hid/hid_mapping.h"
+#include "drivers/hid/hid_mapping.h"
 
 /* Largest number of controllers with a stored mapping. At most four controllers play at a time. A
  * full store rejects new mappings. */
@@ -83,5 +83,18 @@ int hid_mapping_store_result(struct hid_mapping_store *store);
 
 /* Waits until the pending job is finished, and ends the writer thread. */
 void hid_mapping_store_close(struct hid_mapping_store *store);
+
+/* ---- Files ----------------------------------------------------------------------------------- */
+
+/* Both functions below may block on the memory card, so only the program start and the writer
+ * thread call them. They return 0, or an errno value on an error. */
+
+/* Reads a whole file into `text` and appends a terminating 0. Returns EFBIG if the file has
+ * HID_MAPPING_STORE_TEXT_SIZE bytes or more. Does not block if `path` is a pipe. */
+int hid_mapping_store_file_read(const char *path, char text[HID_MAPPING_STORE_TEXT_SIZE]);
+
+/* Replaces the file `path` by writing PATH.new, flushing it and renaming it. A reader finds either
+ * the old or the new content. */
+int hid_mapping_store_file_replace(const char *path, const char *text);
 
 #endif

@@ -1,4 +1,5 @@
-/* hid_mapping_text.c -- writes a mapping as one line of text, and parses it.
+/* hid_mapping_text.c -- writes a mapping as one line of text, and parses it. Also implements the
+ * three-line text format of a mapping file.
  *
  *   learned fly x=rate:1:u8@0:128..255~12 dip=press:1:u1@37:0..1 ok=press:0:u8@16:0..1/00070028
  *
@@ -11,6 +12,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "core/base/panic.h"
 
 static const char *const source_words[] = { "none", "own", "known", "offered", "learned" };
 static const char *const style_words[] = { "none", "pose", "pointer", "fly" };
@@ -30,21 +33,6 @@ _Static_assert(COUNT(style_words) == HID_STYLE_FLY + 1, "every style has a word"
 
 /* ---- Writing of a mapping ------------------------------------------------------------------- */
 
-static int write_binding(const struct hid_binding *binding, char *text, size_t size)
-{
-    char dead[24] = "", usage[16] = "";
-    if (binding->dead) {
-        snprintf(dead, sizeof dead, "~%" PRId64, binding->dead);
-    }
-    if (binding->usage) {
-        snprintf(usage, sizeof usage, "/%08" PRIx32, binding->usage);
-    }
-    return snprintf(text, size, " %s=%s:%u:%c%u@%" PRIu32 ":%" PRId64 "..%" PRId64 "%s%s",
-                    role_words[binding->role], manner_words[binding->manner], binding->report_id,
-                    binding->is_signed ? 's' : 'u', binding->bit_size, binding->bit_offset,
-                    binding->rest, binding->full, dead, usage);
-}
-
 int hid_mapping_write(const struct hid_mapping *map, char text[HID_MAPPING_TEXT_SIZE])
 {
     if (map->source >= COUNT(source_words) || map->style >= COUNT(style_words) ||
@@ -59,7 +47,18 @@ int hid_mapping_write(const struct hid_mapping *map, char text[HID_MAPPING_TEXT_
         if (binding->role >= HID_ROLE_COUNT || binding->manner >= HID_BINDING_KIND_COUNT) {
             return -1;
         }
-        used += write_binding(binding, text + used, HID_MAPPING_TEXT_SIZE - (size_t)used);
+        char dead[24] = "", usage[16] = "";
+        if (binding->dead) {
+            snprintf(dead, sizeof dead, "~%" PRId64, binding->dead);
+        }
+        if (binding->usage) {
+            snprintf(usage, sizeof usage, "/%08" PRIx32, binding->usage);
+        }
+        used += snprintf(text + used, HID_MAPPING_TEXT_SIZE - (size_t)used,
+                         " %s=%s:%u:%c%u@%" PRIu32 ":%" PRId64 "..%" PRId64 "%s%s",
+                         role_words[binding->role], manner_words[binding->manner],
+                         binding->report_id, binding->is_signed ? 's' : 'u', binding->bit_size,
+                         binding->bit_offset, binding->rest, binding->full, dead, usage);
         if ((uint32_t)used >= HID_MAPPING_TEXT_SIZE) {
             return -1;
         }
@@ -77,6 +76,7 @@ static int hid_mapping_text_fail(char error[HAL_TEXT_SIZE], const char *what, co
 
 static int index_of(const char *const *words, uint32_t count, const char *word)
 {
+    CORE_ASSERT(count > 0);
     for (uint32_t i = 0; i < count; i++) {
         if (strcmp(words[i], word) == 0) {
             return (int)i;
@@ -106,6 +106,8 @@ static int read_number(const char **at, int base, int64_t low, int64_t high, con
                        int64_t *out)
 {
     char *stop = NULL;
+    CORE_ASSERT(base == 10 || base == 16);
+    CORE_ASSERT(low <= high);
     const char first = **at;
     if (first != '-' && !(first >= '0' && first <= '9') &&
         !(base == 16 && first >= 'a' && first <= 'f')) {
@@ -119,28 +121,6 @@ static int read_number(const char **at, int base, int64_t low, int64_t high, con
     *at = stop + length;
     *out = value;
     return 1;
-}
-
-/* Parses the optional suffixes "~dead" and "/usage" at the end of a word. Returns 1, or 0 on an
- * error. */
-static int read_tail(const char *at, struct hid_binding *out)
-{
-    int64_t value;
-    if (*at == '~') {
-        at++;
-        if (!read_number(&at, 10, 1, HID_VALUE_MAX, "", &value)) {
-            return 0;
-        }
-        out->dead = value;
-    }
-    if (*at == '/') {
-        at++;
-        if (!read_number(&at, 16, 1, UINT32_MAX, "", &value)) {
-            return 0;
-        }
-        out->usage = (hid_usage)value;
-    }
-    return *at == '\0';
 }
 
 static int read_field(const char *at, struct hid_binding *out)
@@ -159,11 +139,27 @@ static int read_field(const char *at, struct hid_binding *out)
     out->report_id = (uint8_t)report;
     out->bit_size = (uint8_t)bits;
     out->bit_offset = (uint32_t)offset;
-    return read_tail(at, out);
+    /* The suffixes "~dead" and "/usage" at the end of a word are optional. */
+    if (*at == '~') {
+        at++;
+        if (!read_number(&at, 10, 1, HID_VALUE_MAX, "", &out->dead)) {
+            return 0;
+        }
+    }
+    if (*at == '/') {
+        int64_t usage;
+        at++;
+        if (!read_number(&at, 16, 1, UINT32_MAX, "", &usage)) {
+            return 0;
+        }
+        out->usage = (hid_usage)usage;
+    }
+    return *at == '\0';
 }
 
 static int read_binding(char *word, struct hid_binding *out)
 {
+    CORE_ASSERT(strlen(word) < WORD_SIZE);
     char *manner = strchr(word, '=');
     char *field = manner ? strchr(manner, ':') : NULL;
     if (!field) {
@@ -177,10 +173,22 @@ static int read_binding(char *word, struct hid_binding *out)
     return role > 0 && how >= 0 && read_field(field, out);
 }
 
-static int hid_mapping_text_read_words(struct hid_mapping *out, const char *text,
-                                       char error[HAL_TEXT_SIZE])
+int hid_mapping_read(struct hid_mapping *out, const char *text, char error[HAL_TEXT_SIZE])
 {
-    char word[WORD_SIZE], kept[WORD_SIZE];
+    char word[WORD_SIZE] = "", kept[WORD_SIZE];
+    memset(out, 0, sizeof *out);
+    const int source =
+        next_word(&text, word) > 0 ? index_of(source_words, COUNT(source_words), word) : -1;
+    if (source <= 0) {
+        return hid_mapping_text_fail(error, "begins with no word for where a map is from", word);
+    }
+    const int style =
+        next_word(&text, word) > 0 ? index_of(style_words, COUNT(style_words), word) : -1;
+    if (style <= 0) {
+        return hid_mapping_text_fail(error, "no style of play behind its source", word);
+    }
+    out->source = (uint8_t)source;
+    out->style = (uint8_t)style;
     int more;
     while ((more = next_word(&text, word)) > 0) {
         memcpy(kept, word, sizeof kept);
@@ -200,21 +208,131 @@ static int hid_mapping_text_read_words(struct hid_mapping *out, const char *text
     return more < 0 ? hid_mapping_text_fail(error, "a word too long", text) : 0;
 }
 
-int hid_mapping_read(struct hid_mapping *out, const char *text, char error[HAL_TEXT_SIZE])
+/* ---- Files of mappings ----------------------------------------------------------------------- */
+
+#define FIRST_LINE "kingyo poi 1"
+
+static int is_plain(char c)
 {
-    char word[WORD_SIZE] = "";
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/* Copies letters, digits and '_' to `out`, and writes each other byte as %XX. Truncates the result
+ * to fit into `size` bytes. */
+static void escape(const char *text, char *out, size_t size)
+{
+    size_t used = 0;
+    CORE_ASSERT(size > 0);
+    for (; *text && used + 4u < size; text++) {
+        if (is_plain(*text)) {
+            out[used++] = *text;
+        } else {
+            snprintf(out + used, 4, "%%%02X", (unsigned)(uint8_t)*text);
+            used += 3;
+        }
+    }
+    out[used] = '\0';
+}
+
+static int hex_value(char c)
+{
+    return c >= '0' && c <= '9' ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+/* Reverses escape(). Returns 1, or 0 if the result is too long for `size` or if `text` is not a
+ * valid output of escape(). */
+static int unescape(const char *text, char *out, size_t size)
+{
+    CORE_ASSERT(size > 0);
+    size_t used = 0;
+    while (*text) {
+        if (used + 1u >= size) {
+            return 0;
+        }
+        if (is_plain(*text)) {
+            out[used++] = *text++;
+            continue;
+        }
+        const int high = *text == '%' ? hex_value(text[1]) : -1;
+        const int low = high >= 0 ? hex_value(text[2]) : -1;
+        if (low < 0 || high * 16 + low == 0) {
+            return 0;
+        }
+        out[used++] = (char)(high * 16 + low);
+        text += 3;
+    }
+    out[used] = '\0';
+    return 1;
+}
+
+void hid_mapping_store_name(const struct hid_mapping_store_entry *entry,
+                            char name[HID_MAPPING_STORE_NAME_SIZE])
+{
+    char serial[3u * HID_TEXT_SIZE];
+    CORE_ASSERT(memchr(entry->serial, 0, sizeof entry->serial));
+    escape(entry->serial, serial, sizeof serial);
+    snprintf(name, HID_MAPPING_STORE_NAME_SIZE, "%04x-%04x-%s.poi", entry->vendor, entry->product,
+             serial);
+}
+
+int hid_mapping_store_write(const struct hid_mapping_store_entry *entry,
+                            char text[HID_MAPPING_STORE_TEXT_SIZE])
+{
+    char serial[3u * HID_TEXT_SIZE], map[HID_MAPPING_TEXT_SIZE];
+    if (hid_mapping_write(&entry->map, map) != 0) {
+        return -1;
+    }
+    escape(entry->serial, serial, sizeof serial);
+    const int length =
+        snprintf(text, HID_MAPPING_STORE_TEXT_SIZE, FIRST_LINE "\n%04x:%04x:%s\n%s\n",
+                 entry->vendor, entry->product, serial, map);
+    return (size_t)length < HID_MAPPING_STORE_TEXT_SIZE ? 0 : -1;
+}
+
+/* Copies the next line into `line` and advances `*text`. Returns 1, or 0 if no complete line is
+ * left or if the line does not fit into `size` bytes. */
+static int hid_mapping_store_text_next_line(const char **text, char *line, size_t size)
+{
+    CORE_ASSERT(size > 0);
+    const size_t length = strcspn(*text, "\n");
+    if ((*text)[length] != '\n' || length >= size) {
+        return 0;
+    }
+    memcpy(line, *text, length);
+    line[length] = '\0';
+    *text += length + 1u;
+    return 1;
+}
+
+static int read_hex4(const char *text, uint16_t *out)
+{
+    if (strspn(text, "0123456789abcdef") != 4) {
+        return 0;
+    }
+    *out = (uint16_t)strtoul(text, NULL, 16);
+    return 1;
+}
+
+int hid_mapping_store_read(struct hid_mapping_store_entry *out, const char *text,
+                           char error[HAL_TEXT_SIZE])
+{
+    char line[HID_MAPPING_STORE_TEXT_SIZE];
     memset(out, 0, sizeof *out);
-    const int source =
-        next_word(&text, word) > 0 ? index_of(source_words, COUNT(source_words), word) : -1;
-    if (source <= 0) {
-        return hid_mapping_text_fail(error, "begins with no word for where a map is from", word);
+    if (!hid_mapping_store_text_next_line(&text, line, sizeof line) ||
+        strcmp(line, FIRST_LINE) != 0) {
+        snprintf(error, HAL_TEXT_SIZE, "not \"" FIRST_LINE "\"");
+        return 1;
     }
-    const int style =
-        next_word(&text, word) > 0 ? index_of(style_words, COUNT(style_words), word) : -1;
-    if (style <= 0) {
-        return hid_mapping_text_fail(error, "no style of play behind its source", word);
+    if (!hid_mapping_store_text_next_line(&text, line, sizeof line) || strlen(line) < 10 ||
+        line[4] != ':' || line[9] != ':' || !read_hex4(line, &out->vendor) ||
+        !read_hex4(line + 5, &out->product) ||
+        !unescape(line + 10, out->serial, sizeof out->serial)) {
+        snprintf(error, HAL_TEXT_SIZE, "not vendor:product:serial");
+        return 2;
     }
-    out->source = (uint8_t)source;
-    out->style = (uint8_t)style;
-    return hid_mapping_text_read_words(out, text, error);
+    if (!hid_mapping_store_text_next_line(&text, line, sizeof line) || *text) {
+        snprintf(error, HAL_TEXT_SIZE, "not one line of a map");
+        return 3;
+    }
+    return hid_mapping_read(&out->map, line, error) == 0 ? 0 : 3;
 }

@@ -12,7 +12,6 @@
 
 #include "drivers/gamepad/stick_motion.h"
 #include "drivers/hid/hid_mapping.h"
-#include "drivers/hid/poi_fan.h"
 #include "drivers/pointer/pointer_fan.h"
 #include "drivers/pointer/pointer_poi.h"
 #include "platform/hal.h"
@@ -20,6 +19,20 @@
 /* Time after which a pen that is out of range counts as absent, because the pen probably lies
  * beside its tablet. */
 #define HID_PEN_AWAY_NS 3000000000ull
+
+/* The fan of Kingyo's poi controller. While the FAN key is pressed, the controller moves the fan
+ * over the water, and the poi stands still. */
+struct poi_fan {
+    struct poi_target hand;  /* Newest pose of the controller. */
+    struct poi_target waits; /* Pose at which the poi stands still, or from which it returns to the
+                                controller. */
+    uint8_t held;            /* 1 while the FAN key is pressed, otherwise 0. */
+    float swing;             /* Progress of the fan's entry: 0 means that the fan is out of sight, 1
+                                means that it is at the controller's position. */
+    float back;              /* Progress of the poi's return: 0 means that the poi is at `waits`, 1
+                                means that it is at the controller's position. */
+    uint64_t time_ns;        /* Time for which `swing` and `back` were computed last. */
+};
 
 struct hid_pose_decoder {
     struct hid_descriptor descriptor;
@@ -75,5 +88,16 @@ void hid_pose_decoder_buttons(struct hid_pose_decoder *hand, struct button_sampl
 
 /* Returns the fan at `time_ns`. The fan is held over the water while a FAN button is pressed. */
 struct shade_input hid_pose_decoder_fan(struct hid_pose_decoder *hand, uint64_t time_ns);
+
+/* ---- Values of bindings (hid_axis_decoder.c), for hid_pose_decoder.c only -------------------- */
+
+/* Finds the array fields that the mapping binds. Must be called once, after hand->map was set. */
+void hid_axis_decoder_find_arrays(struct hid_pose_decoder *hand);
+
+/* Decodes a complete report with the id `report_id` into hand->value. Returns 1, or 0 if the
+ * mapping uses no field of the report. The value of a HID_BINDING_STEP binding is valid for one
+ * report. A report with a different id sets the value to 0. */
+int hid_axis_decoder_read(struct hid_pose_decoder *hand, uint8_t report_id,
+                          struct hid_report report);
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "drivers/hid/poi_report.h"
 
 /* Largest number of reports in one frame: a full queue and the newest report. */
@@ -12,6 +13,8 @@
 void poi_hid_init(struct poi_hid *poi, struct hid_port port, struct hal_clock clock,
                   struct hid_mapper mapper, const struct view *view)
 {
+    CORE_ASSERT(port.ops);
+    CORE_ASSERT(clock.ops);
     memset(poi, 0, sizeof *poi);
     poi->port = port;
     poi->clock = clock;
@@ -25,52 +28,20 @@ void poi_hid_set_observer(struct poi_hid *poi, struct hid_watch watch)
     poi->watch = watch;
 }
 
-static uint64_t poi_now_ns(const struct poi_hid *poi)
-{
-    return poi->clock.ops->now_ns(poi->clock.self);
-}
-
 /* ---- Attached controller -------------------------------------------------------------------- */
 
-static const char *source_text(uint8_t source)
+int poi_hid_remap(struct poi_hid *poi, const struct hid_mapping *map)
 {
-    static const char *const texts[] = {
+    static const char *const sources[] = {
         [HID_MAPPING_NONE] = "cannot be a poi as it is: learn it in the operator's menu",
         [HID_MAPPING_OWN] = "our own poi",
         [HID_MAPPING_KNOWN] = "a known controller",
         [HID_MAPPING_AUTO] = "played by what it offers",
         [HID_MAPPING_LEARNED] = "played as learned",
     };
-    return texts[source <= HID_MAPPING_LEARNED ? source : HID_MAPPING_NONE];
-}
-
-static void say_who(struct poi_hid *poi, uint8_t source)
-{
-    const struct hid_identity *who = &poi->face.identity;
-    const char *name = who->name[0] ? who->name : "controller";
-    snprintf(poi->text, sizeof poi->text, "%04x:%04x %.*s%s%.24s: %s", who->vendor, who->product,
-             hid_text_fit(name, 40), name, who->port[0] ? " at port " : "", who->port,
-             source_text(source));
-}
-
-static void choose_map(struct poi_hid *poi, struct hid_mapping *out)
-{
     const struct hid_device_info *face = &poi->face;
-    /* The decoder's memory is only scratch memory here, because hid_pose_decoder_init() parses the
-     * descriptor again. */
-    struct hid_descriptor *descriptor = &poi->hand.descriptor;
-    const uint32_t size =
-        face->descriptor_size < HID_DESCRIPTOR_MAX ? face->descriptor_size : HID_DESCRIPTOR_MAX;
-    hid_descriptor_read(descriptor, face->descriptor, size);
-    if (poi->mapper.choose) {
-        poi->mapper.choose(poi->mapper.self, face, descriptor, out);
-    } else {
-        hid_mapping_choose(out, &face->identity, descriptor);
-    }
-}
-
-int poi_hid_remap(struct poi_hid *poi, const struct hid_mapping *map)
-{
+    const struct hid_identity *who = &face->identity;
+    const char *name = who->name[0] ? who->name : "controller";
     struct hid_mapping chosen;
     if (!poi->is_open) {
         return 0;
@@ -78,10 +49,23 @@ int poi_hid_remap(struct poi_hid *poi, const struct hid_mapping *map)
     if (map) {
         chosen = *map;
     } else {
-        choose_map(poi, &chosen);
+        /* The decoder's memory is only scratch memory here, because hid_pose_decoder_init() parses
+         * the descriptor again. */
+        struct hid_descriptor *descriptor = &poi->hand.descriptor;
+        const uint32_t size =
+            face->descriptor_size < HID_DESCRIPTOR_MAX ? face->descriptor_size : HID_DESCRIPTOR_MAX;
+        hid_descriptor_read(descriptor, face->descriptor, size);
+        if (poi->mapper.choose) {
+            poi->mapper.choose(poi->mapper.self, face, descriptor, &chosen);
+        } else {
+            hid_mapping_choose(&chosen, who, descriptor);
+        }
     }
-    poi->plays = hid_pose_decoder_init(&poi->hand, &poi->face, &chosen, &poi->view) == 0;
-    say_who(poi, poi->plays ? chosen.source : (uint8_t)HID_MAPPING_NONE);
+    CORE_ASSERT(chosen.source <= HID_MAPPING_LEARNED);
+    poi->plays = hid_pose_decoder_init(&poi->hand, face, &chosen, &poi->view) == 0;
+    snprintf(poi->text, sizeof poi->text, "%04x:%04x %.*s%s%.24s: %s", who->vendor, who->product,
+             hid_text_fit(name, 40), name, who->port[0] ? " at port " : "", who->port,
+             sources[poi->plays ? chosen.source : HID_MAPPING_NONE]);
     return poi->plays;
 }
 
@@ -111,6 +95,8 @@ struct basket {
  * pose must arrive. */
 static void poi_hid_add_sample(struct basket *basket, const struct poi_sample *sample)
 {
+    CORE_ASSERT(basket->max > 0);
+    CORE_ASSERT(basket->count <= basket->max);
     basket->count -= basket->count == basket->max;
     basket->out[basket->count++] = *sample;
 }
@@ -118,6 +104,7 @@ static void poi_hid_add_sample(struct basket *basket, const struct poi_sample *s
 static void poi_hid_decode_raw(struct poi_hid *poi, const struct hid_raw *raw,
                                struct basket *basket)
 {
+    CORE_ASSERT(raw->size <= HID_REPORT_MAX);
     struct poi_sample sample;
     if (poi->watch.report) {
         poi->watch.report(poi->watch.self, raw);
@@ -129,19 +116,12 @@ static void poi_hid_decode_raw(struct poi_hid *poi, const struct hid_raw *raw,
     }
 }
 
-/* Returns 1 for pointers and sticks, otherwise 0. The pose of a pointer or a stick changes between
- * reports, so it is also sampled without a report. An absolute pose is sampled only with its
- * reports. */
-static int goes_on(const struct poi_hid *poi)
-{
-    return poi->is_open && poi->plays && poi->hand.map.style != HID_STYLE_POSE;
-}
-
 /* Decodes all queued reports even if `out` has room for fewer samples, because remaining reports
  * would delay the next frames. Reports that arrived before the controller was unplugged are still
  * returned; the next poll then returns HAL_ERR_GONE. */
 static int poi_hid_poll(void *self, struct poi_sample *out, uint32_t max)
 {
+    CORE_ASSERT(out || max == 0);
     struct poi_hid *poi = self;
     struct basket basket = { .out = out, .max = max };
     struct poi_sample now;
@@ -161,7 +141,10 @@ static int poi_hid_poll(void *self, struct poi_sample *out, uint32_t max)
         }
         poi_hid_decode_raw(poi, &raw, &basket);
     }
-    if (goes_on(poi) && hid_pose_decoder_sample(&poi->hand, poi_now_ns(poi), &now)) {
+    /* The pose of a pointer or a stick changes between reports, so it is also sampled without a
+     * report. An absolute pose is sampled only with its reports. */
+    const int goes_on = poi->plays && poi->hand.map.style != HID_STYLE_POSE;
+    if (goes_on && hid_pose_decoder_sample(&poi->hand, hal_now_ns(poi->clock), &now)) {
         poi_hid_add_sample(&basket, &now);
     }
     return (int)basket.count;
@@ -209,7 +192,7 @@ static int poi_hid_fan_open(void *self)
 static int poi_hid_fan_poll(void *self, struct shade_input *out)
 {
     struct poi_hid *poi = self;
-    *out = poi->is_open && poi->plays ? hid_pose_decoder_fan(&poi->hand, poi_now_ns(poi))
+    *out = poi->is_open && poi->plays ? hid_pose_decoder_fan(&poi->hand, hal_now_ns(poi->clock))
                                       : (struct shade_input){ 0 };
     return HAL_OK;
 }

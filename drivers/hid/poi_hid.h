@@ -10,14 +10,6 @@
 #include "drivers/hid/hid_pose_decoder.h"
 #include "platform/hal.h"
 
-/* Selects the mapping of a controller; learned mappings take precedence. Writes the mapping to
- * `out` as hid_mapping_choose() does. */
-struct hid_mapper {
-    void (*choose)(void *self, const struct hid_device_info *face,
-                   const struct hid_descriptor *descriptor, struct hid_mapping *out);
-    void *self;
-};
-
 /* Callback that receives a copy of each report. The controller manager uses it during learning. */
 struct hid_watch {
     void (*report)(void *self, const struct hid_raw *raw);

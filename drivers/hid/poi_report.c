@@ -1,5 +1,8 @@
-/* poi_report.c -- encodes and decodes the reports of Kingyo's poi controller. */
+/* poi_report.c -- encodes and decodes the reports of Kingyo's poi controller, and contains the
+ * bytes of its HID report descriptor. */
 #include "drivers/hid/poi_report.h"
+
+#include <string.h>
 
 #include "core/base/fmath.h"
 
@@ -116,4 +119,109 @@ int poi_feel_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out, 
         *sequence = bytes[1];
     }
     return 1;
+}
+
+/* ---- Report descriptor ----------------------------------------------------------------------- */
+
+/* The bytes have one item in each line (HID 1.11, section 6.2.2).
+ *
+ * Units follow the specification. In unit system 1 (centimeter, gram, second) a newton is 10^5 g
+ * cm/s^2, and a newton meter is 10^7 g cm^2/s^2. Degrees belong to unit system 4. The physical
+ * limits correspond to the logical limits and are integers. */
+const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE] = {
+    0x05, 0x01, /* Usage Page (Generic Desktop) */
+    0x09, 0x08, /* Usage (Multi-axis Controller) */
+    0xa1, 0x01, /* Collection (Application) */
+
+    0x85, 0x01,       /*   Report ID (1): pose */
+    0x06, 0x4b, 0xff, /*   Usage Page (POI_PAGE) */
+    0x09, 0x01,       /*   Usage (sequence) */
+    0x15, 0x00,       /*   Logical Minimum (0) */
+    0x26, 0xff, 0x00, /*   Logical Maximum (255) */
+    0x75, 0x08,       /*   Report Size (8) */
+    0x95, 0x01,       /*   Report Count (1) */
+    0x81, 0x0a,       /*   Input (Data, Variable, Absolute, Wrap) */
+
+    0x05, 0x01,       /*   Usage Page (Generic Desktop) */
+    0x09, 0x01,       /*   Usage (Pointer) */
+    0xa1, 0x00,       /*   Collection (Physical) */
+    0x09, 0x30,       /*     Usage (X): the player's right */
+    0x09, 0x31,       /*     Usage (Y): up, 0 at the still water */
+    0x09, 0x32,       /*     Usage (Z): toward the player */
+    0x16, 0x01, 0x80, /*     Logical Minimum (-32767) */
+    0x26, 0xff, 0x7f, /*     Logical Maximum (32767) */
+    0x36, 0x18, 0xfc, /*     Physical Minimum (-1000) */
+    0x46, 0xe8, 0x03, /*     Physical Maximum (1000) */
+    0x65, 0x11,       /*     Unit (cm) */
+    0x55, 0x0f,       /*     Unit Exponent (-1): mm */
+    0x75, 0x10,       /*     Report Size (16) */
+    0x95, 0x03,       /*     Report Count (3) */
+    0x81, 0x42,       /*     Input (Data, Variable, Absolute, Null State): -32768 means no value */
+    0x09, 0x33,       /*     Usage (Rx): pitch */
+    0x09, 0x34,       /*     Usage (Ry): yaw */
+    0x09, 0x35,       /*     Usage (Rz): roll */
+    0x36, 0x4c, 0xff, /*     Physical Minimum (-180) */
+    0x46, 0xb4, 0x00, /*     Physical Maximum (180) */
+    0x65, 0x14,       /*     Unit (degree) */
+    0x55, 0x00,       /*     Unit Exponent (0) */
+    0x81, 0x42,       /*     Input (Data, Variable, Absolute, Null State) */
+    0xc0,             /*   End Collection */
+
+    0x05, 0x09, /*   Usage Page (Button) */
+    0x19, 0x01, /*   Usage Minimum (1) */
+    0x29, 0x08, /*   Usage Maximum (8) */
+    0x15, 0x00, /*   Logical Minimum (0) */
+    0x25, 0x01, /*   Logical Maximum (1) */
+    0x35, 0x00, /*   Physical Minimum (0) */
+    0x45, 0x01, /*   Physical Maximum (1) */
+    0x65, 0x00, /*   Unit (none) */
+    0x75, 0x01, /*   Report Size (1) */
+    0x95, 0x08, /*   Report Count (8) */
+    0x81, 0x02, /*   Input (Data, Variable, Absolute) */
+
+    0x85, 0x02,       /*   Report ID (2): force feedback */
+    0x06, 0x4b, 0xff, /*   Usage Page (POI_PAGE) */
+    0x09, 0x02,       /*   Usage (POI_USAGE_FEEL) */
+    0xa1, 0x02,       /*   Collection (Logical) */
+    0x09, 0x01,       /*     Usage (sequence) */
+    0x26, 0xff, 0x00, /*     Logical Maximum (255) */
+    0x45, 0x00,       /* Physical Maximum (0): not declared */
+    0x75, 0x08,       /*     Report Size (8) */
+    0x95, 0x01,       /*     Report Count (1) */
+    0x91, 0x0a,       /*     Output (Data, Variable, Absolute, Wrap) */
+    0x19, 0x10,       /*     Usage Minimum (force X) */
+    0x29, 0x12,       /*     Usage Maximum (force Z) */
+    0x16, 0x01, 0x80, /*     Logical Minimum (-32767) */
+    0x26, 0xff, 0x7f, /*     Logical Maximum (32767) */
+    0x35, 0xec,       /*     Physical Minimum (-20) */
+    0x45, 0x14,       /*     Physical Maximum (20) */
+    0x66, 0x11, 0xe1, /*     Unit (g cm/s^2) */
+    0x55, 0x05,       /*     Unit Exponent (5): N */
+    0x75, 0x10,       /*     Report Size (16) */
+    0x95, 0x03,       /*     Report Count (3) */
+    0x91, 0x02,       /*     Output (Data, Variable, Absolute) */
+    0x19, 0x13,       /*     Usage Minimum (torque X) */
+    0x29, 0x15,       /*     Usage Maximum (torque Z) */
+    0x35, 0xfc,       /*     Physical Minimum (-4) */
+    0x45, 0x04,       /*     Physical Maximum (4) */
+    0x66, 0x21, 0xe1, /*     Unit (g cm^2/s^2) */
+    0x55, 0x07,       /*     Unit Exponent (7): N m */
+    0x91, 0x02,       /*     Output (Data, Variable, Absolute) */
+    0x19, 0x16,       /*     Usage Minimum (drag) */
+    0x29, 0x18,       /*     Usage Maximum (tear) */
+    0x15, 0x00,       /*     Logical Minimum (0) */
+    0x26, 0xff, 0x00, /*     Logical Maximum (255) */
+    0x35, 0x00,       /*     Physical Minimum (0) */
+    0x45, 0x01,       /*     Physical Maximum (1) */
+    0x65, 0x00,       /*     Unit (none) */
+    0x55, 0x00,       /*     Unit Exponent (0) */
+    0x75, 0x08,       /*     Report Size (8) */
+    0x91, 0x02,       /*     Output (Data, Variable, Absolute) */
+    0xc0,             /*   End Collection */
+    0xc0,             /* End Collection */
+};
+
+int poi_descriptor_is(const uint8_t *bytes, uint32_t size)
+{
+    return size == POI_DESCRIPTOR_SIZE && memcmp(bytes, poi_descriptor, size) == 0;
 }

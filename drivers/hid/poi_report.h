@@ -1,5 +1,6 @@
-/* poi_report.h -- the two reports of Kingyo's poi controller, byte by byte: pose and
- * force feedback.
+/* poi_report.h -- the two reports of Kingyo's poi controller, byte by byte (pose and force
+ * feedback), and the HID report descriptor that declares them. Kingyo's poi controller is the paper
+ * scoop with sensors that this project defines.
  *
  * Pure: uses no device and no clock. Numbers are two's complement in little-endian order. The
  * values of a 16-bit field range from -32767 to 32767, so that the range is symmetric. The number
@@ -12,7 +13,12 @@
  *    8..13  Rx Ry Rz: +-pi, pitch yaw roll      8..13  torque X Y Z: +-POI_TORQUE_N_M_MAX
  *   14      buttons, enum poi_button           14..16  drag, slap, tear: 0 .. 255 is 0 .. 1
  *
- * The host reads this format from the descriptor in poi_descriptor.c. */
+ * The array `poi_descriptor` is the only definition of the descriptor's bytes, from which the host
+ * reads this format. The kiosk recognizes Kingyo's poi controller by the descriptor, independent of
+ * the vendor and product id. The program kingyo-poi passes the bytes to the kernel of the board
+ * inside the controller (board/poi-gadget/, whose README explains the bytes). A test compares the
+ * bytes with the reports field by field. After a change of the descriptor, controllers with the
+ * previous descriptor are no longer recognized. */
 #ifndef KINGYO_DRIVERS_HID_POI_REPORT_H
 #define KINGYO_DRIVERS_HID_POI_REPORT_H
 
@@ -61,5 +67,31 @@ void poi_feel_encode(const struct poi_force *force, uint8_t sequence, uint8_t by
  * the id or the length is wrong or if a component has no value; `out` is then unchanged. `sequence`
  * may be null. */
 int poi_feel_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out, uint8_t *sequence);
+
+/* ---- Report descriptor ----------------------------------------------------------------------- */
+
+#define POI_DESCRIPTOR_SIZE 184u
+
+/* Vendor-defined usage page. The HID Usage Tables reserve the pages FF00 to FFFF for vendors.
+ * Another vendor may use the same page, so only the whole descriptor identifies Kingyo's poi
+ * controller. */
+#define POI_PAGE 0xff4bu
+
+enum poi_usage { /* Usages of POI_PAGE. */
+                 POI_USAGE_SEQUENCE = 0x01,
+                 POI_USAGE_FEEL = 0x02,     /* Usage of the collection that is the force feedback
+                                               report. */
+                 POI_USAGE_FORCE_X = 0x10,  /* First of three force usages, 0x10 to 0x12: X, Y,
+                                               Z. */
+                 POI_USAGE_TORQUE_X = 0x13, /* First of three torque usages, 0x13 to 0x15: X, Y,
+                                               Z. */
+                 POI_USAGE_DRAG = 0x16,     /* First of three effect usages, 0x16 to 0x18: drag,
+                                               slap, tear. */
+};
+
+extern const uint8_t poi_descriptor[POI_DESCRIPTOR_SIZE];
+
+/* Returns 1 if the bytes are exactly `poi_descriptor`, otherwise 0. */
+int poi_descriptor_is(const uint8_t *bytes, uint32_t size);
 
 #endif

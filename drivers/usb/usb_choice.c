@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "drivers/hid/hid_mapping.h"
-#include "drivers/hid/poi_descriptor.h"
+#include "drivers/hid/poi_report.h"
 
 /* ---- Keys (names of controllers) ------------------------------------------------------------ */
 

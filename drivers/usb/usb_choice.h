@@ -2,7 +2,7 @@
  *
  * A slot is the place of one of up to POI_MAX controllers. A controller is claimed if the operator
  * selected it in the menu (stored in a file) or if the option --usb names it. Kingyo's poi
- * controller (poi_descriptor.h) is always claimed unless a rule forbids it. Kingyo's poi controller
+ * controller (poi_report.h) is always claimed unless a rule forbids it. Kingyo's poi controller
  * has no fixed vendor id and is recognized by its report descriptor.
  *
  * Some report descriptors can only be read after claiming. A device is claimed for this purpose

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "drivers/hid/hid_mapping_store_file.h"
+#include "platform/os/regular_file.h"
 
 static int usb_choice_file_read_lines(struct usb_choice *choice, const char *path, FILE *file,
                                       char why[HAL_TEXT_SIZE])
@@ -29,12 +29,12 @@ static int usb_choice_file_read_lines(struct usb_choice *choice, const char *pat
 
 int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TEXT_SIZE])
 {
-    const int handle = path[0] ? hid_mapping_store_file_open(path) : -1;
+    const int handle = path[0] ? regular_file_handle(path, O_RDONLY, 0) : -1;
     FILE *file = handle >= 0 ? fdopen(handle, "r") : NULL;
     const int error = !path[0] || file || errno == ENOENT ? 0 : -errno;
     const int result = file ? usb_choice_file_read_lines(choice, path, file, why) : error;
     /* open() of a socket fails with ENXIO. */
-    if (result == -ENOTSUP || result == -ELOOP || result == -ENXIO) {
+    if (result == -ENOTSUP || result == -EISDIR || result == -ELOOP || result == -ENXIO) {
         snprintf(why, HAL_TEXT_SIZE, "%.60s: is not a regular file", path);
     } else if (result < 0) {
         snprintf(why, HAL_TEXT_SIZE, "%.60s: cannot read: %.40s", path, strerror(-result));

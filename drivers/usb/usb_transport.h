@@ -2,7 +2,7 @@
  *
  * A slot is the place of one controller. An event thread waits for transfers and hot-plug events
  * (usb_event_thread.h). Reports reach the frame loop through one fixed-size queue for each slot.
- * Only Kingyo's poi controller (poi_descriptor.h) and selected controllers are claimed
+ * Only Kingyo's poi controller (poi_report.h) and selected controllers are claimed
  * (usb_choice.h). A boot keyboard or a second interface of the same device is never claimed. */
 #ifndef KINGYO_DRIVERS_USB_USB_TRANSPORT_H
 #define KINGYO_DRIVERS_USB_USB_TRANSPORT_H

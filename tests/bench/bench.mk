@@ -57,7 +57,7 @@ $(BENCH_MORPH): %: %.o $(BUILD)/platform/cpu.o $(BUILD)/core.a
 	$(Q)$(CC) $(OPT) -g -o $@ $^ -lm
 
 BENCH_HID := $(BUILD)/tests/bench/bench_hid
-BENCH_HID_SRC := $(patsubst %,drivers/hid/%.c,hid_descriptor hid_globals hid_item hid_report)
+BENCH_HID_SRC := $(patsubst %,drivers/hid/%.c,hid_descriptor hid_item)
 
 ## measure/bench-hid: Measure the time and memory of the slowest report descriptors
 bench-hid:

@@ -19,9 +19,8 @@
 #include <string.h>
 
 #include "core/tank/preset.h"
-#include "drivers/hid/poi_descriptor.h"
-#include "drivers/hid/poi_hid.h"
 #include "drivers/hid/poi_report.h"
+#include "drivers/hid/poi_hid.h"
 #include "drivers/null.h"
 #include "drivers/usb/usb_slot.h"
 #include "platform/kiosk/kiosk.h"

@@ -45,7 +45,7 @@ ids_are_ids() { ! grep -oE 'ATTRS\{id[A-Za-z]+\}=="[^"]*"' $rules | grep -vE '==
 check 'every id is four digits, none is a pattern' ids_are_ids
 known_are_listed() { # Every USB controller with a map of its own.
     local id count=0
-    for id in $(sed -nE 's/^ *ROW\(0x([0-9a-f]{4}),.*/\1/p' drivers/hid/hid_mapping_known.c); do
+    for id in $(sed -nE 's/^ *ROW\(0x([0-9a-f]{4}),.*/\1/p' drivers/hid/hid_mapping.c); do
         gets $rules "$(usb 054c "$id")" "$ours ATTR{power/control}=on" || { echo "$id"; return 1; }
         count=$((count + 1))
     done

@@ -3,7 +3,7 @@
  * plain file name, so that it leads to no other folder. */
 #include <string.h>
 
-#include "drivers/hid/hid_mapping_store_text.h"
+#include "drivers/hid/hid_mapping.h"
 #include "tests/fuzz/trap.h"
 
 static void hold_name(const struct hid_mapping_store_entry *entry)

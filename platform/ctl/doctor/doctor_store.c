@@ -10,7 +10,7 @@
 
 #include <sqlite3.h>
 
-#include "drivers/hid/hid_mapping_store_text.h"
+#include "drivers/hid/hid_mapping.h"
 #include "platform/ctl/doctor/doctor.h"
 #include "platform/os/regular_file.h"
 #include "platform/store/sqlite/sql.h"

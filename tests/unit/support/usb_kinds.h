@@ -10,7 +10,6 @@
 
 #include <libusb.h>
 
-#include "drivers/hid/poi_descriptor.h"
 #include "drivers/hid/poi_report.h"
 #include "drivers/usb/usb_transport.h"
 #include "platform/os/clock.h"

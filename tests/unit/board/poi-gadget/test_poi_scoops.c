@@ -12,7 +12,7 @@
 #include "board/poi-gadget/sensor_twin.h"
 #include "core/game/control/controller.h"
 #include "core/tank/preset.h"
-#include "drivers/hid/poi_descriptor.h"
+#include "drivers/hid/poi_report.h"
 #include "drivers/hid/poi_hid.h"
 #include "drivers/null.h"
 #include "platform/kiosk/kiosk.h"

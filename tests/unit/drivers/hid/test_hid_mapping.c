@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/hid/poi_descriptor.h"
+#include "drivers/hid/poi_report.h"
 #include "tests/unit/support/hid_wire.h"
 
 static struct clock_sim clock_now;

@@ -14,7 +14,7 @@
 #include <cmocka.h>
 
 #include "drivers/hid/hid_mapping_store.h"
-#include "drivers/hid/hid_mapping_store_text.h"
+#include "drivers/hid/hid_mapping.h"
 #include "tests/unit/support/hid_wire.h"
 
 static struct clock_sim clock_now;

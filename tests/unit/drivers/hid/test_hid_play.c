@@ -10,9 +10,8 @@
 
 #include "core/game/control/controller.h"
 #include "core/tank/preset.h"
-#include "drivers/hid/poi_descriptor.h"
-#include "drivers/hid/poi_hid.h"
 #include "drivers/hid/poi_report.h"
+#include "drivers/hid/poi_hid.h"
 #include "drivers/null.h"
 #include "platform/kiosk/kiosk.h"
 #include "tests/unit/support/calm_fish.h"

@@ -10,7 +10,6 @@
 
 #include "core/base/rng.h"
 #include "drivers/hid/hid_pose_decoder.h"
-#include "drivers/hid/poi_descriptor.h"
 #include "drivers/hid/poi_report.h"
 #include "tests/unit/support/hid_wire.h"
 #include "tests/unit/support/pointer.h"

@@ -11,7 +11,6 @@
 #include "core/base/fmath.h"
 #include "core/base/rng.h"
 #include "drivers/hid/hid_descriptor.h"
-#include "drivers/hid/poi_descriptor.h"
 #include "drivers/hid/poi_report.h"
 
 #define GENERIC(usage) (0x00010000u | (usage))

@@ -9,9 +9,8 @@
 #include <cmocka.h>
 
 #include "core/game/control/controller.h"
-#include "drivers/hid/poi_descriptor.h"
-#include "drivers/hid/poi_hid.h"
 #include "drivers/hid/poi_report.h"
+#include "drivers/hid/poi_hid.h"
 #include "drivers/null.h"
 #include "platform/kiosk/kiosk.h"
 #include "tests/unit/support/hid_wire.h"

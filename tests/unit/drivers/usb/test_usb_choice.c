@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "drivers/hid/poi_descriptor.h"
+#include "drivers/hid/poi_report.h"
 #include "drivers/usb/device_table.h"
 #include "drivers/usb/usb_choice.h"
 #include "drivers/usb/usb_choice_file.h"

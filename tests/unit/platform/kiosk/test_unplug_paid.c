@@ -14,9 +14,8 @@
 
 #include "core/game/pause.h"
 #include "core/tank/preset.h"
-#include "drivers/hid/poi_descriptor.h"
-#include "drivers/hid/poi_hid.h"
 #include "drivers/hid/poi_report.h"
+#include "drivers/hid/poi_hid.h"
 #include "drivers/null.h"
 #include "drivers/sim/storage_sim.h"
 #include "platform/kiosk/kiosk.h"

@@ -16,7 +16,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/hid/hid_mapping_store_file.h"
+#include "drivers/hid/hid_mapping_store.h"
 #include "drivers/usb/usb_choice_file.h"
 #include "platform/os/regular_file.h"
 #include "platform/store/graph_file.h"
