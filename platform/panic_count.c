@@ -211,7 +211,7 @@ int panics_write(const struct panics *panics, int folder)
     if (file < 0) {
         return file;
     }
-    int error = panic_write(file, bytes, sizeof bytes);
+    int error = file_write(file, bytes, sizeof bytes);
     if (!error && (ftruncate(file, PANICS_SIZE) != 0 || fsync(file) != 0)) {
         error = -errno;
     }

@@ -176,8 +176,7 @@ bool system_health_is_seen(const char *folder, const char *file)
 static int system_health_create_mark(const char *folder, const char *file)
 {
     char path[PATH_SIZE];
-    const int fd =
-        seen_path(folder, file, path) ? regular_file_handle(path, O_WRONLY | O_CREAT, 0644) : -1;
+    const int fd = seen_path(folder, file, path) ? file_handle(path, O_WRONLY | O_CREAT, 0644) : -1;
     return fd < 0 ? -errno : close(fd) != 0 ? -errno : 0;
 }
 

@@ -276,9 +276,9 @@ int poi_config_load(struct poi_config *config, const char *path)
     char line[POI_CONFIG_LINE_SIZE + 1];
     const char *why = NULL;
     uint32_t number = 0;
-    FILE *file = regular_file_open(path, POI_CONFIG_SIZE_MAX);
+    FILE *file = file_open(path, POI_CONFIG_SIZE_MAX);
     if (!file) {
-        print_error("%s: %s", path, regular_file_error(errno));
+        print_error("%s: %s", path, file_error(errno));
         return 0;
     }
     int result = 0;

@@ -18,7 +18,7 @@
 
 int hid_mapping_store_file_read(const char *path, char text[HID_MAPPING_STORE_TEXT_SIZE])
 {
-    const int fd = regular_file_handle(path, O_RDONLY, 0);
+    const int fd = file_handle(path, O_RDONLY, 0);
     size_t used = 0;
     ssize_t got = 0;
     if (fd < 0) {

@@ -29,7 +29,7 @@ static int usb_choice_file_read_lines(struct usb_choice *choice, const char *pat
 
 int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TEXT_SIZE])
 {
-    const int handle = path[0] ? regular_file_handle(path, O_RDONLY, 0) : -1;
+    const int handle = path[0] ? file_handle(path, O_RDONLY, 0) : -1;
     FILE *file = handle >= 0 ? fdopen(handle, "r") : NULL;
     const int error = !path[0] || file || errno == ENOENT ? 0 : -errno;
     const int result = file ? usb_choice_file_read_lines(choice, path, file, why) : error;

@@ -255,7 +255,7 @@ int config_file_read(struct options *options, const char *path, void (*warn)(con
 {
     struct reading reading = { .options = options, .section = "" };
     struct warnings warnings = { .path = path, .warn = warn };
-    FILE *file = regular_file_open(path, CONFIG_SIZE_MAX);
+    FILE *file = file_open(path, CONFIG_SIZE_MAX);
     if (!file) {
         return -errno;
     }

@@ -23,7 +23,7 @@
 
 /* Reads the file `path`. Settings are written to options->file, and other keys change `options` as
  * the command line does. Calls `warn` (may be null) for each invalid line, with "FILE:LINE: reason"
- * and the permitted range. Returns 0, or a negative errno of regular_file_open() if the file cannot
+ * and the permitted range. Returns 0, or a negative errno of file_open() if the file cannot
  * be read. */
 int config_file_read(struct options *options, const char *path, void (*warn)(const char *line));
 

@@ -85,7 +85,7 @@ static enum exit_code read_config(struct options *options, const char *path)
     *options = (struct options){ .demo_s = OPTIONS_DEMO_S };
     const int failed = config_file_read(options, path, warn_of_config);
     if (failed) {
-        snprintf(line, sizeof line, "%s: cannot read: %s", path, regular_file_error(-failed));
+        snprintf(line, sizeof line, "%s: cannot read: %s", path, file_error(-failed));
         (is_named ? kiosk_main_warn : warn_of_config)(line);
     }
     return failed && is_named ? EXIT_IO : EXIT_OK;

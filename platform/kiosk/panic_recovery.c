@@ -116,7 +116,7 @@ static int has_work(const struct panics *panics)
 static void hold_and_leave_out(struct evidence *evidence)
 {
     struct panics *panics = &evidence->panics;
-    const int hold = directory_lock(evidence->data);
+    const int hold = file_lock_folder(evidence->data);
     if (hold == -EWOULDBLOCK) {
         log_print(LOG_LEVEL_ERROR,
                   "%s: another stall has the folder open; nothing is left out after panics",

@@ -91,7 +91,7 @@ static const char *words_of_aside(const char *data, const char *name)
     const enum system_health_quarantine aside = system_health_quarantine_of(name);
     const int length = snprintf(path, sizeof path, "%s/%s", data, name);
     const int has_path = length > 0 && (size_t)length < sizeof path;
-    return aside == SYSTEM_HEALTH_QUARANTINE_OTHER && has_path && regular_file_is_other(path)
+    return aside == SYSTEM_HEALTH_QUARANTINE_OTHER && has_path && file_is_other(path)
                ? "was not a regular file, and was set aside"
                : words[aside];
 }
@@ -254,7 +254,7 @@ enum exit_code run_common_end(struct run_common *session)
 
 enum exit_code run_common_make_folder(const char *path)
 {
-    const int error = directory_make(path);
+    const int error = file_make_folder(path);
     if (error) {
         log_print(LOG_LEVEL_ERROR, "%s: cannot write there: %s", path, strerror(-error));
         return EXIT_IO;

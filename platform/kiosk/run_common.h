@@ -61,7 +61,7 @@ enum exit_code run_common_print_float(void);
 /* Ends the recording or the replay and reports the result. Returns an exit code. */
 enum exit_code run_common_end(struct run_common *session);
 
-/* Creates a folder with directory_make() and reports an error. Returns an exit code. */
+/* Creates a folder with file_make_folder() and reports an error. Returns an exit code. */
 enum exit_code run_common_make_folder(const char *path);
 
 /* Allocates the buffer for pictures of `width` x `height` pixels. Returns an exit code. Reports an

@@ -153,10 +153,10 @@ int run_interactive_open(struct run_common *session)
     struct options *options = &session->options;
     struct display_events events;
     if (!options->data[0]) {
-        directory_default_data(options->data);
+        file_default_data(options->data);
     }
-    directory_make(options->data); /* The data folder must exist before evidence_open(). If
-                                      directory_make() fails, the store later reports the reason. */
+    file_make_folder(options->data); /* The data folder must exist before evidence_open(). If
+                                      file_make_folder() fails, the store later reports the reason. */
     evidence_open(&session->evidence, options->data, &session->chapters, &session->kiosk.core);
     const struct board_options board = {
         .poi = options->poi,

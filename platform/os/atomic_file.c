@@ -55,7 +55,7 @@ static int open_stream(struct atomic_file *out)
  * be left from a power cut, or belong to another program. A link is never followed. */
 static int open_part(struct atomic_file *out, mode_t mode)
 {
-    const int length = snprintf(out->part, sizeof out->part, "%s" ATOMIC_FILE_PART, out->place);
+    const int length = snprintf(out->part, sizeof out->part, "%s" FILE_ATOMIC_PART, out->place);
     if (length < 0 || (size_t)length >= sizeof out->part) {
         return -ENAMETOOLONG;
     }
@@ -89,12 +89,12 @@ static int open_any(struct atomic_file *out, const char *path, bool lasts)
     return lasts || !(S_ISCHR(mode) || S_ISFIFO(mode)) ? -ENOTSUP : open_stream(out);
 }
 
-int atomic_file_open(struct atomic_file *out, const char *path)
+int file_atomic_open(struct atomic_file *out, const char *path)
 {
     return open_any(out, path, false);
 }
 
-int atomic_file_open_durable(struct atomic_file *out, const char *path)
+int file_atomic_open_durable(struct atomic_file *out, const char *path)
 {
     return open_any(out, path, true);
 }
@@ -137,7 +137,7 @@ static int finish(struct atomic_file *out)
     return -why;
 }
 
-int atomic_file_close(struct atomic_file *out)
+int file_atomic_close(struct atomic_file *out)
 {
     int error = finish(out);
     if (out->is_stream) {

@@ -12,7 +12,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#define ATOMIC_FILE_PART ".part"
+#define FILE_ATOMIC_PART ".part"
 
 struct atomic_file {
     FILE *file;
@@ -24,14 +24,14 @@ struct atomic_file {
 };
 
 /* Opens `path` for writing, with empty content. Returns 0 or a negative errno. */
-int atomic_file_open(struct atomic_file *out, const char *path);
+int file_atomic_open(struct atomic_file *out, const char *path);
 
-/* Opens `path` as atomic_file_open() does. atomic_file_close() then blocks until the content is on
+/* Opens `path` as file_atomic_open() does. file_atomic_close() then blocks until the content is on
  * disk. Returns -ENOTSUP if `path` exists and is not a regular file. */
-int atomic_file_open_durable(struct atomic_file *out, const char *path);
+int file_atomic_open_durable(struct atomic_file *out, const char *path);
 
 /* Closes the file. Returns 0, or the negative errno of the first failed write. After an error the
  * temporary file is removed and the old file is unchanged. */
-int atomic_file_close(struct atomic_file *out);
+int file_atomic_close(struct atomic_file *out);
 
 #endif

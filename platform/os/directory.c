@@ -29,9 +29,9 @@ static int make_all(char *path)
     return error ? error : make_one(path);
 }
 
-int directory_make(const char *path)
+int file_make_folder(const char *path)
 {
-    char copy[DIRECTORY_PATH_MAX];
+    char copy[FILE_FOLDER_MAX];
     struct stat status;
     const size_t length = strlen(path);
     if (length == 0 || length >= sizeof copy) {
@@ -48,7 +48,7 @@ int directory_make(const char *path)
     return access(path, W_OK | X_OK) != 0 ? -errno : 0;
 }
 
-int directory_lock(const char *path)
+int file_lock_folder(const char *path)
 {
     const int handle = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (handle >= 0 && flock(handle, LOCK_EX | LOCK_NB) != 0) {
@@ -59,14 +59,14 @@ int directory_lock(const char *path)
     return handle >= 0 ? handle : -errno;
 }
 
-void directory_default_data(char out[DIRECTORY_PATH_MAX])
+void file_default_data(char out[FILE_FOLDER_MAX])
 {
     const char *data = getenv("XDG_DATA_HOME");
     const char *home = getenv("HOME");
     out[0] = '\0';
     if (data && data[0] == '/') {
-        snprintf(out, DIRECTORY_PATH_MAX, "%s/kingyo", data);
+        snprintf(out, FILE_FOLDER_MAX, "%s/kingyo", data);
     } else if (home && home[0] == '/') {
-        snprintf(out, DIRECTORY_PATH_MAX, "%s/.local/share/kingyo", home);
+        snprintf(out, FILE_FOLDER_MAX, "%s/.local/share/kingyo", home);
     }
 }

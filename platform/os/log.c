@@ -43,7 +43,7 @@ void log_print_raw(enum log_level level, const char *words)
     panic_put(&line, "kingyo: ");
     panic_put(&line, words);
     panic_put_end(&line);
-    panic_write(STDERR_FILENO, line.out, line.used);
+    file_write(STDERR_FILENO, line.out, line.used);
 }
 
 void log_print(enum log_level level, const char *format, ...)

@@ -38,7 +38,7 @@ void panic_put_end(struct panic_text *text)
     panic_put(text, "\n");
 }
 
-int panic_write(int fd, const void *bytes, size_t size)
+int file_write(int fd, const void *bytes, size_t size)
 {
     const char *from = bytes;
     while (size > 0) {

@@ -24,6 +24,6 @@ void panic_put_end(struct panic_text *text);
 
 /* Writes all `size` bytes to the descriptor `fd`. Retries after an interruption by a signal.
  * Returns 0 or a negative errno. */
-int panic_write(int fd, const void *bytes, size_t size);
+int file_write(int fd, const void *bytes, size_t size);
 
 #endif

@@ -21,12 +21,12 @@
 static int write_all(const char *path, const uint8_t *bytes, size_t size)
 {
     struct atomic_file out;
-    const int error = atomic_file_open(&out, path);
+    const int error = file_atomic_open(&out, path);
     if (error) {
         return error;
     }
-    fwrite(bytes, 1, size, out.file); /* atomic_file_close() reports a failed write. */
-    return atomic_file_close(&out);
+    fwrite(bytes, 1, size, out.file); /* file_atomic_close() reports a failed write. */
+    return file_atomic_close(&out);
 }
 
 int png_write(const char *path, const uint8_t *rgb, uint32_t width, uint32_t height)

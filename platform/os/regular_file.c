@@ -57,7 +57,7 @@ static FILE *bounded_open(int handle, uint32_t size_max)
 }
 
 /* Opens the file without blocking, then checks the type of the open file. */
-FILE *regular_file_open(const char *path, uint32_t size_max)
+FILE *file_open(const char *path, uint32_t size_max)
 {
     struct stat about = { 0 };
     const int handle = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
@@ -81,7 +81,7 @@ FILE *regular_file_open(const char *path, uint32_t size_max)
 
 /* Reads the file type from the open descriptor, so that no other file can take its place between
  * the check and the use. */
-int regular_file_handle(const char *path, int flags, mode_t mode)
+int file_handle(const char *path, int flags, mode_t mode)
 {
     const int added = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
     struct stat about = { 0 };
@@ -105,13 +105,13 @@ int regular_file_handle(const char *path, int flags, mode_t mode)
     return error == 0 ? handle : -1;
 }
 
-int regular_file_is_other(const char *path)
+int file_is_other(const char *path)
 {
     struct stat about;
     return lstat(path, &about) == 0 && !S_ISREG(about.st_mode);
 }
 
-const char *regular_file_error(int error)
+const char *file_error(int error)
 {
     return error == ELOOP     ? "is a symbolic link"
            : error == ENOTSUP ? "is not a regular file"

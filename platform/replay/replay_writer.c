@@ -277,18 +277,18 @@ int replay_dump(struct replay_writer *writer, const uint8_t *memory, uint64_t ha
     if (writer->offset == 0) {
         return -ENODATA;
     }
-    const int error = panic_write(fd, memory, (size_t)writer->offset);
+    const int error = file_write(fd, memory, (size_t)writer->offset);
     if (error) {
         return error;
     }
     if (is_torn || writer->memory == NULL || writer->chunk_ticks == 0) {
         put_end(end, &writer->saved, writer->sum);
-        return panic_write(fd, end, sizeof end);
+        return file_write(fd, end, sizeof end);
     }
     writer->totals.hash = hash;
     const size_t size = close_chunk(writer->bytes, writer->payload_size, writer->chunk_ticks,
                                     &writer->totals, &writer->sum);
-    return panic_write(fd, writer->bytes, size + REPLAY_END_SIZE);
+    return file_write(fd, writer->bytes, size + REPLAY_END_SIZE);
 }
 
 size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *out, size_t size)

@@ -39,7 +39,7 @@ enum pack_result pack_read_data(const char *path, struct species_slot *slot,
     static uint8_t bytes[PACK_SIZE_MAX + 1u]; /* The buffer is one byte larger than the maximum
                                                  file size, so that a file that is too large is
                                                  detected. */
-    const int handle = regular_file_handle(path, O_RDONLY, 0);
+    const int handle = file_handle(path, O_RDONLY, 0);
     size_t size = 0;
     ssize_t got = handle < 0 ? -1 : 1;
     while (got > 0 && size < sizeof bytes) {
@@ -51,7 +51,7 @@ enum pack_result pack_read_data(const char *path, struct species_slot *slot,
         close(handle);
     }
     if (error != 0) {
-        snprintf(why, VALIDATE_WHY_SIZE, "%s", regular_file_error(error));
+        snprintf(why, VALIDATE_WHY_SIZE, "%s", file_error(error));
         return error == EFBIG ? PACK_BAD : PACK_IO;
     }
     return pack_decode(bytes, size, slot, why);
@@ -63,10 +63,10 @@ enum pack_result pack_write(const char *path, struct species_slot *slot,
     static uint8_t bytes[PACK_SIZE_MAX];
     struct atomic_file out;
     const size_t size = pack_encode(slot, bytes);
-    int error = atomic_file_open_durable(&out, path);
+    int error = file_atomic_open_durable(&out, path);
     if (error == 0) {
         fwrite(bytes, 1, size, out.file); /* Closing the file reports errors of fwrite(). */
-        error = atomic_file_close(&out);
+        error = file_atomic_close(&out);
     }
     return error != 0 ? cannot(-error, why) : PACK_OK;
 }

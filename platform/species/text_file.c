@@ -10,7 +10,7 @@ enum text_file_open text_file_open(const char *path, uint32_t size_max, FILE **o
                                    char why[TEXT_FILE_WHY_SIZE])
 {
     const bool fine = size_max % (1u << 20) != 0;
-    *out = regular_file_open(path, size_max);
+    *out = file_open(path, size_max);
     if (*out) {
         return TEXT_FILE_OPEN;
     }
@@ -19,7 +19,7 @@ enum text_file_open text_file_open(const char *path, uint32_t size_max, FILE **o
                  fine ? "KiB" : "MiB");
         return TEXT_FILE_LARGE;
     }
-    snprintf(why, TEXT_FILE_WHY_SIZE, "%s", regular_file_error(errno));
+    snprintf(why, TEXT_FILE_WHY_SIZE, "%s", file_error(errno));
     return TEXT_FILE_NONE;
 }
 

@@ -61,7 +61,7 @@ static int replace(const char *path, const char *text, size_t size)
     snprintf(beside, sizeof beside, "%s.new", path);
     unlink(beside); /* Deletes a temporary file that was left from a power cut or belongs to another
                        program. */
-    const int fd = regular_file_handle(beside, O_WRONLY | O_CREAT | O_EXCL, 0644);
+    const int fd = file_handle(beside, O_WRONLY | O_CREAT | O_EXCL, 0644);
     if (fd < 0) {
         return -errno;
     }
@@ -85,7 +85,7 @@ int graph_file_write(const char *data, const struct graph_edit_record *record)
     if (!is_plain_name(record->species) || length < 0 || (size_t)length >= sizeof folder) {
         return -ENAMETOOLONG;
     }
-    int error = directory_make(folder);
+    int error = file_make_folder(folder);
     if (error != 0) {
         return error;
     }
@@ -112,10 +112,10 @@ static void fill_one(const char *path, const struct species_card *card, uint8_t 
                      struct lab_edit *edit, struct graph_file_warn warn)
 {
     char text[GRAPH_FILE_TEXT_MAX + 1u], why[GRAPH_FILE_WHY_SIZE];
-    const int fd = regular_file_handle(path, O_RDONLY, 0);
+    const int fd = file_handle(path, O_RDONLY, 0);
     if (fd < 0) {
         if (errno != ENOENT && errno != ENOTDIR) {
-            snprintf(why, sizeof why, " cannot open: %.80s", regular_file_error(errno));
+            snprintf(why, sizeof why, " cannot open: %.80s", file_error(errno));
             graph_file_print_warning(warn, path, why);
         }
         return;

@@ -19,7 +19,7 @@
  * accepted, because the card may be remounted at any time. */
 static bool folder_is_there(struct storage *storage)
 {
-    const int error = directory_make(storage->dir);
+    const int error = file_make_folder(storage->dir);
     struct stat about;
     const bool is_there = stat(storage->dir, &about) == 0 && S_ISDIR(about.st_mode);
     if (error && !is_there) {

@@ -143,7 +143,7 @@ static bool is_anothers(struct storage *storage)
 static bool is_alone(struct storage *storage)
 {
     if (storage->hold == 0 && !storage->how.vfs) {
-        const int handle = directory_lock(storage->dir);
+        const int handle = file_lock_folder(storage->dir);
         storage->hold = handle >= 0 ? handle + 1 : 0;
         return handle != -EWOULDBLOCK;
     }

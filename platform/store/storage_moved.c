@@ -157,7 +157,7 @@ bool storage_save_deleted(struct storage *storage)
 {
     char backup[LEDGER_PATH_SIZE];
     if (!storage->moved || !storage->file.db || !is_deleted(storage) ||
-        directory_make(storage->dir) != 0 || has_any(storage)) {
+        file_make_folder(storage->dir) != 0 || has_any(storage)) {
         return false;
     }
     storage_backup_path(storage, backup);

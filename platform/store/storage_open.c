@@ -171,8 +171,7 @@ static void set_strange_aside(struct storage *storage)
     for (unsigned i = 0; i < STORAGE_SIBLING_COUNT; i++) {
         char path[LEDGER_PATH_SIZE];
         storage_sibling_path(storage, storage_suffixes[i], "", path);
-        if (regular_file_is_other(path) &&
-            storage_quarantine_other(storage, storage_suffixes[i]) == 0) {
+        if (file_is_other(path) && storage_quarantine_other(storage, storage_suffixes[i]) == 0) {
             atomic_store(&storage->strange, i + 1u);
         }
     }
@@ -200,7 +199,7 @@ static int compare(struct storage *storage)
 
 static int open_whole(struct storage *storage)
 {
-    int code = regular_file_is_other(storage->path) ? SQLITE_NOTADB
+    int code = file_is_other(storage->path) ? SQLITE_NOTADB
                : is_emptied(storage)
                    ? SQLITE_CORRUPT
                    : ledger_file_open(&storage->file, storage->path, &storage->how);

@@ -97,7 +97,7 @@ static bool leave_note(struct storage *storage, unsigned number)
     char path[LEDGER_PATH_SIZE], suffix[40];
     snprintf(suffix, sizeof suffix, STORAGE_MISSING_SUFFIX "%u", number);
     storage_sibling_path(storage, suffix, "", path);
-    const int handle = regular_file_handle(path, O_WRONLY | O_CREAT, 0600);
+    const int handle = file_handle(path, O_WRONLY | O_CREAT, 0600);
     return handle >= 0 && close(handle) == 0 && ledger_sync_folder(path) == 0;
 }
 
@@ -143,7 +143,7 @@ static int salvage_into(struct storage *storage, struct ledger_file *to)
 
 static int sync_file(const char *path)
 {
-    const int handle = regular_file_handle(path, O_RDWR, 0);
+    const int handle = file_handle(path, O_RDWR, 0);
     const int result = handle < 0 ? -1 : fsync(handle);
     if (handle >= 0) {
         close(handle);

@@ -64,7 +64,7 @@ long hid_from_hex(uint8_t *bytes, size_t size)
 
 enum exit_code hid_file_print_error(const char *path)
 {
-    print_error("kingyoctl hid: %s: %s", path, regular_file_error(errno));
+    print_error("kingyoctl hid: %s: %s", path, file_error(errno));
     return EXIT_IO;
 }
 

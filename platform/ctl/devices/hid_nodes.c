@@ -47,7 +47,7 @@ static void read_node(const char *root, struct hid_node *node)
 {
     char path[HID_NODE_PATH], line[LINE_SIZE];
     snprintf(path, sizeof path, "%s/sys/class/hidraw/hidraw%u/device/uevent", root, node->number);
-    FILE *file = regular_file_open(path, REGULAR_FILE_KERNEL_SIZE_MAX);
+    FILE *file = file_open(path, FILE_KERNEL_SIZE_MAX);
     while (file && fgets(line, sizeof line, file)) {
         take_line(node, line);
     }

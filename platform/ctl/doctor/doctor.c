@@ -51,7 +51,7 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
     user->id = entry ? entry->pw_uid : geteuid();
     user->data[0] = '\0';
     if (!wanted || user->id == geteuid()) {
-        directory_default_data(user->data);
+        file_default_data(user->data);
     } else {
         take_home(user, entry->pw_dir);
     }
@@ -122,7 +122,7 @@ static enum exit_code read_config(struct doctor_words *words, int argc, const ch
     memcpy(doctor.options.config, path, sizeof path); /* doctor_warn() prints the path. */
     const int failed = config_file_read(&words->options, path, doctor_warn);
     if (failed) {
-        print_error("kingyoctl doctor: %s: %s", path, regular_file_error(-failed));
+        print_error("kingyoctl doctor: %s: %s", path, file_error(-failed));
         return failed == -EFBIG ? EXIT_BAD_DATA : EXIT_IO;
     }
     const enum exit_code code = read_words(words, argc, argv);

@@ -44,7 +44,7 @@ struct doctor_user {
     uid_t id;
     /* Path of the data folder that a kiosk under this account uses by default. "" means that the
      * account has no default data folder, because it has no home folder. */
-    char data[DIRECTORY_PATH_MAX];
+    char data[FILE_FOLDER_MAX];
     uint32_t group_count;
     gid_t groups[DOCTOR_GROUPS_MAX];
 };

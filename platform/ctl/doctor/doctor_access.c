@@ -81,7 +81,7 @@ void doctor_line(const struct doctor *doctor, char *out, size_t size, const char
     va_start(arguments, path);
     vsnprintf(whole + used, sizeof whole - (size_t)used, path, arguments);
     va_end(arguments);
-    FILE *file = regular_file_open(whole, REGULAR_FILE_KERNEL_SIZE_MAX);
+    FILE *file = file_open(whole, FILE_KERNEL_SIZE_MAX);
     if (!file || !fgets(out, (int)size, file)) {
         out[0] = '\0';
     }

@@ -110,7 +110,7 @@ static uint32_t look_at_cards(struct doctor *doctor)
     char path[OPTIONS_PATH_MAX + 64u], line[DOCTOR_TEXT];
     uint32_t count = 0;
     snprintf(path, sizeof path, "%s/proc/asound/cards", doctor->root);
-    FILE *file = regular_file_open(path, REGULAR_FILE_KERNEL_SIZE_MAX);
+    FILE *file = file_open(path, FILE_KERNEL_SIZE_MAX);
     while (file && fgets(line, sizeof line, file)) {
         unsigned number;
         const char *name = strstr(line, "]: ");

@@ -212,7 +212,7 @@ static void look_at_poi(struct doctor *doctor, const char *path)
     static char text[HID_MAPPING_STORE_TEXT_SIZE];
     static struct hid_mapping_store_entry entry;
     char why[HAL_TEXT_SIZE] = "";
-    FILE *file = regular_file_open(path, sizeof text - 1u);
+    FILE *file = file_open(path, sizeof text - 1u);
     const size_t size = file ? fread(text, 1, sizeof text - 1u, file) : 0;
     const int error = !file || ferror(file) ? errno : 0;
     if (file) {
@@ -228,7 +228,7 @@ static void look_at_poi(struct doctor *doctor, const char *path)
     }
     struct doctor_finding *finding = doctor_find(doctor, "learned", DOCTOR_LOOK, "%s", path);
     if (error) {
-        doctor_state(finding, "%s", regular_file_error(error));
+        doctor_state(finding, "%s", file_error(error));
     } else {
         doctor_state(finding, "line %d: %s", line, why);
     }

@@ -23,7 +23,7 @@ static void put_escaped(FILE *file, char *text)
 
 bool svg_open(struct svg *svg, const char *path, double width, double height, const char *title)
 {
-    const int error = atomic_file_open(&svg->out, path);
+    const int error = file_atomic_open(&svg->out, path);
     if (error != 0) {
         errno = -error;
         return false;
@@ -103,7 +103,7 @@ void svg_end_line(struct svg *svg, const char *colour, double width, const char 
 bool svg_close(struct svg *svg)
 {
     fputs("</svg>\n", svg->file);
-    const int error = atomic_file_close(&svg->out);
+    const int error = file_atomic_close(&svg->out);
     errno = -error;
     return error == 0;
 }

@@ -14,12 +14,12 @@ enum exit_code user_file_error(const char *speaker, const char *path, uint32_t s
                     in_kib ? "KiB" : "MiB");
         return EXIT_BAD_DATA;
     }
-    print_error("%s: %s: %s", speaker, path, regular_file_error(error));
+    print_error("%s: %s: %s", speaker, path, file_error(error));
     return EXIT_IO;
 }
 
 enum exit_code user_file_open(const char *speaker, const char *path, uint32_t size_max, FILE **out)
 {
-    *out = regular_file_open(path, size_max);
+    *out = file_open(path, size_max);
     return *out ? EXIT_OK : user_file_error(speaker, path, size_max, errno);
 }

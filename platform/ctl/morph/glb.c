@@ -166,7 +166,7 @@ static void write_words(FILE *file, const uint32_t *words, size_t count)
 static int write_chunks(const struct glb *glb, const struct byte_buffer *json, const char *path)
 {
     struct atomic_file out;
-    const int error = atomic_file_open(&out, path);
+    const int error = file_atomic_open(&out, path);
     if (error) {
         return error;
     }
@@ -176,7 +176,7 @@ static int write_chunks(const struct glb *glb, const struct byte_buffer *json, c
     fwrite(json->data, 1, json->size, out.file);
     write_words(out.file, (const uint32_t[]){ size, CHUNK_BIN }, 2);
     fwrite(glb->buffer.data, 1, glb->buffer.size, out.file);
-    return atomic_file_close(&out);
+    return file_atomic_close(&out);
 }
 
 int glb_write(struct glb *glb, const char *path, const char *animation, const char *scene)

@@ -42,7 +42,7 @@ static bool draw_frame(const struct morph_options *pick, struct canvas *canvas,
 static enum exit_code write_frame(const struct canvas *canvas, const struct morph_options *pick,
                                   const char *folder, uint32_t index)
 {
-    char path[DIRECTORY_PATH_MAX + 64];
+    char path[FILE_FOLDER_MAX + 64];
     snprintf(path, sizeof path, "%s/%s_%04u.png", folder, pick->fish->card.id, index);
     return morph_sheet_write_picture(canvas, path);
 }
@@ -53,7 +53,7 @@ enum exit_code morph_frames_write(const struct morph_options *pick, enum fish_pr
     struct fish_preview_bounds bounds[VIEW_COUNT];
     struct canvas canvas = { 0 };
     struct raster raster = { 0 };
-    const int error = directory_make(folder);
+    const int error = file_make_folder(folder);
     if (error) {
         return morph_fail(EXIT_IO, "export", "%.900s: %s", folder, strerror(-error));
     }

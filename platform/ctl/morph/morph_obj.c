@@ -71,7 +71,7 @@ enum exit_code morph_obj_write(const struct morph_options *pick, const char *pat
     const struct species_mesh *mesh = &pick->fish->lod[0];
     const float length_m = life_length_m(&pick->fish->card, pick->progress);
     struct atomic_file out;
-    int error = atomic_file_open(&out, path);
+    int error = file_atomic_open(&out, path);
     if (error == 0) {
         morph_pose(&pick->rig, mesh, pick->progress, &work.pose);
         morph_shape(mesh, pick->fish->card.key_count, &work.pose, work.positions, work.normals);
@@ -80,7 +80,7 @@ enum exit_code morph_obj_write(const struct morph_options *pick, const char *pat
         write_head(out.file, pick, length_m);
         write_vertices(out.file, pick, length_m);
         write_faces(out.file);
-        error = atomic_file_close(&out);
+        error = file_atomic_close(&out);
     }
     return error ? morph_fail(EXIT_IO, command, "%.900s: %s", path, strerror(-error)) : EXIT_OK;
 }

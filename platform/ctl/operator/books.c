@@ -34,10 +34,10 @@ static int look_for(const char *path)
 
 void books_path(const struct books_words *words, char path[BOOKS_PATH_SIZE])
 {
-    char own[DIRECTORY_PATH_MAX];
+    char own[FILE_FOLDER_MAX];
     const char *folder = words->data ? words->data : service_folder;
     snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, folder);
-    directory_default_data(own);
+    file_default_data(own);
     if (!words->data && look_for(path) == ENOENT && own[0]) {
         snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, own);
     }

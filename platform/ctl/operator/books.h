@@ -11,7 +11,7 @@
 #include "platform/store/sqlite/ledger_file.h"
 
 /* Size in bytes of a buffer for the path of the ledger database. */
-#define BOOKS_PATH_SIZE (DIRECTORY_PATH_MAX + 32u)
+#define BOOKS_PATH_SIZE (FILE_FOLDER_MAX + 32u)
 
 /* Options that all commands for the ledger database share. Commands with further options have this
  * structure as the first member of their own structure. */

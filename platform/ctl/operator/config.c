@@ -30,7 +30,7 @@ static enum exit_code config_check_file(const char *path)
     warning_count = 0;
     const int failed = config_file_read(&options, path, config_warn);
     if (failed) {
-        print_error("kingyoctl config: %s: %s", path, regular_file_error(-failed));
+        print_error("kingyoctl config: %s: %s", path, file_error(-failed));
         return failed == -EFBIG ? EXIT_BAD_DATA : EXIT_IO;
     }
     if (warning_count > 0) {

@@ -60,7 +60,7 @@ static void join(char out[LEDGER_PATH_SIZE], const char *path, const char *suffi
 static int is_locked(const char *path)
 {
     struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
-    const int handle = regular_file_handle(path, O_RDONLY, 0);
+    const int handle = file_handle(path, O_RDONLY, 0);
     const int is_held = handle >= 0 && fcntl(handle, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
     if (handle >= 0) {
         close(handle);
@@ -75,7 +75,7 @@ static int has_stall(const struct swap *swap)
     char folder[BOOKS_PATH_SIZE];
     snprintf(folder, sizeof folder, "%s", swap->own);
     *strrchr(folder, '/') = '\0';
-    const int handle = directory_lock(folder[0] ? folder : "/");
+    const int handle = file_lock_folder(folder[0] ? folder : "/");
     if (handle >= 0) {
         close(handle);
     }
@@ -208,7 +208,7 @@ enum exit_code restore_backup(const struct books_words *words, const char *named
 {
     struct swap swap = { 0 };
     char resolved[PATH_MAX]; /* Target of the symbolic link if the user named a symbolic link. */
-    const char *from = regular_file_is_other(named) && realpath(named, resolved) ? resolved : named;
+    const char *from = file_is_other(named) && realpath(named, resolved) ? resolved : named;
     books_path(words, swap.own);
     if (strlen(swap.own) > PATH_MAX_BYTES) {
         return ctl_usage("backup", "the name is too long");

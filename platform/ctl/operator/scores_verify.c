@@ -164,7 +164,7 @@ enum exit_code scores_write_replay(const struct scores_request *request, struct 
                     request->round_id);
         return EXIT_NOT_SO;
     }
-    int error = atomic_file_open(&out, request->out);
+    int error = file_atomic_open(&out, request->out);
     if (error == 0) {
         if (!out.is_stream) {
             /* Only the owner may read the output file, because the replay contains settings and the
@@ -172,7 +172,7 @@ enum exit_code scores_write_replay(const struct scores_request *request, struct 
             fchmod(fileno(out.file), S_IRUSR | S_IWUSR);
         }
         fwrite(bytes, 1, size, out.file);
-        error = atomic_file_close(&out);
+        error = file_atomic_close(&out);
     }
     if (error) {
         print_error("kingyoctl scores: %s: cannot be written: %s", request->out, strerror(-error));

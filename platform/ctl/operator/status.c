@@ -36,7 +36,7 @@ static const struct option_table table = { options, sizeof options / sizeof opti
 
 static enum exit_code status_read_file(const char *path, char text[STATUS_TEXT_MAX])
 {
-    FILE *file = regular_file_open(path, STATUS_TEXT_MAX - 1u);
+    FILE *file = file_open(path, STATUS_TEXT_MAX - 1u);
     const size_t size = file ? fread(text, 1, STATUS_TEXT_MAX - 1u, file) : 0;
     const int error = !file || ferror(file) ? errno : 0;
     text[size] = '\0';
@@ -44,7 +44,7 @@ static enum exit_code status_read_file(const char *path, char text[STATUS_TEXT_M
         fclose(file);
     }
     if (error) {
-        print_error("kingyoctl status: %s: %s%s", path, regular_file_error(error),
+        print_error("kingyoctl status: %s: %s%s", path, file_error(error),
                     error == ENOENT ? "; no stall runs as a service here" : "");
     }
     return error == EFBIG ? EXIT_BAD_DATA : error ? EXIT_IO : EXIT_OK;

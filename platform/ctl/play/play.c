@@ -18,7 +18,7 @@
 static const char name[] = "play";
 static const char speaker[] = "kingyoctl play";
 
-#define PATH_MAX_CHARS (DIRECTORY_PATH_MAX + 32u)
+#define PATH_MAX_CHARS (FILE_FOLDER_MAX + 32u)
 
 struct play_options {
     const char *bot, *record;
@@ -231,7 +231,7 @@ static enum exit_code check_options(const struct play_options *options)
 
 static enum exit_code open_folder(const struct play_options *options)
 {
-    const int error = options->record ? directory_make(options->record) : 0;
+    const int error = options->record ? file_make_folder(options->record) : 0;
     if (error) {
         print_error("%s: %s: cannot record: %s", speaker, options->record, strerror(-error));
         return EXIT_IO;

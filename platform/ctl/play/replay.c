@@ -139,7 +139,7 @@ static void tell_panic(void *self, const char *reason)
     panic_put(&text, ": ");
     panic_put(&text, reason);
     panic_put_end(&text);
-    panic_write(STDOUT_FILENO, text.out, text.used);
+    file_write(STDOUT_FILENO, text.out, text.used);
     _exit(EXIT_NOT_SO);
 }
 

@@ -35,7 +35,7 @@ static enum exit_code tank_trace_print_error(const struct tank_trace *trace, int
 enum exit_code tank_trace_open(struct tank_trace *trace, const char *path)
 {
     trace->path = path;
-    const int error = atomic_file_open(&trace->out, path);
+    const int error = file_atomic_open(&trace->out, path);
     if (error) {
         return tank_trace_print_error(trace, -error);
     }
@@ -88,7 +88,7 @@ void tank_trace_add(struct tank_trace *trace, const struct tank *tank, uint32_t 
 
 enum exit_code tank_trace_close(struct tank_trace *trace)
 {
-    const int error = atomic_file_close(&trace->out);
+    const int error = file_atomic_close(&trace->out);
     trace->file = NULL;
     return error ? tank_trace_print_error(trace, -error) : EXIT_OK;
 }

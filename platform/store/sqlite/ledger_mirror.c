@@ -116,7 +116,7 @@ static int hide_pins(struct ledger_mirror *tail);
 int ledger_mirror_open(struct ledger_mirror *tail, const char *path)
 {
     struct stat about;
-    *tail = opened(regular_file_handle(path, O_RDWR | O_CREAT, 0600));
+    *tail = opened(file_handle(path, O_RDWR | O_CREAT, 0600));
     if (tail->handle == 0) {
         return -1;
     }
@@ -134,7 +134,7 @@ int ledger_mirror_open(struct ledger_mirror *tail, const char *path)
 
 struct ledger_mirror ledger_mirror_inspect(const char *path)
 {
-    return opened(regular_file_handle(path, O_RDONLY, 0));
+    return opened(file_handle(path, O_RDONLY, 0));
 }
 
 void ledger_mirror_close(struct ledger_mirror *tail)

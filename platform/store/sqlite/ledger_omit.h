@@ -18,7 +18,7 @@
 #define LEDGER_LEAVE_NONE 1
 
 /* Opens the database kingyo.db in the folder `data`, copies it, and deletes the parts of the data
- * that `left` selects. The caller must have locked the folder (directory_lock()). Writes a text
+ * that `left` selects. The caller must have locked the folder (file_lock_folder()). Writes a text
  * about the result to `words`. Returns 0 on success, or LEDGER_LEAVE_NONE if there is no database.
  * Returns -1 and changes nothing if the database cannot be copied or written. */
 int ledger_leave_out(const char *data, enum panics_left left, char words[LEDGER_LEAVE_WORDS]);

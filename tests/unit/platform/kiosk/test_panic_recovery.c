@@ -242,7 +242,7 @@ static void test_a_folder_that_another_process_holds_stays_as_it_is(void **state
 {
     (void)state;
     fill();
-    const int hold = directory_lock(dir);
+    const int hold = file_lock_folder(dir);
     assert_true(hold >= 0);
     start();
     assert_nothing_changed();

@@ -64,9 +64,9 @@ static void test_what_was_written_is_there(void **state)
     (void)state;
     struct atomic_file out;
     struct stat status;
-    assert_int_equal(atomic_file_open(&out, path), 0);
+    assert_int_equal(file_atomic_open(&out, path), 0);
     write_much(out.file);
-    assert_int_equal(atomic_file_close(&out), 0);
+    assert_int_equal(file_atomic_close(&out), 0);
     assert_int_equal(stat(path, &status), 0);
     assert_int_equal(status.st_size, 64 * 4096);
     unlink(path);
@@ -76,10 +76,10 @@ static void test_half_a_file_is_removed(void **state)
 {
     (void)state;
     struct atomic_file out;
-    assert_int_equal(atomic_file_open(&out, path), 0);
+    assert_int_equal(file_atomic_open(&out, path), 0);
     limit_files(10000);
     write_much(out.file);
-    const int error = atomic_file_close(&out);
+    const int error = file_atomic_close(&out);
     limit_files(RLIM_INFINITY);
     assert_int_equal(error, -EFBIG);
     assert_false(exists(path));
@@ -90,9 +90,9 @@ static void test_a_full_device_is_told_and_stays(void **state)
 {
     (void)state;
     struct atomic_file out;
-    assert_int_equal(atomic_file_open(&out, "/dev/full"), 0);
+    assert_int_equal(file_atomic_open(&out, "/dev/full"), 0);
     fputs("x", out.file);
-    assert_int_equal(atomic_file_close(&out), -ENOSPC);
+    assert_int_equal(file_atomic_close(&out), -ENOSPC);
     assert_true(exists("/dev/full"));
 }
 
@@ -101,10 +101,10 @@ static void test_a_file_that_cannot_be_opened_is_left_alone(void **state)
     (void)state;
     struct atomic_file out;
     char below[80];
-    assert_int_equal(atomic_file_open(&out, folder), -EISDIR);
+    assert_int_equal(file_atomic_open(&out, folder), -EISDIR);
     assert_true(exists(folder));
     snprintf(below, sizeof below, "%s/no/file", folder);
-    assert_int_equal(atomic_file_open(&out, below), -ENOENT);
+    assert_int_equal(file_atomic_open(&out, below), -ENOENT);
 }
 
 static void test_half_a_picture_is_removed(void **state)
@@ -159,7 +159,7 @@ static int write_new(int (*open_out)(struct atomic_file *, const char *), const 
         return error;
     }
     fputs("new", out.file);
-    return atomic_file_close(&out);
+    return file_atomic_close(&out);
 }
 
 static void test_a_full_disk_leaves_the_file_that_was_there(void **state)
@@ -168,15 +168,15 @@ static void test_a_full_disk_leaves_the_file_that_was_there(void **state)
     struct atomic_file out;
     write_words(path, "old");
     assert_int_equal(chmod(path, 0640), 0);
-    assert_int_equal(atomic_file_open(&out, path), 0);
+    assert_int_equal(file_atomic_open(&out, path), 0);
     limit_files(10000);
     write_much(out.file);
     reads(path, "old");
-    const int error = atomic_file_close(&out);
+    const int error = file_atomic_close(&out);
     limit_files(RLIM_INFINITY);
     assert_int_equal(error, -EFBIG);
     reads(path, "old");
-    assert_int_equal(write_new(atomic_file_open, path), 0);
+    assert_int_equal(write_new(file_atomic_open, path), 0);
     reads(path, "new");
     struct stat status;
     assert_int_equal(stat(path, &status), 0);
@@ -189,11 +189,11 @@ static void test_a_pipe_takes_what_is_written_and_stays(void **state)
     (void)state;
     char is[8] = "";
     assert_int_equal(mkfifo(path, 0600), 0);
-    assert_int_equal(write_new(atomic_file_open, path), -ENXIO); /* Nobody reads: no waiting. */
+    assert_int_equal(write_new(file_atomic_open, path), -ENXIO); /* Nobody reads: no waiting. */
     const int reader = open(path, O_RDONLY | O_NONBLOCK);
     assert_true(reader >= 0);
-    assert_int_equal(write_new(atomic_file_open_durable, path), -ENOTSUP);
-    assert_int_equal(write_new(atomic_file_open, path), 0);
+    assert_int_equal(write_new(file_atomic_open_durable, path), -ENOTSUP);
+    assert_int_equal(write_new(file_atomic_open, path), 0);
     assert_int_equal(read(reader, is, sizeof is), 3);
     assert_string_equal(is, "new");
     close(reader);
@@ -213,12 +213,12 @@ static void test_a_device_is_never_replaced(void **state)
     if (opens) {
         close(fd);
     }
-    assert_int_equal(write_new(atomic_file_open, path), opens ? -ENOSPC : -EACCES);
-    assert_int_equal(write_new(atomic_file_open_durable, path), -ENOTSUP);
+    assert_int_equal(write_new(file_atomic_open, path), opens ? -ENOSPC : -EACCES);
+    assert_int_equal(write_new(file_atomic_open_durable, path), -ENOTSUP);
     assert_int_equal(kind_of(path), S_IFCHR);
     unlink(path);
     if (mknod(path, S_IFBLK | 0600, makedev(7, 250)) == 0) { /* A disk takes nothing at all. */
-        assert_int_equal(write_new(atomic_file_open, path), -ENOTSUP);
+        assert_int_equal(write_new(file_atomic_open, path), -ENOTSUP);
         assert_int_equal(kind_of(path), S_IFBLK);
         unlink(path);
     }
@@ -229,20 +229,20 @@ static void test_a_link_stays_one_and_leads_nowhere_new(void **state)
     (void)state;
     char link[80], part[80];
     snprintf(link, sizeof link, "%s/link", folder);
-    snprintf(part, sizeof part, "%s" ATOMIC_FILE_PART, path);
+    snprintf(part, sizeof part, "%s" FILE_ATOMIC_PART, path);
     assert_int_equal(symlink(path, link), 0);
-    assert_int_equal(write_new(atomic_file_open, link), -ENOENT);
-    assert_int_equal(write_new(atomic_file_open_durable, link), -ENOENT);
+    assert_int_equal(write_new(file_atomic_open, link), -ENOENT);
+    assert_int_equal(write_new(file_atomic_open_durable, link), -ENOENT);
     assert_false(exists(path));
     write_words(path, "old");
-    assert_int_equal(write_new(atomic_file_open, link), 0);
+    assert_int_equal(write_new(file_atomic_open, link), 0);
     assert_int_equal(kind_of(link), S_IFLNK);
     reads(path, "new");
     /* A link where the part is to be is no way to another's file. */
     unlink(link);
     write_words(link, "theirs");
     assert_int_equal(symlink(link, part), 0);
-    assert_int_equal(write_new(atomic_file_open_durable, path), 0);
+    assert_int_equal(write_new(file_atomic_open_durable, path), 0);
     reads(link, "theirs");
     reads(path, "new");
     assert_false(exists(part));

@@ -33,7 +33,7 @@ static int make_below(const char *name)
 {
     char path[128];
     snprintf(path, sizeof path, "%s/%s", root, name);
-    return directory_make(path);
+    return file_make_folder(path);
 }
 
 static void test_all_folders_on_the_way_are_made_and_twice_is_no_harm(void **state)
@@ -62,11 +62,11 @@ static void test_a_file_in_the_way_is_told(void **state)
 
 static void test_a_path_of_no_or_too_many_bytes_is_refused(void **state)
 {
-    static char path[DIRECTORY_PATH_MAX + 1];
+    static char path[FILE_FOLDER_MAX + 1];
     (void)state;
-    assert_int_equal(directory_make(""), -ENOENT);
-    memset(path, 'a', DIRECTORY_PATH_MAX);
-    assert_int_equal(directory_make(path), -ENAMETOOLONG);
+    assert_int_equal(file_make_folder(""), -ENOENT);
+    memset(path, 'a', FILE_FOLDER_MAX);
+    assert_int_equal(file_make_folder(path), -ENAMETOOLONG);
 }
 
 int main(void)

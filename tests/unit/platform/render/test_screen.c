@@ -43,7 +43,7 @@ static void put(const char *name, const char *status)
 {
     char path[256];
     snprintf(path, sizeof path, "%s/sys/class/drm/%s", root, name);
-    assert_int_equal(directory_make(path), 0);
+    assert_int_equal(file_make_folder(path), 0);
     if (status) {
         strcat(path, "/status");
         FILE *file = fopen(path, "w");

@@ -62,7 +62,7 @@ static void test_a_file_that_grows_while_it_is_read_ends_at_the_limit(void **sta
     char path[] = "/tmp/kingyo-plain-XXXXXX", bytes[64];
     const int fd = mkstemp(path);
     assert_int_equal(ftruncate(fd, 10), 0);
-    file = regular_file_open(path, 16);
+    file = file_open(path, 16);
     assert_non_null(file);
     assert_int_equal(ftruncate(fd, 16), 0);
     assert_int_equal(fread(bytes, 1, sizeof bytes, file), 16);
@@ -73,7 +73,7 @@ static void test_a_file_that_grows_while_it_is_read_ends_at_the_limit(void **sta
     assert_int_equal(fread(bytes, 1, sizeof bytes, file), 0);
     assert_true(ferror(file));
     assert_int_equal(errno, EFBIG);
-    assert_string_equal(regular_file_error(errno), "is too large");
+    assert_string_equal(file_error(errno), "is too large");
     assert_int_equal(fclose(file), 0);
     close(fd);
     unlink(path);

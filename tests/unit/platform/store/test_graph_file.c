@@ -274,7 +274,7 @@ static void test_a_graph_is_kept_where_the_database_cannot_be(void **state)
     static struct storage storage;
     memset(&storage, 0, sizeof storage);
     storage.dir = folder;
-    const int hold = directory_lock(folder); /* As another stall does. */
+    const int hold = file_lock_folder(folder); /* As another stall does. */
     assert_true(hold >= 0);
     const struct hal_storage device = storage_device(&storage);
     const struct graph_edit_record record = drawn();

@@ -230,20 +230,20 @@ static void test_the_shared_function_opens_regular_files_alone(void **state)
     (void)state;
     for (size_t i = 0; i < KIND_COUNT; i++) {
         kinds[i](in_dir("one"));
-        assert_true(regular_file_is_other(in_dir("one")));
-        assert_int_equal(regular_file_handle(in_dir("one"), O_RDONLY, 0), -1);
-        assert_int_equal(regular_file_handle(in_dir("one"), O_RDWR | O_CREAT | O_TRUNC, 0600), -1);
-        assert_int_equal(regular_file_handle(in_dir("one"), O_WRONLY | O_CREAT, 0600), -1);
+        assert_true(file_is_other(in_dir("one")));
+        assert_int_equal(file_handle(in_dir("one"), O_RDONLY, 0), -1);
+        assert_int_equal(file_handle(in_dir("one"), O_RDWR | O_CREAT | O_TRUNC, 0600), -1);
+        assert_int_equal(file_handle(in_dir("one"), O_WRONLY | O_CREAT, 0600), -1);
         assert_int_equal(remove(in_dir("one")), 0);
     }
-    assert_string_equal(regular_file_error(ELOOP), "is a symbolic link");
-    assert_string_equal(regular_file_error(ENOTSUP), "is not a regular file");
-    const int handle = regular_file_handle(in_dir("one"), O_RDWR | O_CREAT, 0600);
+    assert_string_equal(file_error(ELOOP), "is a symbolic link");
+    assert_string_equal(file_error(ENOTSUP), "is not a regular file");
+    const int handle = file_handle(in_dir("one"), O_RDWR | O_CREAT, 0600);
     assert_true(handle >= 0);
     assert_int_equal(write(handle, "12", 2), 2);
     close(handle);
     struct stat about;
-    close(regular_file_handle(in_dir("one"), O_WRONLY | O_TRUNC, 0));
+    close(file_handle(in_dir("one"), O_WRONLY | O_TRUNC, 0));
     assert_int_equal(stat(in_dir("one"), &about), 0);
     assert_int_equal(about.st_size, 0);
     victim_is_untouched();

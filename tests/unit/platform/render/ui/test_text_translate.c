@@ -121,7 +121,7 @@ static void test_what_is_no_regular_file_is_known(void **state)
     static const int errors[] = { ELOOP, ENOTSUP, EFBIG };
     (void)state;
     for (size_t i = 0; i < sizeof errors / sizeof errors[0]; i++) {
-        expect_japanese(regular_file_error(errors[i]));
+        expect_japanese(file_error(errors[i]));
     }
     assert_string_equal(in_japanese("/var/lib/kingyo/usb.txt: is not a regular file"),
                         "/var/lib/kingyo/usb.txt：ふつうのファイルではありません");
