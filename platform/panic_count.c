@@ -12,6 +12,7 @@
 
 #include "core/base/hash.h"
 #include "platform/os/log.h"
+#include "platform/os/file.h"
 #include "platform/os/panic_text.h"
 #include "platform/replay/replay_bytes.h"
 

@@ -14,7 +14,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 #include "platform/panic.h"
 #include "platform/panic_count.h"
 #include "platform/store/storage.h"

@@ -6,8 +6,8 @@ SPECIES := wakin kurodai shimafugu kuroanago hirame ray mebachi
 SPECIES_PARTS := assets/bake/species assets/bake/species_write \
     $(patsubst %.c,%,$(filter-out %/library.c,$(wildcard platform/species/*.c))) \
     $(patsubst %.c,%,$(filter-out %/blend_pick.c,$(wildcard core/morph/*.c))) \
-    core/base/fmath core/base/printable core/base/vec platform/os/atomic_file \
-    platform/os/regular_file platform/os/print
+    core/base/fmath core/base/printable core/base/vec platform/os/file \
+    platform/os/print
 # Compiled for the building machine, separately from the kiosk's objects.
 SPECIES_OBJ := $(SPECIES_PARTS:%=$(BUILD)/bake_host/%.o)
 GENERATED_CORE_OBJ += $(SPECIES:%=$(BUILD)/generated/species_%.o) $(BUILD)/generated/species_table.o

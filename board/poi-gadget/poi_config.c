@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "platform/os/print.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 
 #define MM 0.001f
 #define NUMBERS_MAX 4u

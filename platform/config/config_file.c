@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "core/base/printable.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 #include "platform/setting_text.h"
 
 #define WHY_MAX 320u

@@ -14,7 +14,7 @@
 #include "platform/kiosk/run_interactive.h"
 #include "platform/os/log.h"
 #include "platform/os/print.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 #include "platform/os/standard_streams.h"
 #include "platform/panic.h"
 

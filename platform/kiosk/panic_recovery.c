@@ -12,7 +12,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 #include "platform/os/log.h"
 #include "platform/os/panic_text.h"
 #include "platform/panic.h"

@@ -8,11 +8,10 @@
 #include <string.h>
 
 #include "platform/cpu.h"
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 #include "platform/os/log.h"
 #include "platform/os/png.h"
 #include "platform/os/print.h"
-#include "platform/os/regular_file.h"
 #include "platform/store/graph_file.h"
 #include "platform/store/storage.h"
 

@@ -11,7 +11,7 @@
 #include "core/tank/preset.h"
 #include "platform/board.h"
 #include "platform/os/clock.h"
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 #include "platform/os/log.h"
 #include "platform/os/print.h"
 

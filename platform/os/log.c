@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "core/base/printable.h"
+#include "platform/os/file.h"
 #include "platform/os/panic_text.h"
 
 static int has_journal; /* 1 if standard error is a journal. Set once, before other threads

@@ -2,9 +2,7 @@
  * stdio lock. */
 #include "platform/os/panic_text.h"
 
-#include <errno.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "core/base/printable.h"
 
@@ -36,21 +34,4 @@ void panic_put_end(struct panic_text *text)
         text->used--;
     }
     panic_put(text, "\n");
-}
-
-int file_write(int fd, const void *bytes, size_t size)
-{
-    const char *from = bytes;
-    while (size > 0) {
-        const ssize_t written = write(fd, from, size);
-        if (written < 0 && errno == EINTR) {
-            continue;
-        }
-        if (written <= 0) {
-            return written < 0 ? -errno : -EIO;
-        }
-        from += written;
-        size -= (size_t)written;
-    }
-    return 0;
 }

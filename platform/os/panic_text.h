@@ -22,8 +22,4 @@ void panic_put_number(struct panic_text *text, uint32_t number);
  * written even if the line is full. */
 void panic_put_end(struct panic_text *text);
 
-/* Writes all `size` bytes to the descriptor `fd`. Retries after an interruption by a signal.
- * Returns 0 or a negative errno. */
-int file_write(int fd, const void *bytes, size_t size);
-
 #endif

@@ -9,6 +9,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/panic.h"
+#include "platform/os/file.h"
 #include "platform/os/panic_text.h"
 #include "platform/replay/replay_bytes.h"
 #include "platform/replay/replay_format.h"

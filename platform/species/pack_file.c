@@ -7,8 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "platform/os/atomic_file.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 #include "platform/species/text_file.h"
 
 static enum pack_result cannot(int error, char why[VALIDATE_WHY_SIZE])

@@ -4,7 +4,7 @@
 #include <errno.h>
 #include <stdbool.h>
 
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 
 enum text_file_open text_file_open(const char *path, uint32_t size_max, FILE **out,
                                    char why[TEXT_FILE_WHY_SIZE])

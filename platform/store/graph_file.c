@@ -7,8 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "platform/os/directory.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 
 #define PATH_SIZE 1200u
 

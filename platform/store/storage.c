@@ -9,7 +9,7 @@
 
 #include <sqlite3.h>
 
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 #include "platform/panic.h"
 #include "platform/store/storage_internal.h"
 

@@ -12,7 +12,7 @@
 #include <sqlite3.h>
 
 #include "core/base/hash.h"
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 #include "platform/store/storage_internal.h"
 
 void storage_note_result(struct storage *storage, int code)

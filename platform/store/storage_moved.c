@@ -11,7 +11,7 @@
 
 #include <sqlite3.h>
 
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 #include "platform/os/log.h"
 #include "platform/store/storage_internal.h"
 

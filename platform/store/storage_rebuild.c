@@ -19,7 +19,7 @@
 
 #include <sqlite3.h>
 
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_backup.h"
 #include "platform/store/sqlite/sql.h"
 #include "platform/store/storage_internal.h"

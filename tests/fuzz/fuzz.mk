@@ -9,7 +9,7 @@ FUZZ_CC := clang
 FUZZ_CFLAGS := -std=c17 -O1 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE $(ASSIMP) -I. \
     -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 FUZZ_SRC := $(filter-out %/blend_pick.c,$(wildcard core/morph/*.c)) core/base/fmath.c core/base/vec.c \
-    core/base/printable.c platform/os/atomic_file.c platform/os/regular_file.c platform/os/print.c \
+    core/base/printable.c platform/os/file.c platform/os/print.c \
     $(filter-out %/library.c,$(wildcard platform/species/*.c)) \
     $(wildcard platform/ctl/import/*.c) tests/fuzz/exercise.c tests/fuzz/meshes.c
 FUZZ_OBJ := $(FUZZ_SRC:%.c=$(FUZZ)/%.o)

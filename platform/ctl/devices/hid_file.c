@@ -11,7 +11,7 @@
 
 #include "platform/ctl/lib/user_file.h"
 #include "platform/os/print.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 
 static int hex_digit(int letter)
 {

@@ -15,7 +15,7 @@
 #include "core/base/printable.h"
 #include "platform/ctl/devices/hid_file.h"
 #include "platform/os/number.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 
 #define LINE_SIZE 512
 

@@ -15,9 +15,8 @@
 
 #include "platform/config/config_file.h"
 #include "platform/ctl/lib/ctl.h"
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 #include "platform/os/print.h"
-#include "platform/os/regular_file.h"
 
 static const char name[] = "doctor";
 static struct doctor doctor;

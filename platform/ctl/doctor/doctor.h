@@ -11,7 +11,7 @@
 #include <sys/types.h>
 
 #include "platform/config/options.h"
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 
 /* Maximum number of stored findings. The report prints how many further findings were dropped. */
 #define DOCTOR_FINDINGS_MAX 256u

@@ -13,7 +13,7 @@
 #include "core/base/printable.h"
 
 #include "platform/ctl/doctor/doctor.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 
 static bool is_in(const struct doctor_user *user, gid_t group)
 {

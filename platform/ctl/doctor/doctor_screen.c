@@ -6,7 +6,7 @@
 
 #include "platform/board.h"
 #include "platform/ctl/doctor/doctor.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 
 /* Adds a finding for a device node that the kiosk opens itself. If the kiosk's user has no access,
  * the finding contains the command that gives access. */

@@ -12,7 +12,7 @@
 
 #include "drivers/hid/hid_mapping.h"
 #include "platform/ctl/doctor/doctor.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 #include "platform/store/sqlite/sql.h"
 #include "platform/store/storage.h"
 #include "platform/system_health.h"

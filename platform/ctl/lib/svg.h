@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "platform/os/atomic_file.h"
+#include "platform/os/file.h"
 
 #define SVG_PAPER "#fbfaf8"
 #define SVG_INK "#333333"

@@ -4,7 +4,7 @@
 #include <errno.h>
 
 #include "platform/os/print.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 
 enum exit_code user_file_error(const char *speaker, const char *path, uint32_t size_max, int error)
 {

@@ -8,7 +8,7 @@
 
 #include "core/base/panic.h"
 #include "core/core.h"
-#include "platform/os/atomic_file.h"
+#include "platform/os/file.h"
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "glTF is little-endian; so is memory");
 

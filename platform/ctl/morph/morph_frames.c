@@ -6,7 +6,7 @@
 #include "platform/ctl/lib/caption.h"
 #include "platform/ctl/morph/morph_sheet.h"
 #include "platform/ctl/morph/morph_sheet_internal.h"
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 
 #define FRAME_MARGIN 48.0f
 

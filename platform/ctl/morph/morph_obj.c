@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "platform/ctl/morph/morph_mesh.h"
-#include "platform/os/atomic_file.h"
+#include "platform/os/file.h"
 
 static const char command[] = "export";
 

@@ -7,7 +7,7 @@
 #define KINGYO_PLATFORM_CTL_OPERATOR_BOOKS_H
 
 #include "platform/ctl/lib/ctl.h"
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_file.h"
 
 /* Size in bytes of a buffer for the path of the ledger database. */

@@ -10,7 +10,7 @@
 
 #include "platform/ctl/lib/ctl.h"
 #include "platform/os/print.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 
 static const char name[] = "config";
 static uint32_t warning_count;

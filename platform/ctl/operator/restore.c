@@ -20,10 +20,9 @@
 
 #include <sqlite3.h>
 
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 #include "platform/os/json_char.h"
 #include "platform/os/print.h"
-#include "platform/os/regular_file.h"
 #include "platform/store/sqlite/ledger_backup.h"
 #include "platform/store/sqlite/sql.h"
 #include "platform/store/storage.h"

@@ -10,7 +10,7 @@
 #include "platform/cpu.h"
 #include "platform/kiosk/replay_verifier.h"
 #include "platform/kiosk/session_recorder.h"
-#include "platform/os/atomic_file.h"
+#include "platform/os/file.h"
 #include "platform/os/print.h"
 
 #define ROUNDS_MAX (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)

@@ -10,7 +10,7 @@
 #include "platform/kiosk/status.h"
 #include "platform/os/json_char.h"
 #include "platform/os/print.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 #include "platform/os/standard_streams.h"
 
 #define DEFAULT_FILE "/run/kingyo/" STATUS_FILE

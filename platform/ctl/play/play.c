@@ -12,7 +12,7 @@
 #include "platform/ctl/play/bot_keys.h"
 #include "platform/ctl/play/play_report.h"
 #include "platform/ctl/play/rounds.h"
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 #include "platform/os/print.h"
 
 static const char name[] = "play";

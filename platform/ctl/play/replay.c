@@ -9,6 +9,7 @@
 #include "platform/cpu.h"
 #include "platform/ctl/lib/ctl.h"
 #include "platform/kiosk/replayer.h"
+#include "platform/os/file.h"
 #include "platform/os/panic_text.h"
 #include "platform/os/print.h"
 #include "platform/panic.h"

@@ -8,7 +8,7 @@
 
 #include "core/tank/tank.h"
 #include "platform/config/options.h"
-#include "platform/os/atomic_file.h"
+#include "platform/os/file.h"
 
 struct tank_trace {
     const char *path;

@@ -12,7 +12,7 @@
 #include "core/game/accounting/ledger_range.h"
 #include "core/pin.h"
 #include "core/settings.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_backup.h"
 
 #define FILE_SIZE ((off_t)LEDGER_MIRROR_SLOTS * LEDGER_MIRROR_SLOT_SIZE)

@@ -20,7 +20,7 @@
 #include <cmocka.h>
 
 #include "platform/kiosk/panic_recovery.h"
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_file.h"
 #include "platform/store/sqlite/ledger_omit.h"
 

@@ -16,7 +16,7 @@
 #include <unistd.h>
 
 #include "platform/ctl/lib/canvas.h"
-#include "platform/os/atomic_file.h"
+#include "platform/os/file.h"
 
 static char folder[] = "/tmp/kingyo_out_XXXXXX";
 static char path[64];

@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 
 static char root[] = "/tmp/kingyo-folder-XXXXXX";
 

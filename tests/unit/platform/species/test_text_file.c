@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 #include "platform/species/text_file.h"
 
 static char why[TEXT_FILE_WHY_SIZE];

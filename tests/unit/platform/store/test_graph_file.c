@@ -13,7 +13,7 @@
 #include <cmocka.h>
 
 #include "core/base/rng.h"
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 #include "platform/store/graph_file.h"
 #include "platform/store/storage.h"
 

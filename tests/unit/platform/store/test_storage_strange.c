@@ -18,7 +18,7 @@
 
 #include "drivers/hid/hid_mapping_store.h"
 #include "drivers/usb/usb_choice_file.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 #include "platform/store/graph_file.h"
 #include "platform/store/storage.h"
 

@@ -1,0 +1,396 @@
+/* file.c -- opens, reads, replaces and locks files and folders; see file.h. */
+#include "platform/os/file.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* ---- Regular files ---------------------------------------------------------------------------- */
+
+/* Opens a regular file without blocking. Reads the file type from the open descriptor, so that no
+ * other file can take its place between the check and the use. `added` is 0 or O_NOFOLLOW. */
+static int open_regular(int folder, const char *path, int flags, int added, mode_t mode)
+{
+    struct stat about = { 0 };
+    const int handle =
+        openat(folder, path, (flags & ~O_TRUNC) | added | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, mode);
+    if (handle < 0) {
+        errno = errno == ENXIO ? ENOTSUP : errno; /* `path` is a FIFO without a reader, a socket, or
+                                                     a device without its driver. */
+        return -1;
+    }
+    int error = fstat(handle, &about) != 0 ? errno
+                : S_ISREG(about.st_mode)   ? 0
+                : S_ISDIR(about.st_mode)   ? EISDIR
+                                           : ENOTSUP;
+    if (error == 0 && (flags & O_TRUNC) && ftruncate(handle, 0) != 0) {
+        error = errno;
+    }
+    if (error != 0) {
+        close(handle);
+        errno = error;
+    }
+    return error == 0 ? handle : -1;
+}
+
+int file_handle_at(int folder, const char *path, int flags, mode_t mode)
+{
+    return open_regular(folder, path, flags, O_NOFOLLOW, mode);
+}
+
+int file_handle(const char *path, int flags, mode_t mode)
+{
+    return open_regular(AT_FDCWD, path, flags, O_NOFOLLOW, mode);
+}
+
+int file_user_handle(const char *path, int flags, mode_t mode)
+{
+    return open_regular(AT_FDCWD, path, flags, 0, mode);
+}
+
+/* Open file with a read limit. `left` is the number of bytes that may still be read. */
+struct bounded {
+    int handle;
+    uint32_t left;
+};
+
+/* Reads from the file. The read may exceed `left` by one byte, to detect a file that is longer than
+ * the limit. If the file is longer, returns -1 and sets errno to EFBIG. */
+static ssize_t bounded_read(void *cookie, char *out, size_t size)
+{
+    struct bounded *bounded = cookie;
+    const size_t ask = size > bounded->left ? (size_t)bounded->left + 1u : size;
+    const ssize_t got = read(bounded->handle, out, ask);
+    if (got > 0 && (size_t)got > bounded->left) {
+        errno = EFBIG;
+        return -1;
+    }
+    bounded->left -= got > 0 ? (uint32_t)got : 0u;
+    return got;
+}
+
+static int bounded_close(void *cookie)
+{
+    struct bounded *bounded = cookie;
+    const int result = close(bounded->handle);
+    free(bounded);
+    return result;
+}
+
+FILE *file_open(const char *path, uint32_t size_max)
+{
+    const cookie_io_functions_t functions = { .read = bounded_read, .close = bounded_close };
+    struct stat about = { 0 };
+    const int handle = file_user_handle(path, O_RDONLY, 0);
+    if (handle < 0) {
+        return NULL;
+    }
+    const int error = fstat(handle, &about) != 0 ? errno : about.st_size > size_max ? EFBIG : 0;
+    struct bounded *bounded = error == 0 ? malloc(sizeof *bounded) : NULL;
+    FILE *file = NULL;
+    if (bounded) {
+        *bounded = (struct bounded){ .handle = handle, .left = size_max };
+        file = fopencookie(bounded, "r", functions);
+    }
+    if (!file) {
+        free(bounded);
+        close(handle);
+        errno = error ? error : ENOMEM;
+    }
+    return file;
+}
+
+int file_is_other(const char *path)
+{
+    struct stat about;
+    return lstat(path, &about) == 0 && !S_ISREG(about.st_mode);
+}
+
+const char *file_error(int error)
+{
+    return error == ELOOP     ? "is a symbolic link"
+           : error == ENOTSUP ? "is not a regular file"
+           : error == EFBIG   ? "is too large"
+                              : strerror(error);
+}
+
+/* ---- Lines ------------------------------------------------------------------------------------ */
+
+enum file_line file_read_line(FILE *file, char *line, size_t size)
+{
+    assert(file && size >= 2);
+    enum file_line result = FILE_LINE_READ;
+    size_t length = 0;
+    int c = getc(file);
+    if (c == EOF) {
+        return FILE_LINE_END;
+    }
+    for (; c != '\n' && c != EOF; c = getc(file)) {
+        if (c == 0 || length + 1u == size) {
+            result = FILE_LINE_BAD;
+        }
+        if (result == FILE_LINE_READ) {
+            line[length++] = (char)c;
+        }
+    }
+    line[length] = '\0';
+    return ferror(file) ? FILE_LINE_END : result;
+}
+
+void file_first_line(const char *path, char *line, size_t size)
+{
+    FILE *file = file_open(path, FILE_KERNEL_SIZE_MAX);
+    if (!file || file_read_line(file, line, size) == FILE_LINE_END) {
+        line[0] = '\0';
+    }
+    if (file) {
+        fclose(file);
+    }
+}
+
+/* ---- Writing and renaming --------------------------------------------------------------------- */
+
+int file_write(int fd, const void *bytes, size_t size)
+{
+    const char *from = bytes;
+    while (size > 0) {
+        const ssize_t written = write(fd, from, size);
+        if (written < 0 && errno == EINTR) {
+            continue;
+        }
+        if (written <= 0) {
+            return written < 0 ? -errno : -EIO;
+        }
+        from += written;
+        size -= (size_t)written;
+    }
+    return 0;
+}
+
+int file_sync_parent(const char *path)
+{
+    assert(path);
+    char folder[PATH_MAX];
+    const char *slash = strrchr(path, '/');
+    const size_t length = slash ? (size_t)(slash - path) : 0;
+    if (length >= sizeof folder) {
+        return -ENAMETOOLONG;
+    }
+    memcpy(folder, path, length);
+    folder[length] = '\0';
+    const int fd = open(length ? folder : slash ? "/" : ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (fd < 0) {
+        return -errno;
+    }
+    const int error = fsync(fd) != 0 ? -errno : 0;
+    close(fd);
+    return error;
+}
+
+int file_rename_durable(const char *from, const char *to)
+{
+    return rename(from, to) != 0 ? -errno : file_sync_parent(to);
+}
+
+/* Creates the temporary file of `path`, whose name is written to `part`. An existing file with this
+ * name is deleted first. The existing file may be left from a power cut, or belong to another
+ * program. A link is never followed. Returns a descriptor or a negative errno. */
+static int open_part(const char *path, char part[PATH_MAX], mode_t mode)
+{
+    const int length = snprintf(part, PATH_MAX, "%s" FILE_ATOMIC_PART, path);
+    if (length < 0 || length >= PATH_MAX) {
+        return -ENAMETOOLONG;
+    }
+    unlink(part);
+    const int fd = open(part, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+    return fd < 0 ? -errno : fd;
+}
+
+/* Replaces `path` by the temporary file if `error` is 0, otherwise deletes the temporary file.
+ * Returns 0 or a negative errno. */
+static int finish_part(const char *part, const char *path, int error, bool is_durable)
+{
+    assert(error <= 0);
+    if (error == 0 && rename(part, path) != 0) {
+        error = -errno;
+    }
+    if (error != 0) {
+        unlink(part);
+        return error;
+    }
+    return is_durable ? file_sync_parent(path) : 0;
+}
+
+int file_replace(const char *path, const void *bytes, size_t size, int flags)
+{
+    assert((flags & ~(FILE_REPLACE_DURABLE | FILE_REPLACE_PUBLIC)) == 0);
+    char part[PATH_MAX];
+    const int fd = open_part(path, part, 0644);
+    if (fd < 0) {
+        return fd;
+    }
+    int error = (flags & FILE_REPLACE_PUBLIC) && fchmod(fd, 0644) != 0 ? -errno : 0;
+    error = error == 0 ? file_write(fd, bytes, size) : error;
+    if (error == 0 && (flags & FILE_REPLACE_DURABLE) && fsync(fd) != 0) {
+        error = -errno;
+    }
+    if (close(fd) != 0 && error == 0) {
+        error = -errno;
+    }
+    return finish_part(part, path, error, (flags & FILE_REPLACE_DURABLE) != 0);
+}
+
+/* ---- Atomic streams --------------------------------------------------------------------------- */
+
+/* Resolves `path` to the absolute path `place`. Returns 0 or a negative errno. Sets `*mode` to the
+ * mode of the file, or to 0 if the file does not exist. */
+static int find_place(const char *path, char place[PATH_MAX], mode_t *mode)
+{
+    struct stat status;
+    *mode = 0;
+    if (realpath(path, place)) {
+        const int error = stat(place, &status) != 0 ? -errno : 0;
+        *mode = status.st_mode;
+        return error;
+    }
+    const int error = -errno;
+    if (error != -ENOENT || lstat(path, &status) == 0) { /* A dangling symbolic link is an error. */
+        return error;
+    }
+    return snprintf(place, PATH_MAX, "%s", path) < PATH_MAX ? 0 : -ENAMETOOLONG;
+}
+
+/* Opens a character device or a pipe. If the pipe has no reader, the open fails with ENXIO instead
+ * of blocking. Returns a descriptor or a negative errno. */
+static int open_stream(const char *place)
+{
+    const int fd = open(place, O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (fd < 0) {
+        return -errno;
+    }
+    fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) & ~O_NONBLOCK);
+    return fd;
+}
+
+static int open_any(struct atomic_file *out, const char *path, bool lasts)
+{
+    mode_t mode;
+    int fd;
+    *out = (struct atomic_file){ .lasts = lasts };
+    const int error = find_place(path, out->place, &mode);
+    if (error != 0) {
+        return error;
+    }
+    if (mode == 0) {
+        fd = open_part(out->place, out->part, 0666);
+    } else if (S_ISREG(mode)) {
+        /* A file without write permission must not be replaced. */
+        fd = access(out->place, W_OK) != 0 ? -errno : open_part(out->place, out->part, 0666);
+        if (fd >= 0) {
+            fchmod(fd, mode & 0777);
+        }
+    } else if (lasts || !(S_ISCHR(mode) || S_ISFIFO(mode))) {
+        fd = S_ISDIR(mode) ? -EISDIR : -ENOTSUP;
+    } else {
+        out->is_stream = true;
+        fd = open_stream(out->place);
+    }
+    if (fd < 0) {
+        return fd;
+    }
+    out->file = fdopen(fd, "wb");
+    if (!out->file) {
+        const int reason = -errno;
+        close(fd);
+        return reason;
+    }
+    return 0;
+}
+
+int file_atomic_open(struct atomic_file *out, const char *path)
+{
+    return open_any(out, path, false);
+}
+
+int file_atomic_open_durable(struct atomic_file *out, const char *path)
+{
+    return open_any(out, path, true);
+}
+
+/* Closes the stream. Returns 0, or the negative errno of the stream's first error. The first error is
+ * stored and returned at the close, because a disk may be full at any byte. */
+int file_atomic_close(struct atomic_file *out)
+{
+    assert(out->file);
+    /* errno is still set by the failed write, because successful calls do not change errno. */
+    int why = ferror(out->file) ? (errno ? errno : EIO) : 0;
+    if (fflush(out->file) != 0 && why == 0) {
+        why = errno;
+    }
+    if (why == 0 && out->lasts && fsync(fileno(out->file)) != 0) {
+        why = errno;
+    }
+    if (fclose(out->file) != 0 && why == 0) {
+        why = errno;
+    }
+    out->file = NULL;
+    return out->is_stream ? -why : finish_part(out->part, out->place, -why, out->lasts);
+}
+
+/* ---- Folders ---------------------------------------------------------------------------------- */
+
+int file_make_folder(const char *path)
+{
+    char copy[FILE_FOLDER_MAX];
+    struct stat status;
+    const size_t length = strlen(path);
+    if (length == 0 || length >= sizeof copy) {
+        return length == 0 ? -ENOENT : -ENAMETOOLONG;
+    }
+    memcpy(copy, path, length + 1);
+    char *slash = copy;
+    do { /* Makes the folder of each prefix of the path that ends before a slash or at the end. */
+        slash = strchr(slash + 1, '/');
+        if (slash) {
+            *slash = '\0';
+        }
+        if (mkdir(copy, 0755) != 0 && errno != EEXIST) {
+            return -errno;
+        }
+        if (slash) {
+            *slash = '/';
+        }
+    } while (slash);
+    if (stat(path, &status) == 0 && !S_ISDIR(status.st_mode)) {
+        return -ENOTDIR;
+    }
+    return access(path, W_OK | X_OK) != 0 ? -errno : 0;
+}
+
+int file_lock_folder(const char *path)
+{
+    const int handle = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (handle >= 0 && flock(handle, LOCK_EX | LOCK_NB) != 0) {
+        const int error = errno;
+        close(handle);
+        return -error;
+    }
+    return handle >= 0 ? handle : -errno;
+}
+
+void file_default_data(char out[FILE_FOLDER_MAX])
+{
+    const char *data = getenv("XDG_DATA_HOME");
+    const char *home = getenv("HOME");
+    out[0] = '\0';
+    if (data && data[0] == '/') {
+        snprintf(out, FILE_FOLDER_MAX, "%s/kingyo", data);
+    } else if (home && home[0] == '/') {
+        snprintf(out, FILE_FOLDER_MAX, "%s/.local/share/kingyo", home);
+    }
+}

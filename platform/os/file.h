@@ -1,0 +1,136 @@
+/* file.h -- opens, reads, replaces and locks files and folders.
+ *
+ * Regular files are opened without blocking, because a FIFO or a device could block the caller
+ * forever. A file is replaced atomically: a reader finds either the old content or the complete new
+ * content. Functions with an int result return 0 or a positive value on success and a negative errno
+ * on an error, unless their comment says otherwise. */
+#ifndef KINGYO_PLATFORM_OS_FILE_H
+#define KINGYO_PLATFORM_OS_FILE_H
+
+#include <limits.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <sys/types.h>
+
+/* ---- Regular files ---------------------------------------------------------------------------- */
+
+/* Read limit in bytes for kernel files in /proc and /sys, which have a size of a few pages. */
+#define FILE_KERNEL_SIZE_MAX (1u << 20)
+
+/* Opens a file for reading. The path comes from the user, therefore symbolic links are followed.
+ * The caller closes the returned stream, which does not support seeking. On an error returns null
+ * and sets errno: EISDIR for a folder, ENOTSUP for a FIFO, a device or a socket, EFBIG for more
+ * than `size_max` bytes. Some files in /proc return more bytes than their reported size. If one of
+ * these files exceeds `size_max`, a read fails with EFBIG. */
+FILE *file_open(const char *path, uint32_t size_max);
+
+/* Opens a file in the data folder with the `flags` and `mode` of open(2). The function adds
+ * O_NOFOLLOW, O_NONBLOCK, O_CLOEXEC and O_NOCTTY. O_TRUNC truncates regular files only. Returns the
+ * descriptor. On an error returns -1 and sets errno: ELOOP for a symbolic link, EISDIR for a
+ * folder, ENOTSUP for a FIFO, a device or a socket, otherwise as open(2) does. */
+int file_handle(const char *path, int flags, mode_t mode);
+
+/* Opens a file as file_handle() does, with a `path` relative to the folder `folder`
+ * (openat(2)). */
+int file_handle_at(int folder, const char *path, int flags, mode_t mode);
+
+/* Opens a file as file_handle() does, but follows symbolic links, because the path comes from the
+ * user. */
+int file_user_handle(const char *path, int flags, mode_t mode);
+
+/* Returns 1 if `path` is not a regular file, so that file_handle() rejects it. Returns 0 for a
+ * regular file, and for a path that does not exist or cannot be examined. */
+int file_is_other(const char *path);
+
+/* Returns strerror(`error`), or a more specific text for ELOOP, ENOTSUP and EFBIG. */
+const char *file_error(int error);
+
+/* ---- Lines ------------------------------------------------------------------------------------ */
+
+/* Result of file_read_line(). */
+enum file_line {
+    FILE_LINE_END = 0, /* The end of the file, or a read error (see ferror(3)). */
+    FILE_LINE_READ,    /* `line` is a complete line. */
+    FILE_LINE_BAD,     /* The line is too long or contains a zero byte. `line` is its start, and
+                          the rest of the line is skipped. */
+};
+
+/* Reads the next line of `file` into `line` without its line end. `size` is the size of the buffer,
+ * at least 2. `line` is unchanged if the result is FILE_LINE_END. */
+enum file_line file_read_line(FILE *file, char *line, size_t size);
+
+/* Reads the first line of the file `path`, which is usually a file of the kernel. Writes "" if the
+ * file cannot be opened or is empty. A longer line is cut to `size` - 1 bytes. */
+void file_first_line(const char *path, char *line, size_t size);
+
+/* ---- Atomic replacement ----------------------------------------------------------------------- */
+
+#define FILE_ATOMIC_PART ".part"
+
+/* File that is written as a stream. The output goes to the temporary file PATH.part in the same
+ * folder. At the end PATH.part replaces PATH. The content of PATH is therefore complete even if the
+ * disk is full or the power fails. If PATH is a symbolic link, the link stays and its target is
+ * replaced. A dangling link, a folder or a disk is rejected. A terminal, /dev/null or a pipe with a
+ * reader is written directly. */
+struct atomic_file {
+    FILE *file;
+    bool is_stream; /* True for a terminal, a pipe or /dev/null, which are written without a
+                       temporary file. */
+    bool lasts;
+    char place[PATH_MAX]; /* Resolved path of the target. */
+    char part[PATH_MAX];
+};
+
+/* Opens `path` for writing, with empty content. Returns 0 or a negative errno. */
+int file_atomic_open(struct atomic_file *out, const char *path);
+
+/* Opens `path` as file_atomic_open() does. file_atomic_close() then blocks until the content is on
+ * disk. Returns -ENOTSUP if `path` exists and is not a regular file. */
+int file_atomic_open_durable(struct atomic_file *out, const char *path);
+
+/* Closes the file. Returns 0, or the negative errno of the first failed write. After an error the
+ * temporary file is removed and the old file is unchanged. */
+int file_atomic_close(struct atomic_file *out);
+
+/* Flags of file_replace(). */
+enum file_replace_flag {
+    FILE_REPLACE_DURABLE = 1, /* The function blocks until the content and the name are on disk. */
+    FILE_REPLACE_PUBLIC = 2,  /* All users can read the file, independent of the umask. */
+};
+
+/* Replaces the file `path`, or a symbolic link of this name, by a file with `size` bytes of content.
+ * Writes the temporary file PATH.part first. `flags` is a combination of enum file_replace_flag.
+ * Returns 0 or a negative errno. After an error the old file is unchanged. */
+int file_replace(const char *path, const void *bytes, size_t size, int flags);
+
+/* Renames a file, and blocks until the new name is on disk. Returns 0 or a negative errno. */
+int file_rename_durable(const char *from, const char *to);
+
+/* Syncs the folder that contains `path`. A new file name survives a power cut only after this sync.
+ * Returns 0 or a negative errno. */
+int file_sync_parent(const char *path);
+
+/* Writes all `size` bytes to the descriptor `fd`. Retries after an interruption by a signal.
+ * Returns 0 or a negative errno. Async-signal-safe. */
+int file_write(int fd, const void *bytes, size_t size);
+
+/* ---- Folders ---------------------------------------------------------------------------------- */
+
+#define FILE_FOLDER_MAX 1024u
+
+/* Creates the folder `path` and its parents with mode 0755, and checks that files can be created in
+ * `path`. Returns 0 or a negative errno: -ENAMETOOLONG if `path` has FILE_FOLDER_MAX bytes or
+ * more, -ENOTDIR if `path` is not a folder. */
+int file_make_folder(const char *path);
+
+/* Locks the folder `path` for the calling process. Returns a descriptor. The lock lasts until the
+ * caller closes the descriptor or the process ends. Returns -EWOULDBLOCK if another process holds
+ * the lock, or another negative errno. */
+int file_lock_folder(const char *path);
+
+/* Writes the default path of the store, which is in the user's data folder. Writes "" if the user
+ * has no data folder. */
+void file_default_data(char out[FILE_FOLDER_MAX]);
+
+#endif
