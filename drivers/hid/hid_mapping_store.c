@@ -12,7 +12,7 @@
 
 #include "core/base/panic.h"
 #include "drivers/hid/hid_mapping.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 
 /* ---- Files ----------------------------------------------------------------------------------- */
 

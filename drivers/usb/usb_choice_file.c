@@ -9,7 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 
 static int usb_choice_file_read_lines(struct usb_choice *choice, const char *path, FILE *file,
                                       char why[HAL_TEXT_SIZE])

@@ -12,7 +12,7 @@ $(patsubst %,$(BUILD)/tests/unit/drivers/usb/test_%,$(USB_TESTS) usb_play) \
 USB_SAN := $(BUILD)/usb
 USB_SAN_SRC := $(wildcard drivers/usb/*.c) $(patsubst %,drivers/hid/%.c,hid_descriptor hid_item \
     hid_mapping hid_mapping_auto poi_report) core/base/fmath.c core/base/printable.c platform/os/clock.c \
-    platform/os/regular_file.c $(USB_STAND:%=tests/unit/support/%.c) \
+    platform/os/file.c $(USB_STAND:%=tests/unit/support/%.c) \
     tests/unit/support/panic.c
 USB_SAN_BIN := $(foreach t,$(USB_TESTS),$(USB_SAN)/address/test_$(t) $(USB_SAN)/thread/test_$(t))
 USB_SAN_CFLAGS := -std=c17 -O1 -g $(WARN) -D_GNU_SOURCE -I. -fno-sanitize-recover=all

@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-#include "platform/os/directory.h"
+#include "platform/os/file.h"
 #include "platform/render/screen.h"
 
 static char root[] = "/tmp/kingyo-drm-XXXXXX";

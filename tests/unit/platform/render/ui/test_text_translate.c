@@ -12,7 +12,7 @@
 #include <sqlite3.h>
 
 #include "drivers/pointer/buttons_keyboard.h"
-#include "platform/os/regular_file.h"
+#include "platform/os/file.h"
 #include "platform/render/ui/text.h"
 #include "platform/store/storage.h"
 #include "platform/watchdog.h"
