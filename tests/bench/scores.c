@@ -9,7 +9,7 @@
 #include <stdio.h>
 
 #include "core/scene.h"
-#include "platform/ctl/lib/summary.h"
+#include "platform/ctl/play/rounds.h"
 #include "platform/os/number.h"
 #include "tests/bench/league.h"
 
@@ -58,7 +58,7 @@ static int tell_goal(const struct league *league, uint32_t arm, const struct goa
     uint32_t caught[LEAGUE_SEEDS_MAX];
     char wanted[64];
     league_caught(league, arm, caught);
-    const struct summary found = summary_of(caught, league->seeds);
+    const struct summary found = rounds_summary(caught, league->seeds);
     const int met = is_met(goal, &found);
     snprintf(wanted, sizeof wanted,
              goal->max_below ? "median %g to %g, most under %u" : "median %g to %g",

@@ -113,7 +113,7 @@ listed() { # Every id of the rules, and no other, is sent to them.
     sed -nE 's/^ATTRS\{idVendor\}=="(.*)", ATTRS\{idProduct\}=="(.*)", GOTO.*/\1 \2/p' board/udev/70-kingyo.rules |
         while read -r vendor products; do for product in ${products//|/ }; do echo "$vendor $product"; done; done |
         sort >"$work/rules"
-    grep -oE '\{ 0x[0-9a-f]{4}, 0x[0-9a-f]{4} \}' platform/ctl/doctor/doctor_rules.c | sed -E 's/[^ ]*0x|[{},]//g; s/^ +//; s/ +$//' |
+    grep -oE '\{ 0x[0-9a-f]{4}, 0x[0-9a-f]{4} \}' platform/ctl/doctor/doctor_usb_read.c | sed -E 's/[^ ]*0x|[{},]//g; s/^ +//; s/ +$//' |
         tr -s ' ' | sort | diff - "$work/rules"
 }
 check 'doctor knows what our rules list' listed

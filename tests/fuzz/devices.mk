@@ -10,9 +10,10 @@ DEVICE_SRC := $(filter-out %/poi_hid.c,$(wildcard drivers/hid/*.c)) \
     $(patsubst %,drivers/gamepad/%.c,stick_motion gamepad_decoder gamepad_imu_filter gamepad_queue) \
     $(patsubst %,drivers/gpio/%.c,gpio_config gpio_signal) \
     $(patsubst %,drivers/sim/%.c,hid_sim) \
-    drivers/usb/usb_choice.c $(patsubst %,platform/ctl/devices/hid_%.c,file rows live names) \
+    drivers/usb/usb_choice.c $(patsubst %,platform/ctl/devices/hid_%.c,file rows live) \
     $(patsubst %,board/poi-gadget/%.c,pose_script poi_config draw_wires attitude board_pose sensor_twin \
-    motor) $(patsubst %,platform/%.c,os/file os/print ctl/lib/user_file) core/view.c \
+    motor) $(patsubst %,platform/%.c,os/file os/print os/number config/option_table ctl/lib/ctl) \
+    core/view.c \
     $(patsubst %,core/base/%.c,fmath vec rng printable) tests/fuzz/panic.c
 
 ## test/fuzz-devices: Fuzz descriptors, reports, mappings and coins; FUZZ_SECONDS=30

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "platform/ctl/tank/tank_trace.h"
+#include "platform/ctl/tank/tank_report.h"
 #include "tests/thesis/easel.h"
 
 #define WORDS_MAX 24

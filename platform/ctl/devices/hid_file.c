@@ -9,7 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/ctl/lib/user_file.h"
+#include "core/base/panic.h"
+#include "platform/ctl/lib/ctl.h"
 #include "platform/os/print.h"
 #include "platform/os/file.h"
 
@@ -19,16 +20,6 @@ static int hex_digit(int letter)
            : letter >= 'a' && letter <= 'f' ? letter - 'a' + 10
            : letter >= 'A' && letter <= 'F' ? letter - 'A' + 10
                                             : -1;
-}
-
-static int is_hex_text(const uint8_t *bytes, size_t size)
-{
-    for (size_t i = 0; i < size; i++) {
-        if (hex_digit(bytes[i]) < 0 && !isspace(bytes[i])) {
-            return 0;
-        }
-    }
-    return 1;
 }
 
 /* Returns the index of the first hex digit without a second digit, or `size` if every byte has two
@@ -46,8 +37,10 @@ long hid_from_hex(uint8_t *bytes, size_t size)
 {
     long count = 0;
     int high = -1;
-    if (!is_hex_text(bytes, size)) {
-        return HID_NOT_HEX;
+    for (size_t i = 0; i < size; i++) {
+        if (hex_digit(bytes[i]) < 0 && !isspace(bytes[i])) {
+            return HID_NOT_HEX;
+        }
     }
     for (size_t i = 0; i < size; i++) {
         const int digit = hex_digit(bytes[i]);
@@ -85,6 +78,7 @@ static size_t first_odd_letter(const uint8_t *bytes, size_t size)
 enum exit_code hid_file_take(struct hid_descriptor *out, uint8_t *bytes, size_t size,
                              const char *path)
 {
+    CORE_ASSERT(out && bytes && path);
     const size_t lone = lone_digit(bytes, size); /* The unpaired digit is searched before the
                                                     conversion, because hid_from_hex() overwrites
                                                     the text. */
@@ -120,7 +114,7 @@ enum exit_code hid_file_read(struct hid_descriptor *out, const char *path)
 {
     static uint8_t bytes[HID_FILE_SIZE];
     FILE *file;
-    enum exit_code code = user_file_open("kingyoctl hid", path, sizeof bytes, &file);
+    enum exit_code code = ctl_file_open("kingyoctl hid", path, sizeof bytes, &file);
     if (code != EXIT_OK) {
         return code;
     }

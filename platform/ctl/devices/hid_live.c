@@ -8,31 +8,22 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/base/printable.h"
-#include "platform/ctl/devices/hid_names.h"
+#include "platform/ctl/devices/hid_rows.h"
 
 #define SECOND_NS 1000000000u
 #define ON_MAX (sizeof((struct hid_live_row *)0)->on / sizeof(uint32_t))
-#define NAME_COLUMNS 22
+#define TITLE_COLUMNS 22
 #define VALUE_COLUMNS 11
 #define BAR_MIN 8u
 
 /* ---- Rows of the view ------------------------------------------------------------------------ */
 
-static void add_row(struct hid_live *live, uint32_t group, uint32_t field, int is_set)
-{
-    if (live->row_count == HID_LIVE_ROWS || field > UINT16_MAX) {
-        live->hidden_count++;
-        return;
-    }
-    live->row[live->row_count++] = (struct hid_live_row){ .group = (uint16_t)group,
-                                                          .field = (uint16_t)field,
-                                                          .is_set = is_set != 0 };
-}
-
 void hid_live_begin(struct hid_live *live, const struct hid_descriptor *descriptor,
                     const char *title)
 {
+    CORE_ASSERT(descriptor && title);
     *live = (struct hid_live){ .descriptor = descriptor };
     snprintf(live->title, sizeof live->title, "%s", title);
     printable(live->title);
@@ -43,20 +34,18 @@ void hid_live_begin(struct hid_live *live, const struct hid_descriptor *descript
             continue;
         }
         for (uint32_t field = 0; field < (is_set ? 1u : group->count); field++) {
-            add_row(live, i, field, is_set);
+            if (live->row_count == HID_LIVE_ROWS || field > UINT16_MAX) {
+                live->hidden_count++;
+                continue;
+            }
+            live->row[live->row_count++] = (struct hid_live_row){ .group = (uint16_t)i,
+                                                                  .field = (uint16_t)field,
+                                                                  .is_set = is_set != 0 };
         }
     }
 }
 
 /* ---- Updates from reports -------------------------------------------------------------------- */
-
-static void take_on(struct hid_live_row *row, uint32_t usage)
-{
-    if (row->on_count < ON_MAX) {
-        row->on[row->on_count] = usage;
-    }
-    row->on_count++;
-}
 
 static void take_set(const struct hid_live *live, struct hid_live_row *row,
                      const struct hid_group *group, struct hid_report report)
@@ -70,25 +59,12 @@ static void take_set(const struct hid_live *live, struct hid_live_row *row,
                                     : hid_selected(descriptor, group, value);
         if (usage & 0xffffu) { /* Usage 0 of a page means that no control is active, for example no
                                   key of a keyboard. */
-            take_on(row, usage);
+            if (row->on_count < ON_MAX) {
+                row->on[row->on_count] = usage;
+            }
+            row->on_count++;
         }
     }
-}
-
-static void hid_live_take_row(const struct hid_live *live, struct hid_live_row *row,
-                              struct hid_report report)
-{
-    const struct hid_group *group = &live->descriptor->group[row->group];
-    if (group->report_id != hid_report_id(live->descriptor, report)) {
-        return;
-    }
-    row->is_known = 1;
-    if (row->is_set) {
-        take_set(live, row, group, report);
-        return;
-    }
-    row->value = hid_field_value(live->descriptor, group, row->field, report);
-    row->sum += row->value;
 }
 
 void hid_live_time(struct hid_live *live, uint64_t time_ns)
@@ -109,10 +85,22 @@ void hid_live_report(struct hid_live *live, struct hid_report report, uint64_t t
         live->refused_count++;
         return;
     }
+    CORE_ASSERT(live->row_count <= HID_LIVE_ROWS);
     live->report_count++;
     live->second_count++;
     for (uint32_t i = 0; i < live->row_count; i++) {
-        hid_live_take_row(live, &live->row[i], report);
+        struct hid_live_row *row = &live->row[i];
+        const struct hid_group *group = &live->descriptor->group[row->group];
+        if (group->report_id != hid_report_id(live->descriptor, report)) {
+            continue;
+        }
+        row->is_known = 1;
+        if (row->is_set) {
+            take_set(live, row, group, report);
+        } else {
+            row->value = hid_field_value(live->descriptor, group, row->field, report);
+            row->sum += row->value;
+        }
     }
 }
 
@@ -129,6 +117,7 @@ struct page {
 __attribute__((format(printf, 2, 3))) static void hid_live_put(struct page *page,
                                                                const char *format, ...)
 {
+    CORE_ASSERT(page->length < HID_LIVE_TEXT && page->line_begin <= page->length);
     const size_t used = page->length - page->line_begin;
     size_t room = page->width > used ? page->width - used : 0;
     room = page->length + room + 2u < HID_LIVE_TEXT ? room : 0;
@@ -195,7 +184,7 @@ static void put_field(struct page *page, const struct hid_live *live,
     const struct hid_group *group = &live->descriptor->group[row->group];
     char name[HID_NAME_SIZE];
     const hid_usage usage = hid_usage_at(live->descriptor, group, row->field);
-    hid_live_put(page, "%-*s", NAME_COLUMNS, hid_usage_name(usage, name));
+    hid_live_put(page, "%-*s", TITLE_COLUMNS, hid_usage_name(usage, name));
     if (!row->is_known) {
         hid_live_put(page, "%*s", VALUE_COLUMNS, "-");
         return;
@@ -209,19 +198,6 @@ static void put_field(struct page *page, const struct hid_live *live,
     } else {
         put_bar(page, group, row->value);
     }
-}
-
-static void put_row(struct page *page, const struct hid_live *live, const struct hid_live_row *row)
-{
-    if (live->descriptor->has_report_ids) {
-        hid_live_put(page, "%3u ", live->descriptor->group[row->group].report_id);
-    }
-    if (row->is_set) {
-        put_set(page, live, row);
-    } else {
-        put_field(page, live, row);
-    }
-    end_line(page);
 }
 
 size_t hid_live_picture(const struct hid_live *live, uint32_t width, uint32_t height,
@@ -244,7 +220,12 @@ size_t hid_live_picture(const struct hid_live *live, uint32_t width, uint32_t he
     }
     end_line(&page);
     for (uint32_t i = 0; i < shown; i++) {
-        put_row(&page, live, &live->row[i]);
+        const struct hid_live_row *row = &live->row[i];
+        if (live->descriptor->has_report_ids) {
+            hid_live_put(&page, "%3u ", live->descriptor->group[row->group].report_id);
+        }
+        (row->is_set ? put_set : put_field)(&page, live, row);
+        end_line(&page);
     }
     return page.length;
 }

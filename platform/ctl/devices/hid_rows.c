@@ -3,14 +3,107 @@
 #include "platform/ctl/devices/hid_rows.h"
 
 #include <inttypes.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/ctl/devices/hid_file.h"
 #include "platform/os/print.h"
+
+#define PAGE_KEYBOARD 0x07u
+#define PAGE_BUTTON 0x09u
+
+/* First vendor-defined page. All higher pages are vendor-defined too (HID Usage Tables 1.5, section
+ * 3). */
+#define PAGE_VENDOR 0xff00u
 
 /* Longest line of a report file in characters. A report of 8 KiB needs 16 KiB of hex text. */
 #define LINE_SIZE 65536
 #define REPORT_SIZE_MAX 16384u
+
+static const struct {
+    hid_usage usage;
+    const char *word;
+} words[] = {
+    /* Usages of the Generic Desktop page (HID Usage Tables 1.5, section 4). */
+    { 0x00010001, "pointer" },
+    { 0x00010002, "mouse" },
+    { 0x00010004, "joystick" },
+    { 0x00010005, "game pad" },
+    { 0x00010006, "keyboard" },
+    { 0x00010007, "keypad" },
+    { 0x00010008, "multi-axis controller" },
+    { 0x00010030, "X" },
+    { 0x00010031, "Y" },
+    { 0x00010032, "Z" },
+    { 0x00010033, "Rx" },
+    { 0x00010034, "Ry" },
+    { 0x00010035, "Rz" },
+    { 0x00010036, "slider" },
+    { 0x00010037, "dial" },
+    { 0x00010038, "wheel" },
+    { 0x00010039, "hat" },
+    { 0x0001003d, "start" },
+    { 0x0001003e, "select" },
+    { 0x00010040, "Vx" },
+    { 0x00010041, "Vy" },
+    { 0x00010042, "Vz" },
+    { 0x00010080, "system control" },
+    { 0x00010085, "system main menu" },
+    { 0x00010090, "pad up" },
+    { 0x00010091, "pad down" },
+    { 0x00010092, "pad right" },
+    { 0x00010093, "pad left" },
+    /* Usages of the Simulation Controls page (section 5). */
+    { 0x000200ba, "rudder" },
+    { 0x000200bb, "throttle" },
+    { 0x000200c4, "accelerator" },
+    { 0x000200c5, "brake" },
+    { 0x000200c8, "steering" },
+    /* Usages of the Generic Device Controls page (section 9) and the Consumer page (section 15). */
+    { 0x00060020, "battery" },
+    { 0x000c0001, "consumer control" },
+    { 0x000c0224, "back" },
+    { 0x000c0238, "pan" },
+    /* Usages of the Digitizers page (section 16). */
+    { 0x000d0001, "digitizer" },
+    { 0x000d0002, "pen" },
+    { 0x000d0004, "touch screen" },
+    { 0x000d0005, "touch pad" },
+    { 0x000d0022, "finger" },
+    { 0x000d0030, "pressure" },
+    { 0x000d0032, "in range" },
+    { 0x000d003c, "invert" },
+    { 0x000d003d, "X tilt" },
+    { 0x000d003e, "Y tilt" },
+    { 0x000d0042, "tip" },
+    { 0x000d0044, "barrel" },
+    { 0x000d0045, "eraser" },
+    { 0x000d0047, "confidence" },
+    { 0x000d0051, "contact id" },
+    { 0x000d0054, "contact count" },
+    { 0x000d0056, "scan time" },
+};
+
+const char *hid_usage_name(hid_usage usage, char out[HID_NAME_SIZE])
+{
+    const uint32_t page = usage >> 16, id = usage & 0xffffu;
+    CORE_ASSERT(out);
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        if (words[i].usage == usage) {
+            return words[i].word;
+        }
+    }
+    if (page == PAGE_BUTTON) {
+        snprintf(out, HID_NAME_SIZE, "button %u", id);
+    } else if (page == PAGE_KEYBOARD) {
+        snprintf(out, HID_NAME_SIZE, "key %02x", id);
+    } else {
+        snprintf(out, HID_NAME_SIZE, "%s%04x:%04x", page >= PAGE_VENDOR ? "vendor's " : "", page,
+                 id);
+    }
+    return out;
+}
 
 static void print_usage(hid_usage usage)
 {
@@ -18,19 +111,6 @@ static void print_usage(hid_usage usage)
 }
 
 /* ---- Output of `kingyoctl hid describe` ------------------------------------------------------ */
-
-static void print_ranges(const struct hid_descriptor *descriptor, const struct hid_group *group)
-{
-    for (uint32_t i = 0; i < group->range_count; i++) {
-        const struct hid_range *range = &descriptor->range[group->range_first + i];
-        fputs(i > 0 ? "," : "", stdout);
-        print_usage(range->first);
-        if (range->last != range->first) {
-            putchar('-');
-            print_usage(range->last);
-        }
-    }
-}
 
 static void describe_field(const struct hid_descriptor *descriptor, const char *id,
                            const struct hid_group *group, uint32_t index)
@@ -47,7 +127,15 @@ static void describe_field(const struct hid_descriptor *descriptor, const char *
     if (is_variable) {
         print_usage(hid_usage_at(descriptor, group, index));
     } else {
-        print_ranges(descriptor, group);
+        for (uint32_t i = 0; i < group->range_count; i++) {
+            const struct hid_range *range = &descriptor->range[group->range_first + i];
+            fputs(i > 0 ? "," : "", stdout);
+            print_usage(range->first);
+            if (range->last != range->first) {
+                putchar('-');
+                print_usage(range->last);
+            }
+        }
     }
     printf("\t%" PRId64 "\t%" PRId64 "\t%" PRId64 "\t%" PRId64 "\t%d\t%08x\n", group->logical_min,
            group->logical_max, group->physical_min, group->physical_max, group->unit_exponent,
@@ -153,27 +241,6 @@ static enum exit_code decode_row(struct decoded *of, char *line, unsigned row)
     return EXIT_OK;
 }
 
-/* Returns the exit code for a decoded file. Prints an error if no report has the id, or if every
- * report with the id is too short. The id is the descriptor's file name, so a file without a
- * matching report most likely belongs to another descriptor. */
-static enum exit_code hid_rows_check_id(const struct decoded *of)
-{
-    if (of->reports == 0) {
-        puts(HID_VALUE_HEADER);
-        print_error("kingyoctl hid: %s: no report of id '%s', which is the descriptor's file "
-                    "name",
-                    of->path, of->id);
-        return EXIT_NOT_SO;
-    }
-    if (of->whole == 0) {
-        print_error("kingyoctl hid: %s: reports of id '%s': %u, none as long as the descriptor "
-                    "declares",
-                    of->path, of->id, of->reports);
-        return EXIT_NOT_SO;
-    }
-    return EXIT_OK;
-}
-
 enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const char *id, FILE *file,
                                const char *path)
 {
@@ -188,5 +255,20 @@ enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const ch
     if (code == EXIT_OK && ferror(file)) {
         return hid_file_print_error(path);
     }
-    return code == EXIT_OK ? hid_rows_check_id(&of) : code;
+    if (code == EXIT_OK && of.reports == 0) {
+        /* The id is the descriptor's file name, so a file without a matching report most likely
+         * belongs to another descriptor. */
+        puts(HID_VALUE_HEADER);
+        print_error("kingyoctl hid: %s: no report of id '%s', which is the descriptor's file "
+                    "name",
+                    path, id);
+        return EXIT_NOT_SO;
+    }
+    if (code == EXIT_OK && of.whole == 0) {
+        print_error("kingyoctl hid: %s: reports of id '%s': %u, none as long as the descriptor "
+                    "declares",
+                    path, id, of.reports);
+        return EXIT_NOT_SO;
+    }
+    return code;
 }

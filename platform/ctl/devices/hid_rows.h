@@ -29,4 +29,11 @@ void hid_rows_values(const struct hid_descriptor *descriptor, const char *id, co
 enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const char *id, FILE *file,
                                const char *path);
 
+/* Size in bytes of a usage name with its terminating zero. */
+#define HID_NAME_SIZE 24u
+
+/* Writes the name of a usage, for example "X", "hat", "button 3" or "tip". A usage that is not in
+ * the table is written as page:id in hex. Returns `out`. */
+const char *hid_usage_name(hid_usage usage, char out[HID_NAME_SIZE]);
+
 #endif

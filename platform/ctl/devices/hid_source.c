@@ -1,34 +1,126 @@
 /* hid_source.c -- waits for bytes from a device or a file, and divides the bytes into reports. */
 #include "platform/ctl/devices/hid_source.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/hidraw.h>
 #include <poll.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
+#include "core/base/printable.h"
 #include "platform/ctl/devices/hid_file.h"
-#include "platform/ctl/lib/user_file.h"
+#include "platform/ctl/lib/ctl.h"
+#include "platform/os/number.h"
 #include "platform/os/print.h"
+#include "platform/os/file.h"
 
+#define LINE_SIZE 512
 /* Timeout in ms for a process that opens the writing end of a pipe. A shell starts the process in
  * less time. */
 #define WRITER_WAIT_MS 2000
 #define WRITER_STEP_MS 20
 
-static enum exit_code tell_open(const char *path)
+/* ---- Device nodes ---------------------------------------------------------------------------- */
+
+static void take_text(char *out, size_t room, const char *text)
 {
-    if (errno == EACCES || errno == EPERM) {
-        print_error("kingyoctl hid: %s: %s; a udev rule as board/udev's gives it to your group, "
-                    "'kingyoctl doctor' says which",
-                    path, strerror(errno));
-        return EXIT_IO;
+    snprintf(out, room, "%.*s", (int)strcspn(text, "\n"), text);
+    printable(out);
+}
+
+static void read_node(const char *root, struct hid_node *node)
+{
+    char path[HID_NODE_PATH], line[LINE_SIZE];
+    snprintf(path, sizeof path, "%s/sys/class/hidraw/hidraw%u/device/uevent", root, node->number);
+    FILE *file = file_open(path, FILE_KERNEL_SIZE_MAX);
+    while (file && fgets(line, sizeof line, file)) {
+        unsigned bus, vendor, product;
+        if (sscanf(line, "HID_ID=%4x:%8x:%8x", &bus, &vendor, &product) == 3) {
+            node->bus = (uint16_t)bus;
+            node->vendor = (uint16_t)vendor;
+            node->product = (uint16_t)product;
+        } else if (strncmp(line, "HID_NAME=", 9) == 0) {
+            take_text(node->name, sizeof node->name, line + 9);
+        } else if (strncmp(line, "HID_PHYS=", 9) == 0) {
+            take_text(node->place, sizeof node->place, line + 9);
+        } else if (strncmp(line, "HID_UNIQ=", 9) == 0) {
+            take_text(node->serial, sizeof node->serial, line + 9);
+        } else if (strncmp(line, "DRIVER=", 7) == 0) {
+            take_text(node->driver, sizeof node->driver, line + 7);
+        }
     }
-    return hid_file_print_error(path);
+    if (file) {
+        fclose(file);
+    }
+    snprintf(path, sizeof path, "%s/dev/hidraw%u", root, node->number);
+    node->open_errno = access(path, R_OK) == 0 ? 0 : errno;
+}
+
+static int by_number(const void *left, const void *right)
+{
+    const uint32_t a = ((const struct hid_node *)left)->number;
+    const uint32_t b = ((const struct hid_node *)right)->number;
+    return (a > b) - (a < b);
+}
+
+uint32_t hid_nodes_list(const char *root, struct hid_node out[HID_NODES_MAX])
+{
+    char path[HID_NODE_PATH];
+    uint32_t count = 0, number;
+    snprintf(path, sizeof path, "%s/sys/class/hidraw", root);
+    DIR *folder = opendir(path);
+    const struct dirent *entry;
+    while (folder && count < HID_NODES_MAX && (entry = readdir(folder))) {
+        if (strncmp(entry->d_name, "hidraw", 6) == 0 &&
+            number_parse(entry->d_name + 6, 0, UINT16_MAX, &number)) {
+            out[count] = (struct hid_node){ .number = number };
+            read_node(root, &out[count++]);
+        }
+    }
+    if (folder) {
+        closedir(folder);
+    }
+    qsort(out, count, sizeof out[0], by_number);
+    return count;
+}
+
+int hid_node_descriptor(const char *root, const struct hid_node *node, struct hid_descriptor *out,
+                        int *said_errno)
+{
+    char path[HID_NODE_PATH];
+    static uint8_t bytes[HID_DESCRIPTOR_SIZE_MAX];
+    snprintf(path, sizeof path, "%s/sys/class/hidraw/hidraw%u/device/report_descriptor", root,
+             node->number);
+    const int file = open(path, O_RDONLY | O_CLOEXEC);
+    const ssize_t size = file < 0 ? -1 : read(file, bytes, sizeof bytes);
+    *said_errno = size < 0 ? errno : 0;
+    if (file >= 0) {
+        close(file);
+    }
+    return size >= 0 && hid_descriptor_read(out, bytes, (size_t)size) == HID_OK;
+}
+
+const char *hid_node_bus(const struct hid_node *node)
+{
+    switch (node->bus) {
+    case 0x03:
+        return "USB";
+    case 0x05:
+        return "Bluetooth";
+    case 0x06:
+        return "virtual";
+    case 0x18:
+        return "I2C";
+    default:
+        return "other";
+    }
 }
 
 /* ---- Opening a source and its descriptor ----------------------------------------------------- */
@@ -51,20 +143,6 @@ static enum exit_code ask_node(int file, struct hid_descriptor *descriptor, cons
         return EXIT_BAD_DATA;
     }
     return EXIT_OK;
-}
-
-static enum exit_code get_descriptor(struct hid_source *source, struct hid_descriptor *descriptor,
-                                     const char *descriptor_path)
-{
-    if (descriptor_path) {
-        return hid_file_read(descriptor, descriptor_path);
-    }
-    if (!source->is_node) {
-        print_error("kingyoctl hid: %s: no device's node; --descriptor FILE says what it is",
-                    source->path);
-        return EXIT_USAGE;
-    }
-    return ask_node(source->file, descriptor, source->path);
 }
 
 /* Waits until another process opens the pipe for writing, because a shell starts both processes at
@@ -92,7 +170,7 @@ static enum exit_code check_type(struct hid_source *source)
         return hid_file_print_error(source->path);
     }
     if (S_ISREG(about.st_mode) && about.st_size > (off_t)HID_REPORTS_SIZE_MAX) {
-        return user_file_error("kingyoctl hid", source->path, HID_REPORTS_SIZE_MAX, EFBIG);
+        return ctl_file_error("kingyoctl hid", source->path, HID_REPORTS_SIZE_MAX, EFBIG);
     }
     if (S_ISFIFO(about.st_mode) && !wait_for_writer(source)) {
         print_error("kingyoctl hid: %s: no process writes into this pipe", source->path);
@@ -108,19 +186,32 @@ static enum exit_code check_type(struct hid_source *source)
 enum exit_code hid_source_open(struct hid_source *source, const char *path,
                                struct hid_descriptor *descriptor, const char *descriptor_path)
 {
+    CORE_ASSERT(path && descriptor);
     source->path = path;
     source->descriptor = descriptor;
     source->at_end = 0;
-    source->size = 0;
-    source->given = 0;
+    source->size = source->given = 0;
     source->taken = 0;
     source->file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (source->file < 0 && (errno == EACCES || errno == EPERM)) {
+        print_error("kingyoctl hid: %s: %s; a udev rule as board/udev's gives it to your group, "
+                    "'kingyoctl doctor' says which",
+                    path, strerror(errno));
+        return EXIT_IO;
+    }
     if (source->file < 0) {
-        return tell_open(path);
+        return hid_file_print_error(path);
     }
     int size = 0;
     source->is_node = ioctl(source->file, HIDIOCGRDESCSIZE, &size) == 0;
-    enum exit_code code = get_descriptor(source, descriptor, descriptor_path);
+    enum exit_code code = EXIT_USAGE;
+    if (descriptor_path) {
+        code = hid_file_read(descriptor, descriptor_path);
+    } else if (source->is_node) {
+        code = ask_node(source->file, descriptor, path);
+    } else {
+        print_error("kingyoctl hid: %s: no device's node; --descriptor FILE says what it is", path);
+    }
     code = code == EXIT_OK && !source->is_node ? check_type(source) : code;
     if (code != EXIT_OK) {
         hid_source_close(source);
@@ -130,6 +221,7 @@ enum exit_code hid_source_open(struct hid_source *source, const char *path,
 
 void hid_source_close(struct hid_source *source)
 {
+    CORE_ASSERT(source->file >= 0);
     close(source->file);
     source->file = -1;
 }
@@ -164,16 +256,10 @@ static enum hid_pull cut(struct hid_source *source, struct hid_report *out, enum
     if (source->size == 0 || source->size < whole) {
         return HID_PULL_NOTHING;
     }
+    CORE_ASSERT(whole <= sizeof source->bytes);
     source->given = whole;
     *out = (struct hid_report){ source->bytes, whole };
     return HID_PULL_REPORT;
-}
-
-static void hid_source_discard(struct hid_source *source, size_t size)
-{
-    source->size -= size;
-    source->taken += size;
-    memmove(source->bytes, source->bytes + size, source->size);
 }
 
 /* Waits for bytes and appends them to the buffer. At the end of the source, sets `at_end`. Returns
@@ -199,25 +285,22 @@ static enum hid_pull hid_source_wait_bytes(struct hid_source *source, int timeou
     return HID_PULL_NOTHING;
 }
 
-static enum hid_pull pull_from_node(struct hid_source *source, int timeout_ms,
-                                    struct hid_report *out, enum exit_code *code)
-{
-    source->size = 0;
-    const enum hid_pull pull = hid_source_wait_bytes(source, timeout_ms, code);
-    if (pull == HID_PULL_END || source->size == 0) {
-        return source->at_end ? end_with(code, EXIT_OK) : pull;
-    }
-    *out = (struct hid_report){ source->bytes, source->size };
-    return HID_PULL_REPORT;
-}
-
 enum hid_pull hid_source_pull(struct hid_source *source, int timeout_ms, struct hid_report *out,
                               enum exit_code *code)
 {
-    if (source->is_node) {
-        return pull_from_node(source, timeout_ms, out, code);
+    CORE_ASSERT(source->file >= 0 && source->given <= source->size);
+    if (source->is_node) { /* Each read from a node returns one report. */
+        source->size = 0;
+        const enum hid_pull read = hid_source_wait_bytes(source, timeout_ms, code);
+        if (read == HID_PULL_END || source->size == 0) {
+            return source->at_end ? end_with(code, EXIT_OK) : read;
+        }
+        *out = (struct hid_report){ source->bytes, source->size };
+        return HID_PULL_REPORT;
     }
-    hid_source_discard(source, source->given);
+    source->size -= source->given;
+    source->taken += source->given;
+    memmove(source->bytes, source->bytes + source->given, source->size);
     source->given = 0;
     enum hid_pull pull = cut(source, out, code);
     if (pull == HID_PULL_NOTHING && !source->at_end) {

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "drivers/gpio/gpio_config.h"
 #include "platform/ctl/devices/lines_show.h"
 #include "platform/ctl/lib/ctl.h"
@@ -33,20 +34,6 @@ struct request {
     const char *word;    /* Last argument: "on", "off" or a number of pulses. Null means that the
                             argument is absent. */
 };
-
-static void stop(int signal_number)
-{
-    (void)signal_number;
-    is_stopped = 1;
-}
-
-static void end_at_signals(void)
-{
-    const struct sigaction action = { .sa_handler = stop };
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGHUP, &action, NULL);
-}
 
 /* ---- Command line ---------------------------------------------------------------------------- */
 
@@ -80,27 +67,22 @@ static const struct option_table table = { options, sizeof options / sizeof opti
 
 /* ---- GPIO lines ------------------------------------------------------------------------------ */
 
-/* Returns 1 if every configured line was opened, otherwise 0. Prints the reason for each line that
- * was not opened. */
-static int has_all(const struct gpio_thread *reader)
-{
-    for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
-        if (reader->why[i][0]) {
-            print_error("kingyoctl lines: %s: %s", gpio_role_name((enum gpio_role)i),
-                        reader->why[i]);
-        }
-    }
-    return (uint32_t)__builtin_popcount(reader->had) == gpio_config_count(reader->wires);
-}
-
+/* Opens the configured lines. Returns EXIT_OK, or prints a reason for each line that was not opened
+ * and returns EXIT_IO. */
 static enum exit_code open_lines(const struct request *request)
 {
     gpio_thread_open(&gpio.reader, gpio_lines_device(), request->wires, clock_device());
-    if (!has_all(&gpio.reader)) {
+    for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
+        if (gpio.reader.why[i][0]) {
+            print_error("kingyoctl lines: %s: %s", gpio_role_name((enum gpio_role)i),
+                        gpio.reader.why[i]);
+        }
+    }
+    if ((uint32_t)__builtin_popcount(gpio.reader.had) != gpio_config_count(gpio.reader.wires)) {
         gpio_thread_close(&gpio.reader);
         return EXIT_IO;
     }
-    end_at_signals();
+    ctl_stop_at_signals(&is_stopped);
     return EXIT_OK;
 }
 
@@ -208,6 +190,7 @@ static enum exit_code run_pulse(const struct request *request)
     if (code != EXIT_OK) {
         return code;
     }
+    CORE_ASSERT(!gpio_role_is_input(request->role));
     const struct hal_switches switches = buttons_gpio_switches(&gpio);
     const enum hal_switch which = (enum hal_switch)(request->role - GPIO_INPUT_COUNT);
     switches.ops->set(switches.self, which, 0); /* Switches the output off first, so that the pulses

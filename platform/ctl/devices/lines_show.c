@@ -1,6 +1,7 @@
 /* lines_show.c -- prints GPIO lines and their events as rows. */
 #include "platform/ctl/devices/lines_show.h"
 
+#include "core/base/panic.h"
 #include "core/base/printable.h"
 #include "drivers/gpio/gpio_config.h"
 #include "platform/os/print.h"
@@ -85,16 +86,6 @@ static void show_button(const struct lines_show *show, FILE *out, enum gpio_role
     }
 }
 
-static void show_coin(const struct lines_show *show, FILE *out, uint32_t line)
-{
-    const uint32_t coins = show->reader->total.coins[line];
-    if (coins != show->total.coins[line]) {
-        begin_row(show, out, gpio_role_name(GPIO_COIN + line));
-        fprintf(out, "coin %u, its pulse %.1f ms\n", coins,
-                (double)show->reader->coin[line].width_ns * 1e-6);
-    }
-}
-
 static void show_count(const struct lines_show *show, FILE *out, const char *what, uint32_t before,
                        uint32_t now)
 {
@@ -104,26 +95,26 @@ static void show_count(const struct lines_show *show, FILE *out, const char *wha
     }
 }
 
-static void show_coins(const struct lines_show *show, FILE *out)
-{
-    const struct gpio_total *now = &show->reader->total, *before = &show->total;
-    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
-        show_coin(show, out, line);
-    }
-    show_count(show, out, "too short for a coin", before->too_short, now->too_short);
-    show_count(show, out, "a coin sticks", before->stuck, now->stuck);
-    show_count(show, out, "its line went in mid-pulse", before->cut, now->cut);
-    show_count(show, out, "two sparks, or a coin that nobody saw", before->doubtful, now->doubtful);
-}
-
 void lines_show_rows(struct lines_show *show, FILE *out)
 {
+    CORE_ASSERT(show->reader && out);
     struct gpio_thread *reader = show->reader;
     const uint32_t pressed = atomic_exchange(&reader->pressed, 0);
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
         show_button(show, out, role, pressed);
     }
-    show_coins(show, out);
+    const struct gpio_total *now = &reader->total, *before = &show->total;
+    for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
+        if (now->coins[line] != before->coins[line]) {
+            begin_row(show, out, gpio_role_name(GPIO_COIN + line));
+            fprintf(out, "coin %u, its pulse %.1f ms\n", now->coins[line],
+                    (double)reader->coin[line].width_ns * 1e-6);
+        }
+    }
+    show_count(show, out, "too short for a coin", before->too_short, now->too_short);
+    show_count(show, out, "a coin sticks", before->stuck, now->stuck);
+    show_count(show, out, "its line went in mid-pulse", before->cut, now->cut);
+    show_count(show, out, "two sparks, or a coin that nobody saw", before->doubtful, now->doubtful);
     if (reader->total.lost_edges != show->total.lost_edges) {
         begin_row(show, out, "-");
         fprintf(out, "edges lost: %u so far\n", reader->total.lost_edges);

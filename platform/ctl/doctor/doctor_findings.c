@@ -1,11 +1,21 @@
-/* doctor_findings.c -- stores the findings, and prints the findings as text or JSON. */
+/* doctor_findings.c -- stores and prints the findings, checks the access of the kiosk's user to a
+ * path, and reads the small files of /sys. */
+#include "platform/ctl/doctor/doctor.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <grp.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
-#include "platform/ctl/doctor/doctor.h"
+#include "core/base/printable.h"
 #include "platform/os/json_char.h"
 #include "platform/os/print.h"
+#include "platform/os/file.h"
 
 static const char *const level_words[] = { "fine", "look", "WRONG" };
 
@@ -100,4 +110,124 @@ void doctor_report_json(const struct doctor *doctor)
     printf("\n],\"more\":%u,\"fine\":%u,\"look\":%u,\"wrong\":%u}\n", doctor->more,
            doctor_count(doctor, DOCTOR_FINE), doctor_count(doctor, DOCTOR_LOOK),
            doctor_count(doctor, DOCTOR_WRONG));
+}
+
+static bool is_in(const struct doctor_user *user, gid_t group)
+{
+    for (uint32_t i = 0; i < user->group_count; i++) {
+        if (user->groups[i] == group) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Checks the mode bits of a file. Returns 0 if the user may read and write the file, otherwise
+ * EACCES. Like the kernel, uses only the bits of the first matching class: owner, group or
+ * others. */
+static int by_mode(const struct doctor_user *user, const struct stat *about)
+{
+    const mode_t both = S_IROTH | S_IWOTH;
+    const mode_t bits = user->id == about->st_uid    ? about->st_mode >> 6
+                        : is_in(user, about->st_gid) ? about->st_mode >> 3
+                                                     : about->st_mode;
+    return user->id == 0 || (bits & both) == both ? 0 : EACCES;
+}
+
+int doctor_may_use(const struct doctor *doctor, const char *path)
+{
+    char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
+    struct stat about;
+    snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
+    if (stat(whole, &about)) {
+        return errno;
+    }
+    if (doctor->user.id == geteuid() && access(whole, R_OK | W_OK) == 0) {
+        return 0; /* The user may have access through an access control list, even if the mode bits
+                     allow no access. For example, the logged-in user at the machine has access to
+                     many devices through access control lists. */
+    }
+    return by_mode(&doctor->user, &about);
+}
+
+void doctor_todo_access(const struct doctor *doctor, struct doctor_finding *finding,
+                        const char *path, const char *otherwise)
+{
+    char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
+    struct stat about;
+    snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
+    const mode_t group_may = S_IRGRP | S_IWGRP;
+    if (stat(whole, &about)) {
+        doctor_todo(finding, "%s is not there: mount /dev with devtmpfs and start udev", path);
+        return;
+    }
+    const struct group *group = getgrgid(about.st_gid);
+    if (about.st_gid != 0 && (about.st_mode & group_may) == group_may && group) {
+        doctor_todo(finding, "sudo usermod -aG %s %s, then log in again or restart the kiosk",
+                    group->gr_name, doctor->user.name);
+    } else {
+        doctor_todo(finding, "%s", otherwise);
+    }
+}
+
+void doctor_line(const struct doctor *doctor, char *out, size_t size, const char *path, ...)
+{
+    char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
+    const int used = snprintf(whole, sizeof whole, "%s", doctor->root);
+    va_list arguments;
+    va_start(arguments, path);
+    vsnprintf(whole + used, sizeof whole - (size_t)used, path, arguments);
+    va_end(arguments);
+    FILE *file = file_open(whole, FILE_KERNEL_SIZE_MAX);
+    if (!file || !fgets(out, (int)size, file)) {
+        out[0] = '\0';
+    }
+    if (file) {
+        fclose(file);
+    }
+    out[strcspn(out, "\n")] = '\0';
+    printable(out);
+}
+
+bool doctor_kiosk_is_running(const struct doctor *doctor)
+{
+    char path[DOCTOR_PATH + OPTIONS_PATH_MAX], name[32];
+    bool runs = false;
+    snprintf(path, sizeof path, "%s/proc", doctor->root);
+    DIR *folder = opendir(path);
+    const struct dirent *entry;
+    while (folder && !runs && (entry = readdir(folder))) {
+        if (entry->d_name[0] >= '0' && entry->d_name[0] <= '9') {
+            doctor_line(doctor, name, sizeof name, "/proc/%.32s/comm", entry->d_name);
+            runs = strcmp(name, "kingyo") == 0;
+        }
+    }
+    if (folder) {
+        closedir(folder);
+    }
+    return runs;
+}
+
+static int by_name(const void *left, const void *right)
+{
+    return strverscmp(left, right);
+}
+
+void doctor_list(const struct doctor *doctor, const char *path, const char *prefix,
+                 struct doctor_names *out)
+{
+    char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
+    snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
+    DIR *folder = opendir(whole);
+    const struct dirent *entry;
+    out->count = 0;
+    while (folder && out->count < DOCTOR_NAMES_MAX && (entry = readdir(folder))) {
+        if (strncmp(entry->d_name, prefix, strlen(prefix)) == 0) {
+            snprintf(out->name[out->count++], sizeof out->name[0], "%.63s", entry->d_name);
+        }
+    }
+    if (folder) {
+        closedir(folder);
+    }
+    qsort(out->name, out->count, sizeof out->name[0], by_name);
 }

@@ -10,8 +10,7 @@
 #include <string.h>
 
 #include "drivers/usb/usb_choice_file.h"
-#include "platform/ctl/devices/hid_nodes.h"
-#include "platform/ctl/doctor/doctor_rules.h"
+#include "platform/ctl/devices/hid_source.h"
 
 static const char *map_words(const struct usb_interface *interface)
 {

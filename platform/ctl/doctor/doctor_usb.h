@@ -42,4 +42,9 @@ struct usb_interface {
 void doctor_read_usb(const struct doctor *doctor, const struct usb_choice *choice,
                      struct usb_device *device, struct usb_interface *best);
 
+/* Writes the advice for a controller to `out`. If the rules list the controller, the advice is to
+ * install Kingyo's rules. Otherwise the advice contains the rule that must be added for the
+ * controller. */
+void doctor_rules_todo(char *out, size_t size, uint16_t vendor, uint16_t product);
+
 #endif

@@ -8,7 +8,7 @@
 #include <stdarg.h>
 #include <string.h>
 
-#include "platform/ctl/lib/user_file.h"
+#include "platform/ctl/lib/ctl.h"
 #include "platform/os/number.h"
 #include "platform/os/print.h"
 
@@ -61,7 +61,7 @@ static enum exit_code csv_next_line(struct csv *csv, int *is_end)
         if (!fgets(csv->text, sizeof csv->text, csv->file)) {
             *is_end = 1;
             if (ferror(csv->file)) {
-                return user_file_error(csv->speaker, csv->path, CSV_SIZE_MAX, errno);
+                return ctl_file_error(csv->speaker, csv->path, CSV_SIZE_MAX, errno);
             }
             return EXIT_OK;
         }
@@ -165,7 +165,7 @@ enum exit_code csv_open(struct csv *csv, const char *speaker, const char *path,
     *csv = (struct csv){
         .speaker = speaker, .path = path, .columns = columns, .column_count = column_count
     };
-    const enum exit_code code = user_file_open(speaker, path, CSV_SIZE_MAX, &csv->file);
+    const enum exit_code code = ctl_file_open(speaker, path, CSV_SIZE_MAX, &csv->file);
     return code == EXIT_OK ? read_head(csv) : code;
 }
 

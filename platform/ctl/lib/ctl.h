@@ -1,11 +1,14 @@
-/* ctl.h -- declarations that all commands of `kingyoctl` share.
+/* ctl.h -- declarations that all commands of `kingyoctl` share: the description of a command, the
+ * parser of its options, its error messages, and the opening of files that the user names.
  *
  * `kingyoctl` is the command-line tool of Kingyo. Each command is implemented in its own source
  * file. */
 #ifndef KINGYO_PLATFORM_CTL_LIB_CTL_H
 #define KINGYO_PLATFORM_CTL_LIB_CTL_H
 
+#include <signal.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "platform/config/options.h"
 
@@ -38,8 +41,23 @@ __attribute__((format(printf, 2, 3))) enum exit_code ctl_usage(const char *comma
 enum exit_code ctl_options(const char *command, const struct option_table *table, uint32_t groups,
                            void *target, int argc, const char *const *argv);
 
+/* Installs handlers of SIGINT, SIGTERM and SIGHUP that set `*flag` to 1, so that the command ends
+ * by its normal exit path. */
+void ctl_stop_at_signals(volatile sig_atomic_t *flag);
+
 /* Prints an error line for CORE_ERR_FLOAT, which the core returns if the floating-point settings
  * are unsuitable. Returns EXIT_NOT_SO. */
 enum exit_code ctl_float(const char *command);
+
+/* Opens the regular file `path` for reading. The caller closes the file. Returns EXIT_OK.
+ *
+ * After an error, sets `*out` to null and prints one line, "SPEAKER: PATH: reason", to standard
+ * error. Returns EXIT_BAD_DATA if the file has more than `size_max` bytes. Returns EXIT_IO if the
+ * file is missing or is not a regular file. */
+enum exit_code ctl_file_open(const char *speaker, const char *path, uint32_t size_max, FILE **out);
+
+/* Prints the error line for a read that failed with the errno `error`. Returns the exit code that
+ * ctl_file_open() returns for this error. */
+enum exit_code ctl_file_error(const char *speaker, const char *path, uint32_t size_max, int error);
 
 #endif

@@ -1,20 +1,236 @@
-/* backup.c -- the command `kingyoctl backup`.
+/* backup.c -- the command `kingyoctl backup`, which copies the kiosk's ledger database while the
+ * kiosk runs, and replaces the database with a copy.
  *
- * The command copies the kiosk's ledger database while the kiosk runs. restore.c implements the
- * option --restore. */
+ * --restore writes the copy under the name from which the kiosk recovers automatically if its
+ * database is missing (storage_open.c). After a power failure, either the old database is still in
+ * use, or the kiosk starts from the copy. The kiosk's automatic backup is renamed too. The backup
+ * contains more entries than an older copy, so the kiosk would otherwise treat the copy as a
+ * database that has lost entries. */
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <sqlite3.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-
-#include <sqlite3.h>
+#include <unistd.h>
 
 #include "platform/ctl/operator/books.h"
-#include "platform/ctl/operator/restore.h"
+#include "platform/os/file.h"
 #include "platform/os/json_char.h"
 #include "platform/os/print.h"
 #include "platform/store/sqlite/ledger_backup.h"
+#include "platform/store/sqlite/sql.h"
 #include "platform/store/storage.h"
+
+/* Maximum length of the database's path in bytes. The kiosk has the same limit. */
+#define PATH_MAX_BYTES 520u
+#define BEFORE_MAX 1000u /* Maximum number of replaced databases that stay in the folder. */
+
+static const char command[] = "backup --restore";
+
+/* State of the replacement of the database: the paths of the files, and the start record of the
+ * copy. */
+struct swap {
+    char own[BOOKS_PATH_SIZE];     /* Path of the kiosk's ledger database. */
+    char fresh[LEDGER_PATH_SIZE];  /* Path of the copy that will replace the database. */
+    char before[LEDGER_PATH_SIZE]; /* Path to which the replaced database is renamed. */
+    /* Start record of the copy. All fields are 0 if an earlier version of Kingyo wrote the copy. */
+    struct ledger_start copied;
+};
+
+static enum exit_code fails(const char *path, const char *why)
+{
+    print_error("kingyoctl %s: %s: %s", command, path, why);
+    return EXIT_IO;
+}
+
+static void join(char out[LEDGER_PATH_SIZE], const char *path, const char *suffix)
+{
+    snprintf(out, LEDGER_PATH_SIZE, "%.560s%.39s", path, suffix);
+}
+
+/* Returns 1 if a process has the database at `path` open, otherwise 0. SQLite locks parts of the
+ * database file or of its shared-memory file while the database is open. */
+static int is_locked(const char *path)
+{
+    struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
+    const int handle = file_handle(path, O_RDONLY, 0);
+    const int is_held = handle >= 0 && fcntl(handle, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+    if (handle >= 0) {
+        close(handle);
+    }
+    return is_held;
+}
+
+/* Returns 1 if a kiosk is running with the data folder of the database, otherwise 0. A kiosk locks
+ * its data folder for its whole run, even while its database is closed. */
+static int has_stall(const struct swap *swap)
+{
+    char folder[BOOKS_PATH_SIZE];
+    snprintf(folder, sizeof folder, "%s", swap->own);
+    *strrchr(folder, '/') = '\0';
+    const int handle = file_lock_folder(folder[0] ? folder : "/");
+    if (handle >= 0) {
+        close(handle);
+    }
+    return handle == -EWOULDBLOCK;
+}
+
+static int is_held(const struct swap *swap)
+{
+    char shared[LEDGER_PATH_SIZE];
+    join(shared, swap->own, "-shm");
+    return has_stall(swap) || is_locked(swap->own) || is_locked(shared);
+}
+
+/* ---- Writing the copy ------------------------------------------------------------------------ */
+
+/* Gives the copy the owner and the mode of the present database, because the kiosk's user must be
+ * able to write the copy. If there is no database, the owner is the owner of the data folder.
+ * Returns 0, or -1 with errno set. */
+static int give_to_its_user(const struct swap *swap)
+{
+    struct stat about;
+    char folder[BOOKS_PATH_SIZE];
+    snprintf(folder, sizeof folder, "%s", swap->own);
+    *strrchr(folder, '/') = '\0';
+    const int has_file = stat(swap->own, &about) == 0;
+    if (!has_file && stat(folder, &about) != 0) {
+        return -1;
+    }
+    const mode_t mode = has_file ? about.st_mode & 0660 : S_IRUSR | S_IWUSR;
+    return chown(swap->fresh, about.st_uid, about.st_gid) == 0 ? chmod(swap->fresh, mode) : -1;
+}
+
+static enum exit_code refuse_copy(const char *from, int code)
+{
+    if (code != SQLITE_CORRUPT || !books_tell_foreign(command, from, "use another copy")) {
+        fails(from,
+              code == SQLITE_NOTFOUND ? "is no copy of a stall's file" : ledger_file_error(code));
+    }
+    return code == SQLITE_CANTOPEN ? EXIT_IO : EXIT_BAD_DATA;
+}
+
+static enum exit_code make_copy(struct swap *swap, const char *from)
+{
+    struct ledger_file file = { .refusal = SQLITE_READONLY };
+    struct stat about;
+    if (stat(from, &about) != 0) {
+        return fails(from, strerror(errno));
+    }
+    if (!S_ISREG(about.st_mode)) {
+        return fails(from, "is no file");
+    }
+    int code = books_check_copy(from, &swap->copied);
+    code = code == SQLITE_OK ? sql_open(from, SQLITE_OPEN_READONLY, NULL, &file.db) : code;
+    code = code == SQLITE_OK ? ledger_check(file.db) : code;
+    if (code != SQLITE_OK) {
+        ledger_file_close(&file);
+        return refuse_copy(from, code);
+    }
+    code = ledger_backup_make(&file, swap->fresh, false);
+    ledger_file_close(&file);
+    if (code != SQLITE_OK || give_to_its_user(swap) != 0) {
+        fails(swap->fresh, code != SQLITE_OK ? ledger_file_error(code) : strerror(errno));
+        unlink(swap->fresh);
+        return EXIT_IO;
+    }
+    return EXIT_OK;
+}
+
+/* ---- Replacing the database ------------------------------------------------------------------ */
+
+static int name_before(struct swap *swap)
+{
+    char suffix[40], backup[LEDGER_PATH_SIZE];
+    for (unsigned number = 1; number <= BEFORE_MAX; number++) {
+        snprintf(suffix, sizeof suffix, STORAGE_REPLACED_SUFFIX "%u", number);
+        join(swap->before, swap->own, suffix);
+        join(backup, swap->before, STORAGE_BACKUP_SUFFIX);
+        if (access(swap->before, F_OK) != 0 && access(backup, F_OK) != 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Renames the file with `suffix` that belongs to the database. Returns 0 if the file was renamed or
+ * does not exist. */
+static int move_one(const struct swap *swap, const char *suffix)
+{
+    char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE];
+    join(from, swap->own, suffix);
+    join(to, swap->before, suffix);
+    return rename(from, to) == 0 || errno == ENOENT ? 0 : -1;
+}
+
+/* Replaces the database with the copy. The backup and the ledger mirror, a second copy of the
+ * newest entries, are renamed first. The kiosk uses the old database until that database itself is
+ * renamed. */
+static int put_in_place(const struct swap *swap)
+{
+    if (move_one(swap, STORAGE_BACKUP_SUFFIX) != 0 || move_one(swap, STORAGE_MIRROR_SUFFIX) != 0 ||
+        file_sync_parent(swap->own) != 0 || move_one(swap, "") != 0 ||
+        file_sync_parent(swap->own) != 0) {
+        return -1;
+    }
+    return move_one(swap, "-wal") == 0 && move_one(swap, "-journal") == 0 &&
+                   move_one(swap, "-shm") == 0 && rename(swap->fresh, swap->own) == 0
+               ? file_sync_parent(swap->own)
+               : -1;
+}
+
+static void restore_print_result(const struct swap *swap, const struct books_words *words,
+                                 const char *from)
+{
+    const int has_before = access(swap->before, F_OK) == 0;
+    if (words->as_json) {
+        fputs("{\"file\": ", stdout);
+        json_print(from);
+        fputs(", \"before\": ", stdout);
+        json_print(has_before ? swap->before : "");
+        printf(", \"entries\": %u, \"start\": %u}\n", swap->copied.last_id, swap->copied.boots);
+        return;
+    }
+    print_line(stdout, "%s: is %s now, %u entries", from, swap->own, swap->copied.last_id);
+    if (has_before) {
+        print_line(stdout, "what was there: %s", swap->before);
+    }
+}
+
+static enum exit_code restore_backup(const struct books_words *words, const char *named)
+{
+    struct swap swap = { 0 };
+    char resolved[PATH_MAX]; /* Target of the symbolic link if the user named a symbolic link. */
+    const char *from = file_is_other(named) && realpath(named, resolved) ? resolved : named;
+    books_path(words, swap.own);
+    if (strlen(swap.own) > PATH_MAX_BYTES) {
+        return ctl_usage("backup", "the name is too long");
+    }
+    if (books_is_same(from, swap.own)) {
+        return ctl_usage("backup", "%.200s: is the stall's own file", from);
+    }
+    join(swap.fresh, swap.own, STORAGE_NEW_SUFFIX);
+    if (is_held(&swap)) {
+        return fails(swap.own, "the stall runs, or another program reads it: stop it first");
+    }
+    const enum exit_code code = make_copy(&swap, from);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    if (is_held(&swap) || !name_before(&swap)) {
+        unlink(swap.fresh);
+        return fails(swap.own, "the stall was started, or too many files lie beside it");
+    }
+    if (put_in_place(&swap) != 0) {
+        return fails(swap.own, strerror(errno));
+    }
+    restore_print_result(&swap, words, named);
+    return EXIT_OK;
+}
 
 static const char name[] = "backup";
 

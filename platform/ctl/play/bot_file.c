@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "core/base/printable.h"
-#include "platform/ctl/lib/user_file.h"
+#include "platform/ctl/lib/ctl.h"
 #include "platform/ctl/play/bot_keys.h"
 #include "platform/os/print.h"
 
@@ -222,7 +222,7 @@ enum exit_code bot_file_read(const char *speaker, const char *path, struct techn
                     strerror(errno));
         return EXIT_IO;
     }
-    const enum exit_code code = user_file_open(speaker, path, sizeof text, &file);
+    const enum exit_code code = ctl_file_open(speaker, path, sizeof text, &file);
     if (code != EXIT_OK) {
         return code;
     }
@@ -231,7 +231,7 @@ enum exit_code bot_file_read(const char *speaker, const char *path, struct techn
     const int error = ferror(file) ? errno : 0;
     fclose(file);
     if (error) {
-        return user_file_error(speaker, path, sizeof text, error);
+        return ctl_file_error(speaker, path, sizeof text, error);
     }
     if (bot_file_parse(text, size, out, &problem)) {
         if (problem.line) {

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/base/panic.h"
+
 /* Sine of the angle below which two edges count as parallel. Parallel edges have no separating
  * axis. */
 #define PARALLEL 1e-6
@@ -102,26 +104,9 @@ struct floor_grid {
     uint32_t columns, rows;
 };
 
-static uint32_t cells_along(double size_m, double side_m)
-{
-    return (uint32_t)fmin(fmax(floor(size_m / side_m), 1.0), (double)(OVERLAP_CELL_MAX - 1u));
-}
-
 static uint32_t cell_along(double place_m, double half_m, double side_m, uint32_t count)
 {
     return (uint32_t)fmin(fmax(floor((place_m + half_m) / side_m), 0.0), (double)(count - 1u));
-}
-
-static struct floor_grid grid_over(const struct overlap *overlap, const struct tank *tank)
-{
-    const double x_m = (double)tank->size_m.x, z_m = (double)tank->size_m.z;
-    double reach_m = 1e-3;
-    for (uint32_t i = 0; i < overlap->count; i++) {
-        reach_m = fmax(reach_m, overlap->box[i].reach_m);
-    }
-    const double side_m = fmax(2.0 * reach_m, fmax(x_m, z_m) / (double)(OVERLAP_CELL_MAX - 1u));
-    return (struct floor_grid){ side_m, 0.5 * x_m, 0.5 * z_m, cells_along(x_m, side_m) + 1u,
-                                cells_along(z_m, side_m) + 1u };
 }
 
 /* Sorts the boxes by grid cell with a counting sort. Afterwards the boxes in cell c are
@@ -181,15 +166,117 @@ static void judge_around(const struct overlap *overlap, const struct floor_grid 
 
 void overlap_add(struct overlap *overlap, const struct tank *tank, struct overlap_count *total)
 {
+    const double x_m = (double)tank->size_m.x, z_m = (double)tank->size_m.z;
+    double reach_m = 1e-3;
+    CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX && x_m > 0.0 && z_m > 0.0);
     overlap->count = 0;
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         if (fish_swims(&tank->fish[i])) {
-            overlap->box[overlap->count++] = overlap_box_of(&tank->fish[i]);
+            overlap->box[overlap->count] = overlap_box_of(&tank->fish[i]);
+            reach_m = fmax(reach_m, overlap->box[overlap->count++].reach_m);
         }
     }
-    const struct floor_grid grid = grid_over(overlap, tank);
+    const double side_m = fmax(2.0 * reach_m, fmax(x_m, z_m) / (double)(OVERLAP_CELL_MAX - 1u));
+    const struct floor_grid grid = {
+        .side_m = side_m,
+        .half_x_m = 0.5 * x_m,
+        .half_z_m = 0.5 * z_m,
+        .columns = cell_along(x_m, 0.0, side_m, OVERLAP_CELL_MAX) + 1u,
+        .rows = cell_along(z_m, 0.0, side_m, OVERLAP_CELL_MAX) + 1u,
+    };
+    CORE_ASSERT(grid.columns <= OVERLAP_CELL_MAX && grid.rows <= OVERLAP_CELL_MAX);
     sort_by_cell(overlap, &grid);
     for (uint32_t i = 0; i < overlap->count; i++) {
         judge_around(overlap, &grid, i, total);
+    }
+}
+
+/* ---- Encounters ------------------------------------------------------------------------------ */
+
+/* Returns 1 if the personal spaces of two fish overlap, otherwise 0. */
+static int spaces_overlap(const struct tank *tank, const struct tank_meeting *pair)
+{
+    struct box spaces[2];
+    for (uint32_t i = 0; i < 2; i++) {
+        const struct fish *fish = &tank->fish[i == 0 ? pair->low : pair->high];
+        const float margin_m = tank->space * fish->length_m;
+        spaces[i] = fish_box(fish);
+        spaces[i].half_m = v3_add(spaces[i].half_m, v3(margin_m, margin_m, margin_m));
+    }
+    return box_depth_m(&spaces[0], &spaces[1]) > 0.0f;
+}
+
+/* Appends a pair to the list of open pairs, and links the pair to the older pairs with the same
+ * `low`. */
+static void open_pair(struct tank_meetings *meetings, const struct tank_meeting *pair)
+{
+    CORE_ASSERT(meetings->open_count < TANK_MEETINGS_OPEN_MAX && pair->low < TANK_FISH_MAX);
+    struct tank_meeting *added = &meetings->open[meetings->open_count++];
+    *added = *pair;
+    added->older = meetings->newest[pair->low];
+    meetings->newest[pair->low] = meetings->open_count;
+}
+
+static void forget_the_parted(struct tank_meetings *meetings, const struct tank *tank,
+                              uint32_t ticks)
+{
+    const uint32_t count = meetings->open_count;
+    meetings->open_count = 0;
+    memset(meetings->newest, 0, tank->fish_count * sizeof meetings->newest[0]);
+    for (uint32_t i = 0; i < count; i++) {
+        struct tank_meeting pair = meetings->open[i];
+        pair.apart_ticks = spaces_overlap(tank, &pair) ? 0 : pair.apart_ticks + ticks;
+        if (pair.apart_ticks < TANK_MEETINGS_PART_TICKS) {
+            /* open_pair() writes at or before index `i`, and the entry at `i` has already been
+             * read. */
+            open_pair(meetings, &pair);
+        }
+    }
+}
+
+static int is_open(const struct tank_meetings *meetings, const struct tank_meeting *pair)
+{
+    for (uint32_t at = meetings->newest[pair->low]; at > 0; at = meetings->open[at - 1].older) {
+        if (meetings->open[at - 1].high == pair->high) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static void tank_meetings_begin(struct tank_meetings *meetings, const struct fish *fish,
+                                fish_index index)
+{
+    const fish_index with = fish->avoid_with;
+    const struct tank_meeting pair = { index < with ? index : with, index < with ? with : index, 0,
+                                       0 };
+    if (is_open(meetings, &pair)) {
+        return;
+    }
+    if (meetings->open_count < TANK_MEETINGS_OPEN_MAX) {
+        open_pair(meetings, &pair);
+    }
+    meetings->head_on += fish->avoid_kind == MEET_HEAD_ON ? 1u : 0u;
+    meetings->side += fish->avoid_kind == MEET_SIDE || fish->avoid_kind == MEET_STRUCK ? 1u : 0u;
+    meetings->rear_end += fish->avoid_kind == MEET_REAR_END ? 1u : 0u;
+}
+
+void tank_meetings_update(struct tank_meetings *meetings, const struct tank *tank, uint32_t ticks)
+{
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        const struct fish *fish = &tank->fish[i];
+        if (fish->avoiding != meetings->avoided[i]) {
+            if (fish->avoiding == AVOID_YAW) {
+                meetings->by_yaw++;
+                tank_meetings_begin(meetings, fish, (fish_index)i);
+            }
+            meetings->by_pitch += fish->avoiding == AVOID_PITCH ? 1u : 0u;
+            meetings->avoided[i] = fish->avoiding;
+        }
+    }
+    meetings->unlooked_ticks += ticks;
+    if (meetings->unlooked_ticks >= TANK_MEETINGS_LOOK_TICKS) {
+        forget_the_parted(meetings, tank, meetings->unlooked_ticks);
+        meetings->unlooked_ticks = 0;
     }
 }

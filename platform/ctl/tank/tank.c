@@ -9,7 +9,6 @@
 #include "platform/ctl/lib/ctl.h"
 #include "platform/ctl/tank/tank_lab.h"
 #include "platform/ctl/tank/tank_report.h"
-#include "platform/ctl/tank/tank_trace.h"
 #include "platform/huge_pages.h"
 #include "platform/os/print.h"
 

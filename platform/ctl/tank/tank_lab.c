@@ -8,12 +8,13 @@
 #include <time.h>
 
 #include "core/base/hash.h"
+#include "core/base/panic.h"
 #include "core/poi/catch/catch.h"
 #include "core/poi/surface_disturbance.h"
 #include "core/tank/behavior/avoid.h"
 #include "platform/cpu.h"
 #include "platform/ctl/lib/ctl.h"
-#include "platform/ctl/tank/tank_place.h"
+#include "platform/ctl/tank/tank_files.h"
 #include "platform/os/print.h"
 
 #define POI_GRADE 5u /* Paper grade of the poi, the grade of the championship mode. */
@@ -66,31 +67,23 @@ static void count_second(struct tank_lab *lab)
     }
 }
 
-static void count_speed(struct lab_sums *sums, const struct fish *fish)
-{
-    if (fish_swims(fish) && !fish->falls) {
-        const double speed_m_s = (double)v3_length(fish->velocity_m_s);
-        sums->swim_ticks++;
-        sums->speed_m_s += speed_m_s;
-        sums->speed_max_m_s = fmax(sums->speed_max_m_s, speed_m_s);
-    }
-}
-
-static void count_fish(struct tank_lab *lab)
+/* Adds the gaits, speeds, encounters and overlaps of all fish after a tick. */
+static void observe(struct tank_lab *lab)
 {
     struct lab_sums *sums = &lab->sums;
+    CORE_ASSERT(lab->tick > lab->observed_tick);
     for (uint32_t i = 0; i < lab->tank.fish_count; i++) {
         const struct fish *fish = &lab->tank.fish[i];
         sums->gait_ticks[fish->gait]++;
         sums->stamina += (double)fish->stamina;
-        count_speed(sums, fish);
+        if (fish_swims(fish) && !fish->falls) {
+            const double speed_m_s = (double)v3_length(fish->velocity_m_s);
+            sums->swim_ticks++;
+            sums->speed_m_s += speed_m_s;
+            sums->speed_max_m_s = fmax(sums->speed_max_m_s, speed_m_s);
+        }
     }
     sums->fish_ticks += lab->tank.fish_count;
-}
-
-static void observe(struct tank_lab *lab)
-{
-    count_fish(lab);
     tank_meetings_update(&lab->meetings, &lab->tank, lab->tick - lab->observed_tick);
     overlap_add(&lab->overlap, &lab->tank, &lab->overlaps);
     lab->observed_tick = lab->tick;
@@ -98,39 +91,28 @@ static void observe(struct tank_lab *lab)
 
 /* ---- One tick -------------------------------------------------------------------------------- */
 
-/* Returns the CPU time of the calling thread since `from`, in ns. Unlike the wall-clock time, the
- * CPU time excludes other processes. */
-static float elapsed_ns(const struct timespec *from)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return (float)((double)(now.tv_sec - from->tv_sec) * 1e9 +
-                   (double)(now.tv_nsec - from->tv_nsec));
-}
-
-/* Returns 1 if the CPU time of the present tick is recorded, otherwise 0. An observation evicts the
- * tank's data from the CPU caches. The ticks in the next broad-phase period are therefore slower
- * and are not recorded. */
-static int is_timed(const struct tank_lab *lab)
-{
-    return lab->observe_every <= BROAD_PHASE_UPDATE_TICKS || lab->observed_tick == 0 ||
-           lab->tick >= lab->observed_tick + BROAD_PHASE_UPDATE_TICKS;
-}
-
+/* Advances the tank by one tick and records the CPU time of the calling thread. Unlike the
+ * wall-clock time, the CPU time excludes other processes. An observation evicts the tank's data
+ * from the CPU caches. The ticks in the next broad-phase period are therefore slower and are not
+ * recorded. */
 static void tick_tank(struct tank_lab *lab, struct obstacle *obstacles, uint32_t count)
 {
-    struct timespec begin;
+    struct timespec begin, end;
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
     tank_tick(&lab->tank, lab->tick, obstacles, count);
-    const float tick_ns = elapsed_ns(&begin);
-    if (is_timed(lab)) {
-        lab->tick_ns[lab->timed_count++] = tick_ns;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
+    if (lab->observe_every <= BROAD_PHASE_UPDATE_TICKS || lab->observed_tick == 0 ||
+        lab->tick >= lab->observed_tick + BROAD_PHASE_UPDATE_TICKS) {
+        CORE_ASSERT(lab->timed_count < lab->plan->tick_count);
+        lab->tick_ns[lab->timed_count++] = (float)((double)(end.tv_sec - begin.tv_sec) * 1e9 +
+                                                   (double)(end.tv_nsec - begin.tv_nsec));
     }
 }
 
 static void cast_shades(struct tank_lab *lab)
 {
     struct shade_cast casts[TANK_SHADE_MAX] = { 0 };
+    CORE_ASSERT(lab->plan->shade_count <= SHADE_MAX);
     const double now_s = (double)lab->tick / CORE_TICK_HZ;
     for (uint32_t i = 0; i < lab->plan->shade_count; i++) {
         const struct plan_shade *shade = &lab->plan->shade[i];
@@ -170,6 +152,7 @@ static void tick_with_poi(struct tank_lab *lab)
 
 void tank_lab_tick(struct tank_lab *lab)
 {
+    CORE_ASSERT(lab->tick < lab->plan->tick_count && lab->observe_every > 0);
     if (lab->path.count > 0) {
         tick_with_poi(lab);
     } else {
@@ -186,11 +169,6 @@ void tank_lab_tick(struct tank_lab *lab)
     if (lab->tick % CORE_TICK_HZ == 0) {
         count_second(lab);
     }
-}
-
-float tank_lab_oxygen_mg_l(const struct tank_lab *lab)
-{
-    return lab->tank.oxygen.dissolved_mg_l;
 }
 
 uint64_t tank_lab_hash(const struct tank_lab *lab)
@@ -251,28 +229,22 @@ static enum exit_code open_tank(struct tank_lab *lab)
     return code;
 }
 
-static enum exit_code open_poi(struct tank_lab *lab)
-{
-    if (!lab->plan->poi_path) {
-        return EXIT_OK;
-    }
-    const enum exit_code code = tank_path_read(&lab->path, path_speaker, lab->plan->poi_path);
-    if (code == EXIT_OK) {
-        const struct poi_target hand = tank_path_at(&lab->path, 0.0);
-        poi_init(&lab->poi, POI_GRADE, hand.position_m, lab->plan->config.seed);
-        lab->poi.link = POI_SOURCE_LIVE;
-        lab->poi.angles = hand.angles;
-    }
-    return code;
-}
-
 enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_options *plan)
 {
     lab->plan = plan;
+    CORE_ASSERT(plan->tick_count > 0);
     enum exit_code code = open_tank(lab);
-    code = code == EXIT_OK ? open_poi(lab) : code;
+    if (code == EXIT_OK && plan->poi_path) {
+        code = tank_path_read(&lab->path, path_speaker, plan->poi_path);
+    }
     if (code != EXIT_OK) {
         return code;
+    }
+    if (plan->poi_path) {
+        const struct poi_target hand = tank_path_at(&lab->path, 0.0);
+        poi_init(&lab->poi, POI_GRADE, hand.position_m, plan->config.seed);
+        lab->poi.link = POI_SOURCE_LIVE;
+        lab->poi.angles = hand.angles;
     }
     const uint32_t seconds = tank_lab_seconds(plan);
     lab->tick_ns = calloc(plan->tick_count, sizeof *lab->tick_ns);
@@ -286,7 +258,7 @@ enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_options *pl
     lab->observe_every = plan->observe_every > 0                  ? plan->observe_every
                          : lab->tank.fish_count > TANK_FISH_KIOSK ? OBSERVE_MANY_TICKS
                                                                   : 1u;
-    lab->oxygen_start_mg_l = tank_lab_oxygen_mg_l(lab);
+    lab->oxygen_start_mg_l = lab->tank.oxygen.dissolved_mg_l;
     count_second(lab);
     return EXIT_OK;
 }

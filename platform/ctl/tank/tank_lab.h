@@ -13,9 +13,8 @@
 #include "core/poi/poi.h"
 #include "core/tank/tank.h"
 #include "platform/ctl/tank/overlap.h"
-#include "platform/ctl/tank/tank_meetings.h"
 #include "platform/ctl/tank/tank_options.h"
-#include "platform/ctl/tank/tank_path.h"
+#include "platform/ctl/tank/tank_files.h"
 
 /* Sums over all ticks that were observed, and over all fish. A fish-tick is one fish in one
  * observed tick. */
@@ -70,9 +69,6 @@ enum exit_code tank_lab_open(struct tank_lab *lab, const struct tank_options *pl
 /* Advances the tank by one tick and measures the CPU time. Every `observe_every` ticks and after
  * the last tick of the plan, also measures overlaps, encounters, gaits and speeds. */
 void tank_lab_tick(struct tank_lab *lab);
-
-/* Returns the present concentration of dissolved oxygen in the water, in mg/l. */
-float tank_lab_oxygen_mg_l(const struct tank_lab *lab);
 
 /* Returns the hash of the tank's state. If a poi follows a path, the hash includes the poi. */
 uint64_t tank_lab_hash(const struct tank_lab *lab);

@@ -51,6 +51,7 @@ struct range {
  * invalid. */
 static int read_list(const char *text, const struct range *parts, int count, double *out)
 {
+    CORE_ASSERT(text && count > 0);
     for (int i = 0; i < count; i++) {
         char field[FIELD_MAX];
         const size_t length = strcspn(text, ",");

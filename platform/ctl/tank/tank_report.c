@@ -1,15 +1,97 @@
-/* tank_report.c -- prints the results of a tank simulation as text and as JSON. */
+/* tank_report.c -- writes the trace, and computes and prints the results of a tank simulation. */
 #include "platform/ctl/tank/tank_report.h"
 
+#include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/os/number.h"
+#include "platform/os/print.h"
 
+#define DEG (180.0 / 3.14159265358979323846)
+#define ROW_MAX 512u
 #define BAR_WIDTH 40
 /* Maximum number of characters in a chart. A chart of a longer simulation shows one second out of
  * every two or more. */
 #define SPARKS_MAX 60u
+
+static const char *const gait_names[GAIT_COUNT] = {
+    [GAIT_REST] = "rest",     [GAIT_SWIM] = "swim",       [GAIT_BURST] = "burst",
+    [GAIT_ESCAPE] = "escape", [GAIT_SURFACE] = "surface", [GAIT_HELD] = "held",
+    [GAIT_BOWL] = "held",
+};
+static const char *const avoiding_names[] = { "none", "yaw", "pitch" };
+
+static enum exit_code tank_trace_print_error(const struct tank_trace *trace, int error)
+{
+    print_error("kingyoctl tank: --trace: %s: %s", trace->path, strerror(error));
+    return EXIT_IO;
+}
+
+enum exit_code tank_trace_open(struct tank_trace *trace, const char *path)
+{
+    trace->path = path;
+    const int error = file_atomic_open(&trace->out, path);
+    if (error) {
+        return tank_trace_print_error(trace, -error);
+    }
+    trace->file = trace->out.file;
+    fputs("tick,fish,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg,length_cm,height_cm,width_cm,"
+          "speed_cm_s,tail_hz,gait,stamina,avoiding\n",
+          trace->file);
+    return EXIT_OK;
+}
+
+static void add_row(struct tank_trace *trace, const struct fish *fish, uint32_t index,
+                    uint32_t tick)
+{
+    CORE_ASSERT(fish->gait < GAIT_COUNT && fish->avoiding < 3);
+    const struct {
+        double value;
+        uint32_t decimals;
+    } figures[] = {
+        { (double)tick, 0 },
+        { (double)index, 0 },
+        { 100.0 * (double)fish->position_m.x, 4 },
+        { 100.0 * (double)fish->position_m.y, 4 },
+        { 100.0 * (double)fish->position_m.z, 4 },
+        { DEG * (double)fish->angles.yaw_rad, 4 },
+        { DEG * (double)fish->angles.pitch_rad, 4 },
+        { DEG * (double)fish->angles.roll_rad, 4 },
+        { 100.0 * (double)fish->length_m, 4 },
+        { 100.0 * (double)fish->height_m, 4 },
+        { 100.0 * (double)fish->width_m, 4 },
+        { 100.0 * (double)v3_length(fish->velocity_m_s), 4 },
+        { (double)fish->tail_beat_hz, 3 },
+    };
+    char row[ROW_MAX];
+    uint32_t length = 0;
+    for (uint32_t i = 0; i < sizeof figures / sizeof figures[0]; i++) {
+        length += number_print_fixed(row + length, figures[i].value, figures[i].decimals);
+        row[length++] = ',';
+    }
+    fwrite(row, 1, length, trace->file);
+    length = number_print_fixed(row, 100.0 * (double)fish->stamina, 3);
+    fprintf(trace->file, "%s,%.*s,%s\n", gait_names[fish->gait], (int)length, row,
+            avoiding_names[fish->avoiding]);
+}
+
+void tank_trace_add(struct tank_trace *trace, const struct tank *tank, uint32_t tick)
+{
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        add_row(trace, &tank->fish[i], i, tick);
+    }
+}
+
+enum exit_code tank_trace_close(struct tank_trace *trace)
+{
+    const int error = file_atomic_close(&trace->out);
+    trace->file = NULL;
+    return error ? tank_trace_print_error(trace, -error) : EXIT_OK;
+}
 
 /* ---- Statistics ------------------------------------------------------------------------------ */
 
@@ -19,22 +101,18 @@ static int by_size(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
-static double mean_ns(const struct tank_lab *lab)
-{
-    double sum_ns = 0.0;
-    for (uint32_t i = 0; i < lab->timed_count; i++) {
-        sum_ns += (double)lab->tick_ns[i];
-    }
-    return sum_ns / (double)lab->timed_count;
-}
-
 struct tank_figures tank_figures_of(struct tank_lab *lab)
 {
     const struct lab_sums *sums = &lab->sums;
+    double sum_ns = 0.0;
+    CORE_ASSERT(lab->timed_count > 0 && sums->fish_ticks > 0);
+    for (uint32_t i = 0; i < lab->timed_count; i++) {
+        sum_ns += (double)lab->tick_ns[i];
+    }
     const double fish_ticks = (double)sums->fish_ticks;
     const double swim_ticks = sums->swim_ticks > 0 ? (double)sums->swim_ticks : 1.0;
     struct tank_figures figures = {
-        .ns_per_fish_tick = mean_ns(lab) / (double)lab->tank.fish_count,
+        .ns_per_fish_tick = sum_ns / (double)lab->timed_count / (double)lab->tank.fish_count,
         .speed_mean_cm_s = 100.0 * sums->speed_m_s / swim_ticks,
         .speed_max_cm_s = 100.0 * sums->speed_max_m_s,
         .stamina_mean = 100.0 * sums->stamina / fish_ticks,
@@ -101,7 +179,7 @@ void tank_report_json(const struct tank_lab *lab, const struct tank_figures *fig
     tank_report_put("}, \"stamina_mean\": ", figures->stamina_mean, 4);
     tank_report_put(", \"surfacing_share\": ", figures->surfacing_share, 6);
     tank_report_put(", \"oxygen_mg_l\": {\"start\": ", (double)lab->oxygen_start_mg_l, 4);
-    tank_report_put(", \"end\": ", (double)tank_lab_oxygen_mg_l(lab), 4);
+    tank_report_put(", \"end\": ", (double)lab->tank.oxygen.dissolved_mg_l, 4);
     put_counts("}, \"shade_count\": [", lab->shade_count, seconds);
     put_counts(", \"surfacing_count\": [", lab->surfacing_count, seconds);
     puts("}");
@@ -137,21 +215,16 @@ static void sparks(const char *label, const uint32_t *counts, uint32_t count)
            most == 1 && counts[count - 1u] == 0 && counts[0] == 0 ? 0 : most);
 }
 
-static void text_about(const struct tank_lab *lab)
+void tank_report_text(const struct tank_lab *lab, const struct tank_figures *figures)
 {
+    const uint32_t seconds = tank_lab_seconds(lab->plan);
+    const struct tank_meetings *meetings = &lab->meetings;
     const vec3 size_m = lab->tank.size_m;
     printf("%s: %u fish in %.1f x %.1f cm, %.1f cm of water; seed %u, %.1f s, %u ticks\n",
            tank_preset(lab->tank.preset)->name, lab->tank.fish_count, 100.0 * (double)size_m.x,
            100.0 * (double)size_m.z, 100.0 * (double)size_m.y, lab->tank.seed, lab->plan->seconds,
            lab->tick);
     printf("state hash   %016llx\n", (unsigned long long)tank_lab_hash(lab));
-}
-
-void tank_report_text(const struct tank_lab *lab, const struct tank_figures *figures)
-{
-    const uint32_t seconds = tank_lab_seconds(lab->plan);
-    const struct tank_meetings *meetings = &lab->meetings;
-    text_about(lab);
     printf("cost         %.0f ns a fish and tick; a tick %.3f ms median, %.3f ms p99\n",
            figures->ns_per_fish_tick, figures->tick_ms_median, figures->tick_ms_p99);
     printf("overlaps     %llu pair-ticks deeper than %.1f mm; deepest %.3f mm\n",
@@ -165,7 +238,7 @@ void tank_report_text(const struct tank_lab *lab, const struct tank_figures *fig
            figures->speed_max_cm_s);
     printf("stamina      %.1f of 100\n", figures->stamina_mean);
     printf("oxygen       %.2f mg/L at the start, %.2f mg/L at the end\n",
-           (double)lab->oxygen_start_mg_l, (double)tank_lab_oxygen_mg_l(lab));
+           (double)lab->oxygen_start_mg_l, (double)lab->tank.oxygen.dissolved_mg_l);
     puts("gaits");
     tank_report_print_bar("burst", figures->share[GAIT_BURST]);
     tank_report_print_bar("swim", figures->share[GAIT_SWIM]);

@@ -1,8 +1,35 @@
-/* tank_report.h -- prints the results of a tank simulation as JSON, or as text with bar charts. */
+/* tank_report.h -- the output of a tank simulation: the trace, a CSV file with the pose of every
+ * fish, and the results as JSON or as text with bar charts.
+ *
+ * With the trace, published results of the tank can be checked independently. */
 #ifndef KINGYO_PLATFORM_CTL_TANK_TANK_REPORT_H
 #define KINGYO_PLATFORM_CTL_TANK_TANK_REPORT_H
 
+#include <stdint.h>
+#include <stdio.h>
+
+#include "core/tank/tank.h"
+#include "platform/config/options.h"
 #include "platform/ctl/tank/tank_lab.h"
+#include "platform/os/file.h"
+
+struct tank_trace {
+    const char *path;
+    struct atomic_file out;
+    FILE *file; /* Stream that writes to `out` while the trace is open. Null if there is no
+                   trace. */
+};
+
+/* Creates the file at `path` and writes the header row. `path` must outlive `trace`. Returns
+ * EXIT_OK, or prints one line to standard error and returns EXIT_IO. */
+enum exit_code tank_trace_open(struct tank_trace *trace, const char *path);
+
+/* Writes one row for each fish of the tank. */
+void tank_trace_add(struct tank_trace *trace, const struct tank *tank, uint32_t tick);
+
+/* Closes the file. Returns EXIT_OK. If any row could not be written, prints one line to standard
+ * error and returns EXIT_IO. */
+enum exit_code tank_trace_close(struct tank_trace *trace);
 
 /* Results of a tank simulation. */
 struct tank_figures {

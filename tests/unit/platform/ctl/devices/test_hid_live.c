@@ -12,8 +12,8 @@
 #include <cmocka.h>
 
 #include "platform/ctl/devices/hid_live.h"
-#include "platform/ctl/devices/hid_names.h"
-#include "platform/ctl/devices/hid_nodes.h"
+#include "platform/ctl/devices/hid_rows.h"
+#include "platform/ctl/devices/hid_source.h"
 
 #define SECOND 1000000000ull
 

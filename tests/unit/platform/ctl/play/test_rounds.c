@@ -9,7 +9,6 @@
 #include <cmocka.h>
 
 #include "core/core.h"
-#include "platform/ctl/lib/summary.h"
 #include "platform/ctl/play/rounds.h"
 
 #define COUNT 5u
@@ -199,11 +198,11 @@ static void test_quantiles_fall_between_values_in_proportion(void **state)
 {
     (void)state;
     uint32_t values[] = { 9, 1, 5, 7, 3 }, even[] = { 4, 1, 3, 2 };
-    struct summary found = summary_of(values, 5);
+    struct summary found = rounds_summary(values, 5);
     assert_true(found.median >= 5.0 && found.median <= 5.0);
     assert_true(found.p90 > 8.19 && found.p90 < 8.21);
     assert_int_equal(found.max, 9);
-    found = summary_of(even, 4);
+    found = rounds_summary(even, 4);
     assert_true(found.median >= 2.5 && found.median <= 2.5);
     assert_true(found.p90 > 3.69 && found.p90 < 3.71);
 }
@@ -212,7 +211,7 @@ static void test_one_value_is_all_its_quantiles(void **state)
 {
     (void)state;
     uint32_t value = 42;
-    const struct summary found = summary_of(&value, 1);
+    const struct summary found = rounds_summary(&value, 1);
     assert_true(found.median >= 42.0 && found.p90 <= 42.0);
     assert_int_equal(found.max, 42);
 }

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 
 #include "core/tank/behavior/avoid.h"
-#include "platform/ctl/tank/tank_meetings.h"
+#include "platform/ctl/tank/overlap.h"
 #include "tests/unit/support/thesis.h"
 
 static struct tank_meetings meetings;

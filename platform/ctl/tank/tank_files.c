@@ -1,13 +1,108 @@
-/* tank_place.c -- converts the rows of a file to fish, and checks that every fish is in the water
- * and overlaps no other fish. */
-#include "platform/ctl/tank/tank_place.h"
+/* tank_files.c -- reads the path of a poi and the start positions of fish, and places the fish in
+ * the tank. */
+#include "platform/ctl/tank/tank_files.h"
 
 #include <math.h>
 #include <stdio.h>
 
+#include "core/base/panic.h"
 #include "platform/ctl/lib/csv.h"
 #include "platform/ctl/tank/overlap.h"
 #include "platform/os/print.h"
+
+/* Multiplies by 0.01. Used to convert centimetres to metres, and to convert stamina from the
+ * thesis' scale 0 .. 100 to 0 .. 1. */
+static float hundredth(double value)
+{
+    return (float)(0.01 * value);
+}
+
+static float radians(double degrees)
+{
+    return (float)(degrees * (3.14159265358979323846 / 180.0));
+}
+
+/* ---- Path of a poi --------------------------------------------------------------------------- */
+
+enum { PATH_T_S, PATH_X_CM, PATH_Y_CM, PATH_Z_CM, PATH_YAW, PATH_PITCH, PATH_ROLL, PATH_COLUMNS };
+
+/* Columns of the path file. The position ranges exceed every tank by the length of an arm. The
+ * angle ranges allow ten full turns of the wrist. */
+static const struct csv_column path_columns[PATH_COLUMNS] = {
+    [PATH_T_S] = { .name = "t_s", .min = 0, .max = 36000 },
+    [PATH_X_CM] = { .name = "x_cm", .min = -1000, .max = 1000 },
+    [PATH_Y_CM] = { .name = "y_cm", .min = -100, .max = 100 },
+    [PATH_Z_CM] = { .name = "z_cm", .min = -1000, .max = 1000 },
+    [PATH_YAW] = { .name = "yaw_deg", .min = -3600, .max = 3600 },
+    [PATH_PITCH] = { .name = "pitch_deg", .min = -3600, .max = 3600 },
+    [PATH_ROLL] = { .name = "roll_deg", .min = -3600, .max = 3600 },
+};
+
+static enum exit_code tank_path_take_row(struct tank_path *path, const struct csv *csv,
+                                         const double value[PATH_COLUMNS])
+{
+    CORE_ASSERT(path->count <= TANK_PATH_MAX);
+    if (path->count == TANK_PATH_MAX) {
+        return csv_error(csv, PATH_T_S, "more than %u rows", TANK_PATH_MAX);
+    }
+    if (path->count > 0 && value[PATH_T_S] <= path->row[path->count - 1u].t_s) {
+        return csv_error(csv, PATH_T_S, "%g s is not after the row before, %g s", value[PATH_T_S],
+                         path->row[path->count - 1u].t_s);
+    }
+    path->row[path->count++] = (struct tank_path_row){
+        .t_s = value[PATH_T_S],
+        .target = {
+            .position_m = { hundredth(value[PATH_X_CM]), hundredth(value[PATH_Y_CM]),
+                            hundredth(value[PATH_Z_CM]) },
+            .angles = { radians(value[PATH_YAW]), radians(value[PATH_PITCH]),
+                        radians(value[PATH_ROLL]) },
+        },
+    };
+    return EXIT_OK;
+}
+
+enum exit_code tank_path_read(struct tank_path *path, const char *speaker, const char *file)
+{
+    struct csv csv;
+    double value[PATH_COLUMNS];
+    int is_end = 0;
+    path->count = path->newest = 0;
+    enum exit_code code = csv_open(&csv, speaker, file, path_columns, PATH_COLUMNS);
+    while (code == EXIT_OK && !is_end) {
+        code = csv_row(&csv, value, &is_end);
+        if (code == EXIT_OK && !is_end) {
+            code = tank_path_take_row(path, &csv, value);
+        }
+    }
+    if (code == EXIT_OK && path->count == 0) {
+        print_error("%s: %s: line %u: a row of numbers is missing", speaker, file, csv.line);
+        code = EXIT_BAD_DATA;
+    }
+    csv_close(&csv);
+    return code;
+}
+
+struct poi_target tank_path_at(struct tank_path *path, double t_s)
+{
+    CORE_ASSERT(path->count >= 1 && path->newest < path->count);
+    while (path->newest + 1u < path->count && path->row[path->newest + 1u].t_s <= t_s) {
+        path->newest++;
+    }
+    const struct tank_path_row *from = &path->row[path->newest];
+    if (t_s <= from->t_s || path->newest + 1u == path->count) {
+        return from->target;
+    }
+    const struct tank_path_row *to = from + 1;
+    const float share = (float)((t_s - from->t_s) / (to->t_s - from->t_s));
+    const struct angles a = from->target.angles, b = to->target.angles;
+    return (struct poi_target){
+        .position_m = v3_lerp(from->target.position_m, to->target.position_m, share),
+        .angles = { f_lerp(a.yaw_rad, b.yaw_rad, share), f_lerp(a.pitch_rad, b.pitch_rad, share),
+                    f_lerp(a.roll_rad, b.roll_rad, share) },
+    };
+}
+
+/* ---- Start positions of fish ----------------------------------------------------------------- */
 
 /* Tolerance at the walls in metres, because the numbers in a trace are rounded. */
 #define TOUCH_M 0.0001
@@ -42,7 +137,7 @@ static const uint8_t gaits[] = { GAIT_REST,  GAIT_SWIM,    GAIT_BURST,
                                  GAIT_BURST, GAIT_SURFACE, GAIT_HELD };
 #define GAIT_BY_SPEED (-1.0)
 
-/* Columns of the trace (tank_trace.c). The size of a fish is computed from its length. The file
+/* Columns of the trace (tank_report.c). The size of a fish is computed from its length. The file
  * contains neither the phase of the tail beat nor the avoidance, so each fish starts with the
  * initial values. */
 static const struct csv_column columns[COLUMN_COUNT] = {
@@ -63,18 +158,6 @@ static const struct csv_column columns[COLUMN_COUNT] = {
     [STAMINA] = { .name = "stamina", .min = 0, .max = 100, .may_miss = 1, .otherwise = 100 },
     [AVOIDING] = { .name = "avoiding", .may_miss = 1, .unread = 1 },
 };
-
-/* Multiplies by 0.01. Used to convert centimetres to metres, and to convert stamina from the
- * thesis' scale 0 .. 100 to 0 .. 1. */
-static float hundredth(double value)
-{
-    return (float)(0.01 * value);
-}
-
-static float radians(double degrees)
-{
-    return (float)(degrees * (3.14159265358979323846 / 180.0));
-}
 
 static struct tank_stage stage_of(const double value[COLUMN_COUNT])
 {
@@ -99,7 +182,7 @@ static enum exit_code tank_place_take_row(struct tank_place *place, const struct
     }
     const struct tank_stage stage = stage_of(value);
     if (stage.gait == GAIT_HELD) {
-        return csv_error(csv, GAIT, "nobody is here to hold it; leave it out, or let it swim");
+        return csv_error(csv, GAIT, "no poi holds this fish; leave it out, or let it swim");
     }
     if (place->count == TANK_FISH_MAX) {
         return csv_error(csv, X_CM, "more than %u fish", TANK_FISH_MAX);
@@ -150,18 +233,10 @@ static int is_in_water(const struct overlap_box *box, vec3 size_m, double emerge
            box->centre_m[1] - extent_m(box, 1) >= -side[1] - TOUCH_M;
 }
 
-static void tell_left_out(const struct tank_place *place, const char *speaker, const char *file)
-{
-    if (place->rows_left_out > 0) {
-        print_error("%s: %s: the %u fish of the first tick, %.0f, are placed; %u rows of "
-                    "others are left out",
-                    speaker, file, place->count, place->tick, place->rows_left_out);
-    }
-}
-
 enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tank,
                                 const char *speaker, const char *file)
 {
+    CORE_ASSERT(place->count >= 1 && place->count == tank->fish_count);
     tank_stage_all(tank, place->stage, place->count);
     for (uint32_t i = 0; i < place->count; i++) {
         const struct fish *fish = &tank->fish[i];
@@ -185,6 +260,10 @@ enum exit_code tank_place_stage(const struct tank_place *place, struct tank *tan
             }
         }
     }
-    tell_left_out(place, speaker, file);
+    if (place->rows_left_out > 0) {
+        print_error("%s: %s: the %u fish of the first tick, %.0f, are placed; %u rows of "
+                    "others are left out",
+                    speaker, file, place->count, place->tick, place->rows_left_out);
+    }
     return EXIT_OK;
 }

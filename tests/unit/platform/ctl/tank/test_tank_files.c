@@ -1,4 +1,4 @@
-/* test_tank_path.c -- the files that a run reads: a poi's path and fish in their places. */
+/* test_tank_files.c -- the files that a run reads: a poi's path and fish in their places. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -11,8 +11,7 @@
 
 #include <cmocka.h>
 
-#include "platform/ctl/tank/tank_path.h"
-#include "platform/ctl/tank/tank_place.h"
+#include "platform/ctl/tank/tank_files.h"
 
 #define HEAD "t_s,x_cm,y_cm,z_cm,yaw_deg,pitch_deg,roll_deg\n"
 
@@ -238,7 +237,7 @@ static void test_fish_that_cannot_be_placed_are_told(void **state)
         { "x_cm,y_cm,z_cm,yaw_deg\n0,-19.1,0,0\n", "fish 0 is not all in the water" },
         { "x_cm,y_cm,z_cm,yaw_deg,gait\n0,-5,0,0,hop\n", "line 2, column 5 (gait)" },
         { "x_cm,y_cm,z_cm,yaw_deg,gait\n0,-5,0,0,held\n",
-          "line 2, column 5 (gait): nobody is here to hold it" },
+          "line 2, column 5 (gait): no poi holds this fish" },
         { "x_cm,y_cm,z_cm,yaw_deg,gait\n0,1.4,0,0,surface\n",
           "line 2: fish 0 is not all in the water" },
         { "x_cm,y_cm,z_cm,yaw_deg,stamina\n0,-5,0,0,101\n", "line 2, column 5 (stamina)" },

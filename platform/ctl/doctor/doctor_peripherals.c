@@ -1,30 +1,62 @@
-/* doctor_screen.c -- checks the graphics cards, video connectors, sound cards and sound outputs. */
+/* doctor_peripherals.c -- checks the devices that SDL uses: gamepads, mice, touch screens and
+ * keyboards, graphics cards, video connectors, sound cards and sound outputs.
+ *
+ * Without a desktop session, SDL reads input devices directly from the kernel's event nodes
+ * /dev/input/eventN. */
+#include "platform/ctl/doctor/doctor.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "platform/board.h"
-#include "platform/ctl/doctor/doctor.h"
 #include "platform/os/file.h"
 
-/* Adds a finding for a device node that the kiosk opens itself. If the kiosk's user has no access,
- * the finding contains the command that gives access. */
-static void look_at_node(struct doctor *doctor, const char *part, const char *path,
-                         const char *group)
+/* Adds a finding for a device node. `what` is the text of the finding. If the kiosk's user has no
+ * access, the finding contains the command that gives access through the group `group`. `is_needed`
+ * is false if a desktop session opens the node for the kiosk. */
+static void look_at_node(struct doctor *doctor, const char *part, const char *what,
+                         const char *path, const char *group, bool is_needed)
 {
     char join[DOCTOR_TEXT];
     const int error = doctor_may_use(doctor, path);
-    struct doctor_finding *finding =
-        doctor_find(doctor, part, error ? DOCTOR_WRONG : DOCTOR_FINE, "%s", path);
+    struct doctor_finding *finding = doctor_find(doctor, part,
+                                                 !error      ? DOCTOR_FINE
+                                                 : is_needed ? DOCTOR_WRONG
+                                                             : DOCTOR_LOOK,
+                                                 "%s", what);
+    const char *verb = strcmp(group, "input") == 0 ? "read" : "use";
     if (!error) {
-        doctor_state(finding, "%s may use it", doctor->user.name);
+        doctor_state(finding, "%s may %s it", doctor->user.name, verb);
         return;
     }
-    snprintf(join, sizeof join, "sudo usermod -aG %s %s, then log in again or restart the kiosk",
-             group, doctor->user.name);
-    doctor_state(finding, "%s may not use it: %s", doctor->user.name, strerror(error));
-    doctor_todo_access(doctor, finding, path, join);
+    doctor_state(finding, "%s may not %s it: %s%s", doctor->user.name, verb, strerror(error),
+                 is_needed ? "" : ", but the desktop does");
+    if (is_needed) {
+        snprintf(join, sizeof join,
+                 "sudo usermod -aG %s %s, then log in again or restart the kiosk", group,
+                 doctor->user.name);
+        doctor_todo_access(doctor, finding, path, join);
+    }
+}
+
+bool doctor_under_a_desktop(const struct doctor *doctor)
+{
+    return !doctor->root[0] && (getenv("DISPLAY") || getenv("WAYLAND_DISPLAY"));
+}
+
+void doctor_input(struct doctor *doctor)
+{
+    static struct doctor_names events;
+    char name[DOCTOR_TEXT], path[96], what[2u * DOCTOR_TEXT];
+    doctor_list(doctor, "/sys/class/input", "event", &events);
+    for (uint32_t i = 0; i < events.count; i++) {
+        snprintf(path, sizeof path, "/dev/input/%.64s", events.name[i]);
+        doctor_line(doctor, name, sizeof name, "/sys/class/input/%s/device/name", events.name[i]);
+        snprintf(what, sizeof what, "%s, %s", name[0] ? name : "without a name", path);
+        look_at_node(doctor, "input", what, path, "input", !doctor_under_a_desktop(doctor));
+    }
 }
 
 static void look_at_nodes(struct doctor *doctor, const char *part, const char *folder,
@@ -35,7 +67,7 @@ static void look_at_nodes(struct doctor *doctor, const char *part, const char *f
     doctor_list(doctor, folder, prefix, &nodes);
     for (uint32_t i = 0; i < nodes.count; i++) {
         snprintf(path, sizeof path, "%s/%s", folder, nodes.name[i]);
-        look_at_node(doctor, part, path, group);
+        look_at_node(doctor, part, path, path, group, true);
     }
 }
 
@@ -61,26 +93,6 @@ static uint32_t look_at_sockets(struct doctor *doctor)
     return connected;
 }
 
-bool doctor_under_a_desktop(const struct doctor *doctor)
-{
-    return !doctor->root[0] && (getenv("DISPLAY") || getenv("WAYLAND_DISPLAY"));
-}
-
-/* Checks whether the current user can open a window, and adds a finding for the result. The check
- * is skipped for a test folder, because only the real machine can open windows. */
-static void try_screen(struct doctor *doctor)
-{
-    char why[HAL_TEXT_SIZE] = "";
-    const bool has_screen = board_has_screen(why, sizeof why) != 0;
-    struct doctor_finding *finding =
-        doctor_find(doctor, "display", has_screen ? DOCTOR_FINE : DOCTOR_WRONG, "the kiosk's");
-    doctor_state(finding, "%s", has_screen ? "opens here and now" : why);
-    if (!has_screen) {
-        doctor_todo(finding, "plug a screen in, or start from a desktop; without one the kiosk "
-                             "only writes pictures");
-    }
-}
-
 void doctor_screen(struct doctor *doctor)
 {
     const uint32_t connected = look_at_sockets(doctor);
@@ -91,8 +103,16 @@ void doctor_screen(struct doctor *doctor)
         look_at_nodes(doctor, "display", "/dev/dri", "card", "video");
         look_at_nodes(doctor, "display", "/dev/dri", "renderD", "render");
     }
-    if (!doctor->root[0]) {
-        try_screen(doctor);
+    if (!doctor->root[0]) { /* Only the real machine can open windows, not a test folder. */
+        char why[HAL_TEXT_SIZE] = "";
+        const bool has_screen = board_has_screen(why, sizeof why) != 0;
+        struct doctor_finding *finding =
+            doctor_find(doctor, "display", has_screen ? DOCTOR_FINE : DOCTOR_WRONG, "the kiosk's");
+        doctor_state(finding, "%s", has_screen ? "opens here and now" : why);
+        if (!has_screen) {
+            doctor_todo(finding, "plug a screen in, or start from a desktop; without one the kiosk "
+                                 "only writes pictures");
+        }
     } else if (connected == 0) {
         struct doctor_finding *none = doctor_find(doctor, "display", DOCTOR_WRONG, "screens");
         doctor_state(none, "no screen is plugged in");

@@ -1,0 +1,76 @@
+/* ctl.c -- the parser of options, the error messages and the opening of files that all commands
+ * share. */
+#include "platform/ctl/lib/ctl.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "core/base/panic.h"
+#include "platform/cpu.h"
+#include "platform/os/print.h"
+#include "platform/os/file.h"
+
+enum exit_code ctl_usage(const char *command, const char *format, ...)
+{
+    char words[PRINT_LINE_MAX];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(words, sizeof words, format, arguments);
+    va_end(arguments);
+    print_error("kingyoctl %s: %s", command, words);
+    return EXIT_USAGE;
+}
+
+enum exit_code ctl_options(const char *command, const struct option_table *table, uint32_t groups,
+                           void *target, int argc, const char *const *argv)
+{
+    char error[OPTIONS_ERROR_MAX];
+    CORE_ASSERT(command && table);
+    return option_table_parse(table, groups, target, argc, argv, error)
+               ? ctl_usage(command, "%s", error)
+               : EXIT_OK;
+}
+
+static volatile sig_atomic_t *stop_flag;
+
+static void stop(int signal_number)
+{
+    (void)signal_number;
+    *stop_flag = 1;
+}
+
+void ctl_stop_at_signals(volatile sig_atomic_t *flag)
+{
+    const struct sigaction action = { .sa_handler = stop };
+    CORE_ASSERT(flag);
+    stop_flag = flag;
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGHUP, &action, NULL);
+}
+
+enum exit_code ctl_float(const char *command)
+{
+    print_error("kingyoctl %s: " CPU_FLOAT_WRONG, command);
+    return EXIT_NOT_SO;
+}
+
+enum exit_code ctl_file_error(const char *speaker, const char *path, uint32_t size_max, int error)
+{
+    if (error == EFBIG) {
+        const int in_kib = size_max < 1u << 20;
+        print_error("%s: %s: is larger than %u %s", speaker, path, size_max >> (in_kib ? 10 : 20),
+                    in_kib ? "KiB" : "MiB");
+        return EXIT_BAD_DATA;
+    }
+    print_error("%s: %s: %s", speaker, path, file_error(error));
+    return EXIT_IO;
+}
+
+enum exit_code ctl_file_open(const char *speaker, const char *path, uint32_t size_max, FILE **out)
+{
+    CORE_ASSERT(size_max > 0);
+    *out = file_open(path, size_max);
+    return *out ? EXIT_OK : ctl_file_error(speaker, path, size_max, errno);
+}
