@@ -1,41 +1,8 @@
 /* status_text.c -- formats a status report as JSON; see status.h. */
 #include "platform/kiosk/status.h"
 
-#include <assert.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include "platform/os/json_char.h"
+#include "platform/os/json.h"
 #include "platform/panic_count.h"
-
-struct text_out {
-    char *out;
-    size_t used;
-};
-
-__attribute__((format(printf, 2, 3))) static void status_text_put(struct text_out *text,
-                                                                  const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    const int length =
-        vsnprintf(text->out + text->used, STATUS_TEXT_MAX - text->used, format, arguments);
-    va_end(arguments);
-    text->used += (size_t)length;
-    assert(text->used < STATUS_TEXT_MAX);
-}
-
-static void put_string(struct text_out *text, const char *words)
-{
-    char one[JSON_CHAR_SIZE];
-    status_text_put(text, "\"");
-    while (*words) {
-        words = json_char(words, one);
-        status_text_put(text, "%s", one);
-    }
-    status_text_put(text, "\"");
-}
 
 static const char *phase_name(uint8_t phase)
 {
@@ -49,49 +16,71 @@ static const char *phase_name(uint8_t phase)
     return is_known ? names[phase] : "other";
 }
 
-static const char *boolean(int is_so)
-{
-    return is_so ? "true" : "false";
-}
-
-static void put_stall(struct text_out *text, const struct status_report *report)
+static void put_stall(struct json *json, const struct status_report *report)
 {
     const struct balance *balance = &report->balance;
-    status_text_put(text,
-                    "  \"version\": \"" KINGYO_VERSION
-                    "\",\n  \"pid\": %u,\n  \"written_ms\": %llu,\n"
-                    "  \"up_s\": %u,\n  \"boot\": %u,\n  \"phase\": \"%s\",\n  \"players\": %u,\n",
-                    report->pid, (unsigned long long)report->written_ms, report->up_s, report->boot,
-                    phase_name(report->phase), report->players);
-    status_text_put(text,
-                    "  \"credits\": {\"paid\": %u, \"service\": %u, \"units\": %u, \"untold\": %u, "
-                    "\"round_open\": %s},\n",
-                    balance->paid, balance->service, balance->units, balance->unlogged,
-                    boolean(balance->open != PAYMENT_NONE));
-    status_text_put(text, "  \"tickets\": {\"owed\": %u, \"dispensed\": %u},\n", balance->tickets,
-                    report->tickets_out);
-    status_text_put(
-        text, "  \"store\": {\"well\": %s, \"entry_id\": %u, \"saved_id\": %u, \"waiting\": %u},\n",
-        boolean(report->store_well), report->entry_id, report->saved_id,
-        report->entry_id - report->saved_id);
+    json_line(json, 2);
+    json_text(json, "version", KINGYO_VERSION);
+    json_line(json, 2);
+    json_value(json, "pid", "%u", report->pid);
+    json_line(json, 2);
+    json_value(json, "written_ms", "%llu", (unsigned long long)report->written_ms);
+    json_line(json, 2);
+    json_value(json, "up_s", "%u", report->up_s);
+    json_line(json, 2);
+    json_value(json, "boot", "%u", report->boot);
+    json_line(json, 2);
+    json_text(json, "phase", phase_name(report->phase));
+    json_line(json, 2);
+    json_value(json, "players", "%u", report->players);
+    json_line(json, 2);
+    json_open(json, "credits", '{');
+    json_value(json, "paid", "%u", balance->paid);
+    json_value(json, "service", "%u", balance->service);
+    json_value(json, "units", "%u", balance->units);
+    json_value(json, "untold", "%u", balance->unlogged);
+    json_bool(json, "round_open", balance->open != PAYMENT_NONE);
+    json_close(json, '}');
+    json_line(json, 2);
+    json_open(json, "tickets", '{');
+    json_value(json, "owed", "%u", balance->tickets);
+    json_value(json, "dispensed", "%u", report->tickets_out);
+    json_close(json, '}');
+    json_line(json, 2);
+    json_open(json, "store", '{');
+    json_bool(json, "well", report->store_well);
+    json_value(json, "entry_id", "%u", report->entry_id);
+    json_value(json, "saved_id", "%u", report->saved_id);
+    json_value(json, "waiting", "%u", report->entry_id - report->saved_id);
+    json_close(json, '}');
 }
 
-static void put_figures(struct text_out *text, const struct status_report *report)
+static void put_figures(struct json *json, const struct status_report *report)
 {
     const struct kiosk_faults *faults = &report->faults;
-    status_text_put(text,
-                    "  \"frames\": {\"count\": %llu, \"median_ms\": %.1f, \"p99_ms\": %.1f},\n"
-                    "  \"ticks\": {\"count\": %u, \"dropped\": %llu},\n",
-                    (unsigned long long)report->frames, (double)report->frame_median_ns * 1e-6,
-                    (double)report->frame_p99_ns * 1e-6, report->ticks,
-                    (unsigned long long)report->dropped_ticks);
-    status_text_put(text,
-                    "  \"faults\": {\"poi\": %u, \"fan\": %u, \"display\": %u, \"sound\": %u, "
-                    "\"store\": %u, \"buttons\": %u, \"switches\": %u, \"buttons_missing\": %u, "
-                    "\"float\": %u},\n",
-                    faults->poi, faults->shade, faults->display, faults->audio, faults->storage,
-                    faults->buttons, faults->switches,
-                    (unsigned)__builtin_popcount(report->buttons_missing), report->float_resets);
+    json_line(json, 2);
+    json_open(json, "frames", '{');
+    json_value(json, "count", "%llu", (unsigned long long)report->frames);
+    json_value(json, "median_ms", "%.1f", (double)report->frame_median_ns * 1e-6);
+    json_value(json, "p99_ms", "%.1f", (double)report->frame_p99_ns * 1e-6);
+    json_close(json, '}');
+    json_line(json, 2);
+    json_open(json, "ticks", '{');
+    json_value(json, "count", "%u", report->ticks);
+    json_value(json, "dropped", "%llu", (unsigned long long)report->dropped_ticks);
+    json_close(json, '}');
+    json_line(json, 2);
+    json_open(json, "faults", '{');
+    json_value(json, "poi", "%u", faults->poi);
+    json_value(json, "fan", "%u", faults->shade);
+    json_value(json, "display", "%u", faults->display);
+    json_value(json, "sound", "%u", faults->audio);
+    json_value(json, "store", "%u", faults->storage);
+    json_value(json, "buttons", "%u", faults->buttons);
+    json_value(json, "switches", "%u", faults->switches);
+    json_value(json, "buttons_missing", "%d", __builtin_popcount(report->buttons_missing));
+    json_value(json, "float", "%u", report->float_resets);
+    json_close(json, '}');
 }
 
 static const char *keeps_name(uint8_t keeps)
@@ -113,51 +102,63 @@ static const char *watch_name(uint8_t watch)
 }
 
 /* Writes `name` and a number, or null if the value is unknown. */
-static void put_known(struct text_out *text, const char *name, int is_known, int64_t value)
+static void put_known(struct json *json, const char *name, int is_known, int64_t value)
 {
     if (is_known) {
-        status_text_put(text, "\"%s\": %lld", name, (long long)value);
+        json_value(json, name, "%lld", (long long)value);
     } else {
-        status_text_put(text, "\"%s\": null", name);
+        json_value(json, name, "null");
     }
 }
 
 /* Writes the values that the page "ready for opening" of the operator's menu shows. */
-static void put_machine(struct text_out *text, const struct status_report *report)
+static void put_machine(struct json *json, const struct status_report *report)
 {
     const struct scene_machine *machine = &report->machine;
-    status_text_put(text, "  \"machine\": {\"data\": \"%s\", ", keeps_name(machine->keeps));
-    put_known(text, "backup_min", machine->has_backup, machine->backup_min);
-    status_text_put(text, ", ");
-    put_known(text, "free_mib", machine->has_looked, machine->room_mib);
-    status_text_put(text, ", ");
-    put_known(text, "heat_margin_c", machine->has_heat, machine->heat_margin_c);
-    status_text_put(text, ", \"watchdog\": \"%s\", ", watch_name(machine->watch));
-    put_known(text, "clock_day", report->day != 0, report->day);
-    status_text_put(text, ", ");
-    put_known(text, "clock_minute", report->day != 0, report->minute);
-    status_text_put(text, ", \"clock_went_back\": %s},\n", boolean(machine->is_clock_back));
-    status_text_put(text,
-                    "  \"files\": {\"refused\": %u, \"set_aside\": %u, \"replays_missed\": %u},\n",
-                    report->files_refused, machine->aside, machine->missed);
-    status_text_put(text, "  \"panics\": {\"count\": %u, \"left_out\": \"%s\"},\n", machine->panics,
-                    panics_left_name(machine->left_out));
+    json_line(json, 2);
+    json_open(json, "machine", '{');
+    json_text(json, "data", keeps_name(machine->keeps));
+    put_known(json, "backup_min", machine->has_backup, machine->backup_min);
+    put_known(json, "free_mib", machine->has_looked, machine->room_mib);
+    put_known(json, "heat_margin_c", machine->has_heat, machine->heat_margin_c);
+    json_text(json, "watchdog", watch_name(machine->watch));
+    put_known(json, "clock_day", report->day != 0, report->day);
+    put_known(json, "clock_minute", report->day != 0, report->minute);
+    json_bool(json, "clock_went_back", machine->is_clock_back);
+    json_close(json, '}');
+    json_line(json, 2);
+    json_open(json, "files", '{');
+    json_value(json, "refused", "%u", report->files_refused);
+    json_value(json, "set_aside", "%u", machine->aside);
+    json_value(json, "replays_missed", "%u", machine->missed);
+    json_close(json, '}');
+    json_line(json, 2);
+    json_open(json, "panics", '{');
+    json_value(json, "count", "%u", machine->panics);
+    json_text(json, "left_out", panics_left_name(machine->left_out));
+    json_close(json, '}');
 }
 
 size_t status_format(const struct status_report *report, char out[STATUS_TEXT_MAX])
 {
-    struct text_out text = { .out = out };
-    status_text_put(&text, "{\n");
-    put_stall(&text, report);
-    put_figures(&text, report);
-    put_machine(&text, report);
-    status_text_put(&text, "  \"devices\": [");
+    struct json json = { .buffer = out, .size = STATUS_TEXT_MAX };
+    json_open(&json, NULL, '{');
+    put_stall(&json, report);
+    put_figures(&json, report);
+    put_machine(&json, report);
+    json_line(&json, 2);
+    json_open(&json, "devices", '[');
     for (uint32_t i = 0; i < report->device_count; i++) {
-        status_text_put(&text, "%s\n    {\"part\": \"%s\", \"text\": ", i ? "," : "",
-                        report->device[i].part);
-        put_string(&text, report->device[i].text);
-        status_text_put(&text, "}");
+        json_line(&json, 4);
+        json_open(&json, NULL, '{');
+        json_text(&json, "part", report->device[i].part);
+        json_text(&json, "text", report->device[i].text);
+        json_close(&json, '}');
     }
-    status_text_put(&text, "\n  ]\n}\n");
-    return text.used;
+    json_line(&json, 2);
+    json_close(&json, ']');
+    json_line(&json, 0);
+    json_close(&json, '}');
+    json_end(&json);
+    return json.used;
 }

@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "core/base/printable.h"
-#include "platform/os/json_char.h"
+#include "platform/os/json.h"
 #include "platform/os/print.h"
 #include "platform/os/file.h"
 
@@ -81,35 +81,31 @@ void doctor_report_text(const struct doctor *doctor)
 
 /* ---- Output as JSON -------------------------------------------------------------------------- */
 
-/* Prints a JSON key and a string value. Device texts are already printable (doctor_line()), but a
- * path may contain any character and must be escaped. */
-static void put_string(const char *key, const char *text)
-{
-    printf("\"%s\":", key);
-    json_print(text);
-}
-
 void doctor_report_json(const struct doctor *doctor)
 {
     static const char *const keys[] = { "fine", "look", "wrong" };
-    fputs("{\"findings\":[", stdout);
+    struct json json = { .file = stdout };
+    json_open(&json, NULL, '{');
+    json_open(&json, "findings", '[');
     for (uint32_t i = 0; i < doctor->count; i++) {
         const struct doctor_finding *finding = &doctor->finding[i];
-        fputs(i > 0 ? ",\n{" : "\n{", stdout);
-        put_string("part", finding->part);
-        putchar(',');
-        put_string("level", keys[finding->level]);
-        putchar(',');
-        put_string("what", finding->what);
-        putchar(',');
-        put_string("state", finding->state);
-        putchar(',');
-        put_string("todo", finding->todo);
-        putchar('}');
+        json_line(&json, 0);
+        json_open(&json, NULL, '{');
+        json_text(&json, "part", finding->part);
+        json_text(&json, "level", keys[finding->level]);
+        json_text(&json, "what", finding->what);
+        json_text(&json, "state", finding->state);
+        json_text(&json, "todo", finding->todo);
+        json_close(&json, '}');
     }
-    printf("\n],\"more\":%u,\"fine\":%u,\"look\":%u,\"wrong\":%u}\n", doctor->more,
-           doctor_count(doctor, DOCTOR_FINE), doctor_count(doctor, DOCTOR_LOOK),
-           doctor_count(doctor, DOCTOR_WRONG));
+    json_line(&json, 0);
+    json_close(&json, ']');
+    json_value(&json, "more", "%u", doctor->more);
+    json_value(&json, "fine", "%u", doctor_count(doctor, DOCTOR_FINE));
+    json_value(&json, "look", "%u", doctor_count(doctor, DOCTOR_LOOK));
+    json_value(&json, "wrong", "%u", doctor_count(doctor, DOCTOR_WRONG));
+    json_close(&json, '}');
+    json_end(&json);
 }
 
 static bool is_in(const struct doctor_user *user, gid_t group)

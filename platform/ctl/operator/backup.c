@@ -19,7 +19,7 @@
 
 #include "platform/ctl/operator/books.h"
 #include "platform/os/file.h"
-#include "platform/os/json_char.h"
+#include "platform/os/json.h"
 #include "platform/os/print.h"
 #include "platform/store/sqlite/ledger_backup.h"
 #include "platform/store/sqlite/sql.h"
@@ -183,22 +183,20 @@ static int put_in_place(const struct swap *swap)
                : -1;
 }
 
-static void restore_print_result(const struct swap *swap, const struct books_words *words,
-                                 const char *from)
+/* Prints the copy `path` and its start record. `before` is the path of the replaced database, "" if
+ * there was none, or null if no database is replaced. */
+static void print_json(const char *path, const char *before, const struct ledger_start *ledger)
 {
-    const int has_before = access(swap->before, F_OK) == 0;
-    if (words->as_json) {
-        fputs("{\"file\": ", stdout);
-        json_print(from);
-        fputs(", \"before\": ", stdout);
-        json_print(has_before ? swap->before : "");
-        printf(", \"entries\": %u, \"start\": %u}\n", swap->copied.last_id, swap->copied.boots);
-        return;
+    struct json json = { .file = stdout };
+    json_open(&json, NULL, '{');
+    json_text(&json, "file", path);
+    if (before) {
+        json_text(&json, "before", before);
     }
-    print_line(stdout, "%s: is %s now, %u entries", from, swap->own, swap->copied.last_id);
-    if (has_before) {
-        print_line(stdout, "what was there: %s", swap->before);
-    }
+    json_value(&json, "entries", "%u", ledger->last_id);
+    json_value(&json, "start", "%u", ledger->boots);
+    json_close(&json, '}');
+    json_end(&json);
 }
 
 static enum exit_code restore_backup(const struct books_words *words, const char *named)
@@ -228,7 +226,15 @@ static enum exit_code restore_backup(const struct books_words *words, const char
     if (put_in_place(&swap) != 0) {
         return fails(swap.own, strerror(errno));
     }
-    restore_print_result(&swap, words, named);
+    const int has_before = access(swap.before, F_OK) == 0;
+    if (words->as_json) {
+        print_json(named, has_before ? swap.before : "", &swap.copied);
+        return EXIT_OK;
+    }
+    print_line(stdout, "%s: is %s now, %u entries", named, swap.own, swap.copied.last_id);
+    if (has_before) {
+        print_line(stdout, "what was there: %s", swap.before);
+    }
     return EXIT_OK;
 }
 
@@ -284,9 +290,7 @@ static enum exit_code copy(struct ledger_file *file, const char *path,
     }
     const struct ledger_start *ledger = &file->content.memory.ledger;
     if (words->as_json) {
-        fputs("{\"file\": ", stdout);
-        json_print(path);
-        printf(", \"entries\": %u, \"start\": %u}\n", ledger->last_id, ledger->boots);
+        print_json(path, NULL, ledger);
     } else {
         print_line(stdout, "%s: whole, %u entries", path, ledger->last_id);
     }

@@ -6,13 +6,14 @@
 #include <sys/stat.h>
 #include <time.h>
 
+#include "core/base/panic.h"
 #include "core/game/rules.h"
 #include "platform/cpu.h"
 #include "platform/ctl/operator/books.h"
 #include "platform/kiosk/replay_verifier.h"
 #include "platform/kiosk/session_recorder.h"
 #include "platform/os/file.h"
-#include "platform/os/json_char.h"
+#include "platform/os/json.h"
 #include "platform/os/number.h"
 #include "platform/os/print.h"
 #include "platform/store/sqlite/day.h"
@@ -73,7 +74,7 @@ static struct finding look_into(struct ledger_file *file, uint32_t round_id)
     return found;
 }
 
-static void scores_verify_print_finding(const struct finding *found)
+static void finding_text(const struct finding *found)
 {
     const struct replay_problem *problem = &judge.replayer.reader.problem;
     if (!found->has_replay) {
@@ -96,15 +97,18 @@ static void scores_verify_print_finding(const struct finding *found)
     }
 }
 
-static void tell_json(const struct finding *found, int is_first)
+static void finding_json(const struct finding *found, struct json *json)
 {
     static const char *const verdicts[REPLAY_VERDICT_COUNT] = { "genuine", "not-genuine", "damaged",
                                                                 "not-checked" };
-    printf("%s\n  {\"round\": %u, \"verdict\": \"%s\", \"seconds\": %.3f, \"bytes\": %zu, "
-           "\"took_s\": %.3f}",
-           is_first ? "" : ",", found->round_id,
-           found->has_replay ? verdicts[found->verdict] : "no-replay", found->play_s, found->size,
-           found->took_s);
+    json_line(json, 2);
+    json_open(json, NULL, '{');
+    json_value(json, "round", "%u", found->round_id);
+    json_text(json, "verdict", found->has_replay ? verdicts[found->verdict] : "no-replay");
+    json_value(json, "seconds", "%.3f", found->play_s);
+    json_value(json, "bytes", "%zu", found->size);
+    json_value(json, "took_s", "%.3f", found->took_s);
+    json_close(json, '}');
 }
 
 /* Writes the number of each ranked round to `out` once, because a round may be in several rankings.
@@ -132,23 +136,30 @@ static uint32_t list_rounds(const struct ranking *ranking, uint32_t out[ROUNDS_M
 static enum exit_code verify(const struct scores_request *request, struct ledger_file *file)
 {
     uint32_t rounds[ROUNDS_MAX] = { request->round_id };
-    const int is_all = request->round_id == 0;
+    const int is_all = request->round_id == 0, as_json = request->books.as_json;
     const uint32_t count = is_all ? list_rounds(&file->content.memory.ranking, rounds) : 1u;
+    struct json json = { .file = stdout };
     uint32_t bad = 0;
-    fputs(request->books.as_json ? "[" : "", stdout);
+    CORE_ASSERT(count <= ROUNDS_MAX);
+    if (as_json) {
+        json_open(&json, NULL, '[');
+    } else if (count == 0) {
+        puts("nobody has caught a fish yet");
+    }
     for (uint32_t i = 0; i < count; i++) {
         const struct finding found = look_into(file, rounds[i]);
-        if (request->books.as_json) {
-            tell_json(&found, i == 0);
+        if (as_json) {
+            finding_json(&found, &json);
         } else {
-            scores_verify_print_finding(&found);
+            finding_text(&found);
         }
         bad += found.has_replay ? found.verdict != REPLAY_VERDICT_GENUINE : !is_all;
     }
-    if (count == 0 && !request->books.as_json) {
-        puts("nobody has caught a fish yet");
+    if (as_json) {
+        json_line(&json, 0);
+        json_close(&json, ']');
+        json_end(&json);
     }
-    fputs(request->books.as_json ? "\n]\n" : "", stdout);
     return bad > 0 ? EXIT_NOT_SO : EXIT_OK;
 }
 
@@ -210,7 +221,7 @@ struct place {
     int has_replay;
 };
 
-static void scores_print_text(const struct place *at)
+static void place_text(const struct place *at)
 {
     char day[DAY_TEXT_SIZE];
     day_text(at->row->day, day);
@@ -222,23 +233,33 @@ static void scores_print_text(const struct place *at)
                at->has_replay ? "replay" : "", at->row->name[0] ? at->row->name : "-");
 }
 
-static void print_json(const struct place *at, int is_first)
+static void place_json(const struct place *at, struct json *json)
 {
     char day[DAY_TEXT_SIZE];
     day_text(at->row->day, day);
-    printf("%s\n  {\"mode\": \"%s\", \"period\": \"%s\", \"place\": %u, \"caught\": %u, ",
-           is_first ? "" : ",", rules_of((uint8_t)at->mode)->name, periods[at->period],
-           at->place + 1u, at->row->caught);
-    printf("\"round\": %u, \"seat\": %u, \"day\": \"%s\", \"replay\": %s, \"name\": ",
-           at->row->round_id, at->row->seat + 1u, at->row->day ? day : "",
-           at->has_replay ? "true" : "false");
-    json_print(at->row->name);
-    putchar('}');
+    json_line(json, 2);
+    json_open(json, NULL, '{');
+    json_text(json, "mode", rules_of((uint8_t)at->mode)->name);
+    json_text(json, "period", periods[at->period]);
+    json_value(json, "place", "%u", at->place + 1u);
+    json_value(json, "caught", "%u", at->row->caught);
+    json_value(json, "round", "%u", at->row->round_id);
+    json_value(json, "seat", "%u", at->row->seat + 1u);
+    json_text(json, "day", at->row->day ? day : "");
+    json_bool(json, "replay", at->has_replay);
+    json_text(json, "name", at->row->name);
+    json_close(json, '}');
 }
 
-static uint32_t print_rows(const struct scores_request *request, struct ledger_file *file)
+static enum exit_code print_ranking(const struct scores_request *request, struct ledger_file *file)
 {
+    struct json json = { .file = stdout };
+    const int as_json = request->books.as_json;
     uint32_t count = 0;
+    CORE_ASSERT(request->mode <= MODE_COUNT && request->period <= RANK_PERIOD_COUNT);
+    if (as_json) {
+        json_open(&json, NULL, '[');
+    }
     for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
         const uint32_t board = i / RANK_ROWS;
         struct place at = { board / RANK_PERIOD_COUNT, board % RANK_PERIOD_COUNT, i % RANK_ROWS,
@@ -246,25 +267,21 @@ static uint32_t print_rows(const struct scores_request *request, struct ledger_f
         at.row = &file->content.memory.ranking.row[at.mode][at.period][at.place];
         const int is_asked = (request->mode == MODE_COUNT || request->mode == at.mode) &&
                              (request->period == RANK_PERIOD_COUNT || request->period == at.period);
-        if (is_asked && at.row->caught > 0) {
-            at.has_replay = ledger_file_has_replay(file, at.row->round_id);
-            if (request->books.as_json) {
-                print_json(&at, count == 0);
-            } else {
-                scores_print_text(&at);
-            }
-            count++;
+        if (!is_asked || at.row->caught == 0) {
+            continue;
         }
+        at.has_replay = ledger_file_has_replay(file, at.row->round_id);
+        if (as_json) {
+            place_json(&at, &json);
+        } else {
+            place_text(&at);
+        }
+        count++;
     }
-    return count;
-}
-
-static enum exit_code print_ranking(const struct scores_request *request, struct ledger_file *file)
-{
-    fputs(request->books.as_json ? "[" : "", stdout);
-    const uint32_t count = print_rows(request, file);
-    if (request->books.as_json) {
-        puts("\n]");
+    if (as_json) {
+        json_line(&json, 0);
+        json_close(&json, ']');
+        json_end(&json);
     } else if (count == 0) {
         puts("nobody has caught a fish yet");
     }

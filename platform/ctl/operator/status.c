@@ -8,7 +8,7 @@
 
 #include "platform/ctl/lib/ctl.h"
 #include "platform/kiosk/status.h"
-#include "platform/os/json_char.h"
+#include "platform/os/json.h"
 #include "platform/os/print.h"
 #include "platform/os/file.h"
 #include "platform/os/standard_streams.h"
@@ -163,7 +163,7 @@ static enum exit_code status_print_report(const struct request *request, sqlite3
         print_error("kingyoctl status: %s: is no stall's status", request->file);
     } else {
         if (request->as_json) {
-            json_print_text(text);
+            json_copy(text);
         } else {
             status_print_text(database, figures, text);
         }

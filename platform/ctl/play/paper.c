@@ -12,6 +12,7 @@
 #include "core/base/physics.h"
 #include "core/poi/poi.h"
 #include "platform/ctl/lib/ctl.h"
+#include "platform/os/json.h"
 #include "platform/os/number.h"
 
 /* Options in the units of the command line. */
@@ -135,15 +136,19 @@ static const char name[] = "paper";
 static void report_json(const struct paper_lab *lab)
 {
     const double tore_s = paper_lab_tore_s(lab);
-    printf("{\"force_n\": %.6f, \"tension_n_m_max\": %.4f, \"time_to_tear_s\": ",
-           (double)lab->force_n, (double)lab->tension_n_m);
+    struct json json = { .file = stdout };
+    json_open(&json, NULL, '{');
+    json_value(&json, "force_n", "%.6f", (double)lab->force_n);
+    json_value(&json, "tension_n_m_max", "%.4f", (double)lab->tension_n_m);
     if (tore_s < 0.0) {
-        fputs("null", stdout);
+        json_value(&json, "time_to_tear_s", "null");
     } else {
-        printf("%.4f", tore_s);
+        json_value(&json, "time_to_tear_s", "%.4f", tore_s);
     }
-    printf(", \"hole_area_mm2\": %.2f, \"water_g\": %.3f}\n", paper_lab_hole_mm2(lab),
-           1e3 * (double)lab->water_kg);
+    json_value(&json, "hole_area_mm2", "%.2f", paper_lab_hole_mm2(lab));
+    json_value(&json, "water_g", "%.3f", 1e3 * (double)lab->water_kg);
+    json_close(&json, '}');
+    json_end(&json);
 }
 
 static void report_text(const struct paper_lab *lab)
@@ -218,8 +223,14 @@ static void calibrate(const struct paper_options *plan)
     const double spread =
         count > 1.0 ? sqrt(fmax(0.0, (squares - count * mean * mean) / (count - 1.0))) : 0.0;
     if (plan->as_json) {
-        printf("{\"grade\": %u, \"specimens\": %u, \"wet_n_m\": %.3f, \"spread\": %.4f}\n",
-               plan->grade, plan->weight_count, mean, spread / mean);
+        struct json json = { .file = stdout };
+        json_open(&json, NULL, '{');
+        json_value(&json, "grade", "%u", plan->grade);
+        json_value(&json, "specimens", "%u", plan->weight_count);
+        json_value(&json, "wet_n_m", "%.3f", mean);
+        json_value(&json, "spread", "%.4f", spread / mean);
+        json_close(&json, '}');
+        json_end(&json);
         return;
     }
     printf("No. %u: %u weights on a foot of %.3g mm, %.3g s each\n", plan->grade,

@@ -5,84 +5,16 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "core/core.h"
 #include "platform/ctl/lib/ctl.h"
 #include "platform/ctl/play/bot_file.h"
 #include "platform/ctl/play/bot_keys.h"
 #include "platform/ctl/play/rounds.h"
 #include "platform/os/file.h"
+#include "platform/os/json.h"
 #include "platform/os/number.h"
 #include "platform/os/print.h"
-
-/* Prints a value with one decimal, or without decimals if the value is whole. */
-static void print_short(double value)
-{
-    char digits[NUMBER_FIXED_MAX];
-    const double whole = (double)(uint64_t)value;
-    const uint32_t length = number_print_fixed(digits, value, value > whole ? 1 : 0);
-    printf("%.*s", (int)length, digits);
-}
-
-static void print_fixed(const char *before, double value, uint32_t decimals)
-{
-    char digits[NUMBER_FIXED_MAX];
-    const uint32_t length = number_print_fixed(digits, value, decimals);
-    printf("%s%.*s", before, (int)length, digits);
-}
-
-static void play_report_round(uint32_t number, uint32_t seed, const struct round_result *result)
-{
-    printf("round %-4u seed %-10u %3u caught in", number, seed, result->caught);
-    print_fixed(" ", result->length_s, 1);
-    printf(" s, %u scoops, %u fouls,", result->scoops, result->fouls);
-    if (result->torn) {
-        print_fixed(" torn at ", result->torn_at_s, 1);
-        fputs(" s,", stdout);
-        if (result->sheets > 1) {
-            printf(" %u sheets,", result->sheets);
-        }
-    } else {
-        fputs(" not torn,", stdout);
-    }
-    printf(" holes of %u mm2, hash %016llx\n", result->hole_area_mm2,
-           (unsigned long long)result->state_hash);
-}
-
-static void play_report_summary(const struct summary *summary)
-{
-    fputs("caught: median ", stdout);
-    print_short(summary->median);
-    fputs(", p90 ", stdout);
-    print_short(summary->p90);
-    printf(", most %u", summary->max);
-}
-
-static void tell_json(const struct round_result *result, int is_first)
-{
-    printf("%s{\"caught\": %u, \"scoops\": %u, \"fouls\": %u, \"torn_at_s\": ",
-           is_first ? "" : ", ", result->caught, result->scoops, result->fouls);
-    if (result->torn) {
-        print_fixed("", result->torn_at_s, 3);
-    } else {
-        fputs("null", stdout);
-    }
-    printf(", \"sheets\": %u, \"hole_area_mm2\": %u, \"state_hash\": \"%016llx\"}", result->sheets,
-           result->hole_area_mm2, (unsigned long long)result->state_hash);
-}
-
-static void play_report_json(const struct round_result *results, uint32_t count,
-                             const struct summary *summary)
-{
-    fputs("{\"rounds\": [", stdout);
-    for (uint32_t i = 0; i < count; i++) {
-        tell_json(&results[i], i == 0);
-    }
-    fputs("], \"caught_median\": ", stdout);
-    print_short(summary->median);
-    fputs(", \"caught_p90\": ", stdout);
-    print_short(summary->p90);
-    printf(", \"caught_max\": %u}\n", summary->max);
-}
 
 static const char name[] = "play";
 static const char speaker[] = "kingyoctl play";
@@ -111,12 +43,64 @@ struct evening {
 
 /* ---- Output ---------------------------------------------------------------------------------- */
 
-static void play_print_progress(const struct evening *evening)
+/* Writes `value` with `decimals` digits after the decimal point. Returns `out`. */
+static const char *fixed(char out[NUMBER_FIXED_MAX + 1u], double value, uint32_t decimals)
 {
-    if (evening->shows_progress) {
-        fprintf(stderr, "\r%u of %u rounds%s", evening->played, evening->options->rounds,
-                evening->played == evening->options->rounds ? "\n" : "");
+    out[number_print_fixed(out, value, decimals)] = '\0';
+    return out;
+}
+
+/* Returns the number of decimals, 0 or 1, with which a median or quantile is printed. */
+static uint32_t decimals_of(double value)
+{
+    return value > (double)(uint64_t)value ? 1u : 0u;
+}
+
+static void report_round(uint32_t number, uint32_t seed, const struct round_result *result)
+{
+    char digits[NUMBER_FIXED_MAX + 1u];
+    printf("round %-4u seed %-10u %3u caught in %s s, %u scoops, %u fouls,", number, seed,
+           result->caught, fixed(digits, result->length_s, 1), result->scoops, result->fouls);
+    if (result->torn) {
+        printf(" torn at %s s,", fixed(digits, result->torn_at_s, 1));
+        if (result->sheets > 1) {
+            printf(" %u sheets,", result->sheets);
+        }
+    } else {
+        fputs(" not torn,", stdout);
     }
+    printf(" holes of %u mm2, hash %016llx\n", result->hole_area_mm2,
+           (unsigned long long)result->state_hash);
+}
+
+static void report_json(const struct round_result *results, uint32_t count,
+                        const struct summary *summary)
+{
+    struct json json = { .file = stdout };
+    json_open(&json, NULL, '{');
+    json_open(&json, "rounds", '[');
+    for (uint32_t i = 0; i < count; i++) {
+        const struct round_result *result = &results[i];
+        json_open(&json, NULL, '{');
+        json_value(&json, "caught", "%u", result->caught);
+        json_value(&json, "scoops", "%u", result->scoops);
+        json_value(&json, "fouls", "%u", result->fouls);
+        if (result->torn) {
+            json_number(&json, "torn_at_s", result->torn_at_s, 3);
+        } else {
+            json_value(&json, "torn_at_s", "null");
+        }
+        json_value(&json, "sheets", "%u", result->sheets);
+        json_value(&json, "hole_area_mm2", "%u", result->hole_area_mm2);
+        json_value(&json, "state_hash", "\"%016llx\"", (unsigned long long)result->state_hash);
+        json_close(&json, '}');
+    }
+    json_close(&json, ']');
+    json_number(&json, "caught_median", summary->median, decimals_of(summary->median));
+    json_number(&json, "caught_p90", summary->p90, decimals_of(summary->p90));
+    json_value(&json, "caught_max", "%u", summary->max);
+    json_close(&json, '}');
+    json_end(&json);
 }
 
 /* Prints each round as soon as all rounds with lower numbers have finished. JSON is printed only
@@ -124,18 +108,21 @@ static void play_print_progress(const struct evening *evening)
 static void tell_round(void *self, uint32_t index)
 {
     struct evening *evening = self;
-    (void)index;
+    CORE_ASSERT(index < evening->options->rounds && evening->played < evening->options->rounds);
     evening->played++;
     while (!evening->options->as_json && evening->told < evening->options->rounds &&
            evening->results[evening->told].code == EXIT_OK) {
         const uint32_t at = evening->told++;
-        play_report_round(at + 1u, evening->plans[at].seed, &evening->results[at]);
+        report_round(at + 1u, evening->plans[at].seed, &evening->results[at]);
         fflush(stdout);
     }
-    play_print_progress(evening);
+    if (evening->shows_progress) {
+        fprintf(stderr, "\r%u of %u rounds%s", evening->played, evening->options->rounds,
+                evening->played == evening->options->rounds ? "\n" : "");
+    }
 }
 
-static void tell_all(struct evening *evening)
+static void report_all(struct evening *evening)
 {
     const struct play_options *options = evening->options;
     for (uint32_t i = 0; i < options->rounds; i++) {
@@ -143,12 +130,14 @@ static void tell_all(struct evening *evening)
     }
     const struct summary summary = rounds_summary(evening->caught, options->rounds);
     if (options->as_json) {
-        play_report_json(evening->results, options->rounds, &summary);
+        report_json(evening->results, options->rounds, &summary);
         return;
     }
-    play_report_summary(&summary);
-    print_line(stdout, "; %s, %u rounds of %s", options->bot, options->rounds,
-               rules_of(options->mode)->name);
+    char median[NUMBER_FIXED_MAX + 1u], p90[NUMBER_FIXED_MAX + 1u];
+    print_line(stdout, "caught: median %s, p90 %s, most %u; %s, %u rounds of %s",
+               fixed(median, summary.median, decimals_of(summary.median)),
+               fixed(p90, summary.p90, decimals_of(summary.p90)), summary.max, options->bot,
+               options->rounds, rules_of(options->mode)->name);
 }
 
 static enum exit_code tell_failure(const struct evening *evening)
@@ -190,27 +179,10 @@ static void plan_rounds(struct evening *evening, const struct technique *techniq
     }
 }
 
-static enum exit_code play(struct evening *evening)
-{
-    const struct play_options *options = evening->options;
-    const struct rounds rounds = {
-        .plans = evening->plans,
-        .results = evening->results,
-        .count = options->rounds,
-        .workers = options->jobs ? options->jobs : rounds_workers(),
-        .done = tell_round,
-        .self = evening,
-    };
-    if (rounds_play(&rounds) != EXIT_OK) {
-        return tell_failure(evening);
-    }
-    tell_all(evening);
-    return EXIT_OK;
-}
-
 static enum exit_code hold_evening(const struct play_options *options,
                                    const struct technique *technique)
 {
+    CORE_ASSERT(options->rounds >= 1 && options->rounds <= ROUNDS_MAX);
     struct evening evening = {
         .options = options,
         .plans = calloc(options->rounds, sizeof *evening.plans),
@@ -222,7 +194,20 @@ static enum exit_code hold_evening(const struct play_options *options,
     enum exit_code code = EXIT_NOT_SO;
     if (evening.plans && evening.results && evening.caught && evening.paths) {
         plan_rounds(&evening, technique);
-        code = play(&evening);
+        const struct rounds rounds = {
+            .plans = evening.plans,
+            .results = evening.results,
+            .count = options->rounds,
+            .workers = options->jobs ? options->jobs : rounds_workers(),
+            .done = tell_round,
+            .self = &evening,
+        };
+        code = rounds_play(&rounds);
+        if (code == EXIT_OK) {
+            report_all(&evening);
+        } else {
+            code = tell_failure(&evening);
+        }
     } else {
         print_error("%s: no memory for %u rounds", speaker, options->rounds);
     }
@@ -298,16 +283,6 @@ static enum exit_code check_options(const struct play_options *options)
     return EXIT_OK;
 }
 
-static enum exit_code open_folder(const struct play_options *options)
-{
-    const int error = options->record ? file_make_folder(options->record) : 0;
-    if (error) {
-        print_error("%s: %s: cannot record: %s", speaker, options->record, strerror(-error));
-        return EXIT_IO;
-    }
-    return EXIT_OK;
-}
-
 static enum exit_code play_command_run(int argc, const char *const *argv)
 {
     struct play_options options = { .bot = NULL };
@@ -315,7 +290,11 @@ static enum exit_code play_command_run(int argc, const char *const *argv)
     enum exit_code code = ctl_options(name, &table, 0, &options, argc, argv);
     code = code == EXIT_OK ? check_options(&options) : code;
     code = code == EXIT_OK ? bot_file_named(speaker, options.bot, &technique) : code;
-    code = code == EXIT_OK ? open_folder(&options) : code;
+    const int error = code == EXIT_OK && options.record ? file_make_folder(options.record) : 0;
+    if (error) {
+        print_error("%s: %s: cannot record: %s", speaker, options.record, strerror(-error));
+        return EXIT_IO;
+    }
     return code == EXIT_OK ? hold_evening(&options, &technique) : code;
 }
 

@@ -10,6 +10,7 @@
 #include "platform/ctl/lib/ctl.h"
 #include "platform/kiosk/replayer.h"
 #include "platform/os/file.h"
+#include "platform/os/json.h"
 #include "platform/os/panic_text.h"
 #include "platform/os/print.h"
 #include "platform/panic.h"
@@ -31,51 +32,54 @@ static int scan(struct replay_reader *reader, const char *path, struct replay_to
 
 /* ---- Subcommand info ------------------------------------------------------------------------- */
 
-static uint32_t count_bits(uint32_t bits)
-{
-    uint32_t count = 0;
-    for (; bits; bits &= bits - 1u) {
-        count++;
-    }
-    return count;
-}
-
-/* Prints each game mode that was played in the recording, and the paper grade of each mode. */
-static void print_modes(const struct core_config *config, uint32_t modes, int as_json)
-{
-    uint32_t count = 0;
-    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
-        if (modes >> mode & 1u) {
-            printf(as_json ? "%s{\"mode\": \"%s\", \"grade\": %u}" : "%s%s with No. %u paper",
-                   count++ ? ", " : "", rules_of(mode)->name, table_setup_grade(config, mode));
-        }
-    }
-}
-
 static void info_json(const struct replay_header *header, const struct replay_totals *totals)
 {
     const struct core_config *config = &header->config;
-    printf("{\"format\": %u, \"program\": \"%s\", \"seed\": %u, \"fish\": %u, \"round_s\": %u, "
-           "\"ticks\": %u, \"seconds\": %.3f, \"modes\": [",
-           header->version, header->program, config->seed, config->fish_count, config->round_s,
-           totals->ticks, (double)totals->ticks / CORE_TICK_HZ);
-    print_modes(config, totals->modes, 1);
-    printf("], \"players\": %u, \"rounds\": %u, \"caught\": %u, \"fouls\": %u, "
-           "\"hash\": \"%016llx\"}\n",
-           count_bits(totals->players), totals->rounds, totals->caught, totals->fouls,
-           (unsigned long long)totals->hash);
+    struct json json = { .file = stdout };
+    json_open(&json, NULL, '{');
+    json_value(&json, "format", "%u", header->version);
+    json_text(&json, "program", header->program);
+    json_value(&json, "seed", "%u", config->seed);
+    json_value(&json, "fish", "%u", config->fish_count);
+    json_value(&json, "round_s", "%u", config->round_s);
+    json_value(&json, "ticks", "%u", totals->ticks);
+    json_value(&json, "seconds", "%.3f", (double)totals->ticks / CORE_TICK_HZ);
+    json_open(&json, "modes", '[');
+    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+        if (totals->modes >> mode & 1u) {
+            json_open(&json, NULL, '{');
+            json_text(&json, "mode", rules_of(mode)->name);
+            json_value(&json, "grade", "%u", table_setup_grade(config, mode));
+            json_close(&json, '}');
+        }
+    }
+    json_close(&json, ']');
+    json_value(&json, "players", "%d", __builtin_popcount(totals->players));
+    json_value(&json, "rounds", "%u", totals->rounds);
+    json_value(&json, "caught", "%u", totals->caught);
+    json_value(&json, "fouls", "%u", totals->fouls);
+    json_value(&json, "hash", "\"%016llx\"", (unsigned long long)totals->hash);
+    json_close(&json, '}');
+    json_end(&json);
 }
 
 static void info_text(const struct replay_header *header, const struct replay_totals *totals)
 {
+    const char *gap = "";
     printf("recorded by  Kingyo %s, format %u\nseed         %u\nlength       %.1f s, %u ticks\n"
            "played       ",
            header->program, header->version, header->config.seed,
            (double)totals->ticks / CORE_TICK_HZ, totals->ticks);
-    print_modes(&header->config, totals->modes, 0);
-    printf("%s\nplayers      %u\nrounds       %u\ncaught       %u\nfouls        %u\n"
+    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+        if (totals->modes >> mode & 1u) {
+            printf("%s%s with No. %u paper", gap, rules_of(mode)->name,
+                   table_setup_grade(&header->config, mode));
+            gap = ", ";
+        }
+    }
+    printf("%s\nplayers      %d\nrounds       %u\ncaught       %u\nfouls        %u\n"
            "state hash   %016llx\n",
-           totals->modes ? "" : "nothing", count_bits(totals->players), totals->rounds,
+           totals->modes ? "" : "nothing", __builtin_popcount(totals->players), totals->rounds,
            totals->caught, totals->fouls, (unsigned long long)totals->hash);
 }
 
@@ -92,14 +96,6 @@ static enum exit_code info(const char *path, int as_json)
 
 /* ---- Subcommand verify ----------------------------------------------------------------------- */
 
-/* Prints the progress after every ten minutes of simulated time if standard error is a terminal. */
-static void replay_print_progress(uint32_t ticks, uint32_t total)
-{
-    if (ticks % (600u * CORE_TICK_HZ) == 0 && isatty(STDERR_FILENO)) {
-        fprintf(stderr, "\r%u of %u s", ticks / CORE_TICK_HZ, total / CORE_TICK_HZ);
-    }
-}
-
 /* Recomputes the recording tick by tick. Returns CORE_OK, or CORE_ERR_FLOAT if the core rejected a
  * tick. */
 static enum core_error recompute(struct replayer *replayer, struct core *core, uint32_t total)
@@ -114,7 +110,11 @@ static enum core_error recompute(struct replayer *replayer, struct core *core, u
             return CORE_ERR_FLOAT;
         }
         tap.tick(tap.self, &input, core);
-        replay_print_progress(replayer->totals.ticks, total);
+        /* Prints the progress after every ten minutes of simulated time. */
+        if (replayer->totals.ticks % (600u * CORE_TICK_HZ) == 0 && isatty(STDERR_FILENO)) {
+            fprintf(stderr, "\r%u of %u s", replayer->totals.ticks / CORE_TICK_HZ,
+                    total / CORE_TICK_HZ);
+        }
     }
     return CORE_OK;
 }

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
+#include "platform/os/json.h"
 #include "platform/os/number.h"
 #include "platform/os/print.h"
 
@@ -131,58 +132,60 @@ struct tank_figures tank_figures_of(struct tank_lab *lab)
 
 /* ---- Output as JSON -------------------------------------------------------------------------- */
 
-static void tank_report_put(const char *before, double value, uint32_t decimals)
+static void put_counts(struct json *json, const char *key, const uint32_t *counts, uint32_t count)
 {
-    char digits[NUMBER_FIXED_MAX];
-    const uint32_t length = number_print_fixed(digits, value, decimals);
-    printf("%s%.*s", before, (int)length, digits);
-}
-
-static void put_counts(const char *before, const uint32_t *counts, uint32_t count)
-{
-    fputs(before, stdout);
+    json_open(json, key, '[');
     for (uint32_t i = 0; i < count; i++) {
-        printf("%s%u", i ? ", " : "", counts[i]);
+        json_value(json, NULL, "%u", counts[i]);
     }
-    putchar(']');
-}
-
-static void put_meetings(const struct tank_meetings *meetings)
-{
-    printf(", \"encounters\": {\"head_on\": %llu, \"side\": %llu, \"rear_end\": %llu, "
-           "\"by_yaw\": %llu, \"by_pitch\": %llu}",
-           (unsigned long long)meetings->head_on, (unsigned long long)meetings->side,
-           (unsigned long long)meetings->rear_end, (unsigned long long)meetings->by_yaw,
-           (unsigned long long)meetings->by_pitch);
+    json_close(json, ']');
 }
 
 void tank_report_json(const struct tank_lab *lab, const struct tank_figures *figures)
 {
+    const struct tank_meetings *meetings = &lab->meetings;
     const uint32_t seconds = tank_lab_seconds(lab->plan);
-    printf("{\"preset\": \"%s\", \"fish\": %u", tank_preset(lab->tank.preset)->name,
-           lab->tank.fish_count);
-    tank_report_put(", \"seconds\": ", lab->plan->seconds, 3);
-    printf(", \"seed\": %u, \"ticks\": %u, \"observe_every\": %u, \"state_hash\": \"%016llx\"",
-           lab->tank.seed, lab->tick, lab->observe_every, (unsigned long long)tank_lab_hash(lab));
-    tank_report_put(", \"ns_per_fish_tick\": ", figures->ns_per_fish_tick, 1);
-    tank_report_put(", \"tick_ms_median\": ", figures->tick_ms_median, 6);
-    tank_report_put(", \"tick_ms_p99\": ", figures->tick_ms_p99, 6);
-    printf(", \"body_overlaps\": %llu", (unsigned long long)lab->overlaps.pairs);
-    tank_report_put(", \"deepest_overlap_mm\": ", lab->overlaps.deepest_mm, 4);
-    put_meetings(&lab->meetings);
-    tank_report_put(", \"gait_share\": {\"burst\": ", figures->share[GAIT_BURST], 6);
-    tank_report_put(", \"swim\": ", figures->share[GAIT_SWIM], 6);
-    tank_report_put(", \"rest\": ", figures->share[GAIT_REST], 6);
-    tank_report_put(", \"other\": ", figures->other_share, 6);
-    tank_report_put("}, \"speed_cm_s\": {\"mean\": ", figures->speed_mean_cm_s, 4);
-    tank_report_put(", \"max\": ", figures->speed_max_cm_s, 4);
-    tank_report_put("}, \"stamina_mean\": ", figures->stamina_mean, 4);
-    tank_report_put(", \"surfacing_share\": ", figures->surfacing_share, 6);
-    tank_report_put(", \"oxygen_mg_l\": {\"start\": ", (double)lab->oxygen_start_mg_l, 4);
-    tank_report_put(", \"end\": ", (double)lab->tank.oxygen.dissolved_mg_l, 4);
-    put_counts("}, \"shade_count\": [", lab->shade_count, seconds);
-    put_counts(", \"surfacing_count\": [", lab->surfacing_count, seconds);
-    puts("}");
+    struct json json = { .file = stdout };
+    json_open(&json, NULL, '{');
+    json_text(&json, "preset", tank_preset(lab->tank.preset)->name);
+    json_value(&json, "fish", "%u", lab->tank.fish_count);
+    json_number(&json, "seconds", lab->plan->seconds, 3);
+    json_value(&json, "seed", "%u", lab->tank.seed);
+    json_value(&json, "ticks", "%u", lab->tick);
+    json_value(&json, "observe_every", "%u", lab->observe_every);
+    json_value(&json, "state_hash", "\"%016llx\"", (unsigned long long)tank_lab_hash(lab));
+    json_number(&json, "ns_per_fish_tick", figures->ns_per_fish_tick, 1);
+    json_number(&json, "tick_ms_median", figures->tick_ms_median, 6);
+    json_number(&json, "tick_ms_p99", figures->tick_ms_p99, 6);
+    json_value(&json, "body_overlaps", "%llu", (unsigned long long)lab->overlaps.pairs);
+    json_number(&json, "deepest_overlap_mm", lab->overlaps.deepest_mm, 4);
+    json_open(&json, "encounters", '{');
+    json_value(&json, "head_on", "%llu", (unsigned long long)meetings->head_on);
+    json_value(&json, "side", "%llu", (unsigned long long)meetings->side);
+    json_value(&json, "rear_end", "%llu", (unsigned long long)meetings->rear_end);
+    json_value(&json, "by_yaw", "%llu", (unsigned long long)meetings->by_yaw);
+    json_value(&json, "by_pitch", "%llu", (unsigned long long)meetings->by_pitch);
+    json_close(&json, '}');
+    json_open(&json, "gait_share", '{');
+    json_number(&json, "burst", figures->share[GAIT_BURST], 6);
+    json_number(&json, "swim", figures->share[GAIT_SWIM], 6);
+    json_number(&json, "rest", figures->share[GAIT_REST], 6);
+    json_number(&json, "other", figures->other_share, 6);
+    json_close(&json, '}');
+    json_open(&json, "speed_cm_s", '{');
+    json_number(&json, "mean", figures->speed_mean_cm_s, 4);
+    json_number(&json, "max", figures->speed_max_cm_s, 4);
+    json_close(&json, '}');
+    json_number(&json, "stamina_mean", figures->stamina_mean, 4);
+    json_number(&json, "surfacing_share", figures->surfacing_share, 6);
+    json_open(&json, "oxygen_mg_l", '{');
+    json_number(&json, "start", (double)lab->oxygen_start_mg_l, 4);
+    json_number(&json, "end", (double)lab->tank.oxygen.dissolved_mg_l, 4);
+    json_close(&json, '}');
+    put_counts(&json, "shade_count", lab->shade_count, seconds);
+    put_counts(&json, "surfacing_count", lab->surfacing_count, seconds);
+    json_close(&json, '}');
+    json_end(&json);
 }
 
 /* ---- Output as text -------------------------------------------------------------------------- */

@@ -1,0 +1,56 @@
+/* json.h -- writes JSON documents to a stream or to a buffer.
+ *
+ * The writer places the commas between the elements. Text from outside the program, for example the
+ * name of a file or a device, may contain any byte: quotes, backslashes and all characters that
+ * core/base/printable.h rejects are escaped, and U+FFFD replaces each byte that is not valid UTF-8.
+ * A null `key` is passed for the elements of an array and for the document itself. */
+#ifndef KINGYO_PLATFORM_OS_JSON_H
+#define KINGYO_PLATFORM_OS_JSON_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+/* A document that is being written. The caller sets either `file` or `buffer` and `size`, and all
+ * other fields to 0. */
+struct json {
+    FILE *file;     /* Stream that receives the document, or null. */
+    char *buffer;   /* Buffer that receives the document with a terminating zero. */
+    size_t size;    /* Size of `buffer` in bytes. Asserts that the document fits. */
+    size_t used;    /* Number of bytes that were written to `buffer`. */
+    uint8_t inner;  /* 1 if the current object or array has an element. */
+    uint8_t breaks; /* 1 if the next element or bracket is on a line of its own. */
+    uint8_t indent; /* Number of blanks before that element or bracket. */
+};
+
+/* Begins an object, with `bracket` '{', or an array, with '['. */
+void json_open(struct json *json, const char *key, char bracket);
+
+/* Ends the current object or array with `bracket` '}' or ']'. */
+void json_close(struct json *json, char bracket);
+
+/* Places the next element or closing bracket on a line of its own, after `indent` blanks. */
+void json_line(struct json *json, uint8_t indent);
+
+/* Writes a value that is formatted as by printf(), for example a number or true. */
+__attribute__((format(printf, 3, 4))) void json_value(struct json *json, const char *key,
+                                                      const char *format, ...);
+
+/* Writes a number with `decimals` digits after the decimal point, as number_print_fixed() does. */
+void json_number(struct json *json, const char *key, double value, uint32_t decimals);
+
+/* Writes true or false. */
+void json_bool(struct json *json, const char *key, int value);
+
+/* Writes a string in quotes. */
+void json_text(struct json *json, const char *key, const char *words);
+
+/* Ends the document with a line end. */
+void json_end(struct json *json);
+
+/* Writes the JSON document `document` to standard output. Characters that printable.h rejects are
+ * escaped, because valid JSON has them only inside strings. Line breaks and tabs between tokens are
+ * kept. */
+void json_copy(const char *document);
+
+#endif

@@ -1,0 +1,59 @@
+/* test_json.c -- documents written to a buffer: commas, lines, escapes. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "platform/os/json.h"
+
+static void test_commas_stand_between_elements_of_every_level(void **state)
+{
+    char text[256];
+    struct json json = { .buffer = text, .size = sizeof text };
+    (void)state;
+    json_open(&json, NULL, '{');
+    json_open(&json, "none", '[');
+    json_close(&json, ']');
+    json_open(&json, "rows", '[');
+    for (uint32_t i = 0; i < 2; i++) {
+        json_line(&json, 2);
+        json_open(&json, NULL, '{');
+        json_value(&json, "i", "%u", i);
+        json_bool(&json, "odd", i == 1);
+        json_close(&json, '}');
+    }
+    json_line(&json, 0);
+    json_close(&json, ']');
+    json_number(&json, "half", 0.5, 2);
+    json_close(&json, '}');
+    json_end(&json);
+    assert_string_equal(text, "{\"none\": [], \"rows\": [\n  {\"i\": 0, \"odd\": false},\n"
+                              "  {\"i\": 1, \"odd\": true}\n], \"half\": 0.50}\n");
+    assert_int_equal(json.used, sizeof "{\"none\": [], \"rows\": [\n  {\"i\": 0, \"odd\": false},\n"
+                                       "  {\"i\": 1, \"odd\": true}\n], \"half\": 0.50}\n" -
+                                    1u);
+}
+
+static void test_text_of_any_bytes_is_a_valid_string(void **state)
+{
+    char text[128];
+    struct json json = { .buffer = text, .size = sizeof text };
+    (void)state;
+    json_open(&json, NULL, '[');
+    json_text(&json, NULL, "a\"b\\c\n\x1b\xff\xe3\x81\x82\xc2\x9b");
+    json_text(&json, NULL, "");
+    json_close(&json, ']');
+    assert_string_equal(text,
+                        "[\"a\\\"b\\\\c\\u000a\\u001b\xEF\xBF\xBD\xe3\x81\x82\\u009b\", \"\"]");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_commas_stand_between_elements_of_every_level),
+        cmocka_unit_test(test_text_of_any_bytes_is_a_valid_string),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
