@@ -245,40 +245,34 @@ static void bind_all(struct hid_mapping *map, const struct surface *surface,
 /* Rules of a puck. The X axis of a puck points right, the Y axis toward the user, and the Z axis
  * downward. RX, RY and RZ are rotations about these axes. Some descriptors declare the axes as
  * relative although the values are deflections. */
-static const struct rule puck_rules[] = { { USAGE_X, HID_ROLE_X, HID_BINDING_RATE, 0, 0 },
-                                          { USAGE_Y, HID_ROLE_Z, HID_BINDING_RATE, 0, 0 },
-                                          { USAGE_Z, HID_ROLE_Y, HID_BINDING_RATE, 1, 0 },
-                                          { USAGE_RX, HID_ROLE_PITCH, HID_BINDING_POSITION, 0, 0 },
-                                          { USAGE_RY, HID_ROLE_ROLL, HID_BINDING_POSITION, 1, 0 },
-                                          { USAGE_RZ, HID_ROLE_YAW, HID_BINDING_POSITION, 1, 0 },
-                                          PRESS(1, HID_ROLE_START),
-                                          PRESS(1, HID_ROLE_OK),
-                                          PRESS(2, HID_ROLE_LEVEL),
-                                          PRESS(2, HID_ROLE_RIGHT) };
+static const struct rule puck_rules[] = {
+    { USAGE_X, HID_ROLE_X, HID_BINDING_RATE, 0, 0 },
+    { USAGE_Y, HID_ROLE_Z, HID_BINDING_RATE, 0, 0 },
+    { USAGE_Z, HID_ROLE_Y, HID_BINDING_RATE, 1, 0 },
+    { USAGE_RX, HID_ROLE_PITCH, HID_BINDING_POSITION, 0, 0 },
+    { USAGE_RY, HID_ROLE_ROLL, HID_BINDING_POSITION, 1, 0 },
+    { USAGE_RZ, HID_ROLE_YAW, HID_BINDING_POSITION, 1, 0 },
+    PRESS(1, HID_ROLE_START),
+    PRESS(1, HID_ROLE_OK),
+    PRESS(2, HID_ROLE_LEVEL),
+    PRESS(2, HID_ROLE_RIGHT),
+};
 
 /* Rules of the buttons of a game pad, which has one of two numberings. With twelve or more buttons,
  * 1 to 4 are face buttons, 5 to 8 are shoulder buttons, and 9 and 10 are in the middle. With fewer
  * buttons, 5 and 6 are shoulder buttons, and 7 and 8 are in the middle. On a joystick, button 1 is
  * the trigger. */
-static const struct rule few_button_rules[] = { { USAGE_ACCELERATOR, HID_ROLE_DIP,
-                                                  HID_BINDING_PRESS, 0, 0 },
-                                                PRESS(1, HID_ROLE_DIP),
-                                                PRESS(1, HID_ROLE_OK),
-                                                PRESS(2, HID_ROLE_LEVEL),
-                                                PRESS(3, HID_ROLE_FAN),
-                                                PRESS(4, HID_ROLE_FAN),
-                                                PRESS(6, HID_ROLE_DIP),
-                                                PRESS(8, HID_ROLE_START) };
-static const struct rule many_button_rules[] = { { USAGE_ACCELERATOR, HID_ROLE_DIP,
-                                                   HID_BINDING_PRESS, 0, 0 },
-                                                 PRESS(1, HID_ROLE_DIP),
-                                                 PRESS(1, HID_ROLE_OK),
-                                                 PRESS(2, HID_ROLE_DIP),
-                                                 PRESS(3, HID_ROLE_LEVEL),
-                                                 PRESS(4, HID_ROLE_FAN),
-                                                 PRESS(6, HID_ROLE_DIP),
-                                                 PRESS(10, HID_ROLE_START),
-                                                 PRESS(8, HID_ROLE_DIP) };
+/* clang-format off */
+static const struct rule few_button_rules[] = {
+    PRESS(1, HID_ROLE_DIP), PRESS(1, HID_ROLE_OK), PRESS(2, HID_ROLE_LEVEL), PRESS(3, HID_ROLE_FAN),
+    PRESS(4, HID_ROLE_FAN), PRESS(6, HID_ROLE_DIP), PRESS(8, HID_ROLE_START),
+};
+static const struct rule many_button_rules[] = {
+    PRESS(1, HID_ROLE_DIP), PRESS(1, HID_ROLE_OK), PRESS(2, HID_ROLE_DIP), PRESS(3, HID_ROLE_LEVEL),
+    PRESS(4, HID_ROLE_FAN), PRESS(6, HID_ROLE_DIP), PRESS(10, HID_ROLE_START),
+    PRESS(8, HID_ROLE_DIP),
+};
+/* clang-format on */
 
 /* Maps a game pad or a joystick. X and Y are the left stick. If Z and RZ both exist, they are the
  * right stick. Otherwise RX and RY are the right stick, because Z then belongs to the triggers. */
@@ -305,6 +299,8 @@ static void map_pad(struct hid_mapping *map, const struct surface *surface)
         }
         hid_mapping_auto_bind(map, hat, HID_ROLE_HAT, HID_BINDING_HAT, 0);
     }
+    hid_mapping_auto_bind(map, find_on(surface, USAGE_ACCELERATOR, 0), HID_ROLE_DIP,
+                          HID_BINDING_PRESS, 0);
     if (find_on(surface, USAGE_BUTTON + 12u, 0).group) {
         BIND_ALL(map, surface, many_button_rules);
     } else {

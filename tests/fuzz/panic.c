@@ -1,5 +1,5 @@
-/* panic.c -- handles a failed assertion in a fuzz target: prints the condition and ends the process,
- * so that the fuzzer stores the input. */
+/* panic.c -- handles a failed assertion in a fuzz target: prints the condition and ends the
+ * process, so that the fuzzer stores the input. */
 #include <stdio.h>
 #include <stdlib.h>
 
