@@ -10,6 +10,8 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
+#include "core/base/panic.h"
+
 #define TRIPLE_BUFFER_SLOTS 3u
 /* Bit of `middle` that is set while the published value was not read yet. The lower bits are the
  * slot index. */
@@ -37,6 +39,7 @@ static inline int triple_buffer_post(struct triple_buffer *mail)
     const unsigned old = atomic_exchange_explicit(
         &mail->middle, mail->writing | TRIPLE_BUFFER_FRESH, memory_order_acq_rel);
     mail->writing = old & (TRIPLE_BUFFER_FRESH - 1u);
+    CORE_ASSERT(mail->writing < TRIPLE_BUFFER_SLOTS);
     return (old & TRIPLE_BUFFER_FRESH) != 0;
 }
 
@@ -50,6 +53,7 @@ static inline int triple_buffer_fetch(struct triple_buffer *mail)
     const unsigned old =
         atomic_exchange_explicit(&mail->middle, mail->reading, memory_order_acq_rel);
     mail->reading = old & (TRIPLE_BUFFER_FRESH - 1u);
+    CORE_ASSERT(mail->reading < TRIPLE_BUFFER_SLOTS);
     return 1;
 }
 

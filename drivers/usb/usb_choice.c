@@ -1,13 +1,19 @@
 /* usb_choice.c -- implements the rules for USB controllers, the decisions about claiming, and the
- * choice of slots. */
+ * choice of slots. Reads and writes the file of rules, which has one line for each rule. */
 #include "drivers/usb/usb_choice.h"
 
 #include <ctype.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "core/base/panic.h"
 #include "drivers/hid/hid_mapping.h"
 #include "drivers/hid/poi_report.h"
+#include "platform/os/file.h"
 
 /* ---- Keys (names of controllers) ------------------------------------------------------------ */
 
@@ -46,6 +52,7 @@ int usb_key_read(struct usb_key *out, const char *text)
 
 void usb_key_write(const struct usb_key *key, char text[USB_KEY_TEXT_SIZE])
 {
+    CORE_ASSERT(memchr(key->serial, 0, sizeof key->serial));
     snprintf(text, USB_KEY_TEXT_SIZE, "%04x:%04x%s%s", key->vendor, key->product,
              key->serial[0] ? ":" : "", key->serial);
 }
@@ -59,13 +66,10 @@ struct usb_key usb_key_of(const struct hid_identity *identity)
 
 /* ---- Rules of the operator ------------------------------------------------------------------ */
 
-static int is_same_key(const struct usb_key *a, const struct usb_key *b)
-{
-    return a->vendor == b->vendor && a->product == b->product && !strcmp(a->serial, b->serial);
-}
-
 static void forget_wish(struct usb_choice *choice, uint32_t index)
 {
+    CORE_ASSERT(choice->wish_count > 0);
+    CORE_ASSERT(index < choice->wish_count);
     choice->wish_count--;
     memmove(&choice->wish[index], &choice->wish[index + 1u],
             (choice->wish_count - index) * sizeof choice->wish[0]);
@@ -73,9 +77,11 @@ static void forget_wish(struct usb_choice *choice, uint32_t index)
 
 void usb_choice_request(struct usb_choice *choice, const struct usb_key *key, int plays, int kept)
 {
+    CORE_ASSERT(choice->wish_count <= USB_REQUEST_MAX);
     for (uint32_t i = 0; i < choice->wish_count; i++) {
         const struct usb_request *old = &choice->wish[i];
-        if (is_same_key(&old->key, key)) {
+        if (old->key.vendor == key->vendor && old->key.product == key->product &&
+            !strcmp(old->key.serial, key->serial)) {
             kept |= old->kept && !old->plays == !plays;
             forget_wish(choice, i);
             break;
@@ -118,6 +124,7 @@ int usb_choice_read_line(struct usb_choice *choice, const char *line, char error
 int usb_choice_line(const struct usb_choice *choice, uint32_t index,
                     char line[USB_CHOICE_LINE_SIZE])
 {
+    CORE_ASSERT(choice->wish_count <= USB_REQUEST_MAX);
     char text[USB_KEY_TEXT_SIZE];
     for (uint32_t i = 0; i < choice->wish_count; i++) {
         const struct usb_request *wish = &choice->wish[i];
@@ -132,6 +139,7 @@ int usb_choice_line(const struct usb_choice *choice, uint32_t index,
 
 uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[USB_REQUEST_MAX])
 {
+    CORE_ASSERT(choice->wish_count <= USB_REQUEST_MAX);
     uint32_t count = 0;
     for (uint32_t i = 0; i < choice->wish_count; i++) {
         if (choice->wish[i].plays) {
@@ -145,6 +153,7 @@ uint32_t usb_choice_wanted(const struct usb_choice *choice, struct usb_key out[U
 static const struct usb_request *find_wish(const struct usb_choice *choice,
                                            const struct hid_identity *identity)
 {
+    CORE_ASSERT(choice->wish_count <= USB_REQUEST_MAX);
     const struct usb_request *found = NULL;
     for (uint32_t i = 0; i < choice->wish_count; i++) {
         const struct usb_request *wish = &choice->wish[i];
@@ -172,24 +181,10 @@ static int is_keys(hid_usage application)
            page == 0x0cu || (page >= 0x80u && page <= 0x8eu) || page == 0xf1d0u;
 }
 
-/* Returns USB_KIND_LEARNABLE if an input field belongs to an application that can control a poi.
- * Returns USB_KIND_KEYS if all fields belong to other applications, or USB_KIND_NOTHING if there
- * are no fields. */
-static enum usb_kind kind_by_fields(const struct hid_descriptor *descriptor)
-{
-    uint32_t keys = 0, others = 0;
-    for (uint32_t i = 0; i < descriptor->group_count; i++) {
-        const struct hid_group *group = &descriptor->group[i];
-        if (group->range_count > 0 && !(group->flags & HID_CONSTANT)) {
-            *(is_keys(group->application) ? &keys : &others) += 1u;
-        }
-    }
-    return others > 0 ? USB_KIND_LEARNABLE : keys > 0 ? USB_KIND_KEYS : USB_KIND_NOTHING;
-}
-
 void usb_choice_read(struct usb_candidate *subject, const uint8_t *bytes, uint32_t size,
                      struct hid_descriptor *scratch)
 {
+    CORE_ASSERT(bytes || size == 0);
     subject->kind = USB_KIND_UNKNOWN;
     subject->worth = 0;
     if (size == 0u) {
@@ -199,21 +194,27 @@ void usb_choice_read(struct usb_candidate *subject, const uint8_t *bytes, uint32
         subject->kind = USB_KIND_NOTHING;
         return;
     }
+    /* Number of groups of applications that cannot control a poi, and of all other groups. */
+    uint32_t keys = 0, others = 0;
+    for (uint32_t i = 0; i < scratch->group_count; i++) {
+        const struct hid_group *group = &scratch->group[i];
+        if (group->range_count > 0 && !(group->flags & HID_CONSTANT)) {
+            *(is_keys(group->application) ? &keys : &others) += 1u;
+        }
+    }
     subject->worth = (uint8_t)hid_mapping_score(subject->identity, scratch);
     subject->kind = (uint8_t)(poi_descriptor_is(bytes, size)      ? USB_KIND_OWN
                               : hid_mapping_has_keyboard(scratch) ? USB_KIND_KEYS
                               : subject->worth > 0                ? USB_KIND_HAND
-                                                                  : kind_by_fields(scratch));
-}
-
-static int is_bench(const struct hid_identity *identity)
-{
-    return identity->vendor == USB_BENCH_VENDOR && identity->product == USB_BENCH_PRODUCT;
+                              : others > 0                        ? USB_KIND_LEARNABLE
+                              : keys > 0                          ? USB_KIND_KEYS
+                                                                  : USB_KIND_NOTHING);
 }
 
 enum usb_verdict usb_choice_evaluate(const struct usb_choice *choice,
                                      const struct usb_candidate *subject)
 {
+    CORE_ASSERT(subject->kind <= USB_KIND_OWN);
     if (subject->is_boot_keyboard || subject->kind == USB_KIND_NOTHING ||
         subject->kind == USB_KIND_KEYS) {
         return USB_BARRED;
@@ -223,7 +224,9 @@ enum usb_verdict usb_choice_evaluate(const struct usb_choice *choice,
         return USB_FREE;
     }
     if (subject->kind == USB_KIND_UNKNOWN) {
-        return wish || is_bench(subject->identity) ? USB_ASK : USB_FREE;
+        const int is_bench = subject->identity->vendor == USB_BENCH_VENDOR &&
+                             subject->identity->product == USB_BENCH_PRODUCT;
+        return wish || is_bench ? USB_ASK : USB_FREE;
     }
     return wish || subject->kind == USB_KIND_OWN ? USB_PLAYS : USB_FREE;
 }
@@ -245,6 +248,7 @@ static uint32_t rank_of(const struct usb_choice *choice, const struct usb_candid
 int usb_choice_is_better(const struct usb_choice *choice, const struct usb_candidate *a,
                          const struct usb_candidate *b)
 {
+    CORE_ASSERT(a->identity && b->identity);
     const uint32_t rank = rank_of(choice, a), other = rank_of(choice, b);
     return rank != other          ? rank > other
            : a->kind != b->kind   ? a->kind > b->kind
@@ -256,6 +260,8 @@ int usb_choice_is_better(const struct usb_choice *choice, const struct usb_candi
 
 uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_identity *b)
 {
+    CORE_ASSERT(memchr(a->serial, 0, sizeof a->serial));
+    CORE_ASSERT(memchr(b->serial, 0, sizeof b->serial));
     if (a->vendor != b->vendor || a->product != b->product) {
         return 0u;
     }
@@ -308,4 +314,85 @@ uint32_t usb_choice_slot(const struct usb_place place[POI_MAX], const struct hid
         }
     }
     return POI_MAX;
+}
+
+/* ---- File of rules --------------------------------------------------------------------------- */
+
+static int usb_choice_file_read_lines(struct usb_choice *choice, const char *path, FILE *file,
+                                      char why[HAL_TEXT_SIZE])
+{
+    char line[2u * USB_CHOICE_LINE_SIZE], error[USB_ERROR_SIZE];
+    uint32_t number = 0;
+    int bad = 0;
+    while (fgets(line, sizeof line, file)) {
+        number++;
+        if (usb_choice_read_line(choice, line, error)) {
+            snprintf(why, HAL_TEXT_SIZE, "%.60s:%u: %s", path, number, error);
+            bad++;
+        }
+    }
+    return ferror(file) ? -errno : bad;
+}
+
+int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TEXT_SIZE])
+{
+    const int handle = path[0] ? file_handle(path, O_RDONLY, 0) : -1;
+    FILE *file = handle >= 0 ? fdopen(handle, "r") : NULL;
+    const int error = !path[0] || file || errno == ENOENT ? 0 : -errno;
+    const int result = file ? usb_choice_file_read_lines(choice, path, file, why) : error;
+    /* open() of a socket fails with ENXIO. */
+    if (result == -ENOTSUP || result == -EISDIR || result == -ELOOP || result == -ENXIO) {
+        snprintf(why, HAL_TEXT_SIZE, "%.60s: is not a regular file", path);
+    } else if (result < 0) {
+        snprintf(why, HAL_TEXT_SIZE, "%.60s: cannot read: %.40s", path, strerror(-result));
+    }
+    if (file) {
+        fclose(file);
+    }
+    return result;
+}
+
+static int write_lines(const struct usb_choice *choice, FILE *file)
+{
+    CORE_ASSERT(file);
+    char line[USB_CHOICE_LINE_SIZE];
+    fputs("# Controllers on USB that play, or rest, as the operator chose in the menu.\n", file);
+    for (uint32_t i = 0; usb_choice_line(choice, i, line); i++) {
+        fprintf(file, "%s\n", line);
+    }
+    const int failed = fflush(file) != 0 || ferror(file) || fsync(fileno(file)) != 0;
+    const int error = failed ? -errno : 0;
+    return fclose(file) != 0 && !error ? -errno : error;
+}
+
+int usb_choice_save(const struct usb_choice *choice, const char *path)
+{
+    char part[PATH_MAX];
+    if (!path[0]) {
+        return 0;
+    }
+    if ((size_t)snprintf(part, sizeof part, "%s.part", path) >= sizeof part) {
+        return -ENAMETOOLONG;
+    }
+    unlink(part); /* The temporary file can remain from a power loss or from another process. */
+    FILE *file = fopen(part, "wxe");
+    int error = file ? write_lines(choice, file) : -errno;
+    if (!error && rename(part, path) != 0) {
+        error = -errno;
+    }
+    if (error && file) {
+        unlink(part);
+    }
+    if (error) {
+        return error;
+    }
+    /* The folder is flushed, so that the renamed file survives a power loss. */
+    const char *slash = strrchr(path, '/');
+    snprintf(part, sizeof part, "%.*s", slash ? (int)(slash - path) : 1, slash ? path : ".");
+    const int fd = open(part[0] ? part : "/", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    error = fd < 0 || fsync(fd) != 0 ? -errno : 0;
+    if (fd >= 0) {
+        close(fd);
+    }
+    return error;
 }

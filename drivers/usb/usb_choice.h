@@ -7,7 +7,9 @@
  *
  * Some report descriptors can only be read after claiming. A device is claimed for this purpose
  * only if its id is selected or is the test id of pid.codes. An interface with the keys of a
- * keyboard is never claimed, even if it was selected. Pure: uses no device and no clock. */
+ * keyboard is never claimed, even if it was selected. All functions are pure, except
+ * usb_choice_load() and usb_choice_save(), which use the file of rules. The file is replaced
+ * atomically. */
 #ifndef KINGYO_DRIVERS_USB_USB_CHOICE_H
 #define KINGYO_DRIVERS_USB_USB_CHOICE_H
 
@@ -17,6 +19,7 @@
 #include "core/input.h"
 #include "drivers/hid/hid_descriptor.h"
 #include "drivers/hid/hid_port.h"
+#include "platform/hal.h"
 
 /* Vendor id of the pid.codes test id, with which no product may be sold. */
 #define USB_BENCH_VENDOR 0x1209u
@@ -141,5 +144,18 @@ uint32_t usb_choice_slot(const struct usb_place place[POI_MAX],
 /* Returns how likely two identities belong to the same controller: 0 means different, 4 means
  * certain. */
 uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_identity *b);
+
+/* ---- File of rules --------------------------------------------------------------------------- */
+
+/* Adds the rules of the file to `choice`; a missing file adds none. Returns the number of invalid
+ * lines, or a negative errno value if the file cannot be read completely. If the result is not 0,
+ * `why` has one sentence; for an invalid line it starts with FILE:LINE of the last invalid line.
+ * After a negative result the file must not be overwritten. */
+int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TEXT_SIZE]);
+
+/* Writes the rules that are marked as kept, and waits for the disk. Returns 0 or a negative errno
+ * value. After an error the old file is unchanged, unless only flushing the folder failed. If
+ * `path` is "" nothing is stored and the result is 0. */
+int usb_choice_save(const struct usb_choice *choice, const char *path);
 
 #endif

@@ -1,9 +1,11 @@
-/* usb_device.c -- classifies a USB device without opening it. */
+/* usb_device.c -- classifies a USB device without opening it, and opens it: claims its interface,
+ * reads its report descriptor, and selects the report protocol. */
 #include "drivers/usb/usb_device.h"
 
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "drivers/usb/usb_sysfs.h"
 
 /* Value of bInterfaceSubClass for interfaces with a boot protocol (HID 1.11, section 4.2). */
@@ -15,17 +17,6 @@
 #define PORT_DEPTH_MAX 7 /* Deepest nesting of hubs (USB 3.1, section 10.1). */
 
 /* ---- Classification of devices -------------------------------------------------------------- */
-
-static void name_port(libusb_device *device, char out[32])
-{
-    uint8_t ports[PORT_DEPTH_MAX];
-    const int depth = libusb_get_port_numbers(device, ports, PORT_DEPTH_MAX);
-    int length = snprintf(out, 32, "%u", libusb_get_bus_number(device));
-    for (int i = 0; i < depth && length < 28; i++) {
-        length +=
-            snprintf(out + length, 32u - (size_t)length, "%c%u", i == 0 ? '-' : '.', ports[i]);
-    }
-}
 
 /* Reads the interrupt endpoints of an interface. Returns 0, or -1 if the interface has no usable
  * input endpoint. */
@@ -48,12 +39,6 @@ static int read_pipe(const struct libusb_interface_descriptor *interface, struct
     return out->in_endpoint && out->in_packet_size > 0u && out->in_packet_size <= USB_TRANSFER_MAX
                ? 0
                : -1;
-}
-
-static int is_boot_keyboard(const struct libusb_interface_descriptor *interface)
-{
-    return interface->bInterfaceSubClass == HID_BOOT &&
-           interface->bInterfaceProtocol == HID_BOOT_KEYBOARD;
 }
 
 /* Returns the size of the report descriptor (wDescriptorLength) that the HID class descriptor
@@ -86,6 +71,7 @@ static struct usb_candidate subject_of(const struct usb_device *device)
 
 void usb_device_evaluate(struct usb_device *device, const struct usb_evaluation *judge)
 {
+    CORE_ASSERT(device->face.descriptor_size <= HID_DESCRIPTOR_MAX);
     struct usb_candidate subject = subject_of(device);
     usb_choice_read(&subject, device->face.descriptor, device->face.descriptor_size,
                     judge->scratch);
@@ -100,6 +86,7 @@ void usb_device_evaluate(struct usb_device *device, const struct usb_evaluation 
 static void look_at(struct usb_device *device, const struct usb_evaluation *judge,
                     const struct libusb_interface_descriptor *interface)
 {
+    CORE_ASSERT(interface->bInterfaceClass == LIBUSB_CLASS_HID);
     struct hid_device_info *face = &device->face;
     uint8_t bytes[HID_DESCRIPTOR_MAX];
     const uint32_t size =
@@ -113,16 +100,10 @@ static void look_at(struct usb_device *device, const struct usb_evaluation *judg
     }
     face->identity.interface_number = interface->bInterfaceNumber;
     device->is_boot = interface->bInterfaceSubClass == HID_BOOT;
-    device->is_boot_keyboard = (uint8_t)is_boot_keyboard(interface);
+    device->is_boot_keyboard =
+        device->is_boot && interface->bInterfaceProtocol == HID_BOOT_KEYBOARD;
     device->declared_size = declared_size(interface);
     usb_device_evaluate(device, judge);
-}
-
-static int is_better(const struct usb_device *a, const struct usb_device *b,
-                     const struct usb_evaluation *judge)
-{
-    const struct usb_candidate first = subject_of(a), second = subject_of(b);
-    return usb_choice_is_better(judge->choice, &first, &second);
 }
 
 /* Selects the best HID interface of a device. Only the first alternate setting of each interface is
@@ -141,7 +122,8 @@ static int pick_interface(struct usb_device *device, const struct usb_evaluation
             continue;
         }
         look_at(&found, judge, &interface->altsetting[0]);
-        if (!best.device || is_better(&found, &best, judge)) {
+        const struct usb_candidate one = subject_of(&found), other = subject_of(&best);
+        if (!best.device || usb_choice_is_better(judge->choice, &one, &other)) {
             best = found;
         }
     }
@@ -167,6 +149,7 @@ static int usb_device_read_descriptors(struct usb_device *device,
 
 void usb_device_refresh(struct usb_device *device, const struct usb_evaluation *judge)
 {
+    CORE_ASSERT(device->device);
     if (usb_device_read_descriptors(device, judge)) {
         /* The device cannot be read, so it must not be claimed. Its configuration changed, or it is
          * being unplugged. */
@@ -177,6 +160,8 @@ void usb_device_refresh(struct usb_device *device, const struct usb_evaluation *
 int usb_device_add(struct usb_device *out, libusb_device *device,
                    const struct usb_evaluation *judge)
 {
+    CORE_ASSERT(device);
+    CORE_ASSERT(judge->choice && judge->scratch);
     struct libusb_device_descriptor descriptor;
     if (libusb_get_device_descriptor(device, &descriptor) != LIBUSB_SUCCESS ||
         descriptor.bDeviceClass == LIBUSB_CLASS_HUB) {
@@ -193,7 +178,14 @@ int usb_device_add(struct usb_device *out, libusb_device *device,
         },
     };
     struct hid_identity *identity = &out->face.identity;
-    name_port(device, identity->port);
+    uint8_t ports[PORT_DEPTH_MAX];
+    const int depth = libusb_get_port_numbers(device, ports, PORT_DEPTH_MAX);
+    int length =
+        snprintf(identity->port, sizeof identity->port, "%u", libusb_get_bus_number(device));
+    for (int i = 0; i < depth && length < 28; i++) {
+        length += snprintf(identity->port + length, sizeof identity->port - (size_t)length, "%c%u",
+                           i == 0 ? '-' : '.', ports[i]);
+    }
     usb_sysfs_text(judge->sysfs, identity->port, "serial", identity->serial);
     usb_sysfs_text(judge->sysfs, identity->port, "product", identity->name);
     if (usb_device_read_descriptors(out, judge)) {
@@ -206,6 +198,136 @@ int usb_device_add(struct usb_device *out, libusb_device *device,
 
 void usb_device_remove(struct usb_device *device)
 {
+    CORE_ASSERT(device->device);
     libusb_unref_device(device->device);
     device->device = NULL;
+}
+
+/* ---- Opening --------------------------------------------------------------------------------- */
+
+#define HID_SET_IDLE 0x0au /* Code of the request SET_IDLE (HID 1.11, section 7.2). */
+#define HID_SET_PROTOCOL 0x0bu
+#define DESCRIPTOR_MS 1000u
+#define REQUEST_MS 250u
+
+static enum usb_device_fault trouble_of(int error)
+{
+    switch (error) {
+    case LIBUSB_SUCCESS:
+        return USB_FINE;
+    case LIBUSB_ERROR_ACCESS:
+        return USB_DENIED;
+    case LIBUSB_ERROR_BUSY:
+        return USB_HELD;
+    case LIBUSB_ERROR_NO_DEVICE:
+    case LIBUSB_ERROR_NOT_FOUND:
+        return USB_AWAY;
+    default:
+        return USB_BROKEN;
+    }
+}
+
+static void read_text(libusb_device_handle *handle, uint8_t index, char out[HID_TEXT_SIZE])
+{
+    unsigned char text[HID_TEXT_SIZE];
+    const int size = index == 0u || out[0]
+                         ? -1
+                         : libusb_get_string_descriptor_ascii(handle, index, text, sizeof text);
+    if (size > 0) {
+        snprintf(out, HID_TEXT_SIZE, "%.*s", size, (const char *)text);
+        usb_sysfs_clean_text(out);
+    }
+}
+
+static int interface_request(libusb_device_handle *handle, const struct usb_device *device,
+                             uint8_t request, uint16_t value)
+{
+    const uint8_t type =
+        LIBUSB_ENDPOINT_OUT | LIBUSB_REQUEST_TYPE_CLASS | LIBUSB_RECIPIENT_INTERFACE;
+    return libusb_control_transfer(handle, type, request, value, device->pipe.interface_number,
+                                   NULL, 0, REQUEST_MS);
+}
+
+/* Reads the report descriptor with GET_DESCRIPTOR (HID 1.11, section 7.1.1). A kernel driver may
+ * put a corrected descriptor into /sys and correct the reports to match. Kingyo receives the
+ * reports unmodified, so it needs the original descriptor. The descriptor of /sys is used only if
+ * the device does not respond. */
+static enum usb_device_fault read_descriptor(libusb_device_handle *handle,
+                                             struct usb_device *device)
+{
+    const uint8_t type =
+        LIBUSB_ENDPOINT_IN | LIBUSB_REQUEST_TYPE_STANDARD | LIBUSB_RECIPIENT_INTERFACE;
+    uint8_t bytes[HID_DESCRIPTOR_MAX];
+    const int size = libusb_control_transfer(
+        handle, type, LIBUSB_REQUEST_GET_DESCRIPTOR, HID_REPORT_DESCRIPTOR << 8,
+        device->pipe.interface_number, bytes, (uint16_t)device->declared_size, DESCRIPTOR_MS);
+    if (size > 0) {
+        memcpy(device->face.descriptor, bytes, (size_t)size);
+        device->face.descriptor_size = (uint32_t)size;
+        device->is_read = 1;
+        return USB_FINE;
+    }
+    if (size != LIBUSB_ERROR_NO_DEVICE && device->face.descriptor_size > 0u) {
+        return USB_FINE;
+    }
+    return size == LIBUSB_ERROR_NO_DEVICE ? USB_AWAY : USB_BROKEN;
+}
+
+static enum usb_device_fault learn(libusb_device_handle *handle, struct usb_device *device,
+                                   const struct usb_evaluation *judge)
+{
+    CORE_ASSERT(device->declared_size <= HID_DESCRIPTOR_MAX);
+    read_text(handle, device->serial_index, device->face.identity.serial);
+    read_text(handle, device->product_index, device->face.identity.name);
+    const enum usb_device_fault trouble = read_descriptor(handle, device);
+    if (trouble != USB_FINE) {
+        return trouble;
+    }
+    usb_device_evaluate(device, judge);
+    if (device->verdict != USB_PLAYS) {
+        return USB_FINE;
+    }
+    /* The transfers need the size of the largest input report. */
+    struct hid_descriptor *scratch = judge->scratch;
+    uint32_t most = 0;
+    hid_descriptor_read(scratch, device->face.descriptor, device->face.descriptor_size);
+    for (uint32_t id = 0; id < 256u; id++) {
+        const uint32_t size = (scratch->report_bits[id] + 7u) / 8u;
+        most = size > most ? size : most;
+    }
+    device->pipe.has_report_ids = scratch->has_report_ids;
+    device->pipe.report_size_max = most + scratch->has_report_ids;
+    /* A device may reject requests of HID 1.11 section 7.2 that it does not support, so only a
+     * disconnected device is an error. */
+    if (device->is_boot &&
+        interface_request(handle, device, HID_SET_PROTOCOL, 1u) == LIBUSB_ERROR_NO_DEVICE) {
+        return USB_AWAY;
+    }
+    return interface_request(handle, device, HID_SET_IDLE, 0u) == LIBUSB_ERROR_NO_DEVICE ? USB_AWAY
+                                                                                         : USB_FINE;
+}
+
+enum usb_device_fault usb_device_open(struct usb_device *device, const struct usb_evaluation *judge,
+                                      libusb_device_handle **out)
+{
+    CORE_ASSERT(device->device);
+    CORE_ASSERT(device->verdict == USB_ASK || device->verdict == USB_PLAYS);
+    libusb_device_handle *handle;
+    *out = NULL;
+    enum usb_device_fault trouble = trouble_of(libusb_open(device->device, &handle));
+    if (trouble != USB_FINE) {
+        return trouble;
+    }
+    libusb_set_auto_detach_kernel_driver(handle, 1);
+    trouble = trouble_of(libusb_claim_interface(handle, device->pipe.interface_number));
+    if (trouble == USB_FINE) {
+        trouble = learn(handle, device, judge);
+        if (trouble == USB_FINE && device->verdict == USB_PLAYS) {
+            *out = handle;
+            return USB_FINE;
+        }
+        libusb_release_interface(handle, device->pipe.interface_number);
+    }
+    libusb_close(handle);
+    return trouble;
 }

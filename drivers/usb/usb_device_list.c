@@ -1,11 +1,87 @@
-/* usb_device_list.c -- passes rows to the frame loop and commands to the event thread. */
+/* usb_device_list.c -- assigns rows of the controller menu, and reuses rows if there are more
+ * controllers than rows. Passes rows to the frame loop and commands to the event thread. */
 #include "drivers/usb/usb_device_list.h"
 
 #include <string.h>
 
+#include "core/base/panic.h"
+
+void usb_device_table_clear(struct usb_device_table *rows, uint32_t index)
+{
+    CORE_ASSERT(index < CONTROLLER_MAX);
+    rows->row[index] = (struct hid_row){ .state = CONTROLLER_NONE, .seat = POI_MAX };
+}
+
+void usb_device_table_init(struct usb_device_table *rows)
+{
+    memset(rows, 0, sizeof *rows);
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        usb_device_table_clear(rows, i);
+    }
+}
+
+/* Returns the row for a new controller, or CONTROLLER_MAX if there is none. */
+static uint32_t place_for(const struct usb_device_table *rows, const struct hid_identity *identity,
+                          int is_barred)
+{
+    static const uint8_t yields[] = { CONTROLLER_NONE, CONTROLLER_UNSUPPORTED, CONTROLLER_LOST };
+    uint32_t lost = CONTROLLER_MAX, most = 0, empty_count = 0;
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        const struct hid_row *row = &rows->row[i];
+        const uint32_t likeness =
+            row->state == CONTROLLER_LOST ? usb_choice_similarity(&row->identity, identity) : 0u;
+        lost = likeness > most ? i : lost;
+        most = likeness > most ? likeness : most;
+        empty_count += row->state == CONTROLLER_NONE;
+    }
+    if (lost < CONTROLLER_MAX || (is_barred && empty_count <= POI_MAX)) {
+        return lost;
+    }
+    for (uint32_t kind = 0; kind < sizeof yields; kind++) {
+        for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+            if (rows->row[i].state == yields[kind]) {
+                return i;
+            }
+        }
+    }
+    return CONTROLLER_MAX;
+}
+
+uint32_t usb_device_table_enter(struct usb_device_table *rows, const struct hid_identity *identity,
+                                int is_barred)
+{
+    const uint32_t index = place_for(rows, identity, is_barred);
+    if (index < CONTROLLER_MAX) {
+        rows->row[index] = (struct hid_row){
+            .identity = *identity,
+            .state = (uint8_t)(is_barred ? CONTROLLER_UNSUPPORTED : CONTROLLER_FREE),
+            .seat = POI_MAX,
+        };
+    }
+    return index;
+}
+
+uint32_t usb_device_table_find(const struct usb_device_table *rows,
+                               const struct hid_identity *identity)
+{
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        const struct hid_row *row = &rows->row[i];
+        if (row->state != CONTROLLER_NONE && row->identity.vendor == identity->vendor &&
+            row->identity.product == identity->product &&
+            !strcmp(row->identity.serial, identity->serial) &&
+            !strcmp(row->identity.port, identity->port)) {
+            return i;
+        }
+    }
+    return CONTROLLER_MAX;
+}
+
+/* ---- Exchange between the threads ------------------------------------------------------------ */
+
 void usb_device_list_init(struct usb_device_list *device_list, void (*wake)(void *self),
                           void *wake_self)
 {
+    CORE_ASSERT(wake);
     memset(device_list, 0, sizeof *device_list);
     triple_buffer_init(&device_list->mail);
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
@@ -15,8 +91,10 @@ void usb_device_list_init(struct usb_device_list *device_list, void (*wake)(void
     device_list->wake_self = wake_self;
 }
 
-void usb_device_list_publish(struct usb_device_list *device_list, const struct device_table *rows)
+void usb_device_list_publish(struct usb_device_list *device_list,
+                             const struct usb_device_table *rows)
 {
+    CORE_ASSERT(rows->wanted_count <= USB_REQUEST_MAX);
     device_list->rows[device_list->mail.writing] = *rows;
     triple_buffer_post(&device_list->mail);
 }
@@ -24,7 +102,9 @@ void usb_device_list_publish(struct usb_device_list *device_list, const struct d
 int usb_device_list_take_command(struct usb_device_list *device_list, struct usb_command *out)
 {
     const uint32_t taken = atomic_load_explicit(&device_list->taken, memory_order_relaxed);
-    if (atomic_load_explicit(&device_list->pushed, memory_order_acquire) == taken) {
+    const uint32_t pushed = atomic_load_explicit(&device_list->pushed, memory_order_acquire);
+    CORE_ASSERT(pushed - taken <= USB_COMMAND_MAX);
+    if (pushed == taken) {
         return 0;
     }
     *out = device_list->order[taken % USB_COMMAND_MAX];
@@ -32,8 +112,9 @@ int usb_device_list_take_command(struct usb_device_list *device_list, struct usb
     return 1;
 }
 
-static const struct device_table *newest(struct usb_device_list *device_list)
+static const struct usb_device_table *newest(struct usb_device_list *device_list)
 {
+    CORE_ASSERT(device_list->mail.reading < TRIPLE_BUFFER_SLOTS);
     triple_buffer_fetch(&device_list->mail);
     return &device_list->rows[device_list->mail.reading];
 }
@@ -41,7 +122,7 @@ static const struct device_table *newest(struct usb_device_list *device_list)
 uint32_t usb_device_list_wanted(struct usb_device_list *device_list,
                                 struct usb_key out[USB_REQUEST_MAX])
 {
-    const struct device_table *rows = newest(device_list);
+    const struct usb_device_table *rows = newest(device_list);
     memcpy(out, rows->wanted, rows->wanted_count * sizeof out[0]);
     return rows->wanted_count;
 }
@@ -53,6 +134,7 @@ static void roster_rows(void *self, struct hid_row out[CONTROLLER_MAX])
 
 static int send_order(struct usb_device_list *device_list, const struct hid_row *row, int plays)
 {
+    CORE_ASSERT(row->state != CONTROLLER_NONE);
     const uint32_t pushed = atomic_load_explicit(&device_list->pushed, memory_order_relaxed);
     if (pushed - atomic_load_explicit(&device_list->taken, memory_order_acquire) ==
         USB_COMMAND_MAX) {
@@ -65,30 +147,34 @@ static int send_order(struct usb_device_list *device_list, const struct hid_row 
     return HAL_OK;
 }
 
+/* Returns the row `index` if the operator can give a command for it, otherwise null. */
+static const struct hid_row *usable_row(const struct usb_device_table *rows, uint32_t index)
+{
+    return index < CONTROLLER_MAX && rows->row[index].state != CONTROLLER_NONE &&
+                   rows->row[index].state != CONTROLLER_UNSUPPORTED
+               ? &rows->row[index]
+               : NULL;
+}
+
 static int roster_choose(void *self, uint32_t index)
 {
     struct usb_device_list *device_list = self;
-    const struct device_table *rows = newest(device_list);
+    const struct usb_device_table *rows = newest(device_list);
+    const struct hid_row *row = usable_row(rows, index);
     uint32_t playing = 0;
-    if (index >= CONTROLLER_MAX || rows->row[index].state == CONTROLLER_NONE ||
-        rows->row[index].state == CONTROLLER_UNSUPPORTED) {
-        return HAL_ERR_ABSENT;
-    }
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         playing += i != index && rows->row[i].state == CONTROLLER_ACTIVE;
     }
-    return playing >= POI_MAX ? HAL_ERR_BUSY : send_order(device_list, &rows->row[index], 1);
+    return !row                 ? (int)HAL_ERR_ABSENT
+           : playing >= POI_MAX ? (int)HAL_ERR_BUSY
+                                : send_order(device_list, row, 1);
 }
 
 static int roster_release(void *self, uint32_t index)
 {
     struct usb_device_list *device_list = self;
-    const struct device_table *rows = newest(device_list);
-    if (index >= CONTROLLER_MAX || rows->row[index].state == CONTROLLER_NONE ||
-        rows->row[index].state == CONTROLLER_UNSUPPORTED) {
-        return HAL_ERR_ABSENT;
-    }
-    return send_order(device_list, &rows->row[index], 0);
+    const struct hid_row *row = usable_row(newest(device_list), index);
+    return row ? send_order(device_list, row, 0) : (int)HAL_ERR_ABSENT;
 }
 
 static const char *roster_describe(void *self)

@@ -1,5 +1,6 @@
-/* usb_device_list.h -- the list of USB controllers, shared between the event thread and the frame
- * loop.
+/* usb_device_list.h -- the list of USB controllers: the rows of the operator's controller menu,
+ * their assignment to controllers, and the exchange of the list between the event thread and the
+ * frame loop.
  *
  * The event thread publishes rows. The frame loop reads the newest rows and sends commands. Neither
  * thread blocks. */
@@ -10,8 +11,41 @@
 #include <stdint.h>
 
 #include "drivers/hid/hid_device_list.h"
-#include "drivers/usb/device_table.h"
 #include "drivers/usb/triple_buffer.h"
+#include "drivers/usb/usb_choice.h"
+
+struct usb_device_table {
+    struct hid_row row[CONTROLLER_MAX];
+    char text[HAL_TEXT_SIZE]; /* Text that hid_device_list_ops.describe() returns. */
+    /* Number of keys in `wanted`. Each key (usb_choice.h) names a controller that is selected to
+     * play, whether the controller is present or not. */
+    uint32_t wanted_count;
+    struct usb_key wanted[USB_REQUEST_MAX];
+};
+
+/* Initializes the table with empty rows and no selected controllers. */
+void usb_device_table_init(struct usb_device_table *rows);
+
+/* Assigns a row to a new controller, with the state CONTROLLER_FREE, or CONTROLLER_UNSUPPORTED if
+ * `is_barred` is 1. `is_barred` means that the kiosk must not use the controller, for example a
+ * keyboard. Returns the row, or CONTROLLER_MAX if there is none.
+ *
+ * The first choice is the row of the same controller if the controller was lost. The next choices
+ * are an empty row, a row with CONTROLLER_UNSUPPORTED, and the row of a different lost controller.
+ * If `is_barred` is 1, the controller gets an empty row only while more than POI_MAX rows are
+ * empty. */
+uint32_t usb_device_table_enter(struct usb_device_table *rows, const struct hid_identity *identity,
+                                int is_barred);
+
+/* Returns the row of the controller with exactly this identity, whether present or lost, or
+ * CONTROLLER_MAX if there is none. */
+uint32_t usb_device_table_find(const struct usb_device_table *rows,
+                               const struct hid_identity *identity);
+
+/* Empties a row. */
+void usb_device_table_clear(struct usb_device_table *rows, uint32_t index);
+
+/* ---- Exchange between the threads ------------------------------------------------------------ */
 
 /* Capacity of the command queue, which the event thread empties within a frame. */
 #define USB_COMMAND_MAX 8u
@@ -25,7 +59,7 @@ struct usb_command {
 
 struct usb_device_list {
     struct triple_buffer mail;
-    struct device_table rows[TRIPLE_BUFFER_SLOTS];
+    struct usb_device_table rows[TRIPLE_BUFFER_SLOTS];
     atomic_uint pushed, taken; /* Number of queued commands and number of executed commands, each
                                   since usb_device_list_init(). */
     struct usb_command order[USB_COMMAND_MAX];
@@ -38,7 +72,8 @@ void usb_device_list_init(struct usb_device_list *device_list, void (*wake)(void
                           void *wake_self);
 
 /* Copies and publishes `rows`. Called only by the event thread. */
-void usb_device_list_publish(struct usb_device_list *device_list, const struct device_table *rows);
+void usb_device_list_publish(struct usb_device_list *device_list,
+                             const struct usb_device_table *rows);
 /* Takes the next command. Called only by the event thread. Returns 1 and fills `out`, or returns 0
  * if there is no command. */
 int usb_device_list_take_command(struct usb_device_list *device_list, struct usb_command *out);

@@ -9,16 +9,13 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
+
 #define NS_PER_MS 1000000ull
 #define IDLE_MS 1000 /* Longest wait of the thread in ms if no output report is being sent. */
 #define BUSY_MS 50   /* Longest wait of the thread in ms while an output report is being sent. */
 /* Longest time to wait for cancelled transfers when the thread ends. */
 #define LAST_WAIT_NS 2000000000ull
-
-uint64_t usb_event_thread_now_ns(const struct usb_event_thread *usb_thread)
-{
-    return usb_thread->clock.ops->now_ns(usb_thread->clock.self);
-}
 
 void usb_event_thread_wake(void *self)
 {
@@ -45,48 +42,35 @@ static void LIBUSB_CALL on_fd_removed(int fd, void *self)
     ((struct usb_event_thread *)self)->fds_changed = 1;
 }
 
-static void list_fds(struct usb_event_thread *usb_thread)
-{
-    const struct libusb_pollfd **list = libusb_get_pollfds(usb_thread->context);
-    usb_thread->fds_changed = 0;
-    usb_thread->fd[0] = (struct pollfd){ .fd = usb_thread->wake_fd, .events = POLLIN };
-    usb_thread->fd_count = 1;
-    for (uint32_t i = 0; list && list[i] && usb_thread->fd_count < USB_FD_MAX; i++) {
-        usb_thread->fd[usb_thread->fd_count++] =
-            (struct pollfd){ .fd = list[i]->fd, .events = list[i]->events };
-    }
-    libusb_free_pollfds(list);
-}
-
-static int is_sending(const struct usb_event_thread *usb_thread)
-{
-    int sending = 0;
-    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
-        sending |= usb_thread->link[i].out.is_submitted;
-    }
-    return sending;
-}
-
-static int wait_ms(const struct usb_event_thread *usb_thread)
-{
-    const uint64_t due_ns = usb_event_thread_due_ns(usb_thread),
-                   now_ns = usb_event_thread_now_ns(usb_thread);
-    const uint64_t left_ms = due_ns <= now_ns ? 0 : (due_ns - now_ns) / NS_PER_MS + 1u;
-    const uint64_t most_ms = is_sending(usb_thread) ? BUSY_MS : IDLE_MS;
-    return (int)(left_ms < most_ms ? left_ms : most_ms);
-}
-
 /* Waits for events and lets libusb handle them. libusb calls the callbacks here, and also inside
  * usb_device_open(), because libusb handles events while it waits for a request. Therefore the
  * callbacks only record results and queue reports, and never change the device table. */
 static void wait_and_handle(struct usb_event_thread *usb_thread)
 {
+    CORE_ASSERT(usb_thread->fd_count <= USB_FD_MAX);
     struct timeval at_once = { 0, 0 };
     uint64_t count;
     if (usb_thread->fds_changed) {
-        list_fds(usb_thread);
+        const struct libusb_pollfd **list = libusb_get_pollfds(usb_thread->context);
+        usb_thread->fds_changed = 0;
+        usb_thread->fd[0] = (struct pollfd){ .fd = usb_thread->wake_fd, .events = POLLIN };
+        usb_thread->fd_count = 1;
+        for (uint32_t i = 0; list && list[i] && usb_thread->fd_count < USB_FD_MAX; i++) {
+            usb_thread->fd[usb_thread->fd_count++] =
+                (struct pollfd){ .fd = list[i]->fd, .events = list[i]->events };
+        }
+        libusb_free_pollfds(list);
     }
-    if (poll(usb_thread->fd, usb_thread->fd_count, wait_ms(usb_thread)) > 0 &&
+    int sending = 0;
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        sending |= usb_thread->link[i].out.is_submitted;
+    }
+    const uint64_t due_ns = usb_event_thread_due_ns(usb_thread),
+                   now_ns = hal_now_ns(usb_thread->clock);
+    const uint64_t left_ms = due_ns <= now_ns ? 0 : (due_ns - now_ns) / NS_PER_MS + 1u;
+    const uint64_t most_ms = sending ? BUSY_MS : IDLE_MS;
+    if (poll(usb_thread->fd, usb_thread->fd_count, (int)(left_ms < most_ms ? left_ms : most_ms)) >
+            0 &&
         (usb_thread->fd[0].revents & POLLIN)) {
         const ssize_t got = read(usb_thread->wake_fd, &count, sizeof count);
         (void)got;
@@ -108,29 +92,6 @@ static int LIBUSB_CALL on_hotplug(libusb_context *context, libusb_device *device
     return 0;
 }
 
-/* Registers the hot-plug callback before the first comparison, so that no device is missed between
- * them. */
-static void watch_bus(struct usb_event_thread *usb_thread)
-{
-    const int events = LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT;
-    usb_thread->has_hotplug =
-        libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG) &&
-        libusb_hotplug_register_callback(usb_thread->context, events, LIBUSB_HOTPLUG_NO_FLAGS,
-                                         LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY,
-                                         LIBUSB_HOTPLUG_MATCH_ANY, on_hotplug, usb_thread,
-                                         &usb_thread->hotplug) == LIBUSB_SUCCESS;
-    usb_thread->bus_changed = 1;
-}
-
-static void one_round(struct usb_event_thread *usb_thread)
-{
-    usb_event_thread_handle_commands(usb_thread);
-    usb_event_thread_compare(usb_thread);
-    usb_event_thread_service(usb_thread);
-    usb_event_thread_publish(usb_thread);
-    wait_and_handle(usb_thread);
-}
-
 static int is_open(const struct usb_event_thread *usb_thread)
 {
     int open = 0;
@@ -150,36 +111,44 @@ static void close_all(struct usb_event_thread *usb_thread)
             usb_device_remove(&usb_thread->entry[i].device);
         }
     }
-    const uint64_t end_ns = usb_event_thread_now_ns(usb_thread) + LAST_WAIT_NS;
+    const uint64_t end_ns = hal_now_ns(usb_thread->clock) + LAST_WAIT_NS;
     for (;;) {
         for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
             usb_transfers_service(&usb_thread->link[i]);
         }
-        if (!is_open(usb_thread) || usb_event_thread_now_ns(usb_thread) > end_ns) {
+        if (!is_open(usb_thread) || hal_now_ns(usb_thread->clock) > end_ns) {
             return;
         }
         wait_and_handle(usb_thread);
     }
 }
 
-/* Raises the priority of the thread for accurate time stamps, if the process is permitted to (root,
- * or LimitRTPRIO= of the service). The thread needs only some microseconds for each report. */
-static void hurry(void)
-{
-    const struct sched_param first = { .sched_priority = 1 };
-    /* If the call fails, the thread keeps its normal priority. */
-    pthread_setschedparam(pthread_self(), SCHED_RR, &first);
-}
-
 static void *usb_event_thread_main(void *self)
 {
     struct usb_event_thread *usb_thread = self;
     pthread_setname_np(pthread_self(), "usb");
-    hurry();
+    /* The thread gets a higher priority for accurate time stamps, if the process is permitted to
+     * (root, or LimitRTPRIO= of the service). The thread needs only some microseconds for each
+     * report. If the call fails, the thread keeps its normal priority. */
+    const struct sched_param first = { .sched_priority = 1 };
+    pthread_setschedparam(pthread_self(), SCHED_RR, &first);
     libusb_set_pollfd_notifiers(usb_thread->context, on_fd_added, on_fd_removed, usb_thread);
-    watch_bus(usb_thread);
+    /* The hot-plug callback is registered before the first comparison, so that no device is missed
+     * between them. */
+    const int events = LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT;
+    usb_thread->has_hotplug =
+        libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG) &&
+        libusb_hotplug_register_callback(usb_thread->context, events, LIBUSB_HOTPLUG_NO_FLAGS,
+                                         LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY,
+                                         LIBUSB_HOTPLUG_MATCH_ANY, on_hotplug, usb_thread,
+                                         &usb_thread->hotplug) == LIBUSB_SUCCESS;
+    usb_thread->bus_changed = 1;
     while (!atomic_load(&usb_thread->stop)) {
-        one_round(usb_thread);
+        usb_event_thread_handle_commands(usb_thread);
+        usb_event_thread_compare(usb_thread);
+        usb_event_thread_service(usb_thread);
+        usb_event_thread_publish(usb_thread);
+        wait_and_handle(usb_thread);
     }
     if (usb_thread->has_hotplug) {
         libusb_hotplug_deregister_callback(usb_thread->context, usb_thread->hotplug);
@@ -191,15 +160,6 @@ static void *usb_event_thread_main(void *self)
 
 /* ---- Start and stop ------------------------------------------------------------------------- */
 
-static int make_links(struct usb_event_thread *usb_thread)
-{
-    int error = 0;
-    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
-        error |= usb_transfers_init(&usb_thread->link[i], usb_thread->clock);
-    }
-    return error;
-}
-
 static void free_links(struct usb_event_thread *usb_thread)
 {
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
@@ -209,7 +169,7 @@ static void free_links(struct usb_event_thread *usb_thread)
 
 static void init(struct usb_event_thread *usb_thread)
 {
-    device_table_init(&usb_thread->rows);
+    usb_device_table_init(&usb_thread->rows);
     usb_device_list_init(&usb_thread->device_list, usb_event_thread_wake, usb_thread);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         usb_slot_init(&usb_thread->seat[i], usb_event_thread_wake, usb_thread);
@@ -247,6 +207,8 @@ static int start_thread(struct usb_event_thread *usb_thread)
 
 int usb_event_thread_begin(struct usb_event_thread *usb_thread, char why[HAL_TEXT_SIZE])
 {
+    CORE_ASSERT(usb_thread->clock.ops);
+    CORE_ASSERT(usb_thread->sysfs && usb_thread->choices_path);
     init(usb_thread);
     usb_thread->wake_fd = eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
     if (usb_thread->wake_fd < 0) {
@@ -260,7 +222,11 @@ int usb_event_thread_begin(struct usb_event_thread *usb_thread, char why[HAL_TEX
         close(usb_thread->wake_fd);
         return -1;
     }
-    if (make_links(usb_thread) || start_thread(usb_thread)) {
+    int no_memory = 0;
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        no_memory |= usb_transfers_init(&usb_thread->link[i], usb_thread->clock);
+    }
+    if (no_memory || start_thread(usb_thread)) {
         snprintf(why, HAL_TEXT_SIZE, "no USB: no memory for it");
         free_links(usb_thread);
         libusb_exit(usb_thread->context);
@@ -274,6 +240,7 @@ int usb_event_thread_begin(struct usb_event_thread *usb_thread, char why[HAL_TEX
  * transfers is leaked. Freeing the memory of a transfer in use would be worse. */
 void usb_event_thread_end(struct usb_event_thread *usb_thread)
 {
+    CORE_ASSERT(usb_thread->context);
     atomic_store(&usb_thread->stop, 1);
     usb_event_thread_wake(usb_thread);
     pthread_join(usb_thread->thread, NULL);

@@ -14,10 +14,9 @@
 
 #include <libusb.h>
 
-#include "drivers/usb/device_table.h"
+#include "drivers/usb/usb_device_list.h"
 #include "drivers/usb/usb_choice.h"
 #include "drivers/usb/usb_device.h"
-#include "drivers/usb/usb_device_list.h"
 #include "drivers/usb/usb_slot.h"
 #include "drivers/usb/usb_transfers.h"
 
@@ -83,7 +82,7 @@ struct usb_event_thread {
     struct usb_transfers link[USB_LINK_MAX];
     struct usb_place place[POI_MAX];
     uint64_t lost_ns[POI_MAX]; /* Time at which each slot became vacant. */
-    struct device_table rows;
+    struct usb_device_table rows;
     struct hid_descriptor scratch;
 };
 
@@ -98,9 +97,6 @@ void usb_event_thread_end(struct usb_event_thread *usb_thread);
 void usb_event_thread_wake(void *self);
 
 /* ---- Functions for the usb_event_thread*.c files only ---- */
-
-/* Returns the current time of the thread's clock. */
-uint64_t usb_event_thread_now_ns(const struct usb_event_thread *usb_thread);
 
 /* Compares the bus with the device table if a comparison is due. Adds new devices to the table and
  * removes missing devices. */

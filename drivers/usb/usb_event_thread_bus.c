@@ -3,7 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "drivers/usb/usb_choice_file.h"
+#include "core/base/panic.h"
+#include "drivers/usb/usb_choice.h"
 #include "drivers/usb/usb_event_thread.h"
 
 #define NS_PER_MS 1000000ull
@@ -29,9 +30,11 @@ static struct usb_device_entry *find_entry(struct usb_event_thread *usb_thread,
 /* Removes a device from the table. The row of a lost controller is kept. */
 static void part(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
+    CORE_ASSERT(entry->device.device);
+    CORE_ASSERT(entry->link == USB_INDEX_NONE || entry->link < USB_LINK_MAX);
     usb_event_thread_detach(usb_thread, entry, 1);
     if (entry->row < CONTROLLER_MAX && usb_thread->rows.row[entry->row].state != CONTROLLER_LOST) {
-        device_table_clear(&usb_thread->rows, entry->row);
+        usb_device_table_clear(&usb_thread->rows, entry->row);
     }
     usb_thread->rows_changed = 1;
     usb_device_remove(&entry->device);
@@ -42,6 +45,7 @@ static void part(struct usb_event_thread *usb_thread, struct usb_device_entry *e
 static struct usb_device_entry *find_room(struct usb_event_thread *usb_thread,
                                           enum usb_verdict verdict)
 {
+    CORE_ASSERT(verdict <= USB_PLAYS);
     struct usb_device_entry *room = find_entry(usb_thread, NULL);
     for (uint32_t i = 0; !room && verdict > USB_BARRED && i < USB_DEVICE_MAX; i++) {
         if (usb_thread->entry[i].device.verdict == USB_BARRED &&
@@ -53,22 +57,9 @@ static struct usb_device_entry *find_room(struct usb_event_thread *usb_thread,
     return room;
 }
 
-/* Assigns a row to the entry. The row may have belonged to the lost controller of another entry.
- * The other entry then gets a new row later. */
-static void give_row(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
-{
-    entry->row = device_table_enter(&usb_thread->rows, &entry->device.face.identity,
-                                    entry->device.verdict == USB_BARRED);
-    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
-        if (&usb_thread->entry[i] != entry && usb_thread->entry[i].row == entry->row) {
-            usb_thread->entry[i].row = USB_INDEX_NONE;
-        }
-    }
-    usb_thread->rows_changed = 1;
-}
-
 static void meet(struct usb_event_thread *usb_thread, libusb_device *device)
 {
+    CORE_ASSERT(device);
     const struct usb_evaluation judge = { .sysfs = usb_thread->sysfs,
                                           .choice = &usb_thread->choice,
                                           .scratch = &usb_thread->scratch };
@@ -81,7 +72,7 @@ static void meet(struct usb_event_thread *usb_thread, libusb_device *device)
         usb_device_remove(&met);
         return;
     }
-    const uint64_t now_ns = usb_event_thread_now_ns(usb_thread);
+    const uint64_t now_ns = hal_now_ns(usb_thread->clock);
     *entry = (struct usb_device_entry){ .device = met,
                                         .is_seen = 1,
                                         .link = USB_INDEX_NONE,
@@ -89,7 +80,16 @@ static void meet(struct usb_event_thread *usb_thread, libusb_device *device)
                                         .drains = USB_INDEX_NONE,
                                         .met_ns = now_ns,
                                         .due_ns = now_ns };
-    give_row(usb_thread, entry);
+    /* The row may have belonged to the lost controller of another entry. The other entry then gets
+     * a new row later. */
+    entry->row = usb_device_table_enter(&usb_thread->rows, &entry->device.face.identity,
+                                        entry->device.verdict == USB_BARRED);
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        if (&usb_thread->entry[i] != entry && usb_thread->entry[i].row == entry->row) {
+            usb_thread->entry[i].row = USB_INDEX_NONE;
+        }
+    }
+    usb_thread->rows_changed = 1;
 }
 
 /* Compares the bus with the table. Missing devices are removed before new devices are added, so
@@ -129,7 +129,7 @@ static void compare(struct usb_event_thread *usb_thread)
  * change. */
 void usb_event_thread_compare(struct usb_event_thread *usb_thread)
 {
-    const uint64_t now_ns = usb_event_thread_now_ns(usb_thread);
+    const uint64_t now_ns = hal_now_ns(usb_thread->clock);
     if (usb_thread->bus_changed) {
         usb_thread->bus_changed = 0;
         usb_thread->settled_ns = now_ns + SETTLE_NS;
@@ -143,22 +143,6 @@ void usb_event_thread_compare(struct usb_event_thread *usb_thread)
 }
 
 /* ---- Commands of the operator --------------------------------------------------------------- */
-
-/* Releases the slot and the row that were kept for a lost controller. */
-static void usb_event_thread_bus_release(struct usb_event_thread *usb_thread,
-                                         const struct hid_identity *identity)
-{
-    const uint32_t row = device_table_find(&usb_thread->rows, identity);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (usb_thread->place[i].was_taken && !usb_thread->place[i].is_taken &&
-            usb_choice_similarity(&usb_thread->place[i].identity, identity) >= 2u) {
-            usb_thread->place[i].was_taken = 0;
-        }
-    }
-    if (row < CONTROLLER_MAX && usb_thread->rows.row[row].state == CONTROLLER_LOST) {
-        device_table_clear(&usb_thread->rows, row);
-    }
-}
 
 /* Stores the rules. A file that could not be read is not overwritten, because it contains other
  * rules. */
@@ -180,6 +164,7 @@ static void keep_choices(struct usb_event_thread *usb_thread)
  * product, but devices that already play continue to play. */
 static void obey(struct usb_event_thread *usb_thread, const struct usb_command *order)
 {
+    CORE_ASSERT(order->plays <= 1);
     const struct usb_key key = usb_key_of(&order->identity);
     usb_choice_request(&usb_thread->choice, &key, order->plays, 1);
     keep_choices(usb_thread);
@@ -195,11 +180,22 @@ static void obey(struct usb_event_thread *usb_thread, const struct usb_command *
             usb_event_thread_update_row(usb_thread, entry, CONTROLLER_FREE);
         }
         entry->due_ns =
-            entry->link == USB_INDEX_NONE ? usb_event_thread_now_ns(usb_thread) : entry->due_ns;
+            entry->link == USB_INDEX_NONE ? hal_now_ns(usb_thread->clock) : entry->due_ns;
         entry->failures = 0;
     }
     if (!order->plays) {
-        usb_event_thread_bus_release(usb_thread, &order->identity);
+        /* The slot and the row that were kept for a lost controller are released. */
+        const uint32_t row = usb_device_table_find(&usb_thread->rows, &order->identity);
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            struct usb_place *place = &usb_thread->place[i];
+            if (place->was_taken && !place->is_taken &&
+                usb_choice_similarity(&place->identity, &order->identity) >= 2u) {
+                place->was_taken = 0;
+            }
+        }
+        if (row < CONTROLLER_MAX && usb_thread->rows.row[row].state == CONTROLLER_LOST) {
+            usb_device_table_clear(&usb_thread->rows, row);
+        }
     }
     usb_thread->rows_changed = 1;
 }
@@ -214,8 +210,16 @@ void usb_event_thread_handle_commands(struct usb_event_thread *usb_thread)
 
 /* ---- Messages for the operator -------------------------------------------------------------- */
 
+/* Returns 1 if the operator must correct the fault, otherwise 0. An unplugged device needs no
+ * correction. */
+static int is_in_the_way(const struct usb_device_entry *entry)
+{
+    return entry->trouble != USB_FINE && entry->trouble != USB_AWAY;
+}
+
 static void write_trouble(const struct usb_device_entry *entry, char text[HAL_TEXT_SIZE])
 {
+    CORE_ASSERT(is_in_the_way(entry));
     const struct hid_identity *who = &entry->device.face.identity;
     static const char *const remedies[] = {
         [USB_DENIED] = "may not be opened: install board/udev/70-kingyo.rules "
@@ -227,16 +231,10 @@ static void write_trouble(const struct usb_device_entry *entry, char text[HAL_TE
              who->port, remedies[entry->trouble]);
 }
 
-/* Returns 1 if the operator must correct the fault, otherwise 0. An unplugged device needs no
- * correction. */
-static int is_in_the_way(const struct usb_device_entry *entry)
-{
-    return entry->trouble != USB_FINE && entry->trouble != USB_AWAY;
-}
-
 void usb_event_thread_report_fault(struct usb_event_thread *usb_thread,
                                    struct usb_device_entry *entry)
 {
+    CORE_ASSERT(entry->trouble <= USB_AWAY);
     char text[HAL_TEXT_SIZE];
     if (usb_thread->tell && is_in_the_way(entry) && entry->trouble != entry->told_trouble) {
         write_trouble(entry, text);
@@ -245,26 +243,22 @@ void usb_event_thread_report_fault(struct usb_event_thread *usb_thread,
     entry->told_trouble = entry->trouble;
 }
 
-static void tell_count(const struct usb_event_thread *usb_thread, char text[HAL_TEXT_SIZE])
-{
-    uint32_t here = 0, playing = 0;
-    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
-        const struct usb_device_entry *entry = &usb_thread->entry[i];
-        here += entry->device.device && entry->device.verdict != USB_BARRED;
-        playing += entry->device.device && entry->link != USB_INDEX_NONE;
-    }
-    snprintf(text, HAL_TEXT_SIZE, "libusb: %u controller%s, %u of them play%s", here,
-             here == 1 ? "" : "s", playing,
-             usb_thread->has_hotplug ? "" : "; no hot-plug, looked for once a second");
-}
-
 void usb_event_thread_publish(struct usb_event_thread *usb_thread)
 {
     if (!usb_thread->rows_changed) {
         return;
     }
     usb_thread->rows_changed = 0;
-    tell_count(usb_thread, usb_thread->rows.text);
+    uint32_t here = 0, playing = 0;
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        const struct usb_device_entry *entry = &usb_thread->entry[i];
+        here += entry->device.device && entry->device.verdict != USB_BARRED;
+        playing += entry->device.device && entry->link != USB_INDEX_NONE;
+    }
+    CORE_ASSERT(playing <= POI_MAX);
+    snprintf(usb_thread->rows.text, sizeof usb_thread->rows.text,
+             "libusb: %u controller%s, %u of them play%s", here, here == 1 ? "" : "s", playing,
+             usb_thread->has_hotplug ? "" : "; no hot-plug, looked for once a second");
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         if (usb_thread->entry[i].device.device && is_in_the_way(&usb_thread->entry[i])) {
             write_trouble(&usb_thread->entry[i], usb_thread->rows.text);

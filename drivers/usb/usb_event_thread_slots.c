@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "drivers/usb/usb_event_thread.h"
 
 #define NS_PER_S 1000000000ull
@@ -33,9 +34,10 @@ static struct usb_evaluation judge_of(struct usb_event_thread *usb_thread)
 void usb_event_thread_update_row(struct usb_event_thread *usb_thread,
                                  struct usb_device_entry *entry, uint8_t state)
 {
+    CORE_ASSERT(entry->device.device);
     if (entry->row >= CONTROLLER_MAX) { /* No row was free when the device was added. */
-        entry->row = device_table_enter(&usb_thread->rows, &entry->device.face.identity,
-                                        state == CONTROLLER_UNSUPPORTED);
+        entry->row = usb_device_table_enter(&usb_thread->rows, &entry->device.face.identity,
+                                            state == CONTROLLER_UNSUPPORTED);
     }
     if (entry->row < CONTROLLER_MAX) {
         struct hid_row *row = &usb_thread->rows.row[entry->row];
@@ -54,63 +56,38 @@ void usb_event_thread_detach(struct usb_event_thread *usb_thread, struct usb_dev
     if (entry->link == USB_INDEX_NONE) {
         return;
     }
+    CORE_ASSERT(entry->link < USB_LINK_MAX);
+    CORE_ASSERT(entry->seat < POI_MAX);
     usb_transfers_drain(&usb_thread->link[entry->link], is_gone);
     usb_thread->place[entry->seat].is_taken = 0;
-    usb_thread->lost_ns[entry->seat] = usb_event_thread_now_ns(usb_thread);
+    usb_thread->lost_ns[entry->seat] = hal_now_ns(usb_thread->clock);
     usb_event_thread_update_row(usb_thread, entry, CONTROLLER_LOST);
     entry->drains = entry->link;
     entry->link = entry->seat = USB_INDEX_NONE;
-    entry->due_ns = usb_event_thread_now_ns(usb_thread) + SOON_NS;
-}
-
-static uint32_t find_seat(struct usb_event_thread *usb_thread, const struct hid_identity *identity)
-{
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        usb_thread->place[i].is_held =
-            usb_event_thread_now_ns(usb_thread) - usb_thread->lost_ns[i] < HOLD_NS;
-    }
-    return usb_choice_slot(usb_thread->place, identity);
-}
-
-static uint32_t find_link(const struct usb_event_thread *usb_thread)
-{
-    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
-        if (usb_thread->link[i].state == USB_TRANSFERS_NONE) {
-            return i;
-        }
-    }
-    return USB_INDEX_NONE;
-}
-
-/* Clears the row of the lost controller that had the slot `seat`, if a different controller gets
- * the slot. */
-static void forget_former(struct usb_event_thread *usb_thread, const struct usb_device_entry *entry,
-                          uint32_t seat)
-{
-    const struct usb_place *place = &usb_thread->place[seat];
-    const uint32_t row =
-        place->was_taken ? device_table_find(&usb_thread->rows, &place->identity) : CONTROLLER_MAX;
-    if (row < CONTROLLER_MAX && row != entry->row &&
-        usb_thread->rows.row[row].state == CONTROLLER_LOST) {
-        device_table_clear(&usb_thread->rows, row);
-    }
-}
-
-/* Detaches all links that are still closing from the slot `seat`. */
-static void clear_seat(struct usb_event_thread *usb_thread, uint32_t seat)
-{
-    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
-        if (usb_thread->link[i].seat == &usb_thread->seat[seat]) {
-            usb_transfers_detach(&usb_thread->link[i]);
-        }
-    }
+    entry->due_ns = hal_now_ns(usb_thread->clock) + SOON_NS;
 }
 
 static void seat_it(struct usb_event_thread *usb_thread, struct usb_device_entry *entry,
                     libusb_device_handle *handle, uint32_t seat, uint32_t link)
 {
-    forget_former(usb_thread, entry, seat);
-    clear_seat(usb_thread, seat);
+    CORE_ASSERT(seat < POI_MAX);
+    CORE_ASSERT(link < USB_LINK_MAX);
+    CORE_ASSERT(entry->link == USB_INDEX_NONE);
+    CORE_ASSERT(usb_thread->link[link].state == USB_TRANSFERS_NONE);
+    const struct usb_place *place = &usb_thread->place[seat];
+    const uint32_t row = place->was_taken
+                             ? usb_device_table_find(&usb_thread->rows, &place->identity)
+                             : CONTROLLER_MAX;
+    if (row < CONTROLLER_MAX && row != entry->row &&
+        usb_thread->rows.row[row].state == CONTROLLER_LOST) {
+        /* A different controller gets the slot, so the row of the lost controller is cleared. */
+        usb_device_table_clear(&usb_thread->rows, row);
+    }
+    for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
+        if (usb_thread->link[i].seat == &usb_thread->seat[seat]) {
+            usb_transfers_detach(&usb_thread->link[i]); /* The link is still closing. */
+        }
+    }
     usb_thread->place[seat] = (struct usb_place){ .was_taken = 1,
                                                   .is_taken = 1,
                                                   .identity = entry->device.face.identity };
@@ -124,39 +101,24 @@ static void seat_it(struct usb_event_thread *usb_thread, struct usb_device_entry
 
 /* ---- Examining and opening of devices ------------------------------------------------------- */
 
-/* Returns 1 if the controller had a slot and was lost, otherwise 0. */
-static int was_here(const struct usb_event_thread *usb_thread, const struct usb_device_entry *entry)
-{
-    return entry->row < CONTROLLER_MAX && usb_thread->rows.row[entry->row].state == CONTROLLER_LOST;
-}
-
-static uint64_t retry_ns(const struct usb_device_entry *entry)
-{
-    const uint32_t doublings = entry->failures > 0u ? entry->failures - 1u : 0u;
-    const uint64_t wait_ns = RETRY_NS << doublings;
-    return wait_ns < RETRY_NS_MAX ? wait_ns : RETRY_NS_MAX;
-}
-
-static void say_trouble(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
-{
-    usb_event_thread_report_fault(usb_thread, entry);
-    const int is_denied = entry->trouble == USB_DENIED || entry->trouble == USB_HELD;
-    usb_event_thread_update_row(usb_thread, entry,
-                                (uint8_t)(is_denied                     ? CONTROLLER_DENIED
-                                          : was_here(usb_thread, entry) ? CONTROLLER_LOST
-                                                                        : CONTROLLER_FREE));
-    entry->due_ns = usb_event_thread_now_ns(usb_thread) + retry_ns(entry);
-}
-
 static void open_it(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
+    CORE_ASSERT(entry->link == USB_INDEX_NONE);
+    CORE_ASSERT(entry->failures <= FAILURES_MAX);
     const struct usb_evaluation judge = judge_of(usb_thread);
-    const uint32_t seat = find_seat(usb_thread, &entry->device.face.identity);
-    const uint32_t link = find_link(usb_thread);
+    const uint64_t now_ns = hal_now_ns(usb_thread->clock);
     libusb_device_handle *handle;
-    if (seat >= POI_MAX || link == USB_INDEX_NONE) {
+    uint32_t link = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        usb_thread->place[i].is_held = now_ns - usb_thread->lost_ns[i] < HOLD_NS;
+    }
+    const uint32_t seat = usb_choice_slot(usb_thread->place, &entry->device.face.identity);
+    while (link < USB_LINK_MAX && usb_thread->link[link].state != USB_TRANSFERS_NONE) {
+        link++;
+    }
+    if (seat >= POI_MAX || link == USB_LINK_MAX) {
         usb_event_thread_update_row(usb_thread, entry, CONTROLLER_FREE);
-        entry->due_ns = usb_event_thread_now_ns(usb_thread) + RETRY_NS;
+        entry->due_ns = hal_now_ns(usb_thread->clock) + RETRY_NS;
         return;
     }
     entry->trouble = (uint8_t)usb_device_open(&entry->device, &judge, &handle);
@@ -167,30 +129,35 @@ static void open_it(struct usb_event_thread *usb_thread, struct usb_device_entry
         entry->told_trouble = USB_FINE;
         seat_it(usb_thread, entry, handle, seat, link);
     } else if (entry->trouble != USB_FINE) {
-        say_trouble(usb_thread, entry);
+        const int is_denied = entry->trouble == USB_DENIED || entry->trouble == USB_HELD;
+        const int was_lost = entry->row < CONTROLLER_MAX &&
+                             usb_thread->rows.row[entry->row].state == CONTROLLER_LOST;
+        const uint64_t wait_ns = RETRY_NS << (entry->failures > 0u ? entry->failures - 1u : 0u);
+        usb_event_thread_report_fault(usb_thread, entry);
+        usb_event_thread_update_row(usb_thread, entry,
+                                    (uint8_t)(is_denied  ? CONTROLLER_DENIED
+                                              : was_lost ? CONTROLLER_LOST
+                                                         : CONTROLLER_FREE));
+        entry->due_ns =
+            hal_now_ns(usb_thread->clock) + (wait_ns < RETRY_NS_MAX ? wait_ns : RETRY_NS_MAX);
     } else {
         /* The report descriptor shows that the controller may not play, so the device is examined
          * again. */
-        entry->due_ns = usb_event_thread_now_ns(usb_thread);
+        entry->due_ns = hal_now_ns(usb_thread->clock);
     }
-}
-
-/* Returns the time at which the device is examined again. /sys has no report descriptor until a
- * kernel driver binds the device. After SETTLE_NS no driver is expected to bind the device. */
-static uint64_t next_look_ns(const struct usb_event_thread *usb_thread,
-                             const struct usb_device_entry *entry)
-{
-    const uint64_t now_ns = usb_event_thread_now_ns(usb_thread);
-    return entry->device.kind == USB_KIND_UNKNOWN && now_ns - entry->met_ns < SETTLE_NS
-               ? now_ns + SOON_NS
-               : UINT64_MAX;
 }
 
 static void look_at(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
+    CORE_ASSERT(entry->device.device);
     const struct usb_evaluation judge = judge_of(usb_thread);
     usb_device_refresh(&entry->device, &judge);
-    entry->due_ns = next_look_ns(usb_thread, entry);
+    /* /sys has no report descriptor until a kernel driver binds the device. After SETTLE_NS no
+     * driver is expected to bind the device. */
+    const uint64_t now_ns = hal_now_ns(usb_thread->clock);
+    const int is_unknown = entry->device.kind == USB_KIND_UNKNOWN;
+    entry->due_ns =
+        is_unknown && now_ns - entry->met_ns < SETTLE_NS ? now_ns + SOON_NS : UINT64_MAX;
     if (entry->device.verdict <= USB_FREE) {
         entry->trouble = entry->told_trouble = USB_FINE;
     }
@@ -211,6 +178,7 @@ static void look_at(struct usb_event_thread *usb_thread, struct usb_device_entry
 static int is_draining(const struct usb_event_thread *usb_thread,
                        const struct usb_device_entry *entry)
 {
+    CORE_ASSERT(entry->drains == USB_INDEX_NONE || entry->drains < USB_LINK_MAX);
     return entry->drains != USB_INDEX_NONE &&
            usb_thread->link[entry->drains].state == USB_TRANSFERS_DRAINING;
 }
@@ -219,6 +187,7 @@ static int is_draining(const struct usb_event_thread *usb_thread,
  * returned. */
 static void unseat_link(struct usb_event_thread *usb_thread, uint32_t link)
 {
+    CORE_ASSERT(link < USB_LINK_MAX);
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         struct usb_device_entry *entry = &usb_thread->entry[i];
         if (entry->device.device && entry->link == link) {
@@ -238,7 +207,7 @@ void usb_event_thread_service(struct usb_event_thread *usb_thread)
         if (entry->link != USB_INDEX_NONE) {
             usb_transfers_send(&usb_thread->link[entry->link]);
         } else if (!is_draining(usb_thread, entry) &&
-                   usb_event_thread_now_ns(usb_thread) >= entry->due_ns) {
+                   hal_now_ns(usb_thread->clock) >= entry->due_ns) {
             look_at(usb_thread, entry);
         }
     }

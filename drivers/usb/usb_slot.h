@@ -1,4 +1,5 @@
-/* usb_slot.h -- one slot for a USB controller, shared between the event thread and the frame loop.
+/* usb_slot.h -- one slot for a USB controller, shared between the event thread and the frame loop,
+ * with the lock-free queue of its reports.
  *
  * The event thread attaches a controller, delivers its reports and detaches it. The frame loop uses
  * the slot as a struct hid_port. Each attachment has a generation number, so that a report of one
@@ -10,8 +11,66 @@
 #include <stdint.h>
 
 #include "drivers/hid/hid_port.h"
-#include "drivers/usb/report_ring.h"
 #include "drivers/usb/triple_buffer.h"
+
+/* ---- Report queue ---------------------------------------------------------------------------- */
+
+/* The event thread writes to the queue and the frame loop reads. When the queue is full, the newest
+ * report is kept in a separate late buffer. The reader receives the late report after all older
+ * reports. Other reports that do not fit are lost and counted. The generation number of a report
+ * identifies the connection of the controller that sent it. */
+
+/* Size of a cache line in bytes. Each thread writes to its own cache lines. */
+#define USB_RING_LINE_SIZE 64u
+
+struct usb_ring_slot {
+    uint32_t generation;
+    /* Sequence number of the report. Lost reports are numbered too. The number wraps at 2^32. */
+    uint32_t number;
+    struct hid_raw raw;
+};
+
+struct usb_ring {
+    _Alignas(USB_RING_LINE_SIZE)
+        atomic_uint pushed; /* `pushed` is the number of reports that were added to the queue.
+                               `taken` is the number of reports that were removed. Both counters
+                               wrap at 2^32. */
+    atomic_uint lost;
+    uint32_t next_number; /* Number of the next report; used only by the writer. */
+    _Alignas(USB_RING_LINE_SIZE) atomic_uint taken;
+    /* `has_late` is 1 if `late` contains an unread report. `is_late` is 1 if usb_ring_peek()
+     * returned the report in `late`. Only the reader uses these flags. */
+    uint8_t has_late, is_late;
+    /* Triple buffer for `late`, which holds the newest report while the queue is full. */
+    _Alignas(USB_RING_LINE_SIZE) struct triple_buffer mail;
+    struct usb_ring_slot late[TRIPLE_BUFFER_SLOTS];
+    _Alignas(USB_RING_LINE_SIZE) struct usb_ring_slot slot[HID_REPORTS_MAX];
+};
+
+/* Initializes an empty queue. Must be called before a thread uses the queue. */
+void usb_ring_init(struct usb_ring *ring);
+
+/* Copies a report of `size` bytes (1 to HID_REPORT_MAX) into the queue. Called only by the writer.
+ * Returns 1 if the report was queued. Returns 0 if the queue is full. The report is then kept in
+ * the late buffer until the next report that does not fit replaces it. */
+int usb_ring_push(struct usb_ring *ring, uint32_t generation, uint64_t time_ns,
+                  const uint8_t *bytes, uint32_t size);
+
+/* Counts one more lost report. Called only by the writer. */
+void usb_ring_lose(struct usb_ring *ring);
+
+/* Returns the oldest report, which stays valid until usb_ring_drop(), or null if there is no
+ * report. Called only by the reader. */
+const struct usb_ring_slot *usb_ring_peek(struct usb_ring *ring);
+
+/* Removes the report that usb_ring_peek() returned last. Called only by the reader. */
+void usb_ring_drop(struct usb_ring *ring);
+
+/* Returns the number of reports lost since usb_ring_init(). The writer and the reader may call
+ * this function. */
+uint32_t usb_ring_lost(const struct usb_ring *ring);
+
+/* ---- Slot ------------------------------------------------------------------------------------ */
 
 /* State of the slot's output report. */
 enum usb_outgoing {
@@ -27,7 +86,7 @@ struct usb_attachment {
 
 struct usb_slot {
     /* The event thread and the frame loop share the fields from `ring` to `out_bytes`. */
-    struct report_ring ring;
+    struct usb_ring ring;
     atomic_uint generation; /* Number that increases with each attach and each detach. It is odd
                                while a controller is attached. */
     struct triple_buffer mail;

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "core/base/printable.h"
 
 #define PATH_SIZE 512u
@@ -17,6 +18,7 @@
  * read. */
 static uint32_t usb_sysfs_read_file(const char *path, void *out, uint32_t size)
 {
+    CORE_ASSERT(size > 0);
     const int fd = open(path, O_RDONLY | O_CLOEXEC);
     if (fd < 0) {
         return 0u;
@@ -33,9 +35,14 @@ static uint32_t usb_sysfs_read_file(const char *path, void *out, uint32_t size)
     return count;
 }
 
-/* Removes the last UTF-8 character if it is incomplete. */
-static void drop_cut_character(char *text, size_t length)
+void usb_sysfs_clean_text(char text[HID_TEXT_SIZE])
 {
+    size_t length = strnlen(text, HID_TEXT_SIZE - 1u);
+    text[length] = '\0';
+    while (length > 0 && (text[length - 1u] == ' ' || text[length - 1u] == '\n')) {
+        text[--length] = '\0';
+    }
+    /* The last UTF-8 character is removed if it is incomplete. */
     size_t lead = length;
     while (lead > 0 && length - lead < 3u && ((unsigned char)text[lead - 1u] & 0xc0u) == 0x80u) {
         lead--;
@@ -44,21 +51,12 @@ static void drop_cut_character(char *text, size_t length)
         printable_utf8_size(text + lead - 1u) == 0u) {
         text[lead - 1u] = '\0';
     }
-}
-
-void usb_sysfs_clean_text(char text[HID_TEXT_SIZE])
-{
-    size_t length = strnlen(text, HID_TEXT_SIZE - 1u);
-    text[length] = '\0';
-    while (length > 0 && (text[length - 1u] == ' ' || text[length - 1u] == '\n')) {
-        text[--length] = '\0';
-    }
-    drop_cut_character(text, length);
     printable(text);
 }
 
 void usb_sysfs_text(const char *root, const char *port, const char *name, char out[HID_TEXT_SIZE])
 {
+    CORE_ASSERT(root && port && name);
     char path[PATH_SIZE];
     snprintf(path, sizeof path, "%s/bus/usb/devices/%s/%s", root, port, name);
     const uint32_t size = usb_sysfs_read_file(path, out, HID_TEXT_SIZE - 1u);
@@ -66,21 +64,11 @@ void usb_sysfs_text(const char *root, const char *port, const char *name, char o
     usb_sysfs_clean_text(out);
 }
 
-/* Removes the last component of a path. Returns 1, or 0 if no component is left to remove. */
-static int climb(char *path)
-{
-    char *slash = strrchr(path, '/');
-    if (!slash || slash == path) {
-        return 0;
-    }
-    *slash = '\0';
-    return 1;
-}
-
 /* Finds the folder of the USB device: the first folder above the node that contains a file
  * idVendor. */
 void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT_SIZE])
 {
+    CORE_ASSERT(root && node);
     char link[PATH_SIZE], folder[PATH_MAX], path[PATH_MAX + 16u];
     const char *slash = strrchr(node, '/');
     const char *name = slash ? slash + 1 : node;
@@ -90,7 +78,9 @@ void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT
     if (!name[0] || !realpath(link, folder)) {
         return;
     }
-    while (climb(folder)) {
+    char *last;
+    while ((last = strrchr(folder, '/')) != NULL && last != folder) {
+        *last = '\0'; /* The folder above is examined next. */
         snprintf(path, sizeof path, "%s/idVendor", folder);
         if (access(path, F_OK) == 0) {
             snprintf(path, sizeof path, "%s/serial", folder);
@@ -101,17 +91,10 @@ void usb_sysfs_node_serial(const char *root, const char *node, char out[HID_TEXT
     }
 }
 
-/* Returns 1 if `name` is a folder of a USB HID device, otherwise 0. The name has the form
- * BUS:VENDOR:PRODUCT.NUMBER, and the bus of USB is 0003. */
-static int is_hid_folder(const char *name)
-{
-    return strlen(name) == 19u && strncmp(name, "0003:", 5u) == 0 && name[9] == ':' &&
-           name[14] == '.';
-}
-
 uint32_t usb_sysfs_descriptor(const char *root, const char *port, uint8_t configuration,
                               uint8_t interface_number, uint8_t out[HID_DESCRIPTOR_MAX])
 {
+    CORE_ASSERT(root && port);
     char folder[PATH_SIZE], path[PATH_SIZE + 64u];
     const struct dirent *entry;
     uint32_t size = 0;
@@ -119,8 +102,12 @@ uint32_t usb_sysfs_descriptor(const char *root, const char *port, uint8_t config
              interface_number);
     DIR *dir = opendir(folder);
     while (dir && size == 0u && (entry = readdir(dir))) {
-        if (is_hid_folder(entry->d_name)) {
-            snprintf(path, sizeof path, "%s/%.32s/report_descriptor", folder, entry->d_name);
+        /* The name of a HID device's folder is BUS:VENDOR:PRODUCT.NUMBER, and the bus of USB is
+         * 0003. */
+        const char *name = entry->d_name;
+        if (strlen(name) == 19u && strncmp(name, "0003:", 5u) == 0 && name[9] == ':' &&
+            name[14] == '.') {
+            snprintf(path, sizeof path, "%s/%.32s/report_descriptor", folder, name);
             size = usb_sysfs_read_file(path, out, HID_DESCRIPTOR_MAX);
         }
     }

@@ -1,38 +1,34 @@
-/* usb_transfers.c -- submits and completes the transfers of one controller. */
+/* usb_transfers.c -- submits and completes the transfers of one controller, and sends its output
+ * reports, such as force feedback. */
 #include "drivers/usb/usb_transfers.h"
 
 #include <string.h>
 
+#include "core/base/panic.h"
+
 /* Delay after an error before transfers are submitted again; longer than a glitch on the cable. */
 #define RETRY_NS 10000000ull
 
-static uint64_t usb_transfers_now_ns(const struct usb_transfers *link)
-{
-    return link->clock.ops->now_ns(link->clock.self);
-}
-
 /* ---- Allocation of transfers ---------------------------------------------------------------- */
-
-static int init_flight(struct usb_transfer_slot *transfer_slot, struct usb_transfers *link)
-{
-    transfer_slot->link = link;
-    transfer_slot->transfer = libusb_alloc_transfer(0);
-    return transfer_slot->transfer ? 0 : -1;
-}
 
 int usb_transfers_init(struct usb_transfers *link, struct hal_clock clock)
 {
     memset(link, 0, sizeof *link);
     link->clock = clock;
-    int error = init_flight(&link->out, link);
-    for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT; i++) {
-        error |= init_flight(&link->in[i], link);
+    int error = 0;
+    for (uint32_t i = 0; i <= USB_IN_TRANSFER_COUNT; i++) {
+        struct usb_transfer_slot *transfer_slot =
+            i < USB_IN_TRANSFER_COUNT ? &link->in[i] : &link->out;
+        transfer_slot->link = link;
+        transfer_slot->transfer = libusb_alloc_transfer(0);
+        error = transfer_slot->transfer ? error : -1;
     }
     return error;
 }
 
 void usb_transfers_free(struct usb_transfers *link)
 {
+    CORE_ASSERT(link->state == USB_TRANSFERS_NONE);
     libusb_free_transfer(link->out.transfer);
     for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT; i++) {
         libusb_free_transfer(link->in[i].transfer);
@@ -50,11 +46,13 @@ static void note_error(struct usb_transfers *link, int error)
         return;
     }
     link->error_count++;
-    link->retry_ns = usb_transfers_now_ns(link) + RETRY_NS;
+    link->retry_ns = hal_now_ns(link->clock) + RETRY_NS;
 }
 
 static void submit(struct usb_transfer_slot *transfer_slot)
 {
+    CORE_ASSERT(!transfer_slot->is_submitted);
+    CORE_ASSERT(transfer_slot->link->state == USB_TRANSFERS_LIVE);
     const int error = libusb_submit_transfer(transfer_slot->transfer);
     transfer_slot->is_submitted = error == LIBUSB_SUCCESS;
     transfer_slot->is_due = error != LIBUSB_SUCCESS;
@@ -70,13 +68,12 @@ static int read_status(struct usb_transfers *link, const struct libusb_transfer 
     switch (transfer->status) {
     case LIBUSB_TRANSFER_COMPLETED:
         link->error_count = 0;
-        usb_slot_report(link->seat, usb_transfers_now_ns(link), transfer->buffer,
+        usb_slot_report(link->seat, hal_now_ns(link->clock), transfer->buffer,
                         (uint32_t)transfer->actual_length);
         return 1;
     case LIBUSB_TRANSFER_OVERFLOW: /* The device sent more bytes than it declared; the report is
                                       lost. */
-        usb_slot_report(link->seat, usb_transfers_now_ns(link), transfer->buffer,
-                        HID_REPORT_MAX + 1u);
+        usb_slot_report(link->seat, hal_now_ns(link->clock), transfer->buffer, HID_REPORT_MAX + 1u);
         note_error(link, LIBUSB_ERROR_OVERFLOW);
         return 0;
     case LIBUSB_TRANSFER_NO_DEVICE:
@@ -94,23 +91,19 @@ static int read_status(struct usb_transfers *link, const struct libusb_transfer 
     }
 }
 
-/* Queues the report of a transfer that completed while the link was closing. Cancelled transfers
- * contain no report. */
-static void take_last(struct usb_transfers *link, const struct libusb_transfer *transfer)
-{
-    if (transfer->status == LIBUSB_TRANSFER_COMPLETED && !link->has_left) {
-        usb_slot_report(link->seat, usb_transfers_now_ns(link), transfer->buffer,
-                        (uint32_t)transfer->actual_length);
-    }
-}
-
 static void LIBUSB_CALL on_report(struct libusb_transfer *transfer)
 {
+    CORE_ASSERT(transfer->user_data);
     struct usb_transfer_slot *transfer_slot = transfer->user_data;
     struct usb_transfers *link = transfer_slot->link;
     transfer_slot->is_submitted = 0;
     if (link->state != USB_TRANSFERS_LIVE) {
-        take_last(link, transfer);
+        /* The report of a transfer that completed while the link was closing is queued. Cancelled
+         * transfers contain no report. */
+        if (transfer->status == LIBUSB_TRANSFER_COMPLETED && !link->has_left) {
+            usb_slot_report(link->seat, hal_now_ns(link->clock), transfer->buffer,
+                            (uint32_t)transfer->actual_length);
+        }
         return;
     }
     if (read_status(link, transfer) && !link->is_gone) {
@@ -120,21 +113,18 @@ static void LIBUSB_CALL on_report(struct libusb_transfer *transfer)
     }
 }
 
-/* Returns the size of an input transfer. The size is a multiple of the packet size, so that no
- * packet overflows. A transfer holds at most one report, so that no report waits for the next
- * report. */
-static int transfer_size(const struct usb_pipe *pipe)
-{
-    const uint32_t packet = pipe->in_packet_size;
-    const uint32_t packets =
-        pipe->report_size_max ? (pipe->report_size_max + packet - 1u) / packet : 1u;
-    const uint32_t size = packets * packet;
-    return (int)(size <= USB_TRANSFER_MAX ? size : USB_TRANSFER_MAX / packet * packet);
-}
-
 void usb_transfers_begin(struct usb_transfers *link, libusb_device_handle *handle,
                          const struct usb_pipe *pipe, struct usb_slot *seat)
 {
+    /* The size of an input transfer is a multiple of the packet size, so that no packet overflows.
+     * A transfer holds at most one report, so that no report waits for the next report. */
+    const uint32_t packet = pipe->in_packet_size;
+    CORE_ASSERT(link->state == USB_TRANSFERS_NONE);
+    CORE_ASSERT(packet >= 1 && packet <= USB_TRANSFER_MAX);
+    const uint32_t packets =
+        pipe->report_size_max ? (pipe->report_size_max + packet - 1u) / packet : 1u;
+    const uint32_t size = packets <= USB_TRANSFER_MAX / packet ? packets * packet
+                                                               : USB_TRANSFER_MAX / packet * packet;
     link->state = USB_TRANSFERS_LIVE;
     link->is_gone = link->has_halted = link->has_left = 0;
     link->error_count = 0;
@@ -145,8 +135,8 @@ void usb_transfers_begin(struct usb_transfers *link, libusb_device_handle *handl
     for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT; i++) {
         struct usb_transfer_slot *transfer_slot = &link->in[i];
         libusb_fill_interrupt_transfer(transfer_slot->transfer, handle, pipe->in_endpoint,
-                                       transfer_slot->buffer, transfer_size(pipe), on_report,
-                                       transfer_slot, 0);
+                                       transfer_slot->buffer, (int)size, on_report, transfer_slot,
+                                       0);
         submit(transfer_slot);
     }
 }
@@ -170,7 +160,7 @@ void usb_transfers_drain(struct usb_transfers *link, int is_gone)
     }
     link->state = USB_TRANSFERS_DRAINING;
     link->is_gone |= is_gone != 0;
-    link->leave_ns = usb_transfers_now_ns(link) + USB_DETACH_MS * 1000000ull;
+    link->leave_ns = hal_now_ns(link->clock) + USB_DETACH_MS * 1000000ull;
     for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT; i++) {
         cancel(&link->in[i]);
     }
@@ -179,6 +169,7 @@ void usb_transfers_drain(struct usb_transfers *link, int is_gone)
 
 void usb_transfers_detach(struct usb_transfers *link)
 {
+    CORE_ASSERT(link->state <= USB_TRANSFERS_DRAINING);
     if (link->state == USB_TRANSFERS_DRAINING && !link->has_left) {
         link->has_left = 1;
         usb_slot_detach(link->seat);
@@ -194,19 +185,12 @@ static int is_submitted(const struct usb_transfers *link)
     return flying;
 }
 
-/* Closes the device. Releasing the interface attaches the kernel driver again if there is one. */
-static void close_link(struct usb_transfers *link)
-{
-    libusb_release_interface(link->handle, link->pipe.interface_number);
-    libusb_close(link->handle);
-    link->handle = NULL;
-    link->state = USB_TRANSFERS_NONE;
-}
-
 /* Clears the halt of the input endpoint. If some input transfers have not returned yet, cancels
  * them and returns 0. Otherwise clears the halt and returns 1. */
 static int clear_halt(struct usb_transfers *link)
 {
+    CORE_ASSERT(link->has_halted);
+    CORE_ASSERT(link->state == USB_TRANSFERS_LIVE);
     int flying = 0;
     for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT; i++) {
         flying |= link->in[i].is_submitted;
@@ -224,18 +208,6 @@ static int clear_halt(struct usb_transfers *link)
     return 1;
 }
 
-static void submit_again(struct usb_transfers *link)
-{
-    if (link->has_halted && !clear_halt(link)) {
-        return;
-    }
-    for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT && !link->is_gone; i++) {
-        if (link->in[i].is_due) {
-            submit(&link->in[i]);
-        }
-    }
-}
-
 static int is_due(const struct usb_transfers *link)
 {
     int due = 0;
@@ -245,23 +217,23 @@ static int is_due(const struct usb_transfers *link)
     return due;
 }
 
-/* Continues closing a link. The slot is detached before the device is closed, because closing can
- * take a long time. */
-static void tend_draining(struct usb_transfers *link)
-{
-    const int flying = is_submitted(link);
-    if (!flying || usb_transfers_now_ns(link) >= link->leave_ns) {
-        usb_transfers_detach(link);
-    }
-    if (!flying) {
-        close_link(link);
-    }
-}
-
 int usb_transfers_service(struct usb_transfers *link)
 {
+    CORE_ASSERT(link->state == USB_TRANSFERS_NONE || link->handle);
     if (link->state == USB_TRANSFERS_DRAINING) {
-        tend_draining(link);
+        /* The slot is detached before the device is closed, because closing can take a long
+         * time. */
+        const int flying = is_submitted(link);
+        if (!flying || hal_now_ns(link->clock) >= link->leave_ns) {
+            usb_transfers_detach(link);
+        }
+        if (!flying) {
+            /* Releasing the interface attaches the kernel driver again if there is one. */
+            libusb_release_interface(link->handle, link->pipe.interface_number);
+            libusb_close(link->handle);
+            link->handle = NULL;
+            link->state = USB_TRANSFERS_NONE;
+        }
     }
     if (link->state != USB_TRANSFERS_LIVE) {
         return 0;
@@ -269,8 +241,13 @@ int usb_transfers_service(struct usb_transfers *link)
     if (link->is_gone || link->error_count >= USB_ERRORS_MAX) {
         return 1;
     }
-    if (is_due(link) && usb_transfers_now_ns(link) >= link->retry_ns) {
-        submit_again(link);
+    if (is_due(link) && hal_now_ns(link->clock) >= link->retry_ns) {
+        const int is_clear = !link->has_halted || clear_halt(link);
+        for (uint32_t i = 0; is_clear && i < USB_IN_TRANSFER_COUNT && !link->is_gone; i++) {
+            if (link->in[i].is_due) {
+                submit(&link->in[i]);
+            }
+        }
     }
     return 0;
 }
@@ -281,4 +258,53 @@ uint64_t usb_transfers_due_ns(const struct usb_transfers *link)
         return link->leave_ns;
     }
     return link->state == USB_TRANSFERS_LIVE && is_due(link) ? link->retry_ns : UINT64_MAX;
+}
+
+/* ---- Output reports -------------------------------------------------------------------------- */
+
+#define HID_SET_REPORT 0x09u      /* Code of the request SET_REPORT (HID 1.11, section 7.2.2). */
+#define HID_OUTPUT_REPORT 0x0200u /* Report type "output" in the upper byte of wValue. */
+
+static void LIBUSB_CALL on_sent(struct libusb_transfer *transfer)
+{
+    CORE_ASSERT(transfer->user_data);
+    struct usb_transfer_slot *transfer_slot = transfer->user_data;
+    transfer_slot->is_submitted = 0;
+    if (transfer->status == LIBUSB_TRANSFER_NO_DEVICE) {
+        transfer_slot->link->is_gone = 1;
+    }
+    /* A lost report is not sent again, because the next report is newer. */
+    usb_slot_sent(transfer_slot->link->seat);
+}
+
+void usb_transfers_send(struct usb_transfers *link)
+{
+    struct usb_transfer_slot *out = &link->out;
+    if (link->state != USB_TRANSFERS_LIVE || link->is_gone || out->is_submitted) {
+        return;
+    }
+    const uint32_t size = usb_slot_outgoing(link->seat);
+    if (size == 0u) {
+        return;
+    }
+    if (link->pipe.out_endpoint) {
+        memcpy(out->buffer, link->seat->out_bytes, size);
+        libusb_fill_interrupt_transfer(out->transfer, link->handle, link->pipe.out_endpoint,
+                                       out->buffer, (int)size, on_sent, out, USB_OUT_TIMEOUT_MS);
+    } else {
+        /* Devices without an output endpoint need a SET_REPORT request. */
+        const uint8_t type =
+            LIBUSB_ENDPOINT_OUT | LIBUSB_REQUEST_TYPE_CLASS | LIBUSB_RECIPIENT_INTERFACE;
+        const uint8_t id = link->pipe.has_report_ids ? link->seat->out_bytes[0] : 0u;
+        libusb_fill_control_setup(out->buffer, type, HID_SET_REPORT,
+                                  (uint16_t)(HID_OUTPUT_REPORT | id), link->pipe.interface_number,
+                                  (uint16_t)size);
+        memcpy(out->buffer + LIBUSB_CONTROL_SETUP_SIZE, link->seat->out_bytes, size);
+        libusb_fill_control_transfer(out->transfer, link->handle, out->buffer, on_sent, out,
+                                     USB_OUT_TIMEOUT_MS);
+    }
+    out->is_submitted = libusb_submit_transfer(out->transfer) == LIBUSB_SUCCESS;
+    if (!out->is_submitted) {
+        usb_slot_sent(link->seat);
+    }
 }

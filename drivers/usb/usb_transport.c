@@ -4,7 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "drivers/usb/usb_choice_file.h"
+#include "core/base/panic.h"
+#include "drivers/usb/usb_choice.h"
 #include "drivers/usb/usb_event_thread.h"
 
 #define PATH_SIZE 1100u /* Size of a path; large enough for a data folder and a file name. */
@@ -17,22 +18,10 @@ struct usb_seats {
 
 static struct usb_seats one;
 
-/* Publishes an empty device list with the reason why USB is not available. */
-static void be_dead(struct usb_seats *seats, const char *why)
-{
-    struct device_table *rows = &seats->usb_thread.rows;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        seats->usb_thread.seat[i].is_never = 1;
-    }
-    snprintf(rows->text, sizeof rows->text, "%s", why);
-    rows->wanted_count = 0; /* No keys are published, so that other drivers may use the selected
-                               controllers. */
-    usb_device_list_publish(&seats->usb_thread.device_list, rows);
-}
-
 struct usb_seats *usb_transport_start(const struct usb_transport_config *config,
                                       char why[HAL_TEXT_SIZE])
 {
+    CORE_ASSERT(config->clock.ops);
     struct usb_event_thread *usb_thread = &one.usb_thread;
     memset(&one, 0, sizeof one);
     why[0] = '\0';
@@ -49,13 +38,22 @@ struct usb_seats *usb_transport_start(const struct usb_transport_config *config,
     }
     one.is_running = usb_event_thread_begin(usb_thread, why) == 0;
     if (!one.is_running) {
-        be_dead(&one, why);
+        /* An empty device list is published with the reason why USB is not available. */
+        struct usb_device_table *rows = &usb_thread->rows;
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            usb_thread->seat[i].is_never = 1;
+        }
+        snprintf(rows->text, sizeof rows->text, "%s", why);
+        rows->wanted_count = 0; /* No keys are published, so that other drivers may use the selected
+                                   controllers. */
+        usb_device_list_publish(&usb_thread->device_list, rows);
     }
     return &one;
 }
 
 struct hid_port usb_transport_port(struct usb_seats *seats, uint32_t index)
 {
+    CORE_ASSERT(index < POI_MAX);
     return usb_slot_port(&seats->usb_thread.seat[index]);
 }
 

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "drivers/usb/usb_choice_file.h"
+#include "drivers/usb/usb_choice.h"
 #include "tests/fuzz/scratch.h"
 #include "tests/fuzz/trap.h"
 

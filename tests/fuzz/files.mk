@@ -5,7 +5,7 @@ FILE_TARGETS := replay graph conf usb tail entries
 FILE_BIN := $(FILE_TARGETS:%=$(FUZZ)/file_%)
 FILE_SRC := $(CORE_SRC) $(wildcard platform/replay/*.c platform/store/graph_*.c platform/store/sqlite/*.c \
     platform/config/*.c) $(patsubst %,platform/%.c,os/file os/number os/log setting_text) \
-    drivers/usb/usb_choice.c drivers/usb/usb_choice_file.c tests/fuzz/scratch.c tests/fuzz/stall.c
+    drivers/usb/usb_choice.c tests/fuzz/scratch.c tests/fuzz/stall.c
 FILE_GENERATED = $(GENERATED_CORE_OBJ:$(BUILD)/%=$(FUZZ)/%)
 
 ## test/fuzz-files: Fuzz replays, graphs, configuration and ledger; FUZZ_SECONDS=30

@@ -1,6 +1,6 @@
 # usb.mk -- the USB transport over a bus of memory (tests/unit/support/usb_stand.h), and under the sanitizers.
 
-USB_TESTS := usb_transport usb_reports usb_unplug usb_crowd report_ring usb_choice usb_wait
+USB_TESTS := usb_transport usb_reports usb_unplug usb_crowd usb_ring usb_choice usb_wait
 USB_STAND := usb_stand usb_stand_lib usb_stand_open
 
 # libusb's functions come from the stand: what the program itself defines is linked before libraries.

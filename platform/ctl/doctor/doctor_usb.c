@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "drivers/usb/usb_choice_file.h"
+#include "drivers/usb/usb_choice.h"
 #include "platform/ctl/devices/hid_source.h"
 
 static const char *map_words(const struct usb_interface *interface)

@@ -13,9 +13,8 @@
 #include <unistd.h>
 
 #include "drivers/hid/poi_report.h"
-#include "drivers/usb/device_table.h"
+#include "drivers/usb/usb_device_list.h"
 #include "drivers/usb/usb_choice.h"
-#include "drivers/usb/usb_choice_file.h"
 #include "drivers/usb/usb_sysfs.h"
 
 static struct hid_descriptor scratch;
@@ -364,26 +363,26 @@ static void test_a_seat_is_kept_for_a_while_and_then_given_away(void **state)
 static void test_rows_keep_their_places_and_barred_ones_give_way(void **state)
 {
     (void)state;
-    struct device_table rows;
-    device_table_init(&rows);
+    struct usb_device_table rows;
+    usb_device_table_init(&rows);
     for (uint16_t i = 0; i < 6; i++) {
         const struct hid_identity who = someone(1, i, "", "1-1");
-        const uint32_t row = device_table_enter(&rows, &who, 1);
+        const uint32_t row = usb_device_table_enter(&rows, &who, 1);
         assert_int_equal(row, i < 4 ? i : CONTROLLER_MAX); /* Four stay empty for others. */
     }
     for (uint16_t i = 0; i < 8; i++) {
         const struct hid_identity who = someone(2, i, "", "1-2");
-        assert_true(device_table_enter(&rows, &who, 0) < CONTROLLER_MAX);
-        assert_true(device_table_find(&rows, &who) < CONTROLLER_MAX);
+        assert_true(usb_device_table_enter(&rows, &who, 0) < CONTROLLER_MAX);
+        assert_true(usb_device_table_find(&rows, &who) < CONTROLLER_MAX);
     }
     const struct hid_identity ninth = someone(2, 9, "", "1-3");
-    assert_int_equal(device_table_enter(&rows, &ninth, 0), CONTROLLER_MAX);
+    assert_int_equal(usb_device_table_enter(&rows, &ninth, 0), CONTROLLER_MAX);
     const struct hid_identity lost = someone(2, 5, "", "1-2");
-    const uint32_t row = device_table_find(&rows, &lost);
+    const uint32_t row = usb_device_table_find(&rows, &lost);
     rows.row[row].state = CONTROLLER_LOST;
-    assert_int_equal(device_table_enter(&rows, &lost, 0), row); /* Back in its own. */
+    assert_int_equal(usb_device_table_enter(&rows, &lost, 0), row); /* Back in its own. */
     rows.row[row].state = CONTROLLER_LOST;
-    assert_int_equal(device_table_enter(&rows, &ninth, 0), row);
+    assert_int_equal(usb_device_table_enter(&rows, &ninth, 0), row);
 }
 
 /* ---- The file ------------------------------------------------------------------------------- */

@@ -17,7 +17,7 @@
 #include <cmocka.h>
 
 #include "drivers/hid/hid_mapping_store.h"
-#include "drivers/usb/usb_choice_file.h"
+#include "drivers/usb/usb_choice.h"
 #include "platform/os/file.h"
 #include "platform/store/graph_file.h"
 #include "platform/store/storage.h"

@@ -1,4 +1,4 @@
-/* test_report_ring.c -- what crosses between two threads crosses whole, in order, and never
+/* test_usb_ring.c -- what crosses between two threads crosses whole, in order, and never
  * late. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -11,14 +11,13 @@
 #include <sched.h>
 #include <string.h>
 
-#include "drivers/usb/report_ring.h"
-#include "drivers/usb/triple_buffer.h"
 #include "drivers/usb/usb_slot.h"
+#include "drivers/usb/triple_buffer.h"
 
 #define REPORT_COUNT 200000u
 #define POST_COUNT 200000u
 
-static struct report_ring ring;
+static struct usb_ring ring;
 static struct usb_slot seat;
 
 /* ---- The ring ------------------------------------------------------------------------------- */
@@ -44,7 +43,7 @@ static void *write_reports(void *self)
     (void)self;
     for (uint32_t i = 0; i < REPORT_COUNT; i++) {
         fill_bytes(bytes, size_of(i), i);
-        if (!report_ring_push(&ring, i >> 8, i, bytes, size_of(i)) && i % 64u == 0u) {
+        if (!usb_ring_push(&ring, i >> 8, i, bytes, size_of(i)) && i % 64u == 0u) {
             sched_yield();
         }
     }
@@ -52,7 +51,7 @@ static void *write_reports(void *self)
     return NULL;
 }
 
-static void check_report(const struct report_ring_slot *slot, uint32_t number)
+static void check_report(const struct usb_ring_slot *slot, uint32_t number)
 {
     uint8_t bytes[HID_REPORT_MAX];
     fill_bytes(bytes, size_of(number), number);
@@ -67,11 +66,11 @@ static void test_reports_cross_between_threads_whole_and_in_order_and_the_last_a
     (void)state;
     pthread_t writer;
     uint32_t count = 0, next = 0;
-    report_ring_init(&ring);
+    usb_ring_init(&ring);
     assert_int_equal(pthread_create(&writer, NULL, write_reports, NULL), 0);
     for (;;) {
         const int is_all = atomic_load(&wrote);
-        const struct report_ring_slot *slot = report_ring_peek(&ring);
+        const struct usb_ring_slot *slot = usb_ring_peek(&ring);
         if (!slot && is_all) {
             break;
         }
@@ -83,19 +82,19 @@ static void test_reports_cross_between_threads_whole_and_in_order_and_the_last_a
         next = (uint32_t)slot->raw.time_ns + 1u;
         check_report(slot, next - 1u);
         count++;
-        report_ring_drop(&ring);
+        usb_ring_drop(&ring);
     }
     pthread_join(writer, NULL);
     assert_int_equal(next, REPORT_COUNT);
-    assert_int_equal(count + report_ring_lost(&ring), REPORT_COUNT);
+    assert_int_equal(count + usb_ring_lost(&ring), REPORT_COUNT);
 }
 
 static uint32_t next_number(void)
 {
-    const struct report_ring_slot *slot = report_ring_peek(&ring);
+    const struct usb_ring_slot *slot = usb_ring_peek(&ring);
     const uint32_t number = slot ? (uint32_t)slot->raw.time_ns : UINT32_MAX;
     if (slot) {
-        report_ring_drop(&ring);
+        usb_ring_drop(&ring);
     }
     return number;
 }
@@ -104,25 +103,25 @@ static void test_a_full_ring_keeps_the_newest_and_counts_what_it_cannot(void **s
 {
     (void)state;
     const uint8_t byte = 7;
-    report_ring_init(&ring);
+    usb_ring_init(&ring);
     for (uint32_t i = 0; i < HID_REPORTS_MAX; i++) {
-        assert_true(report_ring_push(&ring, 1, i, &byte, 1));
+        assert_true(usb_ring_push(&ring, 1, i, &byte, 1));
     }
-    assert_false(report_ring_push(&ring, 1, 5000, &byte, 1));
-    assert_int_equal(report_ring_lost(&ring), 0);
-    assert_false(report_ring_push(&ring, 1, 5001, &byte, 1));
-    assert_int_equal(report_ring_lost(&ring), 1);
+    assert_false(usb_ring_push(&ring, 1, 5000, &byte, 1));
+    assert_int_equal(usb_ring_lost(&ring), 0);
+    assert_false(usb_ring_push(&ring, 1, 5001, &byte, 1));
+    assert_int_equal(usb_ring_lost(&ring), 1);
     for (uint32_t i = 0; i < 10; i++) {
         assert_int_equal(next_number(), i);
     }
-    assert_true(report_ring_push(&ring, 1, 5002, &byte, 1)); /* Room again: that came later. */
+    assert_true(usb_ring_push(&ring, 1, 5002, &byte, 1)); /* Room again: that came later. */
     for (uint32_t i = 10; i < HID_REPORTS_MAX; i++) {
         assert_int_equal(next_number(), i);
     }
     assert_int_equal(next_number(), 5001);
     assert_int_equal(next_number(), 5002);
     assert_int_equal(next_number(), UINT32_MAX);
-    assert_int_equal(report_ring_lost(&ring), 1);
+    assert_int_equal(usb_ring_lost(&ring), 1);
 }
 
 /* Neither the wait beside the ring nor the numbers of reports are thrown by a wrap. */
@@ -130,15 +129,15 @@ static void test_one_that_waits_beside_a_full_ring_keeps_its_turn_over_a_wrap(vo
 {
     (void)state;
     const uint8_t byte = 7;
-    report_ring_init(&ring);
+    usb_ring_init(&ring);
     ring.next_number = UINT32_MAX - HID_REPORTS_MAX - 1u;
     for (uint32_t i = 0; i < HID_REPORTS_MAX + 2u; i++) { /* The last is number UINT32_MAX. */
-        report_ring_push(&ring, 1, i, &byte, 1);
+        usb_ring_push(&ring, 1, i, &byte, 1);
     }
     for (uint32_t i = 0; i < HID_REPORTS_MAX - 1u; i++) {
         assert_int_equal(next_number(), i);
     }
-    assert_true(report_ring_push(&ring, 1, 9000, &byte, 1)); /* Number 0. */
+    assert_true(usb_ring_push(&ring, 1, 9000, &byte, 1)); /* Number 0. */
     assert_int_equal(next_number(), HID_REPORTS_MAX - 1u);
     assert_int_equal(next_number(), HID_REPORTS_MAX + 1u);
     assert_int_equal(next_number(), 9000);
@@ -148,15 +147,15 @@ static void test_counters_may_wrap(void **state)
 {
     (void)state;
     const uint8_t byte = 7;
-    report_ring_init(&ring);
+    usb_ring_init(&ring);
     atomic_store(&ring.pushed, UINT32_MAX - 5u);
     atomic_store(&ring.taken, UINT32_MAX - 5u);
     for (uint32_t i = 0; i < 3u * HID_REPORTS_MAX; i++) {
-        assert_true(report_ring_push(&ring, 1, i, &byte, 1));
-        assert_int_equal(report_ring_peek(&ring)->raw.time_ns, i);
-        report_ring_drop(&ring);
+        assert_true(usb_ring_push(&ring, 1, i, &byte, 1));
+        assert_int_equal(usb_ring_peek(&ring)->raw.time_ns, i);
+        usb_ring_drop(&ring);
     }
-    assert_null(report_ring_peek(&ring));
+    assert_null(usb_ring_peek(&ring));
 }
 
 /* ---- The mail ------------------------------------------------------------------------------- */
