@@ -150,7 +150,7 @@ static int take_copy(struct storage *storage)
     storage_backup_path(storage, backup);
     storage_sibling_path(storage, STORAGE_BEFORE_SUFFIX, "", before);
     if (backup_is(storage) != OTHERS_NOT &&
-        (rename(backup, before) != 0 || ledger_sync_folder(before) != 0)) {
+        (rename(backup, before) != 0 || file_sync_parent(before) != 0)) {
         return SQLITE_IOERR;
     }
     return ledger_unmark(&storage->file);

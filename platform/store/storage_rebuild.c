@@ -67,7 +67,7 @@ int storage_quarantine_other(struct storage *storage, const char *suffix)
     snprintf(number, sizeof number, STORAGE_OTHER_SUFFIX "%u", next_number(storage));
     storage_sibling_path(storage, suffix, "", from);
     storage_sibling_path(storage, suffix, number, to);
-    return rename(from, to) == 0 ? ledger_sync_folder(to) : -1;
+    return rename(from, to) == 0 ? file_sync_parent(to) : -1;
 }
 
 /* Renames the damaged database first and then its log and journal. A journal that remained would be
@@ -98,7 +98,7 @@ static bool leave_note(struct storage *storage, unsigned number)
     snprintf(suffix, sizeof suffix, STORAGE_MISSING_SUFFIX "%u", number);
     storage_sibling_path(storage, suffix, "", path);
     const int handle = file_handle(path, O_WRONLY | O_CREAT, 0600);
-    return handle >= 0 && close(handle) == 0 && ledger_sync_folder(path) == 0;
+    return handle >= 0 && close(handle) == 0 && file_sync_parent(path) == 0;
 }
 
 /* ---- Replacement --------------------------------------------------------------------------- */
@@ -189,7 +189,7 @@ static int make_new(struct storage *storage, bool is_missing, unsigned number)
     remove_all(storage, PART_SUFFIX);
     int code = make_part(storage, part);
     if (code == SQLITE_OK && ((is_missing && !leave_note(storage, number)) ||
-                              rename(part, fresh) != 0 || ledger_sync_folder(fresh) != 0)) {
+                              rename(part, fresh) != 0 || file_sync_parent(fresh) != 0)) {
         code = SQLITE_IOERR;
     }
     if (code != SQLITE_OK) {
@@ -204,7 +204,7 @@ static bool put_new(struct storage *storage)
 {
     char fresh[LEDGER_PATH_SIZE];
     storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
-    return rename(fresh, storage->path) == 0 && ledger_sync_folder(storage->path) == 0;
+    return rename(fresh, storage->path) == 0 && file_sync_parent(storage->path) == 0;
 }
 
 int storage_rebuild(struct storage *storage, bool is_missing)
@@ -218,8 +218,7 @@ int storage_rebuild(struct storage *storage, bool is_missing)
         storage_quarantine_other(storage, STORAGE_MIRROR_SUFFIX) != 0) {
         return SQLITE_IOERR;
     }
-    if (!set_aside(storage, number) || ledger_sync_folder(storage->path) != 0 ||
-        !put_new(storage)) {
+    if (!set_aside(storage, number) || file_sync_parent(storage->path) != 0 || !put_new(storage)) {
         return SQLITE_IOERR;
     }
     storage->was_missing = is_missing;

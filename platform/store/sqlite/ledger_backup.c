@@ -19,7 +19,7 @@ static void name_part(const struct ledger_backup *backup, char out[LEDGER_PATH_S
     snprintf(out, LEDGER_PATH_SIZE, "%.580s" LEDGER_PART_SUFFIX, backup->path);
 }
 
-int ledger_sync_folder(const char *path)
+int file_sync_parent(const char *path)
 {
     char folder[LEDGER_PATH_SIZE];
     snprintf(folder, sizeof folder, "%s", path);
@@ -102,7 +102,7 @@ static int end_copy(struct ledger_backup *backup)
     if (code == SQLITE_OK) {
         sqlite3_close(backup->to);
         backup->to = NULL;
-        code = rename(part, backup->path) == 0 && ledger_sync_folder(backup->path) == 0
+        code = rename(part, backup->path) == 0 && file_sync_parent(backup->path) == 0
                    ? SQLITE_DONE
                    : SQLITE_IOERR;
     }

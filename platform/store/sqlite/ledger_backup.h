@@ -48,6 +48,6 @@ int ledger_unmark(struct ledger_file *file);
 
 /* Syncs the folder that contains `path`, so that a rename, a new name or a deletion survives a
  * power cut. Returns 0 or -1. */
-int ledger_sync_folder(const char *path);
+int file_sync_parent(const char *path);
 
 #endif

@@ -68,7 +68,7 @@ static int rewrite(sqlite3_file *log)
 static int sync_names(struct ledger_file *file)
 {
     const char *path = sqlite3_db_filename(file->db, "main");
-    return !path || !path[0] || ledger_sync_folder(path) == 0 ? SQLITE_OK : SQLITE_IOERR;
+    return !path || !path[0] || file_sync_parent(path) == 0 ? SQLITE_OK : SQLITE_IOERR;
 }
 
 /* Writes the log again. The write lock prevents another program from restarting the log during the

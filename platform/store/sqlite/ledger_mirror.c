@@ -125,7 +125,7 @@ int ledger_mirror_open(struct ledger_mirror *tail, const char *path)
                                                 users. */
     int result = is_whole ? rewrite(tail->handle) : ledger_mirror_allocate(tail->handle);
     result = result == 0 && is_whole ? hide_pins(tail) : result;
-    if (result != 0 || ledger_sync_folder(path) != 0) {
+    if (result != 0 || file_sync_parent(path) != 0) {
         ledger_mirror_close(tail);
         return -1;
     }
