@@ -2,15 +2,17 @@
  * and tables. */
 #include "platform/species/shape.h"
 
-#include <assert.h>
 #include <math.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/morph/morph.h"
 
 void species_pack(const struct loft *loft, uint32_t key_count, struct mesh_tables *tables,
                   struct species_mesh *mesh)
 {
+    CORE_ASSERT(key_count <= MORPH_KEY_MAX);
+    CORE_ASSERT(loft->vertex_count <= MESH_VERTEX_MAX);
     memcpy(tables->vertices, loft->vertices, sizeof loft->vertices);
     memcpy(tables->anchors, loft->anchors, sizeof loft->anchors);
     memcpy(tables->indices, loft->indices, sizeof loft->indices);
@@ -27,7 +29,7 @@ void species_pack(const struct loft *loft, uint32_t key_count, struct mesh_table
     for (uint32_t key = 0; key < key_count; key++) {
         for (uint32_t i = 0; i < loft->vertex_count; i++) {
             const vec3 p = loft->positions[key][i];
-            assert(fmaxf(fmaxf(fabsf(p.x), fabsf(p.y)), fabsf(p.z)) <= loft->reach);
+            CORE_ASSERT(fmaxf(fmaxf(fabsf(p.x), fabsf(p.y)), fabsf(p.z)) <= loft->reach);
             tables->points[key][i] = (struct species_point){
                 .x = morph_count(p.x, loft->reach),
                 .y = morph_count(p.y, loft->reach),
@@ -39,23 +41,10 @@ void species_pack(const struct loft *loft, uint32_t key_count, struct mesh_table
     }
 }
 
-/* Returns the coat of a key with the positions of its marks in body coordinates. Makers write
- * positions along x, but the paint functions read body coordinates. */
-static struct species_coat coat_on_body(const struct key_text *key)
-{
-    struct species_coat coat = key->coat;
-    for (uint32_t i = 0; i < coat.mark_count; i++) {
-        struct species_mark *mark = &coat.marks[i];
-        if (mark->part == PART_BODY) {
-            mark->from = (float)shape_body_u(key, (double)mark->from);
-            mark->to = (float)shape_body_u(key, (double)mark->to);
-        }
-    }
-    return coat;
-}
-
 void species_compile(const struct species_text *text, struct species *out)
 {
+    CORE_ASSERT(text->key_count <= MORPH_KEY_MAX);
+    CORE_ASSERT(text->curve_count <= MORPH_CURVE_MAX);
     struct species_card *card = &out->card;
     *out = (struct species){ 0 };
     memcpy(card->id, text->id, sizeof card->id);
@@ -77,6 +66,16 @@ void species_compile(const struct species_text *text, struct species *out)
         memcpy(card->key_names[key], text->keys[key].name, SPECIES_NAME_SIZE);
         card->key_length_m[key] = text->keys[key].length_m;
         card->key_age_days[key] = text->keys[key].age_days;
-        out->coats[key] = coat_on_body(&text->keys[key]);
+        /* The positions of the marks are converted to body coordinates. Makers write positions
+         * along x, but the paint functions read body coordinates. */
+        struct species_coat coat = text->keys[key].coat;
+        for (uint32_t i = 0; i < coat.mark_count; i++) {
+            struct species_mark *mark = &coat.marks[i];
+            if (mark->part == PART_BODY) {
+                mark->from = (float)shape_body_u(&text->keys[key], (double)mark->from);
+                mark->to = (float)shape_body_u(&text->keys[key], (double)mark->to);
+            }
+        }
+        out->coats[key] = coat;
     }
 }

@@ -2,12 +2,12 @@
  * file. */
 #include "platform/species/library.h"
 
-#include <assert.h>
 #include <dirent.h>
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/base/printable.h"
 
 #define PATH_SIZE 1024u
@@ -16,12 +16,6 @@ struct listing {
     char names[LIBRARY_LINE_MAX][NAME_MAX + 1];
     uint32_t count, beyond;
 };
-
-static bool is_packed(const char *name)
-{
-    const size_t length = strlen(name), suffix = strlen(PACK_SUFFIX);
-    return length > suffix && name[0] != '.' && strcmp(name + length - suffix, PACK_SUFFIX) == 0;
-}
 
 /* Inserts a name in alphabetical order. If there are more than LIBRARY_LINE_MAX names, keeps only
  * the first ones. The names are sorted because the order of a directory's entries is undefined. */
@@ -51,7 +45,9 @@ static int list(const char *folder, struct listing *l)
         return errno == ENOENT ? 0 : errno;
     }
     for (const struct dirent *entry = readdir(directory); entry; entry = readdir(directory)) {
-        if (is_packed(entry->d_name)) {
+        const size_t length = strlen(entry->d_name), suffix = strlen(PACK_SUFFIX);
+        if (length > suffix && entry->d_name[0] != '.' &&
+            strcmp(entry->d_name + length - suffix, PACK_SUFFIX) == 0) {
             insert(l, entry->d_name);
         }
     }
@@ -59,21 +55,12 @@ static int list(const char *folder, struct listing *l)
     return 0;
 }
 
-static bool is_taken(const struct library *library, const char *id)
-{
-    for (uint32_t i = 0; i < library_count(library); i++) {
-        if (strcmp(library_species(library, i)->card.id, id) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* Reads one file into the next free slot of the library. If the species is invalid, returns false
  * and writes the reason to `why`. The slot then stays free. */
 static bool library_read_file(struct library *library, const char *path,
                               char why[VALIDATE_WHY_SIZE])
 {
+    CORE_ASSERT(library->species_count <= SPECIES_EXTRA_MAX);
     if (library->species_count == SPECIES_EXTRA_MAX) {
         snprintf(why, VALIDATE_WHY_SIZE, "no room: %u species are loaded", SPECIES_EXTRA_MAX);
         return false;
@@ -84,27 +71,14 @@ static bool library_read_file(struct library *library, const char *path,
     }
     char id[SPECIES_NAME_SIZE];
     memcpy(id, slot->species.card.id, sizeof id);
-    if (is_taken(library, id)) {
-        snprintf(why, VALIDATE_WHY_SIZE, "id: there is a '%s' already", id);
-        return false;
+    for (uint32_t i = 0; i < library_count(library); i++) {
+        if (strcmp(library_species(library, i)->card.id, id) == 0) {
+            snprintf(why, VALIDATE_WHY_SIZE, "id: there is a '%s' already", id);
+            return false;
+        }
     }
     library->species_count++;
     return true;
-}
-
-static void read_one(struct library *library, const char *folder, const char *name)
-{
-    char path[PATH_SIZE];
-    struct library_line *line = &library->lines[library->line_count++];
-    *line = (struct library_line){ .slot = LIBRARY_SLOT_NONE };
-    snprintf(line->file, sizeof line->file, "%.*s", (int)sizeof line->file - 1, name);
-    printable(line->file);
-    const int length = snprintf(path, sizeof path, "%s/%s", folder, name);
-    if (length < 0 || (size_t)length >= sizeof path) {
-        snprintf(line->why, sizeof line->why, "%s", strerror(ENAMETOOLONG));
-    } else if (library_read_file(library, path, line->why)) {
-        line->slot = (uint8_t)(library->species_count - 1);
-    }
 }
 
 void library_fill(struct library *library, const char *data)
@@ -123,7 +97,18 @@ void library_fill(struct library *library, const char *data)
         snprintf(line->why, sizeof line->why, "%s", strerror(error));
     }
     for (uint32_t i = 0; i < listing.count; i++) {
-        read_one(library, folder, listing.names[i]);
+        char path[PATH_SIZE];
+        struct library_line *line = &library->lines[library->line_count++];
+        *line = (struct library_line){ .slot = LIBRARY_SLOT_NONE };
+        snprintf(line->file, sizeof line->file, "%.*s", (int)sizeof line->file - 1,
+                 listing.names[i]);
+        printable(line->file);
+        const int path_size = snprintf(path, sizeof path, "%s/%s", folder, listing.names[i]);
+        if (path_size < 0 || (size_t)path_size >= sizeof path) {
+            snprintf(line->why, sizeof line->why, "%s", strerror(ENAMETOOLONG));
+        } else if (library_read_file(library, path, line->why)) {
+            line->slot = (uint8_t)(library->species_count - 1);
+        }
     }
     library->unread_count = listing.beyond;
 }
@@ -142,24 +127,20 @@ void library_note_graph(struct library *library, const char *line)
     snprintf(note->why, sizeof note->why, "%s", gap + 2);
 }
 
-static uint32_t refused_count(const struct library *library)
+uint32_t library_fault_count(const struct library *library)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < library->line_count; i++) {
         count += library->lines[i].slot == LIBRARY_SLOT_NONE;
     }
-    return count;
-}
-
-uint32_t library_fault_count(const struct library *library)
-{
-    return refused_count(library) + (library->unread_count > 0) + library->graph_count;
+    CORE_ASSERT(library->line_count >= library->species_count);
+    return count + (library->unread_count > 0) + library->graph_count;
 }
 
 struct library_line library_fault(const struct library *library, uint32_t index)
 {
     struct library_line unread = { .file = LIBRARY_FOLDER, .slot = LIBRARY_SLOT_NONE };
-    assert(index < library_fault_count(library));
+    CORE_ASSERT(index < library_fault_count(library));
     for (uint32_t i = 0; i < library->line_count; i++) {
         if (library->lines[i].slot == LIBRARY_SLOT_NONE && index-- == 0) {
             return library->lines[i];
@@ -180,7 +161,7 @@ uint32_t library_count(const struct library *library)
 
 const struct species *library_species(const struct library *library, uint32_t index)
 {
-    assert(index < library_count(library));
+    CORE_ASSERT(index < library_count(library));
     return index < species_table_count ? species_table[index]
                                        : &library->slots[index - species_table_count].species;
 }

@@ -1,14 +1,15 @@
 /* loft.c -- converts the smooth shape of each key (modelled growth stage) to a mesh: rings along
- * the body, fin sheets and eyes.
+ * the body, and the masks of all vertices. loft_parts.c adds the fins and the eyes.
  *
  * All keys of a species use equal numbers of rings, spokes and rays. Each vertex therefore has a
  * corresponding vertex in every other key. The morph requires this of its input shapes (2005
  * thesis, section 3.1). */
 #include "platform/species/loft_parts.h"
 
-#include <assert.h>
 #include <math.h>
 #include <string.h>
+
+#include "core/base/panic.h"
 
 #define RINGS_MAX 64
 /* Position of the additional ring that makes the end of the body round. 0 is the last ring, 1 is
@@ -32,7 +33,7 @@ const struct detail species_detail[SPECIES_LOD_COUNT] = {
 
 uint16_t loft_next_vertex(struct lofting *l, struct species_vertex vertex)
 {
-    assert(l->loft->vertex_count < MESH_VERTEX_MAX);
+    CORE_ASSERT(l->loft->vertex_count < MESH_VERTEX_MAX);
     l->loft->vertices[l->loft->vertex_count] = vertex;
     return (uint16_t)l->loft->vertex_count++;
 }
@@ -44,6 +45,8 @@ static vec3 single(v3d p)
 
 void loft_place(struct lofting *l, uint32_t key, v3d p, v3d normal)
 {
+    CORE_ASSERT(l->loft->vertex_count > 0);
+    CORE_ASSERT(key < l->species->key_count);
     const v3d snout = { 0.0, 0.0, -0.5 };
     l->loft->positions[key][l->loft->vertex_count - 1] =
         single(v3d_muladd(snout, p, 1.0 / l->unit[key]));
@@ -52,6 +55,8 @@ void loft_place(struct lofting *l, uint32_t key, v3d p, v3d normal)
 
 void loft_place_from_anchor(struct lofting *l, uint32_t key, v3d offset, v3d normal)
 {
+    CORE_ASSERT(l->loft->vertex_count > 0);
+    CORE_ASSERT(l->loft->anchor_count > 0);
     const v3d anchor = { 0.0, 0.0, 0.0 };
     l->loft->positions[key][l->loft->vertex_count - 1] =
         single(v3d_muladd(anchor, offset, 1.0 / l->unit[key]));
@@ -60,7 +65,9 @@ void loft_place_from_anchor(struct lofting *l, uint32_t key, v3d offset, v3d nor
 
 void loft_triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c)
 {
-    assert(l->loft->index_count + 3 <= MESH_INDEX_MAX);
+    CORE_ASSERT(a < l->loft->vertex_count && b < l->loft->vertex_count &&
+                c < l->loft->vertex_count);
+    CORE_ASSERT(l->loft->index_count + 3 <= MESH_INDEX_MAX);
     uint16_t *out = &l->loft->indices[l->loft->index_count];
     out[0] = (uint16_t)a;
     out[1] = (uint16_t)b;
@@ -70,7 +77,7 @@ void loft_triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c)
 
 struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part part, uint8_t turns)
 {
-    assert(l->loft->anchor_count < ANCHOR_MAX);
+    CORE_ASSERT(l->loft->anchor_count < ANCHOR_MAX);
     struct species_anchor *anchor = &l->loft->anchors[l->loft->anchor_count++];
     anchor->curve = loft_curve_of(l->species, part);
     anchor->turns = turns;
@@ -97,49 +104,41 @@ static uint32_t add_poles(struct lofting *l, double u, v3d normal)
     return l->loft->vertex_count - 2;
 }
 
-static void add_ring(struct lofting *l, double u)
-{
-    for (uint32_t spoke = 0; spoke <= l->detail->spokes; spoke++) {
-        const double v = (double)spoke / l->detail->spokes;
-        loft_next_vertex(
-            l, (struct species_vertex){ .u = (float)u, .v = (float)v, .anchor = ANCHOR_NONE });
-        for (uint32_t key = 0; key < l->species->key_count; key++) {
-            const struct key_text *text = &l->species->keys[key];
-            loft_place(l, key, shape_body_point(text, u, v), shape_body_normal(text, u, v));
-        }
-    }
-}
-
-/* Adds a ring between the last ring and the closing points, which makes the end of the body round.
- * The ring is not part of the vertex grid because no anchor lies on the ring. */
-static void add_cap_ring(struct lofting *l)
-{
-    for (uint32_t spoke = 0; spoke <= l->detail->spokes; spoke++) {
-        const double v = (double)spoke / l->detail->spokes;
-        loft_next_vertex(
-            l, (struct species_vertex){ .u = 1.0f, .v = (float)v, .anchor = ANCHOR_NONE });
-        for (uint32_t key = 0; key < l->species->key_count; key++) {
-            const struct key_text *text = &l->species->keys[key];
-            loft_place(l, key, shape_end_point(text, CAP_AT, v),
-                       v3d_unit(v3d_muladd(shape_body_normal(text, 1.0, v), (v3d){ 0.0, 0.0, 1.0 },
-                                           CAP_FACES)));
-        }
-    }
-}
-
 static void add_body(struct lofting *l)
 {
     const uint32_t rings = l->detail->rings, spokes = l->detail->spokes;
     double u[RINGS_MAX];
-    assert(rings <= RINGS_MAX);
+    CORE_ASSERT(rings <= RINGS_MAX);
     loft_place_rings(l->species, rings, u);
     const uint32_t snout = add_poles(l, 0.0, (v3d){ 0.0, 0.0, -1.0 });
     const uint32_t first = l->loft->vertex_count;
     for (uint32_t ring = 0; ring < rings; ring++) {
-        add_ring(l, u[ring]);
+        for (uint32_t spoke = 0; spoke <= l->detail->spokes; spoke++) {
+            const double v = (double)spoke / l->detail->spokes;
+            loft_next_vertex(l, (struct species_vertex){
+                                    .u = (float)u[ring], .v = (float)v, .anchor = ANCHOR_NONE });
+            for (uint32_t key = 0; key < l->species->key_count; key++) {
+                const struct key_text *text = &l->species->keys[key];
+                loft_place(l, key, shape_body_point(text, u[ring], v),
+                           shape_body_normal(text, u[ring], v));
+            }
+        }
     }
     if (l->detail->round_end) {
-        add_cap_ring(l);
+        /* Add a ring between the last ring and the closing points, which makes the end of
+         * the body round. The ring is not part of the vertex grid because no anchor lies on
+         * the ring. */
+        for (uint32_t spoke = 0; spoke <= l->detail->spokes; spoke++) {
+            const double v = (double)spoke / l->detail->spokes;
+            loft_next_vertex(
+                l, (struct species_vertex){ .u = 1.0f, .v = (float)v, .anchor = ANCHOR_NONE });
+            for (uint32_t key = 0; key < l->species->key_count; key++) {
+                const struct key_text *text = &l->species->keys[key];
+                loft_place(l, key, shape_end_point(text, CAP_AT, v),
+                           v3d_unit(v3d_muladd(shape_body_normal(text, 1.0, v),
+                                               (v3d){ 0.0, 0.0, 1.0 }, CAP_FACES)));
+            }
+        }
     }
     const uint32_t rows = rings + (l->detail->round_end ? 1u : 0u);
     const uint32_t last = first + (rows - 1) * (spokes + 1);
@@ -159,23 +158,10 @@ static void add_body(struct lofting *l)
     l->loft->grid_spokes = spokes;
 }
 
-/* Returns the reach of the mesh, which is the length that the largest packed coordinate stands for.
- * The reach is the smallest of 1, 2 and 4 that no coordinate exceeds. */
-static float reach_of(const struct loft *loft, uint32_t key_count)
-{
-    float farthest = 0.0f;
-    for (uint32_t key = 0; key < key_count; key++) {
-        for (uint32_t i = 0; i < loft->vertex_count; i++) {
-            const vec3 p = loft->positions[key][i];
-            farthest = fmaxf(farthest, fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))));
-        }
-    }
-    return farthest <= 1.0f ? 1.0f : farthest <= 2.0f ? 2.0f : 4.0f;
-}
-
 void species_loft(const struct species_text *species, const struct detail *detail,
                   struct loft *loft)
 {
+    CORE_ASSERT(species->key_count <= MORPH_KEY_MAX);
     struct lofting l = { .species = species, .detail = detail, .loft = loft };
     memset(loft, 0, sizeof *loft);
     for (uint32_t key = 0; key < species->key_count; key++) {
@@ -186,5 +172,188 @@ void species_loft(const struct species_text *species, const struct detail *detai
     loft_add_eyes(&l);
     loft_add_fins(&l);
     loft_paint_masks(&l);
-    loft->reach = reach_of(loft, species->key_count);
+    /* The reach of a mesh is the length that the largest packed coordinate stands for: the smallest
+     * of 1, 2 and 4 that no coordinate exceeds. */
+    float farthest = 0.0f;
+    for (uint32_t key = 0; key < species->key_count; key++) {
+        for (uint32_t i = 0; i < loft->vertex_count; i++) {
+            const vec3 p = loft->positions[key][i];
+            farthest = fmaxf(farthest, fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))));
+        }
+    }
+    loft->reach = farthest <= 1.0f ? 1.0f : farthest <= 2.0f ? 2.0f : 4.0f;
+}
+
+/* ---- Positions of the rings ------------------------------------------------------------------ */
+
+/* This section computes the positions of the rings along the body.
+ *
+ * * The rings have equal body coordinates in every key, and are closer to each other where the
+ * outline of any key bends. Between two rings the outline is a straight line. Its deviation from
+ * the curve is proportional to the curvature multiplied by the square of the ring distance. A
+ * ring density proportional to the square root of the curvature therefore gives an equal
+ * deviation everywhere. */
+
+#define RING_SAMPLES 256
+/* Fraction of the rings that are evenly spaced. Evenly spaced rings are needed because the swimming
+ * wave bends the whole body. */
+#define EVEN_SHARE 0.30
+/* Factor by which rings are denser on the head, because viewers look mostly at the mouth, the eyes
+ * and the gill cover. */
+#define HEAD_FAVOUR 1.9
+
+/* Writes the outlines of a key at body coordinate `u` to `out`: height of the back, height of
+ * the belly, and distance of the flank from the middle. The values are fractions of the key's
+ * length. */
+static void outline(const struct key_text *key, double u, double out[3])
+{
+    const struct station s = shape_section(key, shape_body_x(key, u));
+    out[0] = (double)s.offset + 0.5 * (double)s.depth;
+    out[1] = (double)s.offset - 0.5 * (double)s.depth;
+    out[2] = 0.5 * (double)s.width;
+}
+
+void loft_place_rings(const struct species_text *species, uint32_t count, double *u)
+{
+    double sum[RING_SAMPLES + 1] = { 0.0 };
+    for (int i = 0; i < RING_SAMPLES; i++) {
+        const double at =
+            fmin(fmax((i + 0.5) / RING_SAMPLES, 1.0 / RING_SAMPLES), 1.0 - 1.0 / RING_SAMPLES);
+        /* `most` is the largest curvature at body coordinate `at` of all outlines of all keys. */
+        const double d = 1.0 / RING_SAMPLES;
+        double most = 0.0;
+        for (uint32_t key = 0; key < species->key_count; key++) {
+            double before[3], here[3], after[3];
+            outline(&species->keys[key], at - d, before);
+            outline(&species->keys[key], at, here);
+            outline(&species->keys[key], at + d, after);
+            for (int k = 0; k < 3; k++) {
+                most = fmax(most, fabs(before[k] - 2.0 * here[k] + after[k]) / (d * d));
+            }
+        }
+        sum[i + 1] = sum[i] + sqrt(most) * (at < (double)GILL_U ? HEAD_FAVOUR : 1.0);
+    }
+    const double even =
+        EVEN_SHARE / (1.0 - EVEN_SHARE) * fmax(sum[RING_SAMPLES], 1e-9) / RING_SAMPLES;
+    for (int i = 0; i <= RING_SAMPLES; i++) {
+        sum[i] += even * i;
+    }
+    int i = 0;
+    for (uint32_t ring = 0; ring < count; ring++) {
+        const double wanted = sum[RING_SAMPLES] * (ring + 1) / count;
+        while (i < RING_SAMPLES - 1 && sum[i + 1] < wanted) {
+            i++;
+        }
+        u[ring] = fmin((i + (wanted - sum[i]) / (sum[i + 1] - sum[i])) / RING_SAMPLES, 1.0);
+    }
+    u[count - 1] = 1.0;
+    /* Move the nearest ring to the rear edge of the gill cover, where the head and the
+     * trunk meet. */
+    uint32_t nearest = 0;
+    for (uint32_t ring = 1; ring < count; ring++) {
+        if (fabs(u[ring] - (double)GILL_U) < fabs(u[nearest] - (double)GILL_U)) {
+            nearest = ring;
+        }
+    }
+    u[nearest] = (double)GILL_U;
+}
+
+/* ---- Masks of the deformation curves --------------------------------------------------------- */
+
+/* This section computes the weight with which each deformation curve moves each vertex. The weights
+ * change smoothly on skin that several parts share.
+ *
+ * * Fins and eyes are attached to anchors, so that a single curve can move them completely
+ * without tearing the mesh. The head, the trunk, the painted areas and the tail share their skin
+ * with neighbouring parts. */
+
+/* Half of the width of the transition from head to trunk, in body coordinate u. */
+#define GILL_SOFT 0.07
+/* Position along the tail fin, as a fraction of its length. Behind this position, only the tail
+ * fin's own curve moves the fin. */
+#define TAIL_SOFT 0.6
+#define TAIL_ROOT_U 0.965 /* Body coordinate of the tail fin's root. */
+
+static double ramp(double from, double to, double x)
+{
+    const double t = fmin(fmax((x - from) / (to - from), 0.0), 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+uint8_t loft_curve_of(const struct species_text *species, uint32_t part)
+{
+    for (uint32_t curve = 1; curve < species->curve_count; curve++) {
+        if (species->curves[curve].parts >> part & 1u) {
+            return (uint8_t)curve;
+        }
+    }
+    return 0;
+}
+
+/* Writes the weight with which each curve moves the point (u, v) of the body's skin to `share`. The
+ * weights sum to 1. The curve of the whole fish receives the weight that the other curves leave. */
+static void skin_share(const struct species_text *species, double u, double v,
+                       double share[MORPH_CURVE_MAX])
+{
+    const double trunk = ramp((double)GILL_U - GILL_SOFT, (double)GILL_U + GILL_SOFT, u);
+    double sum = 0.0;
+    for (uint32_t curve = 1; curve < MORPH_CURVE_MAX; curve++) {
+        const struct curve_text *c = &species->curves[curve];
+        share[curve] = 0.0;
+        if (curve < species->curve_count) {
+            share[curve] = (c->parts >> PART_HEAD & 1u ? 1.0 - trunk : 0.0) +
+                           (c->parts >> PART_TRUNK & 1u ? trunk : 0.0);
+            for (uint32_t i = 0; i < c->area_count; i++) {
+                /* The weight of the point (u, v) in a painted area. The weight is 1 inside the area
+                 * and falls to 0 at distance `soft` outside the area's border. The positions of
+                 * areas refer to the first key. */
+                const struct key_text *key = &species->keys[0];
+                const double x = shape_body_x(key, u), soft = (double)c->areas[i].soft;
+                const double high = 0.5 + 0.5 * cos(2.0 * 3.14159265358979323846 * v);
+                share[curve] = fmax(
+                    share[curve],
+                    ramp((double)c->areas[i].from - soft, (double)c->areas[i].from, x) *
+                        (1.0 - ramp((double)c->areas[i].to, (double)c->areas[i].to + soft, x)) *
+                        ramp((double)c->areas[i].low - soft, (double)c->areas[i].low, high) *
+                        (1.0 -
+                         ramp((double)c->areas[i].high, (double)c->areas[i].high + soft, high)));
+            }
+        }
+        sum += share[curve];
+    }
+    for (uint32_t curve = 1; curve < MORPH_CURVE_MAX && sum > 1.0; curve++) {
+        share[curve] /= sum;
+    }
+    share[0] = fmax(1.0 - sum, 0.0);
+}
+
+void loft_paint_masks(struct lofting *l)
+{
+    for (uint32_t i = 0; i < l->loft->vertex_count; i++) {
+        struct species_vertex *vertex = &l->loft->vertices[i];
+        double share[MORPH_CURVE_MAX];
+        uint32_t left = 255;
+        const uint8_t own = loft_curve_of(l->species, vertex->part);
+        /* Weight of the curve that moves the vertex's own body part. The rest of the weight
+         * comes from the skin. */
+        double rooted = 0.0;
+        if (vertex->part == PART_TAIL) {
+            skin_share(l->species, TAIL_ROOT_U, 0.25, share);
+            rooted = ramp(0.0, TAIL_SOFT, (double)vertex->v);
+        } else if (vertex->part == PART_BODY) {
+            skin_share(l->species, (double)vertex->u, (double)vertex->v, share);
+        } else {
+            rooted = 1.0;
+        }
+        for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
+            const double skin = rooted < 1.0 ? share[curve] : 0.0;
+            share[curve] = skin * (1.0 - rooted) + (curve == own ? rooted : 0.0);
+        }
+        for (uint32_t curve = MORPH_CURVE_MAX - 1; curve > 0; curve--) {
+            const uint32_t part = (uint32_t)lround(255.0 * share[curve]);
+            vertex->mask[curve] = (uint8_t)(part < left ? part : left);
+            left -= vertex->mask[curve];
+        }
+        vertex->mask[0] = (uint8_t)left;
+    }
 }

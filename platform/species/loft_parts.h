@@ -33,11 +33,11 @@ void loft_triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c);
 struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part part, uint8_t turns);
 
 /* Writes the body coordinate u of each of `count` rings. The last ring is at u = 1. Rings are
- * closer to each other where an outline bends in any key. Implemented in loft_rings.c. */
+ * closer to each other where an outline bends in any key. */
 void loft_place_rings(const struct species_text *species, uint32_t count, double *u);
 
-/* Returns the index of the deformation curve that moves `part`. 0 is the curve of the whole fish.
- * Implemented in loft_mask.c. */
+/* Returns the index of the deformation curve that moves `part`. 0 is the curve of the whole
+ * fish. */
 uint8_t loft_curve_of(const struct species_text *species, uint32_t part);
 /* Computes the masks of every vertex. A mask is the weight with which a deformation curve moves the
  * vertex. */

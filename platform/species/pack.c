@@ -2,10 +2,11 @@
  * in one order, both for reading and for writing. */
 #include "platform/species/pack.h"
 
-#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "core/base/panic.h"
 
 #define HEAD_SIZE 20u
 
@@ -105,32 +106,6 @@ static void count32(struct tape *t, uint32_t *x, uint32_t count_max, const char 
     *x = hold(t, *x, count_max, what);
 }
 
-static void walk_growth(struct tape *t, struct growth *growth)
-{
-    number(t, &growth->length_inf_m);
-    number(t, &growth->k_per_year);
-    number(t, &growth->t0_year);
-    number(t, &growth->fade_year);
-    count32(t, &growth->point_count, GROWTH_POINT_MAX, "growth points");
-    for (uint32_t i = 0; i < growth->point_count; i++) {
-        number(t, &growth->points[i].age_days);
-        number(t, &growth->points[i].length_m);
-    }
-}
-
-static void walk_graph(struct tape *t, struct graph *graph, uint32_t key_count)
-{
-    count8(t, &graph->knot_count, GRAPH_KNOT_MAX, "knots");
-    word8(t, &graph->line);
-    word8(t, &graph->solved);
-    for (uint32_t i = 0; i < graph->knot_count; i++) {
-        number(t, &graph->knots[i].progress);
-        for (uint32_t key = 0; key < key_count; key++) {
-            number(t, &graph->knots[i].weight[key]);
-        }
-    }
-}
-
 static void walk_card(struct tape *t, struct species_card *card)
 {
     name(t, card->id);
@@ -147,7 +122,15 @@ static void walk_card(struct tape *t, struct species_card *card)
         number(t, &card->key_age_days[key]);
         number(t, &card->key_length_m[key]);
     }
-    walk_growth(t, &card->growth);
+    number(t, &card->growth.length_inf_m);
+    number(t, &card->growth.k_per_year);
+    number(t, &card->growth.t0_year);
+    number(t, &card->growth.fade_year);
+    count32(t, &card->growth.point_count, GROWTH_POINT_MAX, "growth points");
+    for (uint32_t i = 0; i < card->growth.point_count; i++) {
+        number(t, &card->growth.points[i].age_days);
+        number(t, &card->growth.points[i].length_m);
+    }
     count8(t, &card->scale_knot_count, GRAPH_KNOT_MAX, "scale knots");
     for (uint32_t i = 0; i < card->scale_knot_count; i++) {
         number(t, &card->scale_knots[i].progress);
@@ -156,59 +139,16 @@ static void walk_card(struct tape *t, struct species_card *card)
     count8(t, &card->curve_count, MORPH_CURVE_MAX, "curves");
     for (uint32_t i = 0; i < card->curve_count; i++) {
         name(t, card->curve_names[i]);
-        walk_graph(t, &card->curves[i], card->key_count);
-    }
-}
-
-static void walk_mark(struct tape *t, struct species_mark *mark)
-{
-    word8(t, &mark->kind);
-    word8(t, &mark->part);
-    word8(t, &mark->count);
-    word8(t, &mark->seed);
-    word32(t, &mark->colour);
-    float *const numbers[] = { &mark->from,  &mark->to,  &mark->width,
-                               &mark->slant, &mark->low, &mark->high };
-    for (uint32_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        number(t, numbers[i]);
-    }
-}
-
-static void walk_coat(struct tape *t, struct species_coat *coat)
-{
-    uint32_t *const colours[] = { &coat->back, &coat->flank, &coat->belly, &coat->fin,
-                                  &coat->iris };
-    for (uint32_t i = 0; i < sizeof colours / sizeof colours[0]; i++) {
-        word32(t, colours[i]);
-    }
-    word8(t, &coat->clear);
-    word8(t, &coat->shine);
-    count8(t, &coat->mark_count, MARK_MAX, "marks");
-    for (uint32_t i = 0; i < coat->mark_count; i++) {
-        walk_mark(t, &coat->marks[i]);
-    }
-}
-
-static void walk_vertex(struct tape *t, struct species_vertex *vertex)
-{
-    number(t, &vertex->u);
-    number(t, &vertex->v);
-    word8(t, &vertex->part);
-    word8(t, &vertex->side);
-    word8(t, &vertex->flex);
-    word8(t, &vertex->anchor);
-    for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
-        word8(t, &vertex->mask[curve]);
-    }
-}
-
-static void walk_anchor(struct tape *t, struct species_anchor *anchor, uint32_t key_count)
-{
-    word8(t, &anchor->curve);
-    word8(t, &anchor->turns);
-    for (uint32_t key = 0; key < key_count; key++) {
-        number(t, &anchor->u[key]);
-        number(t, &anchor->v[key]);
+        struct graph *graph = &card->curves[i];
+        count8(t, &graph->knot_count, GRAPH_KNOT_MAX, "knots");
+        word8(t, &graph->line);
+        word8(t, &graph->solved);
+        for (uint32_t k = 0; k < graph->knot_count; k++) {
+            number(t, &graph->knots[k].progress);
+            for (uint32_t key = 0; key < card->key_count; key++) {
+                number(t, &graph->knots[k].weight[key]);
+            }
+        }
     }
 }
 
@@ -223,7 +163,16 @@ static void walk_mesh(struct tape *t, struct species_mesh *mesh, struct mesh_tab
     word16(t, &mesh->grid_spokes);
     number(t, &mesh->reach);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        walk_vertex(t, &tables->vertices[i]);
+        struct species_vertex *vertex = &tables->vertices[i];
+        number(t, &vertex->u);
+        number(t, &vertex->v);
+        word8(t, &vertex->part);
+        word8(t, &vertex->side);
+        word8(t, &vertex->flex);
+        word8(t, &vertex->anchor);
+        for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
+            word8(t, &vertex->mask[curve]);
+        }
     }
     for (uint32_t key = 0; key < key_count; key++) {
         for (uint32_t i = 0; i < mesh->vertex_count; i++) {
@@ -235,7 +184,13 @@ static void walk_mesh(struct tape *t, struct species_mesh *mesh, struct mesh_tab
         }
     }
     for (uint32_t i = 0; i < mesh->anchor_count; i++) {
-        walk_anchor(t, &tables->anchors[i], key_count);
+        struct species_anchor *anchor = &tables->anchors[i];
+        word8(t, &anchor->curve);
+        word8(t, &anchor->turns);
+        for (uint32_t key = 0; key < key_count; key++) {
+            number(t, &anchor->u[key]);
+            number(t, &anchor->v[key]);
+        }
     }
     for (uint32_t i = 0; i < mesh->index_count; i++) {
         word16(t, &tables->indices[i]);
@@ -247,7 +202,28 @@ static void walk_species(struct tape *t, struct species_slot *slot)
     struct species *s = &slot->species;
     walk_card(t, &s->card);
     for (uint32_t key = 0; key < s->card.key_count; key++) {
-        walk_coat(t, &s->coats[key]);
+        uint32_t *const colours[] = { &s->coats[key].back, &s->coats[key].flank,
+                                      &s->coats[key].belly, &s->coats[key].fin,
+                                      &s->coats[key].iris };
+        for (uint32_t i = 0; i < sizeof colours / sizeof colours[0]; i++) {
+            word32(t, colours[i]);
+        }
+        word8(t, &s->coats[key].clear);
+        word8(t, &s->coats[key].shine);
+        count8(t, &s->coats[key].mark_count, MARK_MAX, "marks");
+        for (uint32_t i = 0; i < s->coats[key].mark_count; i++) {
+            struct species_mark *mark = &s->coats[key].marks[i];
+            word8(t, &mark->kind);
+            word8(t, &mark->part);
+            word8(t, &mark->count);
+            word8(t, &mark->seed);
+            word32(t, &mark->colour);
+            float *const numbers[] = { &mark->from,  &mark->to,  &mark->width,
+                                       &mark->slant, &mark->low, &mark->high };
+            for (uint32_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
+                number(t, numbers[k]);
+            }
+        }
     }
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         walk_mesh(t, &s->lod[lod], &slot->tables[lod], s->card.key_count);
@@ -348,7 +324,7 @@ size_t pack_encode(struct species_slot *slot, uint8_t bytes[PACK_SIZE_MAX])
     struct tape head = { .bytes = bytes, .size = HEAD_SIZE, .at = sizeof magic, .writing = true };
     struct tape tape = { .bytes = bytes, .size = PACK_SIZE_MAX, .at = HEAD_SIZE, .writing = true };
     walk_species(&tape, slot);
-    assert(!tape.too_many && tape.at <= PACK_SIZE_MAX);
+    CORE_ASSERT(!tape.too_many && tape.at <= PACK_SIZE_MAX);
     uint32_t version = PACK_VERSION, size = (uint32_t)(tape.at - HEAD_SIZE);
     uint32_t crc = crc32(bytes + HEAD_SIZE, size);
     memcpy(bytes, magic, sizeof magic);
@@ -364,8 +340,8 @@ void pack_copy(const struct species *species, struct species_slot *slot)
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         const struct species_mesh *mesh = &species->lod[lod];
         struct mesh_tables *to = &slot->tables[lod];
-        assert(mesh->vertex_count <= MESH_VERTEX_MAX && mesh->index_count <= MESH_INDEX_MAX);
-        assert(mesh->anchor_count <= ANCHOR_MAX);
+        CORE_ASSERT(mesh->vertex_count <= MESH_VERTEX_MAX && mesh->index_count <= MESH_INDEX_MAX);
+        CORE_ASSERT(mesh->anchor_count <= ANCHOR_MAX);
         memcpy(to->vertices, mesh->vertices, mesh->vertex_count * sizeof *mesh->vertices);
         if (mesh->anchor_count > 0) {
             memcpy(to->anchors, mesh->anchors, mesh->anchor_count * sizeof *mesh->anchors);

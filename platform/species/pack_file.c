@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "platform/os/file.h"
-#include "platform/species/text_file.h"
+#include "platform/species/text.h"
 
 static enum pack_result cannot(int error, char why[VALIDATE_WHY_SIZE])
 {

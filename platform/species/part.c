@@ -1,11 +1,26 @@
-/* part.c -- finds the vertex that represents a body part. This is the vertex nearest to the
- * reference coordinates of the part. */
+/* part.c -- names the body parts, and finds the vertex that represents a body part. This is the
+ * vertex nearest to the reference coordinates of the part. */
 #include "platform/species/part.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "platform/species/reader.h"
+#include "core/base/panic.h"
+
+const char *const part_names[OWNED_COUNT] = {
+    [PART_BODY] = "body",
+    [PART_EYE] = "eye",
+    [PART_TAIL] = "tail",
+    [PART_DORSAL] = "dorsal",
+    [PART_ANAL] = "anal",
+    [PART_PECTORAL] = "pectoral",
+    [PART_PELVIC] = "pelvic",
+    [PART_DORSAL_2] = "dorsal2",
+    [PART_FINLET_UPPER] = "finlets_upper",
+    [PART_FINLET_LOWER] = "finlets_lower",
+    [PART_HEAD] = "head",
+    [PART_TRUNK] = "trunk",
+};
 
 enum species_part part_of_vertex(const char *name)
 {
@@ -37,6 +52,8 @@ static float unlikeness(const struct species_vertex *at, enum species_part part,
 uint32_t part_vertex_range(const struct species_mesh *mesh, enum species_part part,
                            enum species_side side)
 {
+    CORE_ASSERT(part < PART_COUNT);
+    CORE_ASSERT(side <= SIDE_LEFT);
     uint32_t best = mesh->vertex_count;
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const struct species_vertex *at = &mesh->vertices[i];
@@ -52,6 +69,8 @@ uint32_t part_vertex_range(const struct species_mesh *mesh, enum species_part pa
 vec3 part_of_place(const struct species *species, const struct morph_rig *rig, uint32_t vertex,
                    float progress)
 {
+    CORE_ASSERT(vertex < species->lod[0].vertex_count);
+    CORE_ASSERT(species->card.key_count == rig->key_count);
     static vec3 positions[MESH_VERTEX_MAX];
     static struct morph_pose pose;
     morph_pose(rig, &species->lod[0], progress, &pose);

@@ -4,6 +4,11 @@
 #define KINGYO_PLATFORM_SPECIES_PART_H
 
 #include "core/morph/morph.h"
+#include "platform/species/drawing.h"
+
+/* Names of the body parts in a species text, in the order of enum species_part, PART_HEAD,
+ * PART_TRUNK. */
+extern const char *const part_names[OWNED_COUNT];
 
 /* Returns the enum species_part of a body part's name in a species text, such as "dorsal2". Returns
  * PART_COUNT if the name is unknown. */

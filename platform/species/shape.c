@@ -1,7 +1,10 @@
-/* shape.c -- implementation of shape.h: curves through the drawn points, and the body's surface. */
+/* shape.c -- implementation of shape.h: curves through the drawn points, the body's surface, the
+ * eyes, and the size of a drawing. */
 #include "platform/species/shape.h"
 
 #include <math.h>
+
+#include "core/base/panic.h"
 
 #define PI 3.14159265358979323846
 
@@ -26,6 +29,7 @@ static double slope(const double *x, const double *y, uint32_t count, uint32_t i
 
 double shape_curve_through(const double *x, const double *y, uint32_t count, double at)
 {
+    CORE_ASSERT(count >= 2);
     uint32_t i = 0;
     while (i < count - 2 && at > x[i + 1]) {
         i++;
@@ -43,6 +47,7 @@ double shape_curve_through(const double *x, const double *y, uint32_t count, dou
  * would be pointed like a cone. */
 struct station shape_section(const struct key_text *key, double along)
 {
+    CORE_ASSERT(key->substep_count >= 2 && key->substep_count <= STATION_MAX);
     double x[STATION_MAX], y[4][STATION_MAX];
     for (uint32_t i = 0; i < key->substep_count; i++) {
         const struct station *s = &key->stations[i];
@@ -140,4 +145,113 @@ v3d shape_body_normal(const struct key_text *key, double u, double v)
         v3d_sub(shape_body_point(key, fmin(u + du, 1.0), v), shape_body_point(key, u - du, v));
     const v3d round = v3d_sub(shape_body_point(key, u, v + dv), shape_body_point(key, u, v - dv));
     return v3d_unit(v3d_cross(along, round));
+}
+
+/* ---- Eyes ------------------------------------------------------------------------------------ */
+
+/* This section computes where an eye lies on the skin, and how far the eye's ball protrudes. */
+
+/* Maximum height of an eye's centre above the middle of the cross section, as a fraction of half of
+ * the cross section's height. */
+#define HIGHEST 0.97
+/* Upper limit of the mean depth of the skin under the ball's rim, as a fraction of the ball's
+ * radius. The limit applies where the skin around the eye is a sharp ridge. */
+#define DROP_MAX 0.35
+/* Maximum depth of the ball's centre below the skin, as a fraction of half of the head's thickness
+ * at the eye. */
+#define SUNK_MAX 0.6
+/* Maximum depth of the ball's back below the skin, as a fraction of half of the head's thickness at
+ * the eye. The limit prevents that the ball emerges on the opposite side. */
+#define DEPTH_MAX 0.9
+/* Minimum depth of each half of a ball. A flatter ball has no usable normals. */
+#define THINNEST 1e-3
+
+struct ball shape_eye_ball(const struct key_text *key, uint32_t side)
+{
+    CORE_ASSERT(side < 2);
+    CORE_ASSERT(key->eyes[side].diameter > 0.0f);
+    const struct eye *eye = &key->eyes[side];
+    const struct station s = shape_section(key, (double)eye->x);
+    /* `girth` is the surface coordinate v of the right flank at the height of the eye: 0 is the
+     * middle of the back, 0.5 the middle of the belly. */
+    const double up = ((double)eye->y - (double)s.offset) / (0.5 * (double)s.depth);
+    const double share = pow(fmin(fabs(up), HIGHEST), 0.5 * (double)s.exponent);
+    const double girth =
+        (acos(copysign(share, up)) / (2.0 * PI)) * (1.0 - (double)eye->turn_deg / 90.0);
+    struct ball ball = { .u = shape_body_u(key, (double)eye->x),
+                         .v = side == 0 ? girth : 1.0 - girth,
+                         .radius = 0.5 * (double)eye->diameter };
+    const v3d skin = shape_body_point(key, ball.u, ball.v),
+              n = shape_body_normal(key, ball.u, ball.v);
+    const v3d axis = { 0.0, (double)s.offset, skin.z };
+    const double half = fmax(v3d_dot(v3d_sub(skin, axis), n), THINNEST);
+    /* `drop` is the mean distance between the plane that touches the skin at the eye's centre and
+     * the skin under the ball's rim. The result is at most DROP_MAX times the ball's
+     * radius. */
+    const double d = 1e-3;
+    const v3d along = v3d_sub(shape_body_point(key, ball.u + d, ball.v), skin);
+    const v3d round = v3d_sub(shape_body_point(key, ball.u, ball.v + d), skin);
+    const double du = d * ball.radius / fmax(v3d_length(along), 1e-9);
+    const double dv = d * ball.radius / fmax(v3d_length(round), 1e-9);
+    const double step[4][2] = { { du, 0 }, { -du, 0 }, { 0, dv }, { 0, -dv } };
+    double sum = 0.0;
+    for (int i = 0; i < 4; i++) {
+        const double u = fmin(fmax(ball.u + step[i][0], 0.002), 1.0);
+        const v3d to = v3d_sub(shape_body_point(key, u, ball.v + step[i][1]), skin);
+        const double fall = -v3d_dot(to, n);
+        const double away = v3d_length(v3d_muladd(to, n, fall));
+        sum += 0.25 * fall * pow(ball.radius / fmax(away, 1e-6), 2.0);
+    }
+    const double drop = fmin(fmax(sum, 0.0), DROP_MAX * ball.radius);
+    const double stands_out = (double)eye->bulge * (double)eye->diameter;
+    const double out = (stands_out + drop) / (1.0 - cos(EYE_RIM_RAD));
+    ball.sunk = fmin(out - stands_out, SUNK_MAX * half);
+    ball.out = fmax(ball.sunk + stands_out, THINNEST);
+    ball.in = fmin(ball.out, fmax(DEPTH_MAX * half - ball.sunk, THINNEST));
+    return ball;
+}
+
+/* ---- Size of a drawing ----------------------------------------------------------------------- */
+
+/* This section computes the size of a drawing before the drawing is scaled to the species'
+ * length measure. */
+
+/* Number of sample points on the rear edge of a tail fin, among which the rearmost point is
+ * searched. */
+#define TIPS 64
+
+double shape_unit_length(const struct key_text *key, enum species_measure measure)
+{
+    const bool tail = key->fins[PART_TAIL].ray_count > 0;
+    double length = measure == MEASURE_DISC ? 0.0 : 1.0;
+    if (measure == MEASURE_DISC) {
+        /* The length is the width. Only the stations are examined, because the body is nowhere
+         * wider than at its widest station. */
+        for (uint32_t i = 0; i < key->substep_count; i++) {
+            length = fmax(length, (double)key->stations[i].width);
+        }
+    } else if (measure == MEASURE_TOTAL && tail) {
+        for (int i = 0; i <= TIPS; i++) {
+            length = fmax(length, shape_fin_point(key, PART_TAIL, (double)i / TIPS, 1.0).z);
+        }
+    } else if (measure == MEASURE_FORK && tail) {
+        length = shape_fin_point(key, PART_TAIL, 0.5, 1.0).z;
+    }
+    return length;
+}
+
+double shape_farthest(const struct key_text *key)
+{
+    double body = 1.0, ray = 0.0;
+    for (uint32_t i = 0; i < key->substep_count; i++) {
+        const struct station *s = &key->stations[i];
+        const double up = fabs((double)s->offset) + 0.5 * (double)s->depth;
+        body = fmax(body, fmax(up, 0.5 * (double)s->width));
+    }
+    for (uint32_t part = PART_TAIL; part < PART_COUNT; part++) {
+        for (uint32_t i = 0; i < key->fins[part].ray_count; i++) {
+            ray = fmax(ray, (double)key->fins[part].rays[i].length);
+        }
+    }
+    return body + ray;
 }

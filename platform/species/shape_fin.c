@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "core/base/panic.h"
+
 #define PI 3.14159265358979323846
 /* Depth of the fins' roots below the skin, as a fraction of the fish's length. The roots are below
  * the skin so that no gap is visible. */
@@ -43,22 +45,6 @@
 /* Minimum distance of a visible fin point from the body's axis, as a multiple of the distance of
  * the skin from the body's axis. */
 #define CLEAR_OF 1.02
-
-static struct ray ray_at(const struct fin *fin, double at)
-{
-    double x[RAY_MAX], y[3][RAY_MAX];
-    for (uint32_t i = 0; i < fin->ray_count; i++) {
-        x[i] = (double)fin->rays[i].at;
-        y[0][i] = (double)fin->rays[i].length;
-        y[1][i] = (double)fin->rays[i].sweep_deg;
-        y[2][i] = (double)fin->rays[i].side_deg;
-    }
-    const uint32_t n = fin->ray_count;
-    return (struct ray){ .at = (float)at,
-                         .length = (float)shape_curve_through(x, y[0], n, at),
-                         .sweep_deg = (float)shape_curve_through(x, y[1], n, at),
-                         .side_deg = (float)shape_curve_through(x, y[2], n, at) };
-}
 
 static double stalk_depth(const struct key_text *key)
 {
@@ -171,7 +157,18 @@ static v3d fin_direction(const struct fin *fin, enum species_part part, struct r
 static v3d ray_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     const struct fin *fin = &key->fins[part];
-    const struct ray ray = ray_at(fin, at);
+    double x[RAY_MAX], y[3][RAY_MAX];
+    for (uint32_t i = 0; i < fin->ray_count; i++) {
+        x[i] = (double)fin->rays[i].at;
+        y[0][i] = (double)fin->rays[i].length;
+        y[1][i] = (double)fin->rays[i].sweep_deg;
+        y[2][i] = (double)fin->rays[i].side_deg;
+    }
+    const uint32_t n = fin->ray_count;
+    const struct ray ray = { .at = (float)at,
+                             .length = (float)shape_curve_through(x, y[0], n, at),
+                             .sweep_deg = (float)shape_curve_through(x, y[1], n, at),
+                             .side_deg = (float)shape_curve_through(x, y[2], n, at) };
     const double length = (double)ray.length;
     const double sink = part == PART_TAIL ? 0.0 : sink_at(key, base_x(fin, at));
     const double shown = fmax(length - sink, SHOWN_MIN);
@@ -206,29 +203,6 @@ static double outness(const struct key_text *key, v3d p)
     return pow(pow(x, e) + pow(y, e), 1.0 / e);
 }
 
-/* Returns the value of `along` at which a ray leaves the body, with `along` as in ray_point(). */
-static double fin_exit(const struct key_text *key, enum species_part part, double at)
-{
-    double along = 0.0;
-    while (along < EXIT_MAX && outness(key, ray_point(key, part, at, along)) < CLEAR_OF) {
-        along += 1.0 / EXIT_STEPS;
-    }
-    return fmin(along, EXIT_MAX);
-}
-
-/* Returns point `p` of a folded paired fin. If the point is inside the body, moves the point away
- * from the body's axis until it is just outside the skin. */
-static v3d on_flank(const struct key_text *key, v3d p)
-{
-    const double out = outness(key, p);
-    if (out >= CLEAR_OF || out < 1e-3) {
-        return p;
-    }
-    const double middle = (double)shape_section(key, fmin(p.z, 1.0)).offset;
-    const double k = CLEAR_OF / out;
-    return (v3d){ p.x * k, middle + (p.y - middle) * k, p.z };
-}
-
 /* Returns the root of a ray (along = 0) or a point of the ray's visible part (along > 0). The
  * merging of an eel's fins is not applied. */
 static v3d own_point(const struct key_text *key, enum species_part part, double at, double along)
@@ -237,27 +211,36 @@ static v3d own_point(const struct key_text *key, enum species_part part, double 
         return fin_base(key, part, at, sink_at(key, base_x(&key->fins[part], at)));
     }
     if (part == PART_PECTORAL || part == PART_PELVIC) {
-        return on_flank(key, ray_point(key, part, at, along));
+        /* A point of a folded paired fin that is inside the body is moved away from the body's
+         * axis until the point is just outside the skin. */
+        const v3d p = ray_point(key, part, at, along);
+        const double out = outness(key, p);
+        if (out >= CLEAR_OF || out < 1e-3) {
+            return p;
+        }
+        const double middle = (double)shape_section(key, fmin(p.z, 1.0)).offset;
+        const double k = CLEAR_OF / out;
+        return (v3d){ p.x * k, middle + (p.y - middle) * k, p.z };
     }
-    const double exit = fin_exit(key, part, at);
+    /* `exit` is the fraction of the ray's length at which the ray leaves the body. */
+    double exit = 0.0;
+    while (exit < EXIT_MAX && outness(key, ray_point(key, part, at, exit)) < CLEAR_OF) {
+        exit += 1.0 / EXIT_STEPS;
+    }
+    exit = fmin(exit, EXIT_MAX);
     return ray_point(key, part, at, exit + (1.0 - exit) * along);
-}
-
-/* Returns how far an eel's dorsal or anal fin has merged with the tail fin at position `at`, [0,
- * 1]. 0 means separate. */
-static double joined(const struct key_text *key, enum species_part part, double at)
-{
-    if (!key->confluent || (part != PART_DORSAL && part != PART_ANAL)) {
-        return 0.0;
-    }
-    const double t = fmax((at - JOIN_FROM) / (1.0 - JOIN_FROM), 0.0);
-    return t * t * (3.0 - 2.0 * t);
 }
 
 v3d shape_fin_point(const struct key_text *key, enum species_part part, double at, double along)
 {
+    CORE_ASSERT(part < PART_COUNT);
+    CORE_ASSERT(key->fins[part].ray_count >= 2);
     const v3d own = own_point(key, part, at, along);
-    const double share = joined(key, part, at);
+    const bool is_seam = key->confluent && (part == PART_DORSAL || part == PART_ANAL);
+    const double t = is_seam ? fmax((at - JOIN_FROM) / (1.0 - JOIN_FROM), 0.0) : 0.0;
+    /* Share of the tail fin in the point. 0 means that an eel's dorsal or anal fin has not merged
+     * with the tail fin at position `at`. */
+    const double share = t * t * (3.0 - 2.0 * t);
     if (share <= 0.0) {
         return own;
     }
@@ -277,6 +260,9 @@ v3d shape_fin_normal(const struct key_text *key, enum species_part part, double 
 
 v3d shape_finlet_point(const struct key_text *key, uint32_t row, double at, uint32_t corner)
 {
+    CORE_ASSERT(row < 2);
+    CORE_ASSERT(corner < 3);
+    CORE_ASSERT(key->finlets[row].count > 0);
     const struct finlets *f = &key->finlets[row];
     const double length = (double)f->end - (double)f->start;
     const double base = corner == 1 ? FINLET_BASE * length / f->count : 0.0;

@@ -1,7 +1,8 @@
 /* text_check.c -- checks that a parsed species text is complete and consistent, so that its meshes
  * can be built. */
-#include "platform/species/reader.h"
+#include "platform/species/text.h"
 
+#include "core/base/panic.h"
 #include "core/morph/morph.h"
 #include "platform/species/shape.h"
 
@@ -16,25 +17,11 @@
  * key's age. */
 #define LENGTH_APART 0.02f
 
-static bool check_eyes(const struct species_reader *r, const struct key_text *key)
-{
-    for (int side = 0; side < 2; side++) {
-        const struct eye *eye = &key->eyes[side];
-        if (eye->diameter <= 0.0f) {
-            return species_reader_error(r, "key %s has no %s eye", key->name,
-                                        side == 0 ? "right" : "left");
-        }
-        if (eye->x < 0.5f * eye->diameter) {
-            return species_reader_error(r, "key %s: the eye reaches beyond the snout", key->name);
-        }
-    }
-    return true;
-}
-
 /* Checks that all keys have the same parts, so that every vertex has a counterpart in the next
  * key. */
 static bool check_fins(const struct species_reader *r, const struct key_text *key)
 {
+    CORE_ASSERT(r->species->key_count > 0);
     const struct key_text *first = &r->species->keys[0];
     for (uint32_t part = PART_TAIL; part <= PART_DORSAL_2; part++) {
         const struct fin *fin = &key->fins[part];
@@ -60,8 +47,31 @@ static bool check_fins(const struct species_reader *r, const struct key_text *ke
     return true;
 }
 
-static bool check_size(const struct species_reader *r, const struct key_text *key)
+static bool check_key(const struct species_reader *r, const struct key_text *key)
 {
+    const bool has_gill = key->gill > 0.0f, first_has = r->species->keys[0].gill > 0.0f;
+    if (key->substep_count < 4 || key->stations[key->substep_count - 1].x != 1.0f) {
+        return species_reader_error(r, "key %s needs stations from x 0 to x 1, four or more",
+                                    key->name);
+    }
+    if (has_gill != first_has) {
+        return species_reader_error(r, "key %s has %s: write it in all keys or in none", key->name,
+                                    has_gill ? "a gill and the first key has none"
+                                             : "no gill and the first has");
+    }
+    for (int side = 0; side < 2; side++) {
+        const struct eye *eye = &key->eyes[side];
+        if (eye->diameter <= 0.0f) {
+            return species_reader_error(r, "key %s has no %s eye", key->name,
+                                        side == 0 ? "right" : "left");
+        }
+        if (eye->x < 0.5f * eye->diameter) {
+            return species_reader_error(r, "key %s: the eye reaches beyond the snout", key->name);
+        }
+    }
+    if (!check_fins(r, key)) {
+        return false;
+    }
     const enum species_measure measure = (enum species_measure)r->species->measure;
     const double unit = shape_unit_length(key, measure);
     if (!(unit >= UNIT_MIN)) {
@@ -77,52 +87,6 @@ static bool check_size(const struct species_reader *r, const struct key_text *ke
     return true;
 }
 
-static bool check_key(const struct species_reader *r, const struct key_text *key)
-{
-    const bool has_gill = key->gill > 0.0f, first_has = r->species->keys[0].gill > 0.0f;
-    if (key->substep_count < 4 || key->stations[key->substep_count - 1].x != 1.0f) {
-        return species_reader_error(r, "key %s needs stations from x 0 to x 1, four or more",
-                                    key->name);
-    }
-    if (has_gill != first_has) {
-        return species_reader_error(r, "key %s has %s: write it in all keys or in none", key->name,
-                                    has_gill ? "a gill and the first key has none"
-                                             : "no gill and the first has");
-    }
-    return check_eyes(r, key) && check_fins(r, key) && check_size(r, key);
-}
-
-/* Sets the age of a key whose text gives no age. The age is the age at which the growth curve
- * reaches the key's length. */
-static bool find_age(const struct species_reader *r, struct key_text *key)
-{
-    const struct growth *growth = &r->species->growth;
-    if (key->age_days >= 0.0f) {
-        return true;
-    }
-    key->age_days = growth_age_days(growth, key->length_m);
-    const float length_m = growth_length_m(growth, key->age_days);
-    if (f_abs(length_m / key->length_m - 1.0f) > LENGTH_APART) {
-        return species_reader_error(
-            r, "key %s is %g mm and growth gives no age for that: %.4g mm at %.4g days", key->name,
-            (double)(key->length_m * 1000.0f), (double)(length_m * 1000.0f), (double)key->age_days);
-    }
-    return true;
-}
-
-/* Checks that the key's age, progress and length are consistent. Each of the three values is
- * computed from the others in some part of the program. */
-static bool check_growth(const struct species_reader *r, const struct key_text *key)
-{
-    const float length_m = growth_length_m(&r->species->growth, key->age_days);
-    if (f_abs(length_m / key->length_m - 1.0f) > LENGTH_APART) {
-        return species_reader_error(
-            r, "key %s is %.4g mm at %.4g days, and growth says %.4g mm: write a point", key->name,
-            (double)(key->length_m * 1000.0f), (double)key->age_days, (double)(length_m * 1000.0f));
-    }
-    return true;
-}
-
 /* Computes missing ages from the lengths. Then checks that the ages increase from key to key, and
  * that the growth curve matches the keys' lengths. */
 static bool check_ages(struct species_reader *r)
@@ -131,32 +95,31 @@ static bool check_ages(struct species_reader *r)
     for (uint32_t i = 0; i < s->key_count; i++) {
         struct key_text *key = &s->keys[i];
         r->line = r->key_line[i];
-        if (!find_age(r, key)) {
-            return false;
+        const bool has_age = key->age_days >= 0.0f;
+        if (!has_age) {
+            key->age_days = growth_age_days(&s->growth, key->length_m);
+        }
+        const float length_m = growth_length_m(&s->growth, key->age_days);
+        const bool apart = f_abs(length_m / key->length_m - 1.0f) > LENGTH_APART;
+        if (!has_age && apart) {
+            return species_reader_error(
+                r, "key %s is %g mm and growth gives no age for that: %.4g mm at %.4g days",
+                key->name, (double)(key->length_m * 1000.0f), (double)(length_m * 1000.0f),
+                (double)key->age_days);
         }
         if (i > 0 && key->age_days <= key[-1].age_days) {
             return species_reader_error(
                 r, "key %s (%.4g days) is not older than key %s (%.4g days)", key->name,
                 (double)key->age_days, key[-1].name, (double)key[-1].age_days);
         }
-        if (!check_growth(r, key)) {
-            return false;
+        /* The age, the progress and the length of a key must be consistent, because each of the
+         * three values is computed from the others in some part of the program. */
+        if (apart) {
+            return species_reader_error(
+                r, "key %s is %.4g mm at %.4g days, and growth says %.4g mm: write a point",
+                key->name, (double)(key->length_m * 1000.0f), (double)key->age_days,
+                (double)(length_m * 1000.0f));
         }
-    }
-    return true;
-}
-
-/* Checks that solve_graph() succeeds for a graph of the line kind "solved". Graphs of other kinds
- * are always accepted. */
-static bool check_solved(const struct species_reader *r, const struct curve_text *curve)
-{
-    float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
-    uint32_t stuck = 0;
-    if (curve->graph.solved &&
-        !solve_graph(&curve->graph, r->species->key_count, solution, &stuck)) {
-        return species_reader_error(
-            r, "the graph of %s shows too little of key %s to be solved for it", curve->name,
-            r->species->keys[stuck].name);
     }
     return true;
 }
@@ -176,8 +139,14 @@ static bool check_curves(struct species_reader *r)
         if (i > 0 && curve->parts == 0 && curve->area_count == 0) {
             return species_reader_error(r, "curve %s moves no part and no area", curve->name);
         }
-        if (!check_solved(r, curve)) {
-            return false;
+        /* solve_graph() must succeed for a graph of the line kind "solved". */
+        float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
+        uint32_t stuck = 0;
+        if (curve->graph.solved &&
+            !solve_graph(&curve->graph, r->species->key_count, solution, &stuck)) {
+            return species_reader_error(
+                r, "the graph of %s shows too little of key %s to be solved for it", curve->name,
+                r->species->keys[stuck].name);
         }
     }
     return true;
@@ -185,6 +154,8 @@ static bool check_curves(struct species_reader *r)
 
 bool text_check_species(struct species_reader *r)
 {
+    CORE_ASSERT(r->species->key_count <= MORPH_KEY_MAX);
+    CORE_ASSERT(r->species->curve_count >= 1 && r->species->curve_count <= MORPH_CURVE_MAX);
     struct species_text *s = r->species;
     if (s->id[0] == '\0') {
         return species_reader_error(r, "no species ID");

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "core/morph/morph.h"
-#include "platform/species/validate_parts.h"
 
 #define AGE_MAX_DAYS 14610.0f /* Maximum age in days. 40 years is the range of growth.c. */
 /* Minimum length of a key. The smallest fish larvae are 1.5 mm long. A length below a third of this
@@ -96,66 +95,6 @@ static bool vet_keys(struct vetting *v)
     return true;
 }
 
-static bool vet_thesis(struct vetting *v)
-{
-    const struct species_card *card = &v->species->card;
-    for (uint32_t i = 0; i < 3; i++) {
-        if (!validate_choice(v, "thesis keys", card->thesis_key[i], card->key_count)) {
-            return false;
-        }
-        if (i > 0 && card->thesis_key[i] <= card->thesis_key[i - 1]) {
-            return validate_refuse(v, "thesis keys: they go from young to old");
-        }
-    }
-    return (card->thesis_template != TEMPLATE_OWN ||
-            validate_refuse(v, "thesis template: it is one of its own")) &&
-           validate_choice(v, "thesis template", card->thesis_template, TEMPLATE_COUNT);
-}
-
-static bool vet_growth(struct vetting *v)
-{
-    const struct growth *g = &v->species->card.growth;
-    if (!validate_number(v, "growth/length_inf_m", g->length_inf_m, LENGTH_MIN_M, LENGTH_MAX_M) ||
-        !validate_number(v, "growth/k_per_year", g->k_per_year, 0.001f, 10.0f) ||
-        !validate_number(v, "growth/t0_year", g->t0_year, -20.0f, 20.0f) ||
-        !validate_number(v, "growth/fade_year", g->fade_year, 0.001f, 5.0f)) {
-        return false;
-    }
-    if (g->point_count < 1 || g->point_count > GROWTH_POINT_MAX) {
-        return validate_refuse(v, "growth/points: %u, and there are 1 to %u", g->point_count,
-                               GROWTH_POINT_MAX);
-    }
-    for (uint32_t i = 0; i < g->point_count; i++) {
-        const struct growth_point *point = &g->points[i];
-        if (!validate_number(v, "growth/age_days", point->age_days, 0.0f, AGE_MAX_DAYS) ||
-            !validate_number(v, "growth/length_m", point->length_m, LENGTH_MIN_M, LENGTH_MAX_M)) {
-            return false;
-        }
-        if (i == 0 ? point->age_days != 0.0f : point->age_days <= point[-1].age_days) {
-            return validate_refuse(v, "growth/age_days: point %u (%g) does not go on from 0", i,
-                                   (double)point->age_days);
-        }
-    }
-    return true;
-}
-
-/* Checks that the age, the progress and the length of each key are consistent. Each of the three
- * values is computed from the others in some part of the program. */
-static bool vet_life(struct vetting *v)
-{
-    const struct species_card *card = &v->species->card;
-    for (uint32_t key = 0; key < card->key_count; key++) {
-        const float age = card->key_age_days[key], length = card->key_length_m[key];
-        const float grown = growth_length_m(&card->growth, age);
-        if (!(f_abs(grown / length - 1.0f) <= LENGTH_APART)) {
-            return validate_refuse(v, "%s/length_m: %.4g at %.4g days, where growth says %.4g",
-                                   card->key_names[key], (double)length, (double)age,
-                                   (double)grown);
-        }
-    }
-    return true;
-}
-
 static bool vet_scale(struct vetting *v)
 {
     const struct species_card *card = &v->species->card;
@@ -229,21 +168,6 @@ static bool vet_curves(struct vetting *v)
     return true;
 }
 
-static bool vet_mark(struct vetting *v, const char *key, const struct species_mark *mark)
-{
-    char what[VALIDATE_WHAT_SIZE];
-    const float *const numbers[] = { &mark->from,  &mark->to,  &mark->width,
-                                     &mark->slant, &mark->low, &mark->high };
-    snprintf(what, sizeof what, "%s/mark", key);
-    for (uint32_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        if (!validate_number(v, what, *numbers[i], -1000.0f, 1000.0f)) {
-            return false;
-        }
-    }
-    return validate_choice(v, what, mark->kind, MARK_COUNT) &&
-           validate_choice(v, what, mark->part, PART_COUNT);
-}
-
 static bool vet_coats(struct vetting *v)
 {
     const struct species_card *card = &v->species->card;
@@ -257,7 +181,18 @@ static bool vet_coats(struct vetting *v)
             return validate_refuse(v, "%s/marks: more than %u", card->key_names[key], MARK_MAX);
         }
         for (uint32_t i = 0; i < coat->mark_count; i++) {
-            if (!vet_mark(v, card->key_names[key], &coat->marks[i])) {
+            const struct species_mark *mark = &coat->marks[i];
+            char what[VALIDATE_WHAT_SIZE];
+            const float *const numbers[] = { &mark->from,  &mark->to,  &mark->width,
+                                             &mark->slant, &mark->low, &mark->high };
+            snprintf(what, sizeof what, "%s/mark", card->key_names[key]);
+            for (uint32_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
+                if (!validate_number(v, what, *numbers[k], -1000.0f, 1000.0f)) {
+                    return false;
+                }
+            }
+            if (!validate_choice(v, what, mark->kind, MARK_COUNT) ||
+                !validate_choice(v, what, mark->part, PART_COUNT)) {
                 return false;
             }
         }
@@ -269,10 +204,58 @@ bool species_validate(const struct species *species, char why[VALIDATE_WHY_SIZE]
 {
     struct vetting v = { .species = species, .why = why };
     const struct species_card *card = &species->card;
-    return vet_name(&v, "id", card->id) && vet_keys(&v) &&
-           validate_choice(&v, "measure", card->measure, MEASURE_DISC + 1u) &&
-           validate_choice(&v, "motion", card->motion, MOTION_WING + 1u) &&
-           validate_choice(&v, "form", card->form, FORM_PUFFER + 1u) && vet_thesis(&v) &&
-           vet_growth(&v) && vet_life(&v) && vet_scale(&v) && vet_curves(&v) && vet_coats(&v) &&
-           validate_meshes(&v);
+    if (!vet_name(&v, "id", card->id) || !vet_keys(&v) ||
+        !validate_choice(&v, "measure", card->measure, MEASURE_DISC + 1u) ||
+        !validate_choice(&v, "motion", card->motion, MOTION_WING + 1u) ||
+        !validate_choice(&v, "form", card->form, FORM_PUFFER + 1u)) {
+        return false;
+    }
+    for (uint32_t i = 0; i < 3; i++) {
+        if (!validate_choice(&v, "thesis keys", card->thesis_key[i], card->key_count)) {
+            return false;
+        }
+        if (i > 0 && card->thesis_key[i] <= card->thesis_key[i - 1]) {
+            return validate_refuse(&v, "thesis keys: they go from young to old");
+        }
+    }
+    if (card->thesis_template == TEMPLATE_OWN) {
+        return validate_refuse(&v, "thesis template: it is one of its own");
+    }
+    if (!validate_choice(&v, "thesis template", card->thesis_template, TEMPLATE_COUNT)) {
+        return false;
+    }
+    const struct growth *g = &v.species->card.growth;
+    if (!validate_number(&v, "growth/length_inf_m", g->length_inf_m, LENGTH_MIN_M, LENGTH_MAX_M) ||
+        !validate_number(&v, "growth/k_per_year", g->k_per_year, 0.001f, 10.0f) ||
+        !validate_number(&v, "growth/t0_year", g->t0_year, -20.0f, 20.0f) ||
+        !validate_number(&v, "growth/fade_year", g->fade_year, 0.001f, 5.0f)) {
+        return false;
+    }
+    if (g->point_count < 1 || g->point_count > GROWTH_POINT_MAX) {
+        return validate_refuse(&v, "growth/points: %u, and there are 1 to %u", g->point_count,
+                               GROWTH_POINT_MAX);
+    }
+    for (uint32_t i = 0; i < g->point_count; i++) {
+        const struct growth_point *point = &g->points[i];
+        if (!validate_number(&v, "growth/age_days", point->age_days, 0.0f, AGE_MAX_DAYS) ||
+            !validate_number(&v, "growth/length_m", point->length_m, LENGTH_MIN_M, LENGTH_MAX_M)) {
+            return false;
+        }
+        if (i == 0 ? point->age_days != 0.0f : point->age_days <= point[-1].age_days) {
+            return validate_refuse(&v, "growth/age_days: point %u (%g) does not go on from 0", i,
+                                   (double)point->age_days);
+        }
+    }
+    /* The age, the progress and the length of each key must be consistent, because each of the
+     * three values is computed from the others in some part of the program. */
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        const float age = card->key_age_days[key], length = card->key_length_m[key];
+        const float grown = growth_length_m(&card->growth, age);
+        if (!(f_abs(grown / length - 1.0f) <= LENGTH_APART)) {
+            return validate_refuse(&v, "%s/length_m: %.4g at %.4g days, where growth says %.4g",
+                                   card->key_names[key], (double)length, (double)age,
+                                   (double)grown);
+        }
+    }
+    return vet_scale(&v) && vet_curves(&v) && vet_coats(&v) && validate_meshes(&v);
 }

@@ -1,5 +1,5 @@
 /* validate_mesh.c -- validates the meshes of an untrusted species. */
-#include "platform/species/validate_parts.h"
+#include "platform/species/validate.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -59,18 +59,6 @@ static bool vet_vertex(struct vetting *v, const char *what, const struct species
            validate_choice(v, what, vertex->side, SIDE_LEFT + 1u);
 }
 
-static bool vet_vertices(struct vetting *v, const char *lod, const struct species_mesh *mesh)
-{
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        char what[VALIDATE_WHAT_SIZE];
-        snprintf(what, sizeof what, "%s/vertex %u", lod, i);
-        if (!vet_vertex(v, what, mesh, &mesh->vertices[i])) {
-            return false;
-        }
-    }
-    return true;
-}
-
 static bool vet_triangles(struct vetting *v, const char *lod, const struct species_mesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
@@ -119,26 +107,6 @@ static bool vet_grid(struct vetting *v, const char *lod, const struct species_me
     return true;
 }
 
-static bool vet_anchors(struct vetting *v, const char *lod, const struct species_mesh *mesh)
-{
-    for (uint32_t i = 0; i < mesh->anchor_count; i++) {
-        const struct species_anchor *anchor = &mesh->anchors[i];
-        char what[VALIDATE_WHAT_SIZE];
-        snprintf(what, sizeof what, "%s/anchor %u", lod, i);
-        if (!validate_choice(v, what, anchor->curve, v->species->card.curve_count) ||
-            !validate_choice(v, what, anchor->turns, 2)) {
-            return false;
-        }
-        for (uint32_t key = 0; key < v->species->card.key_count; key++) {
-            if (!validate_number(v, what, anchor->u[key], 0.0f, 1.0f) ||
-                !validate_number(v, what, anchor->v[key], U_MIN, U_MAX)) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
 /* Checks each key of a mesh. The length in the species' own measure must be 1, because only the
  * scale curve sets the fish's size. The snout must be at z = -0.5. */
 static bool vet_size(struct vetting *v, const char *lod, const char *key,
@@ -171,30 +139,48 @@ static bool vet_size(struct vetting *v, const char *lod, const char *key,
     }
 }
 
-static bool vet_keys_of(struct vetting *v, const char *lod, const struct species_mesh *mesh)
-{
-    static struct morph_pose pose;
-    static vec3 positions[MESH_VERTEX_MAX];
-    const struct species_card *card = &v->species->card;
-    for (uint32_t key = 0; key < card->key_count; key++) {
-        morph_key_pose(mesh, card->key_count, key, &pose);
-        morph_shape(mesh, card->key_count, &pose, positions, NULL);
-        if (!vet_size(v, lod, card->key_names[key], mesh, positions)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 bool validate_meshes(struct vetting *v)
 {
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         const struct species_mesh *mesh = &v->species->lod[lod];
         const char *name = lod_names[lod];
-        if (!vet_counts(v, name, mesh) || !vet_vertices(v, name, mesh) ||
-            !vet_triangles(v, name, mesh) || !vet_grid(v, name, mesh) ||
-            !vet_anchors(v, name, mesh) || !vet_keys_of(v, name, mesh)) {
+        if (!vet_counts(v, name, mesh)) {
             return false;
+        }
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            char what[VALIDATE_WHAT_SIZE];
+            snprintf(what, sizeof what, "%s/vertex %u", name, i);
+            if (!vet_vertex(v, what, mesh, &mesh->vertices[i])) {
+                return false;
+            }
+        }
+        if (!vet_triangles(v, name, mesh) || !vet_grid(v, name, mesh)) {
+            return false;
+        }
+        for (uint32_t i = 0; i < mesh->anchor_count; i++) {
+            const struct species_anchor *anchor = &mesh->anchors[i];
+            char what[VALIDATE_WHAT_SIZE];
+            snprintf(what, sizeof what, "%s/anchor %u", name, i);
+            if (!validate_choice(v, what, anchor->curve, v->species->card.curve_count) ||
+                !validate_choice(v, what, anchor->turns, 2)) {
+                return false;
+            }
+            for (uint32_t key = 0; key < v->species->card.key_count; key++) {
+                if (!validate_number(v, what, anchor->u[key], 0.0f, 1.0f) ||
+                    !validate_number(v, what, anchor->v[key], U_MIN, U_MAX)) {
+                    return false;
+                }
+            }
+        }
+        static struct morph_pose pose;
+        static vec3 positions[MESH_VERTEX_MAX];
+        const struct species_card *card = &v->species->card;
+        for (uint32_t key = 0; key < card->key_count; key++) {
+            morph_key_pose(mesh, card->key_count, key, &pose);
+            morph_shape(mesh, card->key_count, &pose, positions, NULL);
+            if (!vet_size(v, name, card->key_names[key], mesh, positions)) {
+                return false;
+            }
         }
     }
     return true;

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "platform/ctl/import/import_flat.h"
+#include "platform/ctl/import/import.h"
 #include "tests/fuzz/meshes.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);

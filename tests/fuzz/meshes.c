@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "platform/ctl/import/import_options.h"
+#include "platform/ctl/import/import.h"
 #include "tests/fuzz/exercise.h"
 
 /* Creates a real file in a file system in memory, because the scene importer uses the suffix of the

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include "platform/ctl/import/import_mesh.h"
+#include "platform/ctl/import/import.h"
 
 /* Writes the bytes into a file in memory. Returns the path of the file, which stays valid until the
  * next call. */

@@ -9,8 +9,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/morph/morph.h"
-#include "platform/ctl/import/import_options.h"
+#include "platform/ctl/import/import.h"
 
 #define BUCKETS 262144u /* Number of buckets of the hash table, four times IMPORT_VERTEX_MAX. */
 #define PI 3.14159265f
@@ -87,38 +88,9 @@ static float share(float x, float low, float high)
     return high > low ? f_clamp((x - low) / (high - low), 0.0f, 1.0f) : 0.0f;
 }
 
-/* Computes the body coordinates u and v (core/morph/species.h) of the position `p`. */
-static void coordinates(const struct builder *b, enum species_part part, enum species_side side,
-                        vec3 p, struct corner *out)
-{
-    const struct part_box *box = &b->boxes[part][side];
-    const vec3 middle = v3_scale(v3_add(box->low, box->high), 0.5f);
-    const float along = share(p.z, box->low.z, box->high.z);
-    if (part == PART_BODY) {
-        const float turn = atan2f(p.x - middle.x, p.y - middle.y) / (2.0f * PI);
-        out->u = along;
-        out->v = turn < 0.0f ? turn + 1.0f : turn;
-    } else if (part == PART_EYE) {
-        const vec3 out_of = v3(side == SIDE_RIGHT ? 1.0f : -1.0f, 0.0f, 0.0f);
-        const vec3 from = v3_normalize_or(v3_sub(p, middle), out_of);
-        out->u = acosf(f_clamp(v3_dot(from, out_of), -1.0f, 1.0f)) / (0.5f * PI);
-        out->v = side == SIDE_RIGHT ? 0.25f : 0.75f;
-    } else if (part == PART_TAIL) {
-        out->u = 1.0f - share(p.y, box->low.y, box->high.y);
-        out->v = along;
-    } else {
-        const float reach = fmaxf(fabsf(box->low.y), fabsf(box->high.y));
-        const float root = fmaxf(fmaxf(box->low.y, -box->high.y), 0.0f);
-        const bool paired = side != SIDE_MIDDLE;
-        const float far = fmaxf(fabsf(box->low.x), fabsf(box->high.x));
-        out->u = along;
-        out->v = paired ? share(fabsf(p.x), fminf(fabsf(box->low.x), fabsf(box->high.x)), far)
-                        : share(fabsf(p.y), root, reach);
-    }
-}
-
 static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
 {
+    CORE_ASSERT(t < b->mesh->triangle_count && k < 3);
     const struct import_mesh *m = b->mesh;
     const uint32_t vertex = m->triangles[t][k];
     struct corner corner = { .part = (uint8_t)part_of(b, t) };
@@ -133,24 +105,38 @@ static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
         corner.u = f_clamp(m->uv[vertex][0], -2.0f, 4.0f);
         corner.v = f_clamp(m->uv[vertex][1], -2.0f, 4.0f);
     } else {
-        coordinates(b, part_of(b, t), (enum species_side)corner.side, m->positions[b->key][vertex],
-                    &corner);
+        /* u and v are the body coordinates of the vertex (core/morph/species.h). */
+        const enum species_part part = part_of(b, t);
+        const enum species_side side = (enum species_side)corner.side;
+        const struct part_box *box = &b->boxes[part][side];
+        const vec3 middle = v3_scale(v3_add(box->low, box->high), 0.5f);
+        const float along = share(m->positions[b->key][vertex].z, box->low.z, box->high.z);
+        if (part == PART_BODY) {
+            const float turn = atan2f(m->positions[b->key][vertex].x - middle.x,
+                                      m->positions[b->key][vertex].y - middle.y) /
+                               (2.0f * PI);
+            corner.u = along;
+            corner.v = turn < 0.0f ? turn + 1.0f : turn;
+        } else if (part == PART_EYE) {
+            const vec3 out_of = v3(side == SIDE_RIGHT ? 1.0f : -1.0f, 0.0f, 0.0f);
+            const vec3 from = v3_normalize_or(v3_sub(m->positions[b->key][vertex], middle), out_of);
+            corner.u = acosf(f_clamp(v3_dot(from, out_of), -1.0f, 1.0f)) / (0.5f * PI);
+            corner.v = side == SIDE_RIGHT ? 0.25f : 0.75f;
+        } else if (part == PART_TAIL) {
+            corner.u = 1.0f - share(m->positions[b->key][vertex].y, box->low.y, box->high.y);
+            corner.v = along;
+        } else {
+            const float reach = fmaxf(fabsf(box->low.y), fabsf(box->high.y));
+            const float root = fmaxf(fmaxf(box->low.y, -box->high.y), 0.0f);
+            const bool paired = side != SIDE_MIDDLE;
+            const float far = fmaxf(fabsf(box->low.x), fabsf(box->high.x));
+            corner.u = along;
+            corner.v = paired ? share(fabsf(m->positions[b->key][vertex].x),
+                                      fminf(fabsf(box->low.x), fabsf(box->high.x)), far)
+                              : share(fabsf(m->positions[b->key][vertex].y), root, reach);
+        }
     }
     return corner;
-}
-
-/* Corrects the coordinates v of a body triangle that crosses the seam between v = 1 and v = 0. 1 is
- * added to each v after the seam. */
-static void unwrap(struct corner corner[3])
-{
-    float low = 1.0f, high = 0.0f;
-    for (uint32_t k = 0; k < 3; k++) {
-        low = fminf(low, corner[k].v);
-        high = fmaxf(high, corner[k].v);
-    }
-    for (uint32_t k = 0; k < 3 && corner[0].part == PART_BODY && high - low > 0.5f; k++) {
-        corner[k].v += corner[k].v < 0.5f ? 1.0f : 0.0f;
-    }
 }
 
 static bool vertex_of(struct builder *b, const struct corner *corner, uint32_t *out)
@@ -220,7 +206,16 @@ static bool add_triangles(struct builder *b)
             corner[k] = corner_of(b, t, k);
         }
         if (!b->mesh->is_ours) {
-            unwrap(corner);
+            /* If a body triangle crosses the seam between v = 1 and v = 0, 1 is added to each v
+             * after the seam. */
+            float low = 1.0f, high = 0.0f;
+            for (uint32_t k = 0; k < 3; k++) {
+                low = fminf(low, corner[k].v);
+                high = fmaxf(high, corner[k].v);
+            }
+            for (uint32_t k = 0; k < 3 && corner[0].part == PART_BODY && high - low > 0.5f; k++) {
+                corner[k].v += corner[k].v < 0.5f ? 1.0f : 0.0f;
+            }
         }
         for (uint32_t k = 0; k < 3; k++) {
             if (!vertex_of(b, &corner[k], &vertex[k])) {
@@ -232,21 +227,6 @@ static bool add_triangles(struct builder *b)
         }
     }
     return true;
-}
-
-/* Finds the vertices that have the same position. The surface is continuous at a texture seam,
- * although different vertices lie on its two sides. */
-static void find_places(struct builder *b)
-{
-    for (uint32_t i = 0; i < b->out->vertex_count; i++) {
-        b->place[i] = i;
-        for (uint32_t j = 0; j < i && b->place[i] == i; j++) {
-            if (b->corners[i].part == b->corners[j].part &&
-                memcmp(b->corners[i].at, b->corners[j].at, sizeof b->corners[i].at) == 0) {
-                b->place[i] = b->place[j];
-            }
-        }
-    }
 }
 
 static bool has_edge(const struct builder *b, uint32_t from, uint32_t to)
@@ -312,25 +292,10 @@ static void make_normals(struct builder *b, uint32_t index_count)
     }
 }
 
-static bool choose_reach(struct builder *b)
-{
-    float far = 0.0f;
-    for (uint32_t key = 0; key < b->mesh->key_count; key++) {
-        for (uint32_t i = 0; i < b->mesh->vertex_count; i++) {
-            const vec3 p = b->mesh->positions[key][i];
-            far = fmaxf(far, fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))));
-        }
-    }
-    b->reach = far < 1.0f ? 1.0f : far < 2.0f ? 2.0f : 4.0f;
-    if (!(far < 4.0f)) {
-        snprintf(b->why, IMPORT_WHY_SIZE, "size: a vertex lies %g lengths off", (double)far);
-    }
-    return far < 4.0f;
-}
-
 enum exit_code import_build(const struct import_mesh *mesh, struct species_slot *slot,
                             struct import_report *report, char why[IMPORT_WHY_SIZE])
 {
+    CORE_ASSERT(mesh->key_count >= 1 && mesh->key_count <= MORPH_KEY_MAX);
     static struct builder b;
     struct species_mesh *near = &slot->species.lod[0];
     memset(&b, 0, sizeof b);
@@ -339,7 +304,16 @@ enum exit_code import_build(const struct import_mesh *mesh, struct species_slot 
     b.out = near;
     b.why = why;
     b.key = mesh->key_count - 1;
-    if (!choose_reach(&b)) {
+    float far = 0.0f;
+    for (uint32_t key = 0; key < b.mesh->key_count; key++) {
+        for (uint32_t i = 0; i < b.mesh->vertex_count; i++) {
+            const vec3 p = b.mesh->positions[key][i];
+            far = fmaxf(far, fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))));
+        }
+    }
+    b.reach = far < 1.0f ? 1.0f : far < 2.0f ? 2.0f : 4.0f;
+    if (!(far < 4.0f)) {
+        snprintf(b.why, IMPORT_WHY_SIZE, "size: a vertex lies %g lengths off", (double)far);
         return EXIT_BAD_DATA;
     }
     *near = (struct species_mesh){ .reach = b.reach,
@@ -353,7 +327,17 @@ enum exit_code import_build(const struct import_mesh *mesh, struct species_slot 
     if (!add_triangles(&b)) {
         return EXIT_BAD_DATA;
     }
-    find_places(&b);
+    /* Vertices with the same position get the same place. The surface is continuous at a
+     * texture seam, although different vertices lie on its two sides. */
+    for (uint32_t i = 0; i < b.out->vertex_count; i++) {
+        b.place[i] = i;
+        for (uint32_t j = 0; j < i && b.place[i] == i; j++) {
+            if (b.corners[i].part == b.corners[j].part &&
+                memcmp(b.corners[i].at, b.corners[j].at, sizeof b.corners[i].at) == 0) {
+                b.place[i] = b.place[j];
+            }
+        }
+    }
     const uint32_t index_count = near->index_count;
     if (!give_sheets_a_second_side(&b)) {
         return EXIT_BAD_DATA;

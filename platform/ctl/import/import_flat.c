@@ -1,5 +1,5 @@
 /* import_flat.c -- opens a scene with the library assimp, and reads the metadata of the file. */
-#include "platform/ctl/import/import_flat.h"
+#include "platform/ctl/import/import.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -12,7 +12,7 @@
 #include <assimp/postprocess.h>
 #include <dlfcn.h>
 
-#include "platform/ctl/import/import_flat_internal.h"
+#include "platform/ctl/import/import_flat.h"
 
 /* Names of the library file, tried in this order. The first name is the version whose headers this
  * program was built with. */
@@ -75,19 +75,6 @@ bool import_flat_error(struct flattening *f, const char *text)
     return false;
 }
 
-static bool made_by_us(const struct aiScene *scene)
-{
-    const struct aiMetadata *data = scene->mMetaData;
-    for (uint32_t i = 0; data && i < data->mNumProperties; i++) {
-        if (strcmp(data->mKeys[i].data, "SourceAsset_Generator") == 0 &&
-            data->mValues[i].mType == AI_AISTRING) {
-            const struct aiString *name = data->mValues[i].mData;
-            return strncmp(name->data, "kingyo", 6) == 0 || strncmp(name->data, "Kingyo", 6) == 0;
-        }
-    }
-    return false;
-}
-
 /* ---- Metadata of key shapes in files that kingyoctl wrote ------------------------------------ */
 
 static const struct aiMetadataEntry *entry_of(const struct aiMetadata *data, const char *key)
@@ -124,34 +111,10 @@ static const struct aiMetadataEntry *find_extra(const struct flattening *f, cons
     return entry;
 }
 
-static uint8_t measure_of(const struct flattening *f)
-{
-    static const char *const names[] = { "TL", "SL", "FL", "DW" };
-    const struct aiMetadataEntry *entry = find_extra(f, "measure");
-    for (uint8_t i = 0; entry && entry->mType == AI_AISTRING && i < 4; i++) {
-        if (strcmp(((const struct aiString *)entry->mData)->data, names[i]) == 0) {
-            return i;
-        }
-    }
-    return MEASURE_TOTAL;
-}
-
 /* Returns a metadata number as an integer, clamped to [0, max]. Returns 0 if the key is absent. */
 static uint32_t whole_of(const struct aiMetadata *data, const char *key, float max)
 {
     return (uint32_t)fminf(fmaxf(number_of(data, key), 0.0f), max);
-}
-
-static void read_coat(const struct aiMetadata *data, struct species_coat *coat)
-{
-    const float colour = 16777215.0f; /* Largest valid colour, 0xffffff (white). */
-    *coat = (struct species_coat){ .back = whole_of(data, "back", colour),
-                                   .flank = whole_of(data, "flank", colour),
-                                   .belly = whole_of(data, "belly", colour),
-                                   .fin = whole_of(data, "fin", colour),
-                                   .iris = whole_of(data, "iris", colour),
-                                   .clear = (uint8_t)whole_of(data, "clear", 255.0f),
-                                   .shine = (uint8_t)whole_of(data, "shine", 255.0f) };
 }
 
 static void read_life(struct flattening *f)
@@ -174,10 +137,25 @@ static void read_life(struct flattening *f)
         m->ages_days[key] = number_of(life, "age_days");
         m->lengths_m[key] = number_of(life, "length_m");
         m->has_coats = m->has_coats && entry_of(life, "back");
-        read_coat(life, &m->coats[key]);
+        struct species_coat *coat = &m->coats[key];
+        const float colour = 16777215.0f; /* Largest valid colour, 0xffffff (white). */
+        *coat = (struct species_coat){ .back = whole_of(life, "back", colour),
+                                       .flank = whole_of(life, "flank", colour),
+                                       .belly = whole_of(life, "belly", colour),
+                                       .fin = whole_of(life, "fin", colour),
+                                       .iris = whole_of(life, "iris", colour),
+                                       .clear = (uint8_t)whole_of(life, "clear", 255.0f),
+                                       .shine = (uint8_t)whole_of(life, "shine", 255.0f) };
     }
     m->has_life = true;
-    m->measure = measure_of(f);
+    static const char *const names[] = { "TL", "SL", "FL", "DW" };
+    const struct aiMetadataEntry *entry = find_extra(f, "measure");
+    m->measure = MEASURE_TOTAL;
+    for (uint8_t i = 0; entry && entry->mType == AI_AISTRING && i < 4; i++) {
+        if (strcmp(((const struct aiString *)entry->mData)->data, names[i]) == 0) {
+            m->measure = i;
+        }
+    }
 }
 
 static bool refuse_scene(struct flattening *f, const char *text)
@@ -205,7 +183,17 @@ static bool flatten(struct flattening *f)
     if (!f->scene->mRootNode || f->scene->mNumMeshes == 0) {
         return import_flat_error(f, "no mesh");
     }
-    mesh->is_ours = made_by_us(f->scene);
+    const struct aiMetadata *data = f->scene->mMetaData;
+    mesh->is_ours = false;
+    for (uint32_t i = 0; data && i < data->mNumProperties; i++) {
+        if (strcmp(data->mKeys[i].data, "SourceAsset_Generator") == 0 &&
+            data->mValues[i].mType == AI_AISTRING) {
+            const char *generator = ((const struct aiString *)data->mValues[i].mData)->data;
+            mesh->is_ours =
+                strncmp(generator, "kingyo", 6) == 0 || strncmp(generator, "Kingyo", 6) == 0;
+            break;
+        }
+    }
     if (!import_keys_choose(f) || !import_keys_read_weights(f)) {
         return false;
     }

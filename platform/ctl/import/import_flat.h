@@ -1,26 +1,113 @@
-/* import_flat.h -- converts a scene of nodes, meshes and morph targets to one mesh with several key
- * shapes.
+/* import_flat.h -- declarations that import_flat.c, import_keys.c, import_nodes.c and
+ * import_shapes.c share while they convert an assimp scene to one mesh with several key shapes.
  *
- * A key shape is the shape of the fish at one modelled growth stage. Scenes are read with the
- * library assimp. */
+ * Included only if assimp is available. A key shape of the result is the base shape, one morph
+ * target alone, or the scene at one time of its animation. */
 #ifndef KINGYO_PLATFORM_CTL_IMPORT_IMPORT_FLAT_H
 #define KINGYO_PLATFORM_CTL_IMPORT_IMPORT_FLAT_H
 
-#include "platform/ctl/import/import_mesh.h"
+/* <assimp/types.h> must precede the other headers of assimp, because they need its types. */
+#include <assimp/types.h>
 
-/* Returns true if this build can read scenes. Otherwise writes what is missing to `why` and returns
- * false. */
-bool import_can_flatten(char why[IMPORT_WHY_SIZE]);
+#include <assimp/anim.h>
+#include <assimp/scene.h>
+#include <stdbool.h>
 
-/* Reads the scene at `path` into `mesh`. Returns true. If the scene cannot be used, writes the
- * reason to `why`, without the file name, and returns false.
- *
- * Must be called only in a child process, because a hostile file may crash the importer. The caller
- * must validate `mesh` with import_validate(). */
-bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_WHY_SIZE]);
+#include "platform/ctl/import/import.h"
 
-/* Checks a mesh that the child process wrote against every limit of import_mesh.h. Returns null if
- * the mesh is valid. Otherwise returns the error text, which is static or stored in `room`. */
-const char *import_validate(const struct import_mesh *mesh, char room[IMPORT_WHY_SIZE / 2]);
+/* ---- Transforms of the nodes (import_nodes.c) ------------------------------------------------ */
+
+#define NODE_MAX 4096u
+
+/* An affine transform of positions. */
+struct place {
+    float m[3][4]; /* Rows of the transform's matrix. The fourth column is the translation. */
+};
+
+/* A scene node and its transforms. */
+struct import_nodes_node {
+    const struct aiNode *node;
+    struct place at[MORPH_KEY_MAX]; /* Transform from the axes of the node to the axes of the scene
+                                       at each key shape. The scale of a growing node is not
+                                       included. */
+};
+
+/* Transforms of all nodes of a scene. A growing node is a node whose animated uniform scale
+ * represents the growth of the fish. */
+struct import_nodes {
+    uint32_t key_count, node_count;
+    double begin, end;           /* Animation time of the first key shape (`begin`) and of the last
+                                    key shape (`end`). */
+    float scales[MORPH_KEY_MAX]; /* Scale of the growing node at each key shape. The value is 1 if
+                                    no node grows. */
+    struct import_nodes_node nodes[NODE_MAX];
+};
+
+/* Computes the transforms of all nodes. The caller sets `key_count`, `begin` and `end` before the
+ * call. If `end` is not greater than `begin`, all key shapes use the transforms without animation.
+ * Returns false if the scene has more than NODE_MAX nodes. */
+bool import_nodes_fill(struct import_nodes *standing, const struct aiScene *scene);
+
+/* Returns the node called `name`, or null if there is no such node. */
+const struct import_nodes_node *import_nodes_find(const struct import_nodes *standing,
+                                                  const char *name);
+
+/* Returns true if the animation rotates or moves any node. A growing node, whose uniform scale
+ * changes, does not count. */
+bool import_nodes_moves(const struct aiScene *scene);
+
+/* Returns the animation time of key shape `key`. */
+double import_nodes_time(const struct import_nodes *standing, uint32_t key);
+
+/* Converts a matrix of assimp to a transform. The last row of the matrix is ignored. */
+struct place import_nodes_place_of(const struct aiMatrix4x4 *matrix);
+
+/* Returns the product outer * inner, which applies `inner` first and then `outer`. */
+struct place import_nodes_place_within(const struct place *outer, const struct place *inner);
+
+/* Applies a transform to the point `a` and returns the result. */
+vec3 import_nodes_apply(const struct place *place, vec3 a);
+
+/* ---- Conversion of a scene ------------------------------------------------------------------- */
+
+/* Value of `key_target` for the base shape, which is the mesh without any morph target. */
+#define KEY_BASE 255u
+
+/* Maximum number of morph targets of a mesh. */
+#define TARGET_MAX 64u
+
+/* State of the conversion of one scene. */
+struct flattening {
+    struct import_mesh *mesh;
+    const struct aiScene *scene;
+    char *why;
+    struct import_nodes standing;
+    uint32_t target_count;             /* Smallest number of morph targets of the meshes that have
+                                          morph targets. */
+    bool sampled;                      /* True if key shapes are samples of the animation. False if
+                                          key shapes are morph targets. */
+    uint8_t key_target[MORPH_KEY_MAX]; /* Morph target of each key shape, or KEY_BASE for the base
+                                          shape. Used only if `sampled` is false. */
+};
+
+/* Writes `text` to `why` and returns false. */
+bool import_flat_error(struct flattening *f, const char *text);
+
+/* Selects the key shapes and sets their names. Returns false after import_flat_error(). Defined in
+ * import_keys.c. */
+bool import_keys_choose(struct flattening *f);
+
+/* Reads the animation of the morph target weights, which becomes the deformation graph. Returns
+ * false after import_flat_error(). Defined in import_keys.c. */
+bool import_keys_read_weights(struct flattening *f);
+
+/* Adds the morph target weights of `channel`, at the animation time of key shape `key`, to
+ * `out`. */
+void import_keys_weights_at(const struct flattening *f, const struct aiMeshMorphAnim *channel,
+                            uint32_t key, float out[TARGET_MAX]);
+
+/* Adds the meshes of every node to the result, in every key shape. Returns false after
+ * import_flat_error(). Defined in import_shapes.c. */
+bool import_shapes_add_meshes(struct flattening *f);
 
 #endif

@@ -9,7 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/ctl/import/import_flat_internal.h"
+#include "core/base/panic.h"
+#include "platform/ctl/import/import_flat.h"
 
 /* Distance in the unit of the file. If a morph target moves no vertex farther than this distance,
  * the target equals the base shape. */
@@ -33,6 +34,7 @@ static void add_weights(const struct aiMeshMorphKey *moment, float share, float 
 void import_keys_weights_at(const struct flattening *f, const struct aiMeshMorphAnim *channel,
                             uint32_t key, float out[TARGET_MAX])
 {
+    CORE_ASSERT(key < f->mesh->key_count);
     const double time = import_nodes_time(&f->standing, key);
     uint32_t i = 0;
     while (i + 1 < channel->mNumKeys && channel->mKeys[i + 1].mTime <= time) {
@@ -60,20 +62,6 @@ static const struct aiMesh *plainest(const struct flattening *f)
         }
     }
     return plain;
-}
-
-/* Returns true if the key shapes must be sampled from the animation. Sampling is required if joints
- * or moving nodes change the shape, or if meshes have different numbers of morph targets. */
-static bool needs_sampling(const struct flattening *f)
-{
-    bool more = import_nodes_moves(f->scene);
-    for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {
-        const struct aiMesh *mesh = f->scene->mMeshes[i];
-        more = more || mesh->mNumBones > 0 ||
-               (mesh->mNumAnimMeshes > 0 && mesh->mNumAnimMeshes != f->target_count);
-    }
-    return more && f->scene->mNumAnimations > 0 &&
-           f->scene->mAnimations[0]->mNumMorphMeshChannels > 0;
 }
 
 static bool is_base(const struct aiMesh *mesh, const struct aiAnimMesh *target)
@@ -139,35 +127,6 @@ static double season_of(const struct aiMeshMorphAnim *channel, uint32_t target)
     return sum > 0.0 ? when / sum : 0.0;
 }
 
-/* Sorts the key shapes by their mean animation time. Without an animation, the base shape is the
- * youngest key shape. */
-static void order_keys(struct flattening *f)
-{
-    const struct aiMeshMorphAnim *channel = first_weights(f);
-    double season[MORPH_KEY_MAX];
-    for (uint32_t i = 0; channel && i < f->mesh->key_count; i++) {
-        const uint8_t target = f->key_target[i];
-        const double when = season_of(channel, target);
-        uint32_t at = i;
-        for (; at > 0 && season[at - 1] > when; at--) {
-            season[at] = season[at - 1];
-            f->key_target[at] = f->key_target[at - 1];
-        }
-        season[at] = when;
-        f->key_target[at] = target;
-    }
-}
-
-static void name_key(struct flattening *f, const struct aiMesh *plain, uint32_t key,
-                     uint32_t target)
-{
-    const bool named = plain && target < plain->mNumAnimMeshes;
-    snprintf(f->mesh->key_names[key], IMPORT_NAME_SIZE, "%.40s",
-             named              ? plain->mAnimMeshes[target]->mName.data
-             : f->mesh->is_ours ? "last"
-                                : "base");
-}
-
 /* Returns the morph target with the greatest weight at the time of a key shape, or KEY_BASE if the
  * base shape has the greatest weight. */
 static uint32_t most_shown(const struct flattening *f, uint32_t key)
@@ -190,9 +149,19 @@ static uint32_t most_shown(const struct flattening *f, uint32_t key)
 
 bool import_keys_choose(struct flattening *f)
 {
+    CORE_ASSERT(f->scene && f->mesh);
     const struct aiMesh *plain = plainest(f);
     f->target_count = plain ? plain->mNumAnimMeshes : 0;
-    f->sampled = needs_sampling(f);
+    /* The key shapes must be sampled from the animation if joints or moving nodes change the shape,
+     * or if meshes have different numbers of morph targets. */
+    bool more = import_nodes_moves(f->scene);
+    for (uint32_t i = 0; i < f->scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = f->scene->mMeshes[i];
+        more = more || mesh->mNumBones > 0 ||
+               (mesh->mNumAnimMeshes > 0 && mesh->mNumAnimMeshes != f->target_count);
+    }
+    f->sampled =
+        more && f->scene->mNumAnimations > 0 && f->scene->mAnimations[0]->mNumMorphMeshChannels > 0;
     const bool twice = !f->sampled && base_comes_twice(f);
     const uint32_t count = f->target_count + (twice ? 0u : 1u);
     if (count > MORPH_KEY_MAX) {
@@ -208,10 +177,28 @@ bool import_keys_choose(struct flattening *f)
         f->standing.end = channel->mKeys[channel->mNumKeys - 1].mTime;
     }
     if (!f->sampled && !twice) {
-        order_keys(f);
+        /* The key shapes are sorted by their mean animation time. Without an animation, the base
+         * shape is the youngest key shape. */
+        double season[MORPH_KEY_MAX];
+        for (uint32_t i = 0; channel && i < f->mesh->key_count; i++) {
+            const uint8_t target = f->key_target[i];
+            const double when = season_of(channel, target);
+            uint32_t at = i;
+            for (; at > 0 && season[at - 1] > when; at--) {
+                season[at] = season[at - 1];
+                f->key_target[at] = f->key_target[at - 1];
+            }
+            season[at] = when;
+            f->key_target[at] = target;
+        }
     }
     for (uint32_t key = 0; key < count; key++) {
-        name_key(f, plain, key, f->sampled ? most_shown(f, key) : f->key_target[key]);
+        const uint32_t target = f->sampled ? most_shown(f, key) : f->key_target[key];
+        const bool named = plain && target < plain->mNumAnimMeshes;
+        snprintf(f->mesh->key_names[key], IMPORT_NAME_SIZE, "%.40s",
+                 named              ? plain->mAnimMeshes[target]->mName.data
+                 : f->mesh->is_ours ? "last"
+                                    : "base");
     }
     return true;
 }

@@ -5,8 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/morph/morph.h"
-#include "platform/ctl/import/import_options.h"
+#include "platform/ctl/import/import.h"
 
 #define DAYS_PER_YEAR 365.25
 /* Days between two key shapes if neither the options nor the file contain ages. */
@@ -23,32 +24,6 @@
 #define SAME_SIZE 0.01f
 #define UNSET 255u
 
-static enum exit_code import_life_error(char why[IMPORT_WHY_SIZE], const char *text)
-{
-    snprintf(why, IMPORT_WHY_SIZE, "%s", text);
-    return EXIT_BAD_DATA;
-}
-
-/* Converts a name of another program to a valid species name. For example, "Shape Key.001" becomes
- * shape_key_001. */
-static void tame(const char *from, uint32_t key, char out[SPECIES_NAME_SIZE])
-{
-    uint32_t length = 0;
-    memset(out, 0, SPECIES_NAME_SIZE);
-    for (; *from && length + 1 < SPECIES_NAME_SIZE; from++) {
-        const char c = (char)tolower((unsigned char)*from);
-        const bool fits = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-        if (fits) {
-            out[length++] = c;
-        } else if (length > 0 && out[length - 1] != '_') {
-            out[length++] = '_';
-        }
-    }
-    if (length == 0) {
-        snprintf(out, SPECIES_NAME_SIZE, "key_%u", key);
-    }
-}
-
 static void name_keys(const struct import_mesh *mesh, const struct import_options *plan,
                       struct species_card *card)
 {
@@ -57,7 +32,23 @@ static void name_keys(const struct import_mesh *mesh, const struct import_option
             memcpy(card->key_names[key], plan->names[key], SPECIES_NAME_SIZE);
             continue;
         }
-        tame(mesh->key_names[key], key, card->key_names[key]);
+        /* A name of another program is converted to a valid species name. For example, "Shape
+         * Key.001" becomes shape_key_001. */
+        const char *from = mesh->key_names[key];
+        uint32_t length = 0;
+        memset(card->key_names[key], 0, SPECIES_NAME_SIZE);
+        for (; *from && length + 1 < SPECIES_NAME_SIZE; from++) {
+            const char c = (char)tolower((unsigned char)*from);
+            const bool fits = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+            if (fits) {
+                card->key_names[key][length++] = c;
+            } else if (length > 0 && card->key_names[key][length - 1] != '_') {
+                card->key_names[key][length++] = '_';
+            }
+        }
+        if (length == 0) {
+            snprintf(card->key_names[key], SPECIES_NAME_SIZE, "key_%u", key);
+        }
         for (uint32_t other = 0; other < key; other++) {
             if (strcmp(card->key_names[key], card->key_names[other]) == 0) {
                 memset(card->key_names[key], 0, SPECIES_NAME_SIZE);
@@ -167,24 +158,12 @@ static float farthest(const struct import_mesh *mesh, uint32_t from, uint32_t to
     return worst;
 }
 
-/* Copies the weights of a keyframe and scales their sum to 1. Files contain rounded weights, but
- * the deformation graph requires a sum of exactly 1. */
-static void take_weights(const float from[MORPH_KEY_MAX], float to[MORPH_KEY_MAX])
-{
-    double sum = 0.0;
-    for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
-        sum += (double)from[key];
-    }
-    for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
-        to[key] = (float)((double)from[key] / sum);
-    }
-}
-
 /* Approximates the animation by knots of the deformation graph. The first knots are the two ends.
  * Then the keyframe with the greatest error is repeatedly added as a knot. */
 static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
                        struct import_report *report)
 {
+    CORE_ASSERT(mesh->time_count >= 2 && mesh->time_count <= IMPORT_TIME_MAX);
     uint32_t chosen[GRAPH_KNOT_MAX] = { 0, mesh->time_count - 1 }, count = 2;
     float worst = 1.0f;
     while (count < GRAPH_KNOT_MAX && worst > 1e-4f) {
@@ -212,29 +191,22 @@ static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
         uint32_t unused;
         struct graph_knot *knot = &graph->knots[i];
         knot->progress = i + 1 == count ? 1.0f : (mesh->times[chosen[i]] - begin) / span;
-        take_weights(mesh->weights[chosen[i]], knot->weight);
+        /* Copy the weights of the keyframe and scale their sum to 1. Files contain rounded
+         * weights, but the deformation graph requires a sum of exactly 1. */
+        const float *from = mesh->weights[chosen[i]];
+        double sum = 0.0;
+        for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
+            sum += (double)from[key];
+        }
+        for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
+            knot->weight[key] = (float)((double)from[key] / sum);
+        }
         if (i + 1 < count) {
             report->graph_error =
                 fmaxf(report->graph_error, farthest(mesh, chosen[i], chosen[i + 1], &unused));
         }
     }
     report->knot_count = count;
-}
-
-static void set_graph(const struct import_mesh *mesh, const struct import_options *plan,
-                      struct species_card *card, struct import_report *report)
-{
-    card->curve_count = 1;
-    memset(card->curve_names, 0, sizeof card->curve_names);
-    memcpy(card->curve_names[0], "whole", sizeof "whole");
-    if (plan->template_id != TEMPLATE_OWN) {
-        template_graph(&card->curves[0], (enum graph_template)plan->template_id, card->key_count,
-                       SIMULTANEOUS_PEAK);
-    } else if (mesh->time_count >= 2) {
-        draw_graph(mesh, &card->curves[0], report);
-    } else if (!plan->like) {
-        template_graph(&card->curves[0], TEMPLATE_PAIRWISE, card->key_count, SIMULTANEOUS_PEAK);
-    }
 }
 
 /* Computes the mean colour of the vertices of a part at one height. `third` is 0 for the lowest
@@ -331,6 +303,7 @@ static void set_id(const struct import_options *plan, struct species_card *card)
 enum exit_code import_fitted_life(const struct import_options *plan, struct species_card *card,
                                   char why[IMPORT_WHY_SIZE])
 {
+    CORE_ASSERT(plan->name_count <= MORPH_KEY_MAX && plan->length_count <= MORPH_KEY_MAX);
     if (!counts_agree(card->key_count, plan, why)) {
         return EXIT_BAD_DATA;
     }
@@ -353,6 +326,7 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_o
                            struct species_slot *slot, struct import_report *report,
                            char why[IMPORT_WHY_SIZE])
 {
+    CORE_ASSERT(mesh->key_count >= 2 && mesh->key_count <= MORPH_KEY_MAX);
     struct species_card *card = &slot->species.card;
     if (!counts_agree(mesh->key_count, plan, why)) {
         return EXIT_BAD_DATA;
@@ -373,14 +347,25 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_o
         name_keys(mesh, plan, card);
     }
     if (!set_lengths(mesh, plan, report, card)) {
-        return import_life_error(why, "lengths: all shapes are one size; say --lengths-mm A,B,C");
+        snprintf(why, IMPORT_WHY_SIZE, "lengths: all shapes are one size; say --lengths-mm A,B,C");
+        return EXIT_BAD_DATA;
     }
     if (has_own_life(mesh, plan)) {
         set_ages(mesh, plan, card);
         card->scale_knot_count = 0; /* The growth scale of the species `like` applies only to the
                                        lengths of `like`, so its knots are removed. */
     }
-    set_graph(mesh, plan, card, report);
+    card->curve_count = 1;
+    memset(card->curve_names, 0, sizeof card->curve_names);
+    memcpy(card->curve_names[0], "whole", sizeof "whole");
+    if (plan->template_id != TEMPLATE_OWN) {
+        template_graph(&card->curves[0], (enum graph_template)plan->template_id, card->key_count,
+                       SIMULTANEOUS_PEAK);
+    } else if (mesh->time_count >= 2) {
+        draw_graph(mesh, &card->curves[0], report);
+    } else if (!plan->like) {
+        template_graph(&card->curves[0], TEMPLATE_PAIRWISE, card->key_count, SIMULTANEOUS_PEAK);
+    }
     set_coats(mesh, plan, &slot->species);
     return EXIT_OK;
 }

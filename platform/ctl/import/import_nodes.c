@@ -7,7 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "platform/ctl/import/import_nodes.h"
+#include "core/base/panic.h"
+#include "platform/ctl/import/import_flat.h"
 
 struct place import_nodes_place_of(const struct aiMatrix4x4 *a)
 {
@@ -69,41 +70,9 @@ static vec3 vector_at(const struct aiVectorKey *keys, uint32_t count, double tim
     return v3_lerp(v3(a->x, a->y, a->z), v3(b->x, b->y, b->z), t);
 }
 
-static void quaternion_at(const struct aiQuatKey *keys, uint32_t count, double time, float q[4])
-{
-    uint32_t i = 0;
-    const float t = count < 2 ? 0.0f : between((const char *)keys, sizeof *keys, count, time, &i);
-    const struct aiQuaternion *a = &keys[i].mValue, *b = &keys[count < 2 ? i : i + 1].mValue;
-    const float dot = a->x * b->x + a->y * b->y + a->z * b->z + a->w * b->w;
-    const float s = dot < 0.0f ? -t : t;
-    const float mixed[4] = { a->x * (1.0f - t) + b->x * s, a->y * (1.0f - t) + b->y * s,
-                             a->z * (1.0f - t) + b->z * s, a->w * (1.0f - t) + b->w * s };
-    const float length = sqrtf(mixed[0] * mixed[0] + mixed[1] * mixed[1] + mixed[2] * mixed[2] +
-                               mixed[3] * mixed[3]);
-    for (int k = 0; k < 4; k++) {
-        q[k] = length > 0.0f ? mixed[k] / length : (k == 3 ? 1.0f : 0.0f);
-    }
-}
-
-static const struct aiNodeAnim *motion_of(const struct aiScene *scene, const struct aiNode *node)
-{
-    if (scene->mNumAnimations == 0) {
-        return NULL;
-    }
-    const struct aiAnimation *animation = scene->mAnimations[0];
-    for (uint32_t i = 0; i < animation->mNumChannels; i++) {
-        const struct aiNodeAnim *channel = animation->mChannels[i];
-        if (strcmp(channel->mNodeName.data, node->mName.data) == 0 &&
-            channel->mNumPositionKeys > 0 && channel->mNumRotationKeys > 0 &&
-            channel->mNumScalingKeys > 0) {
-            return channel;
-        }
-    }
-    return NULL;
-}
-
 double import_nodes_time(const struct import_nodes *s, uint32_t key)
 {
+    CORE_ASSERT(key < s->key_count);
     const double last = fmax((double)s->key_count - 1.0, 1.0);
     return s->begin + (s->end - s->begin) * (double)key / last;
 }
@@ -116,7 +85,20 @@ static struct place moved(struct import_nodes *s, const struct aiNodeAnim *motio
     const vec3 at = vector_at(motion->mPositionKeys, motion->mNumPositionKeys, time);
     vec3 scale = vector_at(motion->mScalingKeys, motion->mNumScalingKeys, time);
     float q[4];
-    quaternion_at(motion->mRotationKeys, motion->mNumRotationKeys, time, q);
+    const struct aiQuatKey *keys = motion->mRotationKeys;
+    const uint32_t count = motion->mNumRotationKeys;
+    uint32_t i = 0;
+    const float t = count < 2 ? 0.0f : between((const char *)keys, sizeof *keys, count, time, &i);
+    const struct aiQuaternion *a = &keys[i].mValue, *b = &keys[count < 2 ? i : i + 1].mValue;
+    const float dot = a->x * b->x + a->y * b->y + a->z * b->z + a->w * b->w;
+    const float turned = dot < 0.0f ? -t : t;
+    const float mixed[4] = { a->x * (1.0f - t) + b->x * turned, a->y * (1.0f - t) + b->y * turned,
+                             a->z * (1.0f - t) + b->z * turned, a->w * (1.0f - t) + b->w * turned };
+    const float length = sqrtf(mixed[0] * mixed[0] + mixed[1] * mixed[1] + mixed[2] * mixed[2] +
+                               mixed[3] * mixed[3]);
+    for (int k = 0; k < 4; k++) {
+        q[k] = length > 0.0f ? mixed[k] / length : (k == 3 ? 1.0f : 0.0f);
+    }
     if (motion->mNumScalingKeys > 1 && fabsf(scale.x - scale.y) <= 1e-5f * fabsf(scale.x) &&
         fabsf(scale.x - scale.z) <= 1e-5f * fabsf(scale.x)) {
         s->scales[key] = scale.x;
@@ -134,7 +116,18 @@ static struct place moved(struct import_nodes *s, const struct aiNodeAnim *motio
 static void stand(struct import_nodes *s, const struct aiScene *scene, const struct aiNode *node,
                   const struct import_nodes_node *parent)
 {
-    const struct aiNodeAnim *motion = s->end > s->begin ? motion_of(scene, node) : NULL;
+    const struct aiAnimation *animation =
+        s->end > s->begin && scene->mNumAnimations > 0 ? scene->mAnimations[0] : NULL;
+    const struct aiNodeAnim *motion = NULL;
+    for (uint32_t i = 0; animation && !motion && i < animation->mNumChannels; i++) {
+        const struct aiNodeAnim *channel = animation->mChannels[i];
+        if (strcmp(channel->mNodeName.data, node->mName.data) == 0 &&
+            channel->mNumPositionKeys > 0 && channel->mNumRotationKeys > 0 &&
+            channel->mNumScalingKeys > 0) {
+            motion = channel;
+        }
+    }
+    CORE_ASSERT(s->node_count < NODE_MAX);
     struct import_nodes_node *out = &s->nodes[s->node_count++];
     out->node = node;
     for (uint32_t key = 0; key < s->key_count; key++) {
@@ -148,6 +141,7 @@ static void stand(struct import_nodes *s, const struct aiScene *scene, const str
  * traversal. */
 bool import_nodes_fill(struct import_nodes *s, const struct aiScene *scene)
 {
+    CORE_ASSERT(s->key_count >= 1 && s->key_count <= MORPH_KEY_MAX);
     s->node_count = 0;
     for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
         s->scales[key] = 1.0f;

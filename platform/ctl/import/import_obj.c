@@ -3,7 +3,7 @@
  *
  * Normals are skipped because they are computed from the positions. Materials, smoothing groups,
  * lines and points are skipped because they do not change the shape. */
-#include "platform/ctl/import/import_mesh.h"
+#include "platform/ctl/import/import.h"
 
 #include <errno.h>
 #include <math.h>
@@ -12,8 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/base/printable.h"
-#include "platform/species/text_file.h"
+#include "platform/species/text.h"
 
 #define LINE_SIZE 4096 /* Longest line in characters. A face with 300 corners fits on one line. */
 #define CORNER_MAX 256
@@ -66,17 +67,9 @@ static int numbers(struct obj *o, const char *text, float *out, int count)
     return count;
 }
 
-static uint32_t packed_colour(const float rgb[3])
-{
-    uint32_t colour = 0;
-    for (int i = 0; i < 3; i++) {
-        colour = colour << 8 | (uint32_t)(fminf(fmaxf(rgb[i], 0.0f), 1.0f) * 255.0f + 0.5f);
-    }
-    return colour;
-}
-
 static bool read_vertex(struct obj *o, const char *text)
 {
+    CORE_ASSERT(o->vertex_count <= IMPORT_VERTEX_MAX);
     float x[6];
     const int count = numbers(o, text, x, 6);
     if (count < 3) {
@@ -89,23 +82,14 @@ static bool read_vertex(struct obj *o, const char *text)
     }
     o->mesh->positions[o->key][o->vertex_count] = v3(x[0], x[1], x[2]);
     if (o->key == 0) {
-        o->mesh->colours[o->vertex_count] = count == 6 ? packed_colour(x + 3) : 0x808080u;
+        uint32_t colour = count == 6 ? 0 : 0x808080u;
+        for (int i = 3; i < 6 && count == 6; i++) {
+            colour = colour << 8 | (uint32_t)(fminf(fmaxf(x[i], 0.0f), 1.0f) * 255.0f + 0.5f);
+        }
+        o->mesh->colours[o->vertex_count] = colour;
         o->mesh->has_colours |= count == 6;
     }
     o->vertex_count++;
-    return true;
-}
-
-static bool read_uv(struct obj *o, const char *text)
-{
-    if (o->uv_count == IMPORT_VERTEX_MAX) {
-        return import_obj_error(o, "more than %u texture coordinates", IMPORT_VERTEX_MAX);
-    }
-    const int count = numbers(o, text, o->uv[o->uv_count], 2);
-    if (count < 2) {
-        return count < 0 ? false : import_obj_error(o, "a texture coordinate has two numbers");
-    }
-    o->uv_count++;
     return true;
 }
 
@@ -118,48 +102,6 @@ static bool index_of(long number, uint32_t count, uint32_t *out)
     return number != 0 && index >= 0 && index < (long)count;
 }
 
-/* Parses one corner of a face, which has the form "v", "v/vt", "v//vn" or "v/vt/vn". */
-static bool read_corner(struct obj *o, const char *word, uint32_t *out)
-{
-    char *end = NULL;
-    uint32_t uv;
-    errno = 0;
-    const long vertex = strtol(word, &end, 10);
-    if (end == word || errno != 0 || !index_of(vertex, o->vertex_count, out)) {
-        return import_obj_error(o, "corner '%.30s' names no vertex above this line", word);
-    }
-    if (end[0] == '/' && end[1] != '/') {
-        if (!index_of(strtol(end + 1, NULL, 10), o->uv_count, &uv)) {
-            return import_obj_error(o, "corner '%.30s' names no texture coordinate above this line",
-                                    word);
-        }
-        if (o->key == 0) {
-            memcpy(o->mesh->uv[*out], o->uv[uv], sizeof o->uv[uv]);
-            o->mesh->has_uv = true;
-        }
-    }
-    return true;
-}
-
-static bool add_triangle(struct obj *o, uint32_t a, uint32_t b, uint32_t c)
-{
-    struct import_mesh *m = o->mesh;
-    const uint32_t corner[3] = { a, b, c };
-    const uint32_t limit = o->key == 0 ? IMPORT_TRIANGLE_MAX : m->triangle_count;
-    if (o->triangle_count == limit) {
-        return import_obj_error(o, "more than %u triangles%s", limit,
-                                o->key == 0 ? "" : ", which the first shape has");
-    }
-    if (o->key == 0) {
-        memcpy(m->triangles[o->triangle_count], corner, sizeof corner);
-        m->groups[o->triangle_count] = o->group;
-    } else if (memcmp(m->triangles[o->triangle_count], corner, sizeof corner) != 0) {
-        return import_obj_error(o, "this face joins other vertices than in the first shape");
-    }
-    o->triangle_count++;
-    return true;
-}
-
 static bool read_face(struct obj *o, char *text)
 {
     uint32_t corner[CORNER_MAX], count = 0;
@@ -169,41 +111,45 @@ static bool read_face(struct obj *o, char *text)
         if (count == CORNER_MAX) {
             return import_obj_error(o, "a face of more than %d corners", CORNER_MAX);
         }
-        if (!read_corner(o, word, &corner[count++])) {
-            return false;
+        /* A corner of a face has the form "v", "v/vt", "v//vn" or "v/vt/vn". */
+        char *end = NULL;
+        uint32_t uv;
+        errno = 0;
+        const long vertex = strtol(word, &end, 10);
+        if (end == word || errno != 0 || !index_of(vertex, o->vertex_count, &corner[count])) {
+            return import_obj_error(o, "corner '%.30s' names no vertex above this line", word);
         }
+        if (end[0] == '/' && end[1] != '/') {
+            if (!index_of(strtol(end + 1, NULL, 10), o->uv_count, &uv)) {
+                return import_obj_error(
+                    o, "corner '%.30s' names no texture coordinate above this line", word);
+            }
+            if (o->key == 0) {
+                memcpy(o->mesh->uv[corner[count]], o->uv[uv], sizeof o->uv[uv]);
+                o->mesh->has_uv = true;
+            }
+        }
+        count++;
     }
     if (count < 3) {
         return import_obj_error(o, "a face has three corners");
     }
     for (uint32_t i = 2; i < count; i++) {
-        if (!add_triangle(o, corner[0], corner[i - 1], corner[i])) {
-            return false;
+        struct import_mesh *m = o->mesh;
+        const uint32_t edge[3] = { corner[0], corner[i - 1], corner[i] };
+        const uint32_t limit = o->key == 0 ? IMPORT_TRIANGLE_MAX : m->triangle_count;
+        if (o->triangle_count == limit) {
+            return import_obj_error(o, "more than %u triangles%s", limit,
+                                    o->key == 0 ? "" : ", which the first shape has");
         }
-    }
-    return true;
-}
-
-/* Parses the name of a group of faces. Only the groups of key shape 0 are used, and further key
- * shapes may have other group names. */
-static bool read_group(struct obj *o, char *text)
-{
-    struct import_mesh *m = o->mesh;
-    const char *name = strtok(text, "\r\n");
-    if (o->key > 0) {
-        return true;
-    }
-    char cut[IMPORT_NAME_SIZE];
-    snprintf(cut, sizeof cut, "%s", name ? name + strspn(name, " \t") : "");
-    for (o->group = 0; o->group < m->group_count; o->group++) {
-        if (strcmp(cut, m->group_names[o->group]) == 0) {
-            return true;
+        if (o->key == 0) {
+            memcpy(m->triangles[o->triangle_count], edge, sizeof edge);
+            m->groups[o->triangle_count] = o->group;
+        } else if (memcmp(m->triangles[o->triangle_count], edge, sizeof edge) != 0) {
+            return import_obj_error(o, "this face joins other vertices than in the first shape");
         }
+        o->triangle_count++;
     }
-    if (m->group_count == IMPORT_GROUP_MAX) {
-        return import_obj_error(o, "more than %u groups", IMPORT_GROUP_MAX);
-    }
-    memcpy(m->group_names[m->group_count++], cut, sizeof cut);
     return true;
 }
 
@@ -214,33 +160,40 @@ static bool import_obj_read_line(struct obj *o, char *text)
         return read_vertex(o, word + 2);
     }
     if (strncmp(word, "vt ", 3) == 0) {
-        return read_uv(o, word + 3);
+        if (o->uv_count == IMPORT_VERTEX_MAX) {
+            return import_obj_error(o, "more than %u texture coordinates", IMPORT_VERTEX_MAX);
+        }
+        const int count = numbers(o, word + 3, o->uv[o->uv_count], 2);
+        if (count < 2) {
+            return count < 0 ? false : import_obj_error(o, "a texture coordinate has two numbers");
+        }
+        o->uv_count++;
+        return true;
     }
     if (strncmp(word, "f ", 2) == 0) {
         return read_face(o, word + 2);
     }
     if (strncmp(word, "g ", 2) == 0 || strncmp(word, "o ", 2) == 0) {
-        return read_group(o, word + 2);
+        /* Parse the name of a group of faces. Only the groups of key shape 0 are used, and
+         * further key shapes may have other group names. */
+        struct import_mesh *m = o->mesh;
+        const char *name = strtok(word + 2, "\r\n");
+        if (o->key > 0) {
+            return true;
+        }
+        char cut[IMPORT_NAME_SIZE];
+        snprintf(cut, sizeof cut, "%s", name ? name + strspn(name, " \t") : "");
+        for (o->group = 0; o->group < m->group_count; o->group++) {
+            if (strcmp(cut, m->group_names[o->group]) == 0) {
+                return true;
+            }
+        }
+        if (m->group_count == IMPORT_GROUP_MAX) {
+            return import_obj_error(o, "more than %u groups", IMPORT_GROUP_MAX);
+        }
+        memcpy(m->group_names[m->group_count++], cut, sizeof cut);
+        return true;
     }
-    return true;
-}
-
-static bool check_whole(struct obj *o)
-{
-    struct import_mesh *m = o->mesh;
-    if (o->vertex_count == 0 || o->triangle_count == 0) {
-        return import_obj_error(o, "no %s", o->vertex_count == 0 ? "vertices" : "faces");
-    }
-    if (o->key == 0) {
-        m->vertex_count = o->vertex_count;
-        m->triangle_count = o->triangle_count;
-    } else if (o->vertex_count != m->vertex_count || o->triangle_count != m->triangle_count) {
-        return import_obj_error(
-            o, "%u vertices and %u triangles, and the first shape has %u and %u", o->vertex_count,
-            o->triangle_count, m->vertex_count, m->triangle_count);
-    }
-    m->key_count = o->key + 1;
-    m->scales[o->key] = 1.0f;
     return true;
 }
 
@@ -259,24 +212,30 @@ static bool read_all(struct obj *o, FILE *file)
             return false;
         }
     }
-    return ferror(file) ? import_obj_error(o, "cannot be read further") : check_whole(o);
-}
-
-/* Clears the data that all key shapes share. Called before key shape 0 is read. */
-static void import_obj_begin(struct import_mesh *mesh)
-{
-    mesh->vertex_count = mesh->triangle_count = mesh->time_count = 0;
-    memset(mesh->uv, 0, sizeof mesh->uv);
-    mesh->has_uv = mesh->has_colours = mesh->is_ours = false;
-    mesh->has_life = mesh->has_coats = false;
-    mesh->group_count = 1; /* Faces before the first group line belong to group 0, whose name is
-                              empty. */
-    mesh->group_names[0][0] = '\0';
+    struct import_mesh *m = o->mesh;
+    if (ferror(file)) {
+        return import_obj_error(o, "cannot be read further");
+    }
+    if (o->vertex_count == 0 || o->triangle_count == 0) {
+        return import_obj_error(o, "no %s", o->vertex_count == 0 ? "vertices" : "faces");
+    }
+    if (o->key == 0) {
+        m->vertex_count = o->vertex_count;
+        m->triangle_count = o->triangle_count;
+    } else if (o->vertex_count != m->vertex_count || o->triangle_count != m->triangle_count) {
+        return import_obj_error(
+            o, "%u vertices and %u triangles, and the first shape has %u and %u", o->vertex_count,
+            o->triangle_count, m->vertex_count, m->triangle_count);
+    }
+    m->key_count = o->key + 1;
+    m->scales[o->key] = 1.0f;
+    return true;
 }
 
 enum exit_code import_obj(struct import_mesh *mesh, uint32_t key, const char *path,
                           char why[IMPORT_WHY_SIZE])
 {
+    CORE_ASSERT(key < MORPH_KEY_MAX);
     static struct obj o;
     char cannot[TEXT_FILE_WHY_SIZE];
     FILE *file;
@@ -287,7 +246,14 @@ enum exit_code import_obj(struct import_mesh *mesh, uint32_t key, const char *pa
     }
     o = (struct obj){ .mesh = mesh, .key = key, .path = path, .why = why };
     if (key == 0) {
-        import_obj_begin(mesh);
+        /* Key shape 0 clears the data that all key shapes share. */
+        mesh->vertex_count = mesh->triangle_count = mesh->time_count = 0;
+        memset(mesh->uv, 0, sizeof mesh->uv);
+        mesh->has_uv = mesh->has_colours = mesh->is_ours = false;
+        mesh->has_life = mesh->has_coats = false;
+        /* Faces before the first group line belong to group 0, whose name is empty. */
+        mesh->group_count = 1;
+        mesh->group_names[0][0] = '\0';
     }
     const bool good = read_all(&o, file);
     const bool broken = ferror(file) != 0;

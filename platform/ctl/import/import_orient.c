@@ -5,7 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/ctl/import/import_options.h"
+#include "core/base/panic.h"
+#include "platform/ctl/import/import.h"
 
 /* Distance between the body's centre and the middle of its extent, as a share of the length. Below
  * this distance, head and tail cannot be distinguished. */
@@ -61,6 +62,7 @@ static float import_orient_along(vec3 p, uint32_t axis)
 
 static vec3 axis_vector(uint32_t axis)
 {
+    CORE_ASSERT(axis < AXIS_NONE);
     const float sign = axis < AXIS_MINUS_X ? 1.0f : -1.0f;
     const uint32_t which = axis % AXIS_MINUS_X;
     return v3(which == AXIS_X ? sign : 0.0f, which == AXIS_Y ? sign : 0.0f,
@@ -151,17 +153,6 @@ static bool find_front(const struct import_mesh *mesh, uint32_t up, uint8_t *fro
     return true;
 }
 
-static void import_orient_rotate(struct import_mesh *mesh, uint32_t front, uint32_t up)
-{
-    const vec3 z = v3_scale(axis_vector(front), -1.0f), y = axis_vector(up), x = v3_cross(y, z);
-    for (uint32_t key = 0; key < mesh->key_count; key++) {
-        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-            vec3 *p = &mesh->positions[key][i];
-            *p = v3(v3_dot(*p, x), v3_dot(*p, y), v3_dot(*p, z));
-        }
-    }
-}
-
 /* Returns the z coordinate of the fork of the tail fin. The fork is the rearmost point of the body
  * and of the middle rays of the tail fin. */
 static float fork_of(const struct import_mesh *mesh, uint32_t key)
@@ -178,13 +169,6 @@ static float fork_of(const struct import_mesh *mesh, uint32_t key)
         }
     }
     return far;
-}
-
-static float size_of(const struct import_mesh *mesh, uint32_t key, uint8_t measure)
-{
-    const struct extent e = extent_of(mesh, key, measure == MEASURE_DISC ? AXIS_X : AXIS_Z,
-                                      measure == MEASURE_STANDARD);
-    return (measure == MEASURE_FORK ? fork_of(mesh, key) : e.high) - e.low;
 }
 
 /* Moves the snout to z = -0.5 and the middle of the body to x = y = 0, and scales the mesh so that
@@ -205,6 +189,8 @@ static void import_orient_normalize(struct import_mesh *mesh, uint32_t key, floa
 enum exit_code import_orient(struct import_mesh *mesh, const struct import_options *plan,
                              struct import_report *report, char why[IMPORT_WHY_SIZE])
 {
+    CORE_ASSERT(plan->up < AXIS_NONE);
+    CORE_ASSERT(plan->front <= AXIS_NONE);
     report->front = mesh->is_ours && plan->front == AXIS_NONE ? AXIS_Z : plan->front;
     if (report->front == AXIS_NONE && !find_front(mesh, plan->up % 3, &report->front, why)) {
         return EXIT_BAD_DATA;
@@ -214,12 +200,23 @@ enum exit_code import_orient(struct import_mesh *mesh, const struct import_optio
                  import_axis_names[report->front], import_axis_names[plan->up]);
         return EXIT_BAD_DATA;
     }
-    import_orient_rotate(mesh, report->front, plan->up);
+    const vec3 z = v3_scale(axis_vector(report->front), -1.0f), y = axis_vector(plan->up),
+               x = v3_cross(y, z);
+    for (uint32_t key = 0; key < mesh->key_count; key++) {
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            vec3 *p = &mesh->positions[key][i];
+            *p = v3(v3_dot(*p, x), v3_dot(*p, y), v3_dot(*p, z));
+        }
+    }
     bool is_settled = mesh->is_ours; /* True if the mesh needs no scaling. A mesh that kingyoctl
                                         wrote already has the size and the position that a species
                                         requires. */
     for (uint32_t key = 0; key < mesh->key_count; key++) {
-        report->size[key] = size_of(mesh, key, plan->measure);
+        const struct extent extent =
+            extent_of(mesh, key, plan->measure == MEASURE_DISC ? AXIS_X : AXIS_Z,
+                      plan->measure == MEASURE_STANDARD);
+        report->size[key] =
+            (plan->measure == MEASURE_FORK ? fork_of(mesh, key) : extent.high) - extent.low;
         if (!(report->size[key] > 1e-6f)) {
             snprintf(why, IMPORT_WHY_SIZE, "%.40s: has no length", mesh->key_names[key]);
             return EXIT_BAD_DATA;

@@ -17,9 +17,10 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "core/base/printable.h"
-#include "platform/ctl/import/import_flat.h"
-#include "platform/species/text_file.h"
+#include "platform/ctl/import/import.h"
+#include "platform/species/text.h"
 
 #define MEMORY_MAX (1024ull * 1024ull * 1024ull)
 #define CPU_MAX_S 20
@@ -83,53 +84,6 @@ static bool is_terminated(const char *text, size_t size)
     return memchr(text, 0, size) != NULL;
 }
 
-static bool vet_counts(const struct import_mesh *m)
-{
-    bool good = m->measure <= MEASURE_DISC && m->key_count >= 1 && m->key_count <= MORPH_KEY_MAX &&
-                m->vertex_count >= 3 && m->vertex_count <= IMPORT_VERTEX_MAX &&
-                m->triangle_count >= 1 && m->triangle_count <= IMPORT_TRIANGLE_MAX &&
-                m->group_count >= 1 && m->group_count <= IMPORT_GROUP_MAX &&
-                m->time_count <= IMPORT_TIME_MAX;
-    for (uint32_t i = 0; good && i < m->key_count; i++) {
-        good = is_terminated(m->key_names[i], IMPORT_NAME_SIZE);
-    }
-    for (uint32_t i = 0; good && i < m->group_count; i++) {
-        good = is_terminated(m->group_names[i], IMPORT_NAME_SIZE);
-    }
-    return good;
-}
-
-static bool vet_shapes(const struct import_mesh *m)
-{
-    for (uint32_t key = 0; key < m->key_count; key++) {
-        for (uint32_t i = 0; i < m->vertex_count; i++) {
-            const vec3 p = m->positions[key][i];
-            if (!(fabsf(p.x) <= IMPORT_REACH_MAX && fabsf(p.y) <= IMPORT_REACH_MAX &&
-                  fabsf(p.z) <= IMPORT_REACH_MAX)) {
-                return false;
-            }
-        }
-    }
-    for (uint32_t i = 0; i < m->vertex_count; i++) {
-        if (!(isfinite(m->uv[i][0]) && isfinite(m->uv[i][1]))) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool vet_triangles(const struct import_mesh *m)
-{
-    for (uint32_t i = 0; i < m->triangle_count; i++) {
-        const uint32_t *t = m->triangles[i];
-        if (t[0] >= m->vertex_count || t[1] >= m->vertex_count || t[2] >= m->vertex_count ||
-            m->groups[i] >= m->group_count) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* Returns true if the times of the keyframes increase, and if the weights at each keyframe are at
  * least 0 and have the sum 1, as the deformation graph requires. Sets `*where` to the last checked
  * keyframe. */
@@ -157,14 +111,40 @@ static bool vet_weights(const struct import_mesh *m, uint32_t *where)
 const char *import_validate(const struct import_mesh *m, char room[IMPORT_WHY_SIZE / 2])
 {
     uint32_t moment = 0;
-    if (!vet_counts(m)) {
+    bool good = m->measure <= MEASURE_DISC && m->key_count >= 1 && m->key_count <= MORPH_KEY_MAX &&
+                m->vertex_count >= 3 && m->vertex_count <= IMPORT_VERTEX_MAX &&
+                m->triangle_count >= 1 && m->triangle_count <= IMPORT_TRIANGLE_MAX &&
+                m->group_count >= 1 && m->group_count <= IMPORT_GROUP_MAX &&
+                m->time_count <= IMPORT_TIME_MAX;
+    for (uint32_t i = 0; good && i < m->key_count; i++) {
+        good = is_terminated(m->key_names[i], IMPORT_NAME_SIZE);
+    }
+    for (uint32_t i = 0; good && i < m->group_count; i++) {
+        good = is_terminated(m->group_names[i], IMPORT_NAME_SIZE);
+    }
+    if (!good) {
         return "no shape, or more than may be";
     }
-    if (!vet_shapes(m)) {
-        return "a coordinate that is no number or beyond 1e6";
+    for (uint32_t key = 0; key < m->key_count; key++) {
+        for (uint32_t i = 0; i < m->vertex_count; i++) {
+            const vec3 p = m->positions[key][i];
+            if (!(fabsf(p.x) <= IMPORT_REACH_MAX && fabsf(p.y) <= IMPORT_REACH_MAX &&
+                  fabsf(p.z) <= IMPORT_REACH_MAX)) {
+                return "a coordinate that is no number or beyond 1e6";
+            }
+        }
     }
-    if (!vet_triangles(m)) {
-        return "a triangle that names a vertex that is not there";
+    for (uint32_t i = 0; i < m->vertex_count; i++) {
+        if (!(isfinite(m->uv[i][0]) && isfinite(m->uv[i][1]))) {
+            return "a coordinate that is no number or beyond 1e6";
+        }
+    }
+    for (uint32_t i = 0; i < m->triangle_count; i++) {
+        const uint32_t *t = m->triangles[i];
+        if (t[0] >= m->vertex_count || t[1] >= m->vertex_count || t[2] >= m->vertex_count ||
+            m->groups[i] >= m->group_count) {
+            return "a triangle that names a vertex that is not there";
+        }
     }
     if (!vet_weights(m, &moment)) {
         snprintf(room, IMPORT_WHY_SIZE / 2,
@@ -208,9 +188,10 @@ static enum exit_code import_scene_read_file(struct import_mesh *mesh, struct sh
     return EXIT_OK;
 }
 
-static enum exit_code check_file(const char *path, char why[IMPORT_WHY_SIZE])
+enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why[IMPORT_WHY_SIZE])
 {
-    char cannot[TEXT_FILE_WHY_SIZE];
+    CORE_ASSERT(path);
+    char cannot[TEXT_FILE_WHY_SIZE], missing[IMPORT_WHY_SIZE];
     FILE *file;
     const enum text_file_open opened = text_file_open(path, IMPORT_FILE_MAX, &file, cannot);
     if (opened != TEXT_FILE_OPEN) {
@@ -218,20 +199,11 @@ static enum exit_code check_file(const char *path, char why[IMPORT_WHY_SIZE])
         return opened == TEXT_FILE_LARGE ? EXIT_BAD_DATA : EXIT_IO;
     }
     fclose(file);
-    return EXIT_OK;
-}
-
-enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why[IMPORT_WHY_SIZE])
-{
-    enum exit_code code = check_file(path, why);
-    char missing[IMPORT_WHY_SIZE];
-    if (code == EXIT_OK && !import_can_flatten(missing)) {
+    if (!import_can_flatten(missing)) {
         snprintf(why, IMPORT_WHY_SIZE, "%.60s: %.130s", path, missing);
-        code = EXIT_NOT_SO;
+        return EXIT_NOT_SO;
     }
-    if (code != EXIT_OK) {
-        return code;
-    }
+    enum exit_code code = EXIT_IO;
     struct shared *shared =
         mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     const pid_t child = shared == MAP_FAILED ? -1 : fork();
@@ -240,7 +212,6 @@ enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why
     }
     if (child < 0) {
         snprintf(why, IMPORT_WHY_SIZE, "no process to read with: %s", strerror(errno));
-        code = EXIT_IO;
     } else {
         code = import_scene_read_file(mesh, shared, path, child, why);
     }

@@ -9,7 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/ctl/import/import_flat_internal.h"
+#include "core/base/panic.h"
+#include "platform/ctl/import/import_flat.h"
 
 static const struct aiMeshMorphAnim *weights_of(const struct flattening *f, const char *node)
 {
@@ -27,6 +28,7 @@ static const struct aiMeshMorphAnim *weights_of(const struct flattening *f, cons
 static void target_weights(const struct flattening *f, const struct aiMesh *mesh, const char *node,
                            uint32_t key, float out[TARGET_MAX])
 {
+    CORE_ASSERT(key < MORPH_KEY_MAX);
     memset(out, 0, TARGET_MAX * sizeof *out);
     if (!f->sampled) {
         if (f->key_target[key] != KEY_BASE && mesh->mNumAnimMeshes > 0) {
@@ -64,6 +66,7 @@ static vec3 shape_at(const struct aiMesh *mesh, const float weights[TARGET_MAX],
 static bool add_skinned(struct flattening *f, const struct aiMesh *mesh, uint32_t key,
                         const float weights[TARGET_MAX], float *sums)
 {
+    CORE_ASSERT(key < f->mesh->key_count);
     vec3 *out = &f->mesh->positions[key][f->mesh->vertex_count];
     memset(out, 0, mesh->mNumVertices * sizeof *out);
     memset(sums, 0, mesh->mNumVertices * sizeof *sums);
@@ -93,27 +96,6 @@ static bool add_skinned(struct flattening *f, const struct aiMesh *mesh, uint32_
     return true;
 }
 
-static bool add_shapes(struct flattening *f, const struct import_nodes_node *node,
-                       const struct aiMesh *mesh)
-{
-    static float sums[IMPORT_VERTEX_MAX];
-    for (uint32_t key = 0; key < f->mesh->key_count; key++) {
-        float weights[TARGET_MAX];
-        vec3 *out = &f->mesh->positions[key][f->mesh->vertex_count];
-        target_weights(f, mesh, node->node->mName.data, key, weights);
-        if (mesh->mNumBones > 0) {
-            if (!add_skinned(f, mesh, key, weights, sums)) {
-                return false;
-            }
-            continue;
-        }
-        for (uint32_t i = 0; i < mesh->mNumVertices; i++) {
-            out[i] = import_nodes_apply(&node->at[key], shape_at(mesh, weights, i));
-        }
-    }
-    return true;
-}
-
 /* Converts a linear colour of glTF to an sRGB colour 0xRRGGBB. */
 static uint32_t colour_of(const struct aiColor4D *colour)
 {
@@ -125,29 +107,6 @@ static uint32_t colour_of(const struct aiColor4D *colour)
         out = out << 8 | (uint32_t)(s * 255.0f + 0.5f);
     }
     return out;
-}
-
-static bool add_group(struct flattening *f, const struct aiNode *node, const struct aiMesh *mesh)
-{
-    struct import_mesh *m = f->mesh;
-    struct aiString material = { .length = 0 };
-    const char *const of = "material";
-    if (m->group_count == IMPORT_GROUP_MAX) {
-        return import_flat_error(f, "more than 64 meshes");
-    }
-    if (mesh->mMaterialIndex < f->scene->mNumMaterials) {
-        const struct aiMaterial *its = f->scene->mMaterials[mesh->mMaterialIndex];
-        for (uint32_t i = 0; i < its->mNumProperties; i++) {
-            const struct aiMaterialProperty *p = its->mProperties[i];
-            if (strcmp(p->mKey.data, "?mat.name") == 0 && p->mDataLength > 4 &&
-                p->mDataLength < 40) {
-                memcpy(material.data, p->mData + 4, p->mDataLength - 4);
-            }
-        }
-    }
-    snprintf(m->group_names[m->group_count++], IMPORT_NAME_SIZE, "%.20s:%.20s:%.18s",
-             node->mName.data, mesh->mName.data, material.data[0] ? material.data : of);
-    return true;
 }
 
 static bool add_vertices(struct flattening *f, const struct import_nodes_node *node,
@@ -171,27 +130,20 @@ static bool add_vertices(struct flattening *f, const struct import_nodes_node *n
     }
     m->has_uv |= mesh->mTextureCoords[0] != NULL;
     m->has_colours |= mesh->mColors[0] != NULL;
-    return add_shapes(f, node, mesh);
-}
-
-static bool add_triangles(struct flattening *f, const struct aiMesh *mesh)
-{
-    struct import_mesh *m = f->mesh;
-    for (uint32_t i = 0; i < mesh->mNumFaces; i++) {
-        const struct aiFace *face = &mesh->mFaces[i];
-        if (face->mNumIndices != 3) {
-            continue; /* Points and lines are skipped, because they are not part of the surface. */
-        }
-        if (m->triangle_count == IMPORT_TRIANGLE_MAX) {
-            return import_flat_error(f, "more than 131072 triangles");
-        }
-        for (uint32_t k = 0; k < 3; k++) {
-            if (face->mIndices[k] >= mesh->mNumVertices) {
-                return import_flat_error(f, "a triangle that names a vertex that is not there");
+    static float sums[IMPORT_VERTEX_MAX];
+    for (uint32_t key = 0; key < f->mesh->key_count; key++) {
+        float weights[TARGET_MAX];
+        vec3 *out = &f->mesh->positions[key][f->mesh->vertex_count];
+        target_weights(f, mesh, node->node->mName.data, key, weights);
+        if (mesh->mNumBones > 0) {
+            if (!add_skinned(f, mesh, key, weights, sums)) {
+                return false;
             }
-            m->triangles[m->triangle_count][k] = m->vertex_count + face->mIndices[k];
+            continue;
         }
-        m->groups[m->triangle_count++] = (uint8_t)(m->group_count - 1);
+        for (uint32_t i = 0; i < mesh->mNumVertices; i++) {
+            out[i] = import_nodes_apply(&node->at[key], shape_at(mesh, weights, i));
+        }
     }
     return true;
 }
@@ -210,8 +162,43 @@ static bool add_mesh(struct flattening *f, const struct import_nodes_node *node,
     if (!f->sampled && mesh->mNumAnimMeshes > 0 && mesh->mNumAnimMeshes != f->target_count) {
         return import_flat_error(f, "meshes with different numbers of morph targets");
     }
-    if (!add_group(f, node->node, mesh) || !add_triangles(f, mesh) ||
-        !add_vertices(f, node, mesh)) {
+    struct import_mesh *whole = f->mesh;
+    struct aiString material = { .length = 0 };
+    const char *const of = "material";
+    if (whole->group_count == IMPORT_GROUP_MAX) {
+        return import_flat_error(f, "more than 64 meshes");
+    }
+    if (mesh->mMaterialIndex < f->scene->mNumMaterials) {
+        const struct aiMaterial *its = f->scene->mMaterials[mesh->mMaterialIndex];
+        for (uint32_t i = 0; i < its->mNumProperties; i++) {
+            const struct aiMaterialProperty *p = its->mProperties[i];
+            if (strcmp(p->mKey.data, "?mat.name") == 0 && p->mDataLength > 4 &&
+                p->mDataLength < 40) {
+                memcpy(material.data, p->mData + 4, p->mDataLength - 4);
+            }
+        }
+    }
+    snprintf(whole->group_names[whole->group_count++], IMPORT_NAME_SIZE, "%.20s:%.20s:%.18s",
+             node->node->mName.data, mesh->mName.data, material.data[0] ? material.data : of);
+    struct import_mesh *m = f->mesh;
+    for (uint32_t i = 0; i < mesh->mNumFaces; i++) {
+        const struct aiFace *face = &mesh->mFaces[i];
+        if (face->mNumIndices != 3) {
+            /* Points and lines are skipped, because they are not part of the surface. */
+            continue;
+        }
+        if (m->triangle_count == IMPORT_TRIANGLE_MAX) {
+            return import_flat_error(f, "more than 131072 triangles");
+        }
+        for (uint32_t k = 0; k < 3; k++) {
+            if (face->mIndices[k] >= mesh->mNumVertices) {
+                return import_flat_error(f, "a triangle that names a vertex that is not there");
+            }
+            m->triangles[m->triangle_count][k] = m->vertex_count + face->mIndices[k];
+        }
+        m->groups[m->triangle_count++] = (uint8_t)(m->group_count - 1);
+    }
+    if (!add_vertices(f, node, mesh)) {
         return false;
     }
     f->mesh->vertex_count += mesh->mNumVertices;
@@ -220,6 +207,7 @@ static bool add_mesh(struct flattening *f, const struct import_nodes_node *node,
 
 bool import_shapes_add_meshes(struct flattening *f)
 {
+    CORE_ASSERT(f->standing.node_count <= NODE_MAX);
     for (uint32_t n = 0; n < f->standing.node_count; n++) {
         const struct import_nodes_node *node = &f->standing.nodes[n];
         for (uint32_t i = 0; i < node->node->mNumMeshes; i++) {

@@ -3,8 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/morph/morph.h"
-#include "platform/ctl/import/import_options.h"
+#include "platform/ctl/import/import.h"
 #include "platform/ctl/import/refit.h"
 
 #define ROUNDS 24u
@@ -44,61 +45,11 @@ struct fitting {
 static struct refit_tree target_tree, fitted_tree;
 static struct fitting fit;
 
-static void find_places(const vec3 *positions)
-{
-    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
-        fit.place[i] = i;
-        for (uint32_t j = 0; j < i && fit.place[i] == i; j++) {
-            const vec3 d = v3_sub(positions[i], positions[j]);
-            if (fit.mesh->vertices[i].part == fit.mesh->vertices[j].part &&
-                fit.mesh->vertices[i].side == fit.mesh->vertices[j].side && v3_dot(d, d) < 1e-12f) {
-                fit.place[i] = fit.place[j];
-            }
-        }
-    }
-}
-
-/* Lists the neighbours of each place along the edges. A neighbour is listed once for each triangle
- * that has the edge. */
-static void find_edges(void)
-{
-    static uint32_t fill[MESH_VERTEX_MAX];
-    const struct species_mesh *mesh = fit.mesh;
-    memset(fit.first, 0, sizeof fit.first);
-    for (uint32_t i = 0; i < mesh->index_count; i++) {
-        fit.first[fit.place[mesh->indices[i]] + 1] += 2;
-    }
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        fit.first[i + 1] += fit.first[i];
-        fill[i] = fit.first[i];
-    }
-    for (uint32_t i = 0; i < mesh->index_count; i++) {
-        const uint32_t t = i - i % 3, at = fit.place[mesh->indices[i]];
-        fit.other[fill[at]++] = fit.place[mesh->indices[t + (i + 1) % 3]];
-        fit.other[fill[at]++] = fit.place[mesh->indices[t + (i + 2) % 3]];
-    }
-}
-
-static uint8_t part_at(uint32_t vertex)
-{
-    return fit.parted ? fit.mesh->vertices[vertex].part : (uint8_t)REFIT_TREE_ANY_PART;
-}
-
 static void refit_draw(uint32_t place, vec3 toward, float weight)
 {
+    CORE_ASSERT(place < MESH_VERTEX_MAX);
     fit.pull[place] = v3_muladd(fit.pull[place], toward, weight);
     fit.weight[place] += weight;
-}
-
-static void draw_to_surface(void)
-{
-    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
-        vec3 at;
-        if (fit.place[i] == i &&
-            refit_tree_nearest(fit.tree, fit.now[i], part_at(i), &at) < FAR_SHARE * FAR_SHARE) {
-            refit_draw(i, at, 1.0f);
-        }
-    }
 }
 
 /* Adds the pull of the mesh's vertices on the nearest vertices of the template. Without this pull,
@@ -156,47 +107,7 @@ static void refit_relax(float stiff)
     }
 }
 
-static void share_places(void)
-{
-    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
-        fit.now[i] = fit.now[fit.place[i]];
-    }
-}
-
-static void run_rounds(const struct import_mesh *mesh)
-{
-    for (uint32_t round = 0; round < ROUNDS; round++) {
-        const float t = (float)round / (float)(ROUNDS - 1u);
-        memset(fit.pull, 0, sizeof fit.pull);
-        memset(fit.weight, 0, sizeof fit.weight);
-        draw_to_surface();
-        draw_from_mesh(mesh);
-        refit_relax(STIFF_FIRST * powf(STIFF_LAST / STIFF_FIRST, t));
-        share_places();
-        memcpy(fit.rest, fit.now, sizeof fit.rest); /* The new shape becomes the rest shape of the
-                                                       next round. */
-    }
-}
-
 /* ---- Writing to the mesh tables -------------------------------------------------------------- */
-
-static void make_normals(vec3 *normals)
-{
-    memset(normals, 0, MESH_VERTEX_MAX * sizeof *normals);
-    for (uint32_t i = 0; i < fit.mesh->index_count; i += 3) {
-        const uint16_t *t = &fit.mesh->indices[i];
-        const vec3 normal =
-            v3_cross(v3_sub(fit.now[t[1]], fit.now[t[0]]), v3_sub(fit.now[t[2]], fit.now[t[0]]));
-        for (uint32_t k = 0; k < 3; k++) {
-            vec3 *sum = &normals[fit.place[t[k]]];
-            const bool sheet = fit.mesh->vertices[t[k]].part >= PART_TAIL;
-            *sum = v3_muladd(*sum, normal, sheet && v3_dot(*sum, normal) < 0.0f ? -1.0f : 1.0f);
-        }
-    }
-    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
-        normals[i] = v3_normalize_or(normals[fit.place[i]], v3(0.0f, 1.0f, 0.0f));
-    }
-}
 
 static void put_point(struct species_slot *slot, uint32_t lod, uint32_t key, uint32_t vertex,
                       vec3 position, vec3 normal)
@@ -213,7 +124,20 @@ static void write_points(struct species_slot *slot, uint32_t lod, uint32_t key)
     static vec3 normals[MESH_VERTEX_MAX];
     static struct morph_pose pose;
     const struct species_mesh *mesh = &slot->species.lod[lod];
-    make_normals(normals);
+    memset(normals, 0, MESH_VERTEX_MAX * sizeof *normals);
+    for (uint32_t i = 0; i < fit.mesh->index_count; i += 3) {
+        const uint16_t *t = &fit.mesh->indices[i];
+        const vec3 normal =
+            v3_cross(v3_sub(fit.now[t[1]], fit.now[t[0]]), v3_sub(fit.now[t[2]], fit.now[t[0]]));
+        for (uint32_t k = 0; k < 3; k++) {
+            vec3 *sum = &normals[fit.place[t[k]]];
+            const bool sheet = fit.mesh->vertices[t[k]].part >= PART_TAIL;
+            *sum = v3_muladd(*sum, normal, sheet && v3_dot(*sum, normal) < 0.0f ? -1.0f : 1.0f);
+        }
+    }
+    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+        normals[i] = v3_normalize_or(normals[fit.place[i]], v3(0.0f, 1.0f, 0.0f));
+    }
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         if (mesh->vertices[i].anchor == ANCHOR_NONE) {
             put_point(slot, lod, key, i, fit.now[i], normals[i]);
@@ -310,18 +234,43 @@ static void refit_begin(const struct species_slot *slot, uint32_t lod, uint32_t 
     }
     morph_key_pose(fit.mesh, slot->species.card.key_count, key, &pose);
     morph_shape(fit.mesh, slot->species.card.key_count, &pose, fit.now, NULL);
-    find_places(fit.now);
-    find_edges();
+    for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+        fit.place[i] = i;
+        for (uint32_t j = 0; j < i && fit.place[i] == i; j++) {
+            const vec3 d = v3_sub(fit.now[i], fit.now[j]);
+            if (fit.mesh->vertices[i].part == fit.mesh->vertices[j].part &&
+                fit.mesh->vertices[i].side == fit.mesh->vertices[j].side && v3_dot(d, d) < 1e-12f) {
+                fit.place[i] = fit.place[j];
+            }
+        }
+    }
+    /* `other` lists the neighbours of each place along the edges. A neighbour is listed once for
+     * each triangle that has the edge. */
+    static uint32_t fill[MESH_VERTEX_MAX];
+    const struct species_mesh *lod_mesh = fit.mesh;
+    memset(fit.first, 0, sizeof fit.first);
+    for (uint32_t i = 0; i < lod_mesh->index_count; i++) {
+        fit.first[fit.place[lod_mesh->indices[i]] + 1] += 2;
+    }
+    for (uint32_t i = 0; i < lod_mesh->vertex_count; i++) {
+        fit.first[i + 1] += fit.first[i];
+        fill[i] = fit.first[i];
+    }
+    for (uint32_t i = 0; i < lod_mesh->index_count; i++) {
+        const uint32_t t = i - i % 3, at = fit.place[lod_mesh->indices[i]];
+        fit.other[fill[at]++] = fit.place[lod_mesh->indices[t + (i + 1) % 3]];
+        fit.other[fill[at]++] = fit.place[lod_mesh->indices[t + (i + 2) % 3]];
+    }
 }
 
 /* Scales the far mesh to the fish's measured length. The fit of the far mesh ends slightly
  * before the tips, because the mesh has few vertices and each vertex moves to the mean of
  * several pulls. */
-static void stretch_to_measure(uint8_t refit_measure_error)
+static void stretch_to_measure(uint8_t measure)
 {
-    const bool across = refit_measure_error == MEASURE_DISC;
+    const bool across = measure == MEASURE_DISC;
     float low = INFINITY, high = -INFINITY;
-    if (refit_measure_error != MEASURE_TOTAL && !across) {
+    if (measure != MEASURE_TOTAL && !across) {
         return;
     }
     for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
@@ -343,12 +292,33 @@ static void fit_lod(struct species_slot *slot, uint32_t lod, uint32_t key,
                     const struct import_mesh *mesh, const struct refit_marks *marks,
                     struct refit_result *result)
 {
+    CORE_ASSERT(lod < SPECIES_LOD_COUNT);
     vec3 from[REFIT_MARKS_MAX], to[REFIT_MARKS_MAX];
     refit_begin(slot, lod, key, mesh);
     const uint32_t count = pair_marks(marks, fit.now, from, to);
     refit_marks_warp(from, to, count, fit.now, fit.mesh->vertex_count);
     memcpy(fit.rest, fit.now, sizeof fit.rest);
-    run_rounds(mesh);
+    for (uint32_t round = 0; round < ROUNDS; round++) {
+        const float t = (float)round / (float)(ROUNDS - 1u);
+        memset(fit.pull, 0, sizeof fit.pull);
+        memset(fit.weight, 0, sizeof fit.weight);
+        for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+            vec3 at;
+            if (fit.place[i] == i && refit_tree_nearest(fit.tree, fit.now[i],
+                                                        fit.parted ? fit.mesh->vertices[i].part
+                                                                   : (uint8_t)REFIT_TREE_ANY_PART,
+                                                        &at) < FAR_SHARE * FAR_SHARE) {
+                refit_draw(i, at, 1.0f);
+            }
+        }
+        draw_from_mesh(mesh);
+        refit_relax(STIFF_FIRST * powf(STIFF_LAST / STIFF_FIRST, t));
+        for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
+            fit.now[i] = fit.now[fit.place[i]];
+        }
+        /* The new shape becomes the rest shape of the next round. */
+        memcpy(fit.rest, fit.now, sizeof fit.rest);
+    }
     if (lod > 0) {
         stretch_to_measure(slot->species.card.measure);
     }
@@ -363,9 +333,21 @@ static void fit_lod(struct species_slot *slot, uint32_t lod, uint32_t key,
     }
 }
 
-/* Finds the landmark with the greatest distance from the surface of the mesh. */
-static void find_stray(const struct refit_marks *marks, struct refit_result *result)
+void refit_key(struct species_slot *slot, uint32_t key, const struct import_mesh *mesh,
+               const struct refit_marks *marks, struct refit_result *result)
 {
+    CORE_ASSERT(key < slot->species.card.key_count);
+    CORE_ASSERT(marks->count <= REFIT_MARKS_MAX);
+    CORE_ASSERT(mesh->triangle_count <= REFIT_TREE_TRIANGLE_MAX);
+    target_tree.triangle_count = 0;
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        const uint32_t *t = mesh->triangles[i];
+        refit_tree_add(&target_tree, mesh->positions[0][t[0]], mesh->positions[0][t[1]],
+                       mesh->positions[0][t[2]],
+                       (uint8_t)import_part(mesh->group_names[mesh->groups[i]]));
+    }
+    refit_tree_build(&target_tree);
+    /* `stray` becomes the landmark with the greatest distance from the surface of the mesh. */
     result->stray = "";
     result->stray_gap = 0.0f;
     for (uint32_t i = 0; i < marks->count; i++) {
@@ -377,20 +359,6 @@ static void find_stray(const struct refit_marks *marks, struct refit_result *res
             result->stray_gap = gap;
         }
     }
-}
-
-void refit_key(struct species_slot *slot, uint32_t key, const struct import_mesh *mesh,
-               const struct refit_marks *marks, struct refit_result *result)
-{
-    target_tree.triangle_count = 0;
-    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        const uint32_t *t = mesh->triangles[i];
-        refit_tree_add(&target_tree, mesh->positions[0][t[0]], mesh->positions[0][t[1]],
-                       mesh->positions[0][t[2]],
-                       (uint8_t)import_part(mesh->group_names[mesh->groups[i]]));
-    }
-    refit_tree_build(&target_tree);
-    find_stray(marks, result);
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         fit_lod(slot, lod, key, mesh, marks, result);
     }

@@ -14,7 +14,7 @@
 
 #include <stddef.h>
 
-#include "platform/ctl/import/import_mesh.h"
+#include "platform/ctl/import/import.h"
 #include "platform/species/pack.h"
 
 #define REFIT_MARKS_MAX 24u

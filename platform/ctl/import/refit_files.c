@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/ctl/import/import_options.h"
+#include "platform/ctl/import/import.h"
 #include "platform/ctl/import/refit.h"
 #include "platform/os/print.h"
 
@@ -39,14 +39,6 @@ static void axis_from(const struct refit_marks *marks, const char *to, const cha
     }
 }
 
-static enum exit_code read_mesh(struct import_mesh *mesh, const char *path,
-                                char why[IMPORT_WHY_SIZE])
-{
-    const size_t length = strlen(path);
-    const bool is_obj = length > 4 && strcmp(path + length - 4, ".obj") == 0;
-    return is_obj ? import_obj(mesh, 0, path, why) : import_scene(mesh, path, why);
-}
-
 /* Rotates and scales a mesh together with its landmarks. For this, the landmarks are appended to
  * the mesh as vertices without triangles. Returns false and writes the reason to `why` after an
  * error. */
@@ -75,17 +67,6 @@ static bool orient(struct import_mesh *mesh, struct refit_marks *marks,
     return good;
 }
 
-static void refit_files_print_result(const char *file, const struct refit_result *result)
-{
-    print_line(stdout,
-               "  %-24s fit to mesh: mean %.3f, RMS %.3f, max %.2f %% of length;"
-               " mesh to fit: %.3f, %.3f, %.2f %%; landmarks within %.2f %%",
-               file, 100.0 * (double)result->to_mesh.mean, 100.0 * (double)result->to_mesh.rms,
-               100.0 * (double)result->to_mesh.max, 100.0 * (double)result->from_mesh.mean,
-               100.0 * (double)result->from_mesh.rms, 100.0 * (double)result->from_mesh.max,
-               100.0 * (double)result->mark_max);
-}
-
 enum exit_code refit_files(struct species_slot *slot, const char *const *files,
                            const char *const *marks, uint32_t count,
                            const struct import_options *plan, char why[IMPORT_WHY_SIZE])
@@ -95,7 +76,10 @@ enum exit_code refit_files(struct species_slot *slot, const char *const *files,
     for (uint32_t key = 0; key < count; key++) {
         struct refit_result result;
         char own[IMPORT_WHY_SIZE];
-        enum exit_code code = read_mesh(&mesh, files[key], why);
+        const size_t length = strlen(files[key]);
+        const bool is_obj = length > 4 && strcmp(files[key] + length - 4, ".obj") == 0;
+        enum exit_code code =
+            is_obj ? import_obj(&mesh, 0, files[key], why) : import_scene(&mesh, files[key], why);
         if (code == EXIT_OK) {
             code = refit_marks_read(marks[key], &list, why);
         }
@@ -112,7 +96,13 @@ enum exit_code refit_files(struct species_slot *slot, const char *const *files,
                      marks[key], result.stray, 100.0 * (double)result.stray_gap);
             return EXIT_BAD_DATA;
         }
-        refit_files_print_result(files[key], &result);
+        print_line(stdout,
+                   "  %-24s fit to mesh: mean %.3f, RMS %.3f, max %.2f %% of length;"
+                   " mesh to fit: %.3f, %.3f, %.2f %%; landmarks within %.2f %%",
+                   files[key], 100.0 * (double)result.to_mesh.mean,
+                   100.0 * (double)result.to_mesh.rms, 100.0 * (double)result.to_mesh.max,
+                   100.0 * (double)result.from_mesh.mean, 100.0 * (double)result.from_mesh.rms,
+                   100.0 * (double)result.from_mesh.max, 100.0 * (double)result.mark_max);
     }
     return EXIT_OK;
 }

@@ -5,8 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/ctl/import/refit.h"
-#include "platform/species/text_file.h"
+#include "platform/species/text.h"
 
 #define LINE_SIZE 256
 #define MARKS_SIZE_MAX (64u * 1024u)
@@ -148,46 +149,38 @@ static bool vertex_near(const struct species_mesh *mesh, const vec3 *positions, 
     return best < INFINITY;
 }
 
-/* Finds the highest point of the body if `sign` is 1, or the lowest point if `sign` is -1. */
-static bool extreme(const struct species_mesh *mesh, const vec3 *positions, float sign, vec3 *out)
-{
-    float best = -INFINITY;
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        if (mesh->vertices[i].part == PART_BODY && sign * positions[i].y > best) {
-            best = sign * positions[i].y;
-            *out = positions[i];
-        }
-    }
-    return best > -INFINITY;
-}
-
-static bool middle_of(const struct species_mesh *mesh, const vec3 *positions, uint8_t part,
-                      uint8_t side, vec3 *out)
-{
-    vec3 sum = { 0.0f, 0.0f, 0.0f };
-    float count = 0.0f;
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        if (mesh->vertices[i].part == part && mesh->vertices[i].side == side) {
-            sum = v3_add(sum, positions[i]);
-            count += 1.0f;
-        }
-    }
-    *out = v3_scale(sum, 1.0f / fmaxf(count, 1.0f));
-    return count > 0.0f;
-}
-
 bool refit_marks_of_template(const struct species_mesh *mesh, const vec3 *positions,
                              const char *name, vec3 *out)
 {
+    CORE_ASSERT(name[0]);
     if (strcmp(name, "snout") == 0 || strcmp(name, "tail_root") == 0) {
         return vertex_near(mesh, positions, PART_BODY, SIDE_MIDDLE, name[0] == 's' ? 0.0f : 1.0f,
                            0.25f, out);
     }
     if (strcmp(name, "back") == 0 || strcmp(name, "belly") == 0) {
-        return extreme(mesh, positions, strcmp(name, "back") == 0 ? 1.0f : -1.0f, out);
+        /* The highest point of the body has the sign 1, and the lowest point has the sign -1. */
+        const float sign = strcmp(name, "back") == 0 ? 1.0f : -1.0f;
+        float best = -INFINITY;
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            if (mesh->vertices[i].part == PART_BODY && sign * positions[i].y > best) {
+                best = sign * positions[i].y;
+                *out = positions[i];
+            }
+        }
+        return best > -INFINITY;
     }
     if (strcmp(name, "eye_right") == 0 || strcmp(name, "eye_left") == 0) {
-        return middle_of(mesh, positions, PART_EYE, name[4] == 'r' ? SIDE_RIGHT : SIDE_LEFT, out);
+        const enum species_side side = name[4] == 'r' ? SIDE_RIGHT : SIDE_LEFT;
+        vec3 sum = { 0.0f, 0.0f, 0.0f };
+        float count = 0.0f;
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            if (mesh->vertices[i].part == PART_EYE && mesh->vertices[i].side == side) {
+                sum = v3_add(sum, positions[i]);
+                count += 1.0f;
+            }
+        }
+        *out = v3_scale(sum, 1.0f / fmaxf(count, 1.0f));
+        return count > 0.0f;
     }
     if (strcmp(name, "tail_top") == 0 || strcmp(name, "tail_bottom") == 0) {
         return vertex_near(mesh, positions, PART_TAIL, SIDE_MIDDLE, name[5] == 't' ? 0.0f : 1.0f,
@@ -263,32 +256,6 @@ static vec3 mean_of(const vec3 *points, uint32_t n)
     return v3_scale(sum, 1.0f / (float)n);
 }
 
-/* Computes the best linear transform from the offsets of `from` to the offsets of `to`. The result
- * is a 3 x 3 matrix in `m` that converts an offset from the centre of `from` to a displacement.
- *
- * The transform is regularized toward the identity. If all landmarks lie in a plane, they do not
- * determine the deformation perpendicular to the plane. */
-static void fit_stretch(const vec3 *from, const vec3 *to, uint32_t n,
-                        double m[SYSTEM_MAX][SYSTEM_MAX + 3])
-{
-    const vec3 middle = mean_of(from, n), goal = mean_of(to, n);
-    memset(m, 0, 3 * sizeof *m);
-    for (uint32_t i = 0; i < n; i++) {
-        const vec3 p = v3_sub(from[i], middle), way = v3_sub(v3_sub(to[i], goal), p);
-        const float a[3] = { p.x, p.y, p.z }, d[3] = { way.x, way.y, way.z };
-        for (uint32_t r = 0; r < 3; r++) {
-            for (uint32_t k = 0; k < 3; k++) {
-                m[r][k] += (double)(a[r] * a[k]);
-                m[r][3 + k] += (double)(a[r] * d[k]);
-            }
-        }
-    }
-    for (uint32_t r = 0; r < 3; r++) {
-        m[r][r] += RIDGE;
-    }
-    solve(m, 3);
-}
-
 static vec3 stretched(double m[SYSTEM_MAX][SYSTEM_MAX + 3], vec3 p, vec3 middle, vec3 goal)
 {
     const vec3 at = v3_sub(p, middle);
@@ -322,13 +289,32 @@ static void fit_bumps(const vec3 *from, const vec3 *to, uint32_t n,
 
 void refit_marks_warp(const vec3 *from, const vec3 *to, uint32_t n, vec3 *points, uint32_t count)
 {
+    CORE_ASSERT(n <= REFIT_MARKS_MAX);
     static double m[SYSTEM_MAX][SYSTEM_MAX + 3];
     vec3 at[REFIT_MARKS_MAX];
     if (n == 0) {
         return;
     }
     const vec3 middle = mean_of(from, n), goal = mean_of(to, n);
-    fit_stretch(from, to, n, m);
+    /* Compute the best linear transform from the offsets of `from` to the offsets of `to`. The
+     * result is a 3 x 3 matrix in `m` that converts an offset from the centre of `from` to a
+     * displacement. The transform is regularized toward the identity. If all landmarks lie in a
+     * plane, they do not determine the deformation perpendicular to the plane. */
+    memset(m, 0, 3 * sizeof *m);
+    for (uint32_t i = 0; i < n; i++) {
+        const vec3 p = v3_sub(from[i], middle), way = v3_sub(v3_sub(to[i], goal), p);
+        const float a[3] = { p.x, p.y, p.z }, d[3] = { way.x, way.y, way.z };
+        for (uint32_t r = 0; r < 3; r++) {
+            for (uint32_t k = 0; k < 3; k++) {
+                m[r][k] += (double)(a[r] * a[k]);
+                m[r][3 + k] += (double)(a[r] * d[k]);
+            }
+        }
+    }
+    for (uint32_t r = 0; r < 3; r++) {
+        m[r][r] += RIDGE;
+    }
+    solve(m, 3);
     for (uint32_t i = 0; i < n; i++) {
         at[i] = stretched(m, from[i], middle, goal);
     }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/base/panic.h"
 #include "platform/ctl/import/refit.h"
 
 #define LEAF_MAX 4u
@@ -11,9 +12,8 @@
 
 void refit_tree_add(struct refit_tree *tree, vec3 a, vec3 b, vec3 c, uint8_t part)
 {
-    if (tree->triangle_count < REFIT_TREE_TRIANGLE_MAX) {
-        tree->triangles[tree->triangle_count++] = (struct refit_tree_triangle){ { a, b, c }, part };
-    }
+    CORE_ASSERT(tree->triangle_count < REFIT_TREE_TRIANGLE_MAX);
+    tree->triangles[tree->triangle_count++] = (struct refit_tree_triangle){ { a, b, c }, part };
 }
 
 static float middle(const struct refit_tree_triangle *t, int axis)
@@ -50,18 +50,6 @@ static vec3 most(vec3 a, vec3 b)
     return v3(fmaxf(a.x, b.x), fmaxf(a.y, b.y), fmaxf(a.z, b.z));
 }
 
-static void bound(const struct refit_tree *tree, struct refit_tree_node *node)
-{
-    node->low = v3(INFINITY, INFINITY, INFINITY);
-    node->high = v3(-INFINITY, -INFINITY, -INFINITY);
-    for (uint32_t i = node->first; i < node->first + node->count; i++) {
-        for (uint32_t k = 0; k < 3; k++) {
-            node->low = least(node->low, tree->triangles[i].corner[k]);
-            node->high = most(node->high, tree->triangles[i].corner[k]);
-        }
-    }
-}
-
 /* A range of triangles that must still be split. `parent` is the branch whose second child the
  * range will be. */
 struct range {
@@ -70,6 +58,7 @@ struct range {
 
 void refit_tree_build(struct refit_tree *tree)
 {
+    CORE_ASSERT(tree->triangle_count <= REFIT_TREE_TRIANGLE_MAX);
     struct range waiting[DEPTH_MAX] = { { 0, tree->triangle_count, UINT32_MAX } };
     uint32_t depth = 1;
     tree->node_count = 0;
@@ -81,7 +70,14 @@ void refit_tree_build(struct refit_tree *tree)
             tree->nodes[range.parent].first = index;
         }
         *node = (struct refit_tree_node){ .first = range.first, .count = range.count };
-        bound(tree, node);
+        node->low = v3(INFINITY, INFINITY, INFINITY);
+        node->high = v3(-INFINITY, -INFINITY, -INFINITY);
+        for (uint32_t i = node->first; i < node->first + node->count; i++) {
+            for (uint32_t k = 0; k < 3; k++) {
+                node->low = least(node->low, tree->triangles[i].corner[k]);
+                node->high = most(node->high, tree->triangles[i].corner[k]);
+            }
+        }
         if (range.count <= LEAF_MAX) {
             continue;
         }

@@ -29,6 +29,7 @@ static const struct {
 
 uint32_t glb_next(struct glb *glb, enum glb_list list)
 {
+    CORE_ASSERT(list < GLB_LIST_COUNT);
     if (glb->counts[list] > 0) {
         byte_buffer_add(&glb->lists[list], ",\n", 2);
     }
@@ -79,6 +80,7 @@ uint32_t glb_floats(struct glb *glb, enum glb_use use, enum glb_type type, const
                     uint32_t count)
 {
     CORE_ASSERT(count >= 1);
+    CORE_ASSERT(type <= GLB_MAT4);
     const uint32_t width = types[type].width;
     const bool of_vertices = use == GLB_FOR_VERTICES || use == GLB_FOR_PLACES;
     const uint32_t view = add_view(glb, values, (size_t)count * width * sizeof *values,
@@ -97,6 +99,7 @@ uint32_t glb_floats(struct glb *glb, enum glb_use use, enum glb_type type, const
 
 uint32_t glb_indices(struct glb *glb, const uint16_t *indices, uint32_t count)
 {
+    CORE_ASSERT(count >= 3 && count % 3 == 0);
     const uint32_t view =
         add_view(glb, indices, (size_t)count * sizeof *indices, ELEMENT_ARRAY_BUFFER);
     const uint32_t accessor = glb_next(glb, GLB_ACCESSORS);
@@ -108,6 +111,7 @@ uint32_t glb_indices(struct glb *glb, const uint16_t *indices, uint32_t count)
 
 uint32_t glb_joints(struct glb *glb, const uint8_t (*joints)[4], uint32_t count)
 {
+    CORE_ASSERT(count >= 1);
     const uint32_t view = add_view(glb, joints, (size_t)count * 4u, ARRAY_BUFFER);
     const uint32_t accessor = glb_next(glb, GLB_ACCESSORS);
     byte_buffer_print(&glb->lists[GLB_ACCESSORS],
@@ -128,62 +132,42 @@ static void add_list(struct byte_buffer *json, const struct glb *glb, const char
     }
 }
 
-static void make_json(struct byte_buffer *json, const struct glb *glb, const char *animation,
-                      const char *scene)
+int glb_write(struct glb *glb, const char *path, const char *animation, const char *scene)
 {
-    byte_buffer_print(json,
+    CORE_ASSERT(path && animation && scene);
+    struct byte_buffer json = { 0 };
+    byte_buffer_print(&json,
                       "{\"asset\":{\"version\":\"2.0\",\"generator\":\"kingyoctl %s\"},\n"
                       "\"scene\":0,\"scenes\":[{\"nodes\":[%s]}]",
                       KINGYO_VERSION, scene);
-    add_list(json, glb, "nodes", GLB_NODES);
-    add_list(json, glb, "meshes", GLB_MESHES);
-    add_list(json, glb, "skins", GLB_SKINS);
-    add_list(json, glb, "materials", GLB_MATERIALS);
-    byte_buffer_print(json, ",\n\"animations\":[{\"name\":\"%s\"", animation);
-    add_list(json, glb, "channels", GLB_CHANNELS);
-    add_list(json, glb, "samplers", GLB_SAMPLERS);
-    byte_buffer_print(json, "}]");
-    add_list(json, glb, "accessors", GLB_ACCESSORS);
-    add_list(json, glb, "bufferViews", GLB_VIEWS);
-    byte_buffer_print(json, ",\n\"buffers\":[{\"byteLength\":%zu}]}", glb->buffer.size);
-    pad(json, ' ');
-}
-
-static bool glb_is_whole(const struct glb *glb, const struct byte_buffer *json)
-{
-    bool whole = !json->failed && !glb->buffer.failed;
+    add_list(&json, glb, "nodes", GLB_NODES);
+    add_list(&json, glb, "meshes", GLB_MESHES);
+    add_list(&json, glb, "skins", GLB_SKINS);
+    add_list(&json, glb, "materials", GLB_MATERIALS);
+    byte_buffer_print(&json, ",\n\"animations\":[{\"name\":\"%s\"", animation);
+    add_list(&json, glb, "channels", GLB_CHANNELS);
+    add_list(&json, glb, "samplers", GLB_SAMPLERS);
+    byte_buffer_print(&json, "}]");
+    add_list(&json, glb, "accessors", GLB_ACCESSORS);
+    add_list(&json, glb, "bufferViews", GLB_VIEWS);
+    byte_buffer_print(&json, ",\n\"buffers\":[{\"byteLength\":%zu}]}", glb->buffer.size);
+    pad(&json, ' ');
+    bool whole = !json.failed && !glb->buffer.failed;
     for (uint32_t i = 0; i < GLB_LIST_COUNT; i++) {
         whole = whole && !glb->lists[i].failed;
     }
-    return whole;
-}
-
-static void write_words(FILE *file, const uint32_t *words, size_t count)
-{
-    fwrite(words, sizeof *words, count, file);
-}
-
-static int write_chunks(const struct glb *glb, const struct byte_buffer *json, const char *path)
-{
     struct atomic_file out;
-    const int error = file_atomic_open(&out, path);
-    if (error) {
-        return error;
+    int error = whole ? file_atomic_open(&out, path) : -ENOMEM;
+    if (error == 0) {
+        const uint32_t json_size = (uint32_t)json.size, size = (uint32_t)glb->buffer.size;
+        const uint32_t head[] = { MAGIC, 2, 12 + 8 + json_size + 8 + size, json_size, CHUNK_JSON };
+        const uint32_t binary[] = { size, CHUNK_BIN };
+        fwrite(head, 1, sizeof head, out.file);
+        fwrite(json.data, 1, json.size, out.file);
+        fwrite(binary, 1, sizeof binary, out.file);
+        fwrite(glb->buffer.data, 1, glb->buffer.size, out.file);
+        error = file_atomic_close(&out);
     }
-    const uint32_t json_size = (uint32_t)json->size, size = (uint32_t)glb->buffer.size;
-    write_words(out.file, (const uint32_t[]){ MAGIC, 2, 12 + 8 + json_size + 8 + size }, 3);
-    write_words(out.file, (const uint32_t[]){ json_size, CHUNK_JSON }, 2);
-    fwrite(json->data, 1, json->size, out.file);
-    write_words(out.file, (const uint32_t[]){ size, CHUNK_BIN }, 2);
-    fwrite(glb->buffer.data, 1, glb->buffer.size, out.file);
-    return file_atomic_close(&out);
-}
-
-int glb_write(struct glb *glb, const char *path, const char *animation, const char *scene)
-{
-    struct byte_buffer json = { 0 };
-    make_json(&json, glb, animation, scene);
-    const int error = glb_is_whole(glb, &json) ? write_chunks(glb, &json, path) : -ENOMEM;
     byte_buffer_free(&json);
     return error;
 }

@@ -2,9 +2,10 @@
  * example flipped triangles. */
 #include <stdio.h>
 
+#include "core/base/panic.h"
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/ctl/morph/morph_survey.h"
-#include "platform/species/reader.h"
+#include "platform/species/part.h"
 
 static const char command[] = "check";
 
@@ -126,21 +127,6 @@ static bool is_good(const struct morph_survey *survey)
     return good;
 }
 
-static const struct species_mesh *mesh_of(const struct check_plan *plan, enum column column)
-{
-    return column == ORDINARY ? &plan->ordinary->lod[0] : &plan->pick.fish->lod[column];
-}
-
-/* Prints where a worst value was found, for example "at progress 0.431, vertex 312 (eye)". */
-static void print_where(const struct check_plan *plan, enum column column, const struct finding *at)
-{
-    printf(" at progress %.4f", (double)at->progress);
-    if (at->vertex != MORPH_SURVEY_NOWHERE) {
-        const uint8_t part = mesh_of(plan, column)->vertices[at->vertex].part;
-        printf(", vertex %u (%s)", at->vertex, part_names[part]);
-    }
-}
-
 static void print_number(const struct row *row, const struct morph_survey *survey)
 {
     char text[32];
@@ -150,13 +136,23 @@ static void print_number(const struct row *row, const struct morph_survey *surve
 
 static void print_faults(const struct check_plan *plan, enum column column)
 {
+    CORE_ASSERT(column < COLUMNS);
     for (size_t i = 0; i < ROWS; i++) {
         const struct morph_survey *survey = &plan->survey[column];
         if (!is_so(&rows[i], survey)) {
             printf("not so (%s): %s", column_names[column], rows[i].title);
             print_number(&rows[i], survey);
             if (rows[i].where) {
-                print_where(plan, column, rows[i].where(survey));
+                /* The text is for example " at progress 0.431, vertex 312 (eye)". */
+                const struct finding *at = rows[i].where(survey);
+                printf(" at progress %.4f", (double)at->progress);
+                if (at->vertex != MORPH_SURVEY_NOWHERE) {
+                    const struct species_mesh *mesh = column == ORDINARY
+                                                          ? &plan->ordinary->lod[0]
+                                                          : &plan->pick.fish->lod[column];
+                    const uint8_t part = mesh->vertices[at->vertex].part;
+                    printf(", vertex %u (%s)", at->vertex, part_names[part]);
+                }
             } else if (rows[i].value == value_flipped_skin || rows[i].value == value_flipped_fins) {
                 printf(", first at progress %.4f", (double)survey->flipped_at);
             } else if (rows[i].value == value_moments_not_older) {
@@ -189,25 +185,6 @@ static void morph_check_print_text(const struct check_plan *plan)
     print_faults(plan, FAR);
 }
 
-static void print_json(const struct check_plan *plan, bool good)
-{
-    printf("{\"species\": \"%s\", \"moments\": %u, \"good\": %s", plan->pick.fish->card.id,
-           plan->steps + 1u, good ? "true" : "false");
-    for (int column = 0; column < COLUMNS; column++) {
-        const struct morph_survey *survey = &plan->survey[column];
-        printf(",\n \"%s\": {\"good\": %s", column_names[column],
-               is_good(survey) ? "true" : "false");
-        for (size_t i = 0; i < ROWS; i++) {
-            printf(", \"%s\": %.9g", rows[i].key, (double)rows[i].value(survey));
-            if (rows[i].where && rows[i].value(survey) > 0.0f) {
-                printf(", \"%s_at\": %.6f", rows[i].key, (double)rows[i].where(survey)->progress);
-            }
-        }
-        putchar('}');
-    }
-    puts("}");
-}
-
 static enum exit_code morph_check_run(int argc, const char *const *argv)
 {
     static struct check_plan plan;
@@ -229,7 +206,22 @@ static enum exit_code morph_check_run(int argc, const char *const *argv)
     morph_survey(plan.ordinary, &plan.ordinary_rig, 0, plan.steps, &plan.survey[ORDINARY]);
     const bool good = is_good(&plan.survey[NEAR]) && is_good(&plan.survey[FAR]);
     if (plan.as_json) {
-        print_json(&plan, good);
+        printf("{\"species\": \"%s\", \"moments\": %u, \"good\": %s", plan.pick.fish->card.id,
+               plan.steps + 1u, good ? "true" : "false");
+        for (int column = 0; column < COLUMNS; column++) {
+            const struct morph_survey *survey = &plan.survey[column];
+            printf(",\n \"%s\": {\"good\": %s", column_names[column],
+                   is_good(survey) ? "true" : "false");
+            for (size_t i = 0; i < ROWS; i++) {
+                printf(", \"%s\": %.9g", rows[i].key, (double)rows[i].value(survey));
+                if (rows[i].where && rows[i].value(survey) > 0.0f) {
+                    printf(", \"%s_at\": %.6f", rows[i].key,
+                           (double)rows[i].where(survey)->progress);
+                }
+            }
+            putchar('}');
+        }
+        puts("}");
     } else {
         morph_check_print_text(&plan);
     }

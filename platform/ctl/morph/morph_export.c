@@ -3,8 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/ctl/morph/morph_mesh.h"
-#include "platform/ctl/morph/morph_sheet.h"
+#include "platform/ctl/morph/morph_export.h"
 
 #define FRAMES_MAX 10000u
 
@@ -15,26 +14,6 @@ struct wishes {
     const char *sheet, *obj, *glb, *folder, *view;
     uint32_t frame_count;
 };
-
-static bool find_view(const char *word, enum fish_preview_view *view)
-{
-    for (uint32_t i = 0; i < VIEW_COUNT; i++) {
-        if (strcmp(word, fish_preview_view_names[i]) == 0) {
-            *view = (enum fish_preview_view)i;
-            return true;
-        }
-    }
-    return false;
-}
-
-static enum exit_code write_frames(const struct morph_options *pick, const struct wishes *wishes)
-{
-    enum fish_preview_view view = VIEW_SIDE;
-    if (wishes->view && !find_view(wishes->view, &view)) {
-        return morph_usage(name, "--view: '%.40s' is not side, above or aslant", wishes->view);
-    }
-    return morph_frames_write(pick, view, wishes->frame_count, wishes->folder);
-}
 
 static enum exit_code morph_export_check_options(const struct morph_options *pick,
                                                  const struct wishes *wishes)
@@ -60,14 +39,6 @@ static enum exit_code morph_export_check_options(const struct morph_options *pic
     return EXIT_OK;
 }
 
-static enum exit_code write_wish(const struct morph_options *pick, const struct wishes *wishes)
-{
-    return wishes->sheet ? morph_sheet_write(pick, wishes->sheet)
-           : wishes->obj ? morph_obj_write(pick, wishes->obj)
-           : wishes->glb ? morph_glb_write(pick, wishes->glb)
-                         : write_frames(pick, wishes);
-}
-
 static enum exit_code morph_export_run(int argc, const char *const *argv)
 {
     static struct morph_options pick;
@@ -86,7 +57,22 @@ static enum exit_code morph_export_run(int argc, const char *const *argv)
     if (code == EXIT_OK) {
         code = morph_export_check_options(&pick, &wishes);
     }
-    return code == EXIT_OK ? write_wish(&pick, &wishes) : code;
+    if (code != EXIT_OK) {
+        return code;
+    }
+    if (wishes.sheet || wishes.obj || wishes.glb) {
+        return wishes.sheet ? morph_sheet_write(&pick, wishes.sheet)
+               : wishes.obj ? morph_obj_write(&pick, wishes.obj)
+                            : morph_glb_write(&pick, wishes.glb);
+    }
+    enum fish_preview_view view = VIEW_SIDE;
+    while (wishes.view && view < VIEW_COUNT &&
+           strcmp(wishes.view, fish_preview_view_names[view]) != 0) {
+        view++;
+    }
+    return view < VIEW_COUNT
+               ? morph_frames_write(&pick, view, wishes.frame_count, wishes.folder)
+               : morph_usage(name, "--view: '%.40s' is not side, above or aslant", wishes.view);
 }
 
 const struct morph_command ctl_morph_export = {

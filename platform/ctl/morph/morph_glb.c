@@ -18,6 +18,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/ctl/lib/caption.h"
 
 #define NAME_SIZE 2048u /* Size in bytes of a list of PIECE_MAX node numbers, with a margin. */
@@ -28,15 +29,6 @@ static const char command[] = "export";
 static struct morph_glb fish;
 
 /* ---- Nodes ----------------------------------------------------------------------------------- */
-
-/* Prints the colours of a key as 0xRRGGBB numbers, and its transparency and shine. The spots and
- * stripes of the skin are not printed. */
-static void print_coat(struct byte_buffer *out, const struct species_coat *coat)
-{
-    byte_buffer_print(out, "\"back\":%u,\"flank\":%u,\"belly\":%u,\"fin\":%u,\"iris\":%u,",
-                      coat->back, coat->flank, coat->belly, coat->fin, coat->iris);
-    byte_buffer_print(out, "\"clear\":%u,\"shine\":%u}", coat->clear, coat->shine);
-}
 
 /* Prints metadata of the species: its keys with their progress, age, length and colours. */
 static void print_life(struct byte_buffer *out)
@@ -52,53 +44,13 @@ static void print_life(struct byte_buffer *out)
                           card->key_names[i], (double)i / (card->key_count - 1u));
         byte_buffer_print(out, "\"age_days\":%.6g,\"length_m\":%.6g,",
                           (double)card->key_age_days[i], (double)card->key_length_m[i]);
-        print_coat(out, &fish.pick->fish->coats[i]);
+        /* Colours are 0xRRGGBB numbers. The spots and stripes of the skin are not printed. */
+        const struct species_coat *coat = &fish.pick->fish->coats[i];
+        byte_buffer_print(out, "\"back\":%u,\"flank\":%u,\"belly\":%u,\"fin\":%u,\"iris\":%u,",
+                          coat->back, coat->flank, coat->belly, coat->fin, coat->iris);
+        byte_buffer_print(out, "\"clear\":%u,\"shine\":%u}", coat->clear, coat->shine);
     }
     byte_buffer_print(out, "]}");
-}
-
-static void add_root(void)
-{
-    struct byte_buffer *out = &fish.file.lists[GLB_NODES];
-    const double size = (double)life_length_m(&fish.pick->fish->card, 1.0f);
-    glb_next(&fish.file, GLB_NODES);
-    byte_buffer_print(out, "{\"name\":\"%s\",\"rotation\":[0,1,0,0],\"scale\":[%.9g,%.9g,%.9g],",
-                      fish.pick->fish->card.id, size, size, size);
-    const char *comma = "\"children\":[";
-    for (uint32_t i = 0; i < fish.cut.piece_count; i++) {
-        if (!fish.skinned[i]) {
-            byte_buffer_print(out, "%s%u", comma, GLB_PIECE_NODE + i);
-            comma = ",";
-        }
-    }
-    for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
-        byte_buffer_print(out, "%s%u", comma, GLB_PIECE_NODE + fish.cut.piece_count + i);
-        comma = ",";
-    }
-    byte_buffer_print(out, "],");
-    print_life(out);
-    byte_buffer_print(out, "}");
-}
-
-static void add_piece(uint32_t piece, uint32_t mesh)
-{
-    char name[PIECE_NAME_SIZE];
-    morph_piece_name(&fish.cut.pieces[piece], name);
-    glb_next(&fish.file, GLB_NODES);
-    byte_buffer_print(&fish.file.lists[GLB_NODES], "{\"name\":\"%s\",\"mesh\":%u%s}", name, mesh,
-                      fish.skinned[piece] ? ",\"skin\":0" : "");
-}
-
-static void add_joint(uint32_t anchor)
-{
-    const struct anchor_pose *at = &fish.adult.anchor[anchor];
-    glb_next(&fish.file, GLB_NODES);
-    byte_buffer_print(&fish.file.lists[GLB_NODES],
-                      "{\"name\":\"anchor_%u\",\"translation\":[%.9g,%.9g,%.9g],"
-                      "\"rotation\":[%.9g,%.9g,%.9g,%.9g]}",
-                      anchor, (double)at->position.x, (double)at->position.y,
-                      (double)at->position.z, (double)at->turn.x, (double)at->turn.y,
-                      (double)at->turn.z, (double)at->turn.w);
 }
 
 /* Computes the inverse of an anchor's pose at progress 1, as a column-major 4 x 4 matrix for
@@ -140,15 +92,38 @@ static void add_skin(void)
 
 static void add_nodes(char scene[NAME_SIZE])
 {
+    CORE_ASSERT(fish.cut.piece_count <= PIECE_MAX);
     uint32_t meshes[PIECE_MAX];
     size_t used = (size_t)snprintf(scene, NAME_SIZE, "%u", GLB_ROOT_NODE);
     bool skinned = false;
     for (uint32_t i = 0; i < fish.cut.piece_count; i++) {
         meshes[i] = morph_glb_add_mesh(&fish, i);
     }
-    add_root();
+    struct byte_buffer *out = &fish.file.lists[GLB_NODES];
+    const double size = (double)life_length_m(&fish.pick->fish->card, 1.0f);
+    glb_next(&fish.file, GLB_NODES);
+    byte_buffer_print(out, "{\"name\":\"%s\",\"rotation\":[0,1,0,0],\"scale\":[%.9g,%.9g,%.9g],",
+                      fish.pick->fish->card.id, size, size, size);
+    const char *comma = "\"children\":[";
     for (uint32_t i = 0; i < fish.cut.piece_count; i++) {
-        add_piece(i, meshes[i]);
+        if (!fish.skinned[i]) {
+            byte_buffer_print(out, "%s%u", comma, GLB_PIECE_NODE + i);
+            comma = ",";
+        }
+    }
+    for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
+        byte_buffer_print(out, "%s%u", comma, GLB_PIECE_NODE + fish.cut.piece_count + i);
+        comma = ",";
+    }
+    byte_buffer_print(out, "],");
+    print_life(out);
+    byte_buffer_print(out, "}");
+    for (uint32_t i = 0; i < fish.cut.piece_count; i++) {
+        char name[PIECE_NAME_SIZE];
+        morph_piece_name(&fish.cut.pieces[i], name);
+        glb_next(&fish.file, GLB_NODES);
+        byte_buffer_print(&fish.file.lists[GLB_NODES], "{\"name\":\"%s\",\"mesh\":%u%s}", name,
+                          meshes[i], fish.skinned[i] ? ",\"skin\":0" : "");
         if (fish.skinned[i]) {
             /* glTF ignores the node of a skinned mesh and moves the mesh only by its joints. The
              * node is therefore a root node beside the fish's node. */
@@ -157,15 +132,24 @@ static void add_nodes(char scene[NAME_SIZE])
         }
     }
     for (uint32_t i = 0; i < fish.mesh->anchor_count; i++) {
-        add_joint(i);
+        const struct anchor_pose *at = &fish.adult.anchor[i];
+        glb_next(&fish.file, GLB_NODES);
+        byte_buffer_print(&fish.file.lists[GLB_NODES],
+                          "{\"name\":\"anchor_%u\",\"translation\":[%.9g,%.9g,%.9g],"
+                          "\"rotation\":[%.9g,%.9g,%.9g,%.9g]}",
+                          i, (double)at->position.x, (double)at->position.y, (double)at->position.z,
+                          (double)at->turn.x, (double)at->turn.y, (double)at->turn.z,
+                          (double)at->turn.w);
     }
     if (skinned) {
         add_skin();
     }
 }
 
-static void morph_glb_begin(const struct morph_options *pick)
+enum exit_code morph_glb_write(const struct morph_options *pick, const char *path)
 {
+    CORE_ASSERT(pick->fish && path);
+    char scene[NAME_SIZE];
     static vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
     memset(&fish, 0, sizeof fish);
     fish.pick = pick;
@@ -178,12 +162,6 @@ static void morph_glb_begin(const struct morph_options *pick)
         alone[key] = 1.0f;
         morph_mesh_paint(pick->fish, alone, &fish.cut, fish.paints[key]);
     }
-}
-
-enum exit_code morph_glb_write(const struct morph_options *pick, const char *path)
-{
-    char scene[NAME_SIZE];
-    morph_glb_begin(pick);
     add_nodes(scene);
     const int error =
         morph_glb_animate(&fish) ? glb_write(&fish.file, path, "growth", scene) : -ENOMEM;

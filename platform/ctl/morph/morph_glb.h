@@ -1,13 +1,13 @@
 /* morph_glb.h -- declarations that the files of the glTF writer share.
  *
- * morph_glb.c writes the file and its nodes. morph_glb_look.c computes the vertices of each shape,
- * morph_glb_mesh.c writes the meshes, and morph_glb_life.c writes the animation. A piece is a mesh
+ * morph_glb.c writes the file and its nodes, morph_glb_mesh.c the meshes and their shapes, and
+ * morph_glb_life.c the animation. A piece is a mesh
  * of one part of the fish on one side. A key is a modelled growth stage. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_GLB_H
 #define KINGYO_PLATFORM_CTL_MORPH_MORPH_GLB_H
 
 #include "platform/ctl/morph/glb.h"
-#include "platform/ctl/morph/morph_mesh.h"
+#include "platform/ctl/morph/morph_export.h"
 
 #define GLB_SECONDS 10.0f /* Duration in seconds of the animation of a whole life. */
 /* Index of the fish's node in the file. The nodes of the pieces follow, and then the nodes of the
@@ -53,7 +53,7 @@ struct aspect {
 float morph_glb_share_of(const struct morph_glb *fish, uint32_t vertex, uint32_t curve);
 
 /* morph_glb_base_appearance() returns the base B of a vertex. morph_glb_target_appearance() returns
- * a displacement D. Both terms are defined in morph_glb_look.c. A vertex with an anchor has its
+ * a displacement D. Both terms are defined in morph_glb_mesh.c. A vertex with an anchor has its
  * position at progress 1. */
 struct aspect morph_glb_base_appearance(const struct morph_glb *fish, uint32_t vertex);
 struct aspect morph_glb_target_appearance(const struct morph_glb *fish, uint32_t vertex,

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/ctl/lib/piecewise_fit.h"
 #include "platform/ctl/morph/morph_glb.h"
 
@@ -110,10 +111,12 @@ static float anchor_error(const void *self, const float *from, const float *to, 
     return error;
 }
 
-/* Writes the progress of the first samples to `marks`: the evenly spaced samples and every knot of
- * the graph, in rising order. Returns their number. */
-static uint32_t make_marks(const struct morph_rig *rig, float marks[MARK_ROOM])
+static bool fit(const struct morph_glb *fish, struct piecewise_fit *track,
+                struct piecewise_fit_function function)
 {
+    float marks[MARK_ROOM];
+    /* The first samples are evenly spaced. Every knot of the graph is added in rising order. */
+    const struct morph_rig *rig = &fish->pick->rig;
     uint32_t count = 0;
     for (uint32_t i = 0; i <= EVEN_MARKS; i++) {
         marks[count++] = (float)i / (float)EVEN_MARKS;
@@ -133,14 +136,6 @@ static uint32_t make_marks(const struct morph_rig *rig, float marks[MARK_ROOM])
             count++;
         }
     }
-    return count;
-}
-
-static bool fit(const struct morph_glb *fish, struct piecewise_fit *track,
-                struct piecewise_fit_function function)
-{
-    float marks[MARK_ROOM];
-    const uint32_t count = make_marks(&fish->pick->rig, marks);
     return piecewise_fit_fit(track, &function, marks, count, TOLERANCE);
 }
 
@@ -172,50 +167,13 @@ static void add_channel(struct morph_glb *fish, uint32_t sampler, uint32_t node,
                       path);
 }
 
-static bool animate_size(struct morph_glb *fish)
-{
-    struct piecewise_fit track;
-    const bool good =
-        fit(fish, &track, (struct piecewise_fit_function){ 3, ask_size, size_error, fish });
-    if (good) {
-        const uint32_t times = add_times(fish, &track);
-        const uint32_t sampler = add_sampler(fish, times, GLB_VEC3, track.values, track.count);
-        add_channel(fish, sampler, GLB_ROOT_NODE, "scale");
-        piecewise_fit_free(&track);
-    }
-    return good;
-}
-
-static bool animate_weights(struct morph_glb *fish)
-{
-    /* Sampler index + 1 for each bit mask of curves. 0 means that the sampler does not exist
-     * yet. */
-    uint32_t samplers[1u << MORPH_CURVE_MAX] = { 0 };
-    for (uint32_t piece = 0; piece < fish->cut.piece_count; piece++) {
-        const struct weight_list list = { &fish->pick->rig, &fish->targets[piece] };
-        uint32_t *sampler = &samplers[list.targets->curves];
-        if (*sampler == 0) {
-            struct piecewise_fit track;
-            if (!fit(fish, &track,
-                     (struct piecewise_fit_function){ list.targets->count, ask_weights,
-                                                      weight_error, &list })) {
-                return false;
-            }
-            const uint32_t times = add_times(fish, &track);
-            *sampler =
-                1u + add_sampler(fish, times, GLB_SCALAR, track.values, track.count * track.width);
-            piecewise_fit_free(&track);
-        }
-        add_channel(fish, *sampler - 1u, GLB_PIECE_NODE + piece, "weights");
-    }
-    return true;
-}
-
 /* Copies `width` columns of the samples to `out`, from the column `column` on. A quaternion is
  * negated if necessary, so that neighbouring samples lie in the same hemisphere. */
 static void pick_column(const struct piecewise_fit *track, uint32_t column, uint32_t width,
                         float *out)
 {
+    CORE_ASSERT(column + width <= track->width);
+    CORE_ASSERT(width == 3 || width == 4);
     for (uint32_t i = 0; i < track->count; i++) {
         const float *from = &track->values[(size_t)i * track->width + column];
         float *to = &out[width * i];
@@ -224,25 +182,6 @@ static void pick_column(const struct piecewise_fit *track, uint32_t column, uint
             to[k] = side * from[k];
         }
     }
-}
-
-static bool add_anchor_channels(struct morph_glb *fish, const struct piecewise_fit *track,
-                                uint32_t times)
-{
-    const uint32_t first = GLB_PIECE_NODE + fish->cut.piece_count;
-    float *column = malloc((size_t)track->count * 4u * sizeof *column);
-    for (uint32_t i = 0; column && i < fish->mesh->anchor_count; i++) {
-        pick_column(track, ANCHOR_WIDTH * i, 3, column);
-        const uint32_t places = add_sampler(fish, times, GLB_VEC3, column, track->count);
-        add_channel(fish, places, first + i, "translation");
-        if (fish->mesh->anchors[i].turns) {
-            pick_column(track, ANCHOR_WIDTH * i + 3, 4, column);
-            const uint32_t turns = add_sampler(fish, times, GLB_VEC4, column, track->count);
-            add_channel(fish, turns, first + i, "rotation");
-        }
-    }
-    free(column);
-    return column != NULL;
 }
 
 static bool animate_anchors(struct morph_glb *fish)
@@ -256,12 +195,55 @@ static bool animate_anchors(struct morph_glb *fish)
                                               anchor_error, fish })) {
         return false;
     }
-    const bool good = add_anchor_channels(fish, &track, add_times(fish, &track));
+    const uint32_t times = add_times(fish, &track);
+    const uint32_t first = GLB_PIECE_NODE + fish->cut.piece_count;
+    float *column = malloc((size_t)track.count * 4u * sizeof *column);
+    for (uint32_t i = 0; column && i < fish->mesh->anchor_count; i++) {
+        pick_column(&track, ANCHOR_WIDTH * i, 3, column);
+        const uint32_t places = add_sampler(fish, times, GLB_VEC3, column, track.count);
+        add_channel(fish, places, first + i, "translation");
+        if (fish->mesh->anchors[i].turns) {
+            pick_column(&track, ANCHOR_WIDTH * i + 3, 4, column);
+            const uint32_t turns = add_sampler(fish, times, GLB_VEC4, column, track.count);
+            add_channel(fish, turns, first + i, "rotation");
+        }
+    }
+    free(column);
+    const bool good = column != NULL;
     piecewise_fit_free(&track);
     return good;
 }
 
 bool morph_glb_animate(struct morph_glb *fish)
 {
-    return animate_size(fish) && animate_weights(fish) && animate_anchors(fish);
+    CORE_ASSERT(fish->mesh->anchor_count <= ANCHOR_MAX);
+    CORE_ASSERT(fish->cut.piece_count <= PIECE_MAX);
+    struct piecewise_fit track;
+    if (!fit(fish, &track, (struct piecewise_fit_function){ 3, ask_size, size_error, fish })) {
+        return false;
+    }
+    const uint32_t size_sampler =
+        add_sampler(fish, add_times(fish, &track), GLB_VEC3, track.values, track.count);
+    add_channel(fish, size_sampler, GLB_ROOT_NODE, "scale");
+    piecewise_fit_free(&track);
+    /* Sampler index + 1 for each bit mask of curves. 0 means that the sampler does not exist
+     * yet. */
+    uint32_t samplers[1u << MORPH_CURVE_MAX] = { 0 };
+    for (uint32_t piece = 0; piece < fish->cut.piece_count; piece++) {
+        const struct weight_list list = { &fish->pick->rig, &fish->targets[piece] };
+        uint32_t *sampler = &samplers[list.targets->curves];
+        if (*sampler == 0) {
+            if (!fit(fish, &track,
+                     (struct piecewise_fit_function){ list.targets->count, ask_weights,
+                                                      weight_error, &list })) {
+                return false;
+            }
+            const uint32_t times = add_times(fish, &track);
+            *sampler =
+                1u + add_sampler(fish, times, GLB_SCALAR, track.values, track.count * track.width);
+            piecewise_fit_free(&track);
+        }
+        add_channel(fish, *sampler - 1u, GLB_PIECE_NODE + piece, "weights");
+    }
+    return animate_anchors(fish);
 }

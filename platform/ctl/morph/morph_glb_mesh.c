@@ -1,10 +1,12 @@
 /* morph_glb_mesh.c -- writes a piece of the fish as a glTF mesh. The base of the mesh is the shape
  * of the last key, and the morph targets are the displacements to the other keys (see
- * morph_glb_look.c). */
+ * the section on the colours). */
 #include <string.h>
 
+#include "core/base/panic.h"
+#include "platform/ctl/lib/fish_preview.h"
 #include "platform/ctl/morph/morph_glb.h"
-#include "platform/species/reader.h"
+#include "platform/species/part.h"
 
 /* Vertex attributes of one mesh before they are written to the file. The variable is static because
  * it is too large for a stack. */
@@ -72,30 +74,11 @@ static struct target_list list_targets(const struct morph_glb *fish)
     return list;
 }
 
-/* Fills the joint columns and the weight columns. Joint 0 is the fish itself, and joint i + 1 is
- * anchor i. Returns true if any vertex has an anchor. */
-static bool fill_rest(const struct morph_glb *fish)
-{
-    bool rides = false;
-    for (uint32_t i = 0; i < columns.count; i++) {
-        const struct species_vertex *at = &fish->mesh->vertices[columns.vertices[i]];
-        const bool anchored = at->anchor != ANCHOR_NONE;
-        rides = rides || anchored;
-        columns.coordinates[i][0] = at->u;
-        columns.coordinates[i][1] = at->v;
-        columns.source[i] = (float)columns.vertices[i];
-        memset(columns.joints[i], 0, 4);
-        memset(columns.shares[i], 0, sizeof columns.shares[i]);
-        columns.joints[i][0] = anchored ? (uint8_t)(at->anchor + 1u) : 0;
-        columns.shares[i][0] = 1.0f;
-    }
-    return rides;
-}
-
 /* ---- Writing to the file --------------------------------------------------------------------- */
 
 static uint32_t material_of(struct morph_glb *fish, uint8_t part)
 {
+    CORE_ASSERT(part < PART_COUNT);
     const struct species_coat *coat = &fish->pick->fish->coats[fish->pick->rig.key_count - 1u];
     const bool is_fin = part >= PART_TAIL;
     const double rough = part == PART_EYE ? 0.15 : is_fin ? 0.6 : 0.7 - 0.4 * coat->shine / 255.0;
@@ -165,11 +148,36 @@ static void print_targets(struct morph_glb *fish, const struct target_list *list
     }
 }
 
-/* Prints the name of each morph target. The name is KEY, or CURVE.KEY for a target of a part's own
- * curve. */
-static void print_names(const struct morph_glb *fish, const struct target_list *list,
-                        struct byte_buffer *out)
+uint32_t morph_glb_add_mesh(struct morph_glb *fish, uint32_t index)
 {
+    CORE_ASSERT(index < fish->cut.piece_count);
+    const struct morph_piece *piece = &fish->cut.pieces[index];
+    char name[PIECE_NAME_SIZE];
+    morph_piece_name(piece, name);
+    gather_vertices(fish, piece);
+    fish->targets[index] = list_targets(fish);
+    /* Joint 0 is the fish itself, and joint i + 1 is anchor i. */
+    bool rides = false;
+    for (uint32_t i = 0; i < columns.count; i++) {
+        const struct species_vertex *at = &fish->mesh->vertices[columns.vertices[i]];
+        const bool anchored = at->anchor != ANCHOR_NONE;
+        rides = rides || anchored;
+        columns.coordinates[i][0] = at->u;
+        columns.coordinates[i][1] = at->v;
+        columns.source[i] = (float)columns.vertices[i];
+        memset(columns.joints[i], 0, 4);
+        memset(columns.shares[i], 0, sizeof columns.shares[i]);
+        columns.joints[i][0] = anchored ? (uint8_t)(at->anchor + 1u) : 0;
+        columns.shares[i][0] = 1.0f;
+    }
+    fish->skinned[index] = rides;
+    const uint32_t material = material_of(fish, piece->part);
+    const uint32_t indices = glb_indices(&fish->file, columns.indices, 3u * piece->face_count);
+    const uint32_t mesh = glb_next(&fish->file, GLB_MESHES);
+    struct byte_buffer *out = &fish->file.lists[GLB_MESHES];
+    byte_buffer_print(out, "{\"name\":\"%s\",\"extras\":{\"targetNames\":[", name);
+    /* The name of a morph target is KEY, or CURVE.KEY for a target of a part's own curve. */
+    const struct target_list *list = &fish->targets[index];
     const struct species_card *card = &fish->pick->fish->card;
     for (uint32_t t = 0; t < list->count; t++) {
         const bool own = list->curve[t] > 0;
@@ -177,22 +185,6 @@ static void print_names(const struct morph_glb *fish, const struct target_list *
                           own ? card->curve_names[list->curve[t]] : "", own ? "." : "",
                           card->key_names[list->key[t]]);
     }
-}
-
-uint32_t morph_glb_add_mesh(struct morph_glb *fish, uint32_t index)
-{
-    const struct morph_piece *piece = &fish->cut.pieces[index];
-    char name[PIECE_NAME_SIZE];
-    morph_piece_name(piece, name);
-    gather_vertices(fish, piece);
-    fish->targets[index] = list_targets(fish);
-    fish->skinned[index] = fill_rest(fish);
-    const uint32_t material = material_of(fish, piece->part);
-    const uint32_t indices = glb_indices(&fish->file, columns.indices, 3u * piece->face_count);
-    const uint32_t mesh = glb_next(&fish->file, GLB_MESHES);
-    struct byte_buffer *out = &fish->file.lists[GLB_MESHES];
-    byte_buffer_print(out, "{\"name\":\"%s\",\"extras\":{\"targetNames\":[", name);
-    print_names(fish, &fish->targets[index], out);
     byte_buffer_print(out, "]},\"primitives\":[{\"material\":%u,\"indices\":%u,\"attributes\":",
                       material, indices);
     print_attributes(fish, fish->skinned[index], out);
@@ -200,4 +192,120 @@ uint32_t morph_glb_add_mesh(struct morph_glb *fish, uint32_t index)
     print_targets(fish, &fish->targets[index], out);
     byte_buffer_print(out, "]}]}");
     return mesh;
+}
+
+/* ---- Colours of the vertices ----------------------------------------------------------------- */
+
+/* This section computes the position, the normal and the colour of a vertex in each shape of a glTF
+ * mesh. The shapes are the base and the morph targets.
+ *
+ * Symbols: c is a curve of the deformation graph, k is a key (growth stage), and "last" is the last
+ * key. m_c is the share with which curve c moves the vertex. V_ck is the weight of key k in curve
+ * c. C_ck is the shape of the vertex in the solved key, or in the drawn key if no shape is solved.
+ *
+ * Kingyo computes p = sum over c of m_c sum over k of V_ck C_ck. The shares m_c have the sum 1. For
+ * each curve, the weights V_ck have the sum 1 and are >= 0.
+ *
+ * glTF computes p = B + sum over the morph targets t of w_t D_t. Therefore the base is B = sum over
+ * c of m_c C_c,last. Each curve c and each key k except the last gives a morph target with D = m_c
+ * (C_ck - C_c,last) and w = V_ck. The two results for p are equal, and every weight is in [0, 1].
+ *
+ * Colours are morph targets too (COLOR_0, linear). A viewer that does not blend colours shows
+ * the colours of the last key. The alpha of a transparent body is written, but the material of
+ * the body is opaque, because many viewers draw transparent bodies with errors. Fins use alpha
+ * blending. */
+
+float morph_glb_share_of(const struct morph_glb *fish, uint32_t vertex, uint32_t curve)
+{
+    CORE_ASSERT(vertex < fish->mesh->vertex_count);
+    CORE_ASSERT(curve < MORPH_CURVE_MAX);
+    uint32_t share = 0;
+    for (uint32_t i = 0; i < MORPH_CURVE_MAX; i++) {
+        if (i == curve || (curve == 0 && i >= fish->pick->rig.curve_count)) {
+            share += fish->mesh->vertices[vertex].mask[i];
+        }
+    }
+    return (float)share / 255.0f;
+}
+
+static void add_look(struct aspect *sum, const struct aspect *look, float weight)
+{
+    sum->position = v3_muladd(sum->position, look->position, weight);
+    sum->normal = v3_muladd(sum->normal, look->normal, weight);
+    sum->colour = v3_muladd(sum->colour, look->colour, weight);
+    sum->hides += look->hides * weight;
+}
+
+/* Returns C_ck (see the start of this file) for one vertex. */
+static struct aspect solved(const struct morph_glb *fish, uint32_t vertex, uint32_t curve,
+                            uint32_t key)
+{
+    CORE_ASSERT(key < fish->pick->rig.key_count);
+    struct aspect sum = { .hides = 0.0f };
+    for (uint32_t j = 0; j < fish->pick->rig.key_count; j++) {
+        /* The core blends the normals of keys on the octahedron |x| + |y| + |z| = 1 (see struct
+         * morph_pose). */
+        const vec3 n = morph_normal(fish->mesh->points[j][vertex].normal);
+        struct aspect drawn = {
+            .position = morph_position(fish->mesh, j, vertex),
+            .normal = v3_scale(n, 1.0f / (f_abs(n.x) + f_abs(n.y) + f_abs(n.z))),
+        };
+        /* The colour is linear, as glTF requires for vertex colours. */
+        const struct paint *paint = &fish->paints[j][vertex];
+        drawn.colour = canvas_linear(paint->colour);
+        drawn.hides = fish_preview_hides(paint, &fish->mesh->vertices[vertex]);
+        add_look(&sum, &drawn, fish->pick->rig.solution[curve][key][j]);
+    }
+    return sum;
+}
+
+/* Moves a vertex with an anchor to its position at progress 1, so that a viewer without skinning
+ * shows a complete fish. In a viewer with skinning, the inverse bind matrix of the joint reverses
+ * this move. */
+static void carry(const struct morph_glb *fish, uint32_t vertex, bool is_place, struct aspect *look)
+{
+    const uint8_t anchor = fish->mesh->vertices[vertex].anchor;
+    if (anchor != ANCHOR_NONE) {
+        const struct anchor_pose *at = &fish->adult.anchor[anchor];
+        look->position = pose_rotate(at->turn, look->position);
+        look->normal = pose_rotate(at->turn, look->normal);
+        if (is_place) {
+            look->position = v3_add(look->position, at->position);
+        }
+    }
+}
+
+struct aspect morph_glb_base_appearance(const struct morph_glb *fish, uint32_t vertex)
+{
+    const uint32_t last = fish->pick->rig.key_count - 1u;
+    /* The colours follow the curve of the whole fish, which has index 0. */
+    const struct aspect painted = solved(fish, vertex, 0, last);
+    struct aspect sum = { .hides = 0.0f };
+    for (uint32_t curve = 0; curve < fish->pick->rig.curve_count; curve++) {
+        const struct aspect one = solved(fish, vertex, curve, last);
+        add_look(&sum, &one, morph_glb_share_of(fish, vertex, curve));
+    }
+    sum.colour = v3(f_clamp(painted.colour.x, 0.0f, 1.0f), f_clamp(painted.colour.y, 0.0f, 1.0f),
+                    f_clamp(painted.colour.z, 0.0f, 1.0f));
+    sum.hides = f_clamp(painted.hides, 0.0f, 1.0f);
+    carry(fish, vertex, true, &sum);
+    return sum;
+}
+
+struct aspect morph_glb_target_appearance(const struct morph_glb *fish, uint32_t vertex,
+                                          uint32_t curve, uint32_t key)
+{
+    const float share = morph_glb_share_of(fish, vertex, curve);
+    const struct aspect to = solved(fish, vertex, curve, key);
+    struct aspect way = to;
+    const struct aspect from = solved(fish, vertex, curve, fish->pick->rig.key_count - 1u);
+    add_look(&way, &from, -1.0f);
+    way.position = v3_scale(way.position, share);
+    way.normal = v3_scale(way.normal, share);
+    if (curve != 0) {
+        way.colour = v3(0.0f, 0.0f, 0.0f);
+        way.hides = 0.0f;
+    }
+    carry(fish, vertex, false, &way);
+    return way;
 }

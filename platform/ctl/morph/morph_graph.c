@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "platform/ctl/morph/morph_curve.h"
+#include "core/base/panic.h"
 #include "platform/ctl/morph/morph_graph.h"
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/ctl/morph/morph_outline.h"
@@ -56,10 +56,16 @@ static void draw_title(struct graph_plan *plan)
 
 /* ---- Keys and curves ------------------------------------------------------------------------- */
 
-/* Draws the shape of a key as large as possible, centred at `x`. */
-static void draw_shape(struct graph_plan *plan, uint32_t key, double x, double width_max)
+/* Draws the shape of a key with its name, age and length, and a line down to the progress of the
+ * key. */
+static void draw_key(struct graph_plan *plan, uint32_t key)
 {
+    CORE_ASSERT(key < plan->pick.fish->card.key_count);
     const struct species_card *card = &plan->pick.fish->card;
+    const double spacing = (MORPH_GRAPH_RIGHT - MORPH_GRAPH_LEFT) / (card->key_count - 1.0);
+    const double x = morph_graph_x(key / (card->key_count - 1.0));
+    char age[MORPH_GRAPH_WORDS], length[MORPH_GRAPH_WORDS], words[SPECIES_NAME_SIZE];
+    /* The shape is as large as possible and centred at `x`. */
     struct morph_outline outline = {
         .species = plan->pick.fish,
         .rig = &plan->keys,
@@ -71,21 +77,11 @@ static void draw_shape(struct graph_plan *plan, uint32_t key, double x, double w
     };
     double low[2] = { 1e9, 1e9 }, high[2] = { -1e9, -1e9 };
     morph_outline_measure(&outline, low, high);
-    outline.length_px = fmin(width_max / (high[0] - low[0]), KEY_HEIGHT / (high[1] - low[1]));
+    outline.length_px =
+        fmin(fmin(0.85 * spacing, KEY_WIDTH) / (high[0] - low[0]), KEY_HEIGHT / (high[1] - low[1]));
     outline.x = x - 0.5 * (low[0] + high[0]) * outline.length_px;
     outline.y = 156.0 - 0.5 * (low[1] + high[1]) * outline.length_px;
     morph_outline_draw(&plan->svg, &outline);
-}
-
-/* Draws the shape of a key with its name, age and length, and a line down to the progress of the
- * key. */
-static void draw_key(struct graph_plan *plan, uint32_t key)
-{
-    const struct species_card *card = &plan->pick.fish->card;
-    const double spacing = (MORPH_GRAPH_RIGHT - MORPH_GRAPH_LEFT) / (card->key_count - 1.0);
-    const double x = morph_graph_x(key / (card->key_count - 1.0));
-    char age[MORPH_GRAPH_WORDS], length[MORPH_GRAPH_WORDS], words[SPECIES_NAME_SIZE];
-    draw_shape(plan, key, x, fmin(0.85 * spacing, KEY_WIDTH));
     morph_graph_print_age(age, (double)card->key_age_days[key]);
     morph_graph_print_length(length, 1e3 * (double)card->key_length_m[key], 4);
     morph_outline_words(words, card->key_names[key]);
@@ -98,6 +94,8 @@ static void draw_key(struct graph_plan *plan, uint32_t key)
 
 static void draw_curve(struct graph_plan *plan, uint32_t key)
 {
+    CORE_ASSERT(key < plan->pick.fish->card.key_count);
+    CORE_ASSERT(plan->curve < plan->pick.rig.curve_count);
     const struct species_card *card = &plan->pick.fish->card;
     const struct graph *graph = &plan->pick.rig.curves[plan->curve];
     svg_begin_line(&plan->svg);
@@ -113,29 +111,6 @@ static void draw_curve(struct graph_plan *plan, uint32_t key)
                 morph_graph_y((double)graph->knots[i].weight[key]), 4.5, SVG_PAPER,
                 morph_outline_key_colour(card, key));
     }
-}
-
-static void draw_scale(struct graph_plan *plan)
-{
-    const struct species_card *card = &plan->pick.fish->card;
-    svg_begin_line(&plan->svg);
-    for (uint32_t i = 0; i <= SAMPLES; i++) {
-        const float progress = (float)i / (float)SAMPLES;
-        svg_point(
-            &plan->svg, morph_graph_x((double)progress),
-            morph_graph_length_y(&plan->lengths, 1e3 * (double)life_length_m(card, progress)));
-    }
-    svg_end_line(&plan->svg, MORPH_SCALE_COLOUR, 2.5, "9 5");
-}
-
-/* Draws a dot and the length at a peak or a trough of the size curve. The label of a peak is above
- * the curve, and the label of a trough below. */
-static void draw_turn(struct graph_plan *plan, double progress, double mm, bool is_peak)
-{
-    const double x = morph_graph_x(progress), y = morph_graph_length_y(&plan->lengths, mm);
-    svg_dot(&plan->svg, x, y, 4.5, MORPH_SCALE_COLOUR, SVG_PAPER);
-    svg_text(&plan->svg, x, y + (is_peak ? -12.0 : 24.0), 15.0, "middle", MORPH_SCALE_COLOUR,
-             "%.1f mm", mm);
 }
 
 /* Labels the peaks and troughs of the length. For example, a conger larva is longest before its
@@ -157,7 +132,11 @@ static void draw_turns(struct graph_plan *plan)
             turned = mm;
             at = progress;
         } else if (fabs(mm - turned) > TURN_LEAST * turned) {
-            draw_turn(plan, at, turned, way > 0);
+            /* The label of a peak is above the curve, and the label of a trough below. */
+            const double x = morph_graph_x(at), y = morph_graph_length_y(&plan->lengths, turned);
+            svg_dot(&plan->svg, x, y, 4.5, MORPH_SCALE_COLOUR, SVG_PAPER);
+            svg_text(&plan->svg, x, y + (way > 0 ? -12.0 : 24.0), 15.0, "middle",
+                     MORPH_SCALE_COLOUR, "%.1f mm", turned);
             way = -way;
             turned = mm;
             at = progress;
@@ -170,6 +149,7 @@ static void draw_turns(struct graph_plan *plan)
  * graph does not show. */
 static void draw_foot(struct graph_plan *plan)
 {
+    CORE_ASSERT(plan->pick.fish->card.curve_count <= MORPH_CURVE_MAX);
     const struct species_card *card = &plan->pick.fish->card;
     const double y = MORPH_GRAPH_HEIGHT - 28.0;
     char list[MORPH_CURVE_MAX * (SPECIES_NAME_SIZE + 2u)] = "";
@@ -187,26 +167,6 @@ static void draw_foot(struct graph_plan *plan)
         svg_text(&plan->svg, MORPH_GRAPH_LEFT, y, 13.0, "start", SVG_GREY, "Other curves: %s.",
                  list);
     }
-}
-
-static void morph_graph_draw(struct graph_plan *plan)
-{
-    const struct species_card *card = &plan->pick.fish->card;
-    plan->lengths = morph_graph_lengths(card, plan->pick.thesis);
-    morph_rig_init(&plan->keys, card, TEMPLATE_PAIRWISE);
-    draw_title(plan);
-    morph_graph_axes(&plan->svg, card, &plan->lengths);
-    for (uint32_t key = 0; key < card->key_count; key++) {
-        draw_key(plan, key);
-    }
-    draw_scale(plan);
-    for (uint32_t key = 0; key < card->key_count; key++) {
-        draw_curve(plan, key);
-    }
-    if (!plan->pick.thesis) {
-        draw_turns(plan);
-    }
-    draw_foot(plan);
 }
 
 static enum exit_code morph_graph_run(int argc, const char *const *argv)
@@ -231,7 +191,28 @@ static enum exit_code morph_graph_run(int argc, const char *const *argv)
                   "Deformation graph")) {
         return morph_fail(EXIT_IO, name, "%.200s: %s", plan.path, strerror(errno));
     }
-    morph_graph_draw(&plan);
+    const struct species_card *card = &plan.pick.fish->card;
+    plan.lengths = morph_graph_lengths(card, plan.pick.thesis);
+    morph_rig_init(&plan.keys, card, TEMPLATE_PAIRWISE);
+    draw_title(&plan);
+    morph_graph_axes(&plan.svg, card, &plan.lengths);
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        draw_key(&plan, key);
+    }
+    svg_begin_line(&plan.svg);
+    for (uint32_t i = 0; i <= SAMPLES; i++) {
+        const float progress = (float)i / (float)SAMPLES;
+        svg_point(&plan.svg, morph_graph_x((double)progress),
+                  morph_graph_length_y(&plan.lengths, 1e3 * (double)life_length_m(card, progress)));
+    }
+    svg_end_line(&plan.svg, MORPH_SCALE_COLOUR, 2.5, "9 5");
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        draw_curve(&plan, key);
+    }
+    if (!plan.pick.thesis) {
+        draw_turns(&plan);
+    }
+    draw_foot(&plan);
     if (!svg_close(&plan.svg)) {
         return morph_fail(EXIT_IO, name, "%.200s: %s", plan.path, strerror(errno));
     }

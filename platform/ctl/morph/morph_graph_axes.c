@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/base/panic.h"
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/ctl/morph/morph_outline.h"
 
@@ -42,27 +43,6 @@ void morph_graph_print_length(char out[MORPH_GRAPH_WORDS], double mm, int digits
     snprintf(out, MORPH_GRAPH_WORDS, "%.*g %s", digits, small ? mm : 1e-3 * mm, small ? "mm" : "m");
 }
 
-static void draw_shares(struct svg *svg)
-{
-    for (int percent = 0; percent <= 100; percent += 25) {
-        const double y = morph_graph_y(0.01 * percent);
-        svg_line(svg, MORPH_GRAPH_LEFT, y, MORPH_GRAPH_RIGHT, y, SVG_FAINT, 1.0, NULL);
-        svg_text(svg, MORPH_GRAPH_LEFT - 12.0, y + 5.0, 14.0, "end", SVG_INK, "%d %%", percent);
-    }
-    svg_put(svg, "<g transform=\"rotate(-90 40 %.0f)\">\n", morph_graph_y(0.5));
-    svg_text(svg, 40.0, morph_graph_y(0.5), 15.0, "middle", SVG_INK, "share of each key");
-    svg_put(svg, "</g>\n");
-}
-
-/* Returns a round step, 1, 2 or 5 times a power of ten, with which an axis of length `range` has
- * four to ten steps. */
-static double round_step(double range)
-{
-    const double power = pow(10.0, floor(log10(range / 4.0)));
-    const double part = range / 4.0 / power;
-    return power * (part >= 5.0 ? 5.0 : part >= 2.0 ? 2.0 : 1.0);
-}
-
 /* Returns the greatest value that is 1, 2 or 5 times a power of ten and at most `mm`. */
 static double round_below(double mm)
 {
@@ -96,33 +76,6 @@ static void draw_length(struct svg *svg, const struct morph_graph_lengths *lengt
     svg_text(svg, MORPH_GRAPH_RIGHT + 12.0, y + 5.0, 14.0, "start", MORPH_SCALE_COLOUR, "%s", text);
 }
 
-static void draw_lengths(struct svg *svg, const struct morph_graph_lengths *lengths)
-{
-    const double step = round_step(lengths->high_mm), most = lengths->high_mm * 1.0001;
-    svg_line(svg, MORPH_GRAPH_RIGHT, MORPH_GRAPH_TOP, MORPH_GRAPH_RIGHT, MORPH_GRAPH_BOTTOM,
-             MORPH_SCALE_COLOUR, 1.5, NULL);
-    for (double mm = 0.0; !lengths->is_log && step > 0.0 && mm <= most; mm += step) {
-        draw_length(svg, lengths, mm);
-    }
-    for (double mm = round_below(2.5 * lengths->low_mm); lengths->is_log && mm > 0.0 && mm <= most;
-         mm = round_below(2.51 * mm)) { /* Steps through the round lengths 1, 2, 5, 10 and so on. */
-        draw_length(svg, lengths, mm);
-    }
-}
-
-static void draw_progress(struct svg *svg)
-{
-    svg_line(svg, MORPH_GRAPH_LEFT, MORPH_GRAPH_BOTTOM, MORPH_GRAPH_RIGHT, MORPH_GRAPH_BOTTOM,
-             SVG_INK, 1.2, NULL);
-    for (int i = 0; i <= 10; i++) {
-        const double x = morph_graph_x(0.1 * i);
-        svg_line(svg, x, MORPH_GRAPH_BOTTOM, x, MORPH_GRAPH_BOTTOM + 6.0, SVG_INK, 1.2, NULL);
-        svg_text(svg, x, MORPH_GRAPH_BOTTOM + 24.0, 14.0, "middle", SVG_INK, "%g", 0.1 * i);
-    }
-    svg_text(svg, MORPH_GRAPH_LEFT - 24.0, MORPH_GRAPH_BOTTOM + 24.0, 14.0, "end", SVG_INK,
-             "progress");
-}
-
 /* State of placing the labelled ages on the axis. */
 struct age_axis {
     const struct species_card *card;
@@ -131,22 +84,18 @@ struct age_axis {
     uint32_t count;
 };
 
-static bool has_room(const struct age_axis *axis, double x)
-{
-    for (uint32_t i = 0; i < axis->count; i++) {
-        if (fabs(axis->x[i] - x) < AGE_ROOM) {
-            return false;
-        }
-    }
-    return axis->count < AGE_MAX;
-}
-
+/* Draws one mark with an age and the length at this age, if the mark has room between the marks
+ * that are already drawn. */
 static void draw_age(struct svg *svg, struct age_axis *axis, double days)
 {
     const float progress = life_progress(axis->card, (float)days);
     const double x = morph_graph_x((double)progress);
     char age[MORPH_GRAPH_WORDS], length[MORPH_GRAPH_WORDS];
-    if (!has_room(axis, x)) {
+    bool has_room = axis->count < AGE_MAX;
+    for (uint32_t i = 0; i < axis->count; i++) {
+        has_room = has_room && fabs(axis->x[i] - x) >= AGE_ROOM;
+    }
+    if (!has_room) {
         return;
     }
     axis->x[axis->count++] = x;
@@ -193,8 +142,41 @@ static void draw_ages(struct svg *svg, const struct species_card *card)
 void morph_graph_axes(struct svg *svg, const struct species_card *card,
                       const struct morph_graph_lengths *lengths)
 {
-    draw_shares(svg);
-    draw_progress(svg);
+    CORE_ASSERT(lengths->high_mm > 0.0 && lengths->low_mm <= lengths->high_mm);
+    CORE_ASSERT(card->key_count >= 2);
+    for (int percent = 0; percent <= 100; percent += 25) {
+        const double y = morph_graph_y(0.01 * percent);
+        svg_line(svg, MORPH_GRAPH_LEFT, y, MORPH_GRAPH_RIGHT, y, SVG_FAINT, 1.0, NULL);
+        svg_text(svg, MORPH_GRAPH_LEFT - 12.0, y + 5.0, 14.0, "end", SVG_INK, "%d %%", percent);
+    }
+    svg_put(svg, "<g transform=\"rotate(-90 40 %.0f)\">\n", morph_graph_y(0.5));
+    svg_text(svg, 40.0, morph_graph_y(0.5), 15.0, "middle", SVG_INK, "share of each key");
+    svg_put(svg, "</g>\n");
+    svg_line(svg, MORPH_GRAPH_LEFT, MORPH_GRAPH_BOTTOM, MORPH_GRAPH_RIGHT, MORPH_GRAPH_BOTTOM,
+             SVG_INK, 1.2, NULL);
+    for (int i = 0; i <= 10; i++) {
+        const double x = morph_graph_x(0.1 * i);
+        svg_line(svg, x, MORPH_GRAPH_BOTTOM, x, MORPH_GRAPH_BOTTOM + 6.0, SVG_INK, 1.2, NULL);
+        svg_text(svg, x, MORPH_GRAPH_BOTTOM + 24.0, 14.0, "middle", SVG_INK, "%g", 0.1 * i);
+    }
+    svg_text(svg, MORPH_GRAPH_LEFT - 24.0, MORPH_GRAPH_BOTTOM + 24.0, 14.0, "end", SVG_INK,
+             "progress");
     draw_ages(svg, card);
-    draw_lengths(svg, lengths);
+    /* The scale has a round step, 1, 2 or 5 times a power of ten, and four to ten steps. */
+    const double power = pow(10.0, floor(log10(lengths->high_mm / 4.0)));
+    const double part = lengths->high_mm / 4.0 / power;
+    const double step = power * (part >= 5.0   ? 5.0
+                                 : part >= 2.0 ? 2.0
+                                               : 1.0),
+                 most = lengths->high_mm * 1.0001;
+    svg_line(svg, MORPH_GRAPH_RIGHT, MORPH_GRAPH_TOP, MORPH_GRAPH_RIGHT, MORPH_GRAPH_BOTTOM,
+             MORPH_SCALE_COLOUR, 1.5, NULL);
+    for (double mm = 0.0; !lengths->is_log && step > 0.0 && mm <= most; mm += step) {
+        draw_length(svg, lengths, mm);
+    }
+    /* A logarithmic scale has the round lengths 1, 2, 5, 10 and so on. */
+    for (double mm = round_below(2.5 * lengths->low_mm); lengths->is_log && mm > 0.0 && mm <= most;
+         mm = round_below(2.51 * mm)) {
+        draw_length(svg, lengths, mm);
+    }
 }

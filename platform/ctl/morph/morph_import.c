@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/morph/morph.h"
 #include "platform/ctl/import/refit.h"
 #include "platform/ctl/morph/morph_import_words.h"
@@ -23,6 +24,7 @@ static bool ends_with(const char *word, const char *suffix)
  * a key. */
 static void name_of_file(const char *path, char out[SPECIES_NAME_SIZE])
 {
+    CORE_ASSERT(path);
     const char *slash = strrchr(path, '/');
     const char *base = slash ? slash + 1 : path;
     uint32_t length = 0;
@@ -37,6 +39,7 @@ static void name_of_file(const char *path, char out[SPECIES_NAME_SIZE])
 
 static enum exit_code read_meshes(const struct morph_import_words *words, struct import_mesh *mesh)
 {
+    CORE_ASSERT(words->file_count >= 1 && words->file_count <= MORPH_KEY_MAX);
     char why[IMPORT_WHY_SIZE];
     enum exit_code code = EXIT_OK;
     if (!ends_with(words->files[0], ".obj")) {
@@ -65,41 +68,6 @@ static enum exit_code morph_import_error(const char *path, const char *why)
     return EXIT_BAD_DATA;
 }
 
-/* Copies the near mesh to the far mesh, because a packed species needs both. A small imported model
- * is used at every distance. */
-static void use_near_as_far(struct species_slot *slot)
-{
-    struct species_mesh *far = &slot->species.lod[1];
-    slot->tables[1] = slot->tables[0];
-    *far = slot->species.lod[0];
-    far->vertices = slot->tables[1].vertices;
-    far->anchors = slot->tables[1].anchors;
-    far->indices = slot->tables[1].indices;
-    for (uint32_t key = 0; key < slot->species.card.key_count; key++) {
-        far->points[key] = slot->tables[1].points[key];
-    }
-}
-
-static void morph_import_print_result(const struct morph_import_words *words,
-                                      const struct import_mesh *mesh,
-                                      const struct species_slot *slot,
-                                      const struct import_report *report)
-{
-    const struct species_card *card = &slot->species.card;
-    print_line(stdout, "%s: %s, %u shapes, %u vertices (%u joined), %u triangles; front was %s",
-               words->out, card->id, card->key_count, slot->species.lod[0].vertex_count,
-               report->joined_count, slot->species.lod[0].index_count / 3u,
-               import_axis_names[report->front]);
-    for (uint32_t key = 0; key < card->key_count; key++) {
-        printf("  %-12s %8.1f days %10.2f mm\n", card->key_names[key],
-               (double)card->key_age_days[key], 1e3 * (double)card->key_length_m[key]);
-    }
-    if (report->knot_count > 0) {
-        printf("  graph        %u knots of %u moments, at most %.4f off\n", report->knot_count,
-               mesh->time_count, (double)report->graph_error);
-    }
-}
-
 static enum exit_code make_of_meshes(struct morph_import_words *words, struct species_slot *slot)
 {
     static struct import_mesh mesh;
@@ -124,49 +92,35 @@ static enum exit_code make_of_meshes(struct morph_import_words *words, struct sp
         import_life(&mesh, &words->plan, slot, &report, why) != EXIT_OK) {
         return morph_import_error(words->files[0], why);
     }
-    use_near_as_far(slot);
+    /* The far mesh is a copy of the near mesh, because a packed species needs both. A small
+     * imported model is used at every distance. */
+    struct species_mesh *far = &slot->species.lod[1];
+    slot->tables[1] = slot->tables[0];
+    *far = slot->species.lod[0];
+    far->vertices = slot->tables[1].vertices;
+    far->anchors = slot->tables[1].anchors;
+    far->indices = slot->tables[1].indices;
+    for (uint32_t key = 0; key < slot->species.card.key_count; key++) {
+        far->points[key] = slot->tables[1].points[key];
+    }
     char fault[VALIDATE_WHY_SIZE];
     if (!species_validate(&slot->species, fault)) {
         return morph_import_error(words->files[0], fault);
     }
-    morph_import_print_result(words, &mesh, slot, &report);
-    return EXIT_OK;
-}
-
-/* Opens the species of the option --like, which is built-in or a file. Its values are the defaults
- * for options that are absent. */
-static enum exit_code open_like(struct morph_import_words *words)
-{
-    static struct species_slot slot;
-    struct import_options *plan = &words->plan;
-    for (uint32_t i = 0; words->like && i < species_table_count; i++) {
-        if (strcmp(words->like, species_table[i]->card.id) == 0) {
-            plan->like = species_table[i];
-        }
+    const struct species_card *card = &slot->species.card;
+    print_line(stdout, "%s: %s, %u shapes, %u vertices (%u joined), %u triangles; front was %s",
+               words->out, card->id, card->key_count, slot->species.lod[0].vertex_count,
+               report.joined_count, slot->species.lod[0].index_count / 3u,
+               import_axis_names[report.front]);
+    for (uint32_t key = 0; key < card->key_count; key++) {
+        printf("  %-12s %8.1f days %10.2f mm\n", card->key_names[key],
+               (double)card->key_age_days[key], 1e3 * (double)card->key_length_m[key]);
     }
-    if (words->like && !plan->like && !strpbrk(words->like, "/.")) {
-        return morph_options_unknown(name, words->like);
-    }
-    if (words->like && !plan->like) {
-        const enum exit_code code = morph_options_file(words->like, name, &slot);
-        if (code != EXIT_OK) {
-            return code;
-        }
-        plan->like = &slot.species;
+    if (report.knot_count > 0) {
+        printf("  graph        %u knots of %u moments, at most %.4f off\n", report.knot_count,
+               mesh.time_count, (double)report.graph_error);
     }
     return EXIT_OK;
-}
-
-/* Sets the path of each mesh's landmark file. Unless an option names the file, the landmarks of
- * FISH.obj are in FISH.marks. */
-static void find_marks(struct morph_import_words *words)
-{
-    for (uint32_t i = words->mark_count; i < words->file_count; i++) {
-        const char *file = words->files[i], *dot = strrchr(file, '.');
-        const int length = dot ? (int)(dot - file) : (int)strlen(file);
-        snprintf(words->marks[i], sizeof words->marks[i], "%.*s.marks", length < 240 ? length : 240,
-                 file);
-    }
 }
 
 static enum exit_code make_by_fit(struct morph_import_words *words, struct species_slot *slot)
@@ -178,7 +132,13 @@ static enum exit_code make_by_fit(struct morph_import_words *words, struct speci
         return morph_usage(name, "--fit: '%.60s' has %u keys, and there are %u files", words->fit,
                            template_id->card.key_count, words->file_count);
     }
-    find_marks(words);
+    /* Unless an option names the landmark file, the landmarks of FISH.obj are in FISH.marks. */
+    for (uint32_t i = words->mark_count; i < words->file_count; i++) {
+        const char *file = words->files[i], *dot = strrchr(file, '.');
+        const int length = dot ? (int)(dot - file) : (int)strlen(file);
+        snprintf(words->marks[i], sizeof words->marks[i], "%.*s.marks", length < 240 ? length : 240,
+                 file);
+    }
     for (uint32_t i = 0; i < words->file_count; i++) {
         files[i] = words->files[i];
         marks[i] = words->marks[i];
@@ -218,10 +178,18 @@ static enum exit_code make(struct morph_import_words *words, struct species_slot
     name_of_file(words->out, id);
     words->plan.id = words->id ? words->id : id;
     words->like = words->fit ? words->fit : words->like;
-    const enum exit_code code = open_like(words);
-    return code != EXIT_OK ? code
-           : words->fit    ? make_by_fit(words, slot)
-                           : make_of_meshes(words, slot);
+    if (words->like) {
+        /* The species of --like is built-in or a file. Its values are the defaults for options
+         * that are absent. */
+        static struct morph_options like;
+        like.word = words->like;
+        const enum exit_code opened = morph_options_open(&like, name);
+        if (opened != EXIT_OK) {
+            return opened;
+        }
+        words->plan.like = like.drawn;
+    }
+    return words->fit ? make_by_fit(words, slot) : make_of_meshes(words, slot);
 }
 
 static enum exit_code morph_import_run(int argc, const char *const *argv)

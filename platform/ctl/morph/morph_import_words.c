@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/morph/morph.h"
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/os/number.h"
@@ -36,6 +37,7 @@ static uint32_t each_piece(const char *list, uint32_t count_max, void *out,
  * the core receives no other value. */
 static bool take_length(const char *piece, uint32_t index, void *out)
 {
+    CORE_ASSERT(index < MORPH_KEY_MAX);
     return number_parse_decimal(piece, 0.5, 20000.0, (double *)out + index);
 }
 
@@ -46,6 +48,7 @@ static bool take_age(const char *piece, uint32_t index, void *out)
 
 static bool take_growth(const char *piece, uint32_t index, void *out)
 {
+    CORE_ASSERT(index < 5);
     static const double ranges[5][2] = {
         { 10.0, 20000.0 }, { 0.001, 10.0 }, { -20.0, 20.0 }, { 0.5, 2000.0 }, { 0.001, 5.0 }
     };
@@ -54,6 +57,7 @@ static bool take_growth(const char *piece, uint32_t index, void *out)
 
 bool morph_import_words_take_name(const char *piece, uint32_t index, void *out)
 {
+    CORE_ASSERT(index < MORPH_KEY_MAX);
     char(*names)[SPECIES_NAME_SIZE] = out;
     const size_t length = strlen(piece);
     if (length >= SPECIES_NAME_SIZE) {
@@ -66,6 +70,7 @@ bool morph_import_words_take_name(const char *piece, uint32_t index, void *out)
 
 static bool take_path(const char *piece, uint32_t index, void *out)
 {
+    CORE_ASSERT(index < MORPH_KEY_MAX);
     char(*paths)[IMPORT_PATH_SIZE] = out;
     snprintf(paths[index], IMPORT_PATH_SIZE, "%s", piece);
     return true;
@@ -104,17 +109,6 @@ static bool take_choice(const char *value, const char *const *words, uint32_t co
 {
     for (uint32_t i = 0; i < count; i++) {
         if (strcmp(value, words[i]) == 0) {
-            *out = (uint8_t)i;
-            return true;
-        }
-    }
-    return false;
-}
-
-static bool take_template(const char *value, uint8_t *out)
-{
-    for (enum graph_template i = TEMPLATE_ORDINARY; i < TEMPLATE_COUNT; i++) {
-        if (strcmp(value, morph_template_name(i)) == 0) {
             *out = (uint8_t)i;
             return true;
         }
@@ -164,7 +158,13 @@ static bool take_value(struct morph_import_words *words, const char *option, con
         return take_choice(value, forms, 5, &plan->form);
     }
     if (strcmp(option, "--graph") == 0) {
-        return take_template(value, &plan->template_id);
+        for (enum graph_template i = TEMPLATE_ORDINARY; i < TEMPLATE_COUNT; i++) {
+            if (strcmp(value, morph_template_name(i)) == 0) {
+                plan->template_id = (uint8_t)i;
+                return true;
+            }
+        }
+        return false;
     }
     *known = false;
     return false;
@@ -203,15 +203,6 @@ static bool take_list(struct morph_import_words *words, const char *option, cons
     return false;
 }
 
-/* Parses one option with its value. Returns false if the option does not exist or its value is
- * invalid. */
-static bool morph_import_words_take_option(struct morph_import_words *words, const char *option,
-                                           const char *value, bool *known)
-{
-    const bool good = take_value(words, option, value, known);
-    return *known ? good : take_list(words, option, value, known);
-}
-
 enum exit_code morph_import_words_read(struct morph_import_words *words, int argc,
                                        const char *const *argv)
 {
@@ -228,7 +219,11 @@ enum exit_code morph_import_words_read(struct morph_import_words *words, int arg
         if (strncmp(argv[i], "--", 2) == 0) {
             bool known;
             const char *value = i + 1 < argc ? argv[i + 1] : "";
-            if (!morph_import_words_take_option(words, argv[i], value, &known)) {
+            bool good = take_value(words, argv[i], value, &known);
+            if (!known) {
+                good = take_list(words, argv[i], value, &known);
+            }
+            if (!good) {
                 return known ? morph_usage(name, "%s: '%.60s' will not do; --help says what will",
                                            argv[i], value)
                              : morph_usage(name, "unknown option '%.100s'; --help lists them",

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "platform/ctl/import/import_options.h"
+#include "platform/ctl/import/import.h"
 #include "platform/ctl/lib/ctl.h"
 
 #define IMPORT_UNSET 255u /* Value of an option in `plan` that the command line does not contain. */

@@ -1,15 +1,19 @@
 /* morph_mesh.c -- sorts the triangles of a species' mesh into pieces, and computes the colours of
  * the vertices. */
-#include "platform/ctl/morph/morph_mesh.h"
+#include "platform/ctl/morph/morph_export.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "platform/species/reader.h"
+#include "platform/os/file.h"
+#include "platform/species/text.h"
 
 void morph_piece_name(const struct morph_piece *piece, char out[PIECE_NAME_SIZE])
 {
+    CORE_ASSERT(piece->part < PART_COUNT);
+    CORE_ASSERT(piece->side <= SIDE_LEFT);
     static const char *const sides[] = {
         [SIDE_MIDDLE] = "", [SIDE_RIGHT] = "_right", [SIDE_LEFT] = "_left"
     };
@@ -86,22 +90,6 @@ void morph_mesh_cut(const struct species_mesh *mesh, const vec3 *positions, cons
     }
 }
 
-/* Returns the point at which the colour for corner `k` of a triangle is sampled. On the body, the
- * point is half way from the corner to the middle of the opposite edge. On an eye or a fin, the
- * point is the corner itself, because the colours change exactly at the vertices. */
-static struct species_vertex inside(const struct species_mesh *mesh, const uint16_t *face,
-                                    uint32_t k)
-{
-    const struct species_vertex *a = &mesh->vertices[face[(k + 1) % 3]];
-    const struct species_vertex *b = &mesh->vertices[face[(k + 2) % 3]];
-    struct species_vertex at = mesh->vertices[face[k]];
-    if (at.part == PART_BODY) {
-        at.u = 0.5f * at.u + 0.25f * (a->u + b->u);
-        at.v = 0.5f * at.v + 0.25f * (a->v + b->v);
-    }
-    return at;
-}
-
 static void add_paint(struct paint *sum, const struct paint *paint, float weight)
 {
     sum->colour = v3_muladd(sum->colour, paint->colour, weight);
@@ -112,12 +100,23 @@ static void add_paint(struct paint *sum, const struct paint *paint, float weight
 void morph_mesh_paint(const struct species *species, const float weights[MORPH_KEY_MAX],
                       const struct morph_mesh *cut, struct paint *paints)
 {
+    CORE_ASSERT(cut->face_count <= MESH_INDEX_MAX / 3u);
     const struct species_mesh *mesh = &species->lod[0];
     float counts[MESH_VERTEX_MAX] = { 0 };
     memset(paints, 0, mesh->vertex_count * sizeof *paints);
     for (uint32_t i = 0; i < 3u * cut->face_count; i++) {
         const uint16_t *face = cut->faces[i / 3u];
-        const struct species_vertex at = inside(mesh, face, i % 3u);
+        /* The colour for corner `k` of a triangle is sampled at `at`. On the body, `at` is half
+         * way from the corner to the middle of the opposite edge. On an eye or a fin, `at` is
+         * the corner itself, because the colours change exactly at the vertices. */
+        const uint32_t k = i % 3u;
+        const struct species_vertex *a = &mesh->vertices[face[(k + 1) % 3]];
+        const struct species_vertex *b = &mesh->vertices[face[(k + 2) % 3]];
+        struct species_vertex at = mesh->vertices[face[k]];
+        if (at.part == PART_BODY) {
+            at.u = 0.5f * at.u + 0.25f * (a->u + b->u);
+            at.v = 0.5f * at.v + 0.25f * (a->v + b->v);
+        }
         const struct paint paint = paint_at(species, weights, &at);
         add_paint(&paints[face[i % 3u]], &paint, 1.0f);
         counts[face[i % 3u]] += 1.0f;
@@ -127,4 +126,74 @@ void morph_mesh_paint(const struct species *species, const float weights[MORPH_K
         paints[i] = (struct paint){ .clear = 0.0f };
         add_paint(&paints[i], &sum, 1.0f / f_max(counts[i], 1.0f));
     }
+}
+
+/* ---- Wavefront OBJ --------------------------------------------------------------------------- */
+
+/* This section this section writes a fish at one moment of its life as a Wavefront OBJ file for
+ * other programs.
+ *
+ * The colour of a vertex follows its position (`v x y z r g b`, sRGB). MeshLab, Blender and
+ * other programs read this extension. Texture coordinates are the body coordinates u and v. Each
+ * piece of the mesh is one group. */
+
+static const char command[] = "export";
+
+/* Shape that is being written. The variable is static because it is too large for a stack. */
+static struct {
+    struct morph_pose pose;
+    vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
+    struct paint paints[MESH_VERTEX_MAX];
+    struct morph_mesh cut;
+} work;
+
+enum exit_code morph_obj_write(const struct morph_options *pick, const char *path)
+{
+    const struct species_mesh *mesh = &pick->fish->lod[0];
+    const float length_m = life_length_m(&pick->fish->card, pick->progress);
+    struct atomic_file out;
+    int error = file_atomic_open(&out, path);
+    if (error == 0) {
+        morph_pose(&pick->rig, mesh, pick->progress, &work.pose);
+        morph_shape(mesh, pick->fish->card.key_count, &work.pose, work.positions, work.normals);
+        morph_mesh_cut(mesh, work.positions, work.normals, &work.cut);
+        morph_mesh_paint(pick->fish, work.pose.weight[0], &work.cut, work.paints);
+        const struct species_card *card = &pick->fish->card;
+        fprintf(out.file, "# %s at progress %.6f: %.2f days, %.6g mm; kingyoctl morph export\n",
+                card->id, (double)pick->progress, (double)life_age_days(card, pick->progress),
+                1e3 * (double)length_m);
+        fputs("# Metres, true size. +x is the fish's right, +y up, the snout looks along -z.\n"
+              "# v x y z r g b: colours are sRGB, 0 to 1. vt: along and round the body, or along "
+              "and\n"
+              "# up a fin. A fin is a sheet: draw both its sides.\n",
+              out.file);
+        fprintf(out.file, "o %s\n", card->id);
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            const vec3 colour = work.paints[i].colour, at = v3_scale(work.positions[i], length_m);
+            fprintf(out.file, "v %.9g %.9g %.9g %.4f %.4f %.4f\n", (double)at.x, (double)at.y,
+                    (double)at.z, (double)colour.x, (double)colour.y, (double)colour.z);
+        }
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            fprintf(out.file, "vt %.6f %.6f\n", (double)mesh->vertices[i].u,
+                    (double)mesh->vertices[i].v);
+        }
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            fprintf(out.file, "vn %.5f %.5f %.5f\n", (double)work.normals[i].x,
+                    (double)work.normals[i].y, (double)work.normals[i].z);
+        }
+        for (uint32_t p = 0; p < work.cut.piece_count; p++) {
+            const struct morph_piece *piece = &work.cut.pieces[p];
+            char name[PIECE_NAME_SIZE];
+            morph_piece_name(piece, name);
+            fprintf(out.file, "g %s\n", name);
+            for (uint32_t i = 0; i < piece->face_count; i++) {
+                const uint16_t *at = work.cut.faces[piece->face_first + i];
+                /* Vertices in OBJ files are counted from 1. */
+                const unsigned a = at[0] + 1u, b = at[1] + 1u, c = at[2] + 1u;
+                fprintf(out.file, "f %u/%u/%u %u/%u/%u %u/%u/%u\n", a, a, a, b, b, b, c, c, c);
+            }
+        }
+        error = file_atomic_close(&out);
+    }
+    return error ? morph_fail(EXIT_IO, command, "%.900s: %s", path, strerror(-error)) : EXIT_OK;
 }

@@ -84,4 +84,11 @@ const struct species *morph_options_ordinary(const struct morph_options *pick,
  * the growth scale is 1. */
 void morph_options_lengths(const struct species_card *card, float *min, float *max);
 
+/* Sets `*curve` to the index of the curve `curve_name` of the deformation graph, as --curve
+ * gives the name. A curve states how the weights of the key shapes change during a fish's life.
+ * Null selects the curve of the whole fish. Returns EXIT_OK. If the curve does not exist, prints
+ * one line and returns EXIT_USAGE. */
+enum exit_code morph_curve_find(const struct species_card *card, const char *command,
+                                const char *curve_name, uint32_t *curve);
+
 #endif

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/key_colour.h"
 
 /* Distance in body lengths below which two vertices count as one. The distance is less than a
@@ -18,6 +19,7 @@ enum layer { LAYER_FAR_FINS, LAYER_MEDIAN_FINS, LAYER_BODY, LAYER_NEAR_FINS, LAY
 
 const char *morph_outline_key_colour(const struct species_card *card, uint32_t key)
 {
+    CORE_ASSERT(key < card->key_count);
     static char colours[MORPH_KEY_MAX][8];
     snprintf(colours[key], sizeof colours[key], "#%06x",
              key_colour(card->key_count, key) & 0xffffffu);
@@ -112,39 +114,6 @@ static void put_point(struct svg *svg, const struct morph_outline *outline, char
     svg_put(svg, "%c%.1f %.1f", verb, x, y);
 }
 
-static void draw_layer(struct svg *svg, const struct morph_outline *outline, const vec3 *positions,
-                       enum layer layer)
-{
-    const struct species_mesh *mesh = &outline->species->lod[0];
-    const bool fins = layer != LAYER_BODY && layer != LAYER_EYES;
-    const bool dark = layer == LAYER_EYES && outline->opacity > 0.5;
-    svg_put(svg, "<path fill=\"%s\" fill-opacity=\"%.2f\" d=\"", dark ? SVG_INK : outline->colour,
-            outline->opacity * (fins ? 0.55 : 1.0));
-    for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
-        if (is_seen(outline, positions, &mesh->indices[i], layer)) {
-            for (uint32_t j = 0; j < 3; j++) {
-                put_point(svg, outline, j == 0 ? 'M' : 'L', positions[mesh->indices[i + j]]);
-            }
-            svg_put(svg, "Z");
-        }
-    }
-    svg_put(svg, "\"/>\n");
-}
-
-/* Finds vertices at the same position, so that the contour is not drawn along the texture seam of
- * the body. */
-static void join(const struct species_mesh *mesh, const vec3 *positions,
-                 uint16_t joined[MESH_VERTEX_MAX])
-{
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        uint32_t first = 0;
-        while (v3_length(v3_sub(positions[first], positions[i])) > JOIN_LENGTHS) {
-            first++;
-        }
-        joined[i] = (uint16_t)first;
-    }
-}
-
 /* Draws the contour: each edge of a visible triangle that has no visible triangle on its other
  * side. */
 static void draw_contour(struct svg *svg, const struct morph_outline *outline,
@@ -199,12 +168,35 @@ void morph_outline_measure(const struct morph_outline *outline, double low[2], d
 
 void morph_outline_draw(struct svg *svg, const struct morph_outline *outline)
 {
+    CORE_ASSERT(outline->species && outline->rig);
+    CORE_ASSERT(outline->length_px > 0.0);
     static vec3 positions[MESH_VERTEX_MAX];
     static uint16_t joined[MESH_VERTEX_MAX];
     blend(outline, positions);
-    join(&outline->species->lod[0], positions, joined);
+    /* Find vertices at the same position, so that the contour is not drawn along the
+     * texture seam of the body. */
+    for (uint32_t i = 0; i < outline->species->lod[0].vertex_count; i++) {
+        uint32_t first = 0;
+        while (v3_length(v3_sub(positions[first], positions[i])) > JOIN_LENGTHS) {
+            first++;
+        }
+        joined[i] = (uint16_t)first;
+    }
     for (enum layer layer = LAYER_FAR_FINS; layer < LAYERS; layer++) {
-        draw_layer(svg, outline, positions, layer);
+        const struct species_mesh *mesh = &outline->species->lod[0];
+        const bool fins = layer != LAYER_BODY && layer != LAYER_EYES;
+        const bool dark = layer == LAYER_EYES && outline->opacity > 0.5;
+        svg_put(svg, "<path fill=\"%s\" fill-opacity=\"%.2f\" d=\"",
+                dark ? SVG_INK : outline->colour, outline->opacity * (fins ? 0.55 : 1.0));
+        for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
+            if (is_seen(outline, positions, &mesh->indices[i], layer)) {
+                for (uint32_t j = 0; j < 3; j++) {
+                    put_point(svg, outline, j == 0 ? 'M' : 'L', positions[mesh->indices[i + j]]);
+                }
+                svg_put(svg, "Z");
+            }
+        }
+        svg_put(svg, "\"/>\n");
         if (outline->line_px > 0.0) {
             draw_contour(svg, outline, positions, joined, layer);
         }

@@ -6,27 +6,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "platform/ctl/morph/morph_path_view.h"
+#include "core/base/panic.h"
+#include "platform/ctl/morph/morph_path.h"
 
 #define SVG_WAY "#c8371f"
 /* Distance from the chord, in body lengths, below which a path counts as straight. The value is
  * less than three quantization steps of the mesh tables. */
 #define STRAIGHT_LENGTHS 1e-4f
-
-static void draw_fish(struct picture *picture, const struct window *window, double opacity)
-{
-    const struct species *fish = picture->plan->pick.fish;
-    for (uint32_t key = 0; key < fish->card.key_count; key++) {
-        struct morph_outline outline = morph_path_outline(window);
-        outline.species = fish;
-        outline.rig = &picture->keys;
-        outline.progress = (float)key / (float)(fish->card.key_count - 1u);
-        outline.colour = morph_outline_key_colour(&fish->card, key);
-        outline.opacity = opacity;
-        outline.line_px = 1.0;
-        morph_outline_draw(&picture->svg, &outline);
-    }
-}
 
 static void draw_way(struct picture *picture, const struct window *window, const vec3 *way,
                      const char *colour, double width, const char *dashes)
@@ -38,14 +24,6 @@ static void draw_way(struct picture *picture, const struct window *window, const
         svg_point(&picture->svg, x, y);
     }
     svg_end_line(&picture->svg, colour, width, dashes);
-}
-
-static void draw_chord(struct picture *picture, const struct window *window)
-{
-    double x0, y0, x1, y1;
-    morph_path_place(window, picture->plan->chord.from, &x0, &y0);
-    morph_path_place(window, picture->plan->chord.to, &x1, &y1);
-    svg_line(&picture->svg, x0, y0, x1, y1, SVG_GREY, 2.0, "7 6");
 }
 
 /* Draws the region that a blend of three keys can reach. The region is the triangle between the
@@ -74,16 +52,13 @@ struct label {
     double x, y, width;
 };
 
-static bool overlaps(struct label a, struct label b)
-{
-    return fabs(a.y - b.y) < 17.0 && a.x < b.x + b.width + 6.0 && b.x < a.x + a.width + 6.0;
-}
-
 /* Returns a position for a label beside a dot at (`x`, `y`), where the label overlaps no other
  * label. Positions to the right of the dot are tried before positions to the left. */
 static struct label free_label(const struct label *taken, uint32_t count, double x, double y,
                                double width)
 {
+    CORE_ASSERT(count < MORPH_KEY_MAX);
+    CORE_ASSERT(width >= 0.0);
     static const double above[6] = { -10.0, 22.0, -10.0, 22.0, -28.0, 40.0 };
     struct label label = { 0 };
     for (uint32_t i = 0; i < 6; i++) {
@@ -91,7 +66,9 @@ static struct label free_label(const struct label *taken, uint32_t count, double
         const bool to_left = i == 2 || i == 3;
         label = (struct label){ to_left ? x - 12.0 - width : x + 12.0, y + above[i], width };
         for (uint32_t j = 0; j < count; j++) {
-            is_free = is_free && !overlaps(label, taken[j]);
+            is_free = is_free && !(fabs(label.y - taken[j].y) < 17.0 &&
+                                   label.x < taken[j].x + taken[j].width + 6.0 &&
+                                   taken[j].x < label.x + label.width + 6.0);
         }
         if (is_free) {
             break;
@@ -100,35 +77,11 @@ static struct label free_label(const struct label *taken, uint32_t count, double
     return label;
 }
 
-static void draw_dots(struct picture *picture, const struct window *window, double radius)
-{
-    const struct species_card *card = &picture->plan->pick.fish->card;
-    for (uint32_t key = 0; key < picture->keys.key_count; key++) {
-        double x, y;
-        morph_path_place(window, morph_path_key(picture, key), &x, &y);
-        svg_dot(&picture->svg, x, y, radius, morph_outline_key_colour(card, key), SVG_PAPER);
-    }
-}
-
-static void draw_names(struct picture *picture, const struct window *window)
-{
-    const struct species_card *card = &picture->plan->pick.fish->card;
-    struct label taken[MORPH_KEY_MAX];
-    char words[SPECIES_NAME_SIZE];
-    for (uint32_t key = 0; key < card->key_count; key++) {
-        double x, y;
-        morph_path_place(window, morph_path_key(picture, key), &x, &y);
-        morph_outline_words(words, card->key_names[key]);
-        taken[key] = free_label(taken, key, x, y, 8.4 * (double)strlen(words));
-        svg_text(&picture->svg, taken[key].x, taken[key].y, 14.0, "start",
-                 morph_outline_key_colour(card, key), "%s", words);
-    }
-}
-
 /* Draws a line from the farthest point of the path to the nearest point of the chord, with its
  * length. */
 static void draw_bend(struct picture *picture, const struct window *window)
 {
+    CORE_ASSERT(picture->farthest_lengths >= STRAIGHT_LENGTHS);
     const struct morph_path_plan *plan = picture->plan;
     const vec3 along = v3_sub(plan->chord.to, plan->chord.from);
     const float length = v3_dot(along, along);
@@ -140,16 +93,6 @@ static void draw_bend(struct picture *picture, const struct window *window)
     svg_line(&picture->svg, x0, y0, x1, y1, SVG_INK, 1.2, NULL);
     svg_text(&picture->svg, x1 + 10.0, y1 + 5.0, 14.0, "start", SVG_INK, "%.4f",
              (double)picture->farthest_lengths);
-}
-
-static void draw_frame(struct picture *picture, const struct window *window, const char *id)
-{
-    svg_put(&picture->svg,
-            "<clipPath id=\"%s\"><rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\"/></clipPath>\n"
-            "<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"#ffffff\" stroke=\"%s\"/>\n"
-            "<g clip-path=\"url(#%s)\">\n",
-            id, window->x, window->y, window->width, window->height, window->x, window->y,
-            window->width, window->height, SVG_FAINT, id);
 }
 
 /* Draws a scale bar with a label. The length of the bar is a round share of the body's length. */
@@ -167,17 +110,51 @@ static void draw_ruler(struct picture *picture, const struct window *window)
 
 static void draw_window(struct picture *picture, const struct window *window, bool enlarged)
 {
-    draw_frame(picture, window, enlarged ? "lens" : "whole");
-    draw_fish(picture, window, enlarged ? 0.035 : 0.05);
+    const char *id = enlarged ? "lens" : "whole";
+    svg_put(&picture->svg,
+            "<clipPath id=\"%s\"><rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\"/></clipPath>\n"
+            "<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"#ffffff\" stroke=\"%s\"/>\n"
+            "<g clip-path=\"url(#%s)\">\n",
+            id, window->x, window->y, window->width, window->height, window->x, window->y,
+            window->width, window->height, SVG_FAINT, id);
+    const struct species *fish = picture->plan->pick.fish;
+    for (uint32_t key = 0; key < fish->card.key_count; key++) {
+        struct morph_outline outline = morph_path_outline(window);
+        outline.species = fish;
+        outline.rig = &picture->keys;
+        outline.progress = (float)key / (float)(fish->card.key_count - 1u);
+        outline.colour = morph_outline_key_colour(&fish->card, key);
+        outline.opacity = enlarged ? 0.035 : 0.05;
+        outline.line_px = 1.0;
+        morph_outline_draw(&picture->svg, &outline);
+    }
     draw_reach(picture, window);
-    draw_chord(picture, window);
+    double x0, y0, x1, y1;
+    morph_path_place(window, picture->plan->chord.from, &x0, &y0);
+    morph_path_place(window, picture->plan->chord.to, &x1, &y1);
+    svg_line(&picture->svg, x0, y0, x1, y1, SVG_GREY, 2.0, "7 6");
     if (picture->plan->pick.thesis) {
         draw_way(picture, window, picture->drawn, SVG_INK, 2.0, "1 6");
     }
     draw_way(picture, window, picture->way, SVG_WAY, enlarged ? 4.5 : 2.8, NULL);
-    draw_dots(picture, window, enlarged ? 7.0 : 4.0);
+    const struct species_card *card = &picture->plan->pick.fish->card;
+    for (uint32_t key = 0; key < picture->keys.key_count; key++) {
+        double x, y;
+        morph_path_place(window, morph_path_key(picture, key), &x, &y);
+        svg_dot(&picture->svg, x, y, enlarged ? 7.0 : 4.0, morph_outline_key_colour(card, key),
+                SVG_PAPER);
+    }
     if (enlarged) {
-        draw_names(picture, window);
+        struct label taken[MORPH_KEY_MAX];
+        char words[SPECIES_NAME_SIZE];
+        for (uint32_t key = 0; key < card->key_count; key++) {
+            double x, y;
+            morph_path_place(window, morph_path_key(picture, key), &x, &y);
+            morph_outline_words(words, card->key_names[key]);
+            taken[key] = free_label(taken, key, x, y, 8.4 * (double)strlen(words));
+            svg_text(&picture->svg, taken[key].x, taken[key].y, 14.0, "start",
+                     morph_outline_key_colour(card, key), "%s", words);
+        }
     }
     if (enlarged && picture->farthest_lengths >= STRAIGHT_LENGTHS) {
         draw_bend(picture, window);
@@ -212,22 +189,6 @@ static void draw_words(struct picture *picture, enum morph_outline_view view)
                  : "");
 }
 
-static void morph_path_picture_draw(struct picture *picture)
-{
-    static const char *const views[] = { "side", "front", "top" };
-    enum morph_outline_view view = morph_path_best_view(picture);
-    for (int i = MORPH_OUTLINE_SIDE; picture->plan->view && i <= MORPH_OUTLINE_TOP; i++) {
-        if (strcmp(picture->plan->view, views[i]) == 0) {
-            view = (enum morph_outline_view)i;
-        }
-    }
-    const struct window whole = morph_path_whole(picture, view),
-                        lens = morph_path_lens(picture, view);
-    draw_words(picture, view);
-    draw_window(picture, &whole, false);
-    draw_window(picture, &lens, true);
-}
-
 enum exit_code morph_path_picture(const struct morph_path_plan *plan, const char *command)
 {
     static struct picture picture;
@@ -242,7 +203,18 @@ enum exit_code morph_path_picture(const struct morph_path_plan *plan, const char
                   "The way of a part")) {
         return morph_fail(EXIT_IO, command, "%.200s: %s", plan->svg, strerror(errno));
     }
-    morph_path_picture_draw(&picture);
+    static const char *const views[] = { "side", "front", "top" };
+    enum morph_outline_view view = morph_path_best_view(&picture);
+    for (int i = MORPH_OUTLINE_SIDE; picture.plan->view && i <= MORPH_OUTLINE_TOP; i++) {
+        if (strcmp(picture.plan->view, views[i]) == 0) {
+            view = (enum morph_outline_view)i;
+        }
+    }
+    const struct window whole = morph_path_whole(&picture, view),
+                        lens = morph_path_lens(&picture, view);
+    draw_words(&picture, view);
+    draw_window(&picture, &whole, false);
+    draw_window(&picture, &lens, true);
     if (!svg_close(&picture.svg)) {
         return morph_fail(EXIT_IO, command, "%.200s: %s", plan->svg, strerror(errno));
     }

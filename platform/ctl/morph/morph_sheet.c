@@ -1,11 +1,14 @@
-/* morph_sheet.c -- writes the contact sheet of a growing fish. morph_frames.c writes sequences of
- * single frames. */
-#include "platform/ctl/morph/morph_sheet.h"
+/* morph_sheet.c -- writes pictures of a growing fish: the contact sheet of its life, and
+ * sequences of single frames. */
+#include "platform/ctl/morph/morph_export.h"
 
+#include <errno.h>
 #include <stdio.h>
+#include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/ctl/lib/caption.h"
-#include "platform/ctl/morph/morph_sheet_internal.h"
+#include "platform/os/file.h"
 
 #define PAGE_WIDTH 2400.0f
 #define MARGIN 48.0f
@@ -20,6 +23,13 @@
 #define BETWEEN_WORDS_PX 15.0f
 
 #define PAPER 0xf2f1ecu
+/* Background colours at the top and at the bottom of a picture. The colours are dark enough to show
+ * transparent larvae and light enough to show black eels. */
+#define WATER_ABOVE 0xa7c4cbu
+#define WATER_BELOW 0x6d94a1u
+
+/* Fish that is being drawn. The variable is static because it is too large for a stack. */
+static struct fish_preview portrait;
 
 /* Layout of all cells that have the same width. */
 struct layout {
@@ -37,8 +47,41 @@ struct page {
     bool failed;
 };
 
-/* Fish that is being drawn. The variable is static because it is too large for a stack. */
-static struct fish_preview portrait;
+/* ---- Parts that sheets and frames share ------------------------------------------------------ */
+
+#define MEASURE_STEPS 20u /* Number of steps over the life at which the bounds are measured. */
+
+static const char command[] = "export";
+
+static enum exit_code sheet_no_memory(void)
+{
+    return morph_fail(EXIT_IO, command, "%s", strerror(ENOMEM));
+}
+
+static enum exit_code sheet_write_picture(const struct canvas *canvas, const char *path)
+{
+    const int error = canvas_write_png(canvas, path);
+    return error ? morph_fail(EXIT_IO, command, "%.900s: %s", path, strerror(-error)) : EXIT_OK;
+}
+
+static void sheet_measure(const struct morph_options *pick,
+                          struct fish_preview_bounds bounds[VIEW_COUNT])
+{
+    for (uint32_t view = 0; view < VIEW_COUNT; view++) {
+        bounds[view] = fish_preview_nowhere;
+    }
+    for (uint32_t i = 0; i <= MEASURE_STEPS; i++) {
+        fish_preview_pose(&portrait, pick->fish, &pick->rig, (float)i / (float)MEASURE_STEPS);
+        for (uint32_t view = 0; view < VIEW_COUNT; view++) {
+            fish_preview_measure(&portrait, (enum fish_preview_view)view, &bounds[view]);
+        }
+    }
+}
+
+static float middle(float a, float b)
+{
+    return 0.5f * (a + b);
+}
 
 /* ---- Layout of the page ---------------------------------------------------------------------- */
 
@@ -74,8 +117,8 @@ static void draw_view(struct page *page, enum fish_preview_view view, struct can
     if (!raster_open(&raster, (uint32_t)box.width, (uint32_t)box.height)) {
         page->failed = true;
     } else {
-        fish_preview_draw(&portrait, view, morph_sheet_middle(b->left, b->right),
-                          morph_sheet_middle(b->low, b->high), scale_px, &raster);
+        fish_preview_draw(&portrait, view, middle(b->left, b->right), middle(b->low, b->high),
+                          scale_px, &raster);
         page->failed |=
             !raster_finish(&raster, &page->canvas, (uint32_t)box.left, (uint32_t)box.top);
     }
@@ -111,6 +154,7 @@ static void draw_words(struct page *page, const struct layout *layout, float x, 
 static void draw_stage(struct page *page, const struct layout *layout, uint32_t column, float top,
                        const char *title, float progress)
 {
+    CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
     const float left = MARGIN + (float)column * layout->cell_width;
     float y = top;
     fish_preview_pose(&portrait, page->pick->fish, &page->pick->rig, progress);
@@ -128,7 +172,7 @@ static void draw_water(struct page *page, const struct layout *layout, float top
 {
     const struct canvas_box water = { MARGIN, top, (float)columns * layout->cell_width,
                                       layout->water_height };
-    canvas_fill(&page->canvas, water, MORPH_SHEET_WATER_ABOVE, MORPH_SHEET_WATER_BELOW);
+    canvas_fill(&page->canvas, water, WATER_ABOVE, WATER_BELOW);
 }
 
 static void draw_head(struct page *page)
@@ -147,72 +191,120 @@ static void draw_head(struct page *page)
                  "from its left, from above, aslant");
 }
 
-static void draw_keys(struct page *page, float top)
-{
-    const struct species_card *card = &page->pick->fish->card;
-    for (uint32_t i = 0; i < card->key_count; i++) {
-        const float down = (float)(i / page->keys.columns) * page->keys.height;
-        const uint32_t left = card->key_count - i;
-        if (i % page->keys.columns == 0) {
-            draw_water(page, &page->keys, top + down,
-                       left < page->keys.columns ? left : page->keys.columns);
-        }
-        draw_stage(page, &page->keys, i % page->keys.columns, top + down, card->key_names[i],
-                   (float)i / (float)(card->key_count - 1u));
-    }
-}
-
-static void draw_betweens(struct page *page, uint32_t from, float top)
-{
-    const struct species_card *card = &page->pick->fish->card;
-    const float steps = (float)(MORPH_SHEET_BETWEEN + 1u);
-    char first[CAPTION_WORDS_SIZE], second[CAPTION_WORDS_SIZE], words[2 * CAPTION_WORDS_SIZE + 8];
-    caption_name(first, card->key_names[from]);
-    caption_name(second, card->key_names[from + 1u]);
-    snprintf(words, sizeof words, "%s to %s", first, second);
-    canvas_words(&page->canvas, MARGIN, top - 8.0f, 20.0f, ALIGN_LEFT, CAPTION_INK, words);
-    draw_water(page, &page->betweens, top, MORPH_SHEET_BETWEEN);
-    for (uint32_t i = 0; i < MORPH_SHEET_BETWEEN; i++) {
-        const float at = (float)from + (float)(i + 1u) / steps;
-        draw_stage(page, &page->betweens, i, top, "", at / (float)(card->key_count - 1u));
-    }
-}
-
 static uint32_t key_rows(const struct morph_options *pick)
 {
     return (pick->fish->card.key_count + KEY_COLUMNS_MAX - 1u) / KEY_COLUMNS_MAX;
 }
 
-static void draw_page(struct page *page)
-{
-    const struct canvas_box paper = { 0.0f, 0.0f, (float)page->canvas.width,
-                                      (float)page->canvas.height };
-    float top = HEAD_HEIGHT;
-    canvas_fill(&page->canvas, paper, PAPER, PAPER);
-    draw_head(page);
-    draw_keys(page, top);
-    top += (float)key_rows(page->pick) * page->keys.height + MARGIN;
-    for (uint32_t i = 0; i + 1u < page->pick->fish->card.key_count; i++) {
-        draw_betweens(page, i, top);
-        top += page->betweens.height + MARGIN;
-    }
-}
-
 enum exit_code morph_sheet_write(const struct morph_options *pick, const char *path)
 {
+    CORE_ASSERT(pick->fish->card.key_count >= 2);
     struct page page = { .pick = pick };
     const uint32_t strips = pick->fish->card.key_count - 1u, rows = key_rows(pick);
-    morph_sheet_measure(&portrait, pick, page.bounds);
+    sheet_measure(pick, page.bounds);
     page.keys = plan(&page, (pick->fish->card.key_count + rows - 1u) / rows, KEY_WORDS_PX);
     page.betweens = plan(&page, MORPH_SHEET_BETWEEN, BETWEEN_WORDS_PX);
     const float height = HEAD_HEIGHT + (float)rows * page.keys.height +
                          (float)strips * (page.betweens.height + MARGIN) + MARGIN;
     if (!canvas_open(&page.canvas, (uint32_t)PAGE_WIDTH, (uint32_t)height)) {
-        return morph_sheet_no_memory();
+        return sheet_no_memory();
     }
-    draw_page(&page);
+    const struct canvas_box paper = { 0.0f, 0.0f, (float)page.canvas.width,
+                                      (float)page.canvas.height };
+    float top = HEAD_HEIGHT;
+    canvas_fill(&page.canvas, paper, PAPER, PAPER);
+    draw_head(&page);
+    const struct species_card *card = &page.pick->fish->card;
+    for (uint32_t i = 0; i < card->key_count; i++) {
+        const float down = (float)(i / page.keys.columns) * page.keys.height;
+        const uint32_t left = card->key_count - i;
+        if (i % page.keys.columns == 0) {
+            draw_water(&page, &page.keys, top + down,
+                       left < page.keys.columns ? left : page.keys.columns);
+        }
+        draw_stage(&page, &page.keys, i % page.keys.columns, top + down, card->key_names[i],
+                   (float)i / (float)(card->key_count - 1u));
+    }
+    top += (float)key_rows(page.pick) * page.keys.height + MARGIN;
+    for (uint32_t i = 0; i + 1u < page.pick->fish->card.key_count; i++) {
+        const float steps = (float)(MORPH_SHEET_BETWEEN + 1u);
+        char first[CAPTION_WORDS_SIZE], second[CAPTION_WORDS_SIZE],
+            words[2 * CAPTION_WORDS_SIZE + 8];
+        caption_name(first, card->key_names[i]);
+        caption_name(second, card->key_names[i + 1u]);
+        snprintf(words, sizeof words, "%s to %s", first, second);
+        canvas_words(&page.canvas, MARGIN, top - 8.0f, 20.0f, ALIGN_LEFT, CAPTION_INK, words);
+        draw_water(&page, &page.betweens, top, MORPH_SHEET_BETWEEN);
+        for (uint32_t stage = 0; stage < MORPH_SHEET_BETWEEN; stage++) {
+            const float at = (float)i + (float)(stage + 1u) / steps;
+            draw_stage(&page, &page.betweens, stage, top, "", at / (float)(card->key_count - 1u));
+        }
+        top += page.betweens.height + MARGIN;
+    }
     const enum exit_code code =
-        page.failed ? morph_sheet_no_memory() : morph_sheet_write_picture(&page.canvas, path);
+        page.failed ? sheet_no_memory() : sheet_write_picture(&page.canvas, path);
     canvas_close(&page.canvas);
+    return code;
+}
+
+/* ---- Frames of a growing fish ---------------------------------------------------------------- */
+
+/* This section writes the frames of a growing fish, one picture for each moment. The fish has
+ * the same scale and position in each picture. */
+
+#define FRAME_MARGIN 48.0f
+
+static bool draw_frame(const struct morph_options *pick, struct canvas *canvas,
+                       struct raster *raster, enum fish_preview_view view,
+                       const struct fish_preview_bounds *b, float progress)
+{
+    const struct species_card *card = &pick->fish->card;
+    const float width = (float)FRAME_WIDTH, height = (float)FRAME_HEIGHT;
+    const float scale_px =
+        f_min(0.9f * width / (b->right - b->left), 0.72f * height / (b->high - b->low));
+    const float length_m = life_length_m(card, progress);
+    char name[CAPTION_WORDS_SIZE], age[CAPTION_WORDS_SIZE], length[CAPTION_WORDS_SIZE];
+    char words[4 * CAPTION_WORDS_SIZE];
+    fish_preview_pose(&portrait, pick->fish, &pick->rig, progress);
+    canvas_fill(canvas, (struct canvas_box){ 0.0f, 0.0f, width, height }, WATER_ABOVE, WATER_BELOW);
+    fish_preview_draw(&portrait, view, middle(b->left, b->right), middle(b->low, b->high), scale_px,
+                      raster);
+    const bool whole = raster_finish(raster, canvas, 0, 0);
+    caption_age(age, life_age_days(card, progress));
+    caption_length(length, length_m);
+    caption_name(name, card->id);
+    snprintf(words, sizeof words, "%s, %s, %s %s", name, age, caption_measure(card), length);
+    canvas_words(canvas, FRAME_MARGIN, height - 36.0f, 30.0f, ALIGN_LEFT, CAPTION_INK, words);
+    caption_bar(canvas, 0.82f * width, height - 62.0f, 0.25f * width, scale_px / length_m, 26.0f);
+    return whole;
+}
+
+enum exit_code morph_frames_write(const struct morph_options *pick, enum fish_preview_view view,
+                                  uint32_t count, const char *folder)
+{
+    CORE_ASSERT(count >= 2);
+    CORE_ASSERT(view < VIEW_COUNT);
+    struct fish_preview_bounds bounds[VIEW_COUNT];
+    struct canvas canvas = { 0 };
+    struct raster raster = { 0 };
+    const int error = file_make_folder(folder);
+    if (error) {
+        return morph_fail(EXIT_IO, "export", "%.900s: %s", folder, strerror(-error));
+    }
+    sheet_measure(pick, bounds);
+    enum exit_code code = EXIT_OK;
+    if (!canvas_open(&canvas, FRAME_WIDTH, FRAME_HEIGHT) ||
+        !raster_open(&raster, FRAME_WIDTH, FRAME_HEIGHT)) {
+        code = sheet_no_memory();
+    }
+    for (uint32_t i = 0; code == EXIT_OK && i < count; i++) {
+        const float progress = (float)i / (float)(count - 1u);
+        const bool whole = draw_frame(pick, &canvas, &raster, view, &bounds[view], progress);
+        char path[FILE_FOLDER_MAX + 64];
+        snprintf(path, sizeof path, "%s/%s_%04u.png", folder, pick->fish->card.id, i);
+        code = whole ? sheet_write_picture(&canvas, path) : sheet_no_memory();
+    }
+    raster_close(&raster);
+    canvas_close(&canvas);
     return code;
 }

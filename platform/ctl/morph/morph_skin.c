@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/base/panic.h"
+
 static uint32_t bin_of(float x, float low, float high, uint32_t count)
 {
     const float at = (x - low) / (high - low) * (float)count;
@@ -16,29 +18,24 @@ struct bins {
     uint32_t row[2], column[2];
 };
 
-static struct bins bins_of(const struct morph_skin *skin, const vec3 corner[3])
-{
-    float y[2] = { corner[0].y, corner[0].y }, z[2] = { corner[0].z, corner[0].z };
-    for (int k = 1; k < 3; k++) {
-        y[0] = f_min(y[0], corner[k].y);
-        y[1] = f_max(y[1], corner[k].y);
-        z[0] = f_min(z[0], corner[k].z);
-        z[1] = f_max(z[1], corner[k].z);
-    }
-    struct bins bins;
-    for (int end = 0; end < 2; end++) {
-        bins.row[end] = bin_of(y[end], skin->low_y, skin->high_y, MORPH_SKIN_ROWS);
-        bins.column[end] = bin_of(z[end], skin->low_z, skin->high_z, MORPH_SKIN_COLUMNS);
-    }
-    return bins;
-}
-
 /* Sorts the triangles into bins. If `fill` is false, only counts the triangles of each bin. If
  * `fill` is true, writes the triangle indices to `binned`. */
 static void walk_bins(struct morph_skin *skin, bool fill)
 {
     for (uint32_t i = 0; i < skin->triangle_count; i++) {
-        const struct bins b = bins_of(skin, skin->corner[i]);
+        const vec3 *corner = skin->corner[i];
+        float y[2] = { corner[0].y, corner[0].y }, z[2] = { corner[0].z, corner[0].z };
+        for (int k = 1; k < 3; k++) {
+            y[0] = f_min(y[0], corner[k].y);
+            y[1] = f_max(y[1], corner[k].y);
+            z[0] = f_min(z[0], corner[k].z);
+            z[1] = f_max(z[1], corner[k].z);
+        }
+        struct bins b;
+        for (int end = 0; end < 2; end++) {
+            b.row[end] = bin_of(y[end], skin->low_y, skin->high_y, MORPH_SKIN_ROWS);
+            b.column[end] = bin_of(z[end], skin->low_z, skin->high_z, MORPH_SKIN_COLUMNS);
+        }
         for (uint32_t row = b.row[0]; row <= b.row[1]; row++) {
             for (uint32_t column = b.column[0]; column <= b.column[1]; column++) {
                 uint32_t *end = &skin->bin_first[row * MORPH_SKIN_COLUMNS + column + 1u];
@@ -51,23 +48,11 @@ static void walk_bins(struct morph_skin *skin, bool fill)
     }
 }
 
-static void fill_bins(struct morph_skin *skin)
-{
-    memset(skin->bin_first, 0, sizeof skin->bin_first);
-    walk_bins(skin, false);
-    for (uint32_t bin = 1; bin <= MORPH_SKIN_BINS; bin++) {
-        skin->bin_first[bin] += skin->bin_first[bin - 1];
-    }
-    /* bin_first[bin] is now the start of each bin in `binned`. The move copies the start to
-     * bin_first[bin + 1]. The second call of walk_bins() then writes the triangles, and advances
-     * bin_first[bin + 1] to the end of the bin. */
-    memmove(&skin->bin_first[1], &skin->bin_first[0], MORPH_SKIN_BINS * sizeof skin->bin_first[0]);
-    walk_bins(skin, true);
-}
-
 void morph_skin_build(struct morph_skin *skin, const struct species_mesh *mesh,
                       const vec3 *positions, enum species_part part, enum species_side side)
 {
+    CORE_ASSERT(mesh->index_count <= MESH_INDEX_MAX);
+    CORE_ASSERT(mesh->vertex_count <= MESH_VERTEX_MAX);
     skin->triangle_count = 0;
     skin->low_y = skin->low_z = FLT_MAX;
     skin->high_y = skin->high_z = -FLT_MAX;
@@ -89,7 +74,16 @@ void morph_skin_build(struct morph_skin *skin, const struct species_mesh *mesh,
     skin->high_y += 1e-6f; /* Gives a flat surface a positive height, so that the division by the
                               height in bin_of() is valid. */
     skin->high_z += 1e-6f;
-    fill_bins(skin);
+    memset(skin->bin_first, 0, sizeof skin->bin_first);
+    walk_bins(skin, false);
+    for (uint32_t bin = 1; bin <= MORPH_SKIN_BINS; bin++) {
+        skin->bin_first[bin] += skin->bin_first[bin - 1];
+    }
+    /* bin_first[bin] is now the start of each bin in `binned`. The move copies the start to
+     * bin_first[bin + 1]. The second call of walk_bins() then writes the triangles, and advances
+     * bin_first[bin + 1] to the end of the bin. */
+    memmove(&skin->bin_first[1], &skin->bin_first[0], MORPH_SKIN_BINS * sizeof skin->bin_first[0]);
+    walk_bins(skin, true);
 }
 
 static vec3 area(const vec3 corner[3])
@@ -148,6 +142,7 @@ static bool lies_right(const vec3 c[3], vec3 p)
 
 bool morph_skin_has(const struct morph_skin *skin, vec3 p)
 {
+    CORE_ASSERT(skin->triangle_count <= MESH_INDEX_MAX / 3);
     if (skin->triangle_count == 0 || p.y < skin->low_y || p.y > skin->high_y || p.z < skin->low_z ||
         p.z > skin->high_z) {
         return false;
@@ -162,14 +157,6 @@ bool morph_skin_has(const struct morph_skin *skin, vec3 p)
     return inside;
 }
 
-static float to_segment(vec3 p, vec3 a, vec3 b)
-{
-    const vec3 along = v3_sub(b, a);
-    const float square = v3_dot(along, along);
-    const float part = square > 0.0f ? v3_dot(v3_sub(p, a), along) / square : 0.0f;
-    return v3_length(v3_sub(p, v3_muladd(a, along, f_clamp(part, 0.0f, 1.0f))));
-}
-
 static float to_triangle(vec3 p, const vec3 c[3])
 {
     const vec3 normal = v3_normalize_or(area(c), v3(0.0f, 0.0f, 0.0f));
@@ -178,7 +165,11 @@ static float to_triangle(vec3 p, const vec3 c[3])
     for (int k = 0; k < 3; k++) {
         const vec3 a = c[k], b = c[(k + 1) % 3];
         above = above && v3_dot(v3_cross(normal, v3_sub(b, a)), v3_sub(p, a)) >= 0.0f;
-        nearest = f_min(nearest, to_segment(p, a, b));
+        const vec3 along = v3_sub(b, a);
+        const float square = v3_dot(along, along);
+        const float part = square > 0.0f ? v3_dot(v3_sub(p, a), along) / square : 0.0f;
+        nearest =
+            f_min(nearest, v3_length(v3_sub(p, v3_muladd(a, along, f_clamp(part, 0.0f, 1.0f)))));
     }
     return above ? f_min(nearest, fabsf(v3_dot(normal, v3_sub(p, c[0])))) : nearest;
 }
@@ -188,20 +179,19 @@ static float to_span(float x, float a, float b, float c)
     return f_max(f_max(f_min(f_min(a, b), c) - x, x - f_max(f_max(a, b), c)), 0.0f);
 }
 
-/* Returns the distance from `p` to the bounding box of the triangle. This distance is a lower bound
- * for the distance to the triangle. */
-static float to_box(vec3 p, const vec3 c[3])
-{
-    return v3_length(v3(to_span(p.x, c[0].x, c[1].x, c[2].x), to_span(p.y, c[0].y, c[1].y, c[2].y),
-                        to_span(p.z, c[0].z, c[1].z, c[2].z)));
-}
-
 float morph_skin_distance(const struct morph_skin *skin, vec3 point)
 {
+    CORE_ASSERT(skin->triangle_count <= MESH_INDEX_MAX / 3);
     float nearest = FLT_MAX;
     for (uint32_t i = 0; i < skin->triangle_count; i++) {
-        if (to_box(point, skin->corner[i]) < nearest) {
-            nearest = f_min(nearest, to_triangle(point, skin->corner[i]));
+        /* The distance to the bounding box of the triangle is a lower bound for the distance to
+         * the triangle. */
+        const vec3 *c = skin->corner[i];
+        const vec3 box =
+            v3(to_span(point.x, c[0].x, c[1].x, c[2].x), to_span(point.y, c[0].y, c[1].y, c[2].y),
+               to_span(point.z, c[0].z, c[1].z, c[2].z));
+        if (v3_length(box) < nearest) {
+            nearest = f_min(nearest, to_triangle(point, c));
         }
     }
     return nearest;

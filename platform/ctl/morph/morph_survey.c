@@ -6,7 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "platform/ctl/morph/morph_walk.h"
+#include "core/base/panic.h"
+#include "platform/ctl/morph/morph_flaws.h"
 #include "platform/species/part.h"
 
 static void measure_sum(const float *weight, float *error, float *least)
@@ -19,36 +20,20 @@ static void measure_sum(const float *weight, float *error, float *least)
     *error = f_max(*error, (float)fabs(sum - 1.0));
 }
 
-static void measure_weights(struct morph_walk *w)
+/* Compares the fish with the drawn key to which all curves give the weight 1 at the present moment.
+ * Does nothing if there is no such key. */
+static void measure_key(struct morph_walk *w)
 {
-    for (uint32_t curve = 0; curve < w->rig->curve_count; curve++) {
-        float graph[MORPH_KEY_MAX];
-        graph_weights(&w->rig->curves[curve], w->rig->key_count, w->progress, graph);
-        measure_sum(graph, &w->out->sum_error, &w->out->weight_min);
-        measure_sum(w->pose.weight[curve], &w->out->drawn_sum_error, &w->out->drawn_weight_min);
-    }
-}
-
-/* Returns the key to which all curves give the weight 1 at the present moment, or MORPH_KEY_MAX if
- * there is no such key. */
-static uint32_t lone_key(const struct morph_walk *w)
-{
-    for (uint32_t key = 0; key < w->rig->key_count; key++) {
-        bool alone = true;
+    uint32_t key = 0;
+    bool alone = false;
+    for (uint32_t i = 0; i < w->rig->key_count && !alone; i++) {
+        key = i;
+        alone = true;
         for (uint32_t curve = 0; curve < w->rig->curve_count; curve++) {
             alone = alone && w->pose.weight[curve][key] == 1.0f;
         }
-        if (alone) {
-            return key;
-        }
     }
-    return MORPH_KEY_MAX;
-}
-
-static void measure_key(struct morph_walk *w)
-{
-    const uint32_t key = lone_key(w);
-    if (key == MORPH_KEY_MAX) {
+    if (!alone) {
         return;
     }
     w->key_alone[key] = true;
@@ -59,15 +44,6 @@ static void measure_key(struct morph_walk *w)
         const vec3 drawn = carried ? w->key_positions[i] : morph_position(w->mesh, key, i);
         morph_walk_keep(w, &w->out->key_error, v3_length(v3_sub(w->positions[i], drawn)), i);
     }
-}
-
-static void measure_volume(struct morph_walk *w)
-{
-    const uint32_t last = w->rig->key_count - 1u;
-    const uint32_t key = (uint32_t)fminf(w->progress * (float)last, (float)(last - 1u));
-    const float least = f_min(w->key_volume[key], w->key_volume[key + 1u]);
-    const float dip = 1.0f - morph_skin_volume(&w->body) / least;
-    morph_walk_keep(w, &w->out->volume_dip, dip, MORPH_SURVEY_NOWHERE);
 }
 
 static void shape_at(struct morph_walk *w, float progress)
@@ -111,27 +87,6 @@ static float fork_end(const struct morph_walk *w)
     return end;
 }
 
-static void measure_size(struct morph_walk *w, enum species_measure measure)
-{
-    vec3 low = { FLT_MAX, 0.0f, FLT_MAX }, high = { -FLT_MAX, 0.0f, -FLT_MAX };
-    float end = -FLT_MAX;
-    for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
-        const uint8_t part = w->mesh->vertices[i].part;
-        const vec3 p = w->positions[i];
-        if (part == PART_BODY) {
-            low = v3(f_min(low.x, p.x), 0.0f, f_min(low.z, p.z));
-            high = v3(f_max(high.x, p.x), 0.0f, f_max(high.z, p.z));
-        }
-        end = part == PART_BODY || part == PART_TAIL ? f_max(end, p.z) : end;
-    }
-    const float length = measure == MEASURE_TOTAL      ? end + 0.5f
-                         : measure == MEASURE_STANDARD ? standard_end(w, high.z) + 0.5f
-                         : measure == MEASURE_FORK     ? fork_end(w) + 0.5f
-                                                       : high.x - low.x;
-    morph_walk_keep(w, &w->out->size_error, fabsf(length - 1.0f), MORPH_SURVEY_NOWHERE);
-    morph_walk_keep(w, &w->out->size_error, fabsf(low.z + 0.5f), MORPH_SURVEY_NOWHERE);
-}
-
 static void measure_keys(struct morph_walk *w)
 {
     for (uint32_t key = 0; key < w->rig->key_count; key++) {
@@ -140,7 +95,24 @@ static void measure_keys(struct morph_walk *w)
         morph_shape(w->mesh, w->rig->key_count, &w->pose, w->positions, w->normals);
         morph_skin_build(&w->body, w->mesh, w->positions, PART_BODY, SIDE_MIDDLE);
         w->key_volume[key] = morph_skin_volume(&w->body);
-        measure_size(w, (enum species_measure)w->species->card.measure);
+        const enum species_measure measure = (enum species_measure)w->species->card.measure;
+        vec3 low = { FLT_MAX, 0.0f, FLT_MAX }, high = { -FLT_MAX, 0.0f, -FLT_MAX };
+        float end = -FLT_MAX;
+        for (uint32_t i = 0; i < w->mesh->vertex_count; i++) {
+            const uint8_t part = w->mesh->vertices[i].part;
+            const vec3 p = w->positions[i];
+            if (part == PART_BODY) {
+                low = v3(f_min(low.x, p.x), 0.0f, f_min(low.z, p.z));
+                high = v3(f_max(high.x, p.x), 0.0f, f_max(high.z, p.z));
+            }
+            end = part == PART_BODY || part == PART_TAIL ? f_max(end, p.z) : end;
+        }
+        const float length = measure == MEASURE_TOTAL      ? end + 0.5f
+                             : measure == MEASURE_STANDARD ? standard_end(w, high.z) + 0.5f
+                             : measure == MEASURE_FORK     ? fork_end(w) + 0.5f
+                                                           : high.x - low.x;
+        morph_walk_keep(w, &w->out->size_error, fabsf(length - 1.0f), MORPH_SURVEY_NOWHERE);
+        morph_walk_keep(w, &w->out->size_error, fabsf(low.z + 0.5f), MORPH_SURVEY_NOWHERE);
     }
     w->out->volume_first = w->key_volume[0];
     w->out->volume_last = w->key_volume[w->rig->key_count - 1u];
@@ -148,13 +120,23 @@ static void measure_keys(struct morph_walk *w)
 
 static void measure_moment(struct morph_walk *w, float progress)
 {
+    CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
     shape_at(w, progress);
-    measure_weights(w);
+    for (uint32_t curve = 0; curve < w->rig->curve_count; curve++) {
+        float graph[MORPH_KEY_MAX];
+        graph_weights(&w->rig->curves[curve], w->rig->key_count, w->progress, graph);
+        measure_sum(graph, &w->out->sum_error, &w->out->weight_min);
+        measure_sum(w->pose.weight[curve], &w->out->drawn_sum_error, &w->out->drawn_weight_min);
+    }
     measure_key(w);
     morph_flips_measure(w);
     morph_inside_build_skins(w);
     morph_inside_measure(w);
-    measure_volume(w);
+    const uint32_t last = w->rig->key_count - 1u;
+    const uint32_t key = (uint32_t)fminf(w->progress * (float)last, (float)(last - 1u));
+    const float least = f_min(w->key_volume[key], w->key_volume[key + 1u]);
+    const float dip = 1.0f - morph_skin_volume(&w->body) / least;
+    morph_walk_keep(w, &w->out->volume_dip, dip, MORPH_SURVEY_NOWHERE);
 }
 
 static vec3 morph_survey_place_of(struct morph_walk *w, uint32_t vertex, float progress)
@@ -166,6 +148,7 @@ static vec3 morph_survey_place_of(struct morph_walk *w, uint32_t vertex, float p
 static void measure_path(struct morph_walk *w, enum species_part part, enum species_side side,
                          uint32_t steps, struct curvature *out)
 {
+    CORE_ASSERT(steps >= 1);
     const uint32_t vertex = part_vertex_range(w->mesh, part, side);
     *out = (struct curvature){ .vertex = MORPH_SURVEY_NOWHERE };
     if (vertex == w->mesh->vertex_count) {
@@ -180,9 +163,19 @@ static void measure_path(struct morph_walk *w, enum species_part part, enum spec
     }
 }
 
+/* ---- Ages and lengths ------------------------------------------------------------------------ */
+
+/* This section checks the conversions between age, progress and length over the whole life of a
+ * fish. */
+
+/* ---- Survey of a whole life ------------------------------------------------------------------ */
+
 void morph_survey(const struct species *species, const struct morph_rig *rig, uint32_t lod,
                   uint32_t steps, struct morph_survey *out)
 {
+    CORE_ASSERT(lod < SPECIES_LOD_COUNT);
+    CORE_ASSERT(steps >= 1);
+    CORE_ASSERT(rig->key_count == species->card.key_count);
     static struct morph_walk walk;
     struct morph_walk *w = &walk;
     memset(w, 0, sizeof *w);
@@ -206,7 +199,32 @@ void morph_survey(const struct species *species, const struct morph_rig *rig, ui
     for (key = 0; key < rig->key_count; key++) {
         out->keys_alone += w->key_alone[key];
     }
-    morph_ages_measure(w, steps);
+    const struct species_card *card = &w->species->card;
+    float before_days = -1.0f;
+    for (uint32_t i = 0; i <= steps; i++) {
+        w->progress = (float)i / (float)steps;
+        const float age_days = life_age_days(card, w->progress);
+        /* The fish must be older at each moment than at the previous moment. */
+        if (!(age_days > before_days)) {
+            w->out->age_stands_at =
+                w->out->moments_not_older == 0 ? w->progress : w->out->age_stands_at;
+            w->out->moments_not_older++;
+        }
+        /* The fish's length is compared with the growth curve at its age, unless the author of the
+         * species drew the sizes. */
+        const float length_m = life_length_m(card, w->progress);
+        const float again_m = life_length_m(card, morph_progress(card, length_m));
+        morph_walk_keep(w, &w->out->length_lost, fabsf(again_m / length_m - 1.0f),
+                        MORPH_SURVEY_NOWHERE);
+        if (card->scale_knot_count == 0) {
+            const float grown_m = growth_length_m(&card->growth, age_days);
+            morph_walk_keep(w, &w->out->off_growth, fabsf(length_m / grown_m - 1.0f),
+                            MORPH_SURVEY_NOWHERE);
+        }
+        const float back = fabsf(life_progress(card, age_days) - w->progress);
+        morph_walk_keep(w, &w->out->progress_lost, back, MORPH_SURVEY_NOWHERE);
+        before_days = age_days;
+    }
     measure_path(w, PART_DORSAL, SIDE_MIDDLE, steps, &out->dorsal_root);
     measure_path(w, PART_EYE, SIDE_RIGHT, steps, &out->eye_right);
     measure_path(w, PART_EYE, SIDE_LEFT, steps, &out->eye_left);

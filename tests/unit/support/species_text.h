@@ -14,7 +14,7 @@
 #include <cmocka.h>
 
 #include "core/morph/morph.h"
-#include "platform/species/reader.h"
+#include "platform/species/text.h"
 
 #define TEXT_SIZE 4096
 

@@ -1,5 +1,5 @@
 /* test_species_text.c -- what the bake answers to a maker's text, right and wrong. */
-#include "platform/species/reader.h"
+#include "platform/species/text.h"
 #include "tests/unit/support/species_text.h"
 
 static void test_a_whole_text_is_read_as_written(void **state)

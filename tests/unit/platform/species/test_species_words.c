@@ -1,5 +1,5 @@
 /* test_species_words.c -- each word of a species' text: what it sets, and what is wrong of it. */
-#include "platform/species/reader.h"
+#include "platform/species/text.h"
 #include "tests/unit/support/species_text.h"
 
 /* The text's head, `more` among it, then keys and graph. */

@@ -14,7 +14,7 @@
 #include <cmocka.h>
 
 #include "platform/os/file.h"
-#include "platform/species/text_file.h"
+#include "platform/species/text.h"
 
 static char why[TEXT_FILE_WHY_SIZE];
 static FILE *file;

@@ -12,10 +12,10 @@
 #include <cmocka.h>
 
 #include "core/morph/morph.h"
-#include "platform/ctl/import/import_options.h"
-#include "platform/ctl/morph/morph_mesh.h"
+#include "platform/ctl/import/import.h"
+#include "platform/ctl/morph/morph_export.h"
 #include "platform/ctl/morph/morph_options.h"
-#include "platform/species/reader.h"
+#include "platform/species/text.h"
 
 #define COUNTS 2.5f /* Rounding there and back, in steps of the tables. */
 

@@ -12,9 +12,9 @@
 #include <cmocka.h>
 
 #include "core/morph/morph.h"
-#include "platform/ctl/import/import_options.h"
+#include "platform/ctl/import/import.h"
 #include "platform/ctl/import/refit.h"
-#include "platform/species/reader.h"
+#include "platform/species/text.h"
 
 /* clang-format off */
 static const char *const mark_names[] = {

@@ -8,8 +8,7 @@
 #include <string.h>
 
 #include "platform/ctl/lib/fish_preview.h"
-#include "platform/ctl/morph/morph_mesh.h"
-#include "platform/ctl/morph/morph_sheet.h"
+#include "platform/ctl/morph/morph_export.h"
 
 #define SIDE 240u
 

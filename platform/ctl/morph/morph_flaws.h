@@ -1,7 +1,7 @@
-/* morph_walk.h -- the state of a survey (morph_survey.h), which its source files share while they
- * measure the growth of a fish moment by moment. */
-#ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_WALK_H
-#define KINGYO_PLATFORM_CTL_MORPH_MORPH_WALK_H
+/* morph_flaws.h -- the state of a survey (morph_survey.h), and the functions that measure the flaws
+ * of the fish at one moment: penetrations and flipped triangles. */
+#ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_FLAWS_H
+#define KINGYO_PLATFORM_CTL_MORPH_MORPH_FLAWS_H
 
 #include "platform/ctl/morph/morph_skin.h"
 #include "platform/ctl/morph/morph_survey.h"
@@ -39,17 +39,14 @@ static inline void morph_walk_keep(const struct morph_walk *w, struct finding *f
     }
 }
 
-/* Functions of morph_inside.c. morph_inside_find_roots() is called once before the first moment.
+/* morph_inside_find_roots() is called once before the first moment.
  * The other two functions are called at every moment for which a shape is computed. */
 void morph_inside_find_roots(struct morph_walk *w);
 void morph_inside_build_skins(struct morph_walk *w);
 void morph_inside_measure(struct morph_walk *w);
 
-/* Function of morph_flips.c, called at every moment for which a shape is computed. Progress must
+/* morph_flips_measure() is called at every moment for which a shape is computed. Progress must
  * increase from call to call. */
 void morph_flips_measure(struct morph_walk *w);
-
-/* Function of morph_ages.c, called once for the whole life. Shapes are not computed. */
-void morph_ages_measure(struct morph_walk *w, uint32_t steps);
 
 #endif

@@ -1,11 +1,36 @@
-/* morph_mesh.h -- converts the near mesh of a species to the form that other programs expect.
+/* morph_export.h -- the writers of `kingyoctl morph export`: pictures of a growing fish, and meshes
+ * for other programs.
  *
- * The mesh is cut into pieces by part and side. A fin is stored as two sheets, one for each side,
- * but other programs get only the sheet whose front faces in the direction of its normals. */
-#ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_MESH_H
-#define KINGYO_PLATFORM_CTL_MORPH_MORPH_MESH_H
+ * For a mesh file, the near mesh of a species is cut into pieces by part and side. A fin is stored
+ * as two sheets, one for each side, but other programs get only the sheet whose front faces in the
+ * direction of its normals. Each writer returns EXIT_OK, or prints one line to standard error and
+ * returns EXIT_IO. */
+#ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_EXPORT_H
+#define KINGYO_PLATFORM_CTL_MORPH_MORPH_EXPORT_H
 
+#include "platform/ctl/lib/fish_preview.h"
 #include "platform/ctl/morph/morph_options.h"
+
+/* ---- Pictures (morph_sheet.c) ---------------------------------------------------------------- */
+
+/* Number of stages that the contact sheet shows between two keys (modelled growth stages). */
+#define MORPH_SHEET_BETWEEN 9u
+#define FRAME_WIDTH 1280u
+#define FRAME_HEIGHT 720u
+
+/* Writes the contact sheet to one PNG file. The sheet shows every key, and nine stages between each
+ * two keys, in three views. Below each stage are its age, its length and a scale bar. Returns
+ * EXIT_OK, or prints one line to standard error and returns EXIT_IO. */
+enum exit_code morph_sheet_write(const struct morph_options *pick, const char *path);
+
+/* Writes `count` frames as DIR/ID_0000.png, DIR/ID_0001.png and so on, at equal steps of progress.
+ * `count` must be at least 2. The fish has the same drawn length in each frame. If the folder does
+ * not exist, it is created. Returns EXIT_OK, or prints one line to standard error and returns
+ * EXIT_IO. */
+enum exit_code morph_frames_write(const struct morph_options *pick, enum fish_preview_view view,
+                                  uint32_t count, const char *folder);
+
+/* ---- Meshes (morph_mesh.c, morph_glb.c) ------------------------------------------------------ */
 
 /* Maximum number of pieces. Each part may have a middle, a right and a left piece. */
 #define PIECE_MAX (3u * PART_COUNT)

@@ -1,15 +1,47 @@
-/* reader.h -- functions that the parsers of a species text share. Each line of the text is split
- * into words.
+/* text.h -- the parser of species texts, and functions that read untrusted text files.
  *
- * Only the files text*.c may include this header. A function that returns bool returns true on
- * success. On an error the function writes one line with the error message and returns false. */
-#ifndef KINGYO_PLATFORM_SPECIES_READER_H
-#define KINGYO_PLATFORM_SPECIES_READER_H
+ * The functions text_file_*() open any regular text file and read the file line by line. Other
+ * modules use them for meshes and landmarks too. The rest of this header is shared by the files
+ * text*.c. Each line of a species text is split into words. A function that returns bool returns
+ * true on success. On an error the function writes one line with the error message and returns
+ * false. */
+#ifndef KINGYO_PLATFORM_SPECIES_TEXT_H
+#define KINGYO_PLATFORM_SPECIES_TEXT_H
 
 #include "platform/species/drawing.h"
+#include "platform/species/part.h"
 
-#define LINE_SIZE 256
-#define WORD_MAX 24
+/* ---- Text files ------------------------------------------------------------------------------ */
+
+#define TEXT_FILE_WHY_SIZE 96u
+
+enum text_file_open {
+    TEXT_FILE_OPEN,
+    TEXT_FILE_NONE,  /* The file does not exist, is not readable, or is not a regular file. */
+    TEXT_FILE_LARGE, /* The file has more than `size_max` bytes. */
+};
+
+/* Opens a regular file of at most `size_max` bytes. Never blocks on a pipe or a device, and never
+ * reads from one. On failure, sets `*out` to null and writes the reason without the path to `why`.
+ * The caller closes the file. */
+enum text_file_open text_file_open(const char *path, uint32_t size_max, FILE **out,
+                                   char why[TEXT_FILE_WHY_SIZE]);
+
+enum text_file_line {
+    TEXT_FILE_LINE,
+    TEXT_FILE_END,  /* No line is left, or a read failed. ferror() distinguishes a read error from
+                       the end of the file. */
+    TEXT_FILE_LONG, /* The line has more than `size` - 2 characters. */
+    TEXT_FILE_ZERO, /* The line contains a zero byte. */
+};
+
+/* Reads the next line into `text`, a buffer of `size` bytes, without the line end. */
+enum text_file_line text_file_line(FILE *file, char *text, size_t size);
+
+/* ---- Words of a line ------------------------------------------------------------------------- */
+
+#define TEXT_LINE_SIZE 256
+#define TEXT_WORD_MAX 24
 /* Minimum width of a cross section. A leptocephalus larva of 64 mm is 0.6 mm wide. A thinner body
  * has no usable flank. */
 #define THIN_MIN 0.002f
@@ -18,8 +50,8 @@ struct species_reader {
     const char *path;
     FILE *complaints;
     uint32_t line;
-    char text[LINE_SIZE];
-    const char *words[WORD_MAX];
+    char text[TEXT_LINE_SIZE];
+    const char *words[TEXT_WORD_MAX];
     uint32_t word_count;
     struct species_text *species;
     struct key_text *key; /* Key (modelled growth stage) to which the current line belongs. Null
@@ -61,10 +93,6 @@ bool species_reader_choice(const struct species_reader *r, uint32_t index, const
  * message that shows the syntax with the parameter names `names`, and returns false. */
 bool species_reader_expect(const struct species_reader *r, uint32_t count, const char *names);
 
-/* Names of the body parts in a species text, in the order of enum species_part, PART_HEAD,
- * PART_TRUNK. */
-extern const char *const part_names[OWNED_COUNT];
-
 /* The following functions parse the lines that describe the whole species. Implemented in
  * text_life.c. */
 bool text_read_species(struct species_reader *r);
@@ -88,11 +116,11 @@ bool text_read_fin(struct species_reader *r);
 bool text_read_ray(struct species_reader *r);
 bool text_read_finlets(struct species_reader *r);
 
-/* The following functions parse the lines of a coat (a key's paint). Implemented in text_coat.c. */
+/* The following functions parse the lines of a coat (a key's paint). Implemented in text_key.c. */
 bool text_read_coat(struct species_reader *r);
 bool text_read_mark(struct species_reader *r);
 
-/* The following functions parse the lines of a deformation graph. Implemented in text_graph.c. */
+/* The following functions parse the lines of a deformation graph. Implemented in text_life.c. */
 bool text_read_curve(struct species_reader *r);
 bool text_read_area(struct species_reader *r);
 bool text_read_knot(struct species_reader *r);
