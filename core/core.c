@@ -10,13 +10,9 @@
 #include "core/game/control/controller.h"
 #include "core/game/control/parking.h"
 #include "core/game/control/release.h"
-#include "core/poi/bowl/bowl_buoyancy.h"
-#include "core/poi/bowl/bowl_fish.h"
+#include "core/poi/bowl/bowl.h"
 #include "core/poi/catch/catch.h"
-#include "core/poi/haptics.h"
-#include "core/poi/ring_constraints.h"
-#include "core/poi/ring_pairs.h"
-#include "core/poi/surface_disturbance.h"
+#include "core/poi/poi.h"
 
 /* Memory budgets of the kiosk. The tank uses at most 1 MiB. Game, pois and bowls use a sixteenth of
  * a MiB, and the growth lab uses half of that. The lab holds eight custom species with all their
@@ -240,7 +236,7 @@ static void feel_pois(const struct core *core, const uint8_t live[POI_MAX], stru
         output->poi[i] = (struct poi_force){ 0 };
         if (live[i] && !core->world.poi[i].damage_immune) { /* No force feedback unless the
                                                                player controls the poi. */
-            haptics_feel(&core->world.poi[i], &output->poi[i]);
+            poi_haptics(&core->world.poi[i], &output->poi[i]);
         }
     }
 }

@@ -57,7 +57,7 @@ enum rng_purpose {
     RNG_FISH_LENGTH,
     RNG_FISH_AIR,    /* Decision whether a fish rises for surface breathing. */
     RNG_FISH_GULP,   /* Duration of a bout of gulps at the surface. */
-    RNG_ESCAPE_TURN, /* Turn of a fish in the first stage of a C-start (escape.h). */
+    RNG_ESCAPE_TURN, /* Turn of a fish in the first stage of a C-start (startle.h). */
     RNG_STARTLE_LATENCY,
     RNG_WATER_BUBBLE, /* Position where a bubble of the air pump bursts. */
     RNG_FISH_KICK,    /* Turn of a fish at a kick of its tail. */

@@ -1,16 +1,12 @@
-/* poi.c -- simulates one tick of the poi, and returns the poi as an obstacle for fish and as a
- * shade on the water. */
+/* poi.c -- simulates one tick of the poi, returns the poi as an obstacle for fish and as a shade on
+ * the water, and computes the force feedback. */
 #include "core/poi/poi.h"
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
-#include "core/poi/catch/carried_water.h"
-#include "core/poi/disc.h"
-#include "core/poi/hand_spring.h"
-#include "core/poi/load.h"
-#include "core/poi/ring_constraints.h"
-#include "core/poi/wrist.h"
+#include "core/poi/catch/carried_fish.h"
+#include "core/poi/ring.h"
 
 /* Immersed fraction of the disc above which a dip counts as a scoop. With this fraction, the centre
  * of a level disc is 3 mm under water. */
@@ -29,36 +25,6 @@ void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed)
     poi->immersed = disc_immersed(POI_RADIUS_M, position_m.y, 1.0f);
 }
 
-static void note_splash(struct poi *poi, float before)
-{
-    poi->splash_m_s = 0.0f;
-    if (before <= 0.0f && poi->immersed > 0.0f) {
-        poi->splash_m_s = v3_length(poi->velocity_m_s) + 0.01f;
-    } else if (before > 0.0f && poi->immersed <= 0.0f) {
-        poi->splash_m_s = -v3_length(poi->velocity_m_s) - 0.01f;
-    }
-}
-
-/* Counts the scoops (`dips`). A dip counts as a scoop if more than SCOOP_IMMERSED of the disc is
- * under water and a player controls the poi. */
-static void count_dips(struct poi *poi)
-{
-    if (poi->immersed <= 0.0f) {
-        poi->is_in = 0;
-    } else if (!poi->is_in && poi->immersed > SCOOP_IMMERSED) {
-        poi->is_in = 1;
-        poi->dips += poi->damage_immune ? 0u : 1u;
-    }
-}
-
-static void swing(struct poi *poi, const struct poi_grip *grip, const struct bowl *bowl,
-                  struct poi_target *target)
-{
-    wrist_tip(poi, bowl, grip->has_wrist);
-    *target = wrist_target(poi, bowl, grip->target);
-    wrist_turn(poi, target->angles);
-}
-
 void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
               const struct bowl *bowl)
 {
@@ -69,16 +35,29 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     poi->before_m = poi->position_m;
     poi->before_m_s = poi->velocity_m_s;
     poi->before_angles = poi->angles;
-    struct poi_target target;
-    swing(poi, grip, bowl, &target);
+    poi_wrist_tip(poi, bowl, grip->has_wrist);
+    const struct poi_target target = poi_wrist_target(poi, bowl, grip->target);
+    poi_wrist_turn(poi, target.angles);
 
     const struct basis axes = vec_basis_from_angles(poi->angles);
     const float was_immersed = poi->immersed;
     hand_spring_tick(poi, target.position_m, &axes,
                      disc_immersed(POI_RADIUS_M, poi->position_m.y, axes.up.y));
     poi->clings = poi->immersed > 0.0f || poi->meniscus_n > 0.0f;
-    note_splash(poi, was_immersed);
-    count_dips(poi);
+    poi->splash_m_s = 0.0f;
+    if (was_immersed <= 0.0f && poi->immersed > 0.0f) {
+        poi->splash_m_s = v3_length(poi->velocity_m_s) + 0.01f;
+    } else if (was_immersed > 0.0f && poi->immersed <= 0.0f) {
+        poi->splash_m_s = -v3_length(poi->velocity_m_s) - 0.01f;
+    }
+    /* A dip counts as a scoop if more than SCOOP_IMMERSED of the disc is under water and a player
+     * controls the poi. */
+    if (poi->immersed <= 0.0f) {
+        poi->is_in = 0;
+    } else if (!poi->is_in && poi->immersed > SCOOP_IMMERSED) {
+        poi->is_in = 1;
+        poi->dips += poi->damage_immune ? 0u : 1u;
+    }
     const vec3 free_m = v3_muladd(poi->before_m, poi->velocity_m_s, CORE_TICK_S);
     poi->position_m = free_m;
     poi_constrain(poi, tank, bowl, poi->before_m, axes.up);
@@ -116,17 +95,6 @@ struct obstacle poi_obstacle(const struct poi *poi)
     };
 }
 
-static void strain_paper(struct poi *poi)
-{
-    const struct basis axes = vec_basis_from_angles(poi->angles);
-    const struct sheet_wetting wet = { axes.right.y, axes.back.y, -poi->position_m.y };
-    poi->pressure_pa = load_paper_pa(poi, &axes);
-    poi->strain = poi->damage_immune
-                      ? sheet_tick(&poi->sheet, 0.0f, wet, NULL, 0)
-                      : sheet_tick(&poi->sheet, poi->pressure_pa, wet, poi->loads, poi->load_count);
-    carried_water_tick(poi, axes.up.y);
-}
-
 void poi_apply_reaction(struct poi *poi, const struct obstacle *ring)
 {
     poi->reaction = ring->reaction;
@@ -138,7 +106,13 @@ void poi_apply_reaction(struct poi *poi, const struct obstacle *ring)
         poi->angles = poi->before_angles;
         poi->angular_velocity_rad_s = poi->spin_rad_s = v3(0.0f, 0.0f, 0.0f);
     }
-    strain_paper(poi);
+    const struct basis axes = vec_basis_from_angles(poi->angles);
+    const struct sheet_wetting wet = { axes.right.y, axes.back.y, -poi->position_m.y };
+    poi->pressure_pa = poi_paper_pa(poi, &axes);
+    poi->strain = poi->damage_immune
+                      ? sheet_tick(&poi->sheet, 0.0f, wet, NULL, 0)
+                      : sheet_tick(&poi->sheet, poi->pressure_pa, wet, poi->loads, poi->load_count);
+    carried_water_tick(poi, axes.up.y);
 }
 
 /* Thin paper absorbs a third of the light, and holes absorb no light. A tilted ring casts an
@@ -211,4 +185,85 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi)
         hash = hash_float(hash, load->force_n);
     }
     return sheet_hash(hash, &poi->sheet);
+}
+
+/* ---- Force feedback -------------------------------------------------------------------------- */
+
+static vec3 clamp_vector(vec3 v, float most)
+{
+    return v3(f_clamp(v.x, -most, most), f_clamp(v.y, -most, most), f_clamp(v.z, -most, most));
+}
+
+/* Returns the sum of all forces on the ring except the force of the hand. The fish count as if they
+ * were at the centre of the ring. */
+static vec3 burden_n(const struct poi *poi, const struct basis *axes)
+{
+    const vec3 down_n = v3(0.0f, -poi->meniscus_n, 0.0f);
+    const vec3 kick_n = v3_scale(axes->up, poi_kick_n(poi));
+    return v3_add(v3_add(poi_weight_n(poi), poi_water_n(poi, axes)), v3_add(down_n, kick_n));
+}
+
+static int is_held_up(const struct poi *poi)
+{
+    return poi->stopped || poi->reaction;
+}
+
+/* Returns the total force that caused the change of velocity in this tick. The accelerated mass
+ * consists of the ring and the carried and displaced water and fish. */
+static vec3 moved_n(const struct poi *poi, const struct basis *axes)
+{
+    const vec3 mass_kg = hand_spring_mass_kg(poi);
+    const vec3 gain = vec_basis_to_body(axes, v3_sub(poi->velocity_m_s, poi->before_m_s));
+    const vec3 took = v3(mass_kg.x * gain.x, mass_kg.y * gain.y, mass_kg.z * gain.z);
+    return v3_scale(vec_basis_to_world(axes, took), (float)CORE_TICK_HZ);
+}
+
+/* Returns the torque of the contact force if the ring is blocked, otherwise 0. A wall, the floor, a
+ * bowl or fish push at the point of the ring that is nearest to them. */
+static vec3 push_torque_n_m(const struct poi *poi, const struct basis *axes, vec3 hand)
+{
+    if (!is_held_up(poi)) {
+        return v3(0.0f, 0.0f, 0.0f);
+    }
+    const vec3 others_n = v3_add(hand, burden_n(poi, axes));
+    const vec3 push = v3_limit(v3_sub(moved_n(poi, axes), others_n), POI_FORCE_N_MAX);
+    const vec3 flat = v3_muladd(push, axes->up, -v3_dot(push, axes->up));
+    const vec3 toward = v3_normalize_or(flat, v3(0.0f, 0.0f, 0.0f));
+    return v3_cross(v3_scale(toward, -POI_OUTER_RADIUS_M), push);
+}
+
+/* Returns the torque of the fish that lie or slap at a distance from the centre of the ring. */
+static vec3 fish_torque_n_m(const struct poi *poi, const struct basis *axes)
+{
+    vec3 torque = v3(0.0f, 0.0f, 0.0f);
+    for (uint32_t i = 0; i < poi->load_count; i++) {
+        const struct sheet_load *load = &poi->loads[i];
+        const vec3 place_m = vec_basis_to_world(axes, v3(load->x_m, 0.0f, load->z_m));
+        torque = v3_add(torque, v3_cross(place_m, v3_scale(axes->up, load->force_n)));
+    }
+    return torque;
+}
+
+void poi_haptics(const struct poi *poi, struct poi_force *force)
+{
+    const struct basis axes = vec_basis_from_angles(poi->angles);
+    /* For a freely moving ring, the force of the hand on the ring is computed from the motion. For
+     * a blocked ring, the force is that of the stretched hand spring. */
+    const vec3 hand = is_held_up(poi) ? hand_spring_force_n(poi, &axes)
+                                      : v3_sub(moved_n(poi, &axes), burden_n(poi, &axes));
+    const vec3 felt_n = v3_scale(hand, -1.0f);
+    const vec3 torque = v3_add(v3_cross(v3_scale(axes.back, -POI_GRIP_M), felt_n),
+                               push_torque_n_m(poi, &axes, hand));
+    const float rate_rad_s = v3_length(poi->spin_rad_s);
+    const float per_rad_s = disc_turn_n_m_s(POI_RADIUS_M, rate_rad_s);
+    const vec3 own = v3_add(fish_torque_n_m(poi, &axes),
+                            v3_scale(poi->spin_rad_s, -poi_whole(poi) * poi->immersed * per_rad_s));
+    const float drag = v3_length(poi_water_n(poi, &axes)) / POI_DRAG_N_FULL;
+    *force = (struct poi_force){
+        .force_n = clamp_vector(felt_n, POI_FORCE_N_MAX),
+        .torque_n_m = clamp_vector(v3_add(torque, own), POI_TORQUE_N_M_MAX),
+        .drag = f_clamp(drag, 0.0f, 1.0f),
+        .slap = f_clamp(-poi_kick_n(poi) / POI_SLAP_N_FULL, 0.0f, 1.0f),
+        .tear = f_clamp((float)poi->strain.cells_torn / POI_TEAR_CELLS_FULL, 0.0f, 1.0f),
+    };
 }

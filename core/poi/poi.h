@@ -1,7 +1,7 @@
 /* poi.h -- the poi: a paper scoop that consists of a rigid ring and a sheet of paper.
  *
- * A spring (hand_spring.h) pulls the ring toward the player's hand. y points up, and the still
- * water surface is at y = 0. One tick is 1/120 s. */
+ * A spring (ring.h) pulls the ring toward the hand of the player. y points up, and the still water
+ * surface is at y = 0. One tick is 1/120 s. */
 #ifndef KINGYO_CORE_POI_POI_H
 #define KINGYO_CORE_POI_POI_H
 
@@ -127,8 +127,8 @@ void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed);
  * player's own bowl act against the spring. If the input has no angles, a poi that carries fish
  * rises over the bowl's mouth and tips toward the bowl. When a blocked ring becomes free, its speed
  * exceeds the recent speed of the hand by at most 1 m/s. Asserts that the target is finite.
- * haptics.h computes the force feedback, and surface_disturbance.h computes the effect on the water
- * surface. */
+ * poi_haptics() computes the force feedback, and surface_disturbance_tick() computes the effect on
+ * the water surface. */
 void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
               const struct bowl *bowl);
 
@@ -162,5 +162,48 @@ uint64_t poi_hash(uint64_t hash, const struct poi *poi);
 /* Adds the most important members of the poi to `hash` and returns the new hash. This function is
  * faster than poi_hash(). */
 uint64_t poi_hash_quick(uint64_t hash, const struct poi *poi);
+
+/* Moves the ring out of the floor, the walls and the player's own bowl, and back into the reach of
+ * the arm. Removes the part of the ring's velocity that points beyond these limits. `before_m` is
+ * the position of the ring at the start of the tick, and `up` is its unit normal. */
+void poi_constrain(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m,
+                   vec3 up);
+
+/* Moves the ring out of another player's bowl `bowl`. The caller must have called poi_tick() in
+ * this tick. */
+void poi_constrain_to_bowl(struct poi *poi, const struct bowl *bowl);
+
+/* Applies the limits of walls, floor and the player's own bowl again. A caller needs this function
+ * if it moved the ring after poi_tick(). */
+void poi_constrain_again(struct poi *poi, const struct tank *tank, const struct bowl *bowl);
+
+/* Separates two rings that overlap, or that passed through each other in this tick. Each ring moves
+ * by half of the overlap. The caller must have called poi_tick() for both pois. Rings that press
+ * against each other slide apart at 0.6 m/s each, so that no player can block another player's ring
+ * for long. The order of `a` and `b` has no effect. Returns 1 if the rings touched, otherwise 0. If
+ * the result is 1, the caller must apply the constraints of walls and bowls again. */
+int ring_pairs_separate(struct poi *a, struct poi *b);
+
+/* Applies the disturbances that `poi` causes in one tick (1/120 s) to `water`. The ring disturbs the
+ * surface when it moves up or down, when its edge cuts through the surface, and when water drips
+ * from it. */
+void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 tank_size_m);
+
+#define POI_GRIP_M 0.130f /* Distance from the ring's centre to the grip, along the handle. */
+/* Slap force at which the slap feedback has its full strength. The value is the force of the
+ * strongest slap of a 5 cm fish in air. */
+#define POI_SLAP_N_FULL 0.15f
+#define POI_TEAR_CELLS_FULL 10.0f
+
+/* Writes the force feedback of this tick to `force`: the force and the torque on the hand that holds
+ * the poi. The force comes from the same physics that moves the ring. A freely moving ring pulls at
+ * the hand with its drag, added mass, weight, meniscus force and fish. If walls, floor, a bowl or
+ * fish block the ring, the stretched hand spring pulls at the hand. The torque about the grip
+ * depends on the point at which each force acts. catch_tick() collects the slaps of the fish in one
+ * tick. In the next tick, each slap loads the paper, moves the ring and acts on the hand.
+ *
+ * The values of `force` are limited to the ranges in output.h. The caller must have called
+ * poi_apply_reaction() in this tick. */
+void poi_haptics(const struct poi *poi, struct poi_force *force);
 
 #endif

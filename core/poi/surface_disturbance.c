@@ -2,7 +2,7 @@
  *
  * A ring that cuts through the surface presses the surface down at two points of its edge. If the
  * ring is faster than the ripples (0.23 m/s), a V-shaped wake forms at each point. */
-#include "core/poi/surface_disturbance.h"
+#include "core/poi/poi.h"
 
 /* Ratio of the vertical motion of the water surface above an immersed disc to the vertical motion
  * of the disc. */
@@ -52,17 +52,6 @@ static void cut(const struct poi *poi, struct water *water, vec3 tank_size_m, ve
     }
 }
 
-/* Presses the water surface down where drops fall. Drops fall from the lowest point of a tilted
- * ring, or from the sag of a level ring. */
-static void drip(const struct poi *poi, struct water *water, vec3 tank_size_m, vec3 up)
-{
-    float slope;
-    const vec3 rise = uphill(up, &slope);
-    const float off_m = POI_OUTER_RADIUS_M * f_min(1.0f, slope / LEVEL_SLOPE);
-    water_press(water, tank_size_m, v3_muladd(poi->position_m, rise, -off_m), DROP_RADIUS_M,
-                DROP_M * (float)poi->drops);
-}
-
 void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 tank_size_m)
 {
     const vec3 up = vec_basis_from_angles(poi->angles).up;
@@ -80,6 +69,11 @@ void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 t
         water_press(water, tank_size_m, poi->position_m, POI_OUTER_RADIUS_M, press_m);
     }
     if (poi->drops > 0) {
-        drip(poi, water, tank_size_m, up);
+        /* Drops fall from the lowest point of a tilted ring, or from the sag of a level ring. */
+        float slope;
+        const vec3 rise = uphill(up, &slope);
+        const float off_m = POI_OUTER_RADIUS_M * f_min(1.0f, slope / LEVEL_SLOPE);
+        water_press(water, tank_size_m, v3_muladd(poi->position_m, rise, -off_m), DROP_RADIUS_M,
+                    DROP_M * (float)poi->drops);
     }
 }

@@ -1,4 +1,5 @@
-/* behavior_params.h -- the parameters that determine how the fish of a tank behave.
+/* behavior_params.h -- the input of a fish's decisions: the behavior parameters of its tank (struct
+ * behavior_params) and the fish's surroundings in one tick (struct perception).
  *
  * Each tank preset has one set of parameters. The code reads the parameters and never tests which
  * preset is in use. Lengths and speeds are in body lengths, so that one set is valid for fish of
@@ -8,6 +9,8 @@
 #define KINGYO_CORE_TANK_BEHAVIOR_PARAMS_H
 
 #include <stdint.h>
+
+#include "core/base/vec.h"
 
 struct behavior_params {
     /* Height and width of the body box per body length. In section 3.1 of the 2013 thesis a fish is
@@ -48,21 +51,21 @@ struct behavior_params {
                               fish swims in this time. */
 
     /* The next parameters add the behavior of living fish to the rules of the 2013 thesis. */
-    float kick_rad;      /* Standard deviation of the random turn at each kick of the tail
-                            (burst_coast.h). 0 means that a fish keeps its course until its gait
+    float kick_rad;    /* Standard deviation of the random turn at each kick of the tail
+                            (gait.h). 0 means that a fish keeps its course until its gait
                             changes. */
-    uint8_t glides;      /* 1 if a swimming fish alternates between tail beats and glides, otherwise
+    uint8_t glides;    /* 1 if a swimming fish alternates between tail beats and glides, otherwise
                             0. */
-    uint8_t banks;       /* 1 if the fish rolls into its turns, otherwise 0. */
-    float flow_share;    /* Fraction [0, 1] of the flow velocity around a poi (flow.h) at which fish
+    uint8_t banks;     /* 1 if the fish rolls into its turns, otherwise 0. */
+    float flow_share;  /* Fraction [0, 1] of the flow velocity around a poi (water.h) at which fish
                             drift along. */
-    float wall_follow;   /* Strength [0, 1] of the attraction of walls (wall_following.h). */
-    float shade_dwell_s; /* Time that a shade must be still before it attracts fish. */
+    float wall_follow; /* Strength [0, 1] of the attraction of walls (fish_behavior.h). */
+    float shade_dwell_s;        /* Time that a shade must be still before it attracts fish. */
     uint8_t shade_draws_bursts; /* 1 if a shade also attracts fish in a burst, otherwise 0. In
                                    section 3.5 of the 2013 thesis a shade attracts every fish. */
     uint8_t shade_frights;      /* 1 if a new or moving shade startles fish, otherwise 0. */
     uint8_t escapes;            /* 1 if fish escape from a poi and from other stimuli by a C-start
-                                   (escape.h), otherwise 0. */
+                                   (startle.h), otherwise 0. */
 
     /* The next parameters control surface breathing (2013 thesis, section 3.6). */
     uint8_t air_by_oxygen;        /* Cause of surface breathing: 1 means low oxygen in the water, 0
@@ -73,6 +76,29 @@ struct behavior_params {
                                      surface film. */
     float stifle_per_s; /* Stamina that a fish loses per second in water without oxygen. The loss is
                            zero at 4 mg/L or more and grows linearly as the concentration falls. */
+};
+
+struct obstacle;
+struct shade;
+
+/* Ticks between two decisions of an undisturbed fish: 33 ms, its reaction time. */
+#define FISH_BEHAVIOR_TICKS 4u
+
+/* Input of a fish's decision. The arrays belong to the caller and stay valid during the decision. */
+struct perception {
+    const struct behavior_params *params;
+    vec3 size_m;         /* Inner width, water depth and length of the tank. */
+    float wall_follow;   /* Strength [0, 1] of the attraction of walls. */
+    uint8_t ball_spaces; /* 1 if personal spaces are balls instead of boxes, otherwise 0; see struct
+                            tank_config. */
+    uint32_t seed, tick;
+    float dt_s;        /* Time since the last decision of the deciding fish. */
+    float oxygen_mg_l; /* Oxygen dissolved in the water. */
+    const struct obstacle *obstacles;
+    uint32_t obstacle_count;
+    const struct shade *shades; /* Shades on the water. Some of the `shade_count` entries may be
+                                   absent (cast.present is 0). */
+    uint32_t shade_count;
 };
 
 #endif

@@ -48,7 +48,7 @@ enum fish_gait {
 };
 
 /* Value of `holder` for a GAIT_HELD fish in reentry: the fish is back in the water but still
- * overlaps other fish (reentry.h). */
+ * overlaps other fish (reentry.c). */
 #define FISH_HOLDER_WATER 255u
 
 enum fish_avoiding {
@@ -139,7 +139,7 @@ struct fish {
     float depth_stray;  /* Random offset of the preferred depth from the depth for the fish's
                            stamina, as a fraction of the water depth; > 0 is upward. */
 
-    /* The next members are the state of the startle response; see startle.h and escape.h. */
+    /* The next members are the state of the startle response; see startle.h. */
     float alarm;     /* Alarm [0, 1], which decays over time. */
     float habit;     /* Habituation [0, 1] to startling stimuli, which decays over time. */
     float startle_s; /* Time left of the startle latency. */

@@ -19,40 +19,26 @@
 #define STEP_H 0.005f
 #define LITRES_PER_M3 1000.0f
 
-/* Returns 1000 K / T minus the value of 1000 K / T at 25 C, where T is the absolute temperature.
- * The published polynomials in 1 / T have terms in the hundreds, but the sum of the terms is
- * only about 2. Single precision would cause an error of a thousandth in the sum. Therefore the
- * polynomials in this file are expanded around 25 C, a usual water temperature at a festival
- * stall. */
-static float inverse_kelvin(float temperature_c)
-{
-    const float reference_k = REFERENCE_C + KELVIN;
-    return 1000.0f * (REFERENCE_C - temperature_c) / ((temperature_c + KELVIN) * reference_k);
-}
-
-/* Returns the saturation concentration at one atmosphere, mg/L (Benson & Krause 1984). `z` is the
- * result of inverse_kelvin(). */
-static float saturation_at_1_atm(float z)
-{
-    return f_exp(2.11184299f +
-                 z * (1.63790983f + z * (0.53350163f + z * (0.870736542f - z * 0.8621949f))));
-}
-
-/* Returns the pressure of water vapour, atm. The published formula is exp(11.8571 - 3840.70 / T
- * - 216961 / T^2), where T is the absolute temperature in K. `z` is the result of
- * inverse_kelvin(). */
-static float vapour_atm(float z)
-{
-    return f_exp(-3.46535769f - z * (5.29608152f + z * 0.216961f));
-}
-
 float oxygen_saturation_mg_l(float temperature_c, float pressure_hpa)
 {
-    const float z = inverse_kelvin(temperature_c);
+    /* z is 1000 K / T minus the value of 1000 K / T at 25 C, where T is the absolute temperature.
+     * The published polynomials in 1 / T have terms in the hundreds, but the sum of the terms is
+     * only about 2. Single precision would cause an error of a thousandth in the sum. Therefore the
+     * polynomials in this file are expanded around 25 C, a usual water temperature at a festival
+     * stall. */
+    const float reference_k = REFERENCE_C + KELVIN;
+    const float z =
+        1000.0f * (REFERENCE_C - temperature_c) / ((temperature_c + KELVIN) * reference_k);
     const float p = pressure_hpa / HPA_PER_ATM;
-    const float u = vapour_atm(z);
+    /* u is the pressure of water vapour, atm. The published formula is exp(11.8571 - 3840.70 / T -
+     * 216961 / T^2). */
+    const float u = f_exp(-3.46535769f - z * (5.29608152f + z * 0.216961f));
     const float theta = 0.000975f - temperature_c * (1.426e-5f - temperature_c * 6.436e-8f);
-    return saturation_at_1_atm(z) * ((p - u) * (1.0f - theta * p)) / ((1.0f - u) * (1.0f - theta));
+    /* The first factor is the saturation concentration at one atmosphere, mg/L (Benson & Krause
+     * 1984). */
+    return f_exp(2.11184299f +
+                 z * (1.63790983f + z * (0.53350163f + z * (0.870736542f - z * 0.8621949f)))) *
+           ((p - u) * (1.0f - theta * p)) / ((1.0f - u) * (1.0f - theta));
 }
 
 /* Adds the routine respiration and the respiration for swimming. Young Carassius auratus
@@ -105,33 +91,6 @@ float oxygen_after(float dissolved_mg_l, const struct oxygen_balance *balance, f
     return dissolved_mg_l;
 }
 
-static void request_breath(struct oxygen *oxygen, const struct fish *fish)
-{
-    if (fish_swims(fish) && !surface_breathes(fish)) {
-        const float mass_kg = fish_mass_kg(fish->length_m);
-        const float breath_mg_h =
-            oxygen_breath_mg_h(mass_kg, oxygen->temperature_c, fish->speed_m_s);
-        oxygen->breath_mg_h += breath_mg_h;
-        oxygen->critical_mg += breath_mg_h * oxygen_critical_mg_l(mass_kg);
-    }
-}
-
-static void second(struct oxygen *oxygen, vec3 size_m)
-{
-    const float litres = LITRES_PER_M3 * size_m.x * size_m.y * size_m.z;
-    const float breath_mg_h = oxygen->breath_mg_h;
-    const struct oxygen_balance balance = {
-        .saturation_mg_l = oxygen_saturation_mg_l(oxygen->temperature_c, oxygen->pressure_hpa),
-        .exchange_per_h = oxygen_exchange_per_h(size_m.y, oxygen->pump),
-        .breath_mg_l_h = breath_mg_h / litres,
-        .critical_mg_l = breath_mg_h > 0.0f ? oxygen->critical_mg / breath_mg_h : 1.0f,
-    };
-    oxygen->dissolved_mg_l =
-        oxygen_after(oxygen->dissolved_mg_l, &balance, oxygen->time_compression / 3600.0f);
-    oxygen->breath_mg_h = 0.0f;
-    oxygen->critical_mg = 0.0f;
-}
-
 void oxygen_tick(struct oxygen *oxygen, const struct fish *fish, uint32_t fish_count, vec3 size_m,
                  uint32_t tick)
 {
@@ -139,10 +98,27 @@ void oxygen_tick(struct oxygen *oxygen, const struct fish *fish, uint32_t fish_c
     const uint32_t first = (uint32_t)((uint64_t)fish_count * share / CORE_TICK_HZ);
     const uint32_t end = (uint32_t)((uint64_t)fish_count * (share + 1u) / CORE_TICK_HZ);
     for (uint32_t i = first; i < end; i++) {
-        request_breath(oxygen, &fish[i]);
+        if (fish_swims(&fish[i]) && !surface_breathes(&fish[i])) {
+            const float mass_kg = fish_mass_kg(fish[i].length_m);
+            const float breath_mg_h =
+                oxygen_breath_mg_h(mass_kg, oxygen->temperature_c, fish[i].speed_m_s);
+            oxygen->breath_mg_h += breath_mg_h;
+            oxygen->critical_mg += breath_mg_h * oxygen_critical_mg_l(mass_kg);
+        }
     }
     if (share == CORE_TICK_HZ - 1u) {
-        second(oxygen, size_m);
+        const float litres = LITRES_PER_M3 * size_m.x * size_m.y * size_m.z;
+        const float breath_mg_h = oxygen->breath_mg_h;
+        const struct oxygen_balance balance = {
+            .saturation_mg_l = oxygen_saturation_mg_l(oxygen->temperature_c, oxygen->pressure_hpa),
+            .exchange_per_h = oxygen_exchange_per_h(size_m.y, oxygen->pump),
+            .breath_mg_l_h = breath_mg_h / litres,
+            .critical_mg_l = breath_mg_h > 0.0f ? oxygen->critical_mg / breath_mg_h : 1.0f,
+        };
+        oxygen->dissolved_mg_l =
+            oxygen_after(oxygen->dissolved_mg_l, &balance, oxygen->time_compression / 3600.0f);
+        oxygen->breath_mg_h = 0.0f;
+        oxygen->critical_mg = 0.0f;
     }
 }
 

@@ -30,14 +30,6 @@ static int is_finite(const struct shade_cast *cast)
            f_is_finite(cast->dark);
 }
 
-/* Returns the speed of the fastest point of the shade's edge: the speed of the centre plus the
- * change of the radius per second. */
-static float edge_speed_m_s(const struct shade_cast *from, const struct shade_cast *to, float dt_s)
-{
-    const float x_m = to->x_m - from->x_m, z_m = to->z_m - from->z_m;
-    return (f_sqrt(x_m * x_m + z_m * z_m) + f_abs(to->radius_m - from->radius_m)) / dt_s;
-}
-
 void shade_tick(struct shade *shade, const struct shade_cast *cast, float dt_s)
 {
     if (!cast->present) {
@@ -50,7 +42,11 @@ void shade_tick(struct shade *shade, const struct shade_cast *cast, float dt_s)
         *shade = (struct shade){ .cast = *cast, .age_s = dt_s };
         return;
     }
-    const float edge_m_s = edge_speed_m_s(&shade->cast, cast, dt_s);
+    /* The speed of the fastest point of the edge is the speed of the centre plus the change of the
+     * radius per second. */
+    const float x_m = cast->x_m - shade->cast.x_m, z_m = cast->z_m - shade->cast.z_m;
+    const float edge_m_s =
+        (f_sqrt(x_m * x_m + z_m * z_m) + f_abs(cast->radius_m - shade->cast.radius_m)) / dt_s;
     shade->edge_m_s = f_lerp(shade->edge_m_s, edge_m_s, f_min(1.0f, dt_s / EDGE_TAU_S));
     shade->cast = *cast;
     shade->age_s += dt_s;
@@ -139,17 +135,6 @@ int shade_draw(const struct shade *shades, uint32_t count, const struct behavior
     return 1;
 }
 
-/* Returns the factor [0, 1] on the alarm of a shade that takes the fraction `dark` of the light. A
- * weak shade causes little alarm, however fast it moves. The paper of a poi takes a third of the
- * light, and a hand-held fan takes two thirds. The paper causes a twentieth of the alarm that the
- * fan causes. */
-static float contrast(float dark)
-{
-    const float share =
-        f_clamp((dark - SHADE_SUDDEN_DARK) / (FRIGHT_PLAIN_DARK - SHADE_SUDDEN_DARK), 0.0f, 1.0f);
-    return share * f_sqrt(share);
-}
-
 float shade_alarm(const struct shade *shade, const struct behavior_params *params, vec3 position_m,
                   float dt_s)
 {
@@ -161,7 +146,12 @@ float shade_alarm(const struct shade *shade, const struct behavior_params *param
     }
     /* Limits the time to the age of the shade, because the fish cannot have seen the shade earlier.
      * The fish's last decision may be older than the shade. */
-    return contrast(cast->dark) * f_min(dt_s, shade->age_s) / FRIGHT_TIME_S;
+    /* A weak shade causes little alarm, however fast it moves. The paper of a poi takes a third of
+     * the light, and a hand-held fan takes two thirds. The paper causes a twentieth of the alarm
+     * that the fan causes. */
+    const float share = f_clamp(
+        (cast->dark - SHADE_SUDDEN_DARK) / (FRIGHT_PLAIN_DARK - SHADE_SUDDEN_DARK), 0.0f, 1.0f);
+    return (share * f_sqrt(share)) * f_min(dt_s, shade->age_s) / FRIGHT_TIME_S;
 }
 
 uint64_t shade_hash(uint64_t hash, const struct shade *shade)

@@ -8,7 +8,6 @@
 #include "core/tank/behavior/fish_behavior.h"
 #include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/behavior/swim.h"
-#include "core/tank/collision/reentry.h"
 
 /* Motion per tick above which an obstacle counts as a poi (paper scoop) in use. The limit equals 12
  * mm/s. */
@@ -75,51 +74,30 @@ struct broad_phase_search tank_search(const struct tank *tank)
     return (struct broad_phase_search){ .search = tank->search, .lanes = tank->lanes };
 }
 
-/* Makes a ring-shaped wave on the surface if the fish opens its mouth there. */
-static void ring(struct tank *tank, const struct fish *fish, const struct perception *around)
-{
-    if (surface_gulps(fish, around->tick, around->dt_s)) {
-        const vec3 nose_m = v3_muladd(fish->position_m, fish_forward(fish), 0.5f * fish->length_m);
-        water_press(&tank->water, tank->size_m, nose_m, GULP_RADIUS_M, GULP_DEPTH_M);
-    }
-}
-
-/* Returns 1 if other fish carry a fish that fell into the water, otherwise 0. A fish that nothing
- * carries sinks at 12 cm/s. */
-static int is_borne(const struct fish *fish)
-{
-    return fish->position_m.y < 0.0f && fish->velocity_m_s.y > -BORNE_M_S;
-}
-
 static void think_in_turn(struct tank *tank, struct perception around)
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *fish = &tank->fish[i];
         if (fish_swims(fish) && fish_behavior_is_due(fish, i, &around)) {
-            const int fell = fish->falls && is_borne(fish);
+            /* The fish fell into the water, and other fish carry it. A fish that nothing carries
+             * sinks at 12 cm/s. */
+            const int fell =
+                fish->falls && (fish->position_m.y < 0.0f && fish->velocity_m_s.y > -BORNE_M_S);
             around.dt_s = fish_behavior_dt_s(fish, around.tick);
             fish_behavior_tick(fish, i, &around);
-            ring(tank, fish, &around);
-            if (fell && fish->falls) { /* Reentry (reentry.h) separates the fallen fish from the
+            /* A fish that opens its mouth at the surface makes a ring-shaped wave. */
+            if (surface_gulps(fish, around.tick, around.dt_s)) {
+                const vec3 nose_m =
+                    v3_muladd(fish->position_m, fish_forward(fish), 0.5f * fish->length_m);
+                water_press(&tank->water, tank->size_m, nose_m, GULP_RADIUS_M, GULP_DEPTH_M);
+            }
+            if (fell && fish->falls) { /* Reentry (reentry.c) separates the fallen fish from the
                                           fish below it. */
                 fish->alarm = 1.0f;
                 reentry_begin(tank, fish, fish->velocity_m_s);
             }
         }
     }
-}
-
-static struct shoal shoal_of(struct tank *tank)
-{
-    return (struct shoal){
-        .fish = tank->fish,
-        .body = tank->broad_phase.body,
-        .way_m = tank->broad_phase.way_m,
-        .before_m = tank->solver.began_m,
-        .count = tank->fish_count,
-        .params = tank_behavior_params(tank),
-        .space = tank->space,
-    };
 }
 
 /* Applies the results of a full broad-phase query to the fish: avoidance advice, brakes, pushes and
@@ -166,23 +144,6 @@ static void update_broad_phase(struct tank *tank, uint32_t station, const struct
     }
 }
 
-/* Runs the substeps of the contact solver in this tick. */
-static void part_all(struct tank *tank, const struct solver_context *place,
-                     const struct perception *around)
-{
-    const uint32_t stations = contact_solver_substep_count(&tank->solver, place);
-    for (uint32_t station = 0; station < stations; station++) {
-        contact_solver_substep(&tank->solver, &tank->broad_phase, place, station);
-        if (station == 0) {
-            broad_phase_mark(&tank->broad_phase, tank->fish, tank->fish_count);
-        }
-        contact_solver_project(&tank->solver, &tank->broad_phase, place);
-        update_broad_phase(tank, station, around);
-        contact_solver_finish(&tank->solver, &tank->broad_phase, place);
-    }
-    contact_solver_end(&tank->solver, &tank->broad_phase, place);
-}
-
 /* Makes a small random wave every 24 ticks, because a real surface is never completely still. */
 static void drip(struct tank *tank, uint32_t tick)
 {
@@ -216,10 +177,14 @@ static void bubble(struct tank *tank, uint32_t tick)
     water_press(&tank->water, tank->size_m, v3_add(stone, off), BUBBLE_RADIUS_M, -BUBBLE_M);
 }
 
-/* Returns the largest distance by which other bodies may push a fish in one tick, m. The distance
- * is larger near a moving poi, so that fish make way for the poi. */
-static float push_max_m(const struct obstacle *obstacles, uint32_t obstacle_count)
+void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
+               uint32_t obstacle_count)
 {
+    CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
+    const struct perception around = tank_perception(tank, tick, obstacles, obstacle_count);
+    /* `stirs` is 1 if an obstacle moves faster than STIRS_M per tick. A bowl that rocks on ripples
+     * is slower. Near a moving poi, other bodies may push a fish farther in one tick, so that fish
+     * make way for the poi. */
     int stirs = 0; /* 1 if an obstacle moves faster than STIRS_M per tick. A bowl that rocks on
                       ripples is slower. */
     for (uint32_t o = 0; o < obstacle_count; o++) {
@@ -227,27 +192,37 @@ static float push_max_m(const struct obstacle *obstacles, uint32_t obstacle_coun
         stirs |= obstacles[o].centre_m.y < obstacles[o].radius_m &&
                  v3_dot(step_m, step_m) > STIRS_M * STIRS_M;
     }
-    return stirs ? SOLVER_PUSH_M : SOLVER_CALM_PUSH_M;
-}
-
-void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
-               uint32_t obstacle_count)
-{
-    CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
-    const struct perception around = tank_perception(tank, tick, obstacles, obstacle_count);
     const struct solver_context place = { tank->fish,
                                           tank_bounds(tank),
                                           obstacles,
                                           obstacle_count,
-                                          push_max_m(obstacles, obstacle_count),
+                                          stirs ? SOLVER_PUSH_M : SOLVER_CALM_PUSH_M,
                                           tank->lanes };
     drip(tank, tick);
     bubble(tank, tick);
     contact_solver_begin(&tank->solver, tank->fish, tank->fish_count);
     think_in_turn(tank, around);
-    const struct shoal shoal = shoal_of(tank);
+    const struct shoal shoal = (struct shoal){
+        .fish = tank->fish,
+        .body = tank->broad_phase.body,
+        .way_m = tank->broad_phase.way_m,
+        .before_m = tank->solver.began_m,
+        .count = tank->fish_count,
+        .params = tank_behavior_params(tank),
+        .space = tank->space,
+    };
     swim_move_all(&shoal, tank->lanes);
-    part_all(tank, &place, &around);
+    const uint32_t stations = contact_solver_substep_count(&tank->solver, &place);
+    for (uint32_t station = 0; station < stations; station++) {
+        contact_solver_substep(&tank->solver, &tank->broad_phase, &place, station);
+        if (station == 0) {
+            broad_phase_mark(&tank->broad_phase, tank->fish, tank->fish_count);
+        }
+        contact_solver_project(&tank->solver, &tank->broad_phase, &place);
+        update_broad_phase(tank, station, &around);
+        contact_solver_finish(&tank->solver, &tank->broad_phase, &place);
+    }
+    contact_solver_end(&tank->solver, &tank->broad_phase, &place);
     swim_settle_all(&shoal, tank->lanes);
     reentry_tick(tank, obstacles, obstacle_count);
     oxygen_tick(&tank->oxygen, tank->fish, tank->fish_count, tank->size_m, tick);

@@ -53,30 +53,6 @@ static int is_within_range(float value, float low, float high)
     return value >= low && value <= high; /* This form of the comparison rejects NaN. */
 }
 
-static int water_fits(const struct tank_config *config)
-{
-    return is_within_range(config->temperature_c, OXYGEN_TEMPERATURE_MIN_C,
-                           OXYGEN_TEMPERATURE_MAX_C) &&
-           is_within_range(config->pressure_hpa, OXYGEN_PRESSURE_MIN_HPA,
-                           OXYGEN_PRESSURE_MAX_HPA) &&
-           is_within_range(config->time_compression, 0.0f, OXYGEN_TIME_COMPRESSION_MAX) &&
-           (config->oxygen_mg_l == TANK_OXYGEN_SATURATED ||
-            is_within_range(config->oxygen_mg_l, 0.0f, OXYGEN_MAX_MG_L));
-}
-
-static struct oxygen oxygen_of(const struct tank_config *config)
-{
-    const int full = config->oxygen_mg_l == TANK_OXYGEN_SATURATED;
-    return (struct oxygen){
-        .dissolved_mg_l = full ? oxygen_saturation_mg_l(config->temperature_c, config->pressure_hpa)
-                               : config->oxygen_mg_l,
-        .temperature_c = config->temperature_c,
-        .pressure_hpa = config->pressure_hpa,
-        .time_compression = config->time_compression,
-        .pump = config->pump != 0,
-    };
-}
-
 static int side_fits(float side_m, float low_m, float high_m)
 {
     return side_m == 0.0f || is_within_range(side_m, low_m, high_m);
@@ -112,7 +88,14 @@ static int config_fits(const struct tank_config *config)
     return config->fish_count >= 1u && config->fish_count <= tank_config_fish_max(config) &&
            is_within_range(config->wall_follow, 0.0f, 1.0f) && config->stamina_min >= 0.0f &&
            config->stamina_max <= 1.0f && config->stamina_min <= config->stamina_max &&
-           water_fits(config) && config->bowls <= POI_MAX && simd_is_built(config->lanes) &&
+           (is_within_range(config->temperature_c, OXYGEN_TEMPERATURE_MIN_C,
+                            OXYGEN_TEMPERATURE_MAX_C) &&
+            is_within_range(config->pressure_hpa, OXYGEN_PRESSURE_MIN_HPA,
+                            OXYGEN_PRESSURE_MAX_HPA) &&
+            is_within_range(config->time_compression, 0.0f, OXYGEN_TIME_COMPRESSION_MAX) &&
+            (config->oxygen_mg_l == TANK_OXYGEN_SATURATED ||
+             is_within_range(config->oxygen_mg_l, 0.0f, OXYGEN_MAX_MG_L))) &&
+           config->bowls <= POI_MAX && simd_is_built(config->lanes) &&
            config->search <= PAIR_SEARCH_ALL;
 }
 
@@ -179,24 +162,6 @@ static vec3 start_place(const struct tank *tank, const struct fish *fish, uint32
     return point;
 }
 
-static float hatch_length_m(const struct tank *tank, const struct tank_preset *preset,
-                            uint32_t index, float age_days)
-{
-    const float spread = preset->length_spread;
-    const struct rng_key key = { tank->seed, 0, index, RNG_FISH_LENGTH };
-    return preset->length_m > 0.0f ? preset->length_m * (1.0f + rng_range(key, -spread, spread))
-                                   : growth_length_m(&species_wakin.card.growth, age_days);
-}
-
-/* Returns a random initial gait. The probability of a gait is its fraction of time, as if the fish
- * had been in the water for a long time. */
-static enum fish_gait start_gait(const struct tank *tank, uint32_t index, float stamina)
-{
-    const struct gait_chance share = gait_shares(stamina);
-    const float draw = rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_GAIT });
-    return draw < share.swim ? GAIT_SWIM : draw < share.swim + share.burst ? GAIT_BURST : GAIT_REST;
-}
-
 static struct fish hatch(const struct tank *tank, const struct tank_config *config, uint32_t index)
 {
     const struct tank_preset *preset = tank_preset(config->preset);
@@ -204,7 +169,12 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     const float old = rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_AGE });
     struct fish fish = { .look = rng_u32((struct rng_key){ tank->seed, 0, index, RNG_FISH_LOOK }) };
     fish.age_days = tank_preset_age_days(preset, old);
-    fish_grow(&fish, hatch_length_m(tank, preset, index, fish.age_days), around.params);
+    const float spread = preset->length_spread;
+    const struct rng_key key = { tank->seed, 0, index, RNG_FISH_LENGTH };
+    fish_grow(&fish,
+              preset->length_m > 0.0f ? preset->length_m * (1.0f + rng_range(key, -spread, spread))
+                                      : growth_length_m(&species_wakin.card.growth, fish.age_days),
+              around.params);
     fish.stamina = rng_range((struct rng_key){ tank->seed, 0, index, RNG_FISH_STAMINA },
                              config->stamina_min, config->stamina_max);
     fish.position_m = start_place(tank, &fish, index, config, 0);
@@ -215,7 +185,15 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
     fish.tail_beat_hz = 0.5f;
     fish.tail_amplitude = 0.15f;
     fish.tail_phase_rad = (float)(fish.look & 1023u) * (F_TAU / 1024.0f);
-    gait_enter(&fish, start_gait(tank, index, fish.stamina), index, &around);
+    /* The initial gait is random. The probability of a gait is its fraction of time, as if the fish
+     * had been in the water for a long time. */
+    const struct gait_chance share = gait_shares(fish.stamina);
+    const float draw = rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_START_GAIT });
+    gait_enter(&fish,
+               draw < share.swim                 ? GAIT_SWIM
+               : draw < share.swim + share.burst ? GAIT_BURST
+                                                 : GAIT_REST,
+               index, &around);
     fish.heading_rad = fish.angles.yaw_rad; /* Restores the heading, which gait_enter() turned,
                                                because the fish has not yet changed its gait. */
     swim_resolve(&fish, &around);
@@ -246,21 +224,6 @@ static int spread_out(struct tank *tank)
     return 0;
 }
 
-/* Separates the fish. If the separation fails, chooses new random places for all fish and tries
- * again. Returns 1 on success, or 0 after START_DRAWS_MAX attempts. */
-static int find_room(struct tank *tank, const struct tank_config *config)
-{
-    for (uint32_t draw = 1; !spread_out(tank); draw++) {
-        if (draw == START_DRAWS_MAX) {
-            return 0;
-        }
-        for (uint32_t i = 0; i < tank->fish_count; i++) {
-            tank->fish[i].position_m = start_place(tank, &tank->fish[i], i, config, draw);
-        }
-    }
-    return 1;
-}
-
 /* ---- Opening and staging of a tank ----------------------------------------------------------- */
 
 int tank_open(struct tank *tank, const struct tank_config *config)
@@ -280,12 +243,30 @@ int tank_open(struct tank *tank, const struct tank_config *config)
     tank->ball_spaces = config->ball_spaces != 0;
     tank->fish_count = config->fish_count;
     water_init(&tank->water);
-    tank->oxygen = oxygen_of(config);
+    const int full = config->oxygen_mg_l == TANK_OXYGEN_SATURATED;
+    tank->oxygen = (struct oxygen){
+        .dissolved_mg_l = full ? oxygen_saturation_mg_l(config->temperature_c, config->pressure_hpa)
+                               : config->oxygen_mg_l,
+        .temperature_c = config->temperature_c,
+        .pressure_hpa = config->pressure_hpa,
+        .time_compression = config->time_compression,
+        .pump = config->pump != 0,
+    };
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         tank->fish[i] = hatch(tank, config, i);
     }
     tank->space = broad_phase_space(tank->fish, tank->fish_count, tank->size_m, &preset->params);
-    return find_room(tank, config);
+    /* Separates the fish. If the separation fails, chooses new random places for all fish and tries
+     * again, at most START_DRAWS_MAX times in total. */
+    for (uint32_t draw = 1; !spread_out(tank); draw++) {
+        if (draw == START_DRAWS_MAX) {
+            return 0;
+        }
+        for (uint32_t i = 0; i < tank->fish_count; i++) {
+            tank->fish[i].position_m = start_place(tank, &tank->fish[i], i, config, draw);
+        }
+    }
+    return 1;
 }
 
 static void place_staged_fish(struct fish *fish, const struct tank_stage *wanted,

@@ -1,5 +1,16 @@
-/* water.h -- the water surface as a field of wave heights. Pois and fish make waves, and the
- * renderer uses the slopes for refraction. */
+/* water.h -- the water: the surface as a field of wave heights, and the flow around a moving poi
+ * (the paper scoop).
+ *
+ * Pois and fish make waves, and the renderer uses the slopes for refraction. The flow carries fish
+ * along and stimulates their lateral line.
+ *
+ * The flow is that of a disc. For motion along the normal of the disc, the flow is the potential
+ * flow of a thin disc, which is known exactly in oblate spheroidal coordinates. On the axis of the
+ * disc, the water has the speed of the disc at the disc and 0.18 of that speed at a distance of one
+ * radius. Far from the disc, the flow is the flow of a dipole and decays with the cube of the
+ * distance. The strength of the dipole follows from the added mass of the disc, (8 / 3) * rho *
+ * a^3, where rho is the density of water and a is the radius of the disc. For motion along the
+ * plane of the disc, only the water near the ring of the disc moves. */
 #ifndef KINGYO_CORE_TANK_WATER_H
 #define KINGYO_CORE_TANK_WATER_H
 
@@ -7,6 +18,7 @@
 
 #include "core/base/vec.h"
 #include "core/scene.h"
+#include "core/tank/collision/obstacle.h"
 
 struct water {
     uint8_t newest; /* Index of the current layer of `height_m`. The other layer holds the heights
@@ -32,5 +44,17 @@ void water_step(struct water *water, vec3 size_m);
 void water_slopes(const struct water *water, vec3 size_m, int8_t slope[RIPPLE_Z][RIPPLE_X][2]);
 
 uint64_t water_hash(uint64_t hash, const struct water *water);
+
+/* Returns the velocity of the water at a point in world coordinates, m/s. The water is never faster
+ * than the disc. Returns zero if `disc` is a bowl, if the point is above the surface, or if the
+ * point is farther than six disc radii from the disc's centre. The velocity is proportional to the
+ * submerged fraction of the disc. Torn paper moves less water: the flow that motion along the
+ * normal causes is proportional to the fraction of the paper that remains. */
+vec3 water_flow_m_s(const struct obstacle *disc, vec3 point_m);
+
+/* Returns the pressure of the flow at a point divided by the water density, m^2/s^2. The result is
+ * the speed of the disc times the speed of the water at the point. The pressure grows with the
+ * square of the disc's speed, so fish hardly feel a slow disc. */
+float water_push_m2_s2(const struct obstacle *disc, vec3 point_m);
 
 #endif

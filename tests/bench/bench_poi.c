@@ -12,8 +12,7 @@
 #include <time.h>
 
 #include "core/base/panic.h"
-#include "core/poi/bowl/bowl_buoyancy.h"
-#include "core/poi/bowl/bowl_fish.h"
+#include "core/poi/bowl/bowl.h"
 #include "core/poi/catch/catch.h"
 #include "core/poi/paper/strain.h"
 #include "core/tank/preset.h"

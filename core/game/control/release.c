@@ -2,7 +2,7 @@
 #include "core/game/control/release.h"
 
 #include "core/base/panic.h"
-#include "core/poi/catch/fall.h"
+#include "core/poi/catch/capture.h"
 
 #define THROW_M_S_MAX 0.3f /* Highest speed of a released fish, so that the fish is not thrown. */
 
@@ -13,7 +13,7 @@ void release_all(struct poi *poi, const struct tank *tank)
         struct carried_fish *carried = &poi->carried_fish[i];
         if (carried->state == CARRIED_LYING) {
             const vec3 velocity_m_s = tank->fish[carried->fish].velocity_m_s;
-            fall_begin(carried, v3_limit(velocity_m_s, THROW_M_S_MAX));
+            catch_fall_begin(carried, v3_limit(velocity_m_s, THROW_M_S_MAX));
         }
         carried->state = CARRIED_RELEASED;
     }
@@ -32,7 +32,7 @@ static void free_the_forgotten(const struct poi *poi, uint32_t poi_index, struct
 {
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         if (is_held(&tank->fish[i], poi_index) && !catch_has_carried(poi, i)) {
-            fall_set_free(tank, &tank->fish[i], v3(0.0f, 0.0f, 0.0f));
+            catch_set_free(tank, &tank->fish[i], v3(0.0f, 0.0f, 0.0f));
         }
     }
 }
@@ -47,7 +47,8 @@ void release_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall
         struct carried_fish *carried = &poi->carried_fish[i];
         const int is_ours = is_held(&tank->fish[carried->fish], poi_index);
         uint32_t bowl = 0;
-        const enum fall_end end = is_ours ? fall_tick(carried, stall, &bowl) : FALL_INTO_WATER;
+        const enum fall_end end =
+            is_ours ? catch_fall_tick(carried, stall, &bowl) : FALL_INTO_WATER;
         if (end == FALL_INTO_BOWL) {
             catch_count(carried, poi_index, bowl, results);
         }

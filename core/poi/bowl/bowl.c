@@ -7,7 +7,7 @@
 #include "core/base/panic.h"
 #include "core/base/physics.h"
 #include "core/base/rng.h"
-#include "core/tank/collision/reentry.h"
+#include "core/tank/tank.h"
 
 #define FREEBOARD_MIN_M 0.002f
 /* Moment of inertia of the bowl about its centre, including the added mass of water. */
@@ -57,19 +57,6 @@ int bowl_is_full(const struct bowl *bowl)
     return bowl->fish_count >= BOWL_FISH_MAX || bowl->fish_kg >= BOWL_FISH_KG_MAX;
 }
 
-/* Adds the momentum of a fish that falls into the bowl. The momentum moves the bowl and rotates it
- * about its centre. */
-static void rock(struct bowl *bowl, vec3 place_m, float kg, vec3 velocity_m_s)
-{
-    const float all_kg = BOWL_HULL_KG + bowl->water_kg + bowl->fish_kg + kg;
-    const vec3 gain_m_s = v3_sub(velocity_m_s, bowl->velocity_m_s);
-    const vec3 arm_m = v3_sub(place_m, bowl->position_m);
-    const float blow = -kg * gain_m_s.y / ROCK_KG_M2;
-    bowl->velocity_m_s = v3_muladd(bowl->velocity_m_s, gain_m_s, kg / all_kg);
-    bowl->heel_x_rad_s += blow * arm_m.x;
-    bowl->heel_z_rad_s += blow * arm_m.z;
-}
-
 void bowl_take(struct bowl *bowl, uint32_t bowl_index, struct tank *tank, struct fish *fish,
                vec3 velocity_m_s)
 {
@@ -78,7 +65,14 @@ void bowl_take(struct bowl *bowl, uint32_t bowl_index, struct tank *tank, struct
         bowl_empty(bowl, bowl_index, tank);
     }
     const float kg = fish_mass_kg(fish->length_m);
-    rock(bowl, fish->position_m, kg, velocity_m_s);
+    /* The momentum of the fish moves the bowl and rotates it about its centre. */
+    const float all_kg = BOWL_HULL_KG + bowl->water_kg + bowl->fish_kg + kg;
+    const vec3 gain_m_s = v3_sub(velocity_m_s, bowl->velocity_m_s);
+    const vec3 arm_m = v3_sub(fish->position_m, bowl->position_m);
+    const float blow = -kg * gain_m_s.y / ROCK_KG_M2;
+    bowl->velocity_m_s = v3_muladd(bowl->velocity_m_s, gain_m_s, kg / all_kg);
+    bowl->heel_x_rad_s += blow * arm_m.x;
+    bowl->heel_z_rad_s += blow * arm_m.z;
     fish->gait = GAIT_BOWL;
     fish->holder = (uint8_t)bowl_index;
     fish->angles.roll_rad = f_clamp(fish->angles.roll_rad, -0.5f, 0.5f);

@@ -1,8 +1,16 @@
 /* bowl.h -- the bowl that floats beside a player and holds the caught fish.
  *
  * The bowl is a thin half ellipsoid filled with water. A soft spring (the mooring) connects the
- * bowl to its home position. bowl_buoyancy.h moves the bowl, and bowl_fish.h moves the fish in it.
- * y points up, and the still water surface of the tank is at y = 0. */
+ * bowl to its home position. y points up, and the still water surface of the tank is at y = 0.
+ *
+ * A bowl sinks by a tenth of a millimetre with each fish and rocks when a fish falls into it. A
+ * bowl tilts with the slope of the water surface, and its mooring returns the bowl after a push.
+ * The rules of the goldfish-scooping federation forbid players to touch a bowl with the free hand.
+ * Therefore only the ring of a poi (paper scoop) can push a bowl, and the ring of any player can
+ * push any bowl. Tank walls and other bowls stop a bowl.
+ *
+ * Each fish in a bowl circles at its own depth, radius and angular speed, and the fish do not
+ * overlap. */
 #ifndef KINGYO_CORE_POI_BOWL_BOWL_H
 #define KINGYO_CORE_POI_BOWL_BOWL_H
 
@@ -86,5 +94,22 @@ void bowl_apply_reaction(struct bowl *bowl, const struct obstacle *hull);
 struct angles bowl_angles(const struct bowl *bowl);
 
 uint64_t bowl_hash(uint64_t hash, const struct bowl *bowl);
+
+struct poi;
+
+/* Advances every bowl of the stall by one tick (1/120 s). The caller must call this function after
+ * the tick of the pois and before the tick of the fish. For each i < `poi_count` with live[i] set,
+ * pois[i] pushes the bowls that its ring touches. A bowl above its largest mass loses water. */
+void bowl_buoyancy_tick(const struct stall *stall, const struct poi *pois, const uint8_t *live,
+                        uint32_t poi_count);
+
+/* Advances the fish of one bowl by one tick (1/120 s). The fish move along with the bowl, swim, and
+ * keep clear of each other and of the hull. Updates `fish_kg` of the bowl. Does nothing if the bowl
+ * is absent or empty. */
+void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank);
+
+/* Returns the overlap of two level fish in metres. A result of 0 or less means that the fish do not
+ * overlap. */
+float bowl_fish_overlap_m(const struct fish *a, const struct fish *b);
 
 #endif

@@ -2,11 +2,11 @@
  * method, axis by axis.
  *
  * The backward Euler method is stable at any stiffness. */
-#include "core/poi/bowl/bowl_buoyancy.h"
+#include "core/poi/bowl/bowl.h"
 
 #include "core/base/panic.h"
 #include "core/base/physics.h"
-#include "core/poi/hand_spring.h"
+#include "core/poi/ring.h"
 
 /* Stiffness of the mooring spring, which returns a displaced bowl to its home position in about two
  * seconds. */
@@ -48,11 +48,6 @@
 static float load_kg(const struct bowl *bowl)
 {
     return BOWL_HULL_KG + bowl->water_kg + bowl->fish_kg;
-}
-
-static void spill(struct bowl *bowl)
-{
-    bowl->water_kg = f_max(0.0f, bowl->water_kg - f_max(0.0f, load_kg(bowl) - LOAD_KG_MAX));
 }
 
 /* ---- Forces of a ring on a bowl ------------------------------------------------------------- */
@@ -141,16 +136,6 @@ static void move_hull(struct bowl *bowl, const struct swell *swell, vec3 push_n)
     bowl->velocity_m_s.z = held.z;
 }
 
-static void heave(struct bowl *bowl, const struct swell *swell, float press_n)
-{
-    const float freeboard_m = bowl->position_m.y - swell->height_m;
-    const float radius_m = bowl_hull_radius_m(freeboard_m);
-    const float stiffness = WATER_KG_M3 * GRAVITY_M_S2 * F_PI * radius_m * radius_m;
-    const float lift_n = GRAVITY_M_S2 * (WATER_KG_M3 * bowl_room_m3(freeboard_m) - load_kg(bowl));
-    bowl->velocity_m_s.y = axis_m_s((1.0f + ALONG_SHARE) * load_kg(bowl), bowl->velocity_m_s.y,
-                                    lift_n + press_n, HEAVE_DAMP_N_S_M, stiffness);
-}
-
 static void heel(float *at, float *rate_rad_s, float goal)
 {
     const float w = HEEL_RAD_S, dt = CORE_TICK_S;
@@ -203,29 +188,19 @@ static void keep_apart(struct bowl *a, struct bowl *b)
     }
 }
 
-static void keep_all_apart(const struct stall *stall)
-{
-    for (uint32_t i = 0; i < stall->bowl_count; i++) {
-        if (stall->bowls[i].present) {
-            stay_inside(&stall->bowls[i], stall->tank);
-        }
-    }
-    for (uint32_t i = 1; i < stall->bowl_count; i++) {
-        for (uint32_t k = 0; k < i; k++) {
-            if (stall->bowls[i].present && stall->bowls[k].present) {
-                keep_apart(&stall->bowls[k], &stall->bowls[i]);
-            }
-        }
-    }
-}
-
 static void float_on(struct bowl *bowl, const struct tank *tank, vec3 push_n)
 {
     const struct swell swell = swell_under(bowl, tank);
     const float slope = HEEL_SHARE / (GRAVITY_M_S2 * load_kg(bowl));
-    spill(bowl);
+    /* Water above LOAD_KG_MAX spills out of the bowl. */
+    bowl->water_kg = f_max(0.0f, bowl->water_kg - f_max(0.0f, load_kg(bowl) - LOAD_KG_MAX));
     move_hull(bowl, &swell, push_n);
-    heave(bowl, &swell, push_n.y);
+    const float freeboard_m = bowl->position_m.y - swell.height_m;
+    const float radius_m = bowl_hull_radius_m(freeboard_m);
+    const float stiffness = WATER_KG_M3 * GRAVITY_M_S2 * F_PI * radius_m * radius_m;
+    const float lift_n = GRAVITY_M_S2 * (WATER_KG_M3 * bowl_room_m3(freeboard_m) - load_kg(bowl));
+    bowl->velocity_m_s.y = axis_m_s((1.0f + ALONG_SHARE) * load_kg(bowl), bowl->velocity_m_s.y,
+                                    lift_n + push_n.y, HEAVE_DAMP_N_S_M, stiffness);
     heel(&bowl->heel_x, &bowl->heel_x_rad_s, slope * push_n.x - swell.slope_x);
     heel(&bowl->heel_z, &bowl->heel_z_rad_s, slope * push_n.z - swell.slope_z);
     bowl->position_m = v3_muladd(bowl->position_m, bowl->velocity_m_s, CORE_TICK_S);
@@ -244,6 +219,17 @@ void bowl_buoyancy_tick(const struct stall *stall, const struct poi *pois, const
         }
     }
     for (uint32_t round = 0; round < PART_ROUNDS; round++) {
-        keep_all_apart(stall);
+        for (uint32_t i = 0; i < stall->bowl_count; i++) {
+            if (stall->bowls[i].present) {
+                stay_inside(&stall->bowls[i], stall->tank);
+            }
+        }
+        for (uint32_t i = 1; i < stall->bowl_count; i++) {
+            for (uint32_t k = 0; k < i; k++) {
+                if (stall->bowls[i].present && stall->bowls[k].present) {
+                    keep_apart(&stall->bowls[k], &stall->bowls[i]);
+                }
+            }
+        }
     }
 }

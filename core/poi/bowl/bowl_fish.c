@@ -1,6 +1,6 @@
 /* bowl_fish.c -- moves the fish in a bowl. Each fish is modelled as an upright oval capsule that
  * circles the bowl's centre. */
-#include "core/poi/bowl/bowl_fish.h"
+#include "core/poi/bowl/bowl.h"
 
 #include "core/base/panic.h"
 #include "core/base/rng.h"
@@ -61,23 +61,6 @@ static struct round round_of(const struct fish *fish, uint32_t index, const stru
     };
 }
 
-static void turn_to(struct fish *fish, vec3 way)
-{
-    const float turn = f_wrap_angle(f_atan2(-way.x, -way.z) - fish->angles.yaw_rad);
-    fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + 0.08f * turn);
-    fish->angles.pitch_rad *= 0.95f;
-    fish->angles.roll_rad *= 0.95f;
-}
-
-static void beat(struct fish *fish, float bend_rad)
-{
-    fish->bend_rad += (bend_rad - fish->bend_rad) * 0.05f;
-    fish->tail_amplitude += (0.7f - fish->tail_amplitude) * 0.05f;
-    fish->tail_beat_hz = 2.0f;
-    fish->tail_phase_rad += F_TAU * fish->tail_beat_hz * CORE_TICK_S;
-    fish->tail_phase_rad -= fish->tail_phase_rad >= F_TAU ? F_TAU : 0.0f;
-}
-
 /* Moves the fish for one tick along its circle and toward the depth and the radius of the circle.
  * `way` is the direction around the bowl: 1 or -1. */
 static void swim_in_bowl(struct fish *fish, const struct bowl *bowl, float way,
@@ -95,8 +78,15 @@ static void swim_in_bowl(struct fish *fish, const struct bowl *bowl, float way,
     speed = v3_limit(speed, SPEED_MAX_M_S);
     fish->position_m = v3_muladd(fish->position_m, speed, CORE_TICK_S);
     fish->speed_m_s = along;
-    turn_to(fish, on);
-    beat(fish, -0.25f * way);
+    const float turn = f_wrap_angle(f_atan2(-on.x, -on.z) - fish->angles.yaw_rad);
+    fish->angles.yaw_rad = f_wrap_angle(fish->angles.yaw_rad + 0.08f * turn);
+    fish->angles.pitch_rad *= 0.95f;
+    fish->angles.roll_rad *= 0.95f;
+    fish->bend_rad += (-0.25f * way - fish->bend_rad) * 0.05f;
+    fish->tail_amplitude += (0.7f - fish->tail_amplitude) * 0.05f;
+    fish->tail_beat_hz = 2.0f;
+    fish->tail_phase_rad += F_TAU * fish->tail_beat_hz * CORE_TICK_S;
+    fish->tail_phase_rad -= fish->tail_phase_rad >= F_TAU ? F_TAU : 0.0f;
 }
 
 /* ---- Separation of fish ---------------------------------------------------------------------- */
@@ -166,18 +156,6 @@ static void separate_bowl_fish(struct fish *a, struct spine on_a, struct fish *b
     b->position_m = v3_muladd(b->position_m, out, 0.5f * step_m);
 }
 
-static void part_all(struct fish *fish, const fish_index *mine, uint32_t count)
-{
-    struct spine spine[BOWL_FISH_MAX];
-    CORE_ASSERT(count <= BOWL_FISH_MAX);
-    for (uint32_t i = 0; i < count; i++) {
-        spine[i] = spine_of(&fish[mine[i]]);
-        for (uint32_t k = 0; k < i; k++) {
-            separate_bowl_fish(&fish[mine[k]], spine[k], &fish[mine[i]], spine[i]);
-        }
-    }
-}
-
 /* Keeps a fish below the water surface in the bowl, and keeps its snout and tail inside the
  * hull. */
 static void stay_in_hull(struct fish *fish, const struct bowl *bowl, float level_m)
@@ -220,17 +198,6 @@ static uint32_t gather_bowl_fish(struct bowl *bowl, uint32_t bowl_index, const s
     return count;
 }
 
-/* Completes the tick of a fish that was at `from_m` at the start of the tick. A speed limit makes a
- * new fish sink gradually to its circle. `moved_m` is the motion of the bowl in this tick. */
-static void end_tick(struct fish *fish, const struct bowl *bowl, float level_m, vec3 from_m,
-                     vec3 moved_m)
-{
-    stay_in_hull(fish, bowl, level_m);
-    const vec3 step = v3_limit(v3_sub(fish->position_m, from_m), SPEED_MAX_M_S * CORE_TICK_S);
-    fish->position_m = v3_add(from_m, step);
-    fish->velocity_m_s = v3_scale(v3_add(step, moved_m), (float)CORE_TICK_HZ);
-}
-
 void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
 {
     fish_index mine[BOWL_FISH_MAX];
@@ -250,8 +217,21 @@ void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
         const struct round round = round_of(fish, mine[i], bowl, level_m, tank->seed);
         swim_in_bowl(fish, bowl, way, &round);
     }
-    part_all(tank->fish, mine, count);
+    struct spine spine[BOWL_FISH_MAX];
+    CORE_ASSERT(count <= BOWL_FISH_MAX);
     for (uint32_t i = 0; i < count; i++) {
-        end_tick(&tank->fish[mine[i]], bowl, level_m, from_m[i], moved_m);
+        spine[i] = spine_of(&tank->fish[mine[i]]);
+        for (uint32_t k = 0; k < i; k++) {
+            separate_bowl_fish(&tank->fish[mine[k]], spine[k], &tank->fish[mine[i]], spine[i]);
+        }
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        /* A speed limit makes a new fish sink gradually to its circle. */
+        struct fish *fish = &tank->fish[mine[i]];
+        stay_in_hull(fish, bowl, level_m);
+        const vec3 step =
+            v3_limit(v3_sub(fish->position_m, from_m[i]), SPEED_MAX_M_S * CORE_TICK_S);
+        fish->position_m = v3_add(from_m[i], step);
+        fish->velocity_m_s = v3_scale(v3_add(step, moved_m), (float)CORE_TICK_HZ);
     }
 }

@@ -1,9 +1,103 @@
-/* capture.c -- decides whether a fish becomes a carried fish, and initializes the carried fish. */
+/* capture.c -- tests which fish in the water touch the paper, captures fish, and moves a fish that
+ * falls a few centimetres into a bowl or into the water. */
 #include "core/poi/catch/capture.h"
 
+#include "core/base/physics.h"
 #include "core/base/rng.h"
-#include "core/poi/catch/fall.h"
-#include "core/poi/catch/paper_contact.h"
+#include "core/input.h"
+#include "core/tank/tank.h"
+
+#define ZONE_M 0.06f /* Distance from the paper's plane beyond which no fish can touch the paper. */
+#define SQUEEZE_GAP_M 0.0005f
+/* Height of the hand's target above a ring that fish block. From this height on, the ring counts as
+ * jammed (a pull of 6.5 N). */
+#define JAM_PULL_M 0.03f
+/* Number of ticks (0.1 s) after which all fish over a jammed ring have left. The fish leave from
+ * the edge inward. */
+#define JAM_TICKS 12.0f
+#define JAM_M (0.02f * CORE_TICK_S)
+/* Largest gap between fish and paper at which the fish can be captured. A fish that lies across the
+ * ring is 3 mm above the paper. */
+#define TOUCH_M 0.005f
+
+/* Returns 1 if a point is less than ZONE_M above the paper's plane and near the poi, otherwise 0.
+ * `away` is the vector from the ring's centre to the point in world axes. Writes the coordinates of
+ * the point in the poi's axes to `place`. For most fish, the cheap test of the distance is
+ * sufficient. */
+static int over_paper(const struct basis *axes, vec3 away, vec3 *place)
+{
+    if (v3_dot(away, away) >= ZONE_M * ZONE_M + POI_RADIUS_M * POI_RADIUS_M) {
+        return 0;
+    }
+    *place = vec_basis_to_body(axes, away);
+    return place->y >= 0.0f && place->y < ZONE_M;
+}
+
+int capture_touches(const struct poi *poi, const struct basis *axes, const struct fish *fish)
+{
+    vec3 place;
+    if (!over_paper(axes, v3_sub(fish->position_m, poi->position_m), &place) ||
+        !sheet_holds(&poi->sheet, place.x, place.z)) {
+        return 0;
+    }
+    const struct basis body = vec_basis_from_angles(fish->angles);
+    const float clear_m = carried_fish_half_extent_m(fish, vec_basis_to_body(&body, axes->up));
+    return place.y < clear_m + TOUCH_M;
+}
+
+static int at_surface(const struct fish *fish)
+{
+    const struct box box = fish_box(fish);
+    return fish->position_m.y + box_extent_m(&box).y > -SQUEEZE_GAP_M;
+}
+
+/* Returns 1 if the ring touches the fish, otherwise 0. If `from_below` is 1, only a contact from
+ * below counts. */
+static int ring_touches(const struct poi *poi, const struct fish *fish, int from_below)
+{
+    const struct box box = fish_box(fish);
+    const struct obstacle ring = poi_obstacle(poi);
+    const struct touch touch = obstacle_touch(&ring, &box);
+    return touch.gap_m < SQUEEZE_GAP_M && (!from_below || touch.out.y > 0.0f);
+}
+
+int capture_is_jammed(const struct poi *poi)
+{
+    const vec3 made_m = v3_sub(poi->position_m, poi->before_m);
+    return poi->reaction & REACTION_POSITION && poi->hand_m.y > poi->position_m.y + JAM_PULL_M &&
+           v3_dot(made_m, made_m) < JAM_M * JAM_M;
+}
+
+static int is_near(const struct fish *fish, vec3 away)
+{
+    const float reach_m = POI_OUTER_RADIUS_M + fish->length_m;
+    return v3_dot(away, away) < reach_m * reach_m;
+}
+
+int capture_is_squeezed(const struct poi *poi, const struct fish *fish)
+{
+    const vec3 away = v3_sub(fish->position_m, poi->position_m);
+    return poi->reaction & REACTION_POSITION && is_near(fish, away) && at_surface(fish) &&
+           ring_touches(poi, fish, 1);
+}
+
+int capture_releases(const struct poi *poi, const struct basis *axes, const struct fish *fish)
+{
+    const vec3 away = v3_sub(fish->position_m, poi->position_m);
+    const float left = 1.0f - (float)poi->jam_ticks / JAM_TICKS;
+    /* The fish lies over the disc if it is above the disc, inside the outer radius, and at least
+     * `from_m` horizontally from the disc's centre. The height of the fish above the disc has no
+     * effect. */
+    const float from_m = f_max(left, 0.0f) * POI_OUTER_RADIUS_M;
+    const float side_m2 = away.x * away.x + away.z * away.z;
+    if ((side_m2 < POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M && side_m2 >= from_m * from_m &&
+         v3_dot(away, axes->up) > 0.0f) &&
+        at_surface(fish)) {
+        return 1;
+    }
+    return left <= 0.0f && is_near(fish, away) &&
+           (ring_touches(poi, fish, 0) || capture_touches(poi, axes, fish));
+}
 
 /* Lowest vertical component of the paper's unit normal at which a poi captures fish. At this value,
  * the tilt is 70 degrees. */
@@ -26,23 +120,11 @@
 /* Slap strength of a fish that was calm before its capture, relative to a fleeing fish. */
 #define CALM_VIGOUR 0.55f
 
-/* Returns 1 if the water over the paper is deep enough for the fish to stand upright, otherwise 0.
- * If fish jam the ring (paper_contact_jams()), the limit is deeper: the fish is captured unless it
- * would float off again immediately. */
-static int can_stand(const struct poi *poi, const struct basis *axes, vec3 place,
-                     const struct fish *fish)
-{
-    const float paper_y = poi->position_m.y + place.x * axes->right.y + place.z * axes->back.y;
-    const float stands_m = STAND_SHARE * fish->height_m + STAND_SPARE_M;
-    const float held_m = paper_contact_jams(poi) ? HELD_SHARE * fish->height_m : 0.0f;
-    return -paper_y > f_max(stands_m, held_m);
-}
-
 void capture_slip_off(const struct poi *poi, struct tank *tank, struct fish *fish)
 {
     const vec3 away = v3_sub(fish->position_m, poi->position_m);
     const vec3 out = v3_normalize_or(v3(away.x, 0.0f, away.z), v3(1.0f, 0.0f, 0.0f));
-    fall_set_free(tank, fish, v3_scale(out, SPILL_M_S));
+    catch_set_free(tank, fish, v3_scale(out, SPILL_M_S));
 }
 
 /* Returns 1 if the ring presses the fish against one wall of the tank, otherwise 0. `out` is the
@@ -70,15 +152,6 @@ int capture_is_walled(const struct poi *poi, const struct basis *axes, const str
            is_pressed(poi, axes, fish, v3(0.0f, 0.0f, -1.0f), half_z);
 }
 
-/* Returns the initial slap strength [0, 1] of a captured fish. The strength depends on the fish's
- * stamina and alarm. */
-static float vigour_of(const struct fish *fish)
-{
-    const int flees = fish->gait == GAIT_BURST || fish->gait == GAIT_ESCAPE;
-    const float fear = flees ? 1.0f : f_clamp(fish->alarm, 0.0f, 1.0f);
-    return (0.5f + 0.5f * fish->stamina) * f_lerp(CALM_VIGOUR, 1.0f, fear);
-}
-
 static struct carried_fish rider_of(const struct poi *poi, const struct basis *axes,
                                     const struct fish *fish, vec3 place)
 {
@@ -86,6 +159,9 @@ static struct carried_fish rider_of(const struct poi *poi, const struct basis *a
     const vec3 tail = vec_basis_to_body(axes, body.back);
     const vec3 right = vec_basis_to_body(axes, body.right);
     const vec3 speed = vec_basis_to_body(axes, v3_sub(fish->velocity_m_s, poi->velocity_m_s));
+    /* The initial slap strength [0, 1] of a captured fish depends on the fish's stamina and alarm. */
+    const int flees = fish->gait == GAIT_BURST || fish->gait == GAIT_ESCAPE;
+    const float fear = flees ? 1.0f : f_clamp(fish->alarm, 0.0f, 1.0f);
     return (struct carried_fish){
         .state = CARRIED_LYING,
         .side = right.y > 0.0f ? 1 : -1,
@@ -95,7 +171,7 @@ static struct carried_fish rider_of(const struct poi *poi, const struct basis *a
         .slide_x_m_s = f_clamp(speed.x, -0.2f, 0.2f),
         .slide_z_m_s = f_clamp(speed.z, -0.2f, 0.2f),
         .heading_rad = f_atan2(tail.x, tail.z),
-        .vigour = vigour_of(fish),
+        .vigour = (0.5f + 0.5f * fish->stamina) * f_lerp(CALM_VIGOUR, 1.0f, fear),
     };
 }
 
@@ -104,7 +180,12 @@ void capture_fish(struct poi *poi, uint32_t poi_index, const struct basis *axes,
 {
     struct fish *fish = &tank->fish[index];
     const vec3 place = vec_basis_to_body(axes, v3_sub(fish->position_m, poi->position_m));
-    if (axes->up.y < LEVEL_MIN || can_stand(poi, axes, place, fish)) {
+    /* The fish can stand upright if the water over the paper is deep enough. If fish jam the ring,
+     * the limit is deeper: the fish is captured unless it would float off again immediately. */
+    const float paper_y = poi->position_m.y + place.x * axes->right.y + place.z * axes->back.y;
+    const float stands_m = STAND_SHARE * fish->height_m + STAND_SPARE_M;
+    const float held_m = capture_is_jammed(poi) ? HELD_SHARE * fish->height_m : 0.0f;
+    if (axes->up.y < LEVEL_MIN || (-paper_y > f_max(stands_m, held_m))) {
         return;
     }
     if (poi->carried_count == POI_CARRIED_MAX) {
@@ -119,4 +200,87 @@ void capture_fish(struct poi *poi, uint32_t poi_index, const struct basis *axes,
     carried->walled = (uint8_t)capture_is_walled(poi, axes, tank, fish);
     fish->gait = GAIT_HELD;
     fish->holder = (uint8_t)poi_index;
+}
+
+/* ---- Fall of a fish -------------------------------------------------------------------------- */
+
+/* Highest horizontal speed with which a fish that is beyond a tank wall moves back over the
+ * tank. */
+#define FALL_HOME_M_S 1.5f
+#define PLOP_M 0.004f /* Depth of the dent that a falling fish makes in the water surface. */
+
+/* Full alarm makes the fish flee as soon as no other fish is in its way. */
+void catch_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
+{
+    fish->alarm = 1.0f;
+    reentry_begin(tank, fish, velocity_m_s);
+}
+
+/* Moves a fish that misses the bowl's mouth out of the hull, so that the fish slides down outside
+ * the bowl. */
+static void off_hull(const struct bowl *bowl, struct fish *fish, struct carried_fish *carried)
+{
+    const vec3 away =
+        v3(fish->position_m.x - bowl->position_m.x, 0.0f, fish->position_m.z - bowl->position_m.z);
+    const float below = bowl->position_m.y - fish->position_m.y;
+    const float apart = bowl_hull_radius_m(below) + 0.5f * fish->width_m;
+    const float far = v3_length(away);
+    if (below <= 0.0f || below > BOWL_DEPTH_M || far >= apart) {
+        return;
+    }
+    const vec3 out = v3_normalize_or(away, v3(-1.0f, 0.0f, 0.0f));
+    const float inward = f_min(v3_dot(carried->fall_m_s, out), 0.0f);
+    fish->position_m = v3_muladd(fish->position_m, out, apart - far);
+    carried->fall_m_s = v3_muladd(carried->fall_m_s, out, -inward);
+}
+
+/* Returns the speed on one axis with which a fish beyond a tank wall moves back over the tank; 0
+ * inside the walls. At a real stall, people also put a fish back that jumped out. */
+static float homeward(float at_m, float room_m)
+{
+    const float out = at_m - f_clamp(at_m, -room_m, room_m);
+    return -f_clamp(out / CORE_TICK_S, -FALL_HOME_M_S, FALL_HOME_M_S);
+}
+
+void catch_fall_begin(struct carried_fish *carried, vec3 velocity_m_s)
+{
+    carried->state = CARRIED_FALLING;
+    carried->slap_s = 0.0f;
+    carried->fall_m_s = velocity_m_s;
+}
+
+enum fall_end catch_fall_tick(struct carried_fish *carried, const struct stall *stall,
+                              uint32_t *bowl_index)
+{
+    struct tank *tank = stall->tank;
+    struct fish *fish = &tank->fish[carried->fish];
+    const vec3 before = fish->position_m;
+    const vec3 home = v3(homeward(before.x, 0.5f * (tank->size_m.x - fish->length_m)), 0.0f,
+                         homeward(before.z, 0.5f * (tank->size_m.z - fish->length_m)));
+    carried->fall_m_s.y -= GRAVITY_M_S2 * CORE_TICK_S;
+    fish->velocity_m_s = v3_add(carried->fall_m_s, home);
+    fish->position_m = v3_muladd(before, fish->velocity_m_s, CORE_TICK_S);
+    fish->tail_amplitude = 1.0f;
+    for (uint32_t i = 0; i < stall->bowl_count; i++) {
+        struct bowl *bowl = &stall->bowls[i];
+        /* The fish falls into the bowl if its path passes down through the bowl's mouth. Because
+         * the bowl also moves, each position is taken relative to the bowl at the same time. */
+        const vec3 from = v3_sub(before, bowl->before_m),
+                   to = v3_sub(fish->position_m, bowl->position_m);
+        if (bowl->present && (from.y > 0.0f && to.y <= 0.0f &&
+                              to.x * to.x + to.z * to.z < BOWL_RADIUS_M * BOWL_RADIUS_M)) {
+            bowl_take(bowl, i, tank, fish, carried->fall_m_s);
+            *bowl_index = i;
+            return FALL_INTO_BOWL;
+        }
+        if (bowl->present) {
+            off_hull(bowl, fish, carried);
+        }
+    }
+    if (fish->position_m.y > -0.5f * fish->width_m) {
+        return FALL_GOES_ON;
+    }
+    water_press(&tank->water, tank->size_m, fish->position_m, 0.4f * fish->length_m, PLOP_M);
+    catch_set_free(tank, fish, carried->fall_m_s);
+    return FALL_INTO_WATER;
 }

@@ -1,9 +1,16 @@
-/* capture.h -- captures fish: a swimming fish over the paper becomes a carried fish if the water is
- * too shallow for the fish to stand upright. */
+/* capture.h -- how fish come onto a poi (paper scoop) and leave the poi: contact with the paper,
+ * capture, and fall.
+ *
+ * A swimming fish over the paper becomes a carried fish if the water is too shallow for the fish to
+ * stand upright. A fish that slips off the ring or falls through the paper falls into a bowl or
+ * into the water. */
 #ifndef KINGYO_CORE_POI_CATCH_CAPTURE_H
 #define KINGYO_CORE_POI_CATCH_CAPTURE_H
 
+#include "core/poi/bowl/bowl.h"
+#include "core/poi/catch/carried_fish.h"
 #include "core/poi/poi.h"
+#include "core/tank/tank.h"
 
 /* Depth of water over the paper above which a carried fish floats off the paper, in body
  * heights. */
@@ -26,5 +33,45 @@ void capture_slip_off(const struct poi *poi, struct tank *tank, struct fish *fis
  * centre. The ring must move toward the wall, or the hand must push the ring toward the wall. */
 int capture_is_walled(const struct poi *poi, const struct basis *axes, const struct tank *tank,
                       const struct fish *fish);
+
+enum fall_end {
+    FALL_GOES_ON = 0,
+    FALL_INTO_BOWL,  /* The fish is now in a bowl, which counts the fish. */
+    FALL_INTO_WATER, /* The fish is back in the water of the tank. The fish swims as soon as no
+                        other fish is in its way. */
+};
+
+/* Changes a carried fish to a falling fish with the world velocity `velocity_m_s`. */
+void catch_fall_begin(struct carried_fish *carried, vec3 velocity_m_s);
+
+/* Advances the fall of a fish by one tick (1/120 s). A fish can enter the bowl of any player, but
+ * only from above through the bowl's mouth. If the result is FALL_INTO_BOWL, writes the index of
+ * the bowl to `bowl_index`. */
+enum fall_end catch_fall_tick(struct carried_fish *carried, const struct stall *stall,
+                              uint32_t *bowl_index);
+
+/* Puts a fish back into the water of the tank: below the surface, inside the walls, and with full
+ * alarm. */
+void catch_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s);
+
+/* Returns 1 if a swimming fish is above intact paper and near enough to be captured, otherwise 0.
+ * The position of the fish's centre decides whether the fish is above the paper, because the
+ * contact solver lets no fish pass through the paper. `axes` are the poi's axes. */
+int capture_touches(const struct poi *poi, const struct basis *axes, const struct fish *fish);
+
+/* Returns 1 if fish block the ring and the ring presses the fish `fish` against the water
+ * surface, otherwise 0. In this case the fish must slip off, because the poi could not be lifted
+ * otherwise. */
+int capture_is_squeezed(const struct poi *poi, const struct fish *fish);
+
+/* Returns 1 if the ring is jammed, otherwise 0. The ring is jammed if fish block it while the
+ * target of the hand is at least 3 cm above the ring (a pull of 6.5 N). */
+int capture_is_jammed(const struct poi *poi);
+
+/* Returns 1 if the fish `fish` jams the ring and must leave the poi in this tick, otherwise 0.
+ * The fish between the disc and the water surface leave from the edge inward. The longer the jam
+ * lasts, the more fish leave. After 0.1 s, all fish that touch the ring leave. `axes` are the
+ * poi's axes. */
+int capture_releases(const struct poi *poi, const struct basis *axes, const struct fish *fish);
 
 #endif

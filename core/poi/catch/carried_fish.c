@@ -4,7 +4,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/rng.h"
-#include "core/poi/disc.h"
+#include "core/poi/ring.h"
 #include "core/poi/pose.h"
 
 /* Roll angle of a lying fish. The angle is less than 90 degrees, because fins are between the body
@@ -79,35 +79,6 @@ void carried_fish_tail(const struct carried_fish *carried, float length_m, float
 
 /* ---- Slaps of the tail ---------------------------------------------------------------------- */
 
-static void throw_about(struct carried_fish *carried, float strength, uint32_t seed, uint32_t tick)
-{
-    const float turn = 2.0f * draw_slap(carried, seed, tick, DRAW_TURN) - 1.0f;
-    const float luck = draw_slap(carried, seed, tick, DRAW_FLOP);
-    const float flop = FLOP_M_S * strength * luck * luck * luck;
-    carried->heading_rad = f_wrap_angle(carried->heading_rad + 0.5f * strength * turn);
-    carried->slide_x_m_s -= flop * f_sin(carried->heading_rad + turn);
-    carried->slide_z_m_s -= flop * f_cos(carried->heading_rad + turn);
-}
-
-/* Starts one slap and sets `rest_s`, the random time until the next slap: 0.1 to 0.2 s, or 0.5 s
- * more after a pause. Pauses are more frequent for a calmer fish. Returns the force of the slap. */
-static float begin_slap(struct carried_fish *carried, const struct fish *fish, uint32_t seed,
-                        uint32_t tick)
-{
-    const float push =
-        f_lerp(SLAP_M_S2_MIN, SLAP_M_S2_MAX, draw_slap(carried, seed, tick, DRAW_FORCE)) *
-        carried->vigour;
-    const int pause = draw_slap(carried, seed, tick, DRAW_PAUSE) > 0.25f + 0.6f * carried->vigour;
-    carried->slap_s = SLAP_S;
-    carried->slap_n = f_min(push * fish_mass_kg(fish->length_m), SLAP_N_MAX);
-    carried->slap_d_m = f_lerp(0.002f, 0.005f, draw_slap(carried, seed, tick, DRAW_FOOT));
-    carried->rest_s =
-        f_lerp(0.1f, 0.2f, draw_slap(carried, seed, tick, DRAW_GAP)) + (pause ? 0.5f : 0.0f);
-    carried->hop_s = HOP_S * (0.4f + 0.6f * carried->vigour);
-    throw_about(carried, carried->vigour, seed, tick);
-    return carried->slap_n;
-}
-
 static float slap(struct carried_fish *carried, const struct fish *fish,
                   const struct paper_surface *ride, float dry, uint32_t seed, uint32_t tick)
 {
@@ -121,7 +92,26 @@ static float slap(struct carried_fish *carried, const struct fish *fish,
     if (carried->rest_s > 0.0f || dry < AGROUND) {
         return 0.0f;
     }
-    return begin_slap(carried, fish, seed, tick);
+    /* Starts a slap and sets `rest_s`, the random time until the next slap: 0.1 to 0.2 s, or 0.5 s
+     * more after a pause. Pauses are more frequent for a calmer fish. */
+    const float push =
+        f_lerp(SLAP_M_S2_MIN, SLAP_M_S2_MAX, draw_slap(carried, seed, tick, DRAW_FORCE)) *
+        carried->vigour;
+    const int pause = draw_slap(carried, seed, tick, DRAW_PAUSE) > 0.25f + 0.6f * carried->vigour;
+    carried->slap_s = SLAP_S;
+    carried->slap_n = f_min(push * fish_mass_kg(fish->length_m), SLAP_N_MAX);
+    carried->slap_d_m = f_lerp(0.002f, 0.005f, draw_slap(carried, seed, tick, DRAW_FOOT));
+    carried->rest_s =
+        f_lerp(0.1f, 0.2f, draw_slap(carried, seed, tick, DRAW_GAP)) + (pause ? 0.5f : 0.0f);
+    carried->hop_s = HOP_S * (0.4f + 0.6f * carried->vigour);
+    /* The slap turns the fish and throws it in a random direction. */
+    const float turn = 2.0f * draw_slap(carried, seed, tick, DRAW_TURN) - 1.0f;
+    const float luck = draw_slap(carried, seed, tick, DRAW_FLOP);
+    const float flop = FLOP_M_S * carried->vigour * luck * luck * luck;
+    carried->heading_rad = f_wrap_angle(carried->heading_rad + 0.5f * carried->vigour * turn);
+    carried->slide_x_m_s -= flop * f_sin(carried->heading_rad + turn);
+    carried->slide_z_m_s -= flop * f_cos(carried->heading_rad + turn);
+    return carried->slap_n;
 }
 
 /* ---- Sliding on the paper ------------------------------------------------------------------- */
@@ -138,17 +128,6 @@ static float lean_per_m(const struct carried_fish *carried, const struct paper_s
     const float square = f_min(carried->x_m * carried->x_m + carried->z_m * carried->z_m, wide);
     const float own = 2.0f * press_n * ride->give_per_n / (wide - square + FOOT_M * FOOT_M);
     return 2.0f * ride->belly_m / wide + f_min(own, LEAN_MAX / ride->radius_m);
-}
-
-/* Accelerates a floating fish toward its nose. `afloat` is the fraction [0, 1] of the fish's weight
- * that water supports. */
-static void make_off(struct carried_fish *carried, const struct fish *fish, float afloat)
-{
-    const float goal_m_s = SWIM_LENGTHS * fish->length_m * carried->vigour;
-    const float keep = 1.0f - SWIM_PER_S * afloat * CORE_TICK_S;
-    const float gain_m_s = goal_m_s * (1.0f - keep);
-    carried->slide_x_m_s = carried->slide_x_m_s * keep - gain_m_s * f_sin(carried->heading_rad);
-    carried->slide_z_m_s = carried->slide_z_m_s * keep - gain_m_s * f_cos(carried->heading_rad);
 }
 
 /* Moves the fish by gravity, by the slope of the paper and by friction. Friction is computed
@@ -197,37 +176,30 @@ static void meet_wall(struct carried_fish *carried, const struct paper_surface *
     carried->z_m = wall * out_z;
 }
 
-/* Moves the roll and the height of the fish toward their rest values. The centre of a fish on its
- * side is half the fish's width above the paper. The centre of an upright fish is half the fish's
- * height above the paper. */
-static void settle_height(struct carried_fish *carried, const struct fish *fish, float dry)
-{
-    const float step = f_min(1.0f, LIE_PER_S * CORE_TICK_S);
-    carried->lie += (dry - carried->lie) * step;
-    const float tilt = LIE_RAD * carried->lie;
-    const float rest = carried_fish_half_extent_m(fish, v3(f_sin(tilt), f_cos(tilt), 0.0f));
-    carried->height_m += (rest - carried->height_m) * f_min(1.0f, 2.0f * step);
-}
-
 float carried_fish_tick(struct carried_fish *carried, const struct fish *fish,
                         const struct paper_surface *ride, float dry, uint32_t seed,
                         uint32_t key_tick)
 {
     const float force_n = slap(carried, fish, ride, dry, seed, key_tick);
-    make_off(carried, fish, 1.0f - dry);
+    /* A floating fish accelerates toward its nose. */
+    const float goal_m_s = SWIM_LENGTHS * fish->length_m * carried->vigour;
+    const float keep = 1.0f - SWIM_PER_S * (1.0f - dry) * CORE_TICK_S;
+    const float gain_m_s = goal_m_s * (1.0f - keep);
+    carried->slide_x_m_s = carried->slide_x_m_s * keep - gain_m_s * f_sin(carried->heading_rad);
+    carried->slide_z_m_s = carried->slide_z_m_s * keep - gain_m_s * f_cos(carried->heading_rad);
     slide(carried, fish, ride, dry);
     if (dry > AGROUND) {
         meet_wall(carried, ride);
     }
-    settle_height(carried, fish, dry);
+    /* The roll and the height of the fish approach their rest values. The centre of a fish on its
+     * side is half the fish's width above the paper. The centre of an upright fish is half the
+     * fish's height above the paper. */
+    const float step = f_min(1.0f, LIE_PER_S * CORE_TICK_S);
+    carried->lie += (dry - carried->lie) * step;
+    const float tilt = LIE_RAD * carried->lie;
+    const float rest = carried_fish_half_extent_m(fish, v3(f_sin(tilt), f_cos(tilt), 0.0f));
+    carried->height_m += (rest - carried->height_m) * f_min(1.0f, 2.0f * step);
     return force_n;
-}
-
-/* Returns the depth of the sag at the position of a carried fish. */
-static float sunk_m(const struct carried_fish *carried, const struct paper_surface *ride)
-{
-    const float square = carried->x_m * carried->x_m + carried->z_m * carried->z_m;
-    return ride->belly_m * f_max(0.0f, 1.0f - square / (ride->radius_m * ride->radius_m));
 }
 
 void carried_fish_pose(const struct carried_fish *carried, const struct paper_surface *ride,
@@ -240,7 +212,10 @@ void carried_fish_pose(const struct carried_fish *carried, const struct paper_su
     const vec3 back = v3(-cosine * across, f_cos(tilt), sine * across);
     const struct basis axes =
         pose_look(vec_basis_to_world(poi_axes, nose), vec_basis_to_world(poi_axes, back));
-    const float over_m = carried->height_m - sunk_m(carried, ride);
+    const float square = carried->x_m * carried->x_m + carried->z_m * carried->z_m;
+    const float over_m =
+        carried->height_m -
+        (ride->belly_m * f_max(0.0f, 1.0f - square / (ride->radius_m * ride->radius_m)));
     const vec3 place = vec_basis_to_world(poi_axes, v3(carried->x_m, over_m, carried->z_m));
     fish->position_m = v3_add(poi_m, place);
     fish->angles = pose_angles(&axes);

@@ -1,8 +1,16 @@
-/* carried_fish.h -- simulates one fish on a poi (paper scoop): the fish lies on its side, slaps,
- * slides and calms down.
+/* carried_fish.h -- the fish on a poi (paper scoop), their loads on the paper, and the water that
+ * the poi carries.
  *
- * The position of the fish is stored in the plane of the poi, so that the fish moves with the
- * poi. */
+ * A carried fish lies on its side, slaps, slides and calms down. The position of the fish is stored
+ * in the plane of the poi, so that the fish moves with the poi. Carried fish lie side by side.
+ *
+ * A fish falls only through a hole under its body. A pinhole under the body or a hole beside the
+ * body does not drop the fish. A hole as wide as the girth of the fish drops the fish. A hole that
+ * leaves only a narrow strip of paper under the fish also drops the fish.
+ *
+ * The carried water is a film on both faces of the paper and a pool in the sag of the paper. On an
+ * upside-down poi, the pool lies in the ring, which is 3 mm high. Only the tank supplies water.
+ * Therefore the mass of the carried water never increases in air. */
 #ifndef KINGYO_CORE_POI_CATCH_CARRIED_FISH_H
 #define KINGYO_CORE_POI_CATCH_CARRIED_FISH_H
 
@@ -23,6 +31,8 @@ enum carried_fish_state {
     CARRIED_RELEASED = 2, /* The fish falls, and the poi that dropped it no longer exists. A new poi
                              of the player does not catch the fish. */
 };
+
+struct poi;
 
 struct carried_fish {
     uint16_t fish;       /* Index of the fish in the tank. */
@@ -88,5 +98,46 @@ void carried_fish_pose(const struct carried_fish *carried, const struct paper_su
                        vec3 poi_m, const struct basis *poi_axes, struct fish *fish);
 
 uint64_t carried_fish_hash(uint64_t hash, const struct carried_fish *carried);
+
+/* Separates overlapping carried fish for one tick; the lighter fish moves more. The ring stops a
+ * fish that is pushed outward. A fish without enough room is pushed over the ring. Fish in the air
+ * are ignored. `fish` is the tank's array of fish. */
+void carried_separation_tick(struct poi *poi, const struct fish *fish);
+
+/* Returns the overlap of two carried fish in the plane of the paper, in metres. A result of 0 or
+ * less means that the fish do not overlap. */
+float carried_separation_overlap_m(const struct carried_fish *a, const struct fish *fish_a,
+                                   const struct carried_fish *b, const struct fish *fish_b);
+
+/* Returns 1 if paper or ring supports the middle of a lying fish, and also its front half or its
+ * rear half. Otherwise returns 0. A fish whose centre is beyond the ring is not supported. */
+int carried_support_holds(const struct sheet *sheet, const struct carried_fish *carried,
+                          const struct fish *fish);
+
+/* Returns the fraction [0, 1] of a carried fish's weight that water does not support. */
+float carried_load_dryness(const struct poi *poi, const struct basis *axes,
+                           const struct carried_fish *carried, const struct fish *fish);
+
+/* Writes `loads`, `load_count`, `slap_count` and `carried_kg` of the poi for the next tick of the
+ * paper.
+ *
+ * The body of a fish acts on a patch 20 mm in diameter. A slap acts at the tail on a patch 2 to
+ * 5 mm in diameter if there is paper under the tail. Otherwise the force of the slap acts at the
+ * body, on a patch whose area is 16 to 100 times larger.
+ *
+ * `pull_m_s2` is gravity minus the poi's own acceleration, along the poi's up axis. `fish` is the
+ * tank's array of fish. */
+void carried_load_gather(struct poi *poi, const struct basis *axes, float pull_m_s2,
+                         const struct fish *fish);
+
+/* Returns the largest mass of the pool: about 3 g in the sag of a level poi, 15 g on an upside-down
+ * poi, and 0 on a steep poi. `up_y` is the vertical component of the poi's unit normal. */
+float carried_water_room_kg(const struct poi *poi, float up_y);
+
+/* Updates the film, the pool and the drops for one tick (1/120 s). Under water, the film and the
+ * pool fill up. In air, water drains in three ways. Over the rim, the time constant is 0.15 s
+ * divided by the sine of the tilt. Water also drains through holes, and slowly through wet paper.
+ * `up_y` is the vertical component of the poi's unit normal. */
+void carried_water_tick(struct poi *poi, float up_y);
 
 #endif

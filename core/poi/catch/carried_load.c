@@ -1,8 +1,14 @@
-/* carried_load.c -- computes the loads of carried fish: one load for each body and one for each
- * slap. */
-#include "core/poi/catch/carried_load.h"
+/* carried_load.c -- computes the loads of carried fish on the paper, tests the support of the fish,
+ * and computes the carried water.
+ *
+ * Each carried fish has one load for its body and one load for a slap. The support of a fish is
+ * tested at five places along its body, with three points across the body at each place. The
+ * carried water is the film and the pool of a tilted poi. */
+#include "core/poi/catch/carried_fish.h"
 
 #include "core/base/panic.h"
+#include "core/base/physics.h"
+#include "core/poi/poi.h"
 
 #define BODY_FOOT_M 0.020f /* Diameter of the patch of paper on which a body acts. */
 
@@ -62,4 +68,160 @@ void carried_load_gather(struct poi *poi, const struct basis *axes, float pull_m
                                                f_min(kg * pull_m_s2, 0.0f) });
         }
     }
+}
+
+/* ---- Support of a fish by paper and ring ----------------------------------------------------- */
+
+/* Distance between test places along the body, in body lengths. The places reach from 0.36 body
+ * lengths in front of the centre to 0.36 body lengths behind it. */
+#define ALONG_STEP 0.18f
+/* Distance of the outer test points from the midline of the body, as a fraction of the body's
+ * girth. The fraction is less than one half, because a body tapers. */
+#define ACROSS 0.30f
+
+static int is_borne(const struct sheet *sheet, float x_m, float z_m)
+{
+    const float square = x_m * x_m + z_m * z_m;
+    if (square >= sheet->radius_m * sheet->radius_m) {
+        return square <= POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M;
+    }
+    return sheet_holds(sheet, x_m, z_m);
+}
+
+/* Returns 1 if paper or ring supports at least one of three points across the body, otherwise 0.
+ * `along` is the distance of the points behind the fish's centre, in body lengths. */
+static int slice_holds(const struct sheet *sheet, const struct carried_fish *carried,
+                       const struct fish *fish, float along)
+{
+    const float tail_x = f_sin(carried->heading_rad), tail_z = f_cos(carried->heading_rad);
+    const float x = carried->x_m + along * fish->length_m * tail_x;
+    const float z = carried->z_m + along * fish->length_m * tail_z;
+    const float aside = ACROSS * f_lerp(fish->width_m, fish->height_m, carried->lie);
+    return is_borne(sheet, x, z) || is_borne(sheet, x + aside * tail_z, z - aside * tail_x) ||
+           is_borne(sheet, x - aside * tail_z, z + aside * tail_x);
+}
+
+static int half_holds(const struct sheet *sheet, const struct carried_fish *carried,
+                      const struct fish *fish, float way)
+{
+    return slice_holds(sheet, carried, fish, way * ALONG_STEP) ||
+           slice_holds(sheet, carried, fish, 2.0f * way * ALONG_STEP);
+}
+
+int carried_support_holds(const struct sheet *sheet, const struct carried_fish *carried,
+                          const struct fish *fish)
+{
+    const float square = carried->x_m * carried->x_m + carried->z_m * carried->z_m;
+    if (square > POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M) {
+        return 0;
+    }
+    if (sheet->paper_cells == sheet->paper_cells_new) {
+        return 1; /* The paper has no hole, which is the case in most ticks of a round. */
+    }
+    return slice_holds(sheet, carried, fish, 0.0f) &&
+           (half_holds(sheet, carried, fish, -1.0f) || half_holds(sheet, carried, fish, 1.0f));
+}
+
+/* ---- Carried water --------------------------------------------------------------------------- */
+
+/* Mass of the complete film of water on wet paper: 0.3 mm thick on each of the two faces. */
+#define FILM_KG 0.003f
+/* Mass of the film that does not drain, because the paper fibres hold it. */
+#define FILM_KEEP_KG 0.0008f
+/* Ratio of the drainage time constant of the thin film to that of the pool. */
+#define FILM_SLOW 4.0f
+/* Drainage time constant of a pool on a vertical ring. At a smaller tilt, the time constant is
+ * divided by the sine of the tilt. */
+#define DRAIN_TAU_S 0.15f
+/* Rate at which water above the capacity of the pool drains over the whole rim of a level ring. */
+#define RIM_PER_S 3.3f
+/* Sine of the tilt above which water drains only over the lowest point of the rim. */
+#define RIM_SINE 0.1f
+#define SEEP_TAU_S 15.0f /* Time constant with which water seeps through wet paper. */
+/* Drainage rate through holes, multiplied by the fraction of the paper that is torn. */
+#define HOLES_PER_S 8.0f
+#define DROP_KG 0.00005f /* Mass of a drop with a diameter of 4.6 mm. */
+/* Largest number of drops in one tick. More drops are a trickle, which is not louder. */
+#define DROPS_MAX 4u
+/* Capacity of an upside-down ring of radius a, which holds water 3 mm deep: pi * a^2 * 3 mm. */
+#define RING_KG 0.0151f
+
+/* Returns the capacity of the sag of the paper in a tilted poi. The sag is a paraboloid of depth w0
+ * = sag_m, and `tangent` is the tangent of the tilt. The lowest point of the rim limits the pool to
+ * (1 - a * tangent / (2 * w0))^4 times the volume of a level sag, where a is the radius of the
+ * paper. */
+static float belly_room_kg(float sag_m, float tangent)
+{
+    const float whole_kg = 0.5f * F_PI * POI_RADIUS_M * POI_RADIUS_M * sag_m * WATER_KG_M3;
+    const float lost = f_min(1.0f, 0.5f * POI_RADIUS_M * tangent / f_max(sag_m, 1e-5f));
+    const float left = (1.0f - lost) * (1.0f - lost);
+    return whole_kg * left * left;
+}
+
+/* Returns the capacity of an upside-down ring, which is a flat drum that the tilt empties in part.
+ * The water reaches up to the lowest point of the rim. If the water does not cover the whole
+ * bottom, it forms a wedge whose volume is proportional to its length to the power 3/2. The mass of
+ * the film is subtracted from the capacity. */
+static float ring_room_kg(float tangent)
+{
+    const float fall = POI_RADIUS_M * tangent / POI_THICKNESS_M;
+    const float wedge = 0.5f / f_max(fall, 0.5f);
+    const float share = fall < 0.5f ? 1.0f - fall : 0.5f * wedge * f_sqrt(wedge);
+    return f_max(0.0f, RING_KG * share - FILM_KG);
+}
+
+float carried_water_room_kg(const struct poi *poi, float up_y)
+{
+    const float level = f_max(f_abs(up_y), 1e-3f);
+    const float tangent = f_sqrt(f_max(0.0f, 1.0f - level * level)) / level;
+    const float room_kg =
+        up_y > 0.0f ? belly_room_kg(f_max(0.0f, poi->sheet.sag_m), tangent) : ring_room_kg(tangent);
+    return sheet_left(&poi->sheet) * room_kg;
+}
+
+/* Returns the mass of water that remains of `mass_kg` after one tick. The mass above `keep_kg`
+ * drains at the rate `per_s`. */
+static float run_off(float mass_kg, float keep_kg, float per_s)
+{
+    const float more_kg = f_max(0.0f, mass_kg - keep_kg);
+    return f_min(mass_kg, keep_kg) + more_kg / (1.0f + per_s * CORE_TICK_S);
+}
+
+/* The carried water of the immersed fraction of the disc is refilled immediately. The rest of the
+ * water drains. */
+void carried_water_tick(struct poi *poi, float up_y)
+{
+    const float left = sheet_left(&poi->sheet);
+    const float tilt_sine = f_sqrt(f_max(0.0f, 1.0f - up_y * up_y));
+    const float room_kg = carried_water_room_kg(poi, up_y);
+    const float tilt_per_s = tilt_sine / DRAIN_TAU_S;
+    const float seep_per_s = 1.0f / SEEP_TAU_S;
+    const float rim_per_s = RIM_PER_S * f_max(0.0f, 1.0f - tilt_sine / RIM_SINE);
+    poi->pool_kg = run_off(poi->pool_kg, room_kg, tilt_per_s + rim_per_s);
+    poi->pool_kg = run_off(poi->pool_kg, 0.0f, seep_per_s + HOLES_PER_S * (1.0f - left));
+    poi->film_kg = run_off(f_min(poi->film_kg, left * FILM_KG), left * FILM_KEEP_KG,
+                           tilt_per_s / FILM_SLOW + seep_per_s);
+    if (poi->immersed > 0.0f) {
+        poi->film_kg = f_max(poi->film_kg, left * FILM_KG * poi->immersed);
+        poi->pool_kg = f_max(poi->pool_kg, room_kg * poi->immersed);
+    }
+    const float before_kg = poi->water_kg;
+    poi->water_kg = poi->film_kg + poi->pool_kg;
+    /* Drained water falls in drops. No drops fall while the poi touches the water. */
+    poi->drops = 0;
+    if (poi->immersed > 0.0f) {
+        poi->drip_kg = 0.0f;
+        return;
+    }
+    poi->drip_kg += f_max(0.0f, before_kg - poi->water_kg);
+    while (poi->drip_kg >= DROP_KG && poi->drops < DROPS_MAX) {
+        poi->drip_kg -= DROP_KG;
+        poi->drops++;
+    }
+}
+
+float carried_water_m(const struct poi *poi)
+{
+    const float area_m2 = F_PI * POI_RADIUS_M * POI_RADIUS_M;
+    return (1.0f - poi->immersed) * poi->water_kg / (WATER_KG_M3 * area_m2);
 }

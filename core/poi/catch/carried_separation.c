@@ -1,6 +1,8 @@
 /* carried_separation.c -- separates carried fish, each modelled as a capsule in the plane of the
  * paper. */
-#include "core/poi/catch/carried_separation.h"
+#include "core/poi/catch/carried_fish.h"
+
+#include "core/poi/poi.h"
 
 /* Half the length of the capsule's axis, in body lengths. The capsule excludes the thin snout and
  * tail fin. */
@@ -122,21 +124,6 @@ static void push_within_ring(struct carried_fish *carried, float x_m, float z_m,
     }
 }
 
-/* Removes the speed with which two fish approach each other along the unit vector `out`. `share_a`
- * is the fraction of the change that fish `a` gets; fish `b` gets the rest. */
-static void share_velocity(struct carried_fish *a, struct carried_fish *b, struct flat out,
-                           float share_a)
-{
-    const float closing =
-        (a->slide_x_m_s - b->slide_x_m_s) * out.x + (a->slide_z_m_s - b->slide_z_m_s) * out.z;
-    if (closing > 0.0f) {
-        a->slide_x_m_s -= share_a * closing * out.x;
-        a->slide_z_m_s -= share_a * closing * out.z;
-        b->slide_x_m_s += (1.0f - share_a) * closing * out.x;
-        b->slide_z_m_s += (1.0f - share_a) * closing * out.z;
-    }
-}
-
 static void separate_carried(struct carried_fish *a, const struct fish *fish_a,
                              struct carried_fish *b, const struct fish *fish_b)
 {
@@ -153,7 +140,16 @@ static void separate_carried(struct carried_fish *a, const struct fish *fish_a,
     push_within_ring(a, -share_a * step_m * out.x, -share_a * step_m * out.z, is_squeezed);
     push_within_ring(b, (1.0f - share_a) * step_m * out.x, (1.0f - share_a) * step_m * out.z,
                      is_squeezed);
-    share_velocity(a, b, out, share_a);
+    /* Removes the speed with which the fish approach each other. Fish `a` gets the fraction
+     * `share_a` of the change, and fish `b` gets the rest. */
+    const float closing =
+        (a->slide_x_m_s - b->slide_x_m_s) * out.x + (a->slide_z_m_s - b->slide_z_m_s) * out.z;
+    if (closing > 0.0f) {
+        a->slide_x_m_s -= share_a * closing * out.x;
+        a->slide_z_m_s -= share_a * closing * out.z;
+        b->slide_x_m_s += (1.0f - share_a) * closing * out.x;
+        b->slide_z_m_s += (1.0f - share_a) * closing * out.z;
+    }
 }
 
 void carried_separation_tick(struct poi *poi, const struct fish *fish)

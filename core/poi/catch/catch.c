@@ -5,11 +5,7 @@
 #include "core/base/panic.h"
 #include "core/base/physics.h"
 #include "core/poi/catch/capture.h"
-#include "core/poi/catch/carried_load.h"
-#include "core/poi/catch/carried_separation.h"
-#include "core/poi/catch/carried_support.h"
-#include "core/poi/catch/fall.h"
-#include "core/poi/catch/paper_contact.h"
+#include "core/poi/catch/carried_fish.h"
 
 /* Lower limit of the line tension from which the compliance of the paper is computed. The value is
  * the tension of wet paper under a single fish. */
@@ -62,13 +58,6 @@ static void sound_ring(const struct scoop *scoop)
     }
 }
 
-static void sound_slap(const struct scoop *scoop, float force_n)
-{
-    if (force_n > 0.004f && time_for(&scoop->poi->slap_tick, scoop->tick, SLAP_EVERY_TICKS)) {
-        output_sound(scoop->output, SOUND_SLAP, f_clamp(8.0f * force_n, 0.1f, 1.0f), scoop->pan);
-    }
-}
-
 /* ---- Fish that leave the poi ----------------------------------------------------------------- */
 
 static void remove_rider(struct poi *poi, uint32_t which)
@@ -76,12 +65,6 @@ static void remove_rider(struct poi *poi, uint32_t which)
     CORE_ASSERT(which < poi->carried_count);
     poi->carried_count--;
     poi->carried_fish[which] = poi->carried_fish[poi->carried_count];
-}
-
-static void let_fall(const struct scoop *scoop, struct carried_fish *carried)
-{
-    const vec3 slide = v3(carried->slide_x_m_s, 0.0f, carried->slide_z_m_s);
-    fall_begin(carried, v3_add(scoop->poi->velocity_m_s, vec_basis_to_world(&scoop->axes, slide)));
 }
 
 /* Returns 1 if a falling fish meets the paper from above and the paper supports it; writes the new
@@ -120,7 +103,7 @@ static int fall(const struct scoop *scoop, struct carried_fish *carried)
     const vec3 before_m = scoop->tank->fish[carried->fish].position_m;
     struct carried_fish lying;
     uint32_t bowl;
-    switch (fall_tick(carried, scoop->stall, &bowl)) {
+    switch (catch_fall_tick(carried, scoop->stall, &bowl)) {
     case FALL_INTO_BOWL:
         catch_count(carried, scoop->poi_index, bowl, scoop->results);
         output_sound(scoop->output, SOUND_CATCH, 0.9f, scoop->pan);
@@ -140,51 +123,40 @@ static int fall(const struct scoop *scoop, struct carried_fish *carried)
 
 /* ---- Fish on the paper ----------------------------------------------------------------------- */
 
-/* Returns the height above the water of a point in the plane of the paper. */
-static float paper_y(const struct scoop *scoop, float x_m, float z_m)
-{
-    return scoop->poi->position_m.y + x_m * scoop->axes.right.y + z_m * scoop->axes.back.y;
-}
-
-static int floats_off(const struct scoop *scoop, const struct carried_fish *carried,
-                      const struct fish *fish)
-{
-    const float depth = -paper_y(scoop, carried->x_m, carried->z_m);
-    return depth > CAPTURE_FLOAT_SHARE * fish->height_m;
-}
-
-/* Updates the number of consecutive ticks in which the whole ring is above the water with the fish
- * on it. An umpire counts only a catch with enough of these ticks. */
-static void see_ring(const struct scoop *scoop, struct carried_fish *carried)
-{
-    if (!scoop->clear) {
-        carried->clear_ticks = 0;
-    } else if (carried->clear_ticks < CARRIED_CLEAR_TICKS) {
-        carried->clear_ticks++;
-    }
-}
-
 /* Advances a lying fish by one tick. Returns 1 if the fish has left the poi and is in the water,
  * otherwise 0. A fish that starts to fall is still a carried fish, and the function returns 0. */
 static int ride(struct scoop *scoop, struct carried_fish *carried)
 {
     struct fish *fish = &scoop->tank->fish[carried->fish];
-    see_ring(scoop, carried);
+    /* An umpire counts a catch only after enough consecutive ticks in which the whole ring is above
+     * the water with the fish on it. */
+    if (!scoop->clear) {
+        carried->clear_ticks = 0;
+    } else if (carried->clear_ticks < CARRIED_CLEAR_TICKS) {
+        carried->clear_ticks++;
+    }
     const float dry = carried_load_dryness(scoop->poi, &scoop->axes, carried, fish);
-    sound_slap(scoop,
-               carried_fish_tick(carried, fish, &scoop->ride, dry, scoop->poi->seed, scoop->tick));
+    const float force_n =
+        carried_fish_tick(carried, fish, &scoop->ride, dry, scoop->poi->seed, scoop->tick);
+    if (force_n > 0.004f && time_for(&scoop->poi->slap_tick, scoop->tick, SLAP_EVERY_TICKS)) {
+        output_sound(scoop->output, SOUND_SLAP, f_clamp(8.0f * force_n, 0.1f, 1.0f), scoop->pan);
+    }
     const vec3 before = fish->position_m;
     carried_fish_pose(carried, &scoop->ride, scoop->poi->position_m, &scoop->axes, fish);
     fish->velocity_m_s = v3_scale(v3_sub(fish->position_m, before), 1.0f / CORE_TICK_S);
     const int flies = scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2;
     const int leaves = flies || !carried_support_holds(&scoop->poi->sheet, carried, fish);
-    if (floats_off(scoop, carried, fish) || (leaves && dry <= 0.0f)) {
-        fall_set_free(scoop->tank, fish, fish->velocity_m_s); /* The fish floated off the paper and
+    const float depth = -(scoop->poi->position_m.y + carried->x_m * scoop->axes.right.y +
+                          carried->z_m * scoop->axes.back.y);
+    if ((depth > CAPTURE_FLOAT_SHARE * fish->height_m) || (leaves && dry <= 0.0f)) {
+        catch_set_free(scoop->tank, fish, fish->velocity_m_s); /* The fish floated off the paper and
                                                                  swims in the tank. */
         return 1;
     }
     if (leaves) {
-        let_fall(scoop, carried);
+        const vec3 slide = v3(carried->slide_x_m_s, 0.0f, carried->slide_z_m_s);
+        catch_fall_begin(carried,
+                         v3_add(scoop->poi->velocity_m_s, vec_basis_to_world(&scoop->axes, slide)));
     }
     return 0;
 }
@@ -226,9 +198,9 @@ static void forget_strangers(struct scoop *scoop)
 static void try_to_capture(struct scoop *scoop, uint32_t index)
 {
     struct fish *fish = &scoop->tank->fish[index];
-    if (paper_contact_fish(scoop->poi, &scoop->axes, fish)) {
+    if (capture_touches(scoop->poi, &scoop->axes, fish)) {
         capture_fish(scoop->poi, scoop->poi_index, &scoop->axes, scoop->tank, index, scoop->tick);
-    } else if (paper_contact_squeezed(scoop->poi, fish)) {
+    } else if (capture_is_squeezed(scoop->poi, fish)) {
         capture_slip_off(scoop->poi, scoop->tank, fish);
     }
 }
@@ -239,11 +211,11 @@ static void try_to_capture(struct scoop *scoop, uint32_t index)
 static void free_jam(struct scoop *scoop)
 {
     struct poi *poi = scoop->poi;
-    const int jams = paper_contact_jams(poi);
+    const int jams = capture_is_jammed(poi);
     poi->jam_ticks = (uint8_t)(jams ? poi->jam_ticks + (poi->jam_ticks < UINT8_MAX) : 0);
     for (uint32_t i = 0; i < scoop->tank->fish_count && jams; i++) {
         struct fish *fish = &scoop->tank->fish[i];
-        if (fish_swims(fish) && paper_contact_releases(poi, &scoop->axes, fish)) {
+        if (fish_swims(fish) && capture_releases(poi, &scoop->axes, fish)) {
             capture_slip_off(poi, scoop->tank, fish);
         }
     }
@@ -259,7 +231,7 @@ static void meet_all(struct scoop *scoop)
         if (fish->gait != GAIT_HELD) {
             try_to_capture(scoop, i);
         } else if (fish->holder == scoop->poi_index && !catch_has_carried(scoop->poi, i)) {
-            fall_set_free(scoop->tank, fish, v3(0.0f, 0.0f, 0.0f));
+            catch_set_free(scoop->tank, fish, v3(0.0f, 0.0f, 0.0f));
         }
     }
 }
@@ -291,15 +263,6 @@ void catch_count(const struct carried_fish *carried, uint32_t poi, uint32_t bowl
     }
 }
 
-/* Returns the compliance of the paper at the tension that the weight of water and carried fish
- * causes. */
-static float give_per_n(const struct poi *poi)
-{
-    const struct paper_grade *grade = sheet_grade(poi->sheet.grade);
-    const float tension_n_m = sheet_tension_centre(grade, poi->pressure_pa, POI_RADIUS_M);
-    return 1.0f / (F_TAU * f_max(tension_n_m, SLACK_N_M));
-}
-
 void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, uint32_t tick,
                 struct output *output, struct catch_result results[POI_MAX])
 {
@@ -307,6 +270,10 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
     CORE_ASSERT(stall->bowl_count <= POI_MAX);
     const struct basis axes = vec_basis_from_angles(poi->angles);
     const vec3 pull = v3_sub(v3(0.0f, -GRAVITY_M_S2, 0.0f), poi->acceleration_m_s2);
+    /* The compliance of the paper depends on the tension that the weight of water and carried fish
+     * causes. */
+    const struct paper_grade *grade = sheet_grade(poi->sheet.grade);
+    const float tension_n_m = sheet_tension_centre(grade, poi->pressure_pa, POI_RADIUS_M);
     struct scoop scoop = {
         .poi = poi,
         .poi_index = poi_index,
@@ -320,7 +287,7 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
                   .uphill_z = axes.back.y,
                   .radius_m = POI_RADIUS_M,
                   .belly_m = poi->sheet.sag_m,
-                  .give_per_n = give_per_n(poi) },
+                  .give_per_n = (1.0f / (F_TAU * f_max(tension_n_m, SLACK_N_M))) },
         .pan = f_clamp(2.0f * poi->position_m.x / stall->tank->size_m.x, -1.0f, 1.0f),
         .clear = poi->position_m.y > poi_half_extent_m(axes.up.y),
         .results = results,

@@ -5,7 +5,6 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/poi/paper/strain.h"
-#include "core/poi/paper/wetting.h"
 
 /* Fraction of the ultimate tension below which damage is ignored. At this fraction, the paper would
  * last for half a day. */
@@ -22,16 +21,6 @@
 
 /* ---- Stress concentration -------------------------------------------------------------------- */
 
-static int has_line(const struct sheet *sheet)
-{
-    return sheet->touched && !sheet->soaked;
-}
-
-static float line_factor(const struct sheet *sheet, uint32_t row, uint32_t column)
-{
-    return 1.0f + (WET_LINE_FACTOR - 1.0f) * wetting_line(sheet, row, column);
-}
-
 /* Raises `ratio` of a cell beside a tear to the load times the stress factor of the tear. If the
  * ratio of the cell is already higher, it does not change. */
 static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uint32_t row,
@@ -47,8 +36,9 @@ static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uin
 static void gather_row(struct strain *strain, const struct sheet *sheet, uint32_t row)
 {
     const uint32_t front = tear_front(&strain->map, row);
-    for (uint32_t column = 0; has_line(sheet) && column < SHEET_SIDE; column++) {
-        strain->ratio[row * SHEET_SIDE + column] *= line_factor(sheet, row, column);
+    for (uint32_t column = 0; (sheet->touched && !sheet->soaked) && column < SHEET_SIDE; column++) {
+        strain->ratio[row * SHEET_SIDE + column] *=
+            1.0f + (WET_LINE_FACTOR - 1.0f) * paper_wetting_line(sheet, row, column);
     }
     for (uint32_t column = 0; front != 0 && column < SHEET_SIDE; column++) {
         if (front >> column & 1u) {
@@ -96,43 +86,22 @@ static void regather(struct strain *strain, const struct sheet *sheet, uint32_t 
 
 /* ---- Growth of tears ------------------------------------------------------------------------ */
 
-/* Changes cells of a row into holes. Bit i of `torn` selects cell i. Returns the number of changed
- * cells. */
-static uint32_t open_row(struct strain *strain, struct sheet *sheet, uint32_t row, uint32_t torn)
-{
-    uint32_t count = 0;
-    strain->map.paper[row] &= ~torn;
-    strain->map.hole[row] |= torn;
-    for (uint32_t column = 0; torn != 0 && column < SHEET_SIDE; column++) {
-        if (torn >> column & 1u) {
-            sheet->state[row * SHEET_SIDE + column] = CELL_HOLE;
-            count++;
-        }
-    }
-    return count;
-}
-
-/* Returns a word in which bit i is set if the holes of row i differ from `before`. */
-static uint32_t changed_rows(const struct strain *strain, const uint32_t before[SHEET_SIDE])
-{
-    uint32_t changed = 0;
-    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-        changed |= (uint32_t)(strain->map.hole[row] != before[row]) << row;
-    }
-    return changed;
-}
-
 static uint32_t tear_step(struct strain *strain, struct sheet *sheet)
 {
     const float seconds = CORE_TICK_S / (float)SHEET_STEPS_MAX;
     uint32_t before[SHEET_SIDE], gone = 0;
     MEM_COPY(before, strain->map.hole, sizeof before);
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-        gone += open_row(strain, sheet, row, strain_wear_4(strain, sheet, row, seconds));
+        gone += tear_open_row(&strain->map, sheet, row, strain_wear_4(strain, sheet, row, seconds));
     }
     if (gone > 0) {
         gone += tear_drop_loose(&strain->map, sheet);
-        regather(strain, sheet, changed_rows(strain, before));
+        /* Bit i of `changed` is set if the holes of row i changed. */
+        uint32_t changed = 0;
+        for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+            changed |= (uint32_t)(strain->map.hole[row] != before[row]) << row;
+        }
+        regather(strain, sheet, changed);
     }
     return gone;
 }
@@ -174,25 +143,6 @@ static uint32_t wear_tick(struct strain *strain, struct sheet *sheet)
 
 /* ---- Tick of the sheet ---------------------------------------------------------------------- */
 
-static struct footprint footprint(const struct sheet_load *load, float cell_size_m)
-{
-    const float pull = f_abs(load->force_n) / F_TAU;
-    return (struct footprint){ .x_m = load->x_m,
-                               .z_m = load->z_m,
-                               .own_m = 0.5f * load->diameter_m,
-                               .reach_m = f_max(pull / FOOT_TENSION_MIN_N_M, cell_size_m),
-                               .pull_n_m_m = pull };
-}
-
-static void settle_sag(struct sheet *sheet, float pressure_pa)
-{
-    const float belly = sheet_belly(sheet_grade(sheet->grade), pressure_pa, sheet->radius_m);
-    const float goal = pressure_pa > 0.0f ? -belly : belly; /* A pressure toward the poi's up axis
-                                                               makes the paper bulge up, which is a
-                                                               negative sag. */
-    sheet->sag_m += (goal - sheet->sag_m) * (CORE_TICK_S / (SAG_TAU_S + CORE_TICK_S));
-}
-
 /* Returns 1 if the tension at the centre is too low to damage any cell, even beside a tear.
  * Otherwise returns 0. */
 static int is_calm(const struct sheet *sheet, const struct paper_grade *grade, float centre_n_m)
@@ -202,24 +152,6 @@ static int is_calm(const struct sheet *sheet, const struct paper_grade *grade, f
     const float factor =
         sheet->paper_cells < sheet->paper_cells_new ? TEAR_FACTOR_WORST : STANDING_FACTOR_WORST;
     return factor * centre_n_m < LOAD_RATIO_MIN * weakest;
-}
-
-static struct sheet_events strain_cells(struct sheet *sheet, struct strain *strain)
-{
-    struct sheet_events events = { 0 };
-    strain->map = tear_map_of(sheet);
-    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-        const float tension_n_m = strain_row_4(strain, sheet, row);
-        events.tension_max_n_m = f_max(events.tension_max_n_m, tension_n_m);
-        if (!sheet->ideal) {
-            gather_row(strain, sheet, row);
-        }
-    }
-    events.cells_torn = wear_tick(strain, sheet);
-    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-        strain_show_4(strain, sheet, row);
-    }
-    return events;
 }
 
 struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sheet_wetting wet,
@@ -235,24 +167,50 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
     strain.edge_n_m = sheet_tension_edge(grade, borne_pa, sheet->radius_m);
     strain.cell_m = sheet_cell_m(sheet);
     strain.load_count = load_count;
-    settle_sag(sheet, pressure_pa);
-    wetting_tick(sheet, wet);
+    const float belly = sheet_belly(sheet_grade(sheet->grade), pressure_pa, sheet->radius_m);
+    const float goal = pressure_pa > 0.0f ? -belly : belly; /* A pressure toward the poi's up axis
+                                                               makes the paper bulge up, which is a
+                                                               negative sag. */
+    sheet->sag_m += (goal - sheet->sag_m) * (CORE_TICK_S / (SAG_TAU_S + CORE_TICK_S));
+    paper_wetting_tick(sheet, wet);
     if (load_count == 0 && is_calm(sheet, grade, strain.centre_n_m)) {
         memset(sheet->stress, 0, sizeof sheet->stress);
         return (struct sheet_events){ .tension_max_n_m = strain.centre_n_m };
     }
     for (uint32_t i = 0; i < load_count; i++) {
-        strain.footprints[i] = footprint(&loads[i], strain.cell_m);
+        const float pull = f_abs(loads[i].force_n) / F_TAU;
+        strain.footprints[i] =
+            (struct footprint){ .x_m = loads[i].x_m,
+                                .z_m = loads[i].z_m,
+                                .own_m = 0.5f * loads[i].diameter_m,
+                                .reach_m = f_max(pull / FOOT_TENSION_MIN_N_M, strain.cell_m),
+                                .pull_n_m_m = pull };
     }
-    return strain_cells(sheet, &strain);
+    struct sheet_events events = { 0 };
+    strain.map = tear_map_of(sheet);
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        const float tension_n_m = strain_row_4(&strain, sheet, row);
+        events.tension_max_n_m = f_max(events.tension_max_n_m, tension_n_m);
+        if (!sheet->ideal) {
+            gather_row(&strain, sheet, row);
+        }
+    }
+    events.cells_torn = wear_tick(&strain, sheet);
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        strain_show_4(&strain, sheet, row);
+    }
+    return events;
 }
 
 /* ---- Queries --------------------------------------------------------------------------------- */
 
-/* Returns the index of the cell at a point within the ring. A point near the ring may lie in a cell
- * that counts as outside. In this case, the nearest cell toward the centre is returned. */
-static uint32_t cell_at(const struct sheet *sheet, float x_m, float z_m)
+int sheet_holds(const struct sheet *sheet, float x_m, float z_m)
 {
+    if (sheet->paper_cells == 0 || x_m * x_m + z_m * z_m >= sheet->radius_m * sheet->radius_m) {
+        return 0;
+    }
+    /* A point near the ring may lie in a cell that counts as outside. In this case, the nearest
+     * cell toward the centre is tested. */
     const float last = (float)(SHEET_SIDE - 1u);
     const float column = f_floor((x_m + sheet->radius_m) / sheet_cell_m(sheet));
     const float row = f_floor((z_m + sheet->radius_m) / sheet_cell_m(sheet));
@@ -265,15 +223,7 @@ static uint32_t cell_at(const struct sheet *sheet, float x_m, float z_m)
             r = z_m > 0.0f ? r - 1u : r + 1u;
         }
     }
-    return r * SHEET_SIDE + c;
-}
-
-int sheet_holds(const struct sheet *sheet, float x_m, float z_m)
-{
-    if (sheet->paper_cells == 0 || x_m * x_m + z_m * z_m >= sheet->radius_m * sheet->radius_m) {
-        return 0;
-    }
-    return sheet->state[cell_at(sheet, x_m, z_m)] == CELL_PAPER;
+    return sheet->state[(r * SHEET_SIDE + c)] == CELL_PAPER;
 }
 
 float sheet_left(const struct sheet *sheet)

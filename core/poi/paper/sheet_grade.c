@@ -112,12 +112,6 @@ static float cloud(uint32_t seed, uint32_t column, uint32_t row)
     return f_lerp(f_lerp(corner[0], corner[1], fx), f_lerp(corner[2], corner[3], fx), fz);
 }
 
-static float specimen_strength(uint32_t seed)
-{
-    const float normal = rng_normal((struct rng_key){ seed, 0, 0, RNG_SHEET_STRENGTH });
-    return 1.0f + STRENGTH_SD * f_clamp(normal, -2.5f, 2.5f);
-}
-
 static void lay_cell(struct sheet *sheet, uint32_t row, uint32_t column, float whole, uint32_t seed,
                      const struct spot spots[SPOT_COUNT])
 {
@@ -155,7 +149,8 @@ void sheet_init(struct sheet *sheet, uint8_t grade, float radius_m, uint32_t see
     for (uint32_t i = 0; i < SPOT_COUNT; i++) {
         spots[i] = weak_spot(radius_m, seed, i);
     }
-    const float whole = specimen_strength(seed);
+    const float normal = rng_normal((struct rng_key){ seed, 0, 0, RNG_SHEET_STRENGTH });
+    const float whole = 1.0f + STRENGTH_SD * f_clamp(normal, -2.5f, 2.5f);
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
         for (uint32_t column = 0; column < SHEET_SIDE; column++) {
             lay_cell(sheet, row, column, whole, seed, spots);

@@ -1,14 +1,69 @@
-/* strain.h -- computes the load of every cell of a sheet in one tick. Internal to sheet.c.
+/* strain.h -- the load, the tears and the wetness of every cell of a sheet in one tick. Only the
+ * sources of core/poi/paper include this file.
  *
- * The functions on rows are SIMD kernels (core/base/simd.h), compiled for four and for eight lanes.
- * A row has 32 cells. The core always calls the kernels with four lanes, because four lanes are
- * fast enough on every machine. */
+ * struct tear_map stores one bit for each cell and one 32-bit word for each row; bit 0 is the
+ * leftmost column. A shift of a word therefore gives the neighbouring cells. The map is computed
+ * from the states of the cells in each tick.
+ *
+ * The functions strain_*() on rows are SIMD kernels (core/base/simd.h), compiled for four and for
+ * eight lanes. A row has 32 cells. The core always calls the kernels with four lanes, because four
+ * lanes are fast enough on every machine. */
 #ifndef KINGYO_CORE_POI_PAPER_STRAIN_H
 #define KINGYO_CORE_POI_PAPER_STRAIN_H
 
 #include "core/base/simd.h"
 #include "core/poi/paper/sheet.h"
-#include "core/poi/paper/tear.h"
+
+_Static_assert(SHEET_SIDE == 32u, "a row is a word");
+
+/* Factor by which the stress is higher beside a hole of one cell. The factor increases with the
+ * square root of the hole's length. */
+#define TEAR_FACTOR 2.5f
+/* Upper limit of the stress factor, reached beside a hole that is 2.56 cells long. */
+#define TEAR_FACTOR_MAX 4.0f
+/* Fraction by which the stress factor is higher along the fibres and lower across the fibres. */
+#define TEAR_FIBRE_SHARE 0.08f
+#define TEAR_FACTOR_WORST (TEAR_FACTOR_MAX * (1.0f + TEAR_FIBRE_SHARE))
+/* Number of rows above and below a changed hole in which the stress factor can change. */
+#define TEAR_REACH 3u
+
+struct tear_map {
+    uint32_t paper[SHEET_SIDE];
+    uint32_t hole[SHEET_SIDE];
+    uint32_t pair[SHEET_SIDE]; /* Hole cells that share a side with at least one other hole cell. */
+    uint32_t wide[SHEET_SIDE]; /* Hole cells whose hole is long enough for TEAR_FACTOR_MAX: three
+                                  hole cells in a straight line, or two that touch at a corner. */
+};
+
+struct tear_map tear_map_of(const struct sheet *sheet);
+
+/* Computes `pair` and `wide` from `hole`. */
+void tear_measure(struct tear_map *map);
+
+/* Returns the bits of the paper cells in row `row` that touch a hole cell at a side or a corner.
+ * `row` must be less than SHEET_SIDE. */
+uint32_t tear_front(const struct tear_map *map, uint32_t row);
+
+/* Returns the stress factor of a cell beside a hole, at most TEAR_FACTOR_WORST. Returns 0 if no
+ * hole touches the cell.
+ *
+ * A hole carries no load, and the rim of the hole carries the load instead. As in fracture
+ * mechanics, the factor increases with the square root of the hole's length. The length is measured
+ * along the longest straight line of hole cells through the adjacent hole cell. The factor is
+ * higher if the tear would grow along the fibres. The factor is lower for a diagonal step, because
+ * the tear then grows by a longer distance. */
+float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_t row,
+                  uint32_t column);
+
+/* Changes cells of row `row` into holes, in the map and in the sheet. Bit i of `torn` selects cell i.
+ * Returns the number of changed cells. */
+uint32_t tear_open_row(struct tear_map *map, struct sheet *sheet, uint32_t row, uint32_t torn);
+
+/* Removes loose paper once: changes paper cells that carry no load into holes. A paper cell carries
+ * load only if straight lines of paper connect it to the ring in two directions that are at least
+ * 135 degrees apart. A removal can make more paper loose, and therefore the caller repeats the call
+ * until the result is 0. Returns the number of removed cells. */
+uint32_t tear_drop_loose(struct tear_map *map, struct sheet *sheet);
 
 /* Load ratio below which a load counts as 0, because the tenth power of the ratio would be a
  * denormal number. */
@@ -62,5 +117,20 @@ uint32_t strain_wear_8(const struct strain *strain, struct sheet *sheet, uint32_
 void strain_show_4(const struct strain *strain, struct sheet *sheet, uint32_t row);
 void strain_show_8(const struct strain *strain, struct sheet *sheet, uint32_t row);
 SIMD_END
+
+/* Advances the wetness of a sheet by one tick (1/120 s). Paper in the half-plane `wet` is under
+ * water and becomes wet, dry paper wicks water from wet paper, and wet paper becomes softer for one
+ * minute. */
+void paper_wetting_tick(struct sheet *sheet, struct sheet_wetting wet);
+
+/* Returns how strongly a cell lies on the line between wet and dry paper, from 0 (not on the line)
+ * to 1 (on a fully developed line). */
+float paper_wetting_line(const struct sheet *sheet, uint32_t row, uint32_t column);
+
+/* Returns the fraction of the initial wet strength that a cell still has after softening. */
+static inline float wetting_strength(const struct sheet *sheet, uint32_t cell)
+{
+    return 1.0f - SHEET_SOFTENING * (float)sheet->soak_ticks[cell] / (float)SHEET_SOAK_TICKS;
+}
 
 #endif

@@ -2,8 +2,6 @@
  * cells. */
 #include "core/poi/paper/strain.h"
 
-#include "core/poi/paper/wetting.h"
-
 _Static_assert(SHEET_SIDE % SIMD_LANES_MAX == 0, "a row is whole blocks");
 _Static_assert(SHEET_DAMAGE_EXPONENT == 10, "as it is multiplied here");
 
@@ -12,22 +10,6 @@ _Static_assert(SHEET_DAMAGE_EXPONENT == 10, "as it is multiplied here");
 
 typedef uint8_t byte_lanes __attribute__((vector_size(SIMD_LANES)));
 typedef uint16_t short_lanes __attribute__((vector_size(2 * SIMD_LANES)));
-
-static inline ilanes is_paper(const struct sheet *sheet, uint32_t cell)
-{
-    byte_lanes state;
-    MEM_COPY(&state, &sheet->state[cell], sizeof state);
-    return __builtin_convertvector(state, ilanes) == (int32_t)CELL_PAPER;
-}
-
-/* Returns the results of wetting_strength() for SIMD_LANES cells. */
-static inline flanes keeps(const struct sheet *sheet, uint32_t cell)
-{
-    short_lanes ticks;
-    MEM_COPY(&ticks, &sheet->soak_ticks[cell], sizeof ticks);
-    const flanes soaked = __builtin_convertvector(__builtin_convertvector(ticks, ilanes), flanes);
-    return 1.0f - SHEET_SOFTENING * soaked / (float)SHEET_SOAK_TICKS;
-}
 
 static inline flanes middle_m(const struct strain *strain, const struct sheet *sheet,
                               uint32_t column)
@@ -62,7 +44,12 @@ static inline flanes feet(const struct strain *strain, flanes x_m, float z_m, fl
 static inline flanes holds_n_m(const struct strain *strain, const struct sheet *sheet,
                                uint32_t cell)
 {
-    const flanes wet = strain->grade->wet_n_m * keeps(sheet, cell);
+    /* `keeps` holds the results of paper_wetting_strength() for SIMD_LANES cells. */
+    short_lanes ticks;
+    MEM_COPY(&ticks, &sheet->soak_ticks[cell], sizeof ticks);
+    const flanes soaked = __builtin_convertvector(__builtin_convertvector(ticks, ilanes), flanes);
+    const flanes wet =
+        strain->grade->wet_n_m * (1.0f - SHEET_SOFTENING * soaked / (float)SHEET_SOAK_TICKS);
     const flanes wetness = simd_load(&sheet->wetness[cell]);
     const flanes material = simd_lerp(simd_splat(strain->grade->dry_n_m), wet, wetness);
     return simd_max(material * simd_load(&sheet->strength[cell]), simd_splat(1e-3f));
@@ -81,8 +68,11 @@ float SIMD_NAME(strain_row)(struct strain *strain, const struct sheet *sheet, ui
         const flanes square = x_m * x_m + z_m * z_m;
         const flanes membrane = simd_lerp(simd_splat(strain->centre_n_m),
                                           simd_splat(strain->edge_n_m), square * per_radius2);
+        byte_lanes state;
+        MEM_COPY(&state, &sheet->state[cell], sizeof state);
         const flanes tension =
-            simd_select(is_paper(sheet, cell), feet(strain, x_m, z_m, membrane), simd_splat(0.0f));
+            simd_select(__builtin_convertvector(state, ilanes) == (int32_t)CELL_PAPER,
+                        feet(strain, x_m, z_m, membrane), simd_splat(0.0f));
         const flanes full = tension / holds_n_m(strain, sheet, cell);
         const flanes load = simd_select(full < STRAIN_NIL, simd_splat(0.0f), full);
         const ilanes at_ring = square > inner_m * inner_m;

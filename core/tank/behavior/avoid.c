@@ -100,21 +100,6 @@ static uint32_t pair_draw(const struct avoid_party *a, const struct avoid_party 
     return rng_u32((struct rng_key){ draw, since, high, RNG_FISH_AVOID_SIDE });
 }
 
-static void meet_head_on(struct avoid_pair *pair, uint32_t draw)
-{
-    /* Both fish turn to their own left, or both turn to their own right. */
-    const float side = draw & 1u ? 1.0f : -1.0f;
-    pair->a.turn = side;
-    pair->b.turn = side;
-}
-
-/* Sets the advice for a rear-end encounter, in which only the follower avoids. */
-static void meet_rear_end(struct avoid_advice *follower, struct avoid_advice *leader, uint32_t draw)
-{
-    follower->turn = draw & 1u ? 1.0f : -1.0f;
-    leader->kind = MEET_NONE;
-}
-
 /* Sets the advice for an encounter from the side. The hitter passes behind the struck fish, which
  * turns away a little. In one of ten encounters the hitter passes in front of the struck fish. */
 static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct avoid_advice *struck,
@@ -146,11 +131,6 @@ static int courses_cross(const struct avoid_party *a, const struct avoid_party *
            miss.x * miss.x + miss.z * miss.z < wide_m * wide_m;
 }
 
-static int is_far_off(float gap_m, float closing_m_s, const struct behavior_params *params)
-{
-    return params->meet_within_s > 0.0f && gap_m > params->meet_within_s * closing_m_s;
-}
-
 /* Returns the factor on the speed of a fish. The factor is below 1 if the fish swims toward the gap
  * and the gap would close within `brake_s`. */
 static float brake_for(float faces, float gap_m, float closing_m_s, float brake_s)
@@ -175,9 +155,14 @@ static void advise(struct avoid_pair *pair, const struct avoid_party *a,
     struct avoid_advice *active = now->a_is_active ? &pair->a : &pair->b;
     struct avoid_advice *other = now->a_is_active ? &pair->b : &pair->a;
     if (now->kind == MEET_REAR_END) {
-        meet_rear_end(active, other, draw);
+        /* Only the follower, which is the active fish, avoids. */
+        active->turn = draw & 1u ? 1.0f : -1.0f;
+        other->kind = MEET_NONE;
     } else if (now->kind == MEET_HEAD_ON) {
-        meet_head_on(pair, draw);
+        /* Both fish turn to their own left, or both turn to their own right. */
+        const float side = draw & 1u ? 1.0f : -1.0f;
+        pair->a.turn = side;
+        pair->b.turn = side;
     } else if (now->a_is_active) {
         meet_side(active, a->forward, other, b->forward, apart, draw);
     } else {
@@ -195,7 +180,8 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
     const float closing_m_s = a_faces * a->speed_m_s + b_faces * b->speed_m_s;
     pair.brake_a = brake_for(a_faces, gap_m, closing_m_s, params->brake_s);
     pair.brake_b = brake_for(b_faces, gap_m, closing_m_s, params->brake_s);
-    if (closing_m_s < CLOSING_MIN_M_S || is_far_off(gap_m, closing_m_s, params) ||
+    if (closing_m_s < CLOSING_MIN_M_S ||
+        (params->meet_within_s > 0.0f && gap_m > params->meet_within_s * closing_m_s) ||
         !courses_cross(a, b, apart, params)) {
         return pair;
     }
@@ -219,33 +205,6 @@ static float possible_rise(const struct fish *fish, float rise, float water_dept
     return above_floor_m < room_m ? 1.0f : -1.0f;
 }
 
-/* Turns the fish as fast as its gait allows (180 deg/s in GAIT_SWIM). */
-static void yaw_away(struct fish *fish)
-{
-    fish->heading_rad = f_wrap_angle(fish->angles.yaw_rad + fish->avoid_turn * LEAD_RAD);
-}
-
-/* Ends an avoiding turn. The fish's new heading includes the angle by which the fish continues to
- * turn because its yaw rate decays slowly. */
-static void straighten(struct fish *fish)
-{
-    const float carries_rad = TURN_LAG_S * fish->yaw_rate_rad_s;
-    const float ahead_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad);
-    if (f_abs(ahead_rad) > f_abs(carries_rad)) {
-        fish->heading_rad = f_wrap_angle(fish->angles.yaw_rad + carries_rad);
-    }
-}
-
-static void begin_avoidance(struct fish *fish, const struct avoid_advice *advice)
-{
-    fish->avoiding = AVOID_YAW;
-    fish->avoid_left_s = YAW_TIME_S;
-    fish->avoid_turn = advice->turn;
-    fish->avoid_since = advice->since;
-    fish->avoid_with = advice->with;
-    fish->avoid_kind = advice->kind;
-}
-
 static void go_on_or_end(struct fish *fish, const struct avoid_advice *advice, float water_depth_m)
 {
     if (fish->avoiding == AVOID_YAW && advice->kind != MEET_NONE) {
@@ -255,7 +214,13 @@ static void go_on_or_end(struct fish *fish, const struct avoid_advice *advice, f
     } else {
         fish->avoid_left_s = fish->avoiding == AVOID_PITCH ? HOLD_DEPTH_S : 0.0f;
         fish->avoiding = AVOID_NONE;
-        straighten(fish);
+        /* The fish ends its avoiding turn. Its new heading includes the angle by which the fish
+         * continues to turn because its yaw rate decays slowly. */
+        const float carries_rad = TURN_LAG_S * fish->yaw_rate_rad_s;
+        const float ahead_rad = f_wrap_angle(fish->heading_rad - fish->angles.yaw_rad);
+        if (f_abs(ahead_rad) > f_abs(carries_rad)) {
+            fish->heading_rad = f_wrap_angle(fish->angles.yaw_rad + carries_rad);
+        }
     }
 }
 
@@ -275,13 +240,19 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
     fish->avoid_left_s = f_max(0.0f, fish->avoid_left_s - pace * around->dt_s);
     if (fish->avoiding == AVOID_NONE) {
         if (meets) {
-            begin_avoidance(fish, advice);
+            fish->avoiding = AVOID_YAW;
+            fish->avoid_left_s = YAW_TIME_S;
+            fish->avoid_turn = advice->turn;
+            fish->avoid_since = advice->since;
+            fish->avoid_with = advice->with;
+            fish->avoid_kind = advice->kind;
         }
     } else if (fish->avoid_left_s <= 0.0f) {
         go_on_or_end(fish, advice, around->size_m.y);
     }
     if (fish->avoiding == AVOID_YAW && meets) {
-        yaw_away(fish);
+        /* The fish turns as fast as its gait allows (180 deg/s in GAIT_SWIM). */
+        fish->heading_rad = f_wrap_angle(fish->angles.yaw_rad + fish->avoid_turn * LEAD_RAD);
     }
 }
 

@@ -47,7 +47,7 @@
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_AVOID_H
 #define KINGYO_CORE_TANK_BEHAVIOR_AVOID_H
 
-#include "core/tank/behavior/perception.h"
+#include "core/tank/behavior_params.h"
 #include "core/tank/fish.h"
 
 enum meeting_kind {

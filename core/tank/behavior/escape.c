@@ -1,5 +1,5 @@
 /* escape.c -- the C-start: turn, bend and thrust of a startled fish as functions of time. */
-#include "core/tank/behavior/escape.h"
+#include "core/tank/behavior/startle.h"
 
 #include "core/base/rng.h"
 #include "core/input.h"
@@ -102,12 +102,6 @@ static float room_m(float at_m, float course, float half_m)
     return f_abs(course) > 1e-3f ? f_max(gap_m, 0.0f) / f_abs(course) : 1e3f;
 }
 
-static float open_m(const struct fish *fish, vec3 course, vec3 size_m)
-{
-    return f_min(room_m(fish->position_m.x, course.x, 0.5f * size_m.x),
-                 room_m(fish->position_m.z, course.z, 0.5f * size_m.z));
-}
-
 /* Returns `yaw_rad`. If a wall blocks the course `yaw_rad`, returns a yaw along the wall and
  * slightly away from the wall. */
 static float unbarred_rad(const struct fish *fish, float yaw_rad, vec3 size_m)
@@ -129,31 +123,6 @@ static float nearer(float to_rad, float a_rad, float b_rad)
                                                                                      : b_rad;
 }
 
-/* Chooses the side and the angle of the first turn, and the final course of the C-start, at
- * random. */
-static void aim(struct fish *fish, vec3 from_m, uint32_t index, const struct perception *around)
-{
-    const float yaw_rad = fish->angles.yaw_rad;
-    const vec3 off = v3_sub(fish->position_m, from_m);
-    const float away_rad = f_wrap_angle(yaw_of(v3(off.x, 0.0f, off.z)) - yaw_rad);
-    const float open = open_m(fish, escape_direction(yaw_rad + away_rad), around->size_m) /
-                       (WALL_FELT_LENGTHS * fish->length_m);
-    const float chance = f_lerp(AWAY_CHANCE_WALL, AWAY_CHANCE, f_clamp(open, 0.0f, 1.0f));
-    const int toward = rng_unit(key(index, around, RNG_FISH_ESCAPE)) >= chance;
-    const float side = (away_rad < 0.0f ? -1.0f : 1.0f) * (toward ? -1.0f : 1.0f);
-    const float turn_rad =
-        side * rng_range(key(index, around, RNG_ESCAPE_TURN), TURN_MIN_RAD, TURN_MAX_RAD);
-    const float stray_rad = rng_range(key(index, around, RNG_ESCAPE_STRAY), -STRAY_RAD, STRAY_RAD);
-    const float goal_rad =
-        toward ? nearer(turn_rad, away_rad + PAST_RAD, away_rad - PAST_RAD) : away_rad + stray_rad;
-    const float course_rad = unbarred_rad(fish, yaw_rad + goal_rad, around->size_m) - yaw_rad;
-    const float rest_rad = side * f_wrap_angle(course_rad - turn_rad);
-    fish->escape_from_rad = yaw_rad;
-    fish->escape_turn_rad = turn_rad;
-    const float back_rad = open < 1.0f ? FLIP_BARRED_RAD : FLIP_BACK_RAD;
-    fish->escape_course_rad = turn_rad + side * f_clamp(rest_rad, -back_rad, FLIP_ON_RAD);
-}
-
 static void enter(struct fish *fish, uint32_t index, const struct perception *around)
 {
     fish->gait = GAIT_ESCAPE;
@@ -172,7 +141,28 @@ static void enter(struct fish *fish, uint32_t index, const struct perception *ar
 void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct perception *around)
 {
     enter(fish, index, around);
-    aim(fish, from_m, index, around);
+    /* The side and the angle of the first turn, and the final course of the C-start, are random. */
+    const float yaw_rad = fish->angles.yaw_rad;
+    const vec3 off = v3_sub(fish->position_m, from_m);
+    const float away_rad = f_wrap_angle(yaw_of(v3(off.x, 0.0f, off.z)) - yaw_rad);
+    const vec3 course = escape_direction(yaw_rad + away_rad);
+    const float open = f_min(room_m(fish->position_m.x, course.x, 0.5f * around->size_m.x),
+                             room_m(fish->position_m.z, course.z, 0.5f * around->size_m.z)) /
+                       (WALL_FELT_LENGTHS * fish->length_m);
+    const float chance = f_lerp(AWAY_CHANCE_WALL, AWAY_CHANCE, f_clamp(open, 0.0f, 1.0f));
+    const int toward = rng_unit(key(index, around, RNG_FISH_ESCAPE)) >= chance;
+    const float side = (away_rad < 0.0f ? -1.0f : 1.0f) * (toward ? -1.0f : 1.0f);
+    const float turn_rad =
+        side * rng_range(key(index, around, RNG_ESCAPE_TURN), TURN_MIN_RAD, TURN_MAX_RAD);
+    const float stray_rad = rng_range(key(index, around, RNG_ESCAPE_STRAY), -STRAY_RAD, STRAY_RAD);
+    const float goal_rad =
+        toward ? nearer(turn_rad, away_rad + PAST_RAD, away_rad - PAST_RAD) : away_rad + stray_rad;
+    const float course_rad = unbarred_rad(fish, yaw_rad + goal_rad, around->size_m) - yaw_rad;
+    const float rest_rad = side * f_wrap_angle(course_rad - turn_rad);
+    fish->escape_from_rad = yaw_rad;
+    fish->escape_turn_rad = turn_rad;
+    const float back_rad = open < 1.0f ? FLIP_BARRED_RAD : FLIP_BACK_RAD;
+    fish->escape_course_rad = turn_rad + side * f_clamp(rest_rad, -back_rad, FLIP_ON_RAD);
     fish->escape_s = -around->dt_s; /* The negative time makes escape_tick() begin with time 0 in
                                        the next tick. */
     fish->stamina = f_max(0.0f, fish->stamina - COST);

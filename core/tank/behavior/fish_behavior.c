@@ -1,16 +1,18 @@
 /* fish_behavior.c -- the decision of a fish. A fish senses, avoids and chooses goals in order of
- * urgency. */
+ * urgency.
+ *
+ * The attraction of walls turns headings, so that a wandering fish drifts to the walls and then
+ * swims along them. With the constants in this file, the density of a single fish falls to 1 / e
+ * within 7 cm of a wall (test_wall_following.c). */
 #include "core/tank/behavior/fish_behavior.h"
 
 #include "core/input.h"
-#include "core/tank/behavior/burst_coast.h"
-#include "core/tank/behavior/escape.h"
 #include "core/tank/behavior/gait.h"
 #include "core/tank/behavior/startle.h"
 #include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/behavior/swim.h"
-#include "core/tank/behavior/wall_following.h"
-#include "core/tank/flow.h"
+#include "core/tank/shade.h"
+#include "core/tank/water.h"
 
 /* Time constant with which `drawn_rad` follows the attraction of a shade. Because of the delay, a
  * fish does not turn at every small change of the attraction. */
@@ -66,30 +68,6 @@ static void avoidance(struct fish *fish, const struct perception *around)
     swim_avoid_turn(fish, &all, around->dt_s);
 }
 
-/* Applies the effects of pois: the flow carries the fish, the fish steps aside, or the fish is
- * startled. */
-static void sense_disturbances(struct fish *fish, uint32_t index, const struct perception *around)
-{
-    for (uint32_t i = 0; i < around->obstacle_count; i++) {
-        const struct obstacle *disc = &around->obstacles[i];
-        const vec3 aside_m_s = obstacle_sidestep_m_s(disc, fish->position_m);
-        const vec3 drift_m_s =
-            v3_scale(flow_at(disc, fish->position_m), around->params->flow_share);
-        fish->push_m_s =
-            v3_muladd(fish->push_m_s, v3_add(aside_m_s, drift_m_s), PUSH_PER_S * around->dt_s);
-    }
-    startle_tick(fish, index, around);
-}
-
-/* Returns 1 if shades attract the fish in its present gait. Fish that escape or breathe at the
- * surface ignore shades. A fish in a burst ignores shades unless params->shade_draws_bursts is
- * set. */
-static int responds_to_shade(const struct fish *fish, const struct behavior_params *params)
-{
-    return fish->air == AIR_ENOUGH && (fish->gait == GAIT_SWIM || fish->gait == GAIT_REST ||
-                                       (fish->gait == GAIT_BURST && params->shade_draws_bursts));
-}
-
 /* Changes the goals of the fish by the attraction of shades. A fish that avoids another fish by yaw
  * keeps its heading and changes only its speed. */
 static void follow_shade(struct fish *fish, const struct perception *around)
@@ -98,7 +76,11 @@ static void follow_shade(struct fish *fish, const struct perception *around)
     struct shade_course course = { fish->heading_rad,
                                    glides ? fish->speed_m_s : fish->speed_goal_m_s };
     float goal_rad = 0.0f;
-    if (responds_to_shade(fish, around->params) &&
+    /* Fish that escape or breathe at the surface ignore shades. A fish in a burst ignores shades
+     * unless params->shade_draws_bursts is set. */
+    if ((fish->air == AIR_ENOUGH &&
+         (fish->gait == GAIT_SWIM || fish->gait == GAIT_REST ||
+          (fish->gait == GAIT_BURST && around->params->shade_draws_bursts))) &&
         shade_draw(around->shades, around->shade_count, around->params, fish, &course)) {
         goal_rad = fish->avoiding == AVOID_YAW
                        ? 0.0f
@@ -110,28 +92,70 @@ static void follow_shade(struct fish *fish, const struct perception *around)
         f_wrap_angle(fish->drawn_rad + off_rad * f_min(1.0f, around->dt_s / DRAWN_TAU_S));
 }
 
-static void fall(struct fish *fish, uint32_t index, const struct perception *around)
-{
-    escape_dash(fish, index, around);
-    fish->depth_goal_m = -0.6f * around->size_m.y;
-}
-
 void fish_behavior_tick(struct fish *fish, uint32_t index, const struct perception *around)
 {
     fish->thought_tick = (uint8_t)around->tick;
     fish->falls = (uint8_t)swim_fall(fish);
     if (fish->falls) {
-        fall(fish, index, around);
+        escape_dash(fish, index, around);
+        fish->depth_goal_m = -0.6f * around->size_m.y;
         return;
     }
-    sense_disturbances(fish, index, around);
+    /* Pois affect the fish: the flow carries the fish, the fish steps aside, or the fish is
+     * startled. */
+    for (uint32_t i = 0; i < around->obstacle_count; i++) {
+        const struct obstacle *disc = &around->obstacles[i];
+        const vec3 aside_m_s = obstacle_sidestep_m_s(disc, fish->position_m);
+        const vec3 drift_m_s =
+            v3_scale(water_flow_m_s(disc, fish->position_m), around->params->flow_share);
+        fish->push_m_s =
+            v3_muladd(fish->push_m_s, v3_add(aside_m_s, drift_m_s), PUSH_PER_S * around->dt_s);
+    }
+    startle_tick(fish, index, around);
     gait_tick(fish, index, around);
-    burst_coast_turn(fish, index, around);
-    wall_follow(fish, around);
+    gait_cycle_turn(fish, index, around);
+    behavior_wall_follow(fish, around);
     avoidance(fish, around);
     if (fish->gait == GAIT_ESCAPE) {
         escape_tick(fish, around);
     }
     swim_resolve(fish, around);
     follow_shade(fish, around);
+}
+
+/* ---- Attraction of walls --------------------------------------------------------------------- */
+
+#define FALL_OFF_M 0.09f /* Distance over which the attraction of a wall falls to 1 / e. */
+/* Distance from a wall, in body lengths, within which the wall no longer attracts the fish. */
+#define BESIDE_LENGTHS 0.8f
+/* Turning rate of a fish at a wall, rad/s, if its heading is perpendicular to the attraction and
+ * `wall_follow` is 1. */
+#define TURN_PER_S 6.0f
+
+float behavior_wall_pull(float gap_m, float length_m)
+{
+    const float off_m = gap_m - BESIDE_LENGTHS * length_m;
+    return off_m <= 0.0f || gap_m > WALL_RANGE_M ? 0.0f : f_exp(-off_m / FALL_OFF_M);
+}
+
+/* Returns the sum of the attractions of both walls of one axis. A result > 0 points in the positive
+ * direction of the axis. */
+static float pull_along(float at_m, float half_m, float length_m)
+{
+    return behavior_wall_pull(half_m - at_m, length_m) -
+           behavior_wall_pull(half_m + at_m, length_m);
+}
+
+void behavior_wall_follow(struct fish *fish, const struct perception *around)
+{
+    if (around->wall_follow <= 0.0f || (fish->gait != GAIT_SWIM && fish->gait != GAIT_BURST)) {
+        return;
+    }
+    const float length_m = fish->length_m;
+    const float x = pull_along(fish->position_m.x, 0.5f * around->size_m.x, length_m);
+    const float z = pull_along(fish->position_m.z, 0.5f * around->size_m.z, length_m);
+    /* Only the component of the attraction perpendicular to the heading turns the fish. */
+    const float s = f_sin(fish->heading_rad), c = f_cos(fish->heading_rad);
+    const float left = -x * c + z * s;
+    fish->heading_rad += around->wall_follow * TURN_PER_S * left * around->dt_s;
 }

@@ -3,15 +3,18 @@
  * Each fish decides about thirty times per second. The fish of a tank decide in turn. A fish
  * decides in every tick (1/120 s) while it is startled, falls or escapes. The results are goals in
  * struct fish, which swim_move() follows in every tick. struct perception holds all input of a
- * decision. */
+ * decision.
+ *
+ * The attraction of walls (thigmotaxis) implements section 2.2 and figure 2.3 of the 2013 thesis,
+ * after Sato. In a tank of 60 x 30 cm a single goldfish stays near the walls. The density of the
+ * goldfish decreases exponentially with the distance from the walls, and the attraction reaches 20
+ * cm. A large school hides the attraction, so every preset disables the attraction (`wall_follow`
+ * is 0). */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_FISH_BEHAVIOR_H
 #define KINGYO_CORE_TANK_BEHAVIOR_FISH_BEHAVIOR_H
 
-#include "core/tank/behavior/perception.h"
+#include "core/tank/behavior_params.h"
 #include "core/tank/fish.h"
-
-/* Ticks between two decisions of an undisturbed fish: 33 ms, its reaction time. */
-#define FISH_BEHAVIOR_TICKS 4u
 
 /* Returns 1 if the fish decides in this tick, otherwise 0. A fish decides in every
  * FISH_BEHAVIOR_TICKS-th tick. A fish decides in every tick at the surface, while it escapes or
@@ -26,5 +29,16 @@ float fish_behavior_dt_s(const struct fish *fish, uint32_t tick);
 /* Makes one decision of the fish and sets its goals. A fish in the air only falls: `falls` is set
  * and swim_move() is not called for it. */
 void fish_behavior_tick(struct fish *fish, uint32_t index, const struct perception *around);
+
+#define WALL_RANGE_M 0.20f
+
+/* Returns the attraction [0, 1] of a wall at distance `gap_m` >= 0 from the fish's centre. The
+ * attraction decreases exponentially. Returns 0 beyond WALL_RANGE_M, and for a fish that is already
+ * beside the wall. */
+float behavior_wall_pull(float gap_m, float length_m);
+
+/* Turns the heading of a swimming or bursting fish by the attraction of walls during
+ * `around->dt_s`. */
+void behavior_wall_follow(struct fish *fish, const struct perception *around);
 
 #endif

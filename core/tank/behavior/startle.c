@@ -2,9 +2,9 @@
 #include "core/tank/behavior/startle.h"
 
 #include "core/base/rng.h"
-#include "core/tank/behavior/escape.h"
 #include "core/tank/behavior/surface_breathing.h"
-#include "core/tank/flow.h"
+#include "core/tank/shade.h"
+#include "core/tank/water.h"
 
 #define ALARM_FADE_PER_S 0.6f
 #define ALARM_AFTER 0.2f /* Alarm that remains after a C-start. */
@@ -80,22 +80,17 @@ struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m)
     };
 }
 
-/* Returns the pressure of the water at a point divided by the water density, m^2/s^2. Behind a
- * moving disc the pressure is lower than ahead of it, because the water follows the disc more
- * slowly than the disc pushes water ahead. */
-static float push_m2_s2(const struct obstacle *disc, vec3 point_m)
-{
-    const float ahead = v3_dot(disc->velocity_m_s, v3_sub(point_m, disc->centre_m));
-    return (ahead < 0.0f ? WAKE_SHARE : 1.0f) * flow_push_m2_s2(disc, point_m);
-}
-
 struct startle_stimulus startle_of_disc(const struct obstacle *disc, const struct fish *fish)
 {
     const struct startle_view view = startle_view(disc, fish->position_m);
     const int large = view.size_rad > SEEN_RAD + SEEN_SPREAD_RAD * boldness(fish);
     const float clear = disc->centre_m.y > 0.0f ? IN_AIR_SHARE : 1.0f;
     const float keen = LENGTH_M / f_max(fish->length_m, 0.2f * LENGTH_M);
-    const float push = keen * push_m2_s2(disc, fish->position_m);
+    /* Behind a moving disc the pressure is lower than ahead of it, because the water follows the
+     * disc more slowly than the disc pushes water ahead. */
+    const float ahead = v3_dot(disc->velocity_m_s, v3_sub(fish->position_m, disc->centre_m));
+    const float push =
+        keen * ((ahead < 0.0f ? WAKE_SHARE : 1.0f) * water_push_m2_s2(disc, fish->position_m));
     const float seen = large ? clear * (view.growth_rad_s - GROWTH_RAD_S) / GROWTH_SPAN_RAD_S : 0;
     const float felt = (push - PUSH_M2_S2) / PUSH_SPAN_M2_S2;
     const float most = f_clamp(f_max(seen, felt), 0.0f, STRENGTH_MAX);
@@ -122,21 +117,15 @@ static float nerves_s(enum startle_cause cause, struct rng_key key)
     }
 }
 
-static float latency_s(const struct fish *fish, enum startle_cause cause, uint32_t index,
-                       const struct perception *around)
-{
-    const struct rng_key key = { around->seed, around->tick, index, RNG_STARTLE_LATENCY };
-    const float late = fish->gait == GAIT_SURFACE ? GULPING_LATE : 1.0f;
-    return late * nerves_s(cause, key);
-}
-
 /* Begins the latency of a startle. If the latency of an earlier stimulus has not ended, the latency
  * that ends first is kept. Therefore an earlier visual stimulus does not delay the C-start after a
  * pressure stimulus. */
 static void startle(struct fish *fish, enum startle_cause cause, vec3 from_m, uint32_t index,
                     const struct perception *around)
 {
-    const float wait_s = latency_s(fish, cause, index, around);
+    const struct rng_key key = { around->seed, around->tick, index, RNG_STARTLE_LATENCY };
+    const float late = fish->gait == GAIT_SURFACE ? GULPING_LATE : 1.0f;
+    const float wait_s = late * nerves_s(cause, key);
     if (fish->startle == STARTLE_NONE || wait_s < fish->startle_s) {
         fish->startle = (uint8_t)cause;
         fish->startle_from_m = from_m;
@@ -169,16 +158,6 @@ static void wait(struct fish *fish, uint32_t index, const struct perception *aro
     escape_start(fish, from_m, index, around);
 }
 
-static void sense_shades(struct fish *fish, uint32_t index, const struct perception *around)
-{
-    for (uint32_t i = 0; i < around->shade_count; i++) {
-        const struct shade *shade = &around->shades[i];
-        const float alarm = shade_alarm(shade, around->params, fish->position_m, around->dt_s);
-        const vec3 from_m = v3(shade->cast.x_m, fish->position_m.y, shade->cast.z_m);
-        startle_alarm(fish, STARTLE_SHADOW, from_m, alarm, index, around);
-    }
-}
-
 /* Cheap test whether a disc can disturb the fish. Returns 0 only if startle_of_disc() would return
  * no alarm. */
 static int disturbs(const struct obstacle *disc, const struct fish *fish)
@@ -203,7 +182,12 @@ void startle_tick(struct fish *fish, uint32_t index, const struct perception *ar
     if (fish->startle != STARTLE_NONE) {
         wait(fish, index, around);
     }
-    sense_shades(fish, index, around);
+    for (uint32_t i = 0; i < around->shade_count; i++) {
+        const struct shade *shade = &around->shades[i];
+        const float alarm = shade_alarm(shade, around->params, fish->position_m, around->dt_s);
+        const vec3 from_m = v3(shade->cast.x_m, fish->position_m.y, shade->cast.z_m);
+        startle_alarm(fish, STARTLE_SHADOW, from_m, alarm, index, around);
+    }
     for (uint32_t i = 0; i < around->obstacle_count; i++) {
         const struct obstacle *disc = &around->obstacles[i];
         if (disturbs(disc, fish)) {

@@ -158,16 +158,6 @@ float surface_nerve(const struct fish *fish)
     return fish->air == AIR_GULPS ? NERVE : 1.0f;
 }
 
-/* Changes the stamina: gain while the mouth is in the film, loss in water with little oxygen. */
-static void breathe(struct fish *fish, const struct perception *around)
-{
-    const struct behavior_params *params = around->params;
-    const float lack = f_max(0.0f, 1.0f - around->oxygen_mg_l / STIFLE_MG_L);
-    const float per_s =
-        surface_breathes(fish) ? params->gulp_gain_per_s : -params->stifle_per_s * lack;
-    fish->stamina = f_clamp(fish->stamina + per_s * around->dt_s, 0.0f, 1.0f);
-}
-
 /* Continues or ends a bout of gulps. A living fish begins another bout while the oxygen is low, and
  * otherwise dives. A fish of the 2013 thesis dives after one bout of 3 s, in which its stamina
  * becomes full. */
@@ -186,14 +176,6 @@ static void gulp(struct fish *fish, uint32_t index, const struct perception *aro
     }
 }
 
-/* Ends surface breathing of a fish that is under water. The fish then swims for a normal duration
- * of GAIT_SWIM. */
-static void leave_surface(struct fish *fish, uint32_t index, const struct perception *around)
-{
-    fish->air = AIR_ENOUGH;
-    gait_enter(fish, GAIT_SWIM, index, around);
-}
-
 int surface_tick(struct fish *fish, uint32_t index, const struct perception *around)
 {
     const int was_up = fish->air != AIR_ENOUGH && fish->air != AIR_RISES;
@@ -202,7 +184,12 @@ int surface_tick(struct fish *fish, uint32_t index, const struct perception *aro
                                                    the water. */
         fish->air = AIR_ENOUGH;
     }
-    breathe(fish, around);
+    /* The stamina grows while the mouth is in the film, and falls in water with little oxygen. */
+    const struct behavior_params *params = around->params;
+    const float lack = f_max(0.0f, 1.0f - around->oxygen_mg_l / STIFLE_MG_L);
+    const float per_s =
+        surface_breathes(fish) ? params->gulp_gain_per_s : -params->stifle_per_s * lack;
+    fish->stamina = f_clamp(fish->stamina + per_s * around->dt_s, 0.0f, 1.0f);
     if (fish->air == AIR_ENOUGH && fish->gait != GAIT_ESCAPE && !around->params->air_by_oxygen &&
         fish->stamina < TIRED_BELOW) {
         surface_rise(fish, index, around);
@@ -220,7 +207,9 @@ int surface_tick(struct fish *fish, uint32_t index, const struct perception *aro
     case AIR_DIVES:
     case AIR_DUCKS:
         if (top_m(fish) <= 0.0f) {
-            leave_surface(fish, index, around);
+            /* The fish is under water again and swims for a normal duration of GAIT_SWIM. */
+            fish->air = AIR_ENOUGH;
+            gait_enter(fish, GAIT_SWIM, index, around);
         }
         return 1;
     default:

@@ -10,7 +10,7 @@
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_SURFACE_BREATHING_H
 #define KINGYO_CORE_TANK_BEHAVIOR_SURFACE_BREATHING_H
 
-#include "core/tank/behavior/perception.h"
+#include "core/tank/behavior_params.h"
 #include "core/tank/fish.h"
 
 /* Returns the probability that a fish rises, or stays at the surface, when it chooses its gait. The

@@ -3,11 +3,10 @@
 #include "core/tank/behavior/swim.h"
 
 #include "core/tank/behavior/avoid.h"
-#include "core/tank/behavior/burst_coast.h"
-#include "core/tank/behavior/escape.h"
 #include "core/tank/behavior/gait.h"
+#include "core/tank/behavior/startle.h"
 #include "core/tank/behavior/surface_breathing.h"
-#include "core/tank/behavior/swim_rates.h"
+#include "core/tank/behavior/swim_simd.h"
 
 /* Largest yaw rate in each gait (design values; the 2013 thesis gives none). */
 #define TURN_RATE_REST (45.0f * F_DEG)
@@ -103,7 +102,7 @@ static int kicks(const struct fish *fish, const struct perception *around)
 {
     return around->params->kick_rad > 0.0f && fish->gait == GAIT_SWIM &&
            fish->avoiding == AVOID_NONE && fish->room >= 1.0f &&
-           burst_coast_kicks(fish, around->tick);
+           gait_cycle_kicks(fish, around->tick);
 }
 
 static float turn_rate_max_rad_s(const struct fish *fish, const struct perception *around)
@@ -151,18 +150,18 @@ static float slow_keep(const struct fish *fish, const struct behavior_params *pa
     const int runs_out =
         fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, params);
     /* In a glide, drag changes the speed v by dv/dt = -v^2 / D, where D is
-     * burst_coast_glide_m(). */
+     * gait_glide_m(). */
     if (params->glides && fish->gait == GAIT_SWIM && !runs_out) {
-        return kept(DT, burst_coast_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
+        return kept(DT, gait_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
     }
     return runs_out ? kept(DT, RUN_OUT_TAU_S) : kept(DT, SWIM_GLIDE_TAU_S);
 }
 
-/* Sets tiny speeds and pushes to zero. A value that decays forever becomes a denormal number.
- * Processors take ten times as long for denormal numbers, and some processors flush them to zero.
- * With the limit of one nanometre per second all platforms compute zero. */
-static void come_to_rest(struct fish *fish)
+void swim_resolve(struct fish *fish, const struct perception *around)
 {
+    /* Tiny speeds and pushes become zero. A value that decays forever becomes a denormal number.
+     * Processors take ten times as long for denormal numbers, and some processors flush them to
+     * zero. With the limit of one nanometre per second all platforms compute zero. */
     if (v3_dot(fish->push_m_s, fish->push_m_s) < NOTHING_M_S * NOTHING_M_S) {
         fish->push_m_s = v3(0.0f, 0.0f, 0.0f);
     }
@@ -172,11 +171,6 @@ static void come_to_rest(struct fish *fish)
     if (f_abs(fish->climb_m_s) < NOTHING_M_S) {
         fish->climb_m_s = 0.0f;
     }
-}
-
-void swim_resolve(struct fish *fish, const struct perception *around)
-{
-    come_to_rest(fish);
     const int starts = fish->gait == GAIT_ESCAPE;
     fish->beats = gait_beats(fish, around) ? 1.0f : 0.0f;
     fish->speed_goal_m_s = gait_speed_m_s(fish, around);
@@ -186,7 +180,7 @@ void swim_resolve(struct fish *fish, const struct perception *around)
     fish->haste = starts_freely(fish)           ? HASTE_START
                   : starts                      ? DASH_HASTE
                   : fish->avoiding == AVOID_YAW ? around->params->swerve_haste
-                  : kicks(fish, around)         ? BURST_COAST_KICK_HASTE
+                  : kicks(fish, around)         ? GAIT_KICK_HASTE
                                                 : 1.0f;
     fish->climb_goal_m_s = climb_goal_m_s(fish);
     /* The pitch follows the path. The constant that is added to the speed keeps a fish that hardly

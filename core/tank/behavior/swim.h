@@ -3,8 +3,8 @@
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_SWIM_H
 #define KINGYO_CORE_TANK_BEHAVIOR_SWIM_H
 
-#include "core/tank/behavior/perception.h"
-#include "core/tank/collision/body.h"
+#include "core/tank/behavior_params.h"
+#include "core/tank/collision/box.h"
 #include "core/tank/fish.h"
 
 /* Time constant with which a fish without tail beats loses speed. A gliding koi has a quarter of

@@ -5,7 +5,6 @@
 
 #include "core/base/physics.h"
 #include "core/tank/behavior/gait.h"
-#include "core/tank/behavior/swim_rates.h"
 #include "core/tank/behavior/swim_simd.h"
 
 static float ease(float from, float to, float tau_s)
@@ -36,30 +35,6 @@ static void turn_fish(struct fish *fish, const struct behavior_params *params)
     fish->angles.roll_rad = ease(fish->angles.roll_rad, bank_rad, BANK_TAU_S);
 }
 
-static void speed_up_or_glide(struct fish *fish)
-{
-    const float goal_m_s = fish->speed_goal_m_s * fish->brake;
-    const float slow_keep = f_lerp(BRAKE_KEEP, fish->slow_keep, fish->brake);
-    const float keep = goal_m_s > fish->speed_m_s ? fish->speed_up_keep : slow_keep;
-    fish->speed_m_s = f_lerp(goal_m_s, fish->speed_m_s, keep);
-}
-
-/* Returns half the diagonal of the box, which is the largest motion of a corner per radian of
- * rotation. */
-static float radius_m(const struct fish *fish)
-{
-    return 0.5f * v3_length(v3(fish->width_m, fish->height_m, fish->length_m));
-}
-
-/* Returns the speed limit of the fish including climb and pushes (section 3.3 of the 2013 thesis).
- * The limit is the top swimming speed, or the fish's own speed or climb speed if that is higher.
- * Examples are a fish that slows down after a burst, and a startled fish that dives from the
- * surface. */
-static float speed_max_m_s(const struct fish *fish, const struct behavior_params *params)
-{
-    return f_max(gait_speed_max_m_s(fish, params), f_max(fish->speed_m_s, f_abs(fish->climb_m_s)));
-}
-
 float swim_move(struct fish *fish, const struct behavior_params *params)
 {
     const struct angles before = fish->angles;
@@ -67,15 +42,25 @@ float swim_move(struct fish *fish, const struct behavior_params *params)
     fish->climb_m_s = ease(fish->climb_m_s, fish->climb_goal_m_s, CLIMB_TAU_S);
     fish->angles.pitch_rad =
         f_lerp(fish->angles.pitch_rad, fish->pitch_goal_rad, hasten(fish, PITCH_TAU_S));
-    speed_up_or_glide(fish);
+    const float goal_m_s = fish->speed_goal_m_s * fish->brake;
+    const float slow_keep = f_lerp(BRAKE_KEEP, fish->slow_keep, fish->brake);
+    const float keep = goal_m_s > fish->speed_m_s ? fish->speed_up_keep : slow_keep;
+    fish->speed_m_s = f_lerp(goal_m_s, fish->speed_m_s, keep);
     const vec3 own_m_s = { -f_sin(fish->angles.yaw_rad) * fish->speed_m_s, fish->climb_m_s,
                            -f_cos(fish->angles.yaw_rad) * fish->speed_m_s };
-    const vec3 velocity = v3_limit(v3_add(own_m_s, fish->push_m_s), speed_max_m_s(fish, params));
+    /* The speed limit includes climb and pushes (section 3.3 of the 2013 thesis). The limit is the
+     * top swimming speed, or the fish's own speed or climb speed if that is higher. Examples are a
+     * fish that slows down after a burst, and a startled fish that dives from the surface. */
+    const vec3 velocity = v3_limit(
+        v3_add(own_m_s, fish->push_m_s),
+        f_max(gait_speed_max_m_s(fish, params), f_max(fish->speed_m_s, f_abs(fish->climb_m_s))));
     fish->position_m = v3_muladd(fish->position_m, velocity, DT);
     const float turned_rad = f_abs(fish->yaw_rate_rad_s * DT) +
                              f_abs(fish->angles.pitch_rad - before.pitch_rad) +
                              f_abs(fish->angles.roll_rad - before.roll_rad);
-    return v3_length(velocity) * DT + radius_m(fish) * turned_rad;
+    /* Half the diagonal of the box is the largest motion of a corner per radian of rotation. */
+    return v3_length(velocity) * DT +
+           (0.5f * v3_length(v3(fish->width_m, fish->height_m, fish->length_m))) * turned_rad;
 }
 
 int swim_fall(struct fish *fish)
@@ -108,25 +93,11 @@ int swim_fall(struct fish *fish)
     return 1;
 }
 
-static float beat_hz(float lengths_per_s)
+void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward)
 {
-    return lengths_per_s < BEAT_FAST_LENGTHS_PER_S
-               ? f_max(BEAT_MIN_HZ, lengths_per_s / BEAT_LENGTHS)
-               : 4.0f / 3.0f * (lengths_per_s + 1.0f);
-}
-
-/* Returns the width of the tail's stroke. In a glide the tail only trails. */
-static float stroke(float hz, float beats)
-{
-    const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
-    const float wider = f_clamp(per_hz * (hz - BEAT_MIN_HZ), 0.0f, 1.0f - STROKE_SLOW);
-    return beats > 0.0f ? STROKE_SLOW + wider : STROKE_GLIDE + STROKE_TRAIL * wider;
-}
-
-/* Reduces the speed of a fish that an obstacle blocks, so that the fish does not continue to swim
- * against the obstacle. */
-static void lose_blocked_speed(struct fish *fish, vec3 forward)
-{
+    fish->velocity_m_s = v3_scale(moved_m, 1.0f / DT);
+    /* A fish that an obstacle blocks loses speed, so that the fish does not continue to swim
+     * against the obstacle. */
     const vec3 flat = v3(forward.x, 0.0f, forward.z);
     const vec3 ahead = v3_scale(flat, 1.0f / v3_length(flat)); /* The length is never zero, because
                                                                   no fish swims vertically. */
@@ -134,17 +105,20 @@ static void lose_blocked_speed(struct fish *fish, vec3 forward)
     if (true_m_s < fish->speed_m_s) {
         fish->speed_m_s = f_lerp(fish->speed_m_s, true_m_s, BLOCKED_SHARE);
     }
-}
-
-void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward)
-{
-    fish->velocity_m_s = v3_scale(moved_m, 1.0f / DT);
-    lose_blocked_speed(fish, forward);
     const float along_m_s = v3_length(v3_sub(fish->velocity_m_s, v3_scale(fish->push_m_s, 0.5f)));
-    const float hz = beat_hz(along_m_s / fish->length_m);
+    const float lengths_per_s = along_m_s / fish->length_m;
+    const float hz = lengths_per_s < BEAT_FAST_LENGTHS_PER_S
+                         ? f_max(BEAT_MIN_HZ, lengths_per_s / BEAT_LENGTHS)
+                         : 4.0f / 3.0f * (lengths_per_s + 1.0f);
     fish->tail_beat_hz = f_lerp(fish->tail_beat_hz, hz, hasten(fish, TAIL_TAU_S));
-    fish->tail_amplitude = f_lerp(fish->tail_amplitude, stroke(fish->tail_beat_hz, fish->beats),
-                                  hasten(fish, STROKE_TAU_S));
+    /* In a glide the tail only trails. */
+    const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
+    const float wider =
+        f_clamp(per_hz * (fish->tail_beat_hz - BEAT_MIN_HZ), 0.0f, 1.0f - STROKE_SLOW);
+    fish->tail_amplitude =
+        f_lerp(fish->tail_amplitude,
+               fish->beats > 0.0f ? STROKE_SLOW + wider : STROKE_GLIDE + STROKE_TRAIL * wider,
+               hasten(fish, STROKE_TAU_S));
     const float phase_rad = fish->tail_phase_rad + F_TAU * fish->tail_beat_hz * DT;
     fish->tail_phase_rad = phase_rad >= F_TAU ? phase_rad - F_TAU : phase_rad;
     const float arc_rad = f_clamp(BEND_PER_RAD_S * fish->yaw_rate_rad_s, -1.0f, 1.0f);
@@ -153,12 +127,6 @@ void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward)
 }
 
 /* ---- All fish of a tank ---------------------------------------------------------------------- */
-
-static struct body make_body(const struct fish *fish, float space)
-{
-    const struct box box = fish_box(fish);
-    return body_of(&box, space * fish->length_m);
-}
 
 static uint32_t width_of(uint32_t lanes)
 {
@@ -191,7 +159,8 @@ void swim_move_all(const struct shoal *shoal, uint32_t lanes)
         }
         if (fish_swims(fish)) {
             shoal->way_m[i] += fish->falls ? SWIM_FAR_M : swim_move(fish, shoal->params);
-            shoal->body[i] = make_body(fish, shoal->space);
+            const struct box box = fish_box(fish);
+            shoal->body[i] = body_of(&box, shoal->space * fish->length_m);
         }
         i++;
     }

@@ -4,7 +4,6 @@
 #include "core/tank/behavior/swim_simd.h"
 
 #include "core/base/simd_vec.h"
-#include "core/tank/behavior/swim_rates.h"
 
 /* Index of a quad (four floats) at the start of struct fish. QUAD_HOLDS() verifies which members
  * each quad holds. */
@@ -86,23 +85,6 @@ static inline struct turned turn_quad(const flanes angles[4], const flanes cours
     };
 }
 
-static inline flanes speed_up_or_glide(flanes speed_m_s, flanes brake, const flanes pace[4])
-{
-    const flanes goal_m_s = pace[0] * brake;
-    const flanes slow_keep = simd_lerp(simd_splat(BRAKE_KEEP), pace[2], brake);
-    const flanes keep = simd_select(goal_m_s > speed_m_s, pace[1], slow_keep);
-    return simd_lerp(goal_m_s, speed_m_s, keep);
-}
-
-static inline void make_body(struct body *body, struct simd_v3 centre, struct simd_basis axes,
-                             const flanes size[4], float space)
-{
-    store_body(body, 0, centre, 0.5f * size[2]);
-    store_body(body, 1, axes.right, 0.5f * size[1]);
-    store_body(body, 2, axes.up, 0.5f * size[0]);
-    store_body(body, 3, axes.back, space * size[0]);
-}
-
 /* Returns the largest distance that a corner of the box moved: the motion of the centre plus the
  * motion by rotation. */
 static inline flanes way_m(struct simd_v3 velocity, const struct turned *t, const flanes angles[4],
@@ -130,7 +112,10 @@ void SIMD_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
 
     const struct turned t = turn_quad(angles, course, pace[3] * course[3], commands, params->banks);
     const flanes climb_m_s = ease(push[3], commands[1], CLIMB_TAU_S);
-    const flanes speed_m_s = speed_up_or_glide(place[3], course[2], pace);
+    const flanes goal_m_s = pace[0] * course[2];
+    const flanes slow_keep = simd_lerp(simd_splat(BRAKE_KEEP), pace[2], course[2]);
+    const flanes keep = simd_select(goal_m_s > place[3], pace[1], slow_keep);
+    const flanes speed_m_s = simd_lerp(goal_m_s, place[3], keep);
     const struct simd_sin_cos yaw = simd_sin_cos(t.yaw_rad);
     const flanes able_m_s = size[0] * (0.8f + 0.2f * size[3]);
     const flanes most_m_s =
@@ -144,26 +129,14 @@ void SIMD_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
     store(fish, QUAD_PLACE, (flanes[4]){ centre.x, centre.y, centre.z, speed_m_s });
     store(fish, QUAD_ANGLES, (flanes[4]){ t.yaw_rad, t.pitch_rad, t.roll_rad, t.yaw_rate_rad_s });
     store(fish, QUAD_PUSH, (flanes[4]){ push[0], push[1], push[2], climb_m_s });
-    make_body(&shoal->body[first], centre,
-              simd_basis(yaw, simd_sin_cos(t.pitch_rad), simd_sin_cos(t.roll_rad)), size,
-              shoal->space);
+    const struct simd_basis axes =
+        simd_basis(yaw, simd_sin_cos(t.pitch_rad), simd_sin_cos(t.roll_rad));
+    store_body(&shoal->body[first], 0, centre, 0.5f * size[2]);
+    store_body(&shoal->body[first], 1, axes.right, 0.5f * size[1]);
+    store_body(&shoal->body[first], 2, axes.up, 0.5f * size[0]);
+    store_body(&shoal->body[first], 3, axes.back, shoal->space * size[0]);
     float *way = &shoal->way_m[first];
     simd_store(way, simd_load(way) + way_m(velocity, &t, angles, size));
-}
-
-static inline flanes beat_hz(flanes lengths_per_s)
-{
-    const flanes slow = simd_max(simd_splat(BEAT_MIN_HZ), lengths_per_s / BEAT_LENGTHS);
-    const flanes fast = 4.0f / 3.0f * (lengths_per_s + 1.0f);
-    return simd_select(lengths_per_s < BEAT_FAST_LENGTHS_PER_S, slow, fast);
-}
-
-static inline flanes stroke(flanes hz, flanes beats)
-{
-    const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
-    const flanes wider =
-        simd_clamp(per_hz * (hz - BEAT_MIN_HZ), simd_splat(0.0f), simd_splat(1.0f - STROKE_SLOW));
-    return simd_select(beats > 0.0f, STROKE_SLOW + wider, STROKE_GLIDE + STROKE_TRAIL * wider);
 }
 
 /* Returns the horizontal unit vector in the fish's forward direction, computed from the `back` axis
@@ -172,24 +145,6 @@ static inline struct simd_v3 flat_ahead(const flanes back[4])
 {
     const struct simd_v3 flat = { -back[0], simd_splat(0.0f), -back[2] };
     return simd_v3_scale(flat, 1.0f / simd_v3_length(flat));
-}
-
-static inline flanes lose_blocked_speed(flanes speed_m_s, struct simd_v3 own_m_s,
-                                        struct simd_v3 ahead)
-{
-    const flanes true_m_s = simd_max(simd_splat(0.0f), simd_v3_dot(own_m_s, ahead));
-    return simd_select(true_m_s < speed_m_s,
-                       simd_lerp(speed_m_s, true_m_s, simd_splat(BLOCKED_SHARE)), speed_m_s);
-}
-
-/* Returns the new bend. The bend approaches its goal plus the arc of the turn. In a C-start the arc
- * is left out. */
-static inline flanes bend(flanes bend_rad, flanes goal_rad, flanes yaw_rate_rad_s, flanes haste)
-{
-    const flanes arc_rad = clamp_magnitude(BEND_PER_RAD_S * yaw_rate_rad_s, 1.0f);
-    const flanes wanted_rad =
-        goal_rad + simd_select(haste < HASTE_START, arc_rad, simd_splat(0.0f));
-    return simd_lerp(bend_rad, wanted_rad, hasten(haste, BEND_TAU_S));
 }
 
 void SIMD_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
@@ -213,15 +168,31 @@ void SIMD_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
     const struct simd_v3 moved_m = { centre[0] - before[0], centre[1] - before[1],
                                      centre[2] - before[2] };
     const struct simd_v3 v = simd_v3_scale(moved_m, simd_splat(1.0f / DT));
-    const flanes speed_m_s = lose_blocked_speed(place[3], simd_v3_sub(v, push), flat_ahead(back));
+    const flanes true_m_s =
+        simd_max(simd_splat(0.0f), simd_v3_dot(simd_v3_sub(v, push), flat_ahead(back)));
+    const flanes speed_m_s = simd_select(
+        true_m_s < place[3], simd_lerp(place[3], true_m_s, simd_splat(BLOCKED_SHARE)), place[3]);
     const struct simd_v3 drift = simd_v3_scale(push, simd_splat(0.5f));
     const flanes along_m_s = simd_v3_length(simd_v3_sub(v, drift));
+    const flanes lengths_per_s = along_m_s / size[0];
+    const flanes slow = simd_max(simd_splat(BEAT_MIN_HZ), lengths_per_s / BEAT_LENGTHS);
+    const flanes fast = 4.0f / 3.0f * (lengths_per_s + 1.0f);
     const flanes hz =
-        simd_lerp(tail[1], beat_hz(along_m_s / size[0]), hasten(commands[0], TAIL_TAU_S));
-    const flanes amplitude =
-        simd_lerp(tail[2], stroke(hz, commands[3]), hasten(commands[0], STROKE_TAU_S));
+        simd_lerp(tail[1], simd_select(lengths_per_s < BEAT_FAST_LENGTHS_PER_S, slow, fast),
+                  hasten(commands[0], TAIL_TAU_S));
+    const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
+    const flanes wider =
+        simd_clamp(per_hz * (hz - BEAT_MIN_HZ), simd_splat(0.0f), simd_splat(1.0f - STROKE_SLOW));
+    const flanes amplitude = simd_lerp(
+        tail[2],
+        simd_select(commands[3] > 0.0f, STROKE_SLOW + wider, STROKE_GLIDE + STROKE_TRAIL * wider),
+        hasten(commands[0], STROKE_TAU_S));
     const flanes phase = tail[0] + F_TAU * hz * DT;
-    const flanes bend_rad = bend(still[3], tail[3], angles[3], commands[0]);
+    /* The bend approaches its goal plus the arc of the turn. In a C-start the arc is left out. */
+    const flanes arc_rad = clamp_magnitude(BEND_PER_RAD_S * angles[3], 1.0f);
+    const flanes wanted_rad =
+        tail[3] + simd_select(commands[0] < HASTE_START, arc_rad, simd_splat(0.0f));
+    const flanes bend_rad = simd_lerp(still[3], wanted_rad, hasten(commands[0], BEND_TAU_S));
 
     const struct simd_v3 shoved_m = { centre[0] - place[0], centre[1] - place[1],
                                       centre[2] - place[2] };

@@ -13,14 +13,6 @@ struct frame {
     float half[3];
 };
 
-static struct frame frame_of(const struct box *box)
-{
-    return (struct frame){
-        .axis = { box->axes.right, box->axes.up, box->axes.back },
-        .half = { box->half_m.x, box->half_m.y, box->half_m.z },
-    };
-}
-
 /* The largest gap of the boxes (`gap_m`), and of the boxes enlarged by their margins (`space_m`),
  * over the axes tried so far. */
 struct verdict {
@@ -169,13 +161,6 @@ float box_depth_m(const struct box *a, const struct box *b)
     return f_max(0.0f, -box_gap(a, 0.0f, b, 0.0f).body_m);
 }
 
-static float shadow_m(const struct frame *frame, vec3 axis)
-{
-    return f_abs(v3_dot(frame->axis[0], axis)) * frame->half[0] +
-           f_abs(v3_dot(frame->axis[1], axis)) * frame->half[1] +
-           f_abs(v3_dot(frame->axis[2], axis)) * frame->half[2];
-}
-
 vec3 box_extent_m(const struct box *box)
 {
     return box_upright_m(box->axes.right, box->axes.up, box->axes.back, box->half_m);
@@ -185,7 +170,10 @@ vec3 box_extent_m(const struct box *box)
  * sides are the cross products of the box axes and the rod. */
 vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius_m)
 {
-    const struct frame frame = frame_of(box);
+    const struct frame frame = (struct frame){
+        .axis = { box->axes.right, box->axes.up, box->axes.back },
+        .half = { box->half_m.x, box->half_m.y, box->half_m.z },
+    };
     const vec3 none = { 0.0f, 0.0f, 0.0f };
     const vec3 d = v3_sub(box->centre_m, point_m);
     float least_m = 1e9f;
@@ -199,7 +187,10 @@ vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius
         }
         const vec3 normal = v3_scale(side, 1.0f / length);
         const float offset = v3_dot(d, normal);
-        const float depth_m = shadow_m(&frame, normal) + radius_m - f_abs(offset);
+        const float depth_m = (f_abs(v3_dot(frame.axis[0], normal)) * frame.half[0] +
+                               f_abs(v3_dot(frame.axis[1], normal)) * frame.half[1] +
+                               f_abs(v3_dot(frame.axis[2], normal)) * frame.half[2]) +
+                              radius_m - f_abs(offset);
         if (depth_m <= 0.0f) {
             return none;
         }

@@ -1,9 +1,14 @@
-/* box.h -- oriented boxes: the gap or the penetration depth of two boxes.
+/* box.h -- oriented boxes: the gap between two boxes, contact tests with a ring and with a hull,
+ * and the body of a fish.
  *
- * The functions use the separating-axis theorem. Two boxes are apart exactly if an axis shows a
- * gap between their projections. Fifteen axes are tested. Six of them are the face normals of
- * the boxes. The other nine are the cross products of an edge of one box and an edge of the
- * other box. */
+ * The gap between two boxes follows from the separating-axis theorem. Two boxes are apart exactly
+ * if their projections on one of fifteen axes have a gap. Six of the axes are the face normals of
+ * the boxes. The other nine axes are the cross products of an edge of one box and an edge of the
+ * other box.
+ *
+ * The contact tests (shape_tests.c) return the gap and the direction in which the box must move. A
+ * body (struct body) is the box of a fish in one cache line, for the broad phase and the contact
+ * solver. */
 #ifndef KINGYO_CORE_TANK_COLLISION_BOX_H
 #define KINGYO_CORE_TANK_COLLISION_BOX_H
 
@@ -59,5 +64,70 @@ vec3 box_extent_m(const struct box *box);
  * the rod. The rod has the radius `radius_m` > 0 and passes through `point_m` along the unit vector
  * `along`. */
 vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius_m);
+
+struct touch {
+    float gap_m; /* A value > 0 is the gap, or a lower bound of the gap if the shape is not near. A
+                    value < 0 is the penetration depth, negated. */
+    vec3 out;    /* Unit vector along which the box leaves the shape soonest. The vector is
+                    undefined if the shape is not near. */
+};
+
+#define SHAPE_TOUCH_FAR_M 1.0f /* Value of `gap_m` if the shape is not near. */
+
+/* A torus: a tube of radius `tube_m` along the circle of radius `middle_m` around `centre_m`, in
+ * the plane of the unit vector `normal`. shape_touch_ring() is exact to 0.05 mm for tubes and boxes
+ * of the size of a poi and a fish. */
+struct ring {
+    vec3 centre_m, normal;
+    float middle_m, tube_m;
+};
+struct touch shape_touch_ring(const struct ring *ring, const struct box *box);
+
+/* The lower half of an ellipsoid that hangs from its mouth. shape_touch_hull() is exact at the skin
+ * and has an error of a few percent farther outside or deeper inside. */
+struct hull {
+    vec3 mouth_m;
+    float radius_m, depth_m;
+};
+struct touch shape_touch_hull(const struct hull *hull, const struct box *box);
+
+/* Returns the signed distance of a point from a box; < 0 inside the box. `out` receives the unit
+ * vector from the box's skin to the point. For a point inside the box, `out` receives the normal of
+ * the nearest face. */
+float shape_touch_point_m(const struct box *box, vec3 point_m, vec3 *out);
+
+struct body {
+    vec3 centre_m;
+    float half_x_m; /* Half of the width, along `right`. */
+    vec3 right;     /* Unit axes of the body in world coordinates, as in struct basis. */
+    float half_y_m; /* Half of the height, along `up`. */
+    vec3 up;
+    float half_z_m; /* Half of the length, along `back`. */
+    vec3 back;
+    float margin_m; /* Size of the personal space beyond the body on every side. */
+};
+_Static_assert(sizeof(struct body) == 64u, "a body is a cache line, four quads of floats");
+
+static inline struct body body_of(const struct box *box, float margin_m)
+{
+    return (struct body){ box->centre_m, box->half_m.x, box->axes.right, box->half_m.y,
+                          box->axes.up,  box->half_m.z, box->axes.back,  margin_m };
+}
+
+static inline struct box body_box(const struct body *body)
+{
+    return (struct box){
+        .centre_m = body->centre_m,
+        .axes = { body->right, body->up, body->back },
+        .half_m = { body->half_x_m, body->half_y_m, body->half_z_m },
+    };
+}
+
+/* Returns half the size of the smallest axis-aligned box that contains the body. */
+static inline vec3 body_extent_m(const struct body *body)
+{
+    return box_upright_m(body->right, body->up, body->back,
+                         v3(body->half_x_m, body->half_y_m, body->half_z_m));
+}
 
 #endif

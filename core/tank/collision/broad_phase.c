@@ -109,18 +109,6 @@ int broad_phase_is_stale(const struct broad_phase *broad_phase)
     return farther;
 }
 
-static void drop_contacts_of(struct broad_phase *broad_phase, uint32_t fish)
-{
-    uint32_t kept = 0;
-    for (uint32_t c = 0; c < broad_phase->near_count; c++) {
-        const struct contact contact = broad_phase->contact[c];
-        broad_phase->contact[kept] = contact;
-        kept += contact.a != fish && contact.b != fish;
-    }
-    broad_phase->near_count = kept;
-    broad_phase->touch_count = kept;
-}
-
 /* Adds the pair to the contact list if the fish could touch before the next query. The stored gap
  * is the present gap plus the motion of `other` since its last query, because contact_is_apart()
  * subtracts that motion. */
@@ -145,18 +133,6 @@ static void meet_again(struct broad_phase *broad_phase, uint32_t fish, uint32_t 
     }
 }
 
-static void see_again(struct broad_phase *broad_phase, const struct fish *fish, uint32_t index)
-{
-    drop_contacts_of(broad_phase, index);
-    broad_phase->way_m[index] = 0.0f;
-    broad_phase->reach_m[index] = broad_phase->play_m[index] + broad_phase_reach_m(&fish[index]);
-    for (uint32_t other = 0; other < broad_phase->count; other++) {
-        if (other != index && (broad_phase->flags[other] & BODY_SWIMMING)) {
-            meet_again(broad_phase, index, other);
-        }
-    }
-}
-
 int broad_phase_update_moved(struct broad_phase *broad_phase, const struct fish *fish)
 {
     fish_index beyond[AGAIN_MAX];
@@ -174,7 +150,22 @@ int broad_phase_update_moved(struct broad_phase *broad_phase, const struct fish 
         return 0;
     }
     for (uint32_t k = 0; k < count; k++) {
-        see_again(broad_phase, fish, beyond[k]);
+        uint32_t kept = 0;
+        for (uint32_t c = 0; c < broad_phase->near_count; c++) {
+            const struct contact contact = broad_phase->contact[c];
+            broad_phase->contact[kept] = contact;
+            kept += contact.a != beyond[k] && contact.b != beyond[k];
+        }
+        broad_phase->near_count = kept;
+        broad_phase->touch_count = kept;
+        broad_phase->way_m[beyond[k]] = 0.0f;
+        broad_phase->reach_m[beyond[k]] =
+            broad_phase->play_m[beyond[k]] + broad_phase_reach_m(&fish[beyond[k]]);
+        for (uint32_t other = 0; other < broad_phase->count; other++) {
+            if (other != beyond[k] && (broad_phase->flags[other] & BODY_SWIMMING)) {
+                meet_again(broad_phase, beyond[k], other);
+            }
+        }
     }
     broad_phase_select_contacts(broad_phase);
     return 1;

@@ -3,12 +3,12 @@
  *
  * A query is one search for near pairs among all swimming fish. Every array is indexed by fish. A
  * fish that does not swim has an element in each array but takes no part in a query. Such a fish is
- * on a poi (the paper scoop), in a bowl or in reentry (reentry.h). */
+ * on a poi (the paper scoop), in a bowl or in reentry (reentry.c). */
 #ifndef KINGYO_CORE_TANK_COLLISION_BROAD_PHASE_H
 #define KINGYO_CORE_TANK_COLLISION_BROAD_PHASE_H
 
 #include "core/tank/behavior/avoid.h"
-#include "core/tank/collision/body.h"
+#include "core/tank/collision/box.h"
 #include "core/tank/collision/narrow_phase.h"
 #include "core/tank/fish.h"
 

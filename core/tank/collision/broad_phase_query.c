@@ -21,16 +21,11 @@ static void take_advice(struct avoid_advice *kept, const struct avoid_advice *ad
     }
 }
 
-static vec3 forward_of(const struct body *body)
-{
-    return v3_scale(body->back, -1.0f);
-}
-
 static struct avoid_party party_of(const struct body *body, const struct fish *fish, uint32_t index)
 {
     return (struct avoid_party){
         .position_m = body->centre_m,
-        .forward = forward_of(body),
+        .forward = v3_scale(body->back, -1.0f),
         .speed_m_s = fish->speed_m_s,
         .length_m = 2.0f * body->half_z_m,
         .height_m = 2.0f * body->half_y_m,
@@ -134,12 +129,6 @@ static void fetch_fish(const struct snapshot *look, uint32_t index)
     __builtin_prefetch(&look->broad_phase->neighbours[index], 1);
 }
 
-static void fetch(const struct snapshot *look, const struct narrow_phase_pair *found)
-{
-    fetch_fish(look, found->a);
-    fetch_fish(look, found->b);
-}
-
 static void seek(const struct snapshot *look, const struct narrow_phase_query *of, int ahead)
 {
     struct broad_phase *broad_phase = look->broad_phase;
@@ -160,7 +149,8 @@ static void seek(const struct snapshot *look, const struct narrow_phase_query *o
          narrow_phase_next(&broad_phase->narrow_phase, of, broad_phase->found, &count);) {
         for (uint32_t f = 0; f < count; f++) {
             if (f + FETCH_AHEAD < count) {
-                fetch(look, &broad_phase->found[f + FETCH_AHEAD]);
+                fetch_fish(look, broad_phase->found[f + FETCH_AHEAD].a);
+                fetch_fish(look, broad_phase->found[f + FETCH_AHEAD].b);
             }
             take_found(look, &broad_phase->found[f]);
         }

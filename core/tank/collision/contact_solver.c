@@ -6,7 +6,6 @@
 #include "core/base/panic.h"
 #include "core/input.h"
 #include "core/tank/collision/contact_solver_internal.h"
-#include "core/tank/collision/contact_solver_simd.h"
 
 /* Gap that the contact solver leaves between two bodies that it separates. */
 #define SKIN_M 0.0001f
@@ -135,8 +134,8 @@ static int part_pair(const struct solver_step *all, struct contact *contact, int
 static vec3 push_off(const struct solver_step *all, uint32_t index, const struct obstacle *obstacle)
 {
     const struct body *body = &all->broad_phase->body[index];
-    const vec3 hard = ring_hard_push(obstacle, body);
-    const vec3 paper = ring_paper_push(obstacle, body, contact_before_m(all, index));
+    const vec3 hard = obstacle_hard_push(obstacle, body);
+    const vec3 paper = obstacle_paper_push(obstacle, body, contact_before_m(all, index));
     return v3_dot(hard, hard) > 0.0f ? hard : paper;
 }
 
@@ -160,17 +159,10 @@ static void clear_obstacle(const struct solver_step *all, uint32_t index, uint32
         }
     }
     struct body carried = *body;
-    carried.centre_m = ring_carry_m(obstacle, before.centre_m);
+    carried.centre_m = obstacle_carry_m(obstacle, before.centre_m);
     if (contact_is_clear(obstacle, &carried, &before)) {
         body->centre_m = carried.centre_m;
         keep_inside(all, index);
-    }
-}
-
-static void clear_obstacles(const struct solver_step *all, uint32_t index)
-{
-    for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
-        clear_obstacle(all, index, o);
     }
 }
 
@@ -179,7 +171,9 @@ static void clear_obstacles(const struct solver_step *all, uint32_t index)
 static void clear_if_beside(const struct solver_step *all, uint32_t index)
 {
     if (all->broad_phase->flags[index] & BODY_NEAR_OBSTACLE) {
-        clear_obstacles(all, index);
+        for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
+            clear_obstacle(all, index, o);
+        }
     }
 }
 
@@ -195,7 +189,8 @@ static float look_beside(const struct solver_step *all, uint32_t index)
         if (obstacle_in_reach(obstacle, &box)) {
             const vec3 from_m = contact_before_m(all, index);
             beside = 1;
-            excess_m = f_max(excess_m, v3_length(v3_sub(ring_carry_m(obstacle, from_m), from_m)));
+            excess_m =
+                f_max(excess_m, v3_length(v3_sub(obstacle_carry_m(obstacle, from_m), from_m)));
         }
     }
     if (beside) {
@@ -221,14 +216,6 @@ struct close {
     float gap_m[CLOSE_MAX + SIMD_LANES_MAX];
 };
 
-/* Adds a contact to the collection `close`. `c` is the index of the contact in the contact list. */
-static void note_close(struct close *close, const struct contact *contact, uint32_t c)
-{
-    close->contact[close->count] = c;
-    close->a[close->count] = contact->a;
-    close->b[close->count++] = contact->b;
-}
-
 /* Measures the gaps of the collected contacts and empties the collection. */
 static void measure_close_pairs(const struct solver_step *all, struct close *close)
 {
@@ -243,24 +230,6 @@ static void measure_close_pairs(const struct solver_step *all, struct close *clo
         know_apart(all, &all->broad_phase->contact[close->contact[k]], close->gap_m[k]);
     }
     close->count = 0;
-}
-
-/* Measures all contacts whose stored gap no longer proves that the bodies are apart. Most of these
- * contacts were only predicted to come near. */
-static void measure_close(const struct solver_step *all)
-{
-    const struct broad_phase *broad_phase = all->broad_phase;
-    struct close close;
-    close.count = 0;
-    for (uint32_t c = 0; c < broad_phase->contact_count; c++) {
-        if (!contact_is_apart(all, &broad_phase->contact[c], 0.0f)) {
-            note_close(&close, &broad_phase->contact[c], c);
-        }
-        if (close.count == CLOSE_MAX) {
-            measure_close_pairs(all, &close);
-        }
-    }
-    measure_close_pairs(all, &close);
 }
 
 /* Runs one round over all contacts in order, so that a push propagates to later contacts in the
@@ -285,7 +254,22 @@ static uint32_t relax_once(const struct solver_step *all, int round)
 static int relax(const struct solver_step *all)
 {
     uint32_t parted = 1;
-    measure_close(all);
+    /* Measures all contacts whose stored gap no longer proves that the bodies are apart. Most of
+     * these contacts were only predicted to come near. */
+    const struct broad_phase *broad_phase = all->broad_phase;
+    struct close close;
+    close.count = 0;
+    for (uint32_t c = 0; c < broad_phase->contact_count; c++) {
+        if (!contact_is_apart(all, &broad_phase->contact[c], 0.0f)) {
+            close.contact[close.count] = c;
+            close.a[close.count] = broad_phase->contact[c].a;
+            close.b[close.count++] = broad_phase->contact[c].b;
+        }
+        if (close.count == CLOSE_MAX) {
+            measure_close_pairs(all, &close);
+        }
+    }
+    measure_close_pairs(all, &close);
     for (int round = 0; round < PART_ROUNDS_MAX && parted > 0; round++) {
         parted = relax_once(all, round);
     }

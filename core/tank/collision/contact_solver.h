@@ -41,7 +41,7 @@ struct solver_context {
     struct fish *fish;
     struct tank_bounds bounds;
     struct obstacle *obstacles; /* Obstacles, whose motion the solver may reduce; see
-                                   ring_contact.h. */
+                                   obstacle.h. */
     uint32_t obstacle_count;
     float push_max_m; /* Largest distance in a tick by which other bodies push a body, in addition
                          to its own motion. */

@@ -1,10 +1,11 @@
-/* contact_solver_internal.h -- internal declarations for contact_solver.c and
- * penetration_check.c. */
+/* contact_solver_internal.h -- declarations that contact_solver.c, contact_solver_simd.c and
+ * penetration_check.c share. */
 #ifndef KINGYO_CORE_TANK_COLLISION_CONTACT_SOLVER_INTERNAL_H
 #define KINGYO_CORE_TANK_COLLISION_CONTACT_SOLVER_INTERNAL_H
 
+#include "core/base/simd.h"
 #include "core/tank/collision/contact_solver.h"
-#include "core/tank/collision/ring_contact.h"
+#include "core/tank/collision/obstacle.h"
 
 /* Rounding error by which a penetration may appear deeper although no body moved. */
 #define SOLVER_ROUNDING_M 1e-6f
@@ -53,7 +54,7 @@ static inline int contact_is_clear(const struct obstacle *obstacle, const struct
                                    const struct body *before)
 {
     vec3 unused;
-    return ring_excess_m(obstacle, body, before, SOLVER_FREE_M, &unused) <= SOLVER_ROUNDING_M;
+    return obstacle_excess_m(obstacle, body, before, SOLVER_FREE_M, &unused) <= SOLVER_ROUNDING_M;
 }
 
 /* Returns the largest distance that any point of a body moved in this substep by rotation alone,
@@ -78,5 +79,19 @@ vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const 
  * up motion. `is_parted` is 1 if no two fish overlap after the pushes, otherwise 0. Defined in
  * penetration_check.c. */
 void penetration_check(const struct solver_step *all, int is_parted);
+
+/* Keeps the bodies of the block that begins at fish `first` within the tank, and sets their
+ * `step_max_m` and `play_m`. The caller guarantees that all fish of the block swim and that none
+ * gulps or is in the air. The substep must be the first of the tick. Returns one bit for each fish
+ * that an obstacle could touch. The bodies of these fish are unchanged and need the full
+ * contact_solver_project(). */
+#define CONTACT_SOLVER_PROJECT(name)                                                               \
+    uint32_t name(struct contact_solver *solver, struct broad_phase *broad_phase,                  \
+                  const struct solver_context *place, uint32_t first)
+
+SIMD_BEGIN
+CONTACT_SOLVER_PROJECT(contact_solver_project_block_4);
+CONTACT_SOLVER_PROJECT(contact_solver_project_block_8);
+SIMD_END
 
 #endif

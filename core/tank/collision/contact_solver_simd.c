@@ -1,41 +1,33 @@
 /* contact_solver_simd.c -- walls, floor and surface for a block of fish; the SIMD form of a part of
  * contact_solver.c. */
-#include "core/tank/collision/contact_solver_simd.h"
+#include "core/tank/collision/contact_solver_internal.h"
 
 #include "core/base/simd_vec.h"
-#include "core/tank/collision/body_simd.h"
+#include "core/tank/collision/narrow_phase_simd.h"
 
 _Static_assert(sizeof(struct angles) == 12u && sizeof(vec3) == 12u, "three floats, side by side");
 
-/* Returns the component of body_extent_m() along one world axis for each lane. */
-static inline flanes extent_m(const struct body_simd *all, int axis)
-{
-    return simd_abs(all->right[axis]) * all->centre[3] + simd_abs(all->up[axis]) * all->right[3] +
-           simd_abs(all->back[axis]) * all->up[3];
-}
-
 static inline flanes keep_between(const struct body_simd *all, int axis, float low_m, float high_m)
 {
-    const flanes extent = extent_m(all, axis);
+    /* `extent` is the component of body_extent_m() along one world axis for each lane. */
+    const flanes extent = simd_abs(all->right[axis]) * all->centre[3] +
+                          simd_abs(all->up[axis]) * all->right[3] +
+                          simd_abs(all->back[axis]) * all->up[3];
     return simd_clamp(all->centre[axis], low_m + extent, high_m - extent);
-}
-
-/* Returns the result of obstacle_in_reach() for each lane as a mask. */
-static inline ilanes in_reach(const struct obstacle *obstacle, const struct body_simd *all)
-{
-    const struct simd_v3 half = { all->centre[3], all->right[3], all->up[3] };
-    const struct simd_v3 d = { all->centre[0] - obstacle->centre_m.x,
-                               all->centre[1] - obstacle->centre_m.y,
-                               all->centre[2] - obstacle->centre_m.z };
-    const flanes reach_m = obstacle->radius_m + simd_v3_length(half) + OBSTACLE_REACH_M;
-    return simd_v3_dot(d, d) < reach_m * reach_m;
 }
 
 static inline ilanes is_beside(const struct solver_context *place, const struct body_simd *all)
 {
     ilanes beside = { 0 };
     for (uint32_t o = 0; o < place->obstacle_count; o++) {
-        beside |= in_reach(&place->obstacles[o], all);
+        /* Computes the result of obstacle_in_reach() for each lane as a mask. */
+        const struct simd_v3 half = { all->centre[3], all->right[3], all->up[3] };
+        const struct simd_v3 d = { all->centre[0] - place->obstacles[o].centre_m.x,
+                                   all->centre[1] - place->obstacles[o].centre_m.y,
+                                   all->centre[2] - place->obstacles[o].centre_m.z };
+        const flanes reach_m =
+            place->obstacles[o].radius_m + simd_v3_length(half) + OBSTACLE_REACH_M;
+        beside |= simd_v3_dot(d, d) < reach_m * reach_m;
     }
     return beside;
 }

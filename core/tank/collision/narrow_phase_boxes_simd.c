@@ -2,7 +2,6 @@
 #include "core/tank/collision/narrow_phase_simd.h"
 
 #include "core/base/mem.h"
-#include "core/tank/collision/body_simd.h"
 
 #define APART_M 1e9f
 #define PARALLEL simd_splat(1e-6f) /* Value of PARALLEL in box.c. */

@@ -2,7 +2,6 @@
 #include "core/tank/collision/narrow_phase_simd.h"
 
 #include "core/base/mem.h"
-#include "core/tank/collision/body_simd.h"
 
 #define ROUNDING 1.00001f /* Tolerance for rounding errors, so that no ball is too small. */
 
@@ -68,7 +67,7 @@ NARROW_PHASE_MEASURE(SIMD_NAME(narrow_phase_measure))
     return farthest_m;
 }
 
-/* Computes the cell of each fish to be searched, as spatial_grid_cell() does. */
+/* Computes the cell of each fish to be searched, as narrow_grid_cell() does. */
 NARROW_PHASE_CELLS(SIMD_NAME(narrow_phase_cells))
 {
     struct spatial_grid *grid = &narrow_phase->grid;
@@ -191,7 +190,7 @@ static inline uint32_t note_near_pairs(struct narrow_phase *narrow_phase, uint32
  * 1 at the end of the range. Returns 0 if the list of pairs is full; *other is then the item at
  * which to continue. */
 static inline int note_range(struct narrow_phase *narrow_phase, const struct seeker *me,
-                             uint32_t item, struct spatial_grid_range range, uint32_t *noted,
+                             uint32_t item, struct grid_range range, uint32_t *noted,
                              uint32_t *other)
 {
     uint32_t from = range.from > *other ? range.from : *other, n = *noted;
@@ -210,13 +209,13 @@ NARROW_PHASE_NEAR(SIMD_NAME(narrow_phase_near))
     uint32_t item = narrow_phase->item, other = narrow_phase->other, noted = 0;
     uint32_t end = by_cells ? item : grid->count; /* One more than the last item of the current
                                                      cell. */
-    struct spatial_grid_range range[2] = { { 0, grid->count }, { 0, 0 } };
+    struct grid_range range[2] = { { 0, grid->count }, { 0, 0 } };
     for (; item < grid->count; item++, other = 0) {
         if (item >= end) {
-            narrow_phase->cell = spatial_grid_cell_of_item(grid, item, narrow_phase->cell);
+            narrow_phase->cell = narrow_grid_cell_of_item(grid, item, narrow_phase->cell);
             end = grid->start[narrow_phase->cell + 1u];
-            range[0] = spatial_grid_beside(grid, narrow_phase->cell);
-            range[1] = spatial_grid_below(grid, narrow_phase->cell);
+            range[0] = narrow_grid_beside(grid, narrow_phase->cell);
+            range[1] = narrow_grid_below(grid, narrow_phase->cell);
         }
         const struct seeker me = seeker_of(narrow_phase, of, item);
         range[0].from = item + 1u;

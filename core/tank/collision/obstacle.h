@@ -1,10 +1,15 @@
-/* obstacle.h -- pois (paper scoops) and bowls as obstacles that fish must not penetrate. */
+/* obstacle.h -- pois (paper scoops) and bowls as obstacles that fish must not penetrate, and the
+ * contact between an obstacle and a fish in one tick.
+ *
+ * A poi moves before the fish do, and pushes fish out of its way. If a fish cannot move because of
+ * other fish, a wall or the floor, the poi gives up as much of its step as needed. Giving up the
+ * whole step always suffices, because poi and fish did not touch in the previous tick. */
 #ifndef KINGYO_CORE_TANK_COLLISION_OBSTACLE_H
 #define KINGYO_CORE_TANK_COLLISION_OBSTACLE_H
 
 #include <stdint.h>
 
-#include "core/tank/collision/shape_tests.h"
+#include "core/tank/collision/box.h"
 #include "core/tank/fish.h"
 
 enum obstacle_kind {
@@ -84,5 +89,40 @@ float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m);
 /* Returns the horizontal velocity at which a fish at `position_m` steps aside, m/s. Fish beside a
  * moving disc drift away from the disc. Returns zero for fish over or under the disc's paper. */
 vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m);
+
+/* Largest sag of the paper under a body. */
+#define RING_SAG_M 0.004f
+
+/* Returns a copy of the obstacle with its position and orientation before its step. */
+struct obstacle obstacle_before(const struct obstacle *obstacle);
+
+/* Returns the penetration of a fish into ring, hull or paper minus the allowed penetration, m. A
+ * result > 0 is too deep. `out` receives the direction in which the fish must move. `before` is the
+ * body in the previous tick. The allowed penetration is `free_m`, or the penetration of `before` if
+ * that is larger. Paper keeps a fish on the side on which `before` is. */
+float obstacle_excess_m(const struct obstacle *obstacle, const struct body *now,
+                        const struct body *before, float free_m, vec3 *out);
+
+/* Returns the shortest translation that moves the body off the ring or hull, or zero if the body
+ * does not touch the obstacle. At a ring a small move along the ring's normal is added, because a
+ * fish is round where its box has corners. */
+vec3 obstacle_hard_push(const struct obstacle *obstacle, const struct body *now);
+
+/* Returns the move that the paper requires of the fish in this tick, or zero if the fish does not
+ * touch the paper. The fish moves off the paper by a limited distance. If the flow presses the fish
+ * onto the paper, the fish also moves along with the paper. */
+vec3 obstacle_paper_push(const struct obstacle *disc, const struct body *now, vec3 before_m);
+
+/* Returns the shortest translation that keeps the fish's centre on its side of the paper, or zero
+ * if the centre is already there. */
+vec3 obstacle_paper_hold(const struct obstacle *disc, const struct body *now, vec3 before_m);
+
+/* Returns the position of a point that was at `before_m` after it moved along with the obstacle. */
+vec3 obstacle_carry_m(const struct obstacle *obstacle, vec3 before_m);
+
+/* Reduces the obstacle's step by `excess_m` in the direction opposite to `out`. If that is
+ * impossible, undoes the obstacle's rotation or, as the last possibility, the whole step. Returns 1
+ * if the obstacle changed, or 0 if the obstacle has no motion left to give up. */
+int obstacle_apply_reaction(struct obstacle *obstacle, vec3 out, float excess_m);
 
 #endif

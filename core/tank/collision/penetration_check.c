@@ -10,26 +10,16 @@
  * obstacles, and the last check, with a reserve. */
 #define ROUNDS_SPARE 256u
 
-static int points_are_equal(vec3 a, vec3 b)
-{
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
 static int is_inside(const struct solver_step *all, uint32_t index, const struct body *body)
 {
-    return points_are_equal(contact_kept_inside_m(all, index, body), body->centre_m);
+    const vec3 a = contact_kept_inside_m(all, index, body);
+    return a.x == body->centre_m.x && a.y == body->centre_m.y && a.z == body->centre_m.z;
 }
 
 static float pair_depth_m(const struct body *a, const struct body *b)
 {
     const struct box box_a = body_box(a), box_b = body_box(b);
     return box_depth_m(&box_a, &box_b);
-}
-
-static float pair_allowed_m(const struct solver_step *all, uint32_t a, uint32_t b)
-{
-    const struct body was_a = contact_body_before(all, a), was_b = contact_body_before(all, b);
-    return f_max(SOLVER_FREE_M, pair_depth_m(&was_a, &was_b));
 }
 
 /* Records that a fish returns to its previous angles. Only the first substep rotates fish; in a
@@ -53,26 +43,6 @@ static void put_back(const struct solver_step *all, uint32_t index, uint32_t rou
     note_turned_back(all, index);
 }
 
-/* Reverts fish whose contacts are unknown because the contact list was full. Each fish with an
- * unlisted contact keeps its pose from the start of the substep. These poses do not overlap, and
- * the list covers the other fish. The contacts in the list are random in each tick, so every fish
- * moves in some ticks. Staged fish with many overlaps are not reverted, only separated. Returns the
- * number of reverted fish. */
-static uint32_t hold_unlisted(const struct solver_step *all)
-{
-    const struct broad_phase *broad_phase = all->broad_phase;
-    const int is_full = broad_phase->touch_count > broad_phase_contact_max(broad_phase);
-    uint32_t held = 0;
-    for (uint32_t i = 0; i < broad_phase->count && is_full; i++) {
-        if (broad_phase->flags[i] & BODY_UNLISTED &&
-            broad_phase->overlap_count <= PILE * broad_phase->count) {
-            put_back(all, i, 0);
-            held++;
-        }
-    }
-    return held;
-}
-
 /* Returns 1 if the fish moved in this round or in the previous round, so that its pairs must be
  * checked again. Otherwise returns 0. */
 static int is_fresh(const struct contact_solver *solver, uint32_t index, uint32_t round)
@@ -89,7 +59,7 @@ static int carry(const struct solver_step *all, uint32_t index, uint32_t o, uint
     struct contact_solver *solver = all->solver;
     struct body body = contact_body_before(all, index);
     const vec3 from_m = body.centre_m;
-    body.centre_m = ring_carry_m(&all->place->obstacles[o], from_m);
+    body.centre_m = obstacle_carry_m(&all->place->obstacles[o], from_m);
     const float way_m = v3_length(v3_sub(body.centre_m, from_m));
     const uint8_t result = solver->result[index];
     if (result == SOLVER_REVERTED || result >= SOLVER_CARRIED ||
@@ -166,7 +136,9 @@ static uint32_t judge_pairs(const struct solver_step *all, uint32_t round)
         const float depth_m = pair_depth_m(&broad_phase->body[a], &broad_phase->body[b]);
         if (depth_m > SOLVER_FREE_M &&
             (solver->result[a] != SOLVER_REVERTED || solver->result[b] != SOLVER_REVERTED)) {
-            const float allowed_m = pair_allowed_m(all, a, b);
+            const struct body was_a = contact_body_before(all, a),
+                              was_b = contact_body_before(all, b);
+            const float allowed_m = f_max(SOLVER_FREE_M, pair_depth_m(&was_a, &was_b));
             if (depth_m > allowed_m) {
                 choose_reverted(all, a, b, allowed_m, round);
                 guilty++;
@@ -194,7 +166,7 @@ static int settle_with(const struct solver_step *all, uint32_t index, uint32_t o
     if (carry(all, index, o, round)) {
         return 1;
     }
-    if (ring_apply_reaction(obstacle, out, excess_m)) {
+    if (obstacle_apply_reaction(obstacle, out, excess_m)) {
         solver->reaction_round[o] = (uint16_t)(round + 1u);
         return 1;
     }
@@ -217,8 +189,8 @@ static uint32_t judge_obstacles(const struct solver_step *all, uint32_t round)
             vec3 out;
             const struct body before = contact_body_before(all, i);
             const float excess_m =
-                ring_excess_m(&all->place->obstacles[o], &all->broad_phase->body[i], &before,
-                              SOLVER_FREE_M, &out);
+                obstacle_excess_m(&all->place->obstacles[o], &all->broad_phase->body[i], &before,
+                                  SOLVER_FREE_M, &out);
             if (excess_m > SOLVER_ROUNDING_M) {
                 changes += (uint32_t)settle_with(all, i, o, out, excess_m, round);
             }
@@ -233,7 +205,22 @@ static uint32_t judge_obstacles(const struct solver_step *all, uint32_t round)
  * times. Therefore the loop ends. */
 void penetration_check(const struct solver_step *all, int is_parted)
 {
-    const int is_known = hold_unlisted(all) == 0 && is_parted;
+    /* Reverts fish whose contacts are unknown because the contact list was full. Each fish with an
+     * unlisted contact keeps its pose from the start of the substep. These poses do not overlap,
+     * and the list covers the other fish. The contacts in the list are random in each tick, so
+     * every fish moves in some ticks. Staged fish with many overlaps are not reverted, only
+     * separated. */
+    const struct broad_phase *broad_phase = all->broad_phase;
+    const int is_full = broad_phase->touch_count > broad_phase_contact_max(broad_phase);
+    uint32_t held = 0;
+    for (uint32_t i = 0; i < broad_phase->count && is_full; i++) {
+        if (broad_phase->flags[i] & BODY_UNLISTED &&
+            broad_phase->overlap_count <= PILE * broad_phase->count) {
+            put_back(all, i, 0);
+            held++;
+        }
+    }
+    const int is_known = held == 0 && is_parted;
     uint32_t guilty = 1;
     for (uint32_t round = 0; guilty > 0; round++) {
         CORE_ASSERT(round <= 2u * all->broad_phase->count + ROUNDS_SPARE);

@@ -1,9 +1,9 @@
 /* reentry.c -- reentry of fish into the water: drift, pushes, the search for a gap, and the end of
  * reentry. */
-#include "core/tank/collision/reentry.h"
+#include "core/tank/tank.h"
 
 #include "core/input.h"
-#include "core/tank/collision/ring_contact.h"
+#include "core/tank/collision/obstacle.h"
 
 /* Largest initial speed of a fish in reentry. The water absorbs any higher speed immediately. */
 #define SPEED_MAX_M_S 0.5f
@@ -28,7 +28,7 @@
 #define PUT_TICKS 48u  /* Ticks after which the fish is placed into the nearest gap. */
 #define AGAIN_TICKS 8u /* Ticks between two searches for a gap. */
 #define SEEK_M_S 0.3f
-/* Largest distance from the fish to a gap, about one body length. ring_contact.c detects paper on
+/* Largest distance from the fish to a gap, about one body length. obstacle.c detects paper on
  * the way only within 6 cm. */
 #define SEEK_M 0.05f
 #define SEEK_SHELLS 14u
@@ -132,7 +132,7 @@ static int part_from_obstacles(const struct fish *fish, vec3 before_m,
     int clear = 1;
     for (uint32_t o = 0; o < obstacle_count; o++) {
         const vec3 off = obstacle_clear(&obstacles[o], &box);
-        const vec3 paper = ring_paper_push(&obstacles[o], &body, before_m);
+        const vec3 paper = obstacle_paper_push(&obstacles[o], &body, before_m);
         if (v3_dot(off, off) + v3_dot(paper, paper) > 0.0f) {
             *push_m = v3_add(*push_m, v3_add(off, paper));
             clear = 0;
@@ -151,7 +151,7 @@ static int keep_off_paper(struct fish *fish, vec3 before_m, const struct obstacl
     for (uint32_t o = 0; o < obstacle_count; o++) {
         const struct box box = fish_box(fish);
         const struct body body = body_of(&box, 0.0f);
-        const vec3 hold_m = ring_paper_hold(&obstacles[o], &body, before_m);
+        const vec3 hold_m = obstacle_paper_hold(&obstacles[o], &body, before_m);
         if (v3_dot(hold_m, hold_m) > 0.0f) {
             const vec3 away = v3_sub(fish->position_m, obstacles[o].centre_m);
             const vec3 out = v3_normalize_or(v3(away.x, 0.0f, away.z), v3(1.0f, 0.0f, 0.0f));
@@ -183,15 +183,6 @@ static int meets_fish(const struct tank *tank, uint32_t index, const struct fish
     return 0;
 }
 
-/* Returns one of the 26 directions from the middle cell of a 3 x 3 x 3 cube to the other cells. */
-static vec3 way_out(uint32_t which)
-{
-    const uint32_t cell = which < 13u ? which : which + 1u;
-    const vec3 way =
-        v3((float)(cell % 3u) - 1.0f, (float)(cell / 9u) - 1.0f, (float)(cell / 3u % 3u) - 1.0f);
-    return v3_normalize_or(way, way);
-}
-
 /* Finds the nearest place within SEEK_M that is free of fish and obstacles and on the fish's side
  * of every paper. Tries 26 directions at SEEK_SHELLS distances. In a full tank a third of all
  * places is free, so the smallest distances usually contain a free place. Returns 1 and writes the
@@ -204,7 +195,13 @@ static int find_gap(const struct tank *tank, uint32_t index, const struct obstac
         struct fish there = *fish;
         vec3 unused_m = { 0.0f, 0.0f, 0.0f };
         const float out_m = SEEK_M * (float)(k / 26u + 1u) / (float)SEEK_SHELLS;
-        there.position_m = v3_muladd(fish->position_m, way_out(k % 26u), out_m);
+        /* Each `which` selects one of the 26 directions from the middle cell of a 3 x 3 x 3 cube to
+         * the other cells. */
+        const uint32_t which = k % 26u;
+        const uint32_t cell = which < 13u ? which : which + 1u;
+        const vec3 way = v3((float)(cell % 3u) - 1.0f, (float)(cell / 9u) - 1.0f,
+                            (float)(cell / 3u % 3u) - 1.0f);
+        there.position_m = v3_muladd(fish->position_m, v3_normalize_or(way, way), out_m);
         stay_in_tank(tank, &there);
         if (part_from_obstacles(&there, fish->position_m, obstacles, obstacle_count, &unused_m) &&
             !meets_fish(tank, index, &there)) {
@@ -250,15 +247,6 @@ static void seek_gap(struct tank *tank, uint32_t index, const struct obstacle *o
 
 /* ---- Advancing by a tick --------------------------------------------------------------------- */
 
-static void sink(const struct tank *tank, struct fish *fish)
-{
-    fish->gait_left_s += CORE_TICK_S;
-    fish->velocity_m_s = v3_scale(fish->velocity_m_s, 1.0f - DRAG_PER_S * CORE_TICK_S);
-    fish->velocity_m_s.y -= SINK_M_S * DRAG_PER_S * CORE_TICK_S;
-    fish->position_m = v3_muladd(fish->position_m, fish->velocity_m_s, CORE_TICK_S);
-    come_down(tank, fish);
-}
-
 /* Moves a fish in reentry. A fish on its way to a gap ignores the pushes by other fish, because
  * they would lead it away from the gap. */
 static void move_dropped_fish(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
@@ -267,7 +255,11 @@ static void move_dropped_fish(struct tank *tank, uint32_t index, const struct ob
     struct fish *fish = &tank->fish[index];
     const vec3 before_m = fish->position_m;
     vec3 fish_push_m = { 0.0f, 0.0f, 0.0f }, push_m = { 0.0f, 0.0f, 0.0f };
-    sink(tank, fish);
+    fish->gait_left_s += CORE_TICK_S;
+    fish->velocity_m_s = v3_scale(fish->velocity_m_s, 1.0f - DRAG_PER_S * CORE_TICK_S);
+    fish->velocity_m_s.y -= SINK_M_S * DRAG_PER_S * CORE_TICK_S;
+    fish->position_m = v3_muladd(fish->position_m, fish->velocity_m_s, CORE_TICK_S);
+    come_down(tank, fish);
     const int off_fish = part_from_fish(tank, index, &fish_push_m);
     const int swims = fish->position_m.y < 0.0f;
     if (part_from_obstacles(fish, before_m, obstacles, obstacle_count, &push_m) && off_fish &&

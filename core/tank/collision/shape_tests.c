@@ -1,6 +1,6 @@
 /* shape_tests.c -- distances between a box and a ring or hull, found by a search over the ring or
  * over the box. */
-#include "core/tank/collision/shape_tests.h"
+#include "core/tank/collision/box.h"
 
 /* Number of coarse points on a ring. The points are 4 mm apart on the ring of a poi, so that no
  * corner of a fish fits between two points. */
@@ -223,11 +223,6 @@ struct touch shape_touch_ring(const struct ring *ring, const struct box *box)
 
 /* ---- Hull ------------------------------------------------------------------------------------ */
 
-static float part_of(vec3 v, int i)
-{
-    return i == 0 ? v.x : i == 1 ? v.y : v.z;
-}
-
 /* Returns the point of the box that lies deepest in an ellipsoid. At that point |S * (c + R * u)|
  * is least. S is the diagonal matrix of the ellipsoid's inverse half axes, c is the centre of the
  * box, and R is the matrix of the box's axes. u is a point in the coordinates of the box. The
@@ -242,7 +237,7 @@ static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
     }
     for (int sweep = 0; sweep < HULL_SWEEPS; sweep++) {
         for (int i = 0; i < 3; i++) {
-            const float half = part_of(box->half_m, i);
+            const float half = i == 0 ? box->half_m.x : i == 1 ? box->half_m.y : box->half_m.z;
             const float free = u[i] - v3_dot(column[i], at) / v3_dot(column[i], column[i]);
             const float next = f_clamp(free, -half, half);
             at = v3_muladd(at, column[i], next - u[i]);

@@ -5,10 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/poi/catch/carried_water.h"
-#include "core/poi/disc.h"
-#include "core/poi/hand_spring.h"
-#include "core/poi/load.h"
+#include "core/poi/catch/carried_fish.h"
+#include "core/poi/ring.h"
 
 #define DEPTH_M 0.20f /* Depth at which the water surface has no effect on the poi. */
 #define HEIGHT_M 0.10f

@@ -10,7 +10,7 @@
 #include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/poi/catch/catch.h"
-#include "core/poi/surface_disturbance.h"
+#include "core/poi/poi.h"
 #include "core/tank/behavior/avoid.h"
 #include "platform/cpu.h"
 #include "platform/ctl/lib/ctl.h"

@@ -16,13 +16,12 @@
 
 #include "core/base/hash.h"
 #include "core/base/physics.h"
-#include "core/poi/bowl/bowl_buoyancy.h"
-#include "core/poi/bowl/bowl_fish.h"
+#include "core/poi/bowl/bowl.h"
 #include "core/poi/catch/catch.h"
-#include "core/poi/disc.h"
-#include "core/poi/haptics.h"
+#include "core/poi/ring.h"
+#include "core/poi/poi.h"
 #include "core/tank/behavior/swim.h"
-#include "core/tank/collision/reentry.h"
+#include "core/tank/tank.h"
 
 struct stand {
     struct tank tank;
@@ -107,7 +106,7 @@ static inline void stand_tick(struct stand *stand)
     struct obstacle around[2] = { poi_obstacle(poi), bowl_obstacle(&stand->bowl) };
     stand_part(&stand->tank, around);
     poi_apply_reaction(poi, &around[0]);
-    haptics_feel(poi, &stand->force);
+    poi_haptics(poi, &stand->force);
     bowl_apply_reaction(&stand->bowl, &around[1]);
     bowl_fish_tick(&stand->bowl, 0, &stand->tank);
     struct catch_result caught[POI_MAX] = { 0 };

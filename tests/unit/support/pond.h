@@ -4,7 +4,7 @@
 #define KINGYO_TESTS_UNIT_SUPPORT_POND_H
 
 #include "core/input.h"
-#include "core/tank/behavior/perception.h"
+#include "core/tank/behavior_params.h"
 #include "core/tank/fish.h"
 #include "core/tank/preset.h"
 

@@ -102,7 +102,7 @@ static void tick_with_blow(float x_m, float z_m, float force_n)
     poi_tick(&stand.poi, &grip, &stand.tank, &stand.bowl);
     const struct obstacle ring = poi_obstacle(&stand.poi);
     poi_apply_reaction(&stand.poi, &ring);
-    haptics_feel(&stand.poi, &stand.force);
+    poi_haptics(&stand.poi, &stand.force);
 }
 
 static void test_a_blow_of_a_tail_is_a_kick_as_long_and_as_hard_as_it_is(void **state)

@@ -2,7 +2,7 @@
 #include "tests/unit/support/poi_stand.h"
 
 #include "core/base/rng.h"
-#include "core/tank/flow.h"
+#include "core/tank/water.h"
 
 #define SCREEN_PX 1280.0f
 #define VIEW_M 0.95f /* What the screen's width shows of the tank. */
@@ -131,7 +131,7 @@ static void test_the_hand_feels_the_burdens_moment_about_the_grip(void **state)
     stand.poi.load_count = 1;
     const struct poi_grip grip = { stand.hand, 1 };
     poi_tick(&stand.poi, &grip, &stand.tank, &stand.bowl);
-    haptics_feel(&stand.poi, &stand.force);
+    poi_haptics(&stand.poi, &stand.force);
     assert_float_equal(stand.force.torque_n_m.x, -0.130f * (weight_n + 0.0294f), 0.001f);
     assert_float_equal(stand.force.torque_n_m.z, -0.03f * 0.0294f, 1e-5f);
 }
@@ -399,7 +399,7 @@ static void test_a_ring_that_is_held_moves_no_water_however_the_hand_pulls(void 
         poi_tick(&next, &grip, &stand.tank, &stand.bowl);
         const struct obstacle ring = poi_obstacle(&next);
         const vec3 ahead_m = v3(next.position_m.x + 0.02f, -0.07f, 0.0f);
-        const float flow_m_s = v3_length(flow_at(&ring, ahead_m));
+        const float flow_m_s = v3_length(water_flow_m_s(&ring, ahead_m));
         if (tick == 23) {
             assert_true(flow_m_s > 0.1f);
         } else if (tick > 24) {

@@ -2,7 +2,7 @@
  * it. */
 #include "tests/unit/support/poi_stand.h"
 
-#include "core/poi/surface_disturbance.h"
+#include "core/poi/poi.h"
 
 static struct stand stand; /* Too large for some stacks. */
 

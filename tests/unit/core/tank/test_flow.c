@@ -11,7 +11,7 @@
 #include "core/base/simd.h"
 #include "core/input.h"
 #include "core/tank/behavior/fish_behavior.h"
-#include "core/tank/flow.h"
+#include "core/tank/water.h"
 #include "core/tank/tank.h"
 #include "tests/unit/support/pond.h"
 
@@ -35,7 +35,7 @@ static vec3 near_disc(float x, float y, float z)
 static vec3 broadside_flow(float x, float y, float z)
 {
     const struct obstacle moving = disc(v3(0.0f, 1.0f, 0.0f));
-    return flow_at(&moving, near_disc(x, y, z));
+    return water_flow_m_s(&moving, near_disc(x, y, z));
 }
 
 static float drawn(uint32_t trial, uint32_t which, float low, float high)
@@ -110,7 +110,7 @@ static void test_it_is_never_faster_than_the_disc_and_always_a_number(void **sta
             v3(drawn(i, 4, -1.0f, 1.0f), drawn(i, 5, -1.0f, 1.0f), drawn(i, 6, -1.0f, 1.0f)),
             v3(0.0f, 1.0f, 0.0f));
         const vec3 at = v3(drawn(i, 7, -0.1f, 0.1f), drawn(i, 8, -0.1f, 0.02f), 0.0f);
-        const vec3 flow = flow_at(&moving, i % 7u == 0 ? moving.centre_m : at);
+        const vec3 flow = water_flow_m_s(&moving, i % 7u == 0 ? moving.centre_m : at);
         assert_true(v3_is_finite(flow));
         assert_true(v3_length(flow) <= 1.0001f * v3_length(moving.velocity_m_s));
     }
@@ -121,13 +121,13 @@ static void test_in_air_and_round_a_disc_at_rest_there_is_none(void **state)
     (void)state;
     struct obstacle moving = disc(v3(0.0f, 0.3f, 0.0f));
     const struct obstacle still = disc(v3(0.0f, 0.0f, 0.0f));
-    assert_float_equal(v3_length(flow_at(&still, near_disc(0.0f, 0.5f, 0.0f))), 0.0f, 0.0f);
+    assert_float_equal(v3_length(water_flow_m_s(&still, near_disc(0.0f, 0.5f, 0.0f))), 0.0f, 0.0f);
     moving.centre_m.y = 0.01f;
-    assert_float_equal(v3_length(flow_at(&moving, v3(0.0f, -0.01f, 0.0f))), 0.0f, 0.0f);
+    assert_float_equal(v3_length(water_flow_m_s(&moving, v3(0.0f, -0.01f, 0.0f))), 0.0f, 0.0f);
     moving.centre_m.y = 0.0f; /* Half in. */
-    const float half = flow_at(&moving, v3(0.0f, -0.02f, 0.0f)).y;
+    const float half = water_flow_m_s(&moving, v3(0.0f, -0.02f, 0.0f)).y;
     moving.centre_m.y = -0.5f;
-    const float whole = flow_at(&moving, v3(0.0f, -0.52f, 0.0f)).y;
+    const float whole = water_flow_m_s(&moving, v3(0.0f, -0.52f, 0.0f)).y;
     assert_float_equal(half, 0.5f * whole, 1e-4f);
 }
 
@@ -135,9 +135,10 @@ static void test_what_is_torn_lets_the_water_through(void **state)
 {
     (void)state;
     struct obstacle torn = disc(v3(0.0f, 0.3f, 0.0f));
-    const float whole_m_s = flow_at(&torn, near_disc(0.0f, 0.6f, 0.0f)).y;
+    const float whole_m_s = water_flow_m_s(&torn, near_disc(0.0f, 0.6f, 0.0f)).y;
     torn.open = 0.85f; /* A ring alone. */
-    assert_float_equal(flow_at(&torn, near_disc(0.0f, 0.6f, 0.0f)).y, 0.15f * whole_m_s, 1e-5f);
+    assert_float_equal(water_flow_m_s(&torn, near_disc(0.0f, 0.6f, 0.0f)).y, 0.15f * whole_m_s,
+                       1e-5f);
 }
 
 static void test_a_glide_along_the_plane_pushes_little_and_the_slower_by_the_square(void **state)
@@ -145,11 +146,11 @@ static void test_a_glide_along_the_plane_pushes_little_and_the_slower_by_the_squ
     (void)state;
     const struct obstacle broad = disc(v3(0.0f, 0.3f, 0.0f)), edge = disc(v3(0.3f, 0.0f, 0.0f));
     const struct obstacle slow = disc(v3(0.0f, 0.15f, 0.0f));
-    const float before = flow_push_m2_s2(&broad, near_disc(0.0f, 0.6f, 0.0f));
-    const float ahead = flow_push_m2_s2(&edge, near_disc(1.6f, 0.0f, 0.0f));
+    const float before = water_push_m2_s2(&broad, near_disc(0.0f, 0.6f, 0.0f));
+    const float ahead = water_push_m2_s2(&edge, near_disc(1.6f, 0.0f, 0.0f));
     assert_true(ahead > 0.0f);
     assert_true(ahead < 0.12f * before);
-    assert_float_equal(flow_push_m2_s2(&slow, near_disc(0.0f, 0.6f, 0.0f)), 0.25f * before, 1e-6f);
+    assert_float_equal(water_push_m2_s2(&slow, near_disc(0.0f, 0.6f, 0.0f)), 0.25f * before, 1e-6f);
 }
 
 static struct tank tank;
@@ -208,7 +209,7 @@ static void test_a_living_fish_drifts_with_it_and_the_thesis_fish_feels_none(voi
 {
     (void)state;
     const struct obstacle moving = disc(v3(0.0f, 0.08f, 0.0f));
-    const vec3 flow = flow_at(&moving, near_disc(0.0f, 0.5f, 0.0f));
+    const vec3 flow = water_flow_m_s(&moving, near_disc(0.0f, 0.5f, 0.0f));
     const vec3 living = carried_m_s(pond_law());
     const vec3 thesis = carried_m_s(&tank_preset(TANK_PRESET_THESIS)->params);
     assert_true(flow.y > 0.03f);

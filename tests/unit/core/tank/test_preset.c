@@ -8,7 +8,7 @@
 
 #include "core/morph/morph.h"
 #include "core/poi/bowl/bowl.h"
-#include "core/tank/collision/spatial_grid.h"
+#include "core/tank/collision/narrow_phase.h"
 #include "core/tank/preset.h"
 
 static void test_festival_is_the_stall_that_it_says(void **state)

@@ -1,5 +1,5 @@
 /* test_bowl_floats.c -- how bowls float, drift, are pushed, and what stops them. */
-#include "core/poi/ring_constraints.h"
+#include "core/poi/poi.h"
 #include "tests/unit/support/poi_stand.h"
 
 static struct tank tank;

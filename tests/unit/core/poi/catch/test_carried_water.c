@@ -3,8 +3,8 @@
 #include "tests/unit/support/poi_stand.h"
 
 #include "core/base/rng.h"
-#include "core/poi/catch/carried_water.h"
-#include "core/poi/load.h"
+#include "core/poi/catch/carried_fish.h"
+#include "core/poi/ring.h"
 
 static struct stand stand; /* Too large for some stacks. */
 

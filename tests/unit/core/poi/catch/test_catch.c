@@ -1,5 +1,5 @@
 /* test_catch.c -- fish that come on the paper, and those for which it is a wall. */
-#include "core/tank/collision/ring_contact.h"
+#include "core/tank/collision/obstacle.h"
 #include "tests/unit/support/poi_stand.h"
 
 #define FISH_M 0.045f
@@ -319,7 +319,7 @@ static void test_a_fish_over_the_very_edge_stays_on_its_side(void **state)
     struct body body = body_of(&box, 0.0f);
     const vec3 before_m = body.centre_m;
     body.centre_m.y -= 0.06f; /* In one tick 64 mm from the centre, then through the paper. */
-    assert_true(ring_paper_push(&ring, &body, before_m).y > 0.01f);
+    assert_true(obstacle_paper_push(&ring, &body, before_m).y > 0.01f);
 }
 
 static void test_sounds_say_what_happens_and_do_not_rattle(void **state)

@@ -1,5 +1,5 @@
 /* test_riders_huddle.c -- several fish on one paper. */
-#include "core/poi/catch/carried_separation.h"
+#include "core/poi/catch/carried_fish.h"
 #include "tests/unit/support/poi_stand.h"
 
 static struct stand stand;

@@ -1,6 +1,5 @@
 /* test_riders_load.c -- what fish on paper press on it with, and what bears them. */
-#include "core/poi/catch/carried_load.h"
-#include "core/poi/catch/carried_support.h"
+#include "core/poi/catch/carried_fish.h"
 #include "tests/unit/support/poi_stand.h"
 
 static struct stand stand;

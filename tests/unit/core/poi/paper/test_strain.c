@@ -3,7 +3,6 @@
 
 #include "core/base/rng.h"
 #include "core/poi/paper/strain.h"
-#include "core/poi/paper/wetting.h"
 #include "platform/cpu.h"
 
 #define RADIUS_M 0.040f

@@ -2,7 +2,7 @@
 #include "tests/unit/support/poi_stand.h"
 
 #include "core/base/rng.h"
-#include "core/poi/paper/tear.h"
+#include "core/poi/paper/strain.h"
 
 #define RADIUS_M 0.040f
 #define MIDDLE (SHEET_SIDE / 2u)

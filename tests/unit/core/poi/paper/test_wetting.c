@@ -1,7 +1,7 @@
 /* test_wetting.c -- water in the paper: wetting, wicking, the line between, softening. */
 #include "tests/unit/support/poi_stand.h"
 
-#include "core/poi/paper/wetting.h"
+#include "core/poi/paper/strain.h"
 
 #define RADIUS_M 0.040f
 #define MIDDLE (SHEET_SIDE / 2u)
@@ -13,7 +13,7 @@ static struct sheet sheet;
 static void soak(struct sheet_wetting wet, float seconds)
 {
     for (uint32_t i = 0; (float)i < seconds * (float)CORE_TICK_HZ; i++) {
-        wetting_tick(&sheet, wet);
+        paper_wetting_tick(&sheet, wet);
     }
 }
 
@@ -122,13 +122,13 @@ static void test_a_line_is_full_where_wet_meets_dry_and_nowhere_else(void **stat
         sheet.wetness[cell] = cell % SHEET_SIDE < MIDDLE ? 1.0f : 0.0f;
     }
     for (uint32_t row = 0; row < SHEET_SIDE; row++) { /* The ring's own row, too. */
-        assert_float_equal(wetting_line(&sheet, row, MIDDLE - 1u), 1.0f, 0.0f);
-        assert_float_equal(wetting_line(&sheet, row, MIDDLE), 1.0f, 0.0f);
+        assert_float_equal(paper_wetting_line(&sheet, row, MIDDLE - 1u), 1.0f, 0.0f);
+        assert_float_equal(paper_wetting_line(&sheet, row, MIDDLE), 1.0f, 0.0f);
     }
-    assert_float_equal(wetting_line(&sheet, MIDDLE, MIDDLE - 3u), 0.0f, 0.0f);
-    assert_float_equal(wetting_line(&sheet, MIDDLE, MIDDLE + 2u), 0.0f, 0.0f);
+    assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE - 3u), 0.0f, 0.0f);
+    assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE + 2u), 0.0f, 0.0f);
     sheet.wetness[MIDDLE * SHEET_SIDE + MIDDLE + 1u] = 0.75f; /* A step of a quarter is half. */
-    assert_float_equal(wetting_line(&sheet, MIDDLE, MIDDLE), 0.5f, 1e-6f);
+    assert_float_equal(paper_wetting_line(&sheet, MIDDLE, MIDDLE), 0.5f, 1e-6f);
 }
 
 int main(void)

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 
 #include "core/input.h"
-#include "core/tank/behavior/burst_coast.h"
+#include "core/tank/behavior/gait.h"
 #include "core/tank/behavior/fish_behavior.h"
 #include "core/tank/behavior/swim.h"
 #include "tests/unit/support/pond.h"
@@ -26,7 +26,7 @@ static void swim(struct fish *fish, uint32_t tick)
 static uint32_t glide_tick(const struct fish *fish)
 {
     uint32_t tick = 0;
-    while (burst_coast_beats(fish, tick)) {
+    while (gait_cycle_beats(fish, tick)) {
         tick++;
     }
     return tick;
@@ -38,7 +38,7 @@ static void test_a_glide_slows_as_drag_demands(void **state)
     for (float length_m = 0.033f; length_m < 0.085f; length_m += 0.0155f) {
         struct fish fish = pond_fish(length_m, GAIT_SWIM);
         const uint32_t from = glide_tick(&fish);
-        const float start_m_s = 1.3f * length_m, way_m = burst_coast_glide_m(length_m);
+        const float start_m_s = 1.3f * length_m, way_m = gait_glide_m(length_m);
         fish.speed_m_s = start_m_s;
         for (uint32_t tick = from; tick < 84u; tick++) {
             swim(&fish, tick);
@@ -65,9 +65,9 @@ static void test_a_kick_turns_the_course_once_and_a_glide_never(void **state)
         struct perception around = *pond_at(1, tick);
         const float before_rad = fish.heading_rad;
         around.dt_s = (float)FISH_BEHAVIOR_TICKS * CORE_TICK_S;
-        burst_coast_turn(&fish, 7, &around);
+        gait_cycle_turn(&fish, 7, &around);
         const float turn_rad = f_wrap_angle(fish.heading_rad - before_rad);
-        assert_true(turn_rad == 0.0f || burst_coast_beats(&fish, tick));
+        assert_true(turn_rad == 0.0f || gait_cycle_beats(&fish, tick));
         turns += turn_rad != 0.0f;
         sum2 += turn_rad * turn_rad;
     }
@@ -81,10 +81,10 @@ static void test_a_fish_that_thinks_in_every_tick_turns_no_oftener(void **state)
     struct fish often = pond_fish(0.05f, GAIT_SWIM), seldom = often;
     for (uint32_t tick = 0; tick < 840u; tick++) {
         struct perception around = *pond_at(1, tick);
-        burst_coast_turn(&often, 7, &around);
+        gait_cycle_turn(&often, 7, &around);
         if (tick % FISH_BEHAVIOR_TICKS == 2u) { /* Its turn to think is not the kick's tick. */
             around.dt_s = (float)FISH_BEHAVIOR_TICKS * CORE_TICK_S;
-            burst_coast_turn(&seldom, 7, &around);
+            gait_cycle_turn(&seldom, 7, &around);
         }
     }
     assert_float_equal(often.heading_rad, seldom.heading_rad, 1e-6f);
@@ -134,7 +134,7 @@ static void test_a_law_without_kicks_turns_and_beats_evenly(void **state)
     for (uint32_t tick = 0; tick < 840u; tick++) {
         struct perception around = *pond_at(1, tick);
         around.params = &tank_preset(TANK_PRESET_THESIS)->params;
-        burst_coast_turn(&fish, 7, &around);
+        gait_cycle_turn(&fish, 7, &around);
         swim_resolve(&fish, &around);
         assert_true(fish.beats > 0.0f && fish.haste == 1.0f);
     }

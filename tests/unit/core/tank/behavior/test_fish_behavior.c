@@ -10,6 +10,7 @@
 #include "core/tank/behavior/fish_behavior.h"
 #include "core/tank/behavior/gait.h"
 #include "core/tank/behavior/swim.h"
+#include "core/tank/collision/obstacle.h"
 #include "tests/unit/support/pond.h"
 
 static struct fish calm(void)

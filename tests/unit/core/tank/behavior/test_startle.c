@@ -8,8 +8,8 @@
 
 #include "core/base/rng.h"
 #include "core/input.h"
-#include "core/tank/behavior/escape.h"
 #include "core/tank/behavior/startle.h"
+#include "core/tank/collision/obstacle.h"
 #include "tests/unit/support/pond.h"
 
 #define NEVER 1000u

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "core/input.h"
-#include "core/tank/behavior/wall_following.h"
+#include "core/tank/behavior/fish_behavior.h"
 #include "core/tank/tank.h"
 #include "tests/unit/support/pond.h"
 
@@ -113,9 +113,10 @@ static void test_a_lone_fish_is_found_ever_less_often_the_farther_from_a_wall(vo
 static void test_the_pull_falls_off_exponentially_and_ends_at_20_cm(void **state)
 {
     (void)state;
-    assert_float_equal(wall_pull(0.03f, 0.05f), 0.0f, 0.0f); /* Beside it. */
-    assert_float_equal(wall_pull(0.19f, 0.05f) / wall_pull(0.10f, 0.05f), f_exp(-1.0f), 1e-4f);
-    assert_float_equal(wall_pull(0.201f, 0.05f), 0.0f, 0.0f);
+    assert_float_equal(behavior_wall_pull(0.03f, 0.05f), 0.0f, 0.0f); /* Beside it. */
+    assert_float_equal(behavior_wall_pull(0.19f, 0.05f) / behavior_wall_pull(0.10f, 0.05f),
+                       f_exp(-1.0f), 1e-4f);
+    assert_float_equal(behavior_wall_pull(0.201f, 0.05f), 0.0f, 0.0f);
 }
 
 static void test_a_wall_turns_headings_toward_it_by_the_shorter_way(void **state)
@@ -128,11 +129,11 @@ static void test_a_wall_turns_headings_toward_it_by_the_shorter_way(void **state
                              .position_m = { 0.425f - 0.10f, -0.06f, 0.0f } };
         fish.heading_rad = (float)degrees * F_DEG;
         const float off_rad = f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI)); /* +x. */
-        wall_follow(&fish, &around);
+        behavior_wall_follow(&fish, &around);
         assert_true(f_abs(f_wrap_angle(fish.heading_rad + 0.5f * F_PI)) < off_rad + 1e-6f);
         fish.heading_rad = (float)degrees * F_DEG;
         fish.gait = GAIT_REST;
-        wall_follow(&fish, &around);
+        behavior_wall_follow(&fish, &around);
         assert_float_equal(fish.heading_rad, (float)degrees * F_DEG, 0.0f);
     }
 }

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "core/base/rng.h"
-#include "core/tank/collision/shape_tests.h"
+#include "core/tank/collision/box.h"
 #include "tests/unit/support/pond.h"
 
 #define ROWS 240

@@ -9,8 +9,8 @@
 #include "core/base/rng.h"
 #include "core/input.h"
 #include "core/poi/bowl/bowl.h"
-#include "core/poi/catch/fall.h"
-#include "core/tank/collision/reentry.h"
+#include "core/poi/catch/capture.h"
+#include "core/tank/tank.h"
 
 #define LOOSE_MAX_S 0.5f
 #define POI_RADIUS 0.0465f
@@ -99,7 +99,7 @@ static void test_fish_dropped_into_a_full_tank_swim_within_half_a_second(void **
             const uint32_t who = drop * 40u + k;
             tank.fish[who].position_m = tank.fish[999u - who].position_m;
             tank.fish[who].angles.yaw_rad = draw(who, 1, -F_PI, F_PI);
-            fall_set_free(&tank, &tank.fish[who], v3(0.0f, -0.8f, 0.0f));
+            catch_set_free(&tank, &tank.fish[who], v3(0.0f, -0.8f, 0.0f));
         }
         assert_int_equal(count_loose(), 20);
         worst = max_of(worst, run_until_all_swim(tick, NULL, 0));
@@ -137,7 +137,7 @@ static void test_fish_dropped_on_one_another_part_too(void **state)
     for (uint32_t i = 0; i < 12; i++) {
         tank.fish[i].position_m = v3(0.1f, -0.06f, 0.05f);
         tank.fish[i].angles = (struct angles){ 0.3f, 0.0f, 0.0f };
-        fall_set_free(&tank, &tank.fish[i], v3(0.0f, 0.0f, 0.0f));
+        catch_set_free(&tank, &tank.fish[i], v3(0.0f, 0.0f, 0.0f));
     }
     expect_all_swim_soon("twelve in one place", run_until_all_swim(0, NULL, 0));
 }

@@ -9,7 +9,7 @@
 
 #include "core/base/rng.h"
 #include "core/input.h"
-#include "core/tank/collision/ring_contact.h"
+#include "core/tank/collision/obstacle.h"
 #include "tests/unit/support/pond.h"
 
 #define CASES 400u
@@ -70,9 +70,9 @@ static void test_who_is_carried_keeps_its_place_beside_the_disc(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < CASES; i++) {
-        const struct obstacle disc = disc_of(i), before = ring_before(&disc);
+        const struct obstacle disc = disc_of(i), before = obstacle_before(&disc);
         const vec3 was_m = v3(draw(i, 11, -0.2f, 0.2f), draw(i, 12, -0.2f, 0.0f), 0.05f);
-        const vec3 is_m = ring_carry_m(&disc, was_m);
+        const vec3 is_m = obstacle_carry_m(&disc, was_m);
         const vec3 was_seen = vec_basis_to_body(&before.axes, v3_sub(was_m, before.centre_m));
         const vec3 is_seen = vec_basis_to_body(&disc.axes, v3_sub(is_m, disc.centre_m));
         assert_true(v3_length(v3_sub(was_seen, is_seen)) < 1e-6f);
@@ -87,24 +87,24 @@ static void test_a_disc_gives_way_until_it_is_off_and_never_more_than_its_step(v
     uint32_t met = 0, stood = 0;
     for (uint32_t i = 0; i < CASES; i++) {
         struct obstacle disc = disc_of(i);
-        const struct obstacle start = ring_before(&disc);
+        const struct obstacle start = obstacle_before(&disc);
         const float round_rad = draw(i, 13, -F_PI, F_PI);
         const vec3 on_ring = v3(0.045f * f_cos(round_rad), 0.0f, 0.045f * f_sin(round_rad));
         const struct body body = body_at(
             v3_add(disc.centre_m, vec_basis_to_world(&disc.axes, on_ring)), any_angles(i, 14));
         vec3 out;
-        if (ring_excess_m(&start, &body, &body, 0.0003f, &out) > 0.0f) {
+        if (obstacle_excess_m(&start, &body, &body, 0.0003f, &out) > 0.0f) {
             continue;
         }
         uint32_t calls = 0;
-        float excess_m = ring_excess_m(&disc, &body, &body, 0.0003f, &out);
+        float excess_m = obstacle_excess_m(&disc, &body, &body, 0.0003f, &out);
         met += excess_m > 1e-6f;
         while (excess_m > 1e-6f) {
             const float step_m = v3_length(disc.step_m);
-            assert_true(ring_apply_reaction(&disc, out, excess_m));
+            assert_true(obstacle_apply_reaction(&disc, out, excess_m));
             assert_true(v3_length(disc.step_m) <= step_m + 1e-7f);
             assert_true(disc.reaction != 0 && ++calls <= 10u);
-            excess_m = ring_excess_m(&disc, &body, &body, 0.0003f, &out);
+            excess_m = obstacle_excess_m(&disc, &body, &body, 0.0003f, &out);
         }
         const vec3 from_m = v3_sub(disc.centre_m, disc.step_m);
         assert_true(v3_length(v3_sub(from_m, start.centre_m)) < 1e-6f);
@@ -121,7 +121,7 @@ static void test_a_disc_that_stands_has_nothing_to_give(void **state)
     disc.step_m = v3(0.0f, 0.0f, 0.0f);
     disc.turned = 0;
     const vec3 centre_m = disc.centre_m;
-    assert_false(ring_apply_reaction(&disc, v3(0.0f, 1.0f, 0.0f), 0.001f));
+    assert_false(obstacle_apply_reaction(&disc, v3(0.0f, 1.0f, 0.0f), 0.001f));
     assert_true(v3_length(v3_sub(disc.centre_m, centre_m)) == 0.0f && disc.reaction == 0);
 }
 
@@ -131,14 +131,14 @@ static void test_paper_keeps_a_fish_on_its_side_at_any_speed(void **state)
     (void)state;
     uint32_t pushed = 0;
     for (uint32_t i = 0; i < CASES; i++) {
-        const struct obstacle disc = disc_of(i), before = ring_before(&disc);
+        const struct obstacle disc = disc_of(i), before = obstacle_before(&disc);
         const float side = i % 4u < 2u ? 1.0f : -1.0f;
         const vec3 seen = v3(draw(i, 20, -0.015f, 0.015f), side * draw(i, 21, 0.009f, 0.03f),
                              draw(i, 22, -0.015f, 0.015f));
         const vec3 was_m = v3_add(before.centre_m, vec_basis_to_world(&before.axes, seen));
         struct body body = body_at(was_m, any_angles(i, 23));
         for (uint32_t round = 0; round < 40u; round++) {
-            const vec3 push = ring_paper_push(&disc, &body, was_m);
+            const vec3 push = obstacle_paper_push(&disc, &body, was_m);
             pushed += round == 0 && v3_dot(push, push) > 0.0f;
             body.centre_m = v3_add(body.centre_m, push);
         }
@@ -155,14 +155,14 @@ static void test_torn_paper_holds_nobody(void **state)
     (void)state;
     struct obstacle disc = disc_of(0);
     disc.turned = 0;
-    const struct obstacle before = ring_before(&disc);
+    const struct obstacle before = obstacle_before(&disc);
     const vec3 was_m = v3_muladd(before.centre_m, before.axes.up, 0.004f);
     const struct body body = body_at(was_m, (struct angles){ 0 });
-    const vec3 held = ring_paper_push(&disc, &body, was_m);
+    const vec3 held = obstacle_paper_push(&disc, &body, was_m);
     for (uint32_t i = 0; i < sizeof paper; i++) {
         paper[i] = 0;
     }
-    const vec3 freed = ring_paper_push(&disc, &body, was_m);
+    const vec3 freed = obstacle_paper_push(&disc, &body, was_m);
     has_paper(state);
     assert_true(v3_dot(held, held) > 0.0f);
     assert_true(v3_dot(freed, freed) == 0.0f);

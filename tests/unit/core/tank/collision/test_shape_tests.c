@@ -8,7 +8,7 @@
 
 #include "core/base/fmath.h"
 #include "core/base/rng.h"
-#include "core/tank/collision/shape_tests.h"
+#include "core/tank/collision/box.h"
 
 #define WALK_POINTS 1024
 #define EXACT_M 0.00006f /* The walk's own steps leave 0.01 mm of it. */

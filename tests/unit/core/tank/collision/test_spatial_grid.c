@@ -7,7 +7,7 @@
 #include <cmocka.h>
 
 #include "core/base/rng.h"
-#include "core/tank/collision/spatial_grid.h"
+#include "core/tank/collision/narrow_phase.h"
 
 static struct spatial_grid grid;
 static vec3 points[TANK_FISH_MAX];
@@ -22,9 +22,9 @@ static void fill(uint32_t count)
 {
     for (uint32_t m = 0; m < count; m++) {
         member[m] = (fish_index)m;
-        grid.cell_of[m] = (fish_index)spatial_grid_cell(&grid, points[m]);
+        grid.cell_of[m] = (fish_index)narrow_grid_cell(&grid, points[m]);
     }
-    spatial_grid_sort(&grid, member, count);
+    narrow_grid_sort(&grid, member, count);
 }
 
 static void fill_at_random(uint32_t count, float width, float breadth)
@@ -40,7 +40,7 @@ static void fill_at_random(uint32_t count, float width, float breadth)
 static void test_every_point_is_in_its_own_cell_exactly_once(void **state)
 {
     (void)state;
-    spatial_grid_layout(&grid, 0.85f, 0.55f, 0.05f, TANK_FISH_MAX);
+    narrow_grid_layout(&grid, 0.85f, 0.55f, 0.05f, TANK_FISH_MAX);
     fill_at_random(1000, 0.85f, 0.55f);
     uint8_t seen[1000] = { 0 };
     const uint32_t cells = grid.columns * grid.rows;
@@ -48,7 +48,7 @@ static void test_every_point_is_in_its_own_cell_exactly_once(void **state)
     assert_int_equal(grid.start[cells], 1000);
     for (uint32_t cell = 0; cell < cells; cell++) {
         for (uint32_t k = grid.start[cell]; k < grid.start[cell + 1u]; k++) {
-            assert_int_equal(spatial_grid_cell(&grid, points[grid.item[k]]), cell);
+            assert_int_equal(narrow_grid_cell(&grid, points[grid.item[k]]), cell);
             seen[grid.item[k]]++;
         }
     }
@@ -61,7 +61,7 @@ static void test_points_within_reach_lie_in_neighbouring_cells(void **state)
 {
     (void)state;
     const float reach = 0.0861f;
-    spatial_grid_layout(&grid, 1.36f, 0.65f, reach, TANK_FISH_MAX);
+    narrow_grid_layout(&grid, 1.36f, 0.65f, reach, TANK_FISH_MAX);
     fill_at_random(800, 1.36f, 0.65f);
     for (uint32_t i = 0; i < 800; i++) {
         for (uint32_t j = 0; j < i; j++) {
@@ -69,8 +69,8 @@ static void test_points_within_reach_lie_in_neighbouring_cells(void **state)
             if (dx * dx + dz * dz >= reach * reach) {
                 continue;
             }
-            const int32_t a = (int32_t)spatial_grid_cell(&grid, points[i]),
-                          b = (int32_t)spatial_grid_cell(&grid, points[j]);
+            const int32_t a = (int32_t)narrow_grid_cell(&grid, points[i]),
+                          b = (int32_t)narrow_grid_cell(&grid, points[j]);
             const int32_t columns = (int32_t)grid.columns;
             assert_in_range((uint64_t)(a % columns - b % columns + 1), 0, 2);
             assert_in_range((uint64_t)(a / columns - b / columns + 1), 0, 2);
@@ -81,17 +81,17 @@ static void test_points_within_reach_lie_in_neighbouring_cells(void **state)
 static void test_a_tiny_reach_makes_larger_cells_rather_than_too_many(void **state)
 {
     (void)state;
-    spatial_grid_layout(&grid, 2.0f, 2.0f, 0.001f, TANK_FISH_MAX);
+    narrow_grid_layout(&grid, 2.0f, 2.0f, 0.001f, TANK_FISH_MAX);
     assert_true(grid.columns * grid.rows <= SPATIAL_GRID_CELL_MAX);
     assert_true(grid.cell_m >= 0.001f);
-    spatial_grid_layout(&grid, 2.0f, 2.0f, 5.0f, TANK_FISH_MAX);
+    narrow_grid_layout(&grid, 2.0f, 2.0f, 5.0f, TANK_FISH_MAX);
     assert_int_equal(grid.columns * grid.rows, 1);
 }
 
 static void test_no_points_at_all_leave_every_cell_empty(void **state)
 {
     (void)state;
-    spatial_grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
+    narrow_grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
     fill(0);
     assert_int_equal(grid.start[grid.columns * grid.rows], 0);
 }
@@ -99,7 +99,7 @@ static void test_no_points_at_all_leave_every_cell_empty(void **state)
 static void test_members_of_a_cell_keep_their_order(void **state)
 {
     (void)state;
-    spatial_grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
+    narrow_grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
     fill_at_random(500, 0.85f, 0.55f);
     for (uint32_t cell = 0; cell < grid.columns * grid.rows; cell++) {
         for (uint32_t k = grid.start[cell] + 1u; k < grid.start[cell + 1u]; k++) {
@@ -112,16 +112,16 @@ static void test_members_of_a_cell_keep_their_order(void **state)
 static void test_half_the_nine_cells_meet_each_pair_of_cells_once(void **state)
 {
     (void)state;
-    spatial_grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
+    narrow_grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
     fill_at_random(500, 0.85f, 0.55f);
     for (uint32_t i = 0; i < grid.count; i++) {
-        const uint32_t a = spatial_grid_cell(&grid, points[grid.item[i]]);
-        const struct spatial_grid_range beside = spatial_grid_beside(&grid, a),
-                                        below = spatial_grid_below(&grid, a);
+        const uint32_t a = narrow_grid_cell(&grid, points[grid.item[i]]);
+        const struct grid_range beside = narrow_grid_beside(&grid, a),
+                                below = narrow_grid_below(&grid, a);
         assert_int_equal(beside.from, grid.start[a]);
-        assert_int_equal(spatial_grid_cell_of_item(&grid, i, 0), a);
+        assert_int_equal(narrow_grid_cell_of_item(&grid, i, 0), a);
         for (uint32_t j = i + 1u; j < grid.count; j++) {
-            const uint32_t b = spatial_grid_cell(&grid, points[grid.item[j]]);
+            const uint32_t b = narrow_grid_cell(&grid, points[grid.item[j]]);
             const int32_t columns = (int32_t)grid.columns;
             const int32_t across = (int32_t)(b % grid.columns) - (int32_t)(a % grid.columns);
             const int32_t down = (int32_t)b / columns - (int32_t)a / columns;
@@ -135,8 +135,8 @@ static void test_half_the_nine_cells_meet_each_pair_of_cells_once(void **state)
 static void test_more_points_than_the_grid_holds_are_a_bug(void **state)
 {
     (void)state;
-    spatial_grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
-    expect_assert_failure(spatial_grid_sort(&grid, member, TANK_FISH_MAX + 1u));
+    narrow_grid_layout(&grid, 0.85f, 0.55f, 0.1f, TANK_FISH_MAX);
+    expect_assert_failure(narrow_grid_sort(&grid, member, TANK_FISH_MAX + 1u));
 }
 
 int main(void)
