@@ -6,6 +6,7 @@
  * disc perpendicular to the flow. */
 #include "core/poi/ring.h"
 
+#include "core/base/panic.h"
 #include "core/base/fmath.h"
 #include "core/base/physics.h"
 
@@ -22,6 +23,7 @@
 
 float disc_immersed(float radius_m, float centre_y_m, float up_y)
 {
+    CORE_ASSERT(radius_m > 0.0f);
     const float slope = f_sqrt(f_max(0.0f, 1.0f - up_y * up_y));
     const float half = f_max(radius_m * slope, ENTRY_HALF_M);
     const float t = f_clamp(-centre_y_m / half, -1.0f, 1.0f);
@@ -31,6 +33,8 @@ float disc_immersed(float radius_m, float centre_y_m, float up_y)
 
 float disc_added_mass_kg(float radius_m, float centre_y_m, float immersed)
 {
+    CORE_ASSERT(radius_m > 0.0f);
+    CORE_ASSERT(immersed >= 0.0f && immersed <= 1.0f);
     const float open = (8.0f / 3.0f) * WATER_KG_M3 * radius_m * radius_m * radius_m;
     const float depth = f_clamp(-centre_y_m / OPEN_DEPTH_M, 0.0f, 1.0f);
     return open * immersed * (0.5f + 0.5f * depth);
@@ -38,6 +42,7 @@ float disc_added_mass_kg(float radius_m, float centre_y_m, float immersed)
 
 float disc_normal_n_s_m(float radius_m, float normal_m_s, float plane_m_s)
 {
+    CORE_ASSERT(radius_m > 0.0f);
     const float half_rho_area = 0.5f * WATER_KG_M3 * F_PI * radius_m * radius_m;
     const float square = normal_m_s * normal_m_s + plane_m_s * plane_m_s;
     const float speed = f_sqrt(square);
@@ -54,6 +59,7 @@ float disc_normal_n_s_m(float radius_m, float normal_m_s, float plane_m_s)
 
 float disc_edge_n_s_m(float radius_m, float plane_m_s)
 {
+    CORE_ASSERT(radius_m > 0.0f);
     const float speed = f_abs(plane_m_s);
     if (speed < 1e-4f) {
         return 0.0f;
@@ -67,6 +73,7 @@ float disc_edge_n_s_m(float radius_m, float plane_m_s)
  * the added mass, (8/3) * rho * a^3. */
 float disc_turn_added_kg_m2(float radius_m, float added_kg)
 {
+    CORE_ASSERT(added_kg >= 0.0f);
     return 2.0f / 15.0f * added_kg * radius_m * radius_m;
 }
 
@@ -105,6 +112,7 @@ float disc_turn_pa(float radius_m, float rate_rad_s)
 
 vec3 poi_weight_n(const struct poi *poi)
 {
+    CORE_ASSERT(poi->immersed >= 0.0f && poi->immersed <= 1.0f);
     const float mass_kg = POI_MASS_KG + poi->water_kg + poi->carried_kg;
     return v3(0.0f, -GRAVITY_M_S2 * mass_kg * (1.0f - poi->immersed), 0.0f);
 }
@@ -135,6 +143,7 @@ float poi_meniscus_n(const struct poi *poi, float up_y)
 
 float poi_kick_n(const struct poi *poi)
 {
+    CORE_ASSERT(poi->slap_count <= poi->load_count && poi->load_count <= SHEET_LOAD_MAX);
     float kick_n = 0.0f;
     for (uint32_t i = 0; i < poi->slap_count; i++) {
         kick_n += poi->loads[i].force_n;

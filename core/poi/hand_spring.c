@@ -5,6 +5,7 @@
  * automatically. */
 #include "core/poi/ring.h"
 
+#include "core/base/panic.h"
 #include "core/base/physics.h"
 #include "core/poi/pose.h"
 
@@ -39,6 +40,7 @@
 static float axis_speed(float mass_kg, float speed_m_s, float spring_n, float stiffness_n_m,
                         float damping_n_s_m, float other_n)
 {
+    CORE_ASSERT(mass_kg > 0.0f);
     const float dt = CORE_TICK_S;
     return (mass_kg * speed_m_s + dt * (spring_n + other_n)) /
            (mass_kg + dt * damping_n_s_m + dt * dt * stiffness_n_m);
@@ -58,6 +60,7 @@ static vec3 spring_force(vec3 stretch_m, float *stiffness_n_m)
  * the increase of the added mass per second. Returns 0 if the disc is leaving the water. */
 static float slam_n(const struct poi *poi, float immersed, float added_kg, float normal_m_s)
 {
+    CORE_ASSERT(added_kg >= 0.0f);
     if (immersed <= poi->immersed) {
         return 0.0f;
     }
@@ -78,21 +81,10 @@ static float damping_normal_n_s_m(const struct poi *poi)
 
 vec3 hand_spring_mass_kg(const struct poi *poi)
 {
+    CORE_ASSERT(poi->water_kg >= 0.0f && poi->carried_kg >= 0.0f);
     const float load_kg = POI_MASS_KG + poi->water_kg + poi->carried_kg;
     const float plane_kg = load_kg + EDGE_ADDED_KG * poi->immersed;
     return v3(plane_kg, load_kg + poi->added_kg, plane_kg);
-}
-
-/* Computes the water forces on a ring with the velocity `v` in the ring's own axes. Water passes
- * through the holes of torn paper, so that only the ring and the remaining paper cause drag. */
-static void meet_water(struct poi *poi, vec3 v, float immersed)
-{
-    const float plane_m_s = f_sqrt(v.x * v.x + v.z * v.z);
-    const float whole = poi_whole(poi);
-    poi->added_kg = whole * disc_added_mass_kg(POI_RADIUS_M, poi->position_m.y, immersed);
-    poi->drag_n_s_m = whole * immersed * disc_normal_n_s_m(POI_RADIUS_M, v.y, plane_m_s);
-    poi->edge_n_s_m = immersed * disc_edge_n_s_m(POI_RADIUS_M, plane_m_s);
-    poi->slam_n = slam_n(poi, immersed, poi->added_kg, v.y);
 }
 
 /* Returns the velocity of the ring after this tick, in the ring's axes and before the speed limit.
@@ -111,13 +103,22 @@ static vec3 free_m_s(const struct poi *poi, vec3 v, vec3 spring_n, float k, vec3
 
 void hand_spring_tick(struct poi *poi, vec3 target_m, const struct basis *axes, float immersed)
 {
+    CORE_ASSERT(v3_is_finite(target_m));
+    CORE_ASSERT(immersed >= 0.0f && immersed <= 1.0f);
     const vec3 v = vec_basis_to_body(axes, poi->velocity_m_s);
     /* Updates `pace_m_s`, the recent speed of the hand, and `hand_m`, the position of the hand. */
     const float now_m_s = v3_length(v3_sub(target_m, poi->hand_m)) * (float)CORE_TICK_HZ;
     const float late_m_s = poi->pace_m_s * (1.0f - CORE_TICK_S / PACE_TAU_S);
     poi->pace_m_s = f_min(f_max(now_m_s, late_m_s), PACE_MAX_M_S);
     poi->hand_m = target_m;
-    meet_water(poi, v, immersed);
+    /* Water passes through the holes of torn paper, so that only the ring and the remaining paper
+     * cause drag. */
+    const float plane_m_s = f_sqrt(v.x * v.x + v.z * v.z);
+    const float whole = poi_whole(poi);
+    poi->added_kg = whole * disc_added_mass_kg(POI_RADIUS_M, poi->position_m.y, immersed);
+    poi->drag_n_s_m = whole * immersed * disc_normal_n_s_m(POI_RADIUS_M, v.y, plane_m_s);
+    poi->edge_n_s_m = immersed * disc_edge_n_s_m(POI_RADIUS_M, plane_m_s);
+    poi->slam_n = slam_n(poi, immersed, poi->added_kg, v.y);
     poi->immersed = immersed;
     poi->meniscus_n = poi_meniscus_n(poi, axes->up.y);
     const vec3 down_n = v3_add(poi_weight_n(poi), v3(0.0f, -poi->meniscus_n, 0.0f));
@@ -207,6 +208,7 @@ static vec3 rather_sideways(vec3 way, float yaw_rad)
 
 void poi_wrist_tip(struct poi *poi, const struct bowl *bowl, int has_wrist)
 {
+    CORE_ASSERT(poi->tip >= 0.0f && poi->tip <= 1.0f);
     const vec3 way =
         v3(bowl->position_m.x - poi->position_m.x, 0.0f, bowl->position_m.z - poi->position_m.z);
     if (poi->tip < 0.02f) {
@@ -260,6 +262,7 @@ static struct turn_water turn_water(const struct poi *poi, float along, float ra
  * The implicit step is stable at any stiffness. */
 static void turn_angle(float *angle, float *speed, float goal, struct turn_water water)
 {
+    CORE_ASSERT(water.kg_m2 >= 0.0f && water.n_m_s >= 0.0f);
     const float error = f_wrap_angle(goal - *angle), dt = CORE_TICK_S;
     const float mass = TURN_KG_M2 + water.kg_m2;
     const float damping = 2.0f * f_sqrt(TURN_N_M * mass) + water.n_m_s;
@@ -269,6 +272,8 @@ static void turn_angle(float *angle, float *speed, float goal, struct turn_water
 
 void poi_wrist_turn(struct poi *poi, struct angles goal)
 {
+    CORE_ASSERT(f_is_finite(goal.yaw_rad) && f_is_finite(goal.pitch_rad) &&
+                f_is_finite(goal.roll_rad));
     const struct basis before = vec_basis_from_angles(poi->angles);
     vec3 *rate = &poi->angular_velocity_rad_s;
     const vec3 side = v3(f_cos(poi->angles.yaw_rad), 0.0f, -f_sin(poi->angles.yaw_rad));

@@ -97,6 +97,7 @@ struct obstacle poi_obstacle(const struct poi *poi)
 
 void poi_apply_reaction(struct poi *poi, const struct obstacle *ring)
 {
+    CORE_ASSERT(ring->kind == OBSTACLE_DISC);
     poi->reaction = ring->reaction;
     if (ring->reaction & REACTION_POSITION) {
         poi->position_m = ring->centre_m;
@@ -144,6 +145,8 @@ uint64_t poi_hash_quick(uint64_t hash, const struct poi *poi)
 
 uint64_t poi_hash(uint64_t hash, const struct poi *poi)
 {
+    CORE_ASSERT(poi->carried_count <= POI_CARRIED_MAX);
+    CORE_ASSERT(poi->load_count <= SHEET_LOAD_MAX);
     /* clang-format off */
     const float values[] = { poi->splash_m_s,  poi->water_kg,  poi->tip,
                              poi->pressure_pa, poi->carried_kg, poi->before_angles.yaw_rad,
@@ -235,6 +238,7 @@ static vec3 push_torque_n_m(const struct poi *poi, const struct basis *axes, vec
 /* Returns the torque of the fish that lie or slap at a distance from the centre of the ring. */
 static vec3 fish_torque_n_m(const struct poi *poi, const struct basis *axes)
 {
+    CORE_ASSERT(poi->load_count <= SHEET_LOAD_MAX);
     vec3 torque = v3(0.0f, 0.0f, 0.0f);
     for (uint32_t i = 0; i < poi->load_count; i++) {
         const struct sheet_load *load = &poi->loads[i];

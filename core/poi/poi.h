@@ -184,9 +184,9 @@ void poi_constrain_again(struct poi *poi, const struct tank *tank, const struct 
  * the result is 1, the caller must apply the constraints of walls and bowls again. */
 int ring_pairs_separate(struct poi *a, struct poi *b);
 
-/* Applies the disturbances that `poi` causes in one tick (1/120 s) to `water`. The ring disturbs the
- * surface when it moves up or down, when its edge cuts through the surface, and when water drips
- * from it. */
+/* Applies the disturbances that `poi` causes in one tick (1/120 s) to `water`. The ring disturbs
+ * the surface when it moves up or down, when its edge cuts through the surface, and when water
+ * drips from it. */
 void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 tank_size_m);
 
 #define POI_GRIP_M 0.130f /* Distance from the ring's centre to the grip, along the handle. */
@@ -195,12 +195,12 @@ void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 t
 #define POI_SLAP_N_FULL 0.15f
 #define POI_TEAR_CELLS_FULL 10.0f
 
-/* Writes the force feedback of this tick to `force`: the force and the torque on the hand that holds
- * the poi. The force comes from the same physics that moves the ring. A freely moving ring pulls at
- * the hand with its drag, added mass, weight, meniscus force and fish. If walls, floor, a bowl or
- * fish block the ring, the stretched hand spring pulls at the hand. The torque about the grip
- * depends on the point at which each force acts. catch_tick() collects the slaps of the fish in one
- * tick. In the next tick, each slap loads the paper, moves the ring and acts on the hand.
+/* Writes the force feedback of this tick to `force`: the force and the torque on the hand that
+ * holds the poi. The force comes from the same physics that moves the ring. A freely moving ring
+ * pulls at the hand with its drag, added mass, weight, meniscus force and fish. If walls, floor, a
+ * bowl or fish block the ring, the stretched hand spring pulls at the hand. The torque about the
+ * grip depends on the point at which each force acts. catch_tick() collects the slaps of the fish
+ * in one tick. In the next tick, each slap loads the paper, moves the ring and acts on the hand.
  *
  * The values of `force` are limited to the ranges in output.h. The caller must have called
  * poi_apply_reaction() in this tick. */

@@ -1,6 +1,8 @@
 /* pose.c -- rotates rigid bodies; core/base/vec.h defines the order of the angles. */
 #include "core/poi/pose.h"
 
+#include "core/base/panic.h"
+
 struct angles pose_angles(const struct basis *axes)
 {
     const vec3 forward = v3_scale(axes->back, -1.0f);
@@ -28,6 +30,7 @@ static vec3 rotate_about(vec3 v, vec3 axis, float sine, float cosine)
 
 struct basis pose_turn(const struct basis *axes, vec3 axis, float angle_rad)
 {
+    CORE_ASSERT(f_is_finite(angle_rad));
     const float sine = f_sin(angle_rad), cosine = f_cos(angle_rad);
     return (struct basis){
         .right = rotate_about(axes->right, axis, sine, cosine),
@@ -50,6 +53,7 @@ struct basis pose_look(vec3 forward, vec3 up)
 
 static float turn_toward(float from_rad, float to_rad, float share, float step_rad)
 {
+    CORE_ASSERT(step_rad >= 0.0f);
     const float way_rad = f_wrap_angle(to_rad - from_rad) * share;
     return f_wrap_angle(from_rad + f_clamp(way_rad, -step_rad, step_rad));
 }

@@ -87,8 +87,8 @@ float poi_paper_pa(struct poi *poi, const struct basis *axes);
  * carries no fish or if `has_wrist` is 1. */
 void poi_wrist_tip(struct poi *poi, const struct bowl *bowl, int has_wrist);
 
-/* Returns `target` rotated toward the bowl by the progress of the tip that poi_wrist_tip() stored in
- * `poi`. */
+/* Returns `target` rotated toward the bowl by the progress of the tip that poi_wrist_tip() stored
+ * in `poi`. */
 struct poi_target poi_wrist_target(const struct poi *poi, const struct bowl *bowl,
                                    struct poi_target target);
 

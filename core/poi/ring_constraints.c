@@ -6,6 +6,8 @@
  * separate the discs. */
 #include "core/poi/poi.h"
 
+#include "core/base/panic.h"
+
 /* Distance beyond the tank walls to which a player's arm reaches over the rim of the tank. */
 #define REACH_SIDE_M 0.15f
 #define REACH_HEIGHT_M 0.30f
@@ -18,6 +20,7 @@
  * in this direction. */
 static void clamp_coordinate(float *place, float *speed, float low, float high)
 {
+    CORE_ASSERT(low <= high);
     if (*place < low) {
         *place = low;
         *speed = f_max(*speed, 0.0f);
@@ -91,6 +94,7 @@ static void yield_to(struct poi *poi, const struct bowl *bowl, vec3 before_m, ve
 void poi_constrain(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m,
                    vec3 up)
 {
+    CORE_ASSERT(tank->size_m.x > 0.0f && tank->size_m.y > 0.0f && tank->size_m.z > 0.0f);
     vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
     const float reach_x = 0.5f * tank->size_m.x + REACH_SIDE_M;
     const float reach_z = 0.5f * tank->size_m.z + REACH_SIDE_M;
@@ -195,6 +199,7 @@ static void slide(struct poi *poi, vec3 out, float need_m)
 
 int ring_pairs_separate(struct poi *a, struct poi *b)
 {
+    CORE_ASSERT(a != b);
     const struct rings rings = {
         .up_a = vec_basis_from_angles(a->angles).up,
         .up_b = vec_basis_from_angles(b->angles).up,

@@ -4,6 +4,8 @@
  * ring is faster than the ripples (0.23 m/s), a V-shaped wake forms at each point. */
 #include "core/poi/poi.h"
 
+#include "core/base/panic.h"
+
 /* Ratio of the vertical motion of the water surface above an immersed disc to the vertical motion
  * of the disc. */
 #define HEAVE_SHARE 0.5f
@@ -54,6 +56,7 @@ static void cut(const struct poi *poi, struct water *water, vec3 tank_size_m, ve
 
 void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 tank_size_m)
 {
+    CORE_ASSERT(tank_size_m.x > 0.0f && tank_size_m.z > 0.0f);
     const vec3 up = vec_basis_from_angles(poi->angles).up;
     const float heave_m = HEAVE_SHARE * poi->velocity_m_s.y * CORE_TICK_S;
     float press_m = 0.0f;

@@ -84,7 +84,7 @@ struct shade;
 /* Ticks between two decisions of an undisturbed fish: 33 ms, its reaction time. */
 #define FISH_BEHAVIOR_TICKS 4u
 
-/* Input of a fish's decision. The arrays belong to the caller and stay valid during the decision. */
+/* Input of a fish's decision. The caller owns the arrays, which stay valid during the decision. */
 struct perception {
     const struct behavior_params *params;
     vec3 size_m;         /* Inner width, water depth and length of the tank. */

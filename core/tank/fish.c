@@ -1,10 +1,12 @@
 /* fish.c -- size, box, mass, direction and hash of a fish. */
 #include "core/tank/fish.h"
 
+#include "core/base/panic.h"
 #include "core/base/hash.h"
 
 void fish_grow(struct fish *fish, float length_m, const struct behavior_params *params)
 {
+    CORE_ASSERT(length_m > 0.0f);
     fish->length_m = length_m;
     fish->height_m = params->height_per_length * length_m;
     fish->width_m = params->width_per_length * length_m;
@@ -23,6 +25,7 @@ struct box fish_box(const struct fish *fish)
 
 float fish_mass_kg(float length_m)
 {
+    CORE_ASSERT(length_m > 0.0f);
     return 2.10e-5f * f_exp(3.0598f * f_log(100.0f * length_m));
 }
 
@@ -44,6 +47,8 @@ uint64_t fish_hash_quick(uint64_t hash, const struct fish *fish)
 
 uint64_t fish_hash(uint64_t hash, const struct fish *fish)
 {
+    CORE_ASSERT(fish->gait < GAIT_COUNT);
+    CORE_ASSERT(fish->air <= AIR_DUCKS);
     /* clang-format off */
     const float values[] = {
         fish->speed_m_s,      fish->climb_m_s,  fish->yaw_rate_rad_s, fish->age_days,

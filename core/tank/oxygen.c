@@ -1,6 +1,7 @@
 /* oxygen.c -- the oxygen balance of a well mixed tank: solubility, respiration and gas exchange. */
 #include "core/tank/oxygen.h"
 
+#include "core/base/panic.h"
 #include "core/base/hash.h"
 #include "core/input.h"
 #include "core/tank/behavior/surface_breathing.h"
@@ -21,6 +22,7 @@
 
 float oxygen_saturation_mg_l(float temperature_c, float pressure_hpa)
 {
+    CORE_ASSERT(pressure_hpa > 0.0f);
     /* z is 1000 K / T minus the value of 1000 K / T at 25 C, where T is the absolute temperature.
      * The published polynomials in 1 / T have terms in the hundreds, but the sum of the terms is
      * only about 2. Single precision would cause an error of a thousandth in the sum. Therefore the
@@ -47,6 +49,8 @@ float oxygen_saturation_mg_l(float temperature_c, float pressure_hpa)
  * respiration grows by a factor of 1.75 per 10 K (Q10). */
 float oxygen_breath_mg_h(float mass_kg, float temperature_c, float speed_m_s)
 {
+    CORE_ASSERT(mass_kg > 0.0f);
+    CORE_ASSERT(speed_m_s >= 0.0f);
     const float mass_g = 1000.0f * mass_kg;
     const float routine = 0.0674f * f_exp(0.807f * f_log(mass_g) + 0.0562f * temperature_c);
     return routine + COST_MG_KG_M * mass_kg * 3600.0f * speed_m_s;
@@ -56,11 +60,13 @@ float oxygen_breath_mg_h(float mass_kg, float temperature_c, float speed_m_s)
  * g. */
 float oxygen_critical_mg_l(float mass_kg)
 {
+    CORE_ASSERT(mass_kg > 0.0f);
     return 1.35f * f_exp(-0.107f * f_log(1000.0f * mass_kg));
 }
 
 float oxygen_exchange_per_h(float water_depth_m, int pump)
 {
+    CORE_ASSERT(water_depth_m > 0.0f);
     return STILL_M_H / water_depth_m + (pump ? PUMP_PER_H : 0.0f);
 }
 
@@ -84,6 +90,8 @@ static float relax_oxygen(float dissolved_mg_l, const struct oxygen_balance *bal
 
 float oxygen_after(float dissolved_mg_l, const struct oxygen_balance *balance, float hours)
 {
+    CORE_ASSERT(hours >= 0.0f);
+    CORE_ASSERT(balance->critical_mg_l > 0.0f);
     const uint32_t steps = (uint32_t)(hours / STEP_H) + 1u;
     for (uint32_t i = 0; i < steps; i++) {
         dissolved_mg_l = relax_oxygen(dissolved_mg_l, balance, hours / (float)steps);
@@ -94,6 +102,8 @@ float oxygen_after(float dissolved_mg_l, const struct oxygen_balance *balance, f
 void oxygen_tick(struct oxygen *oxygen, const struct fish *fish, uint32_t fish_count, vec3 size_m,
                  uint32_t tick)
 {
+    CORE_ASSERT(fish_count <= TANK_FISH_MAX);
+    CORE_ASSERT(oxygen->time_compression >= 0.0f);
     const uint32_t share = tick % CORE_TICK_HZ;
     const uint32_t first = (uint32_t)((uint64_t)fish_count * share / CORE_TICK_HZ);
     const uint32_t end = (uint32_t)((uint64_t)fish_count * (share + 1u) / CORE_TICK_HZ);

@@ -170,6 +170,7 @@ const struct tank_preset *tank_preset(uint8_t id)
 
 float tank_preset_age_days(const struct tank_preset *preset, float draw)
 {
+    CORE_ASSERT(draw >= 0.0f && draw < 1.0f);
     return f_lerp(preset->age_days_min, preset->age_days_max, draw * draw);
 }
 

@@ -24,19 +24,15 @@
  * alarm. */
 #define FRIGHT_PLAIN_DARK 0.60f
 
-static int is_finite(const struct shade_cast *cast)
-{
-    return f_is_finite(cast->x_m) && f_is_finite(cast->z_m) && f_is_finite(cast->radius_m) &&
-           f_is_finite(cast->dark);
-}
-
 void shade_tick(struct shade *shade, const struct shade_cast *cast, float dt_s)
 {
+    CORE_ASSERT(dt_s > 0.0f);
     if (!cast->present) {
         *shade = (struct shade){ 0 };
         return;
     }
-    CORE_ASSERT(is_finite(cast));
+    CORE_ASSERT(f_is_finite(cast->x_m) && f_is_finite(cast->z_m));
+    CORE_ASSERT(f_is_finite(cast->radius_m) && f_is_finite(cast->dark));
     CORE_ASSERT(cast->radius_m > 0.0f);
     if (!shade->cast.present) {
         *shade = (struct shade){ .cast = *cast, .age_s = dt_s };
@@ -76,6 +72,7 @@ static int gathers(const struct shade *shade, const struct behavior_params *para
 float shade_pull_m_s(const struct shade *shade, const struct behavior_params *params,
                      float distance_m)
 {
+    CORE_ASSERT(distance_m >= 0.0f);
     const float radius_m = shade->cast.radius_m;
     if (!gathers(shade, params)) {
         return 0.0f;
@@ -108,26 +105,27 @@ static vec3 pull_of_all(const struct shade *shades, uint32_t count,
     return sum;
 }
 
-/* Reduces the attraction if fish in the shade push the fish in the opposite direction. Therefore no
- * fish presses into a full shade. */
-static vec3 less_crowd(vec3 pull_m_s, const struct fish *fish)
-{
-    const vec3 toward = v3_normalize_or(pull_m_s, pull_m_s);
-    const float against_m_s = -v3_dot(toward, fish->push_m_s);
-    const float full_m_s = FULL_LENGTHS_PER_S * fish->length_m;
-    return v3_scale(pull_m_s, f_clamp(1.0f - against_m_s / full_m_s, 0.0f, 1.0f));
-}
-
 int shade_draw(const struct shade *shades, uint32_t count, const struct behavior_params *params,
                const struct fish *fish, struct shade_course *course)
 {
+    if (count == 0) {
+        return 0;
+    }
     const vec3 pull_m_s = pull_of_all(shades, count, params, fish->position_m);
     if (pull_m_s.x == 0.0f && pull_m_s.z == 0.0f) {
         return 0;
     }
     const float yaw_rad = fish->angles.yaw_rad;
     const vec3 own = v3(-f_sin(course->heading_rad), 0.0f, -f_cos(course->heading_rad));
-    const vec3 drawn = v3_muladd(less_crowd(pull_m_s, fish), own, course->speed_m_s);
+    /* The attraction decreases if fish in the shade push the fish in the opposite direction.
+     * Therefore no fish presses into a full shade. */
+    CORE_ASSERT(fish->length_m > 0.0f);
+    const vec3 toward = v3_normalize_or(pull_m_s, pull_m_s);
+    const float against_m_s = -v3_dot(toward, fish->push_m_s);
+    const float full_m_s = FULL_LENGTHS_PER_S * fish->length_m;
+    const vec3 drawn =
+        v3_muladd(v3_scale(pull_m_s, f_clamp(1.0f - against_m_s / full_m_s, 0.0f, 1.0f)), own,
+                  course->speed_m_s);
     const vec3 wanted = v3_limit(drawn, f_max(course->speed_m_s, gait_speed_max_m_s(fish, params)));
     const float along_m_s = -f_sin(yaw_rad) * wanted.x - f_cos(yaw_rad) * wanted.z;
     course->heading_rad = v3_length(wanted) > HARDLY_M_S ? f_atan2(-wanted.x, -wanted.z) : yaw_rad;
@@ -138,6 +136,7 @@ int shade_draw(const struct shade *shades, uint32_t count, const struct behavior
 float shade_alarm(const struct shade *shade, const struct behavior_params *params, vec3 position_m,
                   float dt_s)
 {
+    CORE_ASSERT(dt_s >= 0.0f);
     const struct shade_cast *cast = &shade->cast;
     const int is_sudden = shade->age_s <= SHADE_NEW_S || shade->edge_m_s > SHADE_MOVES_M_S;
     if (!params->shade_frights || !cast->present || !is_sudden ||

@@ -30,6 +30,7 @@
 
 struct tank_bounds tank_bounds(const struct tank *tank)
 {
+    CORE_ASSERT(tank->size_m.x > 0.0f && tank->size_m.y > 0.0f && tank->size_m.z > 0.0f);
     const vec3 half = v3_scale(tank->size_m, 0.5f);
     return (struct tank_bounds){ { -half.x, -tank->size_m.y, -half.z }, { half.x, 0.0f, half.z } };
 }
@@ -53,6 +54,8 @@ static uint32_t shade_count(const struct tank *tank)
 struct perception tank_perception(const struct tank *tank, uint32_t tick,
                                   const struct obstacle *obstacles, uint32_t obstacle_count)
 {
+    CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
+    CORE_ASSERT(obstacles || obstacle_count == 0);
     return (struct perception){
         .params = tank_behavior_params(tank),
         .size_m = tank->size_m,
@@ -76,6 +79,7 @@ struct broad_phase_search tank_search(const struct tank *tank)
 
 static void think_in_turn(struct tank *tank, struct perception around)
 {
+    CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX);
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *fish = &tank->fish[i];
         if (fish_swims(fish) && fish_behavior_is_due(fish, i, &around)) {
@@ -104,6 +108,7 @@ static void think_in_turn(struct tank *tank, struct perception around)
  * room to turn. */
 static void heed(struct tank *tank, const struct perception *around)
 {
+    CORE_ASSERT(tank->broad_phase.count <= tank->fish_count);
     for (uint32_t i = 0; i < tank->broad_phase.count; i++) {
         if (!(tank->broad_phase.flags[i] & BODY_SWIMMING)) {
             continue;
@@ -123,6 +128,7 @@ static void heed(struct tank *tank, const struct perception *around)
  * for contacts only if the last query is stale. */
 static void update_broad_phase(struct tank *tank, uint32_t station, const struct perception *around)
 {
+    CORE_ASSERT(station < tank->solver.substep_count);
     struct broad_phase *broad_phase = &tank->broad_phase;
     const int is_time = station == 0 && around->tick % BROAD_PHASE_UPDATE_TICKS == 0;
     broad_phase_sync(broad_phase, tank->fish);
@@ -180,6 +186,8 @@ static void bubble(struct tank *tank, uint32_t tick)
 void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
                uint32_t obstacle_count)
 {
+    CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX);
+    CORE_ASSERT(obstacles || obstacle_count == 0);
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
     const struct perception around = tank_perception(tank, tick, obstacles, obstacle_count);
     /* `stirs` is 1 if an obstacle moves faster than STIRS_M per tick. A bowl that rocks on ripples
@@ -237,6 +245,7 @@ void tank_cast(struct tank *tank, const struct shade_cast casts[TANK_SHADE_MAX])
 
 uint32_t tank_shade_count(const struct tank *tank, const struct shade_cast *cast)
 {
+    CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX);
     uint32_t count = 0;
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         const struct fish *fish = &tank->fish[i];
@@ -247,6 +256,7 @@ uint32_t tank_shade_count(const struct tank *tank, const struct shade_cast *cast
 
 uint32_t tank_surfacing_count(const struct tank *tank)
 {
+    CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX);
     uint32_t count = 0;
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         count += tank->fish[i].gait == GAIT_SURFACE;
@@ -256,6 +266,7 @@ uint32_t tank_surfacing_count(const struct tank *tank)
 
 uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank)
 {
+    CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX);
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         hash = fish_hash_quick(hash, &tank->fish[i]);
     }
@@ -264,6 +275,8 @@ uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank)
 
 uint64_t tank_hash(uint64_t hash, const struct tank *tank)
 {
+    CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX);
+    CORE_ASSERT(tank->preset < TANK_PRESET_COUNT);
     hash = hash_u32(hash, tank->seed);
     hash = hash_u32(hash, tank->preset);
     hash = hash_vec3(hash, tank->size_m);

@@ -170,12 +170,12 @@ uint64_t tank_hash_quick(uint64_t hash, const struct tank *tank); /* Hashes only
 /* ---- Reentry --------------------------------------------------------------------------------- */
 
 /* Begins the reentry of a fish at its present place. Reentry is the state of a fish that came back
- * into the water, until the fish overlaps no other fish. A fish that dropped or floated off a poi, or
- * was poured from a bowl, may overlap other fish. During reentry the gait of the fish is GAIT_HELD
- * and its holder FISH_HOLDER_WATER. The fish drifts, is pushed out of other fish and pushes them
- * aside. The fish swims as soon as it overlaps no other fish. After 0.13 s of overlap the fish moves
- * toward the nearest gap, and after 0.4 s it is placed into the gap. Therefore reentry ends within
- * half a second unless no place within 5 cm is free.
+ * into the water, until the fish overlaps no other fish. A fish that dropped or floated off a poi,
+ * or was poured from a bowl, may overlap other fish. During reentry the gait of the fish is
+ * GAIT_HELD and its holder FISH_HOLDER_WATER. The fish drifts, is pushed out of other fish and
+ * pushes them aside. The fish swims as soon as it overlaps no other fish. After 0.13 s of overlap
+ * the fish moves toward the nearest gap, and after 0.4 s it is placed into the gap. Therefore
+ * reentry ends within half a second unless no place within 5 cm is free.
  *
  * The function sets the fish's pitch and roll to 0, keeps the fish within the walls, and sets its
  * velocity to `velocity_m_s`, limited to 0.5 m/s. At the end of reentry the fish bursts away if its

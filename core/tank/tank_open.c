@@ -60,6 +60,7 @@ static int side_fits(float side_m, float low_m, float high_m)
 
 static vec3 tank_size_of(const struct tank_config *config)
 {
+    CORE_ASSERT(config->area_scale > 0.0f);
     const vec3 own_m = tank_preset(config->preset)->size_m, wanted_m = config->size_m;
     const float side = f_sqrt(config->area_scale);
     return v3(side * (wanted_m.x > 0.0f ? wanted_m.x : own_m.x),
@@ -103,6 +104,8 @@ static int config_fits(const struct tank_config *config)
 
 static int under_bowl(vec3 point_m, const vec3 *bowls_m, uint32_t bowl_count, float clear_m)
 {
+    CORE_ASSERT(bowl_count <= POI_MAX);
+    CORE_ASSERT(clear_m > 0.0f);
     for (uint32_t i = 0; i < bowl_count; i++) {
         const float dx = point_m.x - bowls_m[i].x, dz = point_m.z - bowls_m[i].z;
         if (dx * dx + dz * dz < clear_m * clear_m) {
@@ -124,6 +127,7 @@ struct plot {
  * ten minutes. */
 static struct plot plot_of(const struct tank *tank, uint32_t index)
 {
+    CORE_ASSERT(index < tank->fish_count);
     const float wide = f_sqrt((float)tank->fish_count * tank->size_m.x / tank->size_m.z);
     const uint32_t columns = (uint32_t)f_max(1.0f, wide);
     const uint32_t rows = (tank->fish_count + columns - 1u) / columns;
@@ -138,6 +142,8 @@ static struct plot plot_of(const struct tank *tank, uint32_t index)
 static vec3 start_place(const struct tank *tank, const struct fish *fish, uint32_t index,
                         const struct tank_config *config, uint32_t draw)
 {
+    CORE_ASSERT(index < tank->fish_count);
+    CORE_ASSERT(draw < START_DRAWS_MAX);
     const struct tank_preset *preset = tank_preset(config->preset);
     const float inset_m = 0.5f * fish->length_m;
     const float half_m = 0.5f * fish->height_m;
@@ -164,6 +170,7 @@ static vec3 start_place(const struct tank *tank, const struct fish *fish, uint32
 
 static struct fish hatch(const struct tank *tank, const struct tank_config *config, uint32_t index)
 {
+    CORE_ASSERT(index < tank->fish_count);
     const struct tank_preset *preset = tank_preset(config->preset);
     const struct perception around = tank_perception(tank, 0, NULL, 0);
     const float old = rng_unit((struct rng_key){ tank->seed, 0, index, RNG_FISH_AGE });
@@ -206,6 +213,7 @@ static struct fish hatch(const struct tank *tank, const struct tank_config *conf
  * places. Returns 1 on success, otherwise 0. */
 static int spread_out(struct tank *tank)
 {
+    CORE_ASSERT(tank->fish_count > 0);
     const struct solver_context place = { tank->fish, tank_bounds(tank), NULL,
                                           0,          START_SHOVE_M,     tank->lanes };
     for (uint32_t round = 0; round < START_ROUNDS_MAX; round++) {
@@ -295,6 +303,7 @@ static void place_staged_fish(struct fish *fish, const struct tank_stage *wanted
 
 void tank_stage_all(struct tank *tank, const struct tank_stage *stages, uint32_t count)
 {
+    CORE_ASSERT(stages || count == 0);
     const struct perception around = tank_perception(tank, 0, NULL, 0);
     CORE_ASSERT(count <= tank->fish_count);
     for (uint32_t i = 0; i < count; i++) {

@@ -9,6 +9,7 @@
  * The flow around a disc that moves along its plane is an estimate. */
 #include "core/tank/water.h"
 
+#include "core/base/panic.h"
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 
@@ -41,6 +42,8 @@ struct span {
 
 static struct span span_of(float at, float radius, int32_t count)
 {
+    CORE_ASSERT(radius > 0.0f);
+    CORE_ASSERT(count > 0);
     const float low = f_clamp(at - radius, -1.0f, (float)count);
     const float high = f_clamp(at + radius, -1.0f, (float)count);
     const struct span span = { (int32_t)f_floor(low), (int32_t)f_floor(high) };
@@ -52,6 +55,8 @@ static struct span span_of(float at, float radius, int32_t count)
  * no velocity, and waves start from rest. */
 void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m, float depth_m)
 {
+    CORE_ASSERT(size_m.x > 0.0f && size_m.z > 0.0f);
+    CORE_ASSERT(radius_m > 0.0f);
     if (f_abs(point_m.x) > 0.5f * size_m.x || f_abs(point_m.z) > 0.5f * size_m.z) {
         return;
     }
@@ -81,6 +86,8 @@ void water_press(struct water *water, vec3 size_m, vec3 point_m, float radius_m,
 
 float water_height_m(const struct water *water, vec3 size_m, float x_m, float z_m)
 {
+    CORE_ASSERT(size_m.x > 0.0f && size_m.z > 0.0f);
+    CORE_ASSERT(water->newest < 2u);
     const float(*height)[RIPPLE_X] = water->height_m[water->newest];
     const float x =
         f_clamp((x_m / size_m.x + 0.5f) * (float)RIPPLE_X - 0.5f, 0.0f, (float)RIPPLE_X - 1.001f);
@@ -118,12 +125,15 @@ static void step_row(float *restrict next, const float *restrict now, const floa
 
 static float courant(float cell_m)
 {
+    CORE_ASSERT(cell_m > 0.0f);
     const float c = WAVE_SPEED_M_S * STEP_S / cell_m;
     return f_min(c * c, COURANT_MAX);
 }
 
 void water_step(struct water *water, vec3 size_m)
 {
+    CORE_ASSERT(size_m.x > 0.0f && size_m.z > 0.0f);
+    CORE_ASSERT(water->newest < 2u);
     const float kx = courant(size_m.x / (float)RIPPLE_X), kz = courant(size_m.z / (float)RIPPLE_Z);
     const uint32_t last = RIPPLE_Z - 1u;
     float(*now)[RIPPLE_X] = water->height_m[water->newest];
@@ -145,6 +155,8 @@ static int8_t slope_byte(float slope)
 
 void water_slopes(const struct water *water, vec3 size_m, int8_t slope[RIPPLE_Z][RIPPLE_X][2])
 {
+    CORE_ASSERT(size_m.x > 0.0f && size_m.z > 0.0f);
+    CORE_ASSERT(water->newest < 2u);
     const float per_x = 0.5f * (float)RIPPLE_X / size_m.x,
                 per_z = 0.5f * (float)RIPPLE_Z / size_m.z;
     const float(*height)[RIPPLE_X] = water->height_m[water->newest];
@@ -162,6 +174,7 @@ void water_slopes(const struct water *water, vec3 size_m, int8_t slope[RIPPLE_Z]
 
 uint64_t water_hash(uint64_t hash, const struct water *water)
 {
+    CORE_ASSERT(water->newest < 2u);
     hash = hash_u32(hash, water->newest);
     return hash_floats(hash, &water->height_m[0][0][0], 2u * RIPPLE_Z * RIPPLE_X);
 }
@@ -219,17 +232,6 @@ static struct place broadside(struct place at)
     };
 }
 
-/* Returns the speed of the water around a disc of radius 1 that moves with speed 1 along its plane.
- * The water moves in the direction of the disc. The speed decays with the cube of the distance from
- * the disc. */
-static float edgewise(struct place at)
-{
-    const float beyond = f_max(0.0f, at.off - 1.0f);
-    const float gap = f_sqrt(at.along * at.along + beyond * beyond);
-    const float near = 1.0f / (1.0f + f_max(BODY_SHARE, gap));
-    return EDGE_SHARE * near * near * near;
-}
-
 /* Cheap test whether the disc can move the water at a point. Returns 0 only if the flow there is
  * zero. */
 static int stirs(const struct obstacle *disc, vec3 point_m)
@@ -243,6 +245,7 @@ static int stirs(const struct obstacle *disc, vec3 point_m)
 
 vec3 water_flow_m_s(const struct obstacle *disc, vec3 point_m)
 {
+    CORE_ASSERT(disc->radius_m > 0.0f);
     if (!stirs(disc, point_m)) {
         return v3(0.0f, 0.0f, 0.0f);
     }
@@ -257,7 +260,13 @@ vec3 water_flow_m_s(const struct obstacle *disc, vec3 point_m)
     const float pushing_m_s = (1.0f - disc->open) * normal_m_s;
     const struct place push = broadside(at);
     const vec3 pushed = v3_add(v3_scale(disc->normal, push.along), v3_scale(out, push.off));
-    const vec3 flow = v3_muladd(v3_scale(pushed, pushing_m_s), plane_m_s, edgewise(at));
+    /* Around a disc that moves along its plane, the water moves in the direction of the disc. The
+     * speed of the water decays with the cube of the distance from the disc. */
+    const float beyond = f_max(0.0f, at.off - 1.0f);
+    const float gap = f_sqrt(at.along * at.along + beyond * beyond);
+    const float near = 1.0f / (1.0f + f_max(BODY_SHARE, gap));
+    const vec3 flow =
+        v3_muladd(v3_scale(pushed, pushing_m_s), plane_m_s, EDGE_SHARE * near * near * near);
     /* The fraction [0, 1] of the disc that is under water follows from the heights of the lowest
      * and highest points of the disc. */
     const float slope = f_sqrt(f_max(0.0f, 1.0f - disc->normal.y * disc->normal.y));

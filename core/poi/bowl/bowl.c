@@ -42,6 +42,7 @@ float bowl_room_m3(float below_m)
  * is the area of the water surface. */
 float bowl_level_m(const struct bowl *bowl)
 {
+    CORE_ASSERT(bowl->water_kg >= 0.0f && bowl->fish_kg >= 0.0f);
     const float wanted_m3 = (bowl->water_kg + bowl->fish_kg) / WATER_KG_M3;
     float below_m = 0.25f * BOWL_DEPTH_M;
     for (int i = 0; i < 4; i++) {
@@ -60,6 +61,7 @@ int bowl_is_full(const struct bowl *bowl)
 void bowl_take(struct bowl *bowl, uint32_t bowl_index, struct tank *tank, struct fish *fish,
                vec3 velocity_m_s)
 {
+    CORE_ASSERT(bowl_index < POI_MAX);
     CORE_ASSERT(bowl->present);
     if (bowl_is_full(bowl)) {
         bowl_empty(bowl, bowl_index, tank);
@@ -91,6 +93,7 @@ static float draw_pour(uint32_t seed, uint32_t fish, uint32_t which)
  * walls. */
 static vec3 pouring_place(const struct bowl *bowl, const struct tank *tank, uint32_t index)
 {
+    CORE_ASSERT(index < tank->fish_count);
     const float length_m = tank->fish[index].length_m;
     const float angle = F_TAU * draw_pour(tank->seed, index, 1);
     const float away = BOWL_RADIUS_M + length_m * (0.6f + 0.8f * draw_pour(tank->seed, index, 2));
@@ -105,6 +108,7 @@ static vec3 pouring_place(const struct bowl *bowl, const struct tank *tank, uint
 
 void bowl_empty(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
 {
+    CORE_ASSERT(bowl_index < POI_MAX);
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *fish = &tank->fish[i];
         if (fish->gait == GAIT_BOWL && fish->holder == bowl_index) {
@@ -134,6 +138,7 @@ struct obstacle bowl_obstacle(const struct bowl *bowl)
 
 void bowl_apply_reaction(struct bowl *bowl, const struct obstacle *hull)
 {
+    CORE_ASSERT(hull->kind == OBSTACLE_BOWL);
     if (hull->reaction & REACTION_POSITION) {
         bowl->position_m = hull->centre_m;
         bowl->velocity_m_s = hull->velocity_m_s;
@@ -147,6 +152,7 @@ struct angles bowl_angles(const struct bowl *bowl)
 
 uint64_t bowl_hash(uint64_t hash, const struct bowl *bowl)
 {
+    CORE_ASSERT(bowl->fish_count <= BOWL_FISH_MAX);
     const float values[] = { bowl->heel_x,       bowl->heel_z,   bowl->heel_x_rad_s,
                              bowl->heel_z_rad_s, bowl->water_kg, bowl->fish_kg };
     hash = hash_u32(hash, bowl->present);

@@ -81,18 +81,6 @@ static vec3 ring_push_on_hull(const struct bowl *bowl, const struct poi *poi)
     return v3_scale(out, f_clamp(v3_dot(hand_n, out), -most_n, 0.0f));
 }
 
-static vec3 pushes_of(const struct bowl *bowl, const struct poi *pois, const uint8_t *live,
-                      uint32_t poi_count)
-{
-    vec3 sum = { 0.0f, 0.0f, 0.0f };
-    for (uint32_t i = 0; i < poi_count; i++) {
-        if (live[i]) {
-            sum = v3_add(sum, ring_push_on_hull(bowl, &pois[i]));
-        }
-    }
-    return sum;
-}
-
 /* ---- Forces of the water on a bowl ---------------------------------------------------------- */
 
 struct swell { /* Mean height and slope of the water surface under the hull. */
@@ -116,6 +104,7 @@ static struct swell swell_under(const struct bowl *bowl, const struct tank *tank
 static float axis_m_s(float kg, float speed_m_s, float force_n, float damping_n_s_m,
                       float stiffness_n_m)
 {
+    CORE_ASSERT(kg > 0.0f);
     const float dt = CORE_TICK_S;
     return (kg * speed_m_s + dt * force_n) / (kg + dt * damping_n_s_m + dt * dt * stiffness_n_m);
 }
@@ -152,20 +141,10 @@ static void heel(float *at, float *rate_rad_s, float goal)
 
 static void stop_at(float *place, float *speed, float room)
 {
+    CORE_ASSERT(room > 0.0f);
     if (f_abs(*place) > room) {
         *place = f_clamp(*place, -room, room);
         *speed = *place > 0.0f ? f_min(*speed, 0.0f) : f_max(*speed, 0.0f);
-    }
-}
-
-static void stay_inside(struct bowl *bowl, const struct tank *tank)
-{
-    const float inset_m = BOWL_RADIUS_M + WALL_GAP_M;
-    stop_at(&bowl->position_m.x, &bowl->velocity_m_s.x, 0.5f * tank->size_m.x - inset_m);
-    stop_at(&bowl->position_m.z, &bowl->velocity_m_s.z, 0.5f * tank->size_m.z - inset_m);
-    if (bowl->position_m.y < MOUTH_MIN_M) {
-        bowl->position_m.y = MOUTH_MIN_M;
-        bowl->velocity_m_s.y = f_max(bowl->velocity_m_s.y, 0.0f);
     }
 }
 
@@ -173,6 +152,7 @@ static void stay_inside(struct bowl *bowl, const struct tank *tank)
  * each other, both get their mean speed along the line between their centres. */
 static void keep_apart(struct bowl *a, struct bowl *b)
 {
+    CORE_ASSERT(a != b);
     const vec3 way = v3(b->position_m.x - a->position_m.x, 0.0f, b->position_m.z - a->position_m.z);
     const float deep_m = 2.0f * BOWL_RADIUS_M - v3_length(way);
     if (deep_m <= 0.0f) {
@@ -190,6 +170,7 @@ static void keep_apart(struct bowl *a, struct bowl *b)
 
 static void float_on(struct bowl *bowl, const struct tank *tank, vec3 push_n)
 {
+    CORE_ASSERT(bowl->present);
     const struct swell swell = swell_under(bowl, tank);
     const float slope = HEEL_SHARE / (GRAVITY_M_S2 * load_kg(bowl));
     /* Water above LOAD_KG_MAX spills out of the bowl. */
@@ -215,13 +196,27 @@ void bowl_buoyancy_tick(const struct stall *stall, const struct poi *pois, const
         struct bowl *bowl = &stall->bowls[i];
         bowl->before_m = bowl->position_m;
         if (bowl->present) {
-            float_on(bowl, stall->tank, pushes_of(bowl, pois, live, poi_count));
+            vec3 push_n = { 0.0f, 0.0f, 0.0f };
+            for (uint32_t k = 0; k < poi_count; k++) {
+                push_n = live[k] ? v3_add(push_n, ring_push_on_hull(bowl, &pois[k])) : push_n;
+            }
+            float_on(bowl, stall->tank, push_n);
         }
     }
     for (uint32_t round = 0; round < PART_ROUNDS; round++) {
         for (uint32_t i = 0; i < stall->bowl_count; i++) {
-            if (stall->bowls[i].present) {
-                stay_inside(&stall->bowls[i], stall->tank);
+            struct bowl *bowl = &stall->bowls[i];
+            const float inset_m = BOWL_RADIUS_M + WALL_GAP_M;
+            if (!bowl->present) {
+                continue;
+            }
+            stop_at(&bowl->position_m.x, &bowl->velocity_m_s.x,
+                    0.5f * stall->tank->size_m.x - inset_m);
+            stop_at(&bowl->position_m.z, &bowl->velocity_m_s.z,
+                    0.5f * stall->tank->size_m.z - inset_m);
+            if (bowl->position_m.y < MOUTH_MIN_M) {
+                bowl->position_m.y = MOUTH_MIN_M;
+                bowl->velocity_m_s.y = f_max(bowl->velocity_m_s.y, 0.0f);
             }
         }
         for (uint32_t i = 1; i < stall->bowl_count; i++) {

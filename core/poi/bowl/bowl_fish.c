@@ -47,6 +47,7 @@ struct round { /* Circle on which a fish would swim if there were no other fish.
 static struct round round_of(const struct fish *fish, uint32_t index, const struct bowl *bowl,
                              float level_m, uint32_t seed)
 {
+    CORE_ASSERT(level_m >= 0.0f && level_m <= BOWL_DEPTH_M);
     const float half = 0.5f * fish->height_m, end = ENDS * fish->length_m;
     const float top = level_m + half, bottom = f_max(top, 0.92f * BOWL_DEPTH_M - half);
     const float deep = draw_bowl_fish(seed, index, 1), wide = draw_bowl_fish(seed, index, 2);
@@ -66,6 +67,7 @@ static struct round round_of(const struct fish *fish, uint32_t index, const stru
 static void swim_in_bowl(struct fish *fish, const struct bowl *bowl, float way,
                          const struct round *round)
 {
+    CORE_ASSERT(way == 1.0f || way == -1.0f);
     const vec3 at = v3_sub(fish->position_m, bowl->position_m);
     const float radius_m = f_max(f_sqrt(at.x * at.x + at.z * at.z), 1e-4f);
     const vec3 out = v3(at.x / radius_m, 0.0f, at.z / radius_m);
@@ -95,6 +97,7 @@ static void swim_in_bowl(struct fish *fish, const struct bowl *bowl, float way,
  * factor makes the cross-section of its capsule circular. */
 static float flatten(const struct fish *fish)
 {
+    CORE_ASSERT(fish->height_m > 0.0f);
     return fish->width_m / fish->height_m;
 }
 
@@ -136,6 +139,7 @@ float bowl_fish_overlap_m(const struct fish *a, const struct fish *b)
 
 static void separate_bowl_fish(struct fish *a, struct spine on_a, struct fish *b, struct spine on_b)
 {
+    CORE_ASSERT(a != b);
     const vec3 d = v3_sub(b->position_m, a->position_m);
     const float girths = girths_m(a, b);
     const float reach_m = SPINE_HALF * (a->length_m + b->length_m) + 2.0f * girths;
@@ -186,6 +190,7 @@ static void stay_in_hull(struct fish *fish, const struct bowl *bowl, float level
 static uint32_t gather_bowl_fish(struct bowl *bowl, uint32_t bowl_index, const struct tank *tank,
                                  fish_index mine[BOWL_FISH_MAX])
 {
+    CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX);
     uint32_t count = 0;
     bowl->fish_kg = 0.0f;
     for (uint32_t i = 0; i < tank->fish_count; i++) {
@@ -200,6 +205,7 @@ static uint32_t gather_bowl_fish(struct bowl *bowl, uint32_t bowl_index, const s
 
 void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
 {
+    CORE_ASSERT(bowl_index < POI_MAX);
     fish_index mine[BOWL_FISH_MAX];
     vec3 from_m[BOWL_FISH_MAX];
     const vec3 moved_m = v3_sub(bowl->position_m, bowl->before_m);

@@ -2,6 +2,7 @@
  * falls a few centimetres into a bowl or into the water. */
 #include "core/poi/catch/capture.h"
 
+#include "core/base/panic.h"
 #include "core/base/physics.h"
 #include "core/base/rng.h"
 #include "core/input.h"
@@ -132,6 +133,7 @@ void capture_slip_off(const struct poi *poi, struct tank *tank, struct fish *fis
 static int is_pressed(const struct poi *poi, const struct basis *axes, const struct fish *fish,
                       vec3 out, float half_m)
 {
+    CORE_ASSERT(half_m > 0.0f);
     const struct box box = fish_box(fish);
     const vec3 extent = box_extent_m(&box);
     const float ring_m = v3_dot(poi->position_m, out), fish_m = v3_dot(fish->position_m, out);
@@ -159,7 +161,8 @@ static struct carried_fish rider_of(const struct poi *poi, const struct basis *a
     const vec3 tail = vec_basis_to_body(axes, body.back);
     const vec3 right = vec_basis_to_body(axes, body.right);
     const vec3 speed = vec_basis_to_body(axes, v3_sub(fish->velocity_m_s, poi->velocity_m_s));
-    /* The initial slap strength [0, 1] of a captured fish depends on the fish's stamina and alarm. */
+    /* The initial slap strength [0, 1] of a captured fish depends on the fish's stamina and
+     * alarm. */
     const int flees = fish->gait == GAIT_BURST || fish->gait == GAIT_ESCAPE;
     const float fear = flees ? 1.0f : f_clamp(fish->alarm, 0.0f, 1.0f);
     return (struct carried_fish){
@@ -178,6 +181,9 @@ static struct carried_fish rider_of(const struct poi *poi, const struct basis *a
 void capture_fish(struct poi *poi, uint32_t poi_index, const struct basis *axes, struct tank *tank,
                   uint32_t index, uint32_t tick)
 {
+    CORE_ASSERT(poi_index < POI_MAX);
+    CORE_ASSERT(index < tank->fish_count);
+    CORE_ASSERT(poi->carried_count <= POI_CARRIED_MAX);
     struct fish *fish = &tank->fish[index];
     const vec3 place = vec_basis_to_body(axes, v3_sub(fish->position_m, poi->position_m));
     /* The fish can stand upright if the water over the paper is deep enough. If fish jam the ring,
@@ -212,6 +218,7 @@ void capture_fish(struct poi *poi, uint32_t poi_index, const struct basis *axes,
 /* Full alarm makes the fish flee as soon as no other fish is in its way. */
 void catch_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
 {
+    CORE_ASSERT(v3_is_finite(velocity_m_s));
     fish->alarm = 1.0f;
     reentry_begin(tank, fish, velocity_m_s);
 }
@@ -244,6 +251,7 @@ static float homeward(float at_m, float room_m)
 
 void catch_fall_begin(struct carried_fish *carried, vec3 velocity_m_s)
 {
+    CORE_ASSERT(v3_is_finite(velocity_m_s));
     carried->state = CARRIED_FALLING;
     carried->slap_s = 0.0f;
     carried->fall_m_s = velocity_m_s;
@@ -252,6 +260,8 @@ void catch_fall_begin(struct carried_fish *carried, vec3 velocity_m_s)
 enum fall_end catch_fall_tick(struct carried_fish *carried, const struct stall *stall,
                               uint32_t *bowl_index)
 {
+    CORE_ASSERT(carried->fish < stall->tank->fish_count);
+    CORE_ASSERT(stall->bowl_count <= POI_MAX);
     struct tank *tank = stall->tank;
     struct fish *fish = &tank->fish[carried->fish];
     const vec3 before = fish->position_m;

@@ -2,6 +2,7 @@
  * side. */
 #include "core/poi/catch/carried_fish.h"
 
+#include "core/base/panic.h"
 #include "core/base/hash.h"
 #include "core/base/rng.h"
 #include "core/poi/ring.h"
@@ -59,6 +60,7 @@ enum { DRAW_GAP = 0, DRAW_PAUSE, DRAW_FORCE, DRAW_FOOT, DRAW_TURN, DRAW_FLOP, DR
 static float draw_slap(const struct carried_fish *carried, uint32_t seed, uint32_t tick,
                        uint32_t which)
 {
+    CORE_ASSERT(which < DRAW_COUNT);
     const uint32_t who = carried->fish * DRAW_COUNT + which;
     return rng_unit((struct rng_key){ seed, tick, who, RNG_SHEET_SLAP });
 }
@@ -73,6 +75,7 @@ float carried_fish_half_extent_m(const struct fish *fish, vec3 direction)
 
 void carried_fish_tail(const struct carried_fish *carried, float length_m, float *x_m, float *z_m)
 {
+    CORE_ASSERT(length_m > 0.0f);
     *x_m = carried->x_m + 0.42f * length_m * f_sin(carried->heading_rad);
     *z_m = carried->z_m + 0.42f * length_m * f_cos(carried->heading_rad);
 }
@@ -124,6 +127,7 @@ static float slap(struct carried_fish *carried, const struct fish *fish,
 static float lean_per_m(const struct carried_fish *carried, const struct paper_surface *ride,
                         float press_n)
 {
+    CORE_ASSERT(press_n >= 0.0f);
     const float wide = ride->radius_m * ride->radius_m;
     const float square = f_min(carried->x_m * carried->x_m + carried->z_m * carried->z_m, wide);
     const float own = 2.0f * press_n * ride->give_per_n / (wide - square + FOOT_M * FOOT_M);
@@ -180,6 +184,8 @@ float carried_fish_tick(struct carried_fish *carried, const struct fish *fish,
                         const struct paper_surface *ride, float dry, uint32_t seed,
                         uint32_t key_tick)
 {
+    CORE_ASSERT(dry >= 0.0f && dry <= 1.0f);
+    CORE_ASSERT(ride->radius_m > 0.0f);
     const float force_n = slap(carried, fish, ride, dry, seed, key_tick);
     /* A floating fish accelerates toward its nose. */
     const float goal_m_s = SWIM_LENGTHS * fish->length_m * carried->vigour;
@@ -205,6 +211,7 @@ float carried_fish_tick(struct carried_fish *carried, const struct fish *fish,
 void carried_fish_pose(const struct carried_fish *carried, const struct paper_surface *ride,
                        vec3 poi_m, const struct basis *poi_axes, struct fish *fish)
 {
+    CORE_ASSERT(ride->radius_m > 0.0f);
     const float sine = f_sin(carried->heading_rad), cosine = f_cos(carried->heading_rad);
     const float tilt = LIE_RAD * carried->lie;
     const float across = f_sin(tilt) * (float)carried->side;
@@ -230,6 +237,7 @@ void carried_fish_pose(const struct carried_fish *carried, const struct paper_su
 
 uint64_t carried_fish_hash(uint64_t hash, const struct carried_fish *carried)
 {
+    CORE_ASSERT(carried->state <= CARRIED_RELEASED);
     const float values[] = { carried->x_m,         carried->z_m,         carried->height_m,
                              carried->slide_x_m_s, carried->slide_z_m_s, carried->heading_rad,
                              carried->lie,         carried->vigour,      carried->rest_s,

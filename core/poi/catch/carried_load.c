@@ -15,6 +15,7 @@
 float carried_load_dryness(const struct poi *poi, const struct basis *axes,
                            const struct carried_fish *carried, const struct fish *fish)
 {
+    CORE_ASSERT(fish->width_m > 0.0f);
     const float paper_y =
         poi->position_m.y + carried->x_m * axes->right.y + carried->z_m * axes->back.y;
     return f_clamp(1.0f + paper_y / fish->width_m, 0.0f, 1.0f);
@@ -32,6 +33,7 @@ static void add_load(struct poi *poi, struct sheet_load load)
  * is reduced in proportion to its remaining time. */
 static void add_slap(struct poi *poi, const struct carried_fish *carried, const struct fish *fish)
 {
+    CORE_ASSERT(carried->state == CARRIED_LYING);
     const float share = f_min(1.0f, carried->slap_s * (float)CORE_TICK_HZ);
     const float force_n = -carried->slap_n * share;
     float x, z;
@@ -49,6 +51,7 @@ static void add_slap(struct poi *poi, const struct carried_fish *carried, const 
 void carried_load_gather(struct poi *poi, const struct basis *axes, float pull_m_s2,
                          const struct fish *fish)
 {
+    CORE_ASSERT(poi->carried_count <= POI_CARRIED_MAX);
     poi->load_count = 0;
     poi->carried_kg = 0.0f;
     for (uint32_t i = 0; i < poi->carried_count; i++) {
@@ -111,6 +114,7 @@ static int half_holds(const struct sheet *sheet, const struct carried_fish *carr
 int carried_support_holds(const struct sheet *sheet, const struct carried_fish *carried,
                           const struct fish *fish)
 {
+    CORE_ASSERT(sheet->paper_cells <= sheet->paper_cells_new);
     const float square = carried->x_m * carried->x_m + carried->z_m * carried->z_m;
     if (square > POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M) {
         return 0;
@@ -152,6 +156,7 @@ int carried_support_holds(const struct sheet *sheet, const struct carried_fish *
  * paper. */
 static float belly_room_kg(float sag_m, float tangent)
 {
+    CORE_ASSERT(sag_m >= 0.0f && tangent >= 0.0f);
     const float whole_kg = 0.5f * F_PI * POI_RADIUS_M * POI_RADIUS_M * sag_m * WATER_KG_M3;
     const float lost = f_min(1.0f, 0.5f * POI_RADIUS_M * tangent / f_max(sag_m, 1e-5f));
     const float left = (1.0f - lost) * (1.0f - lost);
@@ -164,6 +169,7 @@ static float belly_room_kg(float sag_m, float tangent)
  * the film is subtracted from the capacity. */
 static float ring_room_kg(float tangent)
 {
+    CORE_ASSERT(tangent >= 0.0f);
     const float fall = POI_RADIUS_M * tangent / POI_THICKNESS_M;
     const float wedge = 0.5f / f_max(fall, 0.5f);
     const float share = fall < 0.5f ? 1.0f - fall : 0.5f * wedge * f_sqrt(wedge);
@@ -183,6 +189,7 @@ float carried_water_room_kg(const struct poi *poi, float up_y)
  * drains at the rate `per_s`. */
 static float run_off(float mass_kg, float keep_kg, float per_s)
 {
+    CORE_ASSERT(keep_kg >= 0.0f && per_s >= 0.0f);
     const float more_kg = f_max(0.0f, mass_kg - keep_kg);
     return f_min(mass_kg, keep_kg) + more_kg / (1.0f + per_s * CORE_TICK_S);
 }
@@ -191,6 +198,7 @@ static float run_off(float mass_kg, float keep_kg, float per_s)
  * water drains. */
 void carried_water_tick(struct poi *poi, float up_y)
 {
+    CORE_ASSERT(poi->immersed >= 0.0f && poi->immersed <= 1.0f);
     const float left = sheet_left(&poi->sheet);
     const float tilt_sine = f_sqrt(f_max(0.0f, 1.0f - up_y * up_y));
     const float room_kg = carried_water_room_kg(poi, up_y);

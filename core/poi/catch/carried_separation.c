@@ -2,6 +2,7 @@
  * paper. */
 #include "core/poi/catch/carried_fish.h"
 
+#include "core/base/panic.h"
 #include "core/poi/poi.h"
 
 /* Half the length of the capsule's axis, in body lengths. The capsule excludes the thin snout and
@@ -28,6 +29,7 @@ struct capsule {
 
 static struct capsule capsule_of(const struct carried_fish *carried, const struct fish *fish)
 {
+    CORE_ASSERT(fish->length_m > 0.0f);
     return (struct capsule){
         .centre = { carried->x_m, carried->z_m },
         .axis = { f_sin(carried->heading_rad), f_cos(carried->heading_rad) },
@@ -127,6 +129,7 @@ static void push_within_ring(struct carried_fish *carried, float x_m, float z_m,
 static void separate_carried(struct carried_fish *a, const struct fish *fish_a,
                              struct carried_fish *b, const struct fish *fish_b)
 {
+    CORE_ASSERT(a != b);
     const struct capsule one = capsule_of(a, fish_a), other = capsule_of(b, fish_b);
     struct flat out;
     const float deep_m = overlap_m(&one, &other, &out);
@@ -154,6 +157,7 @@ static void separate_carried(struct carried_fish *a, const struct fish *fish_a,
 
 void carried_separation_tick(struct poi *poi, const struct fish *fish)
 {
+    CORE_ASSERT(poi->carried_count <= POI_CARRIED_MAX);
     for (uint32_t i = 1; i < poi->carried_count; i++) {
         struct carried_fish *a = &poi->carried_fish[i];
         for (uint32_t k = 0; k < i && a->state == CARRIED_LYING; k++) {

@@ -75,6 +75,7 @@ static void remove_rider(struct poi *poi, uint32_t which)
 static int lands(const struct scoop *scoop, const struct carried_fish *carried, vec3 before_m,
                  struct carried_fish *lying)
 {
+    CORE_ASSERT(carried->state == CARRIED_FALLING);
     const struct poi *poi = scoop->poi;
     const struct fish *fish = &scoop->tank->fish[carried->fish];
     const struct basis was = vec_basis_from_angles(poi->before_angles);
@@ -100,6 +101,8 @@ static int lands(const struct scoop *scoop, const struct carried_fish *carried, 
  * water, otherwise 0. */
 static int fall(const struct scoop *scoop, struct carried_fish *carried)
 {
+    CORE_ASSERT(carried->state != CARRIED_LYING);
+    CORE_ASSERT(carried->fish < scoop->tank->fish_count);
     const vec3 before_m = scoop->tank->fish[carried->fish].position_m;
     struct carried_fish lying;
     uint32_t bowl;
@@ -127,6 +130,7 @@ static int fall(const struct scoop *scoop, struct carried_fish *carried)
  * otherwise 0. A fish that starts to fall is still a carried fish, and the function returns 0. */
 static int ride(struct scoop *scoop, struct carried_fish *carried)
 {
+    CORE_ASSERT(carried->state == CARRIED_LYING);
     struct fish *fish = &scoop->tank->fish[carried->fish];
     /* An umpire counts a catch only after enough consecutive ticks in which the whole ring is above
      * the water with the fish on it. */
@@ -180,31 +184,6 @@ static void ride_all(struct scoop *scoop)
 
 /* ---- Capture of fish, and jammed rings ------------------------------------------------------- */
 
-/* Removes carried fish whose state was changed outside this file, for example at the start of a new
- * round. */
-static void forget_strangers(struct scoop *scoop)
-{
-    uint32_t i = 0;
-    while (i < scoop->poi->carried_count) {
-        const struct fish *fish = &scoop->tank->fish[scoop->poi->carried_fish[i].fish];
-        if (fish->gait == GAIT_HELD && fish->holder == scoop->poi_index) {
-            i++;
-        } else {
-            remove_rider(scoop->poi, i);
-        }
-    }
-}
-
-static void try_to_capture(struct scoop *scoop, uint32_t index)
-{
-    struct fish *fish = &scoop->tank->fish[index];
-    if (capture_touches(scoop->poi, &scoop->axes, fish)) {
-        capture_fish(scoop->poi, scoop->poi_index, &scoop->axes, scoop->tank, index, scoop->tick);
-    } else if (capture_is_squeezed(scoop->poi, fish)) {
-        capture_slip_off(scoop->poi, scoop->tank, fish);
-    }
-}
-
 /* Frees a ring that fish block while the hand pulls it up. The outermost fish slip off over the
  * edge of the ring first. Fish continue to slip off until the ring moves. The remaining inner fish
  * are lifted. */
@@ -229,7 +208,12 @@ static void meet_all(struct scoop *scoop)
             continue;
         }
         if (fish->gait != GAIT_HELD) {
-            try_to_capture(scoop, i);
+            if (capture_touches(scoop->poi, &scoop->axes, fish)) {
+                capture_fish(scoop->poi, scoop->poi_index, &scoop->axes, scoop->tank, i,
+                             scoop->tick);
+            } else if (capture_is_squeezed(scoop->poi, fish)) {
+                capture_slip_off(scoop->poi, scoop->tank, fish);
+            }
         } else if (fish->holder == scoop->poi_index && !catch_has_carried(scoop->poi, i)) {
             catch_set_free(scoop->tank, fish, v3(0.0f, 0.0f, 0.0f));
         }
@@ -240,6 +224,7 @@ static void meet_all(struct scoop *scoop)
 
 int catch_has_carried(const struct poi *poi, uint32_t fish)
 {
+    CORE_ASSERT(poi->carried_count <= POI_CARRIED_MAX);
     for (uint32_t i = 0; i < poi->carried_count; i++) {
         if (poi->carried_fish[i].fish == fish) {
             return 1;
@@ -292,7 +277,18 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
         .clear = poi->position_m.y > poi_half_extent_m(axes.up.y),
         .results = results,
     };
-    forget_strangers(&scoop);
+    /* Removes carried fish whose state was changed outside this file, for example at the start of a
+     * new round. */
+    CORE_ASSERT(scoop.poi->carried_count <= POI_CARRIED_MAX);
+    uint32_t i = 0;
+    while (i < scoop.poi->carried_count) {
+        const struct fish *fish = &scoop.tank->fish[scoop.poi->carried_fish[i].fish];
+        if (fish->gait == GAIT_HELD && fish->holder == scoop.poi_index) {
+            i++;
+        } else {
+            remove_rider(scoop.poi, i);
+        }
+    }
     sound_ring(&scoop);
     ride_all(&scoop);
     meet_all(&scoop);

@@ -26,6 +26,7 @@
 static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uint32_t row,
                            uint32_t column)
 {
+    CORE_ASSERT(row < SHEET_SIDE && column < SHEET_SIDE);
     const uint32_t cell = row * SHEET_SIDE + column;
     const float tip = strain->load[cell] * tear_factor(&strain->map, sheet, row, column);
     strain->ratio[cell] = f_max(strain->ratio[cell], tip);
@@ -50,6 +51,7 @@ static void gather_row(struct strain *strain, const struct sheet *sheet, uint32_
 /* Sets the load of all hole cells in the row to 0. */
 static void relieve_row(struct strain *strain, uint32_t row)
 {
+    CORE_ASSERT(row < SHEET_SIDE);
     for (uint32_t column = 0; column < SHEET_SIDE; column++) {
         if (strain->map.hole[row] >> column & 1u) {
             strain->load[row * SHEET_SIDE + column] = 0.0f;
@@ -147,6 +149,7 @@ static uint32_t wear_tick(struct strain *strain, struct sheet *sheet)
  * Otherwise returns 0. */
 static int is_calm(const struct sheet *sheet, const struct paper_grade *grade, float centre_n_m)
 {
+    CORE_ASSERT(centre_n_m >= 0.0f);
     const float wettest = grade->wet_n_m * (1.0f - SHEET_SOFTENING);
     const float weakest = sheet->strength_min * (sheet->touched ? wettest : grade->dry_n_m);
     const float factor =
@@ -228,6 +231,7 @@ int sheet_holds(const struct sheet *sheet, float x_m, float z_m)
 
 float sheet_left(const struct sheet *sheet)
 {
+    CORE_ASSERT(sheet->paper_cells <= sheet->paper_cells_new);
     return sheet->paper_cells_new > 0 ? (float)sheet->paper_cells / (float)sheet->paper_cells_new
                                       : 0.0f;
 }
@@ -239,6 +243,7 @@ float sheet_hole_m2(const struct sheet *sheet)
 
 uint64_t sheet_hash(uint64_t hash, const struct sheet *sheet)
 {
+    CORE_ASSERT(sheet->paper_cells <= sheet->paper_cells_new);
     hash = hash_u32(hash, sheet->grade);
     hash = hash_u32(hash, sheet->touched);
     hash = hash_u32(hash, sheet->soaked);

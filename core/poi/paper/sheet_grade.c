@@ -44,6 +44,7 @@ static const struct paper_grade grades[SHEET_GRADE_MAX - SHEET_GRADE_MIN + 1u] =
 
 static float cube_root(float x)
 {
+    CORE_ASSERT(x >= 0.0f);
     return x < 1e-30f ? 0.0f : f_exp(f_log(x) * (1.0f / 3.0f));
 }
 
@@ -58,6 +59,7 @@ const struct paper_grade *sheet_grade(uint8_t grade)
  * is the stiffness, p is the pressure, and a is the radius. */
 static float hencky(const struct paper_grade *grade, float pressure_pa, float radius_m)
 {
+    CORE_ASSERT(radius_m > 0.0f);
     const float pa = pressure_pa * radius_m;
     return cube_root(grade->stiffness_n_m * pa * pa);
 }
@@ -74,6 +76,7 @@ float sheet_tension_edge(const struct paper_grade *grade, float pressure_pa, flo
 
 float sheet_belly(const struct paper_grade *grade, float pressure_pa, float radius_m)
 {
+    CORE_ASSERT(radius_m > 0.0f);
     const float strain = f_abs(pressure_pa) * radius_m / grade->stiffness_n_m;
     return 0.662f * radius_m * cube_root(strain);
 }
@@ -84,6 +87,7 @@ struct spot {
 
 static struct spot weak_spot(float radius_m, uint32_t seed, uint32_t which)
 {
+    CORE_ASSERT(which < SPOT_COUNT);
     const struct rng_key key = { seed, which, 0, RNG_SHEET_SPOT };
     const struct rng_key far = { seed, which, 1, RNG_SHEET_SPOT };
     const struct rng_key wide = { seed, which, 2, RNG_SHEET_SPOT };
@@ -115,6 +119,7 @@ static float cloud(uint32_t seed, uint32_t column, uint32_t row)
 static void lay_cell(struct sheet *sheet, uint32_t row, uint32_t column, float whole, uint32_t seed,
                      const struct spot spots[SPOT_COUNT])
 {
+    CORE_ASSERT(row < SHEET_SIDE && column < SHEET_SIDE);
     const float x = sheet_line_m(sheet, column), z = sheet_line_m(sheet, row);
     const uint32_t cell = row * SHEET_SIDE + column;
     if (x * x + z * z >= sheet->radius_m * sheet->radius_m) {

@@ -55,8 +55,8 @@ uint32_t tear_front(const struct tear_map *map, uint32_t row);
 float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_t row,
                   uint32_t column);
 
-/* Changes cells of row `row` into holes, in the map and in the sheet. Bit i of `torn` selects cell i.
- * Returns the number of changed cells. */
+/* Changes cells of row `row` into holes, in the map and in the sheet. Bit i of `torn` selects cell
+ * i. Returns the number of changed cells. */
 uint32_t tear_open_row(struct tear_map *map, struct sheet *sheet, uint32_t row, uint32_t torn);
 
 /* Removes loose paper once: changes paper cells that carry no load into holes. A paper cell carries

@@ -2,6 +2,8 @@
  * cells. */
 #include "core/poi/paper/strain.h"
 
+#include "core/base/panic.h"
+
 _Static_assert(SHEET_SIDE % SIMD_LANES_MAX == 0, "a row is whole blocks");
 _Static_assert(SHEET_DAMAGE_EXPONENT == 10, "as it is multiplied here");
 
@@ -10,16 +12,6 @@ _Static_assert(SHEET_DAMAGE_EXPONENT == 10, "as it is multiplied here");
 
 typedef uint8_t byte_lanes __attribute__((vector_size(SIMD_LANES)));
 typedef uint16_t short_lanes __attribute__((vector_size(2 * SIMD_LANES)));
-
-static inline flanes middle_m(const struct strain *strain, const struct sheet *sheet,
-                              uint32_t column)
-{
-    flanes x_m;
-    for (uint32_t lane = 0; lane < SIMD_LANES; lane++) {
-        x_m[lane] = (float)(column + lane) + 0.5f;
-    }
-    return x_m * strain->cell_m - sheet->radius_m;
-}
 
 /* Returns `tension` plus the tensions of all footprints. A footprint with the force F and the
  * diameter d causes a tension of F / (pi * d) at its edge. Beyond the edge, the tension is
@@ -57,6 +49,8 @@ static inline flanes holds_n_m(const struct strain *strain, const struct sheet *
 
 float SIMD_NAME(strain_row)(struct strain *strain, const struct sheet *sheet, uint32_t row)
 {
+    CORE_ASSERT(row < SHEET_SIDE);
+    CORE_ASSERT(strain->load_count <= SHEET_LOAD_MAX);
     const float z_m = sheet_line_m(sheet, row);
     const float per_radius2 = 1.0f / (sheet->radius_m * sheet->radius_m);
     const float inner_m = sheet->radius_m - strain->cell_m;
@@ -64,7 +58,11 @@ float SIMD_NAME(strain_row)(struct strain *strain, const struct sheet *sheet, ui
     flanes most = simd_splat(0.0f);
     for (uint32_t column = 0; column < SHEET_SIDE; column += SIMD_LANES) {
         const uint32_t cell = row * SHEET_SIDE + column;
-        const flanes x_m = middle_m(strain, sheet, column);
+        flanes x_m;
+        for (uint32_t lane = 0; lane < SIMD_LANES; lane++) {
+            x_m[lane] = (float)(column + lane) + 0.5f;
+        }
+        x_m = x_m * strain->cell_m - sheet->radius_m;
         const flanes square = x_m * x_m + z_m * z_m;
         const flanes membrane = simd_lerp(simd_splat(strain->centre_n_m),
                                           simd_splat(strain->edge_n_m), square * per_radius2);
@@ -96,6 +94,8 @@ static inline flanes wear_in(flanes ratio, float seconds)
 int SIMD_NAME(strain_tears)(const struct strain *strain, const struct sheet *sheet, uint32_t row,
                             float seconds)
 {
+    CORE_ASSERT(row < SHEET_SIDE);
+    CORE_ASSERT(seconds > 0.0f);
     ilanes torn = { 0 };
     for (uint32_t cell = row * SHEET_SIDE; cell < (row + 1u) * SHEET_SIDE; cell += SIMD_LANES) {
         const flanes ratio = simd_load(&strain->ratio[cell]);
@@ -108,6 +108,8 @@ int SIMD_NAME(strain_tears)(const struct strain *strain, const struct sheet *she
 uint32_t SIMD_NAME(strain_wear)(const struct strain *strain, struct sheet *sheet, uint32_t row,
                                 float seconds)
 {
+    CORE_ASSERT(row < SHEET_SIDE);
+    CORE_ASSERT(seconds > 0.0f);
     uint32_t torn = 0;
     for (uint32_t column = 0; column < SHEET_SIDE; column += SIMD_LANES) {
         const uint32_t cell = row * SHEET_SIDE + column;
@@ -121,6 +123,7 @@ uint32_t SIMD_NAME(strain_wear)(const struct strain *strain, struct sheet *sheet
 
 void SIMD_NAME(strain_show)(const struct strain *strain, struct sheet *sheet, uint32_t row)
 {
+    CORE_ASSERT(row < SHEET_SIDE);
     for (uint32_t cell = row * SHEET_SIDE; cell < (row + 1u) * SHEET_SIDE; cell += SIMD_LANES) {
         const flanes ratio = simd_min(simd_load(&strain->ratio[cell]), simd_splat(1.0f));
         const ilanes whole = __builtin_convertvector(ratio * 255.0f, ilanes);

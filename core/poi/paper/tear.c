@@ -2,6 +2,8 @@
  * and the wetness of the paper cell by cell. */
 #include "core/poi/paper/strain.h"
 
+#include "core/base/panic.h"
+
 /* Number of directions from a cell to its neighbours. The directions are counted clockwise from the
  * right, as seen from above. */
 #define WAYS 8u
@@ -63,6 +65,7 @@ static uint32_t wider(uint32_t bits)
 
 uint32_t tear_front(const struct tear_map *map, uint32_t row)
 {
+    CORE_ASSERT(row < SHEET_SIDE);
     const uint32_t above = row > 0 ? map->hole[row - 1u] : 0u;
     const uint32_t below = row + 1u < SHEET_SIDE ? map->hole[row + 1u] : 0u;
     return map->paper[row] & (wider(above) | wider(map->hole[row]) | wider(below));
@@ -70,17 +73,10 @@ uint32_t tear_front(const struct tear_map *map, uint32_t row)
 
 /* ---- Stress at the tips of tears ------------------------------------------------------------- */
 
-static float factor_of(const struct tear_map *map, uint32_t row, uint32_t column)
-{
-    if (map->wide[row] >> column & 1u) {
-        return TEAR_FACTOR_MAX;
-    }
-    return map->pair[row] >> column & 1u ? TEAR_FACTOR * 1.41421356f : TEAR_FACTOR;
-}
-
 float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_t row,
                   uint32_t column)
 {
+    CORE_ASSERT(row < SHEET_SIDE && column < SHEET_SIDE);
     float worst = 0.0f;
     for (uint32_t way = 0; way < WAYS; way++) {
         const uint32_t r = row + (uint32_t)ways[way].row; /* If `row` is 0, the sum row - 1 wraps to
@@ -91,7 +87,10 @@ float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_
             const float along = ways[way].x * sheet->fibre_x + ways[way].z * sheet->fibre_z;
             const float grain = 1.0f + TEAR_FIBRE_SHARE * (2.0f * along * along - 1.0f);
             const float step = way % 2u ? CORNER_SHARE : 1.0f;
-            worst = f_max(worst, factor_of(map, r, c) * grain * step);
+            const float factor = map->wide[r] >> c & 1u   ? TEAR_FACTOR_MAX
+                                 : map->pair[r] >> c & 1u ? TEAR_FACTOR * 1.41421356f
+                                                          : TEAR_FACTOR;
+            worst = f_max(worst, factor * grain * step);
         }
     }
     return worst;
@@ -103,6 +102,7 @@ float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_
  * of `bits`. `column` is -1, 0 or 1. */
 static uint32_t aside(uint32_t bits, int32_t column)
 {
+    CORE_ASSERT(column >= -1 && column <= 1);
     return column > 0 ? bits >> 1 : column < 0 ? bits << 1 : bits;
 }
 
@@ -111,6 +111,7 @@ static uint32_t aside(uint32_t bits, int32_t column)
  * pass of the loop doubles the distance. */
 static uint32_t spread(uint32_t open, uint32_t paper, int32_t column)
 {
+    CORE_ASSERT(column == 1 || column == -1);
     for (uint32_t step = 1; step < SHEET_SIDE; step *= 2u) {
         open |= paper & (column > 0 ? open >> step : open << step);
         paper &= column > 0 ? paper >> step : paper << step;
@@ -123,6 +124,7 @@ static uint32_t spread(uint32_t open, uint32_t paper, int32_t column)
 static void find_open_cells(const struct tear_map *map, const struct way *way,
                             uint32_t open[SHEET_SIDE])
 {
+    CORE_ASSERT(way->row != 0 || way->column != 0);
     for (uint32_t i = 0; i < SHEET_SIDE; i++) {
         const uint32_t row = way->row > 0 ? SHEET_SIDE - 1u - i : i;
         const uint32_t next = row + (uint32_t)way->row;
@@ -139,6 +141,7 @@ static void find_open_cells(const struct tear_map *map, const struct way *way,
 
 uint32_t tear_open_row(struct tear_map *map, struct sheet *sheet, uint32_t row, uint32_t torn)
 {
+    CORE_ASSERT(row < SHEET_SIDE);
     uint32_t count = 0;
     map->paper[row] &= ~torn;
     map->hole[row] |= torn;
@@ -192,13 +195,6 @@ static float creep(const struct sheet *sheet, uint32_t cell, uint32_t other)
     return sheet->state[other] == CELL_PAPER ? sheet->wetness[other] - sheet->wetness[cell] : 0.0f;
 }
 
-/* Returns 1 for a cell in the outermost rows and columns, otherwise 0. Such a cell has no neighbour
- * on one side and wicks no water. Few of these cells contain paper. */
-static int is_border(uint32_t row, uint32_t column)
-{
-    return row == 0 || column == 0 || row == SHEET_SIDE - 1u || column == SHEET_SIDE - 1u;
-}
-
 /* Makes the cells under water wetter, and moves water in air from wet cells to drier neighbours. */
 static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
 {
@@ -212,7 +208,9 @@ static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
         }
         if (wet.x * sheet_line_m(sheet, column) + wet.z * sheet_line_m(sheet, row) < wet.limit_m) {
             sheet->wetness[cell] += soak * (1.0f - sheet->wetness[cell]);
-        } else if (!is_border(row, column)) {
+        } else if (row > 0 && column > 0 && row < SHEET_SIDE - 1u && column < SHEET_SIDE - 1u) {
+            /* A cell in the outermost rows and columns has no neighbour on one side and wicks no
+             * water. Few of these cells contain paper. */
             const float flow = creep(sheet, cell, cell - 1u) + creep(sheet, cell, cell + 1u) +
                                creep(sheet, cell, cell - SHEET_SIDE) +
                                creep(sheet, cell, cell + SHEET_SIDE);
@@ -225,6 +223,7 @@ static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
 
 void paper_wetting_tick(struct sheet *sheet, struct sheet_wetting wet)
 {
+    CORE_ASSERT(sheet->radius_m > 0.0f);
     /* The test is cheap, because it treats the sheet as a disc. */
     sheet->touched |=
         (uint8_t)(-sheet->radius_m * f_sqrt(wet.x * wet.x + wet.z * wet.z) < wet.limit_m);
@@ -251,6 +250,7 @@ static float step_between(const struct sheet *sheet, uint32_t before, uint32_t a
 
 float paper_wetting_line(const struct sheet *sheet, uint32_t row, uint32_t column)
 {
+    CORE_ASSERT(row < SHEET_SIDE && column < SHEET_SIDE);
     const uint32_t cell = row * SHEET_SIDE + column, last = SHEET_SIDE - 1u;
     float step = 0.0f;
     if (column > 0 && column < last) {

@@ -2,6 +2,7 @@
  * fish. */
 #include "core/tank/behavior/avoid.h"
 
+#include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/input.h"
 
@@ -64,6 +65,7 @@ struct encounter {
  * avoidance changes the angle between the fish, but not the class of the encounter. */
 static struct encounter encounter_of(const struct avoid_party *first, int first_is_a)
 {
+    CORE_ASSERT(first->avoiding != AVOID_NONE);
     const int is_active = first->avoid_kind != MEET_STRUCK;
     return (struct encounter){
         .kind = is_active ? first->avoid_kind : MEET_SIDE,
@@ -89,15 +91,6 @@ static struct encounter encounter(const struct avoid_party *a, const struct avoi
     return gives_way_to(a, b)   ? encounter_of(a, 1)
            : gives_way_to(b, a) ? encounter_of(b, 0)
                                 : new_encounter(a, b, a_faces, b_faces, tick);
-}
-
-static uint32_t pair_draw(const struct avoid_party *a, const struct avoid_party *b, uint32_t seed,
-                          uint32_t since)
-{
-    const uint32_t low = a->index < b->index ? a->index : b->index;
-    const uint32_t high = a->index < b->index ? b->index : a->index;
-    const uint32_t draw = rng_u32((struct rng_key){ seed, since, low, RNG_FISH_AVOID_SIDE });
-    return rng_u32((struct rng_key){ draw, since, high, RNG_FISH_AVOID_SIDE });
 }
 
 /* Sets the advice for an encounter from the side. The hitter passes behind the struck fish, which
@@ -146,8 +139,12 @@ static void advise(struct avoid_pair *pair, const struct avoid_party *a,
                    const struct avoid_party *b, const struct encounter *now, float contact_s,
                    uint32_t seed)
 {
+    CORE_ASSERT(contact_s >= 0.0f);
     const vec3 apart = v3_sub(b->position_m, a->position_m);
-    const uint32_t draw = pair_draw(a, b, seed, now->since);
+    const uint32_t low = a->index < b->index ? a->index : b->index;
+    const uint32_t high = a->index < b->index ? b->index : a->index;
+    const uint32_t key = rng_u32((struct rng_key){ seed, now->since, low, RNG_FISH_AVOID_SIDE });
+    const uint32_t draw = rng_u32((struct rng_key){ key, now->since, high, RNG_FISH_AVOID_SIDE });
     const int8_t a_rise = apart.y < 0.0f || (apart.y == 0.0f && a->index < b->index) ? 1 : -1;
     pair->a = (struct avoid_advice){ now->kind, a_rise, b->index, now->since, contact_s, 0.0f };
     pair->b =
@@ -197,6 +194,7 @@ struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_par
  * surface or the floor is too near in the direction `rise`. */
 static float possible_rise(const struct fish *fish, float rise, float water_depth_m)
 {
+    CORE_ASSERT(water_depth_m > 0.0f);
     const float room_m = 1.0f * fish->height_m;
     const float above_floor_m = fish->position_m.y + water_depth_m;
     if (rise > 0.0f) {
@@ -207,6 +205,8 @@ static float possible_rise(const struct fish *fish, float rise, float water_dept
 
 static void go_on_or_end(struct fish *fish, const struct avoid_advice *advice, float water_depth_m)
 {
+    CORE_ASSERT(fish->avoid_left_s <= 0.0f);
+    CORE_ASSERT(fish->avoiding != AVOID_NONE);
     if (fish->avoiding == AVOID_YAW && advice->kind != MEET_NONE) {
         fish->avoiding = AVOID_PITCH;
         fish->avoid_left_s = PITCH_TIME_S;
@@ -232,6 +232,8 @@ int avoid_holds_depth(const struct fish *fish)
 void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brake,
                 const struct perception *around)
 {
+    CORE_ASSERT(brake >= 0.0f && brake <= 1.0f);
+    CORE_ASSERT(around->dt_s > 0.0f);
     const int meets = advice->kind != MEET_NONE;
     /* The factor `brake` rises from 0 to 1 in a third of a second at the earliest. */
     fish->brake = f_min(brake, fish->brake + 3.0f * around->dt_s);
@@ -258,6 +260,7 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
 
 float avoid_repulsion_m_s(float gap_m, float length_m)
 {
+    CORE_ASSERT(length_m > 0.0f);
     const float near = 1.0f - f_clamp(gap_m / (REPULSION_RANGE * length_m), 0.0f, 1.0f);
     return REPULSION_LENGTHS_PER_S * length_m * near * near;
 }

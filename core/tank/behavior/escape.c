@@ -1,6 +1,7 @@
 /* escape.c -- the C-start: turn, bend and thrust of a startled fish as functions of time. */
 #include "core/tank/behavior/startle.h"
 
+#include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/input.h"
 
@@ -98,6 +99,7 @@ int escape_on_path(const struct fish *fish)
  * `course` is the component of the course on that axis. */
 static float room_m(float at_m, float course, float half_m)
 {
+    CORE_ASSERT(half_m > 0.0f);
     const float gap_m = course > 0.0f ? half_m - at_m : half_m + at_m;
     return f_abs(course) > 1e-3f ? f_max(gap_m, 0.0f) / f_abs(course) : 1e3f;
 }
@@ -140,6 +142,8 @@ static void enter(struct fish *fish, uint32_t index, const struct perception *ar
 
 void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct perception *around)
 {
+    CORE_ASSERT(v3_is_finite(from_m));
+    CORE_ASSERT(around->dt_s > 0.0f);
     enter(fish, index, around);
     /* The side and the angle of the first turn, and the final course of the C-start, are random. */
     const float yaw_rad = fish->angles.yaw_rad;
@@ -179,6 +183,7 @@ void escape_dash(struct fish *fish, uint32_t index, const struct perception *aro
 
 static float peak_m_s(const struct fish *fish)
 {
+    CORE_ASSERT(fish->stamina >= 0.0f && fish->stamina <= 1.0f);
     const float keen = (float)(fish->look >> 22 & 255u) / 255.0f;
     return fish->length_m * (0.8f + 0.2f * fish->stamina) *
            f_lerp(PEAK_LENGTHS_MIN, PEAK_LENGTHS_MAX, keen);
@@ -186,6 +191,8 @@ static float peak_m_s(const struct fish *fish)
 
 void escape_tick(struct fish *fish, const struct perception *around)
 {
+    CORE_ASSERT(fish->gait == GAIT_ESCAPE);
+    CORE_ASSERT(around->dt_s > 0.0f);
     fish->escape_s += around->dt_s;
     const float stages = (fish->escape_s + around->dt_s) / escape_stage_s(fish->length_m);
     const float bent = f_clamp(stages, 0.0f, 1.0f);

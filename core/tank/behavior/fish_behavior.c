@@ -6,6 +6,7 @@
  * within 7 cm of a wall (test_wall_following.c). */
 #include "core/tank/behavior/fish_behavior.h"
 
+#include "core/base/panic.h"
 #include "core/input.h"
 #include "core/tank/behavior/gait.h"
 #include "core/tank/behavior/startle.h"
@@ -44,6 +45,7 @@ float fish_behavior_dt_s(const struct fish *fish, uint32_t tick)
 static void shun_bowl(struct swim_avoidance *avoidance, const struct fish *fish,
                       const struct behavior_params *params, const struct obstacle *bowl)
 {
+    CORE_ASSERT(bowl->kind == OBSTACLE_BOWL);
     const float half_m = 0.5f * fish->height_m;
     const float bottom_m = bowl->centre_m.y - bowl->depth_m;
     if (fish->position_m.y + half_m < bottom_m - HULL_SHUN_DEPTH_M) {
@@ -94,6 +96,8 @@ static void follow_shade(struct fish *fish, const struct perception *around)
 
 void fish_behavior_tick(struct fish *fish, uint32_t index, const struct perception *around)
 {
+    CORE_ASSERT(fish_swims(fish));
+    CORE_ASSERT(around->dt_s > 0.0f);
     fish->thought_tick = (uint8_t)around->tick;
     fish->falls = (uint8_t)swim_fall(fish);
     if (fish->falls) {
@@ -134,6 +138,7 @@ void fish_behavior_tick(struct fish *fish, uint32_t index, const struct percepti
 
 float behavior_wall_pull(float gap_m, float length_m)
 {
+    CORE_ASSERT(length_m > 0.0f);
     const float off_m = gap_m - BESIDE_LENGTHS * length_m;
     return off_m <= 0.0f || gap_m > WALL_RANGE_M ? 0.0f : f_exp(-off_m / FALL_OFF_M);
 }

@@ -2,6 +2,7 @@
  * coast. */
 #include "core/tank/behavior/gait.h"
 
+#include "core/base/panic.h"
 #include "core/base/physics.h"
 #include "core/base/rng.h"
 #include "core/input.h"
@@ -19,6 +20,12 @@
 #define STEADY_MAX_S 20.0f
 /* Stamina that an escape costs per second: twice the cost of a burst (design value). */
 #define ESCAPE_COST_PER_S 0.020f
+static const float stamina_per_s[GAIT_COUNT] = {
+    [GAIT_REST] = REST_GAIN_PER_S,    [GAIT_SWIM] = -SWIM_COST_PER_S,
+    [GAIT_BURST] = -BURST_COST_PER_S, [GAIT_ESCAPE] = -ESCAPE_COST_PER_S,
+    [GAIT_SURFACE] = REST_GAIN_PER_S, [GAIT_HELD] = REST_GAIN_PER_S,
+    [GAIT_BOWL] = REST_GAIN_PER_S,
+};
 
 struct gait_chance gait_chance(float stamina)
 {
@@ -35,6 +42,7 @@ struct gait_chance gait_chance(float stamina)
 
 struct gait_chance gait_shares(float stamina)
 {
+    CORE_ASSERT(stamina >= 0.0f);
     const struct gait_chance chance = gait_chance(stamina);
     const float burst_s = chance.burst * 0.5f * (BURST_MIN_S + BURST_MAX_S);
     const float swim_s = chance.swim * 0.5f * (STEADY_MIN_S + STEADY_MAX_S);
@@ -60,6 +68,7 @@ static struct rng_key key(struct luck luck, enum rng_purpose purpose)
 
 float gait_depth_m(float stamina, float water_depth_m)
 {
+    CORE_ASSERT(water_depth_m > 0.0f);
     /* The 2013 thesis gives depths of 18, 13, 8 and 3 cm in 20 cm of water. */
     const float share = stamina >= 0.75f   ? 0.90f
                         : stamina >= 0.50f ? 0.65f
@@ -92,6 +101,7 @@ static float depth_goal_m(const struct fish *fish, float water_depth_m)
 void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
                 const struct perception *around)
 {
+    CORE_ASSERT(gait <= GAIT_BURST);
     const struct luck luck = luck_of(index, around);
     const struct rng_key time = key(luck, RNG_FISH_DURATION);
     fish->gait = (uint8_t)gait;
@@ -104,6 +114,7 @@ void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
 
 static void choose_gait(struct fish *fish, uint32_t index, const struct perception *around)
 {
+    CORE_ASSERT(fish->gait_left_s <= 0.0f);
     if (surface_calls(fish, index, around)) {
         surface_rise(fish, index, around);
         return;
@@ -117,23 +128,10 @@ static void choose_gait(struct fish *fish, uint32_t index, const struct percepti
     gait_enter(fish, gait, index, around);
 }
 
-static float stamina_per_s(uint8_t gait)
-{
-    switch (gait) {
-    case GAIT_BURST:
-        return -BURST_COST_PER_S;
-    case GAIT_SWIM:
-        return -SWIM_COST_PER_S;
-    case GAIT_ESCAPE:
-        return -ESCAPE_COST_PER_S;
-    default:
-        return REST_GAIN_PER_S;
-    }
-}
-
 void gait_tick(struct fish *fish, uint32_t index, const struct perception *around)
 {
-    fish->stamina = f_clamp(fish->stamina + stamina_per_s(fish->gait) * around->dt_s, 0.0f, 1.0f);
+    CORE_ASSERT(fish_swims(fish));
+    fish->stamina = f_clamp(fish->stamina + stamina_per_s[fish->gait] * around->dt_s, 0.0f, 1.0f);
     if (surface_tick(fish, index, around)) {
         return;
     }
@@ -204,6 +202,7 @@ float gait_speed_max_m_s(const struct fish *fish, const struct behavior_params *
 
 float gait_run_up_s(float length_m)
 {
+    CORE_ASSERT(length_m > 0.0f);
     const float log10_length_cm = f_log(100.0f * length_m) * 0.434294482f;
     /* Dividing by 3 converts the time to 95 % of the speed into a time constant, because 1 -
      * exp(-3) is 0.95. The lower limit is for fry below 1 cm, for which the logarithm is
@@ -243,6 +242,7 @@ static uint32_t cycle_ticks(const struct fish *fish)
 
 static uint32_t beat_ticks(uint32_t cycle)
 {
+    CORE_ASSERT(cycle >= CYCLE_TICKS_MIN);
     return FISH_BEHAVIOR_TICKS * (uint32_t)(BEAT_SHARE * (float)cycle / (float)FISH_BEHAVIOR_TICKS);
 }
 
@@ -278,11 +278,13 @@ void gait_cycle_turn(struct fish *fish, uint32_t index, const struct perception 
 
 float gait_glide_m(float length_m)
 {
+    CORE_ASSERT(length_m > 0.0f);
     return GLIDE_LENGTHS * length_m;
 }
 
 float gait_cycle_share(const struct fish *fish, float mean_m_s)
 {
+    CORE_ASSERT(mean_m_s > 0.0f);
     const uint32_t cycle = cycle_ticks(fish), beat = beat_ticks(cycle);
     const float glide_m = gait_glide_m(fish->length_m);
     const float run_up_s = gait_run_up_s(fish->length_m);

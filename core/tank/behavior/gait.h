@@ -5,8 +5,8 @@
  * goldfish beat their tail for about one beat and then coast. The drag coefficient of a straight
  * body is a quarter of that of a waving body: 0.060 against 0.242 (Wu et al. 2007, koi). Coasting
  * saves nearly half of the energy. The fish turn during the kick, not during the glide. The first
- * stage of a kick lasts about equally long for every angle, so the turning rate determines the angle
- * (Wu et al. 2007, turns of koi).
+ * stage of a kick lasts about equally long for every angle, so the turning rate determines the
+ * angle (Wu et al. 2007, turns of koi).
  *
  * The functions implement sections 2.1, 3.2, 3.3 and 3.6 of the 2013 thesis, in which stamina H is
  * 0 to 100. All section and equation numbers are those of the 2013 thesis. The rules below were

@@ -1,6 +1,7 @@
 /* startle.c -- the startle response: stimuli, alarm, habituation and latency. */
 #include "core/tank/behavior/startle.h"
 
+#include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/tank/behavior/surface_breathing.h"
 #include "core/tank/shade.h"
@@ -61,12 +62,14 @@ static float boldness(const struct fish *fish)
 
 float startle_threshold(const struct fish *fish)
 {
+    CORE_ASSERT(fish->habit >= 0.0f && fish->habit <= 1.0f);
     const float bears = THRESHOLD * (1.0f + boldness(fish)) * (1.0f + fish->habit);
     return f_min(THRESHOLD_MAX, surface_nerve(fish) * bears);
 }
 
 struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m)
 {
+    CORE_ASSERT(disc->radius_m > 0.0f);
     const vec3 to = v3_sub(eye_m, disc->centre_m);
     const float distance_m = f_max(v3_length(to), 0.2f * disc->radius_m);
     const vec3 toward = v3_scale(to, 1.0f / distance_m);
@@ -82,6 +85,7 @@ struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m)
 
 struct startle_stimulus startle_of_disc(const struct obstacle *disc, const struct fish *fish)
 {
+    CORE_ASSERT(disc->kind == OBSTACLE_DISC);
     const struct startle_view view = startle_view(disc, fish->position_m);
     const int large = view.size_rad > SEEN_RAD + SEEN_SPREAD_RAD * boldness(fish);
     const float clear = disc->centre_m.y > 0.0f ? IN_AIR_SHARE : 1.0f;
@@ -102,20 +106,16 @@ struct startle_stimulus startle_of_disc(const struct obstacle *disc, const struc
     };
 }
 
-/* Returns the random nerve latency of a stimulus, s. The alarm of a shadow takes up to 4 ticks to
- * grow (shade.c), and a C-start begins at the nearest tick. A start therefore follows a shadow
- * after 67 to 150 ms. */
-static float nerves_s(enum startle_cause cause, struct rng_key key)
-{
-    switch (cause) {
-    case STARTLE_LOOM:
-        return rng_range(key, 0.060f, 0.150f);
-    case STARTLE_SHADOW:
-        return rng_range(key, 0.063f, 0.115f);
-    default:
-        return rng_range(key, 0.008f, 0.015f);
-    }
-}
+/* Shortest and longest nerve latency by the cause of a startle. The alarm of a shadow takes up to 4
+ * ticks to grow (shade.c), and a C-start begins at the nearest tick. A start therefore follows a
+ * shadow after 67 to 150 ms. */
+static const struct {
+    float min_s, max_s;
+} nerves[] = {
+    [STARTLE_LOOM] = { 0.060f, 0.150f },
+    [STARTLE_PRESSURE] = { 0.008f, 0.015f },
+    [STARTLE_SHADOW] = { 0.063f, 0.115f },
+};
 
 /* Begins the latency of a startle. If the latency of an earlier stimulus has not ended, the latency
  * that ends first is kept. Therefore an earlier visual stimulus does not delay the C-start after a
@@ -123,9 +123,10 @@ static float nerves_s(enum startle_cause cause, struct rng_key key)
 static void startle(struct fish *fish, enum startle_cause cause, vec3 from_m, uint32_t index,
                     const struct perception *around)
 {
+    CORE_ASSERT(cause > STARTLE_NONE && cause <= STARTLE_SHADOW);
     const struct rng_key key = { around->seed, around->tick, index, RNG_STARTLE_LATENCY };
     const float late = fish->gait == GAIT_SURFACE ? GULPING_LATE : 1.0f;
-    const float wait_s = late * nerves_s(cause, key);
+    const float wait_s = late * rng_range(key, nerves[cause].min_s, nerves[cause].max_s);
     if (fish->startle == STARTLE_NONE || wait_s < fish->startle_s) {
         fish->startle = (uint8_t)cause;
         fish->startle_from_m = from_m;
@@ -136,6 +137,8 @@ static void startle(struct fish *fish, enum startle_cause cause, vec3 from_m, ui
 void startle_alarm(struct fish *fish, enum startle_cause cause, vec3 from_m, float alarm,
                    uint32_t index, const struct perception *around)
 {
+    CORE_ASSERT(alarm >= 0.0f);
+    CORE_ASSERT(cause <= STARTLE_SHADOW);
     const int waits_by_ear = fish->startle == STARTLE_PRESSURE;
     fish->alarm = f_min(1.0f, fish->alarm + alarm);
     if (alarm > 0.0f && fish->gait != GAIT_ESCAPE && fish->refractory_s <= 0.0f && !waits_by_ear &&
@@ -147,6 +150,7 @@ void startle_alarm(struct fish *fish, enum startle_cause cause, vec3 from_m, flo
 
 static void wait(struct fish *fish, uint32_t index, const struct perception *around)
 {
+    CORE_ASSERT(fish->startle != STARTLE_NONE);
     const vec3 from_m = fish->startle_from_m;
     fish->startle_s -= around->dt_s;
     if (fish->startle_s > 0.5f * around->dt_s || surface_ducks(fish)) {

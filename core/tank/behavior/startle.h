@@ -9,11 +9,11 @@
  * after a visual stimulus. The constants of the stimuli are design values from play tests, except
  * the visual angle.
  *
- * In the C-start a startled fish bends into a C, flips back with a thrust, and dashes away. In stage
- * 1, about 20 ms, the head turns by 60 to 120 degrees, mostly away from the stimulus, while the body
- * hardly moves. In stage 2, equally long, the tail flips back and the body turns to its final
- * course. The body accelerates forward at 15 to 40 m/s^2 up to 8 to 10 lengths per second. A dash
- * follows, which decays within a second (Eaton et al. 1977; Mirjany et al. 2011). */
+ * In the C-start a startled fish bends into a C, flips back with a thrust, and dashes away. In
+ * stage 1, about 20 ms, the head turns by 60 to 120 degrees, mostly away from the stimulus, while
+ * the body hardly moves. In stage 2, equally long, the tail flips back and the body turns to its
+ * final course. The body accelerates forward at 15 to 40 m/s^2 up to 8 to 10 lengths per second. A
+ * dash follows, which decays within a second (Eaton et al. 1977; Mirjany et al. 2011). */
 #ifndef KINGYO_CORE_TANK_BEHAVIOR_STARTLE_H
 #define KINGYO_CORE_TANK_BEHAVIOR_STARTLE_H
 

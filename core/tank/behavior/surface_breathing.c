@@ -2,6 +2,7 @@
  * reaches a position, not after a time. */
 #include "core/tank/behavior/surface_breathing.h"
 
+#include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/input.h"
 #include "core/tank/behavior/gait.h"
@@ -52,6 +53,7 @@
 
 float surface_chance(float oxygen_mg_l, float stamina)
 {
+    CORE_ASSERT(stamina >= 0.0f && stamina <= 1.0f);
     const float half_mg_l = CHANCE_HALF_MG_L + TIRED_MG_L * (0.5f - stamina);
     return 1.0f / (1.0f + f_exp((oxygen_mg_l - half_mg_l) / CHANCE_WIDTH_MG_L));
 }
@@ -120,6 +122,7 @@ int surface_gulps(const struct fish *fish, uint32_t tick, float dt_s)
  * time with the mouth in the film counts. */
 static void begin_bout(struct fish *fish, uint32_t index, const struct perception *around)
 {
+    CORE_ASSERT(around->params->gulp_min_s <= around->params->gulp_max_s);
     const struct behavior_params *params = around->params;
     fish->gait_left_s =
         f_lerp(params->gulp_min_s, params->gulp_max_s, draw_surface(index, around, RNG_FISH_GULP));
@@ -139,6 +142,7 @@ static int is_up(const struct fish *fish)
 
 void surface_stage(struct fish *fish, const struct behavior_params *params)
 {
+    CORE_ASSERT(params->gulp_max_s > 0.0f);
     fish->gait = is_up(fish) ? GAIT_SURFACE : GAIT_SWIM;
     fish->air = is_up(fish) ? AIR_GULPS : AIR_RISES;
     fish->gait_left_s = params->gulp_max_s;
@@ -163,6 +167,7 @@ float surface_nerve(const struct fish *fish)
  * becomes full. */
 static void gulp(struct fish *fish, uint32_t index, const struct perception *around)
 {
+    CORE_ASSERT(fish->air == AIR_GULPS);
     if (surface_breathes(fish)) {
         fish->gait_left_s -= around->dt_s;
     }
@@ -178,6 +183,7 @@ static void gulp(struct fish *fish, uint32_t index, const struct perception *aro
 
 int surface_tick(struct fish *fish, uint32_t index, const struct perception *around)
 {
+    CORE_ASSERT(fish->air <= AIR_DUCKS);
     const int was_up = fish->air != AIR_ENOUGH && fish->air != AIR_RISES;
     if (was_up && fish->gait != GAIT_SURFACE) { /* A poi lifted the fish out of the water during its
                                                    surface breathing, and the fish is now back in
@@ -240,6 +246,7 @@ static void resolve_gulp(struct fish *fish, uint32_t tick)
 
 void surface_resolve(struct fish *fish, const struct perception *around)
 {
+    CORE_ASSERT(fish->air <= AIR_DUCKS);
     switch (fish->air) {
     case AIR_RISES:
         resolve_rise(fish);

@@ -2,6 +2,7 @@
  * smooth arc. */
 #include "core/tank/behavior/swim.h"
 
+#include "core/base/panic.h"
 #include "core/tank/behavior/avoid.h"
 #include "core/tank/behavior/gait.h"
 #include "core/tank/behavior/startle.h"
@@ -67,6 +68,7 @@ void swim_avoid_walls(struct swim_avoidance *avoidance, const struct fish *fish,
  * decreases until the heading points slightly away from the surface. */
 void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, float dt_s)
 {
+    CORE_ASSERT(dt_s > 0.0f);
     if (avoidance->weight <= 0.0f) {
         return;
     }
@@ -159,6 +161,7 @@ static float slow_keep(const struct fish *fish, const struct behavior_params *pa
 
 void swim_resolve(struct fish *fish, const struct perception *around)
 {
+    CORE_ASSERT(fish->gait < GAIT_COUNT);
     /* Tiny speeds and pushes become zero. A value that decays forever becomes a denormal number.
      * Processors take ten times as long for denormal numbers, and some processors flush them to
      * zero. With the limit of one nanometre per second all platforms compute zero. */
@@ -197,6 +200,7 @@ void swim_resolve(struct fish *fish, const struct perception *around)
 
 void swim_resolve_drawn(struct fish *fish, float speed_goal_m_s)
 {
+    CORE_ASSERT(speed_goal_m_s >= 0.0f);
     fish->beats = speed_goal_m_s > fish->speed_m_s ? 1.0f : 0.0f;
     fish->speed_goal_m_s = speed_goal_m_s;
     fish->turn_rate_max_rad_s = f_max(fish->turn_rate_max_rad_s, TURN_RATE_SWIM);

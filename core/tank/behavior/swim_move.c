@@ -3,6 +3,7 @@
  * swim_simd.c computes the same bits for a block of fish. */
 #include "core/tank/behavior/swim.h"
 
+#include "core/base/panic.h"
 #include "core/base/physics.h"
 #include "core/tank/behavior/gait.h"
 #include "core/tank/behavior/swim_simd.h"
@@ -37,6 +38,7 @@ static void turn_fish(struct fish *fish, const struct behavior_params *params)
 
 float swim_move(struct fish *fish, const struct behavior_params *params)
 {
+    CORE_ASSERT(fish->length_m > 0.0f);
     const struct angles before = fish->angles;
     turn_fish(fish, params);
     fish->climb_m_s = ease(fish->climb_m_s, fish->climb_goal_m_s, CLIMB_TAU_S);
@@ -95,6 +97,7 @@ int swim_fall(struct fish *fish)
 
 void swim_settle(struct fish *fish, vec3 moved_m, vec3 forward)
 {
+    CORE_ASSERT(fish->length_m > 0.0f);
     fish->velocity_m_s = v3_scale(moved_m, 1.0f / DT);
     /* A fish that an obstacle blocks loses speed, so that the fish does not continue to swim
      * against the obstacle. */
@@ -149,6 +152,8 @@ static int is_block(const struct shoal *shoal, uint32_t first, uint32_t width)
 
 void swim_move_all(const struct shoal *shoal, uint32_t lanes)
 {
+    CORE_ASSERT(shoal->count <= TANK_FISH_MAX);
+    CORE_ASSERT(simd_is_built(lanes));
     const uint32_t width = width_of(lanes);
     for (uint32_t i = 0; i < shoal->count;) {
         struct fish *fish = &shoal->fish[i];
@@ -168,6 +173,8 @@ void swim_move_all(const struct shoal *shoal, uint32_t lanes)
 
 void swim_settle_all(const struct shoal *shoal, uint32_t lanes)
 {
+    CORE_ASSERT(shoal->count <= TANK_FISH_MAX);
+    CORE_ASSERT(simd_is_built(lanes));
     const uint32_t width = width_of(lanes);
     for (uint32_t i = 0; i < shoal->count;) {
         struct fish *fish = &shoal->fish[i];

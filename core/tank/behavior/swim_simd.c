@@ -3,6 +3,7 @@
  * Both files compute the same bits, which test_swim_simd.c checks with random fish. */
 #include "core/tank/behavior/swim_simd.h"
 
+#include "core/base/panic.h"
 #include "core/base/simd_vec.h"
 
 /* Index of a quad (four floats) at the start of struct fish. QUAD_HOLDS() verifies which members
@@ -99,6 +100,7 @@ static inline flanes way_m(struct simd_v3 velocity, const struct turned *t, cons
 
 void SIMD_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
 {
+    CORE_ASSERT(first + SIMD_LANES <= shoal->count);
     struct fish *fish = &shoal->fish[first];
     const struct behavior_params *params = shoal->params;
     flanes place[4], angles[4], push[4], course[4], pace[4], commands[4], size[4];
@@ -139,16 +141,9 @@ void SIMD_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
     simd_store(way, simd_load(way) + way_m(velocity, &t, angles, size));
 }
 
-/* Returns the horizontal unit vector in the fish's forward direction, computed from the `back` axis
- * of its body. */
-static inline struct simd_v3 flat_ahead(const flanes back[4])
-{
-    const struct simd_v3 flat = { -back[0], simd_splat(0.0f), -back[2] };
-    return simd_v3_scale(flat, 1.0f / simd_v3_length(flat));
-}
-
 void SIMD_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
 {
+    CORE_ASSERT(first + SIMD_LANES <= shoal->count);
     struct fish *fish = &shoal->fish[first];
     const struct body *body = &shoal->body[first];
     flanes place[4], angles[4], pushed[4], commands[4], size[4], still[4], tail[4];
@@ -168,8 +163,11 @@ void SIMD_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
     const struct simd_v3 moved_m = { centre[0] - before[0], centre[1] - before[1],
                                      centre[2] - before[2] };
     const struct simd_v3 v = simd_v3_scale(moved_m, simd_splat(1.0f / DT));
+    /* `flat`, scaled to length 1, is the horizontal unit vector in the fish's forward direction. */
+    const struct simd_v3 flat = { -back[0], simd_splat(0.0f), -back[2] };
     const flanes true_m_s =
-        simd_max(simd_splat(0.0f), simd_v3_dot(simd_v3_sub(v, push), flat_ahead(back)));
+        simd_max(simd_splat(0.0f), simd_v3_dot(simd_v3_sub(v, push),
+                                               simd_v3_scale(flat, 1.0f / simd_v3_length(flat))));
     const flanes speed_m_s = simd_select(
         true_m_s < place[3], simd_lerp(place[3], true_m_s, simd_splat(BLOCKED_SHARE)), place[3]);
     const struct simd_v3 drift = simd_v3_scale(push, simd_splat(0.5f));

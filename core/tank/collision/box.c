@@ -46,10 +46,11 @@ static inline vec3 axis_of(const struct basis *axes, int index)
     return index == 0 ? axes->right : index == 1 ? axes->up : axes->back;
 }
 
-static inline void fill_row(struct view_of_b *view, int i)
+static inline int try_face_of_a(struct verdict *verdict, struct view_of_b *view, int i)
 {
     const vec3 axis = axis_of(&view->a->axes, i);
     float *c = view->cosine[i], *m = view->size[i];
+    const float *hb = view->half_b;
     view->d[i] = v3_dot(view->way, axis);
     c[0] = v3_dot(axis, view->b->axes.right);
     c[1] = v3_dot(axis, view->b->axes.up);
@@ -57,12 +58,6 @@ static inline void fill_row(struct view_of_b *view, int i)
     m[0] = f_abs(c[0]);
     m[1] = f_abs(c[1]);
     m[2] = f_abs(c[2]);
-}
-
-static inline int try_face_of_a(struct verdict *verdict, struct view_of_b *view, int i)
-{
-    fill_row(view, i);
-    const float *m = view->size[i], *hb = view->half_b;
     const float halves_m = view->half_a[i] + (m[0] * hb[0] + m[1] * hb[1] + m[2] * hb[2]);
     try_axis(verdict, f_abs(view->d[i]) - halves_m,
              view->margin_a_m + view->margin_b_m * (m[0] + m[1] + m[2]), i);
@@ -115,25 +110,6 @@ vec3 box_axis(const struct basis *a, const struct basis *b, vec3 way, uint8_t wh
     return v3_dot(along, way) < 0.0f ? v3_scale(along, -1.0f) : along;
 }
 
-/* Tries the axes until an axis separates the boxes enlarged by their margins. Returns 1 if an axis
- * separates the boxes, otherwise 0. For most pairs of near fish, the order right, back, up finds a
- * separating axis soonest. */
-static int are_apart(struct verdict *verdict, struct view_of_b *view)
-{
-    static const int order[3] = { 0, 2, 1 };
-    int apart = 0;
-    for (int k = 0; k < 3 && !apart; k++) {
-        apart = try_face_of_a(verdict, view, order[k]);
-    }
-    for (int k = 0; k < 3 && !apart; k++) {
-        apart = try_face_of_b(verdict, view, order[k]);
-    }
-    for (int k = 0; k < 9 && !apart; k++) {
-        apart = try_edges(verdict, view, k / 3, k % 3);
-    }
-    return apart;
-}
-
 struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *b, float margin_b_m)
 {
     struct view_of_b view;
@@ -145,7 +121,18 @@ struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *
     view.margin_b_m = margin_b_m;
     MEM_COPY(view.half_a, &a->half_m, sizeof view.half_a);
     MEM_COPY(view.half_b, &b->half_m, sizeof view.half_b);
-    const int apart = are_apart(&verdict, &view);
+    /* For most pairs of near fish, the order right, back, up finds a separating axis soonest. */
+    static const int order[3] = { 0, 2, 1 };
+    int apart = 0;
+    for (int k = 0; k < 3 && !apart; k++) {
+        apart = try_face_of_a(&verdict, &view, order[k]);
+    }
+    for (int k = 0; k < 3 && !apart; k++) {
+        apart = try_face_of_b(&verdict, &view, order[k]);
+    }
+    for (int k = 0; k < 9 && !apart; k++) {
+        apart = try_edges(&verdict, &view, k / 3, k % 3);
+    }
     const uint8_t which = (uint8_t)verdict.axis;
     const vec3 none = { 0.0f, 0.0f, 0.0f };
     return (struct box_gap){
@@ -170,6 +157,7 @@ vec3 box_extent_m(const struct box *box)
  * sides are the cross products of the box axes and the rod. */
 vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius_m)
 {
+    CORE_ASSERT(radius_m > 0.0f);
     const struct frame frame = (struct frame){
         .axis = { box->axes.right, box->axes.up, box->axes.back },
         .half = { box->half_m.x, box->half_m.y, box->half_m.z },

@@ -19,6 +19,8 @@
 float broad_phase_space(const struct fish *fish, uint32_t fish_count, vec3 tank_size_m,
                         const struct behavior_params *params)
 {
+    CORE_ASSERT(fish_count <= TANK_FISH_MAX);
+    CORE_ASSERT(tank_size_m.x > 0.0f && tank_size_m.y > 0.0f && tank_size_m.z > 0.0f);
     float volume_m3 = 0.0f;
     for (uint32_t i = 0; i < fish_count; i++) {
         const float both_m = 2.0f * params->space_per_length * fish[i].length_m;
@@ -85,6 +87,7 @@ float broad_phase_reach_m(const struct fish *fish)
 
 void broad_phase_sync(struct broad_phase *broad_phase, struct fish *fish)
 {
+    CORE_ASSERT(broad_phase->count <= TANK_FISH_MAX);
     for (uint32_t i = 0; i < broad_phase->count; i++) {
         const vec3 moved = v3_sub(broad_phase->body[i].centre_m, fish[i].position_m);
         if (broad_phase->flags[i] & BODY_SWIMMING && v3_dot(moved, moved) > 0.0f) {
@@ -102,6 +105,7 @@ static int is_beyond(const struct broad_phase *broad_phase, uint32_t i)
 
 int broad_phase_is_stale(const struct broad_phase *broad_phase)
 {
+    CORE_ASSERT(broad_phase->count <= TANK_FISH_MAX);
     int farther = broad_phase->touch_count > broad_phase_contact_max(broad_phase);
     for (uint32_t i = 0; i < broad_phase->count; i++) {
         farther |= is_beyond(broad_phase, i);
@@ -114,6 +118,7 @@ int broad_phase_is_stale(const struct broad_phase *broad_phase)
  * subtracts that motion. */
 static void meet_again(struct broad_phase *broad_phase, uint32_t fish, uint32_t other)
 {
+    CORE_ASSERT(fish != other);
     const struct body *a = &broad_phase->body[fish], *b = &broad_phase->body[other];
     const float way_m = broad_phase->way_m[other];
     const float left_m = f_max(broad_phase->reach_m[other] - way_m, 0.0f);
@@ -135,6 +140,7 @@ static void meet_again(struct broad_phase *broad_phase, uint32_t fish, uint32_t 
 
 int broad_phase_update_moved(struct broad_phase *broad_phase, const struct fish *fish)
 {
+    CORE_ASSERT(broad_phase->count <= TANK_FISH_MAX);
     fish_index beyond[AGAIN_MAX];
     uint32_t count = 0;
     for (uint32_t i = 0; i < broad_phase->count; i++) {
@@ -173,6 +179,7 @@ int broad_phase_update_moved(struct broad_phase *broad_phase, const struct fish 
 
 void broad_phase_select_contacts(struct broad_phase *broad_phase)
 {
+    CORE_ASSERT(broad_phase->near_count <= broad_phase_contact_max(broad_phase));
     uint32_t count = 0;
     for (uint32_t c = 0; c < broad_phase->near_count; c++) {
         const struct contact contact = broad_phase->contact[c];
@@ -190,6 +197,7 @@ void broad_phase_select_contacts(struct broad_phase *broad_phase)
 
 uint64_t broad_phase_hash(uint64_t hash, const struct broad_phase *broad_phase)
 {
+    CORE_ASSERT(broad_phase->near_count <= broad_phase_contact_max(broad_phase));
     hash = hash_u32(hash, broad_phase->near_count);
     hash = hash_u32(hash, broad_phase->touch_count);
     for (uint32_t c = 0; c < broad_phase->near_count; c++) {

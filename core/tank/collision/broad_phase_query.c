@@ -2,6 +2,7 @@
  * neighbours, and the contact list. */
 #include "core/tank/collision/broad_phase.h"
 
+#include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/tank/behavior/swim.h"
 
@@ -47,12 +48,6 @@ static void push_apart(struct neighbours *neighbours, vec3 forward, vec3 axis, f
     neighbours->push_m_s = v3_muladd(neighbours->push_m_s, push, speed_m_s);
 }
 
-static void leave_out(struct broad_phase *broad_phase, const struct contact *contact)
-{
-    broad_phase->flags[contact->a] |= BODY_UNLISTED;
-    broad_phase->flags[contact->b] |= BODY_UNLISTED;
-}
-
 /* Adds a contact to the list. If the list is full, the contact replaces a random contact or is left
  * out (reservoir sampling). Every pair has the same probability to be listed, and no pair is left
  * out for long. */
@@ -63,7 +58,9 @@ static void list_contact(struct broad_phase *broad_phase, struct contact contact
     uint32_t place = broad_phase->touch_count++;
     if (place >= most) {
         place = rng_u32((struct rng_key){ seed, tick, place, RNG_CONTACT_LOT }) % (place + 1u);
-        leave_out(broad_phase, place < most ? &broad_phase->contact[place] : &contact);
+        const struct contact *unlisted = place < most ? &broad_phase->contact[place] : &contact;
+        broad_phase->flags[unlisted->a] |= BODY_UNLISTED;
+        broad_phase->flags[unlisted->b] |= BODY_UNLISTED;
     }
     if (place < most) {
         broad_phase->contact[place] = contact;
@@ -131,6 +128,7 @@ static void fetch_fish(const struct snapshot *look, uint32_t index)
 
 static void seek(const struct snapshot *look, const struct narrow_phase_query *of, int ahead)
 {
+    CORE_ASSERT(look->broad_phase->count <= TANK_FISH_MAX);
     struct broad_phase *broad_phase = look->broad_phase;
     broad_phase->touch_count = 0;
     broad_phase->near_count = 0;
@@ -193,6 +191,8 @@ static void meet_balls(const struct snapshot *look)
 void broad_phase_update(struct broad_phase *broad_phase, const struct fish *fish,
                         struct broad_phase_search how, const struct perception *around)
 {
+    CORE_ASSERT(around->size_m.x > 0.0f && around->size_m.z > 0.0f);
+    CORE_ASSERT(simd_is_built(how.lanes));
     const struct snapshot look = { broad_phase, fish, around, how.contacts_only };
     const struct narrow_phase_query of = {
         .body = broad_phase->body,

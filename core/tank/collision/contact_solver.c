@@ -19,20 +19,17 @@
 #define CLEAR_ROUNDS 4u
 #define CLOSE_MAX 64u /* Number of contacts whose gaps are measured at a time. */
 
-/* Returns 1 if the body is so far inside the tank that it reaches no wall, floor or surface in any
- * orientation, otherwise 0. */
-static int is_far_inside(const struct tank_bounds *bounds, const struct body *body)
-{
-    const float reach_m = body->half_x_m + body->half_y_m + body->half_z_m;
-    const vec3 p = body->centre_m, low = bounds->low_m, high = bounds->high_m;
-    return p.x - low.x > reach_m && high.x - p.x > reach_m && p.y - low.y > reach_m &&
-           high.y - p.y > reach_m && p.z - low.z > reach_m && high.z - p.z > reach_m;
-}
-
 vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const struct body *body)
 {
+    CORE_ASSERT(index < all->broad_phase->count);
     const struct tank_bounds *bounds = &all->place->bounds;
-    if (is_far_inside(bounds, body)) {
+    const float reach_m = body->half_x_m + body->half_y_m + body->half_z_m;
+    const vec3 beyond_low = v3_sub(body->centre_m, bounds->low_m);
+    const vec3 below_high = v3_sub(bounds->high_m, body->centre_m);
+    /* The body is so far inside the tank that it reaches no wall, floor or surface in any
+     * orientation. */
+    if (beyond_low.x > reach_m && below_high.x > reach_m && beyond_low.y > reach_m &&
+        below_high.y > reach_m && beyond_low.z > reach_m && below_high.z > reach_m) {
         return body->centre_m;
     }
     const vec3 extent = body_extent_m(body);
@@ -108,6 +105,7 @@ static void know_apart(const struct solver_step *all, struct contact *contact, f
 /* Separates a pair. Returns 1 if the bodies had to be moved, otherwise 0. */
 static int part_pair(const struct solver_step *all, struct contact *contact, int round)
 {
+    CORE_ASSERT(contact->a != contact->b);
     const struct body *a = &all->broad_phase->body[contact->a],
                       *b = &all->broad_phase->body[contact->b];
     const struct box box_a = body_box(a), box_b = body_box(b);
@@ -130,25 +128,19 @@ static int part_pair(const struct solver_step *all, struct contact *contact, int
     return 1;
 }
 
-/* Returns the push that the ring and paper of a poi or the hull of a bowl exert on a body. */
-static vec3 push_off(const struct solver_step *all, uint32_t index, const struct obstacle *obstacle)
-{
-    const struct body *body = &all->broad_phase->body[index];
-    const vec3 hard = obstacle_hard_push(obstacle, body);
-    const vec3 paper = obstacle_paper_push(obstacle, body, contact_before_m(all, index));
-    return v3_dot(hard, hard) > 0.0f ? hard : paper;
-}
-
 /* Moves a body off an obstacle. Pushes nearly always suffice. In the corner between paper and ring,
  * the push by the ring undoes the push by the paper. A fish in that corner moves along with the
  * poi. */
 static void clear_obstacle(const struct solver_step *all, uint32_t index, uint32_t o)
 {
+    CORE_ASSERT(o < all->place->obstacle_count);
     const struct obstacle *obstacle = &all->place->obstacles[o];
     struct body *body = &all->broad_phase->body[index];
     const struct body before = contact_body_before(all, index);
     for (uint32_t k = 0; k < CLEAR_ROUNDS; k++) {
-        const vec3 move = push_off(all, index, obstacle);
+        const vec3 hard = obstacle_hard_push(obstacle, body);
+        const vec3 paper = obstacle_paper_push(obstacle, body, contact_before_m(all, index));
+        const vec3 move = v3_dot(hard, hard) > 0.0f ? hard : paper;
         if (v3_dot(move, move) == 0.0f) {
             return;
         }
@@ -181,6 +173,7 @@ static void clear_if_beside(const struct solver_step *all, uint32_t index)
  * largest distance by which an obstacle near the fish may carry the fish in this substep, m. */
 static float look_beside(const struct solver_step *all, uint32_t index)
 {
+    CORE_ASSERT(all->solver->beside_count < TANK_FISH_MAX);
     const struct box box = body_box(&all->broad_phase->body[index]);
     float excess_m = 0.0f;
     int beside = 0;
@@ -219,6 +212,7 @@ struct close {
 /* Measures the gaps of the collected contacts and empties the collection. */
 static void measure_close_pairs(const struct solver_step *all, struct close *close)
 {
+    CORE_ASSERT(close->count <= CLOSE_MAX);
     const uint32_t count = close->count;
     for (uint32_t lane = 0; lane < SIMD_LANES_MAX; lane++) {
         close->a[count + lane] = 0;
@@ -232,31 +226,15 @@ static void measure_close_pairs(const struct solver_step *all, struct close *clo
     close->count = 0;
 }
 
-/* Runs one round over all contacts in order, so that a push propagates to later contacts in the
- * same round. Returns the number of contacts that had to be separated. */
-static uint32_t relax_once(const struct solver_step *all, int round)
-{
-    struct broad_phase *broad_phase = all->broad_phase;
-    uint32_t parted = 0;
-    for (uint32_t c = 0; c < broad_phase->contact_count; c++) {
-        struct contact *contact = &broad_phase->contact[c];
-        if (!contact_is_apart(all, contact, 0.0f) && part_pair(all, contact, round)) {
-            clear_shoved(all, contact->a);
-            clear_shoved(all, contact->b);
-            parted++;
-        }
-    }
-    return parted;
-}
-
 /* Runs the rounds. Returns 1 if the last round separated no pair, otherwise 0. The result 1 means
  * that no two fish overlap. */
 static int relax(const struct solver_step *all)
 {
+    CORE_ASSERT(all->broad_phase->contact_count <= all->broad_phase->near_count);
     uint32_t parted = 1;
     /* Measures all contacts whose stored gap no longer proves that the bodies are apart. Most of
      * these contacts were only predicted to come near. */
-    const struct broad_phase *broad_phase = all->broad_phase;
+    struct broad_phase *broad_phase = all->broad_phase;
     struct close close;
     close.count = 0;
     for (uint32_t c = 0; c < broad_phase->contact_count; c++) {
@@ -271,7 +249,17 @@ static int relax(const struct solver_step *all)
     }
     measure_close_pairs(all, &close);
     for (int round = 0; round < PART_ROUNDS_MAX && parted > 0; round++) {
-        parted = relax_once(all, round);
+        /* A round handles all contacts in order, so that a push propagates to later contacts in the
+         * same round. */
+        parted = 0;
+        for (uint32_t c = 0; c < broad_phase->contact_count; c++) {
+            struct contact *contact = &broad_phase->contact[c];
+            if (!contact_is_apart(all, contact, 0.0f) && part_pair(all, contact, round)) {
+                clear_shoved(all, contact->a);
+                clear_shoved(all, contact->b);
+                parted++;
+            }
+        }
     }
     return parted == 0;
 }
@@ -298,6 +286,7 @@ static void clear_one(const struct solver_step *all, uint32_t index)
  * air. */
 static int is_plain(const struct broad_phase *broad_phase, uint32_t first, uint32_t width)
 {
+    CORE_ASSERT(width <= SIMD_LANES_MAX);
     uint32_t all_same = broad_phase->count - first >= width;
     for (uint32_t i = first; i < first + width && all_same; i++) {
         all_same = broad_phase->flags[i] == BODY_SWIMMING;
@@ -310,6 +299,9 @@ static int is_plain(const struct broad_phase *broad_phase, uint32_t first, uint3
 void contact_solver_project(struct contact_solver *solver, struct broad_phase *broad_phase,
                             const struct solver_context *place)
 {
+    CORE_ASSERT(broad_phase->count <= TANK_FISH_MAX);
+    CORE_ASSERT(place->obstacle_count <= TANK_OBSTACLE_MAX);
+    CORE_ASSERT(simd_is_built(place->lanes));
     const struct solver_step all = { solver, broad_phase, place };
     const uint32_t width = place->lanes == SIMD_LANES_MAX ? SIMD_LANES_MAX : 4u;
     solver->beside_count = 0;
@@ -336,6 +328,7 @@ void contact_solver_project(struct contact_solver *solver, struct broad_phase *b
 void contact_solver_relax(struct contact_solver *solver, struct broad_phase *broad_phase,
                           const struct solver_context *place)
 {
+    CORE_ASSERT(place->obstacle_count <= TANK_OBSTACLE_MAX);
     const struct solver_step all = { solver, broad_phase, place };
     relax(&all);
 }
@@ -343,6 +336,7 @@ void contact_solver_relax(struct contact_solver *solver, struct broad_phase *bro
 void contact_solver_finish(struct contact_solver *solver, struct broad_phase *broad_phase,
                            const struct solver_context *place)
 {
+    CORE_ASSERT(place->obstacle_count <= TANK_OBSTACLE_MAX);
     const struct solver_step all = { solver, broad_phase, place };
     const int is_parted = relax(&all);
     penetration_check(&all, is_parted);

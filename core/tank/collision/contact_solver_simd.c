@@ -2,6 +2,7 @@
  * contact_solver.c. */
 #include "core/tank/collision/contact_solver_internal.h"
 
+#include "core/base/panic.h"
 #include "core/base/simd_vec.h"
 #include "core/tank/collision/narrow_phase_simd.h"
 
@@ -14,22 +15,6 @@ static inline flanes keep_between(const struct body_simd *all, int axis, float l
                           simd_abs(all->up[axis]) * all->right[3] +
                           simd_abs(all->back[axis]) * all->up[3];
     return simd_clamp(all->centre[axis], low_m + extent, high_m - extent);
-}
-
-static inline ilanes is_beside(const struct solver_context *place, const struct body_simd *all)
-{
-    ilanes beside = { 0 };
-    for (uint32_t o = 0; o < place->obstacle_count; o++) {
-        /* Computes the result of obstacle_in_reach() for each lane as a mask. */
-        const struct simd_v3 half = { all->centre[3], all->right[3], all->up[3] };
-        const struct simd_v3 d = { all->centre[0] - place->obstacles[o].centre_m.x,
-                                   all->centre[1] - place->obstacles[o].centre_m.y,
-                                   all->centre[2] - place->obstacles[o].centre_m.z };
-        const flanes reach_m =
-            place->obstacles[o].radius_m + simd_v3_length(half) + OBSTACLE_REACH_M;
-        beside |= simd_v3_dot(d, d) < reach_m * reach_m;
-    }
-    return beside;
 }
 
 /* Returns the largest distance that any point of a body moved by rotation alone, m. */
@@ -47,12 +32,24 @@ static inline flanes sweep_m(const struct body_simd *all, const struct fish *fis
 
 CONTACT_SOLVER_PROJECT(SIMD_NAME(contact_solver_project_block))
 {
+    CORE_ASSERT(solver->station == 0);
+    CORE_ASSERT(first + SIMD_LANES <= broad_phase->count);
     const vec3 low = place->bounds.low_m, high = place->bounds.high_m;
     struct body_simd all;
     flanes began[4];
     body_simd_load_block(&all, &broad_phase->body[first]);
     simd_load_quads(began, &solver->began_m[first], sizeof solver->began_m[0]);
-    const ilanes beside = is_beside(place, &all);
+    ilanes beside = { 0 };
+    for (uint32_t o = 0; o < place->obstacle_count; o++) {
+        /* Computes the result of obstacle_in_reach() for each lane as a mask. */
+        const struct simd_v3 half = { all.centre[3], all.right[3], all.up[3] };
+        const struct simd_v3 d = { all.centre[0] - place->obstacles[o].centre_m.x,
+                                   all.centre[1] - place->obstacles[o].centre_m.y,
+                                   all.centre[2] - place->obstacles[o].centre_m.z };
+        const flanes reach_m =
+            place->obstacles[o].radius_m + simd_v3_length(half) + OBSTACLE_REACH_M;
+        beside |= simd_v3_dot(d, d) < reach_m * reach_m;
+    }
     const struct simd_v3 from = { began[0], began[1], began[2] };
     const struct simd_v3 at = { all.centre[0], all.centre[1], all.centre[2] };
     const struct simd_v3 kept = { keep_between(&all, 0, low.x, high.x),

@@ -13,6 +13,7 @@
 void contact_solver_begin(struct contact_solver *solver, const struct fish *fish,
                           uint32_t fish_count)
 {
+    CORE_ASSERT(fish_count <= TANK_FISH_MAX);
     for (uint32_t i = 0; i < fish_count; i++) {
         solver->began_m[i] = fish[i].position_m;
         solver->began_angles[i] = fish[i].angles;
@@ -22,6 +23,8 @@ void contact_solver_begin(struct contact_solver *solver, const struct fish *fish
 uint32_t contact_solver_substep_count(struct contact_solver *solver,
                                       const struct solver_context *place)
 {
+    CORE_ASSERT(place->obstacle_count <= TANK_OBSTACLE_MAX);
+    CORE_ASSERT(place->obstacles || place->obstacle_count == 0);
     float longest_m = 0.0f;
     for (uint32_t o = 0; o < place->obstacle_count; o++) {
         struct obstacle *obstacle = &place->obstacles[o];
@@ -39,6 +42,7 @@ uint32_t contact_solver_substep_count(struct contact_solver *solver,
 void contact_solver_substep(struct contact_solver *solver, struct broad_phase *broad_phase,
                             const struct solver_context *place, uint32_t station)
 {
+    CORE_ASSERT(station < solver->substep_count);
     solver->station = station;
     for (uint32_t o = 0; o < place->obstacle_count; o++) {
         struct obstacle *obstacle = &place->obstacles[o];
@@ -61,6 +65,7 @@ void contact_solver_substep(struct contact_solver *solver, struct broad_phase *b
 
 void contact_solver_write_back(const struct broad_phase *broad_phase, struct fish *fish)
 {
+    CORE_ASSERT(broad_phase->count <= TANK_FISH_MAX);
     for (uint32_t i = 0; i < broad_phase->count; i++) {
         if (broad_phase->flags[i] & BODY_SWIMMING) {
             fish[i].position_m = broad_phase->body[i].centre_m;
@@ -68,22 +73,10 @@ void contact_solver_write_back(const struct broad_phase *broad_phase, struct fis
     }
 }
 
-/* Sets the obstacle's step to the motion of the whole tick, because reentry.c computes the
- * obstacle's previous position from the step. Reduces the velocity of an obstacle that gave up
- * motion. */
-static void lose_blocked_step(struct obstacle *obstacle, const struct course *course)
-{
-    obstacle->step_m = v3_sub(obstacle->centre_m, course->from_m);
-    obstacle->turned = course->turned && !(obstacle->reaction & REACTION_ROTATION);
-    if (obstacle->reaction & REACTION_POSITION) {
-        const vec3 lost_m = v3_sub(course->step_m, obstacle->step_m);
-        obstacle->velocity_m_s = v3_muladd(obstacle->velocity_m_s, lost_m, -(float)CORE_TICK_HZ);
-    }
-}
-
 void contact_solver_end(struct contact_solver *solver, const struct broad_phase *broad_phase,
                         const struct solver_context *place)
 {
+    CORE_ASSERT(place->obstacle_count <= TANK_OBSTACLE_MAX);
     for (uint32_t i = 0; i < broad_phase->count && solver->reverts_angles; i++) {
         if (broad_phase->flags[i] & BODY_REVERTED) {
             CORE_ASSERT(broad_phase->flags[i] & BODY_SWIMMING);
@@ -92,6 +85,16 @@ void contact_solver_end(struct contact_solver *solver, const struct broad_phase 
         }
     }
     for (uint32_t o = 0; o < place->obstacle_count; o++) {
-        lose_blocked_step(&place->obstacles[o], &solver->course[o]);
+        struct obstacle *obstacle = &place->obstacles[o];
+        const struct course *course = &solver->course[o];
+        /* Reentry computes the previous position of the obstacle from its step, so the step becomes
+         * the motion of the whole tick. An obstacle that gave up motion loses velocity. */
+        obstacle->step_m = v3_sub(obstacle->centre_m, course->from_m);
+        obstacle->turned = course->turned && !(obstacle->reaction & REACTION_ROTATION);
+        if (obstacle->reaction & REACTION_POSITION) {
+            const vec3 lost_m = v3_sub(course->step_m, obstacle->step_m);
+            obstacle->velocity_m_s =
+                v3_muladd(obstacle->velocity_m_s, lost_m, -(float)CORE_TICK_HZ);
+        }
     }
 }

@@ -76,6 +76,7 @@ vec3 narrow_phase_axis(const struct body *a, const struct body *b, uint8_t axis)
 
 static uint32_t cells_along(float length_m, float cell_m)
 {
+    CORE_ASSERT(cell_m > 0.0f);
     const uint32_t whole = (uint32_t)(length_m / cell_m);
     return (float)whole * cell_m < length_m ? whole + 1u : whole;
 }
@@ -105,11 +106,13 @@ void narrow_grid_layout(struct spatial_grid *grid, float width_m, float breadth_
 /* Clamps before the conversion, so that the float never exceeds the range of the integer. */
 static uint32_t cell_along(float offset_m, float cells_per_m, uint32_t count)
 {
+    CORE_ASSERT(count > 0);
     return (uint32_t)f_clamp(offset_m * cells_per_m, 0.0f, (float)(count - 1u));
 }
 
 uint32_t narrow_grid_cell(const struct spatial_grid *grid, vec3 point_m)
 {
+    CORE_ASSERT(grid->columns > 0 && grid->rows > 0);
     const float x_m = point_m.x - grid->origin_x_m, z_m = point_m.z - grid->origin_z_m;
     return cell_along(z_m, grid->cells_per_m, grid->rows) * grid->columns +
            cell_along(x_m, grid->cells_per_m, grid->columns);
@@ -117,6 +120,7 @@ uint32_t narrow_grid_cell(const struct spatial_grid *grid, vec3 point_m)
 
 void narrow_grid_sort(struct spatial_grid *grid, const fish_index *member, uint32_t count)
 {
+    CORE_ASSERT(grid->columns * grid->rows <= SPATIAL_GRID_CELL_MAX);
     CORE_ASSERT(count <= TANK_FISH_MAX);
     const uint32_t cell_count = grid->columns * grid->rows;
     grid->count = count;

@@ -1,6 +1,7 @@
 /* narrow_phase_boxes_simd.c -- the separating-axis test of box.c for several pairs at a time. */
 #include "core/tank/collision/narrow_phase_simd.h"
 
+#include "core/base/panic.h"
 #include "core/base/mem.h"
 
 #define APART_M 1e9f
@@ -140,6 +141,7 @@ NARROW_PHASE_GAPS(SIMD_NAME(narrow_phase_gaps))
 
 NARROW_PHASE_BOXES(SIMD_NAME(narrow_phase_boxes))
 {
+    CORE_ASSERT(narrow_phase->near_count <= NARROW_PHASE_BATCH);
     const fish_index *item = narrow_phase->grid.item;
     uint32_t kept = 0;
     for (uint32_t n = 0; n < narrow_phase->near_count; n += SIMD_LANES) {

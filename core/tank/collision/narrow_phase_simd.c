@@ -1,6 +1,7 @@
 /* narrow_phase_simd.c -- the tests of balls, heights and sides for several pairs at a time. */
 #include "core/tank/collision/narrow_phase_simd.h"
 
+#include "core/base/panic.h"
 #include "core/base/mem.h"
 
 #define ROUNDING 1.00001f /* Tolerance for rounding errors, so that no ball is too small. */
@@ -41,17 +42,9 @@ static inline flanes ball_of(const struct body_simd *all, flanes reach)
            simd_max(length_of(x + margin, y + margin, z + margin), length_of(x, y, z) + reach);
 }
 
-/* Returns half the height of the volume that contains both the personal space and the body enlarged
- * by its reach. */
-static inline flanes slab_of(const struct body_simd *all, flanes reach)
-{
-    const flanes x = simd_abs(all->right[1]), y = simd_abs(all->up[1]), z = simd_abs(all->back[1]);
-    const flanes height = x * all->centre[3] + y * all->right[3] + z * all->up[3];
-    return ROUNDING * (height + simd_max(all->back[3] * (x + y + z), reach));
-}
-
 NARROW_PHASE_MEASURE(SIMD_NAME(narrow_phase_measure))
 {
+    CORE_ASSERT(count > 0 && count <= TANK_FISH_MAX);
     flanes most = simd_splat(0.0f);
     for (uint32_t m = 0; m < count; m += SIMD_LANES) {
         struct body_simd all;
@@ -70,6 +63,7 @@ NARROW_PHASE_MEASURE(SIMD_NAME(narrow_phase_measure))
 /* Computes the cell of each fish to be searched, as narrow_grid_cell() does. */
 NARROW_PHASE_CELLS(SIMD_NAME(narrow_phase_cells))
 {
+    CORE_ASSERT(narrow_phase->grid.columns > 0 && narrow_phase->grid.rows > 0);
     struct spatial_grid *grid = &narrow_phase->grid;
     const float across = (float)(grid->columns - 1u), along = (float)(grid->rows - 1u);
     for (uint32_t m = 0; m < count; m += SIMD_LANES) {
@@ -87,28 +81,28 @@ NARROW_PHASE_CELLS(SIMD_NAME(narrow_phase_cells))
     }
 }
 
-/* Prefetches the bodies of SIMD_LANES items from item `k` on. In a large tank the bodies are
- * scattered in memory. */
-static inline void call_bodies(const struct body *body, const fish_index *item, uint32_t k,
-                               uint32_t count)
-{
-    for (uint32_t lane = 0; lane < SIMD_LANES && k + lane < count; lane++) {
-        __builtin_prefetch(&body[item[k + lane]]);
-    }
-}
-
 NARROW_PHASE_COLUMNS(SIMD_NAME(narrow_phase_columns))
 {
+    CORE_ASSERT(narrow_phase->grid.count <= TANK_FISH_MAX);
     const struct spatial_grid *grid = &narrow_phase->grid;
     for (uint32_t k = 0; k < grid->count; k += SIMD_LANES) {
-        call_bodies(of->body, grid->item, k + NARROW_PHASE_PREFETCH, grid->count);
+        /* In a large tank the bodies are scattered in memory. */
+        const uint32_t then = k + NARROW_PHASE_PREFETCH;
+        for (uint32_t lane = 0; lane < SIMD_LANES && then + lane < grid->count; lane++) {
+            __builtin_prefetch(&of->body[grid->item[then + lane]]);
+        }
         struct body_simd all;
         const flanes reach = load_members(&all, of, &grid->item[k]);
         simd_store(&narrow_phase->x_m[k], all.centre[0]);
         simd_store(&narrow_phase->y_m[k], all.centre[1]);
         simd_store(&narrow_phase->z_m[k], all.centre[2]);
         simd_store(&narrow_phase->ball_m[k], ball_of(&all, reach));
-        simd_store(&narrow_phase->slab_m[k], slab_of(&all, reach));
+        /* Half the height of a search volume contains both the personal space and the body enlarged
+         * by its reach. */
+        const flanes x = simd_abs(all.right[1]), y = simd_abs(all.up[1]), z = simd_abs(all.back[1]);
+        const flanes height = x * all.centre[3] + y * all.right[3] + z * all.up[3];
+        simd_store(&narrow_phase->slab_m[k],
+                   ROUNDING * (height + simd_max(all.back[3] * (x + y + z), reach)));
     }
 }
 
@@ -204,6 +198,7 @@ static inline int note_range(struct narrow_phase *narrow_phase, const struct see
 
 NARROW_PHASE_NEAR(SIMD_NAME(narrow_phase_near))
 {
+    CORE_ASSERT(narrow_phase->item <= narrow_phase->grid.count);
     const struct spatial_grid *grid = &narrow_phase->grid;
     const int by_cells = narrow_phase->search == PAIR_SEARCH_GRID;
     uint32_t item = narrow_phase->item, other = narrow_phase->other, noted = 0;

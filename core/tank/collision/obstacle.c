@@ -2,6 +2,7 @@
  * reaction of an obstacle, and the sidestep of fish beside a poi. */
 #include "core/tank/collision/obstacle.h"
 
+#include "core/base/panic.h"
 #include "core/input.h"
 
 #define SIDESTEP_RANGE_M 0.05f
@@ -10,6 +11,8 @@
 
 struct touch obstacle_touch(const struct obstacle *obstacle, const struct box *box)
 {
+    CORE_ASSERT(obstacle->kind <= OBSTACLE_BOWL);
+    CORE_ASSERT(obstacle->radius_m > 0.0f);
     if (obstacle->kind == OBSTACLE_BOWL) {
         const struct hull hull = { obstacle->centre_m, obstacle->radius_m, obstacle->depth_m };
         return shape_touch_hull(&hull, box);
@@ -28,6 +31,7 @@ vec3 obstacle_clear(const struct obstacle *obstacle, const struct box *box)
 
 int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box)
 {
+    CORE_ASSERT(obstacle->radius_m > 0.0f);
     const vec3 d = v3_sub(box->centre_m, obstacle->centre_m);
     const float reach_m = obstacle->radius_m + v3_length(box->half_m) + OBSTACLE_REACH_M;
     return v3_dot(d, d) < reach_m * reach_m;
@@ -35,6 +39,7 @@ int obstacle_in_reach(const struct obstacle *obstacle, const struct box *box)
 
 float obstacle_disc_distance_m(const struct obstacle *disc, vec3 point_m)
 {
+    CORE_ASSERT(disc->radius_m > 0.0f);
     const vec3 d = v3_sub(point_m, disc->centre_m);
     const float above_m = v3_dot(d, disc->normal);
     const float out_m = v3_length(v3_muladd(d, disc->normal, -above_m)) - disc->radius_m;
@@ -90,6 +95,8 @@ struct obstacle obstacle_before(const struct obstacle *obstacle)
 
 static int paper_holds(const struct obstacle *disc, float x_m, float z_m)
 {
+    CORE_ASSERT(disc->paper);
+    CORE_ASSERT(disc->paper_radius_m > 0.0f);
     const float radius_m = disc->paper_radius_m;
     if (x_m * x_m + z_m * z_m >= radius_m * radius_m) {
         return 0;
@@ -212,6 +219,7 @@ static float hard_excess_m(const struct obstacle *obstacle, const struct body *n
 float obstacle_excess_m(const struct obstacle *obstacle, const struct body *now,
                         const struct body *before, float free_m, vec3 *out)
 {
+    CORE_ASSERT(free_m >= 0.0f);
     const float hard_m = hard_excess_m(obstacle, now, before, free_m, out);
     if (hard_m > 0.0f || !obstacle->paper) {
         return hard_m;
@@ -246,6 +254,7 @@ static void turn_back(struct obstacle *obstacle)
 
 int obstacle_apply_reaction(struct obstacle *obstacle, vec3 out, float excess_m)
 {
+    CORE_ASSERT(excess_m > 0.0f);
     const float closing_m = v3_dot(obstacle->step_m, out);
     const int moved = v3_dot(obstacle->step_m, obstacle->step_m) > 0.0f;
     if (!moved && !obstacle->turned) {

@@ -56,6 +56,7 @@ static int is_fresh(const struct contact_solver *solver, uint32_t index, uint32_
  * no room. Also returns 0 if the motion exceeds the limit that the broad-phase query covers. */
 static int carry(const struct solver_step *all, uint32_t index, uint32_t o, uint32_t round)
 {
+    CORE_ASSERT(o < all->place->obstacle_count);
     struct contact_solver *solver = all->solver;
     struct body body = contact_body_before(all, index);
     const vec3 from_m = body.centre_m;
@@ -96,6 +97,7 @@ static int carry_too(const struct solver_step *all, uint32_t carried, uint32_t o
 static void choose_reverted(const struct solver_step *all, uint32_t a, uint32_t b, float allowed_m,
                             uint32_t round)
 {
+    CORE_ASSERT(a != b);
     const struct contact_solver *solver = all->solver;
     const struct body *now = all->broad_phase->body;
     const int pressed = carry_pressed(all, a, round) + carry_pressed(all, b, round);
@@ -123,6 +125,7 @@ static void choose_reverted(const struct solver_step *all, uint32_t a, uint32_t 
 
 static uint32_t judge_pairs(const struct solver_step *all, uint32_t round)
 {
+    CORE_ASSERT(all->broad_phase->contact_count <= all->broad_phase->near_count);
     const struct broad_phase *broad_phase = all->broad_phase;
     const struct contact_solver *solver = all->solver;
     uint32_t guilty = 0;
@@ -155,6 +158,8 @@ static uint32_t judge_pairs(const struct solver_step *all, uint32_t round)
 static int settle_with(const struct solver_step *all, uint32_t index, uint32_t o, vec3 out,
                        float excess_m, uint32_t round)
 {
+    CORE_ASSERT(o < all->place->obstacle_count);
+    CORE_ASSERT(excess_m > 0.0f);
     struct contact_solver *solver = all->solver;
     struct obstacle *obstacle = &all->place->obstacles[o];
     const struct body before = contact_body_before(all, index);
@@ -178,6 +183,7 @@ static int settle_with(const struct solver_step *all, uint32_t index, uint32_t o
 
 static uint32_t judge_obstacles(const struct solver_step *all, uint32_t round)
 {
+    CORE_ASSERT(all->solver->beside_count <= all->broad_phase->count);
     const struct contact_solver *solver = all->solver;
     uint32_t changes = 0;
     for (uint32_t k = 0; k < solver->beside_count; k++) {

@@ -2,6 +2,7 @@
  * reentry. */
 #include "core/tank/tank.h"
 
+#include "core/base/panic.h"
 #include "core/input.h"
 #include "core/tank/collision/obstacle.h"
 
@@ -70,6 +71,8 @@ static void stay_in_tank(const struct tank *tank, struct fish *fish)
 
 void reentry_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
 {
+    CORE_ASSERT(v3_is_finite(velocity_m_s));
+    CORE_ASSERT(tank->reentry_count <= TANK_FISH_MAX);
     fish->gait = GAIT_HELD;
     fish->holder = FISH_HOLDER_WATER;
     fish->velocity_m_s = v3_limit(velocity_m_s, SPEED_MAX_M_S);
@@ -99,6 +102,7 @@ static void come_down(const struct tank *tank, struct fish *fish)
  * no swimming fish, otherwise 0. */
 static int part_from_fish(struct tank *tank, uint32_t index, vec3 *push_m)
 {
+    CORE_ASSERT(index < tank->fish_count);
     struct fish *fish = &tank->fish[index];
     const struct box box = fish_box(fish);
     int clear = 1;
@@ -167,6 +171,7 @@ static int keep_off_paper(struct fish *fish, vec3 before_m, const struct obstacl
 
 static int meets_fish(const struct tank *tank, uint32_t index, const struct fish *there)
 {
+    CORE_ASSERT(index < tank->fish_count);
     const struct box box = fish_box(there);
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         const struct fish *other = &tank->fish[i];
@@ -190,6 +195,7 @@ static int meets_fish(const struct tank *tank, uint32_t index, const struct fish
 static int find_gap(const struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                     uint32_t obstacle_count, vec3 *gap_m)
 {
+    CORE_ASSERT(index < tank->fish_count);
     const struct fish *fish = &tank->fish[index];
     for (uint32_t k = 0; k < 26u * SEEK_SHELLS; k++) {
         struct fish there = *fish;
@@ -230,6 +236,7 @@ static void swim_off(const struct tank *tank, struct fish *fish)
 static void seek_gap(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                      uint32_t obstacle_count)
 {
+    CORE_ASSERT(is_loose(&tank->fish[index]));
     struct fish *fish = &tank->fish[index];
     const uint32_t ticks = loose_ticks(fish);
     vec3 gap_m;
@@ -252,6 +259,7 @@ static void seek_gap(struct tank *tank, uint32_t index, const struct obstacle *o
 static void move_dropped_fish(struct tank *tank, uint32_t index, const struct obstacle *obstacles,
                               uint32_t obstacle_count)
 {
+    CORE_ASSERT(is_loose(&tank->fish[index]));
     struct fish *fish = &tank->fish[index];
     const vec3 before_m = fish->position_m;
     vec3 fish_push_m = { 0.0f, 0.0f, 0.0f }, push_m = { 0.0f, 0.0f, 0.0f };
@@ -281,6 +289,8 @@ static void move_dropped_fish(struct tank *tank, uint32_t index, const struct ob
 
 void reentry_tick(struct tank *tank, const struct obstacle *obstacles, uint32_t obstacle_count)
 {
+    CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
+    CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX);
     uint32_t left = 0;
     for (uint32_t i = 0; i < tank->fish_count && tank->reentry_count > 0; i++) {
         if (is_loose(&tank->fish[i])) {

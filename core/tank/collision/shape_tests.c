@@ -2,6 +2,8 @@
  * over the box. */
 #include "core/tank/collision/box.h"
 
+#include "core/base/panic.h"
+
 /* Number of coarse points on a ring. The points are 4 mm apart on the ring of a poi, so that no
  * corner of a fish fits between two points. */
 #define RING_POINTS 64
@@ -112,19 +114,6 @@ static void try_turn(struct nearest *best, const struct circle *circle, struct t
     }
 }
 
-/* Refines the point of least distance by halving the step. Along a chord, the distance from a
- * convex box has one minimum, and an arc of this length deviates from its chord by at most
- * 0.05 mm. */
-static struct nearest close_in(struct nearest best, const struct circle *circle)
-{
-    for (int k = 0; k < RING_HALVINGS; k++) {
-        const struct turn about = best.turn;
-        try_turn(&best, circle, turn_by(about, ring_halving[k], -1.0f));
-        try_turn(&best, circle, turn_by(about, ring_halving[k], 1.0f));
-    }
-    return best;
-}
-
 /* Returns the number of coarse points on each side of `east` that cover all points of the circle
  * within `reach_m` of the box's centre. The vector from the ring's centre to the box's centre has
  * the length `away_m` and the component `in_plane_m` along `east`. `middle_m` is the radius of the
@@ -143,6 +132,7 @@ static int window_of(float in_plane_m, float away_m, float middle_m, float reach
 
 static struct turn turn_of(int step)
 {
+    CORE_ASSERT(step >= -RING_POINTS / 2 && step <= RING_POINTS / 2);
     const int size = step < 0 ? -step : step;
     const int quarter = RING_POINTS / 4;
     const float sine = ring_cos[size < quarter ? quarter - size : size - quarter];
@@ -162,8 +152,15 @@ static struct nearest nearest_on(const struct circle *circle, int window, float 
         const float after_m =
             step < last ? circle_distance_m(circle, turn_of(step + 1)) : SHAPE_TOUCH_FAR_M;
         if (here_m < maybe_m && here_m <= before_m && here_m <= after_m) {
-            const struct nearest coarse = { turn_of(step), here_m };
-            const struct nearest fine = close_in(coarse, circle);
+            /* Halving the step refines the point of least distance. Along a chord, the distance
+             * from a convex box has one minimum, and an arc of this length deviates from its chord
+             * by at most 0.05 mm. */
+            struct nearest fine = { turn_of(step), here_m };
+            for (int k = 0; k < RING_HALVINGS; k++) {
+                const struct turn about = fine.turn;
+                try_turn(&fine, circle, turn_by(about, ring_halving[k], -1.0f));
+                try_turn(&fine, circle, turn_by(about, ring_halving[k], 1.0f));
+            }
             best = fine.distance_m < best.distance_m ? fine : best;
         }
         before_m = here_m;
@@ -195,6 +192,7 @@ static struct touch touch_near(const struct ring *ring, const struct box *box,
 
 struct touch shape_touch_ring(const struct ring *ring, const struct box *box)
 {
+    CORE_ASSERT(ring->middle_m > 0.0f && ring->tube_m > 0.0f);
     const struct touch far = { SHAPE_TOUCH_FAR_M, { 0.0f, 1.0f, 0.0f } };
     const vec3 d = v3_sub(box->centre_m, ring->centre_m);
     const float off_plane_m = v3_dot(d, ring->normal);
@@ -251,6 +249,7 @@ static vec3 deepest_point(const struct box *box, vec3 centre, vec3 inverse)
  * of the ellipsoid. The distance is accurate near the skin. */
 struct touch shape_touch_hull(const struct hull *hull, const struct box *box)
 {
+    CORE_ASSERT(hull->radius_m > 0.0f && hull->depth_m > 0.0f);
     const struct touch far = { SHAPE_TOUCH_FAR_M, { 0.0f, -1.0f, 0.0f } };
     const vec3 d = v3_sub(box->centre_m, hull->mouth_m);
     const float reach_m = hull->radius_m + v3_length(box->half_m);
