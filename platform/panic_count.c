@@ -106,21 +106,14 @@ const char *panics_left_name(uint32_t left)
 
 /* ---- Reading and writing the file ---------------------------------------------------------- */
 
-/* Returns a descriptor of a regular file, or a negative errno. Reads the file type from the open
- * descriptor, so that no other file can take its place between the check and the use. */
+/* Returns a descriptor of a regular file, or a negative errno. */
 static int open_file(int folder, int flags)
 {
-    struct stat about;
-    const int file =
-        openat(folder, PANICS_FILE, flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, 0600);
+    const int file = file_handle_at(folder, PANICS_FILE, flags, 0600);
     if (file < 0) { /* The name belongs to a link, a socket, a FIFO or a folder. */
-        return errno == ELOOP || errno == ENXIO || errno == EISDIR ? -ENOTSUP : -errno;
+        return errno == ELOOP || errno == EISDIR ? -ENOTSUP : -errno;
     }
-    const int error = fstat(file, &about) != 0 ? -errno : S_ISREG(about.st_mode) ? 0 : -ENOTSUP;
-    if (error) {
-        close(file);
-    }
-    return error ? error : file;
+    return file;
 }
 
 static int parse(struct panics *panics, const uint8_t bytes[PANICS_SIZE])

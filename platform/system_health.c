@@ -41,13 +41,8 @@ static bool path_in(const struct system_health *machine, const char *name, char 
 static uint8_t keeps_as_checked(const struct system_health *machine)
 {
     char line[16] = "";
-    FILE *const file = fopen(machine->checked ? machine->checked : SYSTEM_HEALTH_CHECK_PATH, "re");
-    if (file && !fgets(line, sizeof line, file)) {
-        line[0] = '\0';
-    }
-    if (file) {
-        fclose(file);
-    }
+    file_first_line(machine->checked ? machine->checked : SYSTEM_HEALTH_CHECK_PATH, line,
+                    sizeof line);
     return strncmp(line, "kept:", 5) == 0       ? KEEPS_PROVEN
            : strncmp(line, "not kept:", 9) == 0 ? KEEPS_NOT
                                                 : KEEPS_UNKNOWN;

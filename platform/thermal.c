@@ -7,6 +7,8 @@
 #include <string.h>
 #include <time.h>
 
+#include "platform/os/file.h"
+
 #define PATH_SIZE 512
 #define TRIP_MAX 12u    /* Maximum number of trip points of a zone in the kernel. */
 #define SANE_MIN_MDEG 0 /* Sensor values outside SANE_MIN_MDEG .. SANE_MAX_MDEG are ignored. */
@@ -16,20 +18,15 @@
 
 /* Reads the first line of the file `name` of a thermal zone into `line`. Writes "" if there is no
  * such file. */
-static void thermal_read_line(char *line, int line_size, const char *root, const char *zone,
+static void thermal_read_line(char *line, size_t line_size, const char *root, const char *zone,
                               const char *name)
 {
     char path[PATH_SIZE];
     const int length = snprintf(path, sizeof path, "%s/%s/%s", root, zone, name);
-    FILE *const file = length > 0 && length < PATH_SIZE ? fopen(path, "re") : NULL;
     line[0] = '\0';
-    if (file && !fgets(line, line_size, file)) {
-        line[0] = '\0';
+    if (length > 0 && length < PATH_SIZE) {
+        file_first_line(path, line, line_size);
     }
-    if (file) {
-        fclose(file);
-    }
-    line[strcspn(line, "\n")] = '\0';
 }
 
 /* Reads a temperature in thousandths of a degree. Returns 1 if the file has a plausible

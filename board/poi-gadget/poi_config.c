@@ -282,7 +282,7 @@ int poi_config_load(struct poi_config *config, const char *path)
         return 0;
     }
     int result = 0;
-    while (result >= 0 && fgets(line, sizeof line, file)) {
+    while (result >= 0 && file_read_line(file, line, sizeof line) != FILE_LINE_END) {
         number++;
         result = poi_config_line(config, line, &why);
     }

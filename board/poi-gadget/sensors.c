@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "drivers/hid/poi_report.h"
+#include "platform/os/file.h"
 
 /* ---- Attributes of IIO devices --------------------------------------------------------------- */
 
@@ -118,14 +119,10 @@ void sensors_open_keys(struct keys *keys, const char *root)
 {
     *keys = (struct keys){ 0 };
     for (uint32_t i = 0; i < EVENT_DEVICES && keys->count < KEYS_DEVICES_MAX; i++) {
-        char path[256], phys[32] = "";
+        char path[256], phys[32];
         snprintf(path, sizeof path, "%s/sys/class/input/event%u/device/phys", root, i);
-        FILE *file = fopen(path, "r");
-        if (!file) {
-            continue;
-        }
-        const int is_keys = fgets(phys, sizeof phys, file) && strncmp(phys, "gpio-keys/", 10) == 0;
-        fclose(file);
+        file_first_line(path, phys, sizeof phys);
+        const int is_keys = strncmp(phys, "gpio-keys/", 10) == 0;
         snprintf(path, sizeof path, "%s/dev/input/event%u", root, i);
         const int fd = is_keys ? open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC) : -1;
         if (fd >= 0) {

@@ -35,49 +35,9 @@ int hid_mapping_store_file_read(const char *path, char text[HID_MAPPING_STORE_TE
     return error;
 }
 
-static int write_all(int fd, const char *text)
-{
-    CORE_ASSERT(fd >= 0);
-    size_t left = strlen(text);
-    while (left > 0) {
-        const ssize_t done = write(fd, text, left);
-        if (done < 0 && errno != EINTR) {
-            return errno;
-        }
-        text += done > 0 ? done : 0;
-        left -= done > 0 ? (size_t)done : 0u;
-    }
-    return fsync(fd) == 0 ? 0 : errno;
-}
-
-/* Flushes the folder itself, so that a created, renamed or deleted file name survives a power
- * loss. Returns 0 or an errno value. */
-static int sync_folder(const char *folder)
-{
-    const int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const int error = fd < 0 || fsync(fd) != 0 ? errno : 0;
-    if (fd >= 0) {
-        close(fd);
-    }
-    return error;
-}
-
 int hid_mapping_store_file_replace(const char *path, const char *text)
 {
-    char beside[HID_MAPPING_STORE_PATH_SIZE + 8u];
-    snprintf(beside, sizeof beside, "%s.new", path);
-    unlink(beside); /* The temporary file can remain from a power loss or from another process. */
-    const int fd = open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-    if (fd < 0) {
-        return errno;
-    }
-    int error = write_all(fd, text);
-    error = close(fd) != 0 && !error ? errno : error;
-    error = !error && rename(beside, path) != 0 ? errno : error;
-    if (error) {
-        unlink(beside);
-    }
-    return error;
+    return -file_replace(path, text, strlen(text), FILE_REPLACE_DURABLE);
 }
 
 #define FOLDER "pois"
@@ -173,8 +133,10 @@ static int do_job(const char *folder, const struct hid_mapping_store_job *job)
         error = hid_mapping_store_file_replace(job->path, job->text);
     } else if (unlink(job->path) != 0 && errno != ENOENT) {
         error = errno;
+    } else {
+        error = -file_sync_parent(job->path);
     }
-    return error ? error : sync_folder(folder);
+    return error;
 }
 
 static void *write_down(void *self)

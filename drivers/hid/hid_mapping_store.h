@@ -93,7 +93,7 @@ void hid_mapping_store_close(struct hid_mapping_store *store);
  * HID_MAPPING_STORE_TEXT_SIZE bytes or more. Does not block if `path` is a pipe. */
 int hid_mapping_store_file_read(const char *path, char text[HID_MAPPING_STORE_TEXT_SIZE]);
 
-/* Replaces the file `path` by writing PATH.new, flushing it and renaming it. A reader finds either
+/* Replaces the file `path` by writing PATH.part, flushing it and renaming it. A reader finds either
  * the old or the new content. */
 int hid_mapping_store_file_replace(const char *path, const char *text);
 

@@ -5,10 +5,8 @@
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "core/base/panic.h"
 #include "drivers/hid/hid_mapping.h"
@@ -324,7 +322,7 @@ static int usb_choice_file_read_lines(struct usb_choice *choice, const char *pat
     char line[2u * USB_CHOICE_LINE_SIZE], error[USB_ERROR_SIZE];
     uint32_t number = 0;
     int bad = 0;
-    while (fgets(line, sizeof line, file)) {
+    while (file_read_line(file, line, sizeof line) != FILE_LINE_END) {
         number++;
         if (usb_choice_read_line(choice, line, error)) {
             snprintf(why, HAL_TEXT_SIZE, "%.60s:%u: %s", path, number, error);
@@ -352,47 +350,19 @@ int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TE
     return result;
 }
 
-static int write_lines(const struct usb_choice *choice, FILE *file)
-{
-    CORE_ASSERT(file);
-    char line[USB_CHOICE_LINE_SIZE];
-    fputs("# Controllers on USB that play, or rest, as the operator chose in the menu.\n", file);
-    for (uint32_t i = 0; usb_choice_line(choice, i, line); i++) {
-        fprintf(file, "%s\n", line);
-    }
-    const int failed = fflush(file) != 0 || ferror(file) || fsync(fileno(file)) != 0;
-    const int error = failed ? -errno : 0;
-    return fclose(file) != 0 && !error ? -errno : error;
-}
-
 int usb_choice_save(const struct usb_choice *choice, const char *path)
 {
-    char part[PATH_MAX];
+    static const char head[] =
+        "# Controllers on USB that play, or rest, as the operator chose in the menu.\n";
+    char text[sizeof head + USB_REQUEST_MAX * USB_CHOICE_LINE_SIZE], line[USB_CHOICE_LINE_SIZE];
+    size_t length = sizeof head - 1u;
     if (!path[0]) {
         return 0;
     }
-    if ((size_t)snprintf(part, sizeof part, "%s.part", path) >= sizeof part) {
-        return -ENAMETOOLONG;
+    memcpy(text, head, length);
+    for (uint32_t i = 0; usb_choice_line(choice, i, line); i++) {
+        length += (size_t)snprintf(text + length, sizeof text - length, "%s\n", line);
+        CORE_ASSERT(length < sizeof text);
     }
-    unlink(part); /* The temporary file can remain from a power loss or from another process. */
-    FILE *file = fopen(part, "wxe");
-    int error = file ? write_lines(choice, file) : -errno;
-    if (!error && rename(part, path) != 0) {
-        error = -errno;
-    }
-    if (error && file) {
-        unlink(part);
-    }
-    if (error) {
-        return error;
-    }
-    /* The folder is flushed, so that the renamed file survives a power loss. */
-    const char *slash = strrchr(path, '/');
-    snprintf(part, sizeof part, "%.*s", slash ? (int)(slash - path) : 1, slash ? path : ".");
-    const int fd = open(part[0] ? part : "/", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    error = fd < 0 || fsync(fd) != 0 ? -errno : 0;
-    if (fd >= 0) {
-        close(fd);
-    }
-    return error;
+    return file_replace(path, text, length, FILE_REPLACE_DURABLE);
 }

@@ -62,21 +62,6 @@ static void cut_comment(char *line)
     }
 }
 
-/* Reads the next line. Returns 1, or 0 at the end of the file. If a line is too long, sets
- * `*is_long` and skips the rest of the line. */
-static int config_file_next_line(FILE *file, char line[CONFIG_LINE_MAX], int *is_long)
-{
-    if (!fgets(line, CONFIG_LINE_MAX, file)) {
-        return 0;
-    }
-    int c = strchr(line, '\n') ? '\n' : getc(file);
-    *is_long = c != '\n' && c != EOF;
-    while (c != '\n' && c != EOF) {
-        c = getc(file);
-    }
-    return 1;
-}
-
 /* ---- Sections ------------------------------------------------------------------------------ */
 
 static int begin_section(struct reading *reading, char *text)
@@ -232,12 +217,13 @@ static void config_file_read_lines(struct reading *reading, FILE *file, struct w
 {
     char line[CONFIG_LINE_MAX];
     unsigned fish_line = 0;
-    int is_long = 0;
-    for (unsigned number = 1; config_file_next_line(file, line, &is_long); number++) {
+    enum file_line result;
+    for (unsigned number = 1; (result = file_read_line(file, line, sizeof line)) != FILE_LINE_END;
+         number++) {
         const size_t mark = number == 1 && strncmp(line, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
         const uint8_t had_fish = reading->options->file.is_set[SET_FISH];
         const int32_t fish = reading->options->file.value[SET_FISH];
-        if (is_long) {
+        if (result == FILE_LINE_BAD) {
             config_file_add_warning(warnings, number, "the line is too long, and passed over");
         } else if (config_file_read_line(reading, line + mark)) {
             config_file_add_warning(warnings, number, reading->why);

@@ -10,6 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "platform/os/file.h"
 #include "platform/os/log.h"
 
 #define NS_PER_MS 1000000ull
@@ -72,32 +73,6 @@ void status_take(struct status_report *report, const struct kiosk *kiosk, const 
 
 /* ---- Writing the file ---------------------------------------------------------------------- */
 
-static int write_all(int fd, const char *text, size_t size)
-{
-    while (size > 0) {
-        const ssize_t written = write(fd, text, size);
-        if (written < 0) {
-            return -errno;
-        }
-        text += written;
-        size -= (size_t)written;
-    }
-    return 0;
-}
-
-/* Writes the file. Returns 0 or a negative errno. All users can read the file, independent of the
- * umask. The file is in a memory file system and needs no sync. */
-static int write_file(const struct status *status, size_t size)
-{
-    const int fd = open(status->part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (fd < 0) {
-        return -errno;
-    }
-    int error = fchmod(fd, 0644) ? -errno : write_all(fd, status->text, size);
-    error = close(fd) && !error ? -errno : error;
-    return error ? error : rename(status->part, status->path) ? -errno : 0;
-}
-
 static uint64_t since_power_on_ms(void)
 {
     struct timespec now;
@@ -109,7 +84,9 @@ static void write_report(struct status *status, struct status_report *report)
 {
     report->written_ms = since_power_on_ms();
     report->pid = (uint32_t)getpid();
-    const int error = write_file(status, status_format(report, status->text));
+    /* The file is in a memory file system and needs no sync. */
+    const int error = file_replace(status->path, status->text, status_format(report, status->text),
+                                   FILE_REPLACE_PUBLIC);
     if (error && atomic_fetch_add(&status->failed, 1) == 0) {
         log_print(LOG_LEVEL_ERROR, "%s: cannot write: %s", status->path, strerror(-error));
     }
@@ -146,7 +123,6 @@ void status_begin(struct status *status, const char *folder)
         return;
     }
     snprintf(status->path, sizeof status->path, "%.*s/" STATUS_FILE, PATH_MAX - 32, folder);
-    snprintf(status->part, sizeof status->part, "%.*s/." STATUS_FILE, PATH_MAX - 32, folder);
     pthread_mutex_init(&status->mutex, NULL);
     pthread_cond_init(&status->changed, NULL);
     status->runs = pthread_create(&status->thread, NULL, status_thread, status) == 0;

@@ -82,7 +82,7 @@ struct status {
                           file's thread. */
     struct status_report draft;
     char text[STATUS_TEXT_MAX];
-    char path[PATH_MAX], part[PATH_MAX];
+    char path[PATH_MAX];
 };
 
 /* Starts the thread that writes `folder`/status.json. If `folder` is null or empty, or if no thread

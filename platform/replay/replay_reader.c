@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "core/base/hash.h"
+#include "platform/os/file.h"
 #include "platform/replay/replay_bytes.h"
 #include "platform/replay/replay_format.h"
 
@@ -176,17 +177,16 @@ int replay_open(struct replay_reader *reader, const char *path)
 {
     struct stat status;
     memset(reader, 0, sizeof *reader);
-    /* With O_NONBLOCK, opening a pipe without a writer does not block. */
-    reader->fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    reader->fd = file_user_handle(path, O_RDONLY, 0);
+    if (reader->fd < 0 && (errno == EISDIR || errno == ENOTSUP)) {
+        return replay_reader_error(reader, 1, 0, "not a recording of Kingyo but a %s",
+                                   errno == EISDIR ? "folder" : "device or pipe");
+    }
     if (reader->fd < 0) {
         return replay_reader_error(reader, 1, 0, "cannot open: %s", strerror(errno));
     }
     if (fstat(reader->fd, &status) != 0) {
         return replay_reader_error(reader, 1, 0, "cannot read: %s", strerror(errno));
-    }
-    if (!S_ISREG(status.st_mode)) {
-        return replay_reader_error(reader, 1, 0, "not a recording of Kingyo but a %s",
-                                   S_ISDIR(status.st_mode) ? "folder" : "device or pipe");
     }
     if (status.st_size == 0) {
         return replay_reader_error(reader, 0, 0, "the file is empty");

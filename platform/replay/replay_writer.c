@@ -115,14 +115,11 @@ static void give_up(struct replay_writer *writer, int error)
 static int open_empty(const char *path)
 {
     struct stat status;
-    const int fd = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    const int fd = file_user_handle(path, O_RDWR | O_CREAT, 0600);
     if (fd < 0) {
         return -errno;
     }
-    const int error = fstat(fd, &status) != 0    ? errno
-                      : !S_ISREG(status.st_mode) ? ENOTSUP
-                      : status.st_size > 0       ? EEXIST
-                                                 : 0;
+    const int error = fstat(fd, &status) != 0 ? errno : status.st_size > 0 ? EEXIST : 0;
     if (error) {
         close(fd);
         return -error;

@@ -26,57 +26,6 @@ static int is_plain_name(const char id[SPECIES_NAME_SIZE])
     return length > 0 && length < SPECIES_NAME_SIZE;
 }
 
-static int write_whole(int fd, const char *text, size_t size)
-{
-    size_t done = 0;
-    while (done < size) {
-        const ssize_t written = write(fd, text + done, size - done);
-        if (written < 0 && errno == EINTR) {
-            continue;
-        }
-        if (written <= 0) {
-            return written < 0 ? -errno : -EIO;
-        }
-        done += (size_t)written;
-    }
-    return fsync(fd) != 0 ? -errno : 0;
-}
-
-/* Syncs the folder. A new file name survives a power cut only after this sync. */
-static int sync_folder(const char *folder)
-{
-    const int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (fd < 0) {
-        return -errno;
-    }
-    const int error = fsync(fd) != 0 ? -errno : 0;
-    close(fd);
-    return error;
-}
-
-static int replace(const char *path, const char *text, size_t size)
-{
-    char beside[PATH_SIZE + SPECIES_NAME_SIZE + 32u];
-    snprintf(beside, sizeof beside, "%s.new", path);
-    unlink(beside); /* Deletes a temporary file that was left from a power cut or belongs to another
-                       program. */
-    const int fd = file_handle(beside, O_WRONLY | O_CREAT | O_EXCL, 0644);
-    if (fd < 0) {
-        return -errno;
-    }
-    int error = write_whole(fd, text, size);
-    if (close(fd) != 0 && error == 0) {
-        error = -errno;
-    }
-    if (error == 0 && rename(beside, path) != 0) {
-        error = -errno;
-    }
-    if (error != 0) {
-        unlink(beside);
-    }
-    return error;
-}
-
 int graph_file_write(const char *data, const struct graph_edit_record *record)
 {
     char folder[PATH_SIZE], path[PATH_SIZE + SPECIES_NAME_SIZE + 16u], text[GRAPH_FILE_TEXT_MAX];
@@ -90,11 +39,11 @@ int graph_file_write(const char *data, const struct graph_edit_record *record)
     }
     snprintf(path, sizeof path, "%s/%s" GRAPH_FILE_SUFFIX, folder, record->species);
     if (record->is_own) {
-        error = unlink(path) != 0 && errno != ENOENT ? -errno : 0;
+        error = unlink(path) != 0 && errno != ENOENT ? -errno : file_sync_parent(path);
     } else {
-        error = replace(path, text, graph_file_format(record, text));
+        error = file_replace(path, text, graph_file_format(record, text), FILE_REPLACE_DURABLE);
     }
-    return error != 0 ? error : sync_folder(folder);
+    return error;
 }
 
 static void graph_file_print_warning(struct graph_file_warn warn, const char *path, const char *why)

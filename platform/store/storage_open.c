@@ -149,8 +149,7 @@ static int take_copy(struct storage *storage)
     }
     storage_backup_path(storage, backup);
     storage_sibling_path(storage, STORAGE_BEFORE_SUFFIX, "", before);
-    if (backup_is(storage) != OTHERS_NOT &&
-        (rename(backup, before) != 0 || file_sync_parent(before) != 0)) {
+    if (backup_is(storage) != OTHERS_NOT && file_rename_durable(backup, before) != 0) {
         return SQLITE_IOERR;
     }
     return ledger_unmark(&storage->file);

@@ -67,7 +67,7 @@ int storage_quarantine_other(struct storage *storage, const char *suffix)
     snprintf(number, sizeof number, STORAGE_OTHER_SUFFIX "%u", next_number(storage));
     storage_sibling_path(storage, suffix, "", from);
     storage_sibling_path(storage, suffix, number, to);
-    return rename(from, to) == 0 ? file_sync_parent(to) : -1;
+    return file_rename_durable(from, to) == 0 ? 0 : -1;
 }
 
 /* Renames the damaged database first and then its log and journal. A journal that remained would be
@@ -188,8 +188,8 @@ static int make_new(struct storage *storage, bool is_missing, unsigned number)
     storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
     remove_all(storage, PART_SUFFIX);
     int code = make_part(storage, part);
-    if (code == SQLITE_OK && ((is_missing && !leave_note(storage, number)) ||
-                              rename(part, fresh) != 0 || file_sync_parent(fresh) != 0)) {
+    if (code == SQLITE_OK &&
+        ((is_missing && !leave_note(storage, number)) || file_rename_durable(part, fresh) != 0)) {
         code = SQLITE_IOERR;
     }
     if (code != SQLITE_OK) {
@@ -204,7 +204,7 @@ static bool put_new(struct storage *storage)
 {
     char fresh[LEDGER_PATH_SIZE];
     storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
-    return rename(fresh, storage->path) == 0 && file_sync_parent(storage->path) == 0;
+    return file_rename_durable(fresh, storage->path) == 0;
 }
 
 int storage_rebuild(struct storage *storage, bool is_missing)

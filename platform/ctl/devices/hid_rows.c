@@ -8,6 +8,7 @@
 
 #include "core/base/panic.h"
 #include "platform/ctl/devices/hid_file.h"
+#include "platform/os/file.h"
 #include "platform/os/print.h"
 
 #define PAGE_KEYBOARD 0x07u
@@ -247,8 +248,11 @@ enum exit_code hid_rows_decode(const struct hid_descriptor *descriptor, const ch
     static char line[LINE_SIZE];
     struct decoded of = { .descriptor = descriptor, .id = id, .path = path };
     enum exit_code code = EXIT_OK;
-    for (unsigned row = 1; code == EXIT_OK && fgets(line, sizeof line, file); row++) {
-        code = strchr(line, '\n') || feof(file)
+    enum file_line result;
+    for (unsigned row = 1; code == EXIT_OK &&
+                           (result = file_read_line(file, line, sizeof line - 1u)) != FILE_LINE_END;
+         row++) {
+        code = result == FILE_LINE_READ
                    ? decode_row(&of, line, row)
                    : hid_rows_error(path, row, "longer than 65534 bytes, or no text");
     }

@@ -40,7 +40,7 @@ static void read_node(const char *root, struct hid_node *node)
     char path[HID_NODE_PATH], line[LINE_SIZE];
     snprintf(path, sizeof path, "%s/sys/class/hidraw/hidraw%u/device/uevent", root, node->number);
     FILE *file = file_open(path, FILE_KERNEL_SIZE_MAX);
-    while (file && fgets(line, sizeof line, file)) {
+    while (file && file_read_line(file, line, sizeof line) != FILE_LINE_END) {
         unsigned bus, vendor, product;
         if (sscanf(line, "HID_ID=%4x:%8x:%8x", &bus, &vendor, &product) == 3) {
             node->bus = (uint16_t)bus;

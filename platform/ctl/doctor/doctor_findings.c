@@ -174,14 +174,7 @@ void doctor_line(const struct doctor *doctor, char *out, size_t size, const char
     va_start(arguments, path);
     vsnprintf(whole + used, sizeof whole - (size_t)used, path, arguments);
     va_end(arguments);
-    FILE *file = file_open(whole, FILE_KERNEL_SIZE_MAX);
-    if (!file || !fgets(out, (int)size, file)) {
-        out[0] = '\0';
-    }
-    if (file) {
-        fclose(file);
-    }
-    out[strcspn(out, "\n")] = '\0';
+    file_first_line(whole, out, size);
     printable(out);
 }
 

@@ -131,11 +131,10 @@ static uint32_t look_at_cards(struct doctor *doctor)
     uint32_t count = 0;
     snprintf(path, sizeof path, "%s/proc/asound/cards", doctor->root);
     FILE *file = file_open(path, FILE_KERNEL_SIZE_MAX);
-    while (file && fgets(line, sizeof line, file)) {
+    while (file && file_read_line(file, line, sizeof line) != FILE_LINE_END) {
         unsigned number;
         const char *name = strstr(line, "]: ");
         if (sscanf(line, " %u [", &number) == 1 && name) {
-            line[strcspn(line, "\n")] = '\0';
             doctor_state(doctor_find(doctor, "sound", DOCTOR_FINE, "card %u", number), "%s",
                          name + 3);
             count++;

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "platform/ctl/lib/ctl.h"
+#include "platform/os/file.h"
 #include "platform/os/number.h"
 #include "platform/os/print.h"
 
@@ -58,15 +59,15 @@ static enum exit_code csv_next_line(struct csv *csv, int *is_end)
     *is_end = 0;
     for (;;) {
         csv->line++;
-        if (!fgets(csv->text, sizeof csv->text, csv->file)) {
+        const enum file_line result = file_read_line(csv->file, csv->text, sizeof csv->text);
+        if (result == FILE_LINE_END) {
             *is_end = 1;
             if (ferror(csv->file)) {
                 return ctl_file_error(csv->speaker, csv->path, CSV_SIZE_MAX, errno);
             }
             return EXIT_OK;
         }
-        const size_t length = strlen(csv->text);
-        if (length == sizeof csv->text - 1 && csv->text[length - 1] != '\n') {
+        if (result == FILE_LINE_BAD) {
             return refuse_line(csv, "is longer than any line of numbers");
         }
         if (csv->line == 1) {

@@ -9,6 +9,7 @@
 
 #include <sqlite3.h>
 
+#include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
@@ -17,20 +18,6 @@
 static void name_part(const struct ledger_backup *backup, char out[LEDGER_PATH_SIZE])
 {
     snprintf(out, LEDGER_PATH_SIZE, "%.580s" LEDGER_PART_SUFFIX, backup->path);
-}
-
-int file_sync_parent(const char *path)
-{
-    char folder[LEDGER_PATH_SIZE];
-    snprintf(folder, sizeof folder, "%s", path);
-    char *slash = strrchr(folder, '/');
-    snprintf(slash ? slash + (slash == folder) : folder, 2, "%s", slash ? "" : ".");
-    const int handle = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const int result = handle < 0 ? -1 : fsync(handle);
-    if (handle >= 0) {
-        close(handle);
-    }
-    return result;
 }
 
 /* ---- Copying ------------------------------------------------------------------------------- */
@@ -102,9 +89,7 @@ static int end_copy(struct ledger_backup *backup)
     if (code == SQLITE_OK) {
         sqlite3_close(backup->to);
         backup->to = NULL;
-        code = rename(part, backup->path) == 0 && file_sync_parent(backup->path) == 0
-                   ? SQLITE_DONE
-                   : SQLITE_IOERR;
+        code = file_rename_durable(part, backup->path) == 0 ? SQLITE_DONE : SQLITE_IOERR;
     }
     return code;
 }

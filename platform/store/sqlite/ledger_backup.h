@@ -46,8 +46,4 @@ int ledger_backup_make(struct ledger_file *from, const char *path, bool is_marke
 bool ledger_is_marked(struct ledger_file *file);
 int ledger_unmark(struct ledger_file *file);
 
-/* Syncs the folder that contains `path`, so that a rename, a new name or a deletion survives a
- * power cut. Returns 0 or -1. */
-int file_sync_parent(const char *path);
-
 #endif

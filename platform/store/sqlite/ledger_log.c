@@ -16,6 +16,7 @@
 #include <stdint.h>
 
 #include "platform/store/sqlite/ledger_backup.h"
+#include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 

@@ -15,6 +15,8 @@
 
 #include "platform/store/sqlite/sql.h"
 
+#include "platform/os/file.h"
+
 /* Limits of SQLite that are well above the needs of Kingyo's own statements. */
 static const struct {
     int id, max;
@@ -70,23 +72,17 @@ static void close_to_others(int handle, mode_t mode, int flags)
  * source of random numbers. */
 static int open_regular(const char *path, int flags, int mode)
 {
-    const int added = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
     struct stat about;
-    const int handle = open(path, flags | added, private_mode(mode));
-    if (handle < 0 || strcmp(path, "/dev/urandom") == 0) {
-        return handle;
+    if (strcmp(path, "/dev/urandom") == 0) {
+        return open(path, flags | O_CLOEXEC);
     }
-    const bool is_good =
-        fstat(handle, &about) == 0 &&
-        (S_ISREG(about.st_mode) || (S_ISDIR(about.st_mode) && (flags & O_ACCMODE) == O_RDONLY));
-    if (!is_good) {
-        close(handle);
-        errno = ENOTSUP;
-    }
-    if (is_good && S_ISREG(about.st_mode)) {
+    const int handle = file_handle(path, flags, private_mode(mode));
+    if (handle >= 0 && fstat(handle, &about) == 0) {
         close_to_others(handle, about.st_mode, flags);
+    } else if (handle < 0 && errno == EISDIR && (flags & O_ACCMODE) == O_RDONLY) {
+        return open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     }
-    return is_good ? handle : -1;
+    return handle;
 }
 
 /* Installs open_regular() in SQLite's default file system layer. The change affects every

@@ -247,7 +247,7 @@ static void test_a_torn_write_leaves_what_was_there_before(void **state)
     open_book();
     keep(&who, &map);
     hid_mapping_store_close(&book);
-    write_file("0001-0002-A.poi.new", "kingyo poi 1\n0001:00");
+    write_file("0001-0002-A.poi.part", "kingyo poi 1\n0001:00");
     assert_int_equal(open_book(), 0);
     assert_non_null(hid_mapping_store_find(&book, &who));
     hid_mapping_store_close(&book);

@@ -263,9 +263,9 @@ static void test_learned_controllers_and_the_choice_of_usb_are_regular_files_too
     }
     char path[160];
     snprintf(path, sizeof path, "%s", in_dir("one"));
-    put_fifo(in_dir("one.new"));
+    put_fifo(in_dir("one.part"));
     assert_int_equal(hid_mapping_store_file_replace(path, "text"), 0);
-    put_link(in_dir("one.new"));
+    put_link(in_dir("one.part"));
     assert_int_equal(hid_mapping_store_file_replace(path, "text"), 0);
     put_fifo(in_dir("one.part"));
     assert_int_equal(usb_choice_save(&choice, path), 0);
