@@ -14,7 +14,7 @@
 #include "platform/os/log.h"
 #include "platform/os/file.h"
 #include "platform/os/panic_text.h"
-#include "platform/replay/replay_bytes.h"
+#include "platform/replay/replay_format.h"
 
 #define MAGIC "KGPANIC1"
 enum {

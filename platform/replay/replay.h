@@ -9,7 +9,7 @@
  *            zero-filled), u32 ticks per digest, u32 start size, u32 book size, u64 sum of the 44
  *            bytes before it
  *   start    start size bytes (replay_initial_state.h), u64 sum
- *   book     book size bytes, the catalog (replay_catalog.h), u64 sum; absent if the size is 0
+ *   book     book size bytes, the catalog (replay_initial_state.h), u64 sum; absent if the size is 0
  *   chunk    "SECS", u32 payload size, u32 first tick, u32 tick count, u32 rounds begun, u32 fish
  *            caught, u32 fouls, u16 modes played, u16 players, u64 core_hash after the last tick,
  *            payload, u64 sum
@@ -36,9 +36,7 @@
 
 #include "core/core.h"
 #include "core/input.h"
-#include "platform/replay/replay_catalog.h"
 #include "platform/replay/replay_initial_state.h"
-#include "platform/replay/replay_pose_delta.h"
 
 /* Format version that the writer writes. Version 8 added the rules of tickets and refunds. */
 #define REPLAY_VERSION 8u
@@ -62,11 +60,15 @@
  * level bits, day, minute, dropped ticks, faults and completed tickets. */
 #define REPLAY_MACHINE_BYTES (1u + 2u * 4u + 1u + 2u * 2u + 3u * 4u)
 
+/* Maximum size of the poses of one tick in bytes: the mask of devices; for each poi a mask, a byte,
+ * six floats and an age; for each fan a mask, a byte and three floats. */
+#define REPLAY_POSE_BYTES                                                                          \
+    (1u + POI_MAX * (1u + 1u + 6u * 4u + 2u) + SHADE_MAX * (1u + 1u + 3u * 4u))
 /* Maximum size in bytes of one tick: mask, held and pressed buttons, coins of each line, the
  * machine's state, the controllers' mask and bytes, the poses and the digest. */
 #define REPLAY_TICK_SIZE_MAX                                                                       \
     (1u + (2u + COIN_LINE_COUNT) * 4u + REPLAY_MACHINE_BYTES + 2u + REPLAY_DESK_BYTES +            \
-     REPLAY_POSE_DELTA_BYTES + 4u)
+     REPLAY_POSE_BYTES + 4u)
 /* Maximum size in bytes of a chunk's payload. */
 #define REPLAY_PAYLOAD_MAX (REPLAY_CHUNK_TICKS * REPLAY_TICK_SIZE_MAX)
 

@@ -1,27 +1,32 @@
-/* replay_codec.c -- encodes one input as the difference from the previous input.
+/* replay_codec.c -- encodes and decodes one input as the difference from the previous input. One
+ * list of fields serves both directions.
  *
- * The first byte is a mask. Each bit states whether one of these parts follows: held buttons,
+ * A group of fields is a mask and the fields that changed, in the order of the bits. The mask of the
+ * whole input is the first byte. Each bit states whether one of these parts follows: held buttons,
  * pressed buttons, coins, machine state, controllers, poses. Held buttons, pressed buttons and the
- * coins of each line are u32.
+ * coins of each line are u32. Pressed buttons and coins are values and not differences.
  *
- * The machine state is a mask, followed by the values that changed. The id of the saved ledger
- * entry and the id of the saved edit are u32. One byte has the level bits: portrait screen, store
- * rejects edits, store healthy. Day and minute are u16. Dropped ticks, faults and completed tickets
- * are u32.
+ * The machine state is a group. The id of the saved ledger entry and the id of the saved edit are
+ * u32. One byte has the level bits: portrait screen, store rejects edits, store healthy. Day and
+ * minute are u16. Dropped ticks, faults and completed tickets are u32.
  *
- * The controllers are a u16 mask and the bytes that changed. The bytes are the state of each
- * controller, then the step, row and progress of the learn wizard, then the number of files.
- * replay_pose_delta.c encodes the poses. */
-#include "platform/replay/replay.h"
-
+ * The controllers are a group with a u16 mask and bytes. The bytes are the state of each controller,
+ * then the step, row and progress of the learn wizard, then the number of files.
+ *
+ * The poses are a mask of the pois (low half) and fans (high half) that changed. One group for each
+ * changed device follows: one byte, the floats, and a poi's age as u16. The byte contains a poi's
+ * link, wrist and tremble flags, or a fan's presence. Floats are stored with all their bits, because
+ * a replay must be identical even for invalid poses. */
 #include <string.h>
 
-#include "platform/replay/replay_bytes.h"
+#include "core/base/panic.h"
+#include "platform/replay/replay.h"
+#include "platform/replay/replay_format.h"
 
 enum {
     HAS_HELD = 1u << 0,
-    HAS_PRESSED = 1u << 1, /* Presses and coins are stored as values, not as differences. If the bit
-                              is 0, the tick has no presses (HAS_PRESSED) or no coins. */
+    HAS_PRESSED = 1u << 1, /* If the bit is 0, the tick has no presses (HAS_PRESSED) or no coins
+                              (HAS_COINS). */
     HAS_COINS = 1u << 2,
     HAS_MACHINE = 1u << 3,
     HAS_HANDS = 1u << 4,
@@ -58,7 +63,100 @@ enum {
 _Static_assert(DESK_BYTES == REPLAY_DESK_BYTES && DESK_BYTES <= 16, "each has its bit in a u16");
 _Static_assert(sizeof(struct controller_status) == DESK_BYTES, "the desk's bytes are all of it");
 
-/* ---- Encoding ------------------------------------------------------------------------------ */
+enum {
+    POSE_HAS_BYTE = 1u << 0,
+    POSE_HAS_FLOAT = 1u << 1, /* Bit of the first float. The bits of the other floats follow. */
+    POI_FLOATS = 6,
+    SHADE_FLOATS = 3,
+    POI_HAS_AGE = 1u << 7, /* Bit of a poi's age, after the bits of the byte and the six floats. */
+    LINK_WRIST = 1u << 2,  /* Bits 0 and 1 of the byte contain the link. */
+    LINK_TREMBLES = 1u << 3,
+    LINK_ALL = 15u,
+};
+_Static_assert(sizeof(struct poi_target) == POI_FLOATS * sizeof(float), "a target is six floats");
+_Static_assert(POI_MAX + SHADE_MAX <= 8, "all that hands hold has its bit in one byte");
+
+/* ---- Groups of fields ------------------------------------------------------------------------- */
+
+/* A group that is written or read. */
+struct group {
+    struct replay_serializer *walk;
+    size_t at;     /* Position of the mask in the buffer. */
+    uint16_t mask; /* Bits of the fields that follow the mask. */
+    bool is_wide;  /* True if the mask is a u16, false if the mask is a byte. */
+};
+
+static void serialize_mask(struct group *group)
+{
+    uint8_t low = (uint8_t)group->mask;
+    if (group->is_wide) {
+        replay_serialize_u16(group->walk, &group->mask);
+    } else {
+        replay_serialize_u8(group->walk, &low);
+        group->mask = low;
+    }
+}
+
+/* Reads the mask, or reserves its bytes. */
+static struct group group_begin(struct replay_serializer *walk, bool is_wide)
+{
+    struct group group = { .walk = walk, .at = walk->at, .is_wide = is_wide };
+    serialize_mask(&group);
+    return group;
+}
+
+/* Returns true if the field with the bit `bit` must be serialized. The writer serializes the field
+ * if `has_changed` is true, and sets the bit. */
+static bool group_has(struct group *group, uint32_t bit, bool has_changed)
+{
+    CORE_ASSERT(bit != 0 && bit <= (group->is_wide ? 0x8000u : 0x80u));
+    if (group->walk->out && has_changed) {
+        group->mask |= (uint16_t)bit;
+    }
+    return (group->mask & bit) != 0;
+}
+
+static void group_u8(struct group *group, uint32_t bit, uint8_t before, uint8_t *value)
+{
+    if (group_has(group, bit, *value != before)) {
+        replay_serialize_u8(group->walk, value);
+    }
+}
+
+static void group_u16(struct group *group, uint32_t bit, uint16_t before, uint16_t *value)
+{
+    if (group_has(group, bit, *value != before)) {
+        replay_serialize_u16(group->walk, value);
+    }
+}
+
+static void group_u32(struct group *group, uint32_t bit, uint32_t before, uint32_t *value)
+{
+    if (group_has(group, bit, *value != before)) {
+        replay_serialize_u32(group->walk, value);
+    }
+}
+
+/* Writes the mask to its place. A group without fields is dropped. A reader rejects a mask of 0 and
+ * bits that are not in `known`. Returns true if the group has a field. */
+static bool group_end(struct group *group, uint32_t known)
+{
+    struct replay_serializer *walk = group->walk;
+    CORE_ASSERT(!walk->out || (group->mask & ~known) == 0);
+    if (!walk->out) {
+        walk->bad |= group->mask == 0 || (group->mask & ~known) != 0;
+    } else if (group->mask == 0) {
+        walk->at = group->at;
+    } else {
+        const size_t end = walk->at;
+        walk->at = group->at;
+        serialize_mask(group);
+        walk->at = end;
+    }
+    return group->mask != 0;
+}
+
+/* ---- Machine state and controllers ------------------------------------------------------------ */
 
 static uint8_t levels_of(const struct input *input)
 {
@@ -67,41 +165,28 @@ static uint8_t levels_of(const struct input *input)
                      (input->store_well ? LEVEL_WELL : 0u));
 }
 
-static uint32_t machine_mask(const struct input *before, const struct input *input)
+static bool walk_machine(struct replay_serializer *walk, const struct input *before,
+                         struct input *input)
 {
-    const int saved = input->record_saved_id != before->record_saved_id;
-    const int edited = input->edit_saved_id != before->edit_saved_id;
-    const int levels = levels_of(input) != levels_of(before);
-    const int dropped = input->dropped_ticks != before->dropped_ticks;
-    const int faults = input->device_faults != before->device_faults;
-    return (saved ? MACHINE_SAVED_ID : 0u) | (edited ? MACHINE_EDIT_ID : 0u) |
-           (levels ? MACHINE_LEVELS : 0u) | (input->day != before->day ? MACHINE_DAY : 0u) |
-           (input->minute != before->minute ? MACHINE_MINUTE : 0u) |
-           (dropped ? MACHINE_DROPPED : 0u) | (faults ? MACHINE_FAULTS : 0u) |
-           (input->tickets_done != before->tickets_done ? MACHINE_TICKETS : 0u);
-}
-
-/* Writes the changed machine state. Returns the number of bytes, or 0 if nothing changed. */
-static size_t encode_machine(const struct input *before, const struct input *input, uint8_t *out)
-{
-    const uint32_t mask = machine_mask(before, input);
-    size_t size = 1;
-    out[0] = (uint8_t)mask;
-    size += replay_put_optional((mask & MACHINE_SAVED_ID) != 0, input->record_saved_id, out + size);
-    size += replay_put_optional((mask & MACHINE_EDIT_ID) != 0, input->edit_saved_id, out + size);
-    if (mask & MACHINE_LEVELS) {
-        out[size++] = levels_of(input);
+    struct group group = group_begin(walk, false);
+    const uint8_t old = levels_of(before);
+    uint8_t levels = levels_of(input);
+    group_u32(&group, MACHINE_SAVED_ID, before->record_saved_id, &input->record_saved_id);
+    group_u32(&group, MACHINE_EDIT_ID, before->edit_saved_id, &input->edit_saved_id);
+    group_u8(&group, MACHINE_LEVELS, old, &levels);
+    group_u16(&group, MACHINE_DAY, before->day, &input->day);
+    group_u16(&group, MACHINE_MINUTE, before->minute, &input->minute);
+    group_u32(&group, MACHINE_DROPPED, before->dropped_ticks, &input->dropped_ticks);
+    group_u32(&group, MACHINE_FAULTS, before->device_faults, &input->device_faults);
+    group_u32(&group, MACHINE_TICKETS, before->tickets_done, &input->tickets_done);
+    if (group.mask & MACHINE_LEVELS) {
+        walk->bad |= levels > LEVEL_ALL || levels == old;
+        input->upright = (levels & LEVEL_UPRIGHT) != 0;
+        input->edit_refused = (levels & LEVEL_REFUSED) != 0;
+        input->store_well = (levels & LEVEL_WELL) != 0;
     }
-    if (mask & MACHINE_DAY) {
-        size += replay_put_u16(input->day, out + size);
-    }
-    if (mask & MACHINE_MINUTE) {
-        size += replay_put_u16(input->minute, out + size);
-    }
-    size += replay_put_optional((mask & MACHINE_DROPPED) != 0, input->dropped_ticks, out + size);
-    size += replay_put_optional((mask & MACHINE_FAULTS) != 0, input->device_faults, out + size);
-    size += replay_put_optional((mask & MACHINE_TICKETS) != 0, input->tickets_done, out + size);
-    return mask ? size : 0;
+    walk->bad |= (group.mask & MACHINE_MINUTE) && input->minute >= 24u * 60u && !walk->out;
+    return group_end(&group, 0xffu);
 }
 
 static void list_desk(const struct controller_status *desk, uint8_t out[DESK_BYTES])
@@ -113,106 +198,171 @@ static void list_desk(const struct controller_status *desk, uint8_t out[DESK_BYT
     out[DESK_FILES] = desk->file_count;
 }
 
-/* Writes the changed controller bytes. Returns the number of bytes, or 0 if nothing changed. */
-static size_t encode_desk(const struct controller_status *before,
-                          const struct controller_status *desk, uint8_t *out)
+static bool walk_desk(struct replay_serializer *walk, const struct input *before,
+                      struct input *input)
 {
-    uint8_t old[DESK_BYTES], new[DESK_BYTES];
-    uint32_t mask = 0;
-    size_t size = 2;
-    list_desk(before, old);
-    list_desk(desk, new);
-    for (unsigned i = 0; i < DESK_BYTES; i++) {
-        if (new[i] != old[i]) {
-            mask |= 1u << i;
-            out[size++] = new[i];
-        }
-    }
-    replay_put_u16((uint16_t)mask, out);
-    return mask ? size : 0;
-}
-
-size_t replay_encode_input(const struct input *before, const struct input *input, uint8_t *out)
-{
-    const int held = input->held != before->held;
-    const int pressed = input->pressed != 0;
-    const int coins = input_coin_pulses(input) != 0;
-    const uint32_t mask =
-        (held ? HAS_HELD : 0u) | (pressed ? HAS_PRESSED : 0u) | (coins ? HAS_COINS : 0u);
-    size_t size = 1;
-    size += replay_put_optional(held, input->held, out + size);
-    size += replay_put_optional(pressed, input->pressed, out + size);
-    for (unsigned i = 0; i < COIN_LINE_COUNT; i++) {
-        size += replay_put_optional(coins, input->coin_count[i], out + size);
-    }
-    const size_t machine_size = encode_machine(before, input, out + size);
-    size += machine_size;
-    const size_t desk_size = encode_desk(&before->controllers, &input->controllers, out + size);
-    size += desk_size;
-    const size_t hands_size = replay_pose_delta_encode(before, input, out + size);
-    out[0] = (uint8_t)(mask | (machine_size > 0 ? HAS_MACHINE : 0u) |
-                       (desk_size > 0 ? HAS_DESK : 0u) | (hands_size > 0 ? HAS_HANDS : 0u));
-    return size + hands_size;
-}
-
-/* ---- Decoding ------------------------------------------------------------------------------ */
-
-static void decode_levels(struct input *input, struct replay_rest *rest)
-{
-    const uint8_t levels = replay_take_u8(rest);
-    rest->bad |= levels > LEVEL_ALL || levels == levels_of(input);
-    input->upright = (levels & LEVEL_UPRIGHT) != 0;
-    input->edit_refused = (levels & LEVEL_REFUSED) != 0;
-    input->store_well = (levels & LEVEL_WELL) != 0;
-}
-
-static void decode_machine(struct input *input, struct replay_rest *rest)
-{
-    const uint8_t mask = replay_take_u8(rest);
-    rest->bad |= mask == 0;
-    if (mask & MACHINE_SAVED_ID) {
-        input->record_saved_id = replay_take_u32(rest);
-    }
-    if (mask & MACHINE_EDIT_ID) {
-        input->edit_saved_id = replay_take_u32(rest);
-    }
-    if (mask & MACHINE_LEVELS) {
-        decode_levels(input, rest);
-    }
-    if (mask & MACHINE_DAY) {
-        input->day = replay_take_u16(rest);
-    }
-    if (mask & MACHINE_MINUTE) {
-        input->minute = replay_take_u16(rest);
-        rest->bad |= input->minute >= 24u * 60u;
-    }
-    if (mask & MACHINE_DROPPED) {
-        input->dropped_ticks = replay_take_u32(rest);
-    }
-    if (mask & MACHINE_FAULTS) {
-        input->device_faults = replay_take_u32(rest);
-    }
-    if (mask & MACHINE_TICKETS) {
-        input->tickets_done = replay_take_u32(rest);
-    }
-}
-
-static void decode_desk(struct controller_status *desk, struct replay_rest *rest)
-{
-    uint8_t bytes[DESK_BYTES];
-    const uint32_t mask = replay_take_u16(rest);
+    struct controller_status *desk = &input->controllers;
+    uint8_t old[DESK_BYTES], bytes[DESK_BYTES];
+    struct group group = group_begin(walk, true);
+    list_desk(&before->controllers, old);
     list_desk(desk, bytes);
-    rest->bad |= mask == 0 || mask >> DESK_BYTES != 0;
     for (unsigned i = 0; i < DESK_BYTES; i++) {
-        bytes[i] = mask >> i & 1u ? replay_take_u8(rest) : bytes[i];
-        rest->bad |= i < CONTROLLER_MAX && bytes[i] >= CONTROLLER_STATE_COUNT;
+        group_u8(&group, 1u << i, old[i], &bytes[i]);
+        walk->bad |= !walk->out && i < CONTROLLER_MAX && bytes[i] >= CONTROLLER_STATE_COUNT;
     }
-    rest->bad |= bytes[DESK_STEP] >= LEARN_STEP_COUNT || bytes[DESK_ROW] >= CONTROLLER_MAX;
+    walk->bad |=
+        !walk->out && (bytes[DESK_STEP] >= LEARN_STEP_COUNT || bytes[DESK_ROW] >= CONTROLLER_MAX);
     memcpy(desk->state, bytes, CONTROLLER_MAX);
     desk->learn_step = bytes[DESK_STEP];
     desk->learn_row = bytes[DESK_ROW];
     desk->learn_progress = bytes[DESK_PROGRESS];
     desk->file_count = bytes[DESK_FILES];
+    return group_end(&group, (1u << DESK_BYTES) - 1u);
+}
+
+/* ---- Poses ------------------------------------------------------------------------------------ */
+
+/* Stored form of a poi or a fan: one byte, floats and an age. */
+struct stored_pose {
+    uint8_t byte;
+    uint8_t has_age; /* 1 for a poi and 0 for a fan, because a fan has no age. */
+    uint16_t age;
+    uint32_t float_count;
+    uint32_t bits[POI_FLOATS];
+};
+
+static bool walk_stored(struct replay_serializer *walk, const struct stored_pose *before,
+                        struct stored_pose *pose, uint8_t byte_max)
+{
+    CORE_ASSERT(pose->float_count <= POI_FLOATS);
+    struct group group = group_begin(walk, false);
+    group_u8(&group, POSE_HAS_BYTE, before->byte, &pose->byte);
+    walk->bad |= (group.mask & POSE_HAS_BYTE) && pose->byte > byte_max && !walk->out;
+    for (unsigned i = 0; i < pose->float_count; i++) {
+        group_u32(&group, (uint32_t)POSE_HAS_FLOAT << i, before->bits[i], &pose->bits[i]);
+    }
+    group_u16(&group, POI_HAS_AGE, before->age, &pose->age);
+    return group_end(&group, ((2u << pose->float_count) - 1u) |
+                                 (pose->has_age ? (uint32_t)POI_HAS_AGE : 0u));
+}
+
+static struct stored_pose stored_poi(const struct poi_input *poi)
+{
+    const uint32_t byte = poi->link | (poi->has_wrist ? (uint32_t)LINK_WRIST : 0u) |
+                          (poi->trembles ? (uint32_t)LINK_TREMBLES : 0u);
+    struct stored_pose pose = {
+        .byte = (uint8_t)byte, .has_age = 1, .age = poi->age_ticks, .float_count = POI_FLOATS
+    };
+    memcpy(pose.bits, &poi->target, sizeof poi->target);
+    return pose;
+}
+
+static bool walk_poi(struct replay_serializer *walk, const struct poi_input *before,
+                     struct poi_input *poi)
+{
+    const struct stored_pose old = stored_poi(before);
+    struct stored_pose pose = stored_poi(poi);
+    const bool has_changed = walk_stored(walk, &old, &pose, LINK_ALL);
+    if (!walk->out) {
+        poi->link = pose.byte & 3u;
+        poi->has_wrist = (pose.byte & LINK_WRIST) != 0;
+        poi->trembles = (pose.byte & LINK_TREMBLES) != 0;
+        poi->age_ticks = pose.age;
+        memcpy(&poi->target, pose.bits, sizeof poi->target);
+    }
+    return has_changed;
+}
+
+static struct stored_pose stored_shade(const struct shade_input *shade)
+{
+    const float floats[SHADE_FLOATS] = { shade->x_m, shade->z_m, shade->radius_m };
+    struct stored_pose pose = { .byte = shade->present != 0, .float_count = SHADE_FLOATS };
+    memcpy(pose.bits, floats, sizeof floats);
+    return pose;
+}
+
+static bool walk_shade(struct replay_serializer *walk, const struct shade_input *before,
+                       struct shade_input *shade)
+{
+    const struct stored_pose old = stored_shade(before);
+    struct stored_pose pose = stored_shade(shade);
+    const bool has_changed = walk_stored(walk, &old, &pose, 1);
+    if (!walk->out) {
+        float floats[SHADE_FLOATS];
+        memcpy(floats, pose.bits, sizeof floats);
+        for (unsigned i = 0; i < SHADE_FLOATS; i++) {
+            walk->bad |= !f_is_finite(floats[i]) && !walk->as_is;
+        }
+        *shade = (struct shade_input){ pose.byte, floats[0], floats[1], floats[2] };
+    }
+    return has_changed;
+}
+
+/* Serializes the poses. The bit of poi 0 is bit 0, and the fans follow the POI_MAX pois. */
+static bool walk_poses(struct replay_serializer *walk, const struct input *before,
+                       struct input *input)
+{
+    struct group group = group_begin(walk, false);
+    for (unsigned i = 0; i < POI_MAX + SHADE_MAX; i++) {
+        const uint32_t bit = 1u << i;
+        if (walk->out || group_has(&group, bit, false)) {
+            const bool has_changed = i < POI_MAX ? walk_poi(walk, &before->poi[i], &input->poi[i])
+                                                 : walk_shade(walk, &before->shade[i - POI_MAX],
+                                                              &input->shade[i - POI_MAX]);
+            group_has(&group, bit, has_changed);
+        }
+    }
+    return group_end(&group, 0xffu);
+}
+
+/* ---- One input -------------------------------------------------------------------------------- */
+
+/* Writes `input` as the difference from `before`, or reads the difference. A reader passes the
+ * previous input as `input` and as `before`. */
+static void walk_input(struct replay_serializer *walk, const struct input *before,
+                       struct input *input)
+{
+    static const struct {
+        uint32_t bit;
+        bool (*serialize)(struct replay_serializer *walk, const struct input *before,
+                          struct input *input);
+    } parts[] = {
+        { HAS_MACHINE, walk_machine },
+        { HAS_DESK, walk_desk },
+        { HAS_HANDS, walk_poses },
+    };
+    struct group group = group_begin(walk, false);
+    group_u32(&group, HAS_HELD, before->held, &input->held);
+    if (!walk->out) {
+        input->pressed = 0;
+        memset(input->coin_count, 0, sizeof input->coin_count);
+    }
+    group_u32(&group, HAS_PRESSED, 0, &input->pressed);
+    if (group_has(&group, HAS_COINS, input_coin_pulses(input) != 0)) {
+        for (unsigned i = 0; i < COIN_LINE_COUNT; i++) {
+            replay_serialize_u32(walk, &input->coin_count[i]);
+        }
+    }
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        if (walk->out || group_has(&group, parts[i].bit, false)) {
+            group_has(&group, parts[i].bit, parts[i].serialize(walk, before, input));
+        }
+    }
+    if (walk->out) {
+        walk->out[group.at] = (uint8_t)group.mask; /* A tick without any change is one byte. */
+    } else {
+        walk->bad |= group.mask > HAS_ALL || (input->held | input->pressed) > INPUT_BUTTON_ALL;
+    }
+}
+
+size_t replay_encode_input(const struct input *before, const struct input *input, uint8_t *out)
+{
+    struct input copy = *input; /* The copy is needed because the serializer takes a non-const
+                                   pointer. */
+    struct replay_serializer walk = { .out = out, .size = REPLAY_TICK_SIZE_MAX - 4u };
+    walk_input(&walk, before, &copy);
+    CORE_ASSERT(!walk.bad);
+    return walk.at;
 }
 
 size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size)
@@ -222,31 +372,14 @@ size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t siz
 
 size_t replay_decode_as_is(struct input *input, const uint8_t *bytes, size_t size, int as_is)
 {
-    struct replay_rest rest = { .at = bytes, .size = size, .as_is = as_is };
+    struct replay_serializer walk = { .in = bytes, .size = size, .as_is = as_is };
     struct input next = *input;
-    const uint8_t mask = replay_take_u8(&rest);
-    if (mask & HAS_HELD) {
-        next.held = replay_take_u32(&rest);
-    }
-    next.pressed = mask & HAS_PRESSED ? replay_take_u32(&rest) : 0;
-    for (unsigned i = 0; i < COIN_LINE_COUNT; i++) {
-        next.coin_count[i] = mask & HAS_COINS ? replay_take_u32(&rest) : 0;
-    }
-    if (mask & HAS_MACHINE) {
-        decode_machine(&next, &rest);
-    }
-    if (mask & HAS_DESK) {
-        decode_desk(&next.controllers, &rest);
-    }
-    if (mask & HAS_HANDS) {
-        replay_pose_delta_decode(&next, &rest);
-    }
-    rest.bad |= mask > HAS_ALL || (next.held | next.pressed) > INPUT_BUTTON_ALL;
-    if (rest.bad) {
+    walk_input(&walk, input, &next);
+    if (walk.bad) {
         return 0;
     }
     *input = next;
-    return (size_t)(rest.at - bytes);
+    return walk.at;
 }
 
 int replay_totals_agree(const struct replay_totals *a, const struct replay_totals *b)

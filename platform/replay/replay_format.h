@@ -1,7 +1,10 @@
-/* replay_format.h -- byte offsets within the parts of a recording, used by the writer and the
- * reader. */
+/* replay_format.h -- the parts of a recording, used by the writer and the reader: byte offsets,
+ * little-endian numbers, and the serializer. */
 #ifndef KINGYO_PLATFORM_REPLAY_REPLAY_FORMAT_H
 #define KINGYO_PLATFORM_REPLAY_REPLAY_FORMAT_H
+
+#include <stddef.h>
+#include <stdint.h>
 
 /* First bytes of a recording, which include control and non-ASCII characters. A text conversion
  * changes these bytes, so that the reader rejects the file. */
@@ -36,5 +39,39 @@ enum {
     END_HASH = 24,
     END_SUM = 32,
 };
+
+/* ---- Numbers (replay_serializer.c), pure functions --------------------------------------------- */
+
+/* The get functions return the number in the first 4 or 8 bytes. The put functions write `value` to
+ * 4 or 8 bytes. */
+uint32_t replay_get_u32(const uint8_t *bytes);
+uint64_t replay_get_u64(const uint8_t *bytes);
+void replay_put_u32(uint8_t *bytes, uint32_t value);
+void replay_put_u64(uint8_t *bytes, uint64_t value);
+
+/* ---- Serializer (replay_serializer.c), pure functions ------------------------------------------
+ *
+ * The serializer reads or writes fields in sequence, so that one function defines the order of
+ * fields for both directions. Each call writes the field if `out` is not null, and otherwise reads
+ * the field. Numbers are little-endian, and floats are stored as their bits. */
+
+struct replay_serializer {
+    uint8_t *out;      /* Destination buffer. Null means that fields are read. */
+    const uint8_t *in; /* Source buffer if `out` is null. */
+    size_t size, at;   /* Size of the buffer, and position of the next byte in the buffer, in
+                          bytes. */
+    uint32_t version;  /* Format version of the bytes: REPLAY_VERSION_MIN .. REPLAY_VERSION. 0 in a
+                          catalog, which has no version. */
+    int bad;           /* 1 if the buffer was too short. Later calls have no effect. */
+    int as_is;         /* 1 if floats are accepted that the core does not permit, to read the
+                          recording of a panic. */
+};
+
+/* Each function writes or reads one field, or an array of `count` elements. */
+void replay_serialize_bytes(struct replay_serializer *walk, void *bytes, size_t count);
+void replay_serialize_u8(struct replay_serializer *walk, uint8_t *value);
+void replay_serialize_u16(struct replay_serializer *walk, uint16_t *value);
+void replay_serialize_u32(struct replay_serializer *walk, uint32_t *value);
+void replay_serialize_floats(struct replay_serializer *walk, float *values, size_t count);
 
 #endif

@@ -1,5 +1,5 @@
-/* replay_initial_state.c -- serializes the initial state and compresses runs of zeros. One function
- * per structure both reads and writes.
+/* replay_initial_state.c -- serializes the initial state and the growth lab's catalog, and compresses
+ * runs of zeros. One function per structure both reads and writes.
  *
  * In the compressed form, a byte n < 128 is followed by n + 1 literal bytes. A byte n >= 128
  * represents n - 126 zeros. */
@@ -10,7 +10,7 @@
 #include "core/base/panic.h"
 #include "core/game/accounting/ledger_range.h"
 #include "platform/replay/replay.h"
-#include "platform/replay/replay_serializer.h"
+#include "platform/replay/replay_format.h"
 
 #define PLAIN_MAX 128u
 #define ZEROS_MIN 2u
@@ -54,17 +54,6 @@ static void walk_ledger(struct replay_serializer *walk, struct ledger_start *led
 }
 _Static_assert(sizeof(struct ledger_start) == 44, "the walk knows all of it");
 
-/* Serializes each setting as the difference from its default. */
-static void walk_settings(struct replay_serializer *walk, struct settings *settings)
-{
-    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
-        const uint32_t standard = (uint32_t)settings_entry(id)->standard;
-        uint32_t away = (uint32_t)settings->value[id] - standard;
-        replay_serialize_u32(walk, &away);
-        settings->value[id] = (int32_t)(away + standard);
-    }
-}
-
 static void walk_row(struct replay_serializer *walk, struct rank_row *row)
 {
     replay_serialize_u32(walk, &row->caught);
@@ -76,28 +65,28 @@ static void walk_row(struct replay_serializer *walk, struct rank_row *row)
 }
 _Static_assert(sizeof(struct rank_row) == 44, "the walk knows all of a row");
 
-static void walk_ranking(struct replay_serializer *walk, struct ranking *ranking)
-{
-    replay_serialize_u32(walk, &ranking->boot);
-    replay_serialize_u16(walk, &ranking->day);
-    replay_serialize_u16(walk, &ranking->week);
-    replay_serialize_u32(walk, &ranking->week_boot);
-    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
-        for (uint32_t i = 0; i < RANK_PERIOD_COUNT * RANK_ROWS; i++) {
-            walk_row(walk, &ranking->row[mode][i / RANK_ROWS][i % RANK_ROWS]);
-        }
-    }
-}
-
 static void walk_memory(struct replay_serializer *walk, struct persistent_state *memory)
 {
     walk_ledger(walk, &memory->ledger);
-    walk_settings(walk, &memory->settings);
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) { /* A setting is stored as the difference from
+                                                         its default. */
+        const uint32_t standard = (uint32_t)settings_entry(id)->standard;
+        uint32_t away = (uint32_t)memory->settings.value[id] - standard;
+        replay_serialize_u32(walk, &away);
+        memory->settings.value[id] = (int32_t)(away + standard);
+    }
     const uint32_t audit_count = walk->version > 7u ? AUDIT_COUNT : AUDIT_FORMAT_7_COUNT;
     for (uint32_t id = 0; id < audit_count; id++) {
         replay_serialize_u32(walk, &memory->audits.count[id]);
     }
-    walk_ranking(walk, &memory->ranking);
+    replay_serialize_u32(walk, &memory->ranking.boot);
+    replay_serialize_u16(walk, &memory->ranking.day);
+    replay_serialize_u16(walk, &memory->ranking.week);
+    replay_serialize_u32(walk, &memory->ranking.week_boot);
+    for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
+        walk_row(walk, &memory->ranking.row[i / (RANK_PERIOD_COUNT * RANK_ROWS)]
+                                           [i / RANK_ROWS % RANK_PERIOD_COUNT][i % RANK_ROWS]);
+    }
 }
 
 /* Clears the fields that did not exist in the balances of format 7. The bytes of these fields were
@@ -140,18 +129,6 @@ static void walk_chapter(struct replay_serializer *walk, struct game_session *se
 }
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "bytes of a board are those of a file");
 
-/* Serializes the rule version. A recording of format 7 sets rules_7, because its game is simulated
- * under the rules of format 7. */
-static void walk_rules(struct replay_serializer *walk, uint8_t *rules_7)
-{
-    if (walk->version == 7u) {
-        *rules_7 = 1;
-        return;
-    }
-    replay_serialize_u8(walk, rules_7);
-    walk->bad |= *rules_7 > 1u;
-}
-
 static void walk_config(struct replay_serializer *walk, struct core_config *config)
 {
     replay_serialize_u32(walk, &config->seed);
@@ -166,7 +143,13 @@ static void walk_config(struct replay_serializer *walk, struct core_config *conf
     replay_serialize_u8(walk, &config->ticket_fish);
     walk_memory(walk, &config->persistent);
     walk_chapter(walk, &config->session);
-    walk_rules(walk, &config->rules_7);
+    if (walk->version == 7u) {
+        /* The game of a recording of format 7 is simulated under the rules of format 7. */
+        config->rules_7 = 1;
+        return;
+    }
+    replay_serialize_u8(walk, &config->rules_7);
+    walk->bad |= config->rules_7 > 1u;
 }
 
 /* ---- Compression --------------------------------------------------------------------------- */
@@ -180,28 +163,22 @@ static size_t run_of_zeros(const uint8_t *bytes, size_t size)
     return count;
 }
 
-/* Returns the number of literal bytes before the next run of at least ZEROS_MIN zeros. */
-static size_t run_of_others(const uint8_t *bytes, size_t size)
-{
-    size_t count = 0;
-    while (count < size && count < PLAIN_MAX &&
-           run_of_zeros(bytes + count, size - count) < ZEROS_MIN) {
-        count++;
-    }
-    return count;
-}
-
 static size_t pack(const uint8_t *bytes, size_t size, uint8_t *out)
 {
     size_t at = 0, used = 0;
     while (at < size) {
         const size_t zeros = run_of_zeros(bytes + at, size - at);
-        const size_t others = zeros < ZEROS_MIN ? run_of_others(bytes + at, size - at) : 0;
+        size_t others = 0; /* Number of literal bytes before the next run of ZEROS_MIN zeros. */
+        while (zeros < ZEROS_MIN && at + others < size && others < PLAIN_MAX &&
+               run_of_zeros(bytes + at + others, size - at - others) < ZEROS_MIN) {
+            others++;
+        }
         out[used++] = (uint8_t)(others > 0 ? others - 1u : zeros - ZEROS_MIN + PLAIN_MAX);
         memcpy(out + used, bytes + at, others);
         used += others;
         at += others > 0 ? others : zeros;
     }
+    CORE_ASSERT(at == size);
     return used;
 }
 
@@ -225,6 +202,7 @@ static size_t unpack(const uint8_t *bytes, size_t size, uint8_t *out, size_t max
         }
         count += run;
     }
+    CORE_ASSERT(at == size && count <= max);
     return count;
 }
 
@@ -247,6 +225,7 @@ size_t replay_initial_state_encode(const struct core_config *config,
 int replay_initial_state_decode(struct core_config *config, const uint8_t *bytes, size_t size,
                                 uint32_t version)
 {
+    CORE_ASSERT(version >= REPLAY_VERSION_MIN && version <= REPLAY_VERSION);
     uint8_t fields[FIELDS_MAX];
     config->persistent = (struct persistent_state){ 0 };
     config->session = (struct game_session){ 0 };
@@ -256,4 +235,106 @@ int replay_initial_state_decode(struct core_config *config, const uint8_t *bytes
     walk_config(&walk, config);
     return !walk.bad && ledger_state_is_valid(&config->persistent) &&
            ledger_session_is_valid(&config->session) && walk.at == walk.size;
+}
+
+/* ---- Catalog of the growth lab ------------------------------------------------------------- */
+
+static void walk_graph(struct replay_serializer *walk, struct graph *graph)
+{
+    replay_serialize_u8(walk, &graph->knot_count);
+    replay_serialize_u8(walk, &graph->line);
+    replay_serialize_u8(walk, &graph->solved);
+    for (uint32_t i = 0; i < GRAPH_KNOT_MAX; i++) {
+        replay_serialize_floats(walk, &graph->knots[i].progress, 1);
+        replay_serialize_floats(walk, graph->knots[i].weight, MORPH_KEY_MAX);
+    }
+}
+
+static void walk_scale(struct replay_serializer *walk, struct scale_knot knots[GRAPH_KNOT_MAX])
+{
+    for (uint32_t i = 0; i < GRAPH_KNOT_MAX; i++) {
+        replay_serialize_floats(walk, &knots[i].progress, 1);
+        replay_serialize_floats(walk, &knots[i].length_m, 1);
+    }
+}
+
+static void walk_growth(struct replay_serializer *walk, struct growth *growth)
+{
+    replay_serialize_floats(walk, &growth->length_inf_m, 1);
+    replay_serialize_floats(walk, &growth->k_per_year, 1);
+    replay_serialize_floats(walk, &growth->t0_year, 1);
+    replay_serialize_floats(walk, &growth->fade_year, 1);
+    replay_serialize_u32(walk, &growth->point_count);
+    for (uint32_t i = 0; i < GROWTH_POINT_MAX; i++) {
+        replay_serialize_floats(walk, &growth->points[i].age_days, 1);
+        replay_serialize_floats(walk, &growth->points[i].length_m, 1);
+    }
+}
+
+static void walk_card(struct replay_serializer *walk, struct species_card *card)
+{
+    replay_serialize_bytes(walk, card->id, sizeof card->id);
+    replay_serialize_u8(walk, &card->key_count);
+    replay_serialize_u8(walk, &card->measure);
+    replay_serialize_u8(walk, &card->motion);
+    replay_serialize_u8(walk, &card->form);
+    replay_serialize_bytes(walk, card->thesis_key, sizeof card->thesis_key);
+    replay_serialize_u8(walk, &card->thesis_template);
+    replay_serialize_bytes(walk, card->key_names, sizeof card->key_names);
+    replay_serialize_floats(walk, card->key_age_days, MORPH_KEY_MAX);
+    replay_serialize_floats(walk, card->key_length_m, MORPH_KEY_MAX);
+    walk_growth(walk, &card->growth);
+    replay_serialize_u8(walk, &card->scale_knot_count);
+    walk_scale(walk, card->scale_knots);
+    replay_serialize_u8(walk, &card->curve_count);
+    replay_serialize_bytes(walk, card->curve_names, sizeof card->curve_names);
+    for (uint32_t i = 0; i < MORPH_CURVE_MAX; i++) {
+        walk_graph(walk, &card->curves[i]);
+    }
+}
+
+static void walk_book(struct replay_serializer *walk, struct lab_book *book)
+{
+    replay_serialize_u8(walk, &book->card_count);
+    replay_serialize_u8(walk, &book->refused);
+    replay_serialize_bytes(walk, book->has_edit, sizeof book->has_edit);
+    for (uint32_t i = 0; i < book->card_count && i < SPECIES_EXTRA_MAX; i++) {
+        walk_card(walk, &book->cards[i]);
+    }
+    for (uint32_t i = 0; i < SPECIES_MAX; i++) {
+        if (book->has_edit[i]) {
+            replay_serialize_u8(walk, &book->edits[i].template_id);
+            replay_serialize_u8(walk, &book->edits[i].scale_knot_count);
+            walk_graph(walk, &book->edits[i].graph);
+            walk_scale(walk, book->edits[i].scale_knots);
+        }
+    }
+}
+
+size_t replay_catalog_encode(const struct lab_book *book, uint8_t out[REPLAY_CATALOG_MAX])
+{
+    struct lab_book copy = *book; /* The copy is needed because the serializer takes a non-const
+                                     pointer. */
+    struct replay_serializer walk = { .out = out, .size = REPLAY_CATALOG_MAX };
+    uint32_t edits = 0;
+    for (uint32_t i = 0; i < SPECIES_MAX; i++) {
+        edits += book->has_edit[i] != 0;
+    }
+    if (book->card_count == 0 && book->refused == 0 && edits == 0) {
+        return 0;
+    }
+    walk_book(&walk, &copy);
+    return walk.bad ? 0 : walk.at;
+}
+
+int replay_catalog_decode(struct lab_book *book, const uint8_t *bytes, size_t size)
+{
+    struct replay_serializer walk = { .in = bytes, .size = size };
+    *book = (struct lab_book){ 0 };
+    walk_book(&walk, book);
+    if (walk.bad || walk.at != size || !lab_book_is_valid(book)) {
+        *book = (struct lab_book){ 0 };
+        return 0;
+    }
+    return 1;
 }

@@ -11,7 +11,6 @@
 
 #include "core/base/hash.h"
 #include "platform/os/file.h"
-#include "platform/replay/replay_bytes.h"
 #include "platform/replay/replay_format.h"
 
 #define TICK_SIZE_MIN 1u /* Minimum size of a tick in bytes: a mask without any change. */

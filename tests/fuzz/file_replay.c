@@ -7,7 +7,6 @@
 
 #include "core/base/hash.h"
 #include "platform/replay/replay.h"
-#include "platform/replay/replay_bytes.h"
 #include "platform/replay/replay_format.h"
 #include "tests/fuzz/stall.h"
 #include "tests/fuzz/trap.h"

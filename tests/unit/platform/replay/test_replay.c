@@ -20,7 +20,6 @@
 #include "platform/kiosk/recorder.h"
 #include "platform/kiosk/replayer.h"
 #include "platform/replay/replay.h"
-#include "platform/replay/replay_bytes.h"
 #include "platform/replay/replay_format.h"
 
 #define FILE_MAX (1u << 20)
