@@ -12,16 +12,18 @@
 
 /* ---- Regular files ---------------------------------------------------------------------------- */
 
-/* Opens a regular file without blocking. Reads the file type from the open descriptor, so that no
- * other file can take its place between the check and the use. `added` is 0 or O_NOFOLLOW. */
-static int open_regular(int folder, const char *path, int flags, int added, mode_t mode)
+/* Flags that every open of a regular file gets. */
+#define ADDED_FLAGS (O_NONBLOCK | O_CLOEXEC | O_NOCTTY)
+
+/* Checks the result `handle` of an open with the requested `flags`, and truncates the file for
+ * O_TRUNC. Reads the file type from the open descriptor, so that no other file can take its place
+ * between the check and the use. Returns `handle`, or closes it and returns -1 with errno set. */
+static int accept_regular(int handle, int flags)
 {
     struct stat about = { 0 };
-    const int handle =
-        openat(folder, path, (flags & ~O_TRUNC) | added | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, mode);
     if (handle < 0) {
-        errno = errno == ENXIO ? ENOTSUP : errno; /* `path` is a FIFO without a reader, a socket, or
-                                                     a device without its driver. */
+        errno = errno == ENXIO ? ENOTSUP : errno; /* The path is a FIFO without a reader, a socket,
+                                                     or a device without its driver. */
         return -1;
     }
     int error = fstat(handle, &about) != 0 ? errno
@@ -40,17 +42,19 @@ static int open_regular(int folder, const char *path, int flags, int added, mode
 
 int file_handle_at(int folder, const char *path, int flags, mode_t mode)
 {
-    return open_regular(folder, path, flags, O_NOFOLLOW, mode);
+    const int own = (flags & ~O_TRUNC) | O_NOFOLLOW | ADDED_FLAGS;
+    return accept_regular(openat(folder, path, own, mode), flags);
 }
 
 int file_handle(const char *path, int flags, mode_t mode)
 {
-    return open_regular(AT_FDCWD, path, flags, O_NOFOLLOW, mode);
+    const int own = (flags & ~O_TRUNC) | O_NOFOLLOW | ADDED_FLAGS;
+    return accept_regular(open(path, own, mode), flags);
 }
 
 int file_user_handle(const char *path, int flags, mode_t mode)
 {
-    return open_regular(AT_FDCWD, path, flags, 0, mode);
+    return accept_regular(open(path, (flags & ~O_TRUNC) | ADDED_FLAGS, mode), flags);
 }
 
 /* Open file with a read limit. `left` is the number of bytes that may still be read. */
