@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "board/desktop/parts.h"
-#include "drivers/gamepad/gamepad_poi.h"
+#include "drivers/gamepad/gamepads.h"
 #include "drivers/input_mux.h"
 #include "drivers/pointer/mouse_poi.h"
 

@@ -1,11 +1,135 @@
-/* gamepad_decoder.c -- implements the game pad decoder. */
+/* gamepad_decoder.c -- implements the game pad decoder, its filter of the motion sensors (a
+ * complementary filter for the upward direction), and the queue of reports. */
 #include "drivers/gamepad/gamepad_decoder.h"
+
+#include <string.h>
+
+#include "core/base/panic.h"
+
+/* ---- Filter of the motion sensors ------------------------------------------------------------ */
+
+#define G_M_S2 9.81f
+/* Time constant with which the accelerometer corrects the upward direction. The time constant is
+ * ten times the period of shaking, and much shorter than the minutes in which a gyroscope
+ * drifts. */
+#define DOWN_TAU_S 0.5f
+/* Time constant of the rest attitude, longer than the time for which a player aims at a fish. */
+#define REST_TAU_S 4.0f
+/* Angle around the rest attitude within which the tilt is 0, because a human hand trembles. */
+#define REST_BAND_RAD (2.0f * F_DEG)
+/* Limit of the rotation rate. Game pads measure at most 2,000 degrees/s (35 rad/s); larger values
+ * are noise. */
+#define RATE_MAX_RAD_S 40.0f
+#define STEP_MAX_S 0.25f /* Longest time over which a measured rotation rate is extrapolated. */
+
+static float seconds_between(uint64_t from_ns, uint64_t to_ns)
+{
+    return to_ns > from_ns ? (float)(to_ns - from_ns) * 1e-9f : 0.0f;
+}
+
+/* Rotates `up` to `time_ns`, opposite to the rotation of the pad, because the upward direction is
+ * fixed in the world. */
+static void turn_to(struct gamepad_imu_filter *tilt, uint64_t time_ns)
+{
+    CORE_ASSERT(v3_is_finite(tilt->rate_rad_s));
+    const float dt_s = f_min(seconds_between(tilt->turn_ns, time_ns), STEP_MAX_S);
+    if (tilt->turn_ns > 0 && tilt->knows_down) {
+        const vec3 turned = v3_muladd(tilt->up, v3_cross(tilt->up, tilt->rate_rad_s), dt_s);
+        tilt->up = v3_normalize_or(turned, tilt->up);
+    }
+    tilt->turn_ns = time_ns > tilt->turn_ns ? time_ns : tilt->turn_ns;
+}
+
+int gamepad_imu_filter_add_rotation(struct gamepad_imu_filter *tilt, uint64_t time_ns,
+                                    vec3 rate_rad_s)
+{
+    if (!v3_is_finite(rate_rad_s)) {
+        return -1;
+    }
+    turn_to(tilt, time_ns);
+    tilt->rate_rad_s = v3_limit(rate_rad_s, RATE_MAX_RAD_S);
+    return 0;
+}
+
+/* Corrects `up` by the measured acceleration. The acceleration is ignored if its magnitude differs
+ * from 1 g by more than 30 %, because of shaking or free fall. */
+int gamepad_imu_filter_add_gravity(struct gamepad_imu_filter *tilt, uint64_t time_ns, vec3 up_m_s2)
+{
+    if (!v3_is_finite(up_m_s2)) {
+        return -1;
+    }
+    const float weight = v3_length(up_m_s2);
+    const float dt_s = f_min(seconds_between(tilt->weigh_ns, time_ns), STEP_MAX_S);
+    tilt->weigh_ns = time_ns > tilt->weigh_ns ? time_ns : tilt->weigh_ns;
+    turn_to(tilt, time_ns);
+    if (!(weight > 0.7f * G_M_S2 && weight < 1.3f * G_M_S2)) {
+        return 0;
+    }
+    const vec3 up = v3_scale(up_m_s2, 1.0f / weight);
+    const float share = tilt->knows_down ? dt_s / (dt_s + DOWN_TAU_S) : 1.0f;
+    tilt->up = v3_normalize_or(v3_lerp(tilt->up, up, share), up);
+    tilt->knows_down = 1;
+    return 0;
+}
+
+static float pitch_of(vec3 up)
+{
+    return f_atan2(-up.z, f_sqrt(up.x * up.x + up.y * up.y));
+}
+
+static float roll_of(vec3 up)
+{
+    return f_atan2(-up.x, f_sqrt(up.y * up.y + up.z * up.z));
+}
+
+void gamepad_imu_filter_level(struct gamepad_imu_filter *tilt)
+{
+    CORE_ASSERT(v3_is_finite(tilt->up));
+    tilt->knows_rest = tilt->knows_down;
+    tilt->rest_pitch_rad = pitch_of(tilt->up);
+    tilt->rest_roll_rad = roll_of(tilt->up);
+}
+
+static float beyond_band(float angle_rad)
+{
+    CORE_ASSERT(f_is_finite(angle_rad));
+    const float size = f_max(0.0f, f_abs(angle_rad) - REST_BAND_RAD);
+    return f_clamp(angle_rad < 0.0f ? -size : size, -GAMEPAD_IMU_FILTER_MAX_RAD,
+                   GAMEPAD_IMU_FILTER_MAX_RAD);
+}
+
+struct angles gamepad_imu_filter_at(struct gamepad_imu_filter *tilt, uint64_t time_ns, int hovers)
+{
+    CORE_ASSERT(v3_is_finite(tilt->up));
+    turn_to(tilt, time_ns);
+    if (!tilt->knows_down) {
+        return (struct angles){ 0 };
+    }
+    if (!tilt->knows_rest) {
+        gamepad_imu_filter_level(tilt);
+        tilt->rest_ns = time_ns;
+    }
+    const float pitch_rad = pitch_of(tilt->up);
+    const float roll_rad = roll_of(tilt->up);
+    const float dt_s = f_min(seconds_between(tilt->rest_ns, time_ns), STEP_MAX_S);
+    const float share = hovers ? dt_s / (dt_s + REST_TAU_S) : 0.0f;
+    tilt->rest_pitch_rad = f_lerp(tilt->rest_pitch_rad, pitch_rad, share);
+    tilt->rest_roll_rad = f_lerp(tilt->rest_roll_rad, roll_rad, share);
+    tilt->rest_ns = time_ns > tilt->rest_ns ? time_ns : tilt->rest_ns;
+    return (struct angles){
+        .pitch_rad = beyond_band(pitch_rad - tilt->rest_pitch_rad),
+        .roll_rad = beyond_band(roll_rad - tilt->rest_roll_rad),
+    };
+}
+
+/* ---- Decoder --------------------------------------------------------------------------------- */
 
 #define AXIS_FULL 32767.0f
 #define STICK_TWIST (GAMEPAD_TILT_RAD / STICK_MOTION_TILT_MAX_RAD)
 
 void gamepad_decoder_init(struct gamepad_decoder *hand, const struct view *view)
 {
+    CORE_ASSERT(view);
     *hand = (struct gamepad_decoder){ 0 };
     stick_motion_init(&hand->fly, view);
 }
@@ -28,49 +152,18 @@ static vec3 read_stick(int16_t x_raw, int16_t y_raw)
     return v3_scale(stick, length > dead ? way / length : 0.0f);
 }
 
-static void read_triggers(struct gamepad_decoder *hand)
-{
-    const int16_t left = hand->now.axis[GAMEPAD_TRIGGER_LEFT];
-    const int16_t right = hand->now.axis[GAMEPAD_TRIGGER_RIGHT];
-    const int16_t most = left > right ? left : right;
-    hand->trigger_down =
-        most >= GAMEPAD_TRIGGER_ON || (hand->trigger_down && most > GAMEPAD_TRIGGER_OFF);
-}
-
-static void read_motion(struct gamepad_decoder *hand)
-{
-    if (hand->now.has_turn) {
-        gamepad_imu_filter_add_rotation(&hand->tilt, hand->time_ns, hand->now.turn_rad_s);
-    }
-    if (hand->now.has_weight) {
-        gamepad_imu_filter_add_gravity(&hand->tilt, hand->time_ns, hand->now.weight_m_s2);
-    }
-}
-
-/* Converts the right stick to tilt. Pushing the stick away from the player lifts the far edge of
- * the ring, as the mouse wheel does. Pushing right lowers the right edge. */
-static void read_sticks(struct gamepad_decoder *hand)
-{
-    const int16_t *axis = hand->now.axis;
-    const vec3 twist = read_stick(axis[GAMEPAD_TILT_X], axis[GAMEPAD_TILT_Y]);
-    hand->stick_twist = v3(-twist.y * STICK_TWIST, 0.0f, twist.x * STICK_TWIST);
-}
-
 /* ---- Pose ------------------------------------------------------------------------------------ */
-
-static uint32_t hand_buttons(const struct gamepad_decoder *hand)
-{
-    const uint32_t buttons = hand->now.buttons;
-    return (buttons & GAMEPAD_SOUTH || hand->trigger_down ? (uint32_t)POINTER_DIP : 0u) |
-           (buttons & (GAMEPAD_WEST | GAMEPAD_STICK_RIGHT) ? (uint32_t)POINTER_LEVEL : 0u) |
-           (buttons & GAMEPAD_SHOULDER_LEFT ? (uint32_t)POINTER_FAN : 0u);
-}
 
 /* Passes the deflection, the buttons, and the sum of the tilts from stick and motion sensors to
  * stick_motion. */
 static void tell_fly(struct gamepad_decoder *hand)
 {
-    const uint32_t buttons = hand_buttons(hand);
+    CORE_ASSERT(v3_is_finite(hand->stick_twist));
+    const uint32_t pad = hand->now.buttons;
+    const uint32_t buttons =
+        (pad & GAMEPAD_SOUTH || hand->trigger_down ? (uint32_t)POINTER_DIP : 0u) |
+        (pad & (GAMEPAD_WEST | GAMEPAD_STICK_RIGHT) ? (uint32_t)POINTER_LEVEL : 0u) |
+        (pad & GAMEPAD_SHOULDER_LEFT ? (uint32_t)POINTER_FAN : 0u);
     const struct angles wrist =
         gamepad_imu_filter_at(&hand->tilt, hand->time_ns, !(buttons & POINTER_DIP));
     const vec3 turned = v3(wrist.pitch_rad, 0.0f, wrist.roll_rad);
@@ -89,28 +182,36 @@ static void come_to(struct gamepad_decoder *hand, uint64_t time_ns)
     hand->time_ns = time_ns > hand->time_ns ? time_ns : hand->time_ns;
 }
 
-/* Converts pad buttons to cabinet buttons. Most pad buttons act as OK in the menus. */
-static uint32_t cabinet_buttons(uint32_t buttons)
-{
-    return (buttons & GAMEPAD_START ? (uint32_t)INPUT_START : 0u) |
-           (buttons & GAMEPAD_LEFT ? (uint32_t)INPUT_LEFT : 0u) |
-           (buttons & GAMEPAD_RIGHT ? (uint32_t)INPUT_RIGHT : 0u) |
-           (buttons & GAMEPAD_BACK ? (uint32_t)INPUT_LANGUAGE : 0u) |
-           (buttons & (GAMEPAD_UP | GAMEPAD_DOWN | GAMEPAD_EAST | GAMEPAD_NORTH |
-                       GAMEPAD_SHOULDER_RIGHT)
-                ? (uint32_t)INPUT_OK
-                : 0u);
-}
-
 void gamepad_decoder_report(struct gamepad_decoder *hand, const struct gamepad_report *report)
 {
     const uint32_t before = hand->now.buttons;
-    const uint32_t held = cabinet_buttons(report->buttons);
+    /* Most pad buttons act as OK in the menus. */
+    const uint32_t buttons = report->buttons;
+    const uint32_t held = (buttons & GAMEPAD_START ? (uint32_t)INPUT_START : 0u) |
+                          (buttons & GAMEPAD_LEFT ? (uint32_t)INPUT_LEFT : 0u) |
+                          (buttons & GAMEPAD_RIGHT ? (uint32_t)INPUT_RIGHT : 0u) |
+                          (buttons & GAMEPAD_BACK ? (uint32_t)INPUT_LANGUAGE : 0u) |
+                          (buttons & (GAMEPAD_UP | GAMEPAD_DOWN | GAMEPAD_EAST | GAMEPAD_NORTH |
+                                      GAMEPAD_SHOULDER_RIGHT)
+                               ? (uint32_t)INPUT_OK
+                               : 0u);
     come_to(hand, report->time_ns);
     hand->now = *report;
-    read_triggers(hand);
-    read_motion(hand);
-    read_sticks(hand);
+    const int16_t *axis = hand->now.axis;
+    const int16_t left = axis[GAMEPAD_TRIGGER_LEFT], right = axis[GAMEPAD_TRIGGER_RIGHT];
+    const int16_t most = left > right ? left : right;
+    hand->trigger_down =
+        most >= GAMEPAD_TRIGGER_ON || (hand->trigger_down && most > GAMEPAD_TRIGGER_OFF);
+    if (hand->now.has_turn) {
+        gamepad_imu_filter_add_rotation(&hand->tilt, hand->time_ns, hand->now.turn_rad_s);
+    }
+    if (hand->now.has_weight) {
+        gamepad_imu_filter_add_gravity(&hand->tilt, hand->time_ns, hand->now.weight_m_s2);
+    }
+    /* Pushing the right stick away from the player lifts the far edge of the ring, as the mouse
+     * wheel does. Pushing right lowers the right edge. */
+    const vec3 twist = read_stick(axis[GAMEPAD_TILT_X], axis[GAMEPAD_TILT_Y]);
+    hand->stick_twist = v3(-twist.y * STICK_TWIST, 0.0f, twist.x * STICK_TWIST);
     if (report->buttons & ~before & (GAMEPAD_WEST | GAMEPAD_STICK_RIGHT)) {
         gamepad_imu_filter_level(&hand->tilt);
     }
@@ -156,4 +257,76 @@ struct gamepad_rumble gamepad_decoder_rumble(const struct poi_force *force)
         .slow = motor(force->drag * force->drag),
         .fast = motor(f_max(force->slap, force->tear)),
     };
+}
+
+/* ---- Queue of reports ------------------------------------------------------------------------ */
+
+#define SAMPLE_NS 8333333ull /* Interval of the samples: one tick of the game, 1/120 s. */
+
+void gamepad_queue_init(struct gamepad_queue *track, const struct view *view, uint64_t time_ns)
+{
+    *track = (struct gamepad_queue){ .sampled_ns = time_ns };
+    gamepad_decoder_init(&track->hand, view);
+}
+
+void gamepad_queue_push(struct gamepad_queue *track, const struct gamepad_report *report)
+{
+    CORE_ASSERT(track->report_count <= GAMEPAD_REPORTS_MAX);
+    if (track->report_count == GAMEPAD_REPORTS_MAX) {
+        gamepad_decoder_report(&track->hand, &track->report[0]);
+        memmove(&track->report[0], &track->report[1],
+                sizeof track->report - sizeof track->report[0]);
+        track->report_count--;
+    }
+    track->report[track->report_count++] = *report;
+}
+
+/* Writes a sample every `step_ns` as long as its time is before `until_ns`. Returns the number of
+ * samples. */
+static uint32_t sample_until(struct gamepad_queue *track, uint64_t until_ns, uint64_t step_ns,
+                             struct poi_sample *out, uint32_t max)
+{
+    CORE_ASSERT(step_ns > 0);
+    uint32_t count = 0;
+    while (count < max && track->sampled_ns + step_ns < until_ns) {
+        track->sampled_ns += step_ns;
+        out[count++] = gamepad_decoder_sample(&track->hand, track->sampled_ns);
+    }
+    return count;
+}
+
+uint32_t gamepad_queue_pop(struct gamepad_queue *track, uint64_t now_ns, struct poi_sample *out,
+                           uint32_t max)
+{
+    CORE_ASSERT(track->report_count <= GAMEPAD_REPORTS_MAX);
+    CORE_ASSERT(out || max == 0);
+    if (max == 0) {
+        return 0;
+    }
+    const uint64_t span_ns = now_ns > track->sampled_ns ? now_ns - track->sampled_ns : 0;
+    /* After a stall of the caller the steps are larger, so that `max` samples cover the whole
+     * time. */
+    const uint64_t even_ns = span_ns / max + 1u;
+    const uint64_t step_ns = even_ns > SAMPLE_NS ? even_ns : SAMPLE_NS;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < track->report_count; i++) {
+        const struct gamepad_report *report = &track->report[i];
+        count += sample_until(track, report->time_ns, step_ns, out + count, max - 1u - count);
+        gamepad_decoder_report(&track->hand, report);
+    }
+    track->report_count = 0;
+    count += sample_until(track, now_ns, step_ns, out + count, max - 1u - count);
+    track->sampled_ns = now_ns;
+    out[count++] = gamepad_decoder_sample(&track->hand, now_ns);
+    return count;
+}
+
+void gamepad_queue_buttons(struct gamepad_queue *track, struct button_sample *out)
+{
+    CORE_ASSERT(track->report_count <= GAMEPAD_REPORTS_MAX);
+    for (uint32_t i = 0; i < track->report_count; i++) {
+        gamepad_decoder_report(&track->hand, &track->report[i]);
+    }
+    track->report_count = 0;
+    gamepad_decoder_buttons(&track->hand, out);
 }

@@ -7,15 +7,61 @@
  * The left stick moves the ring over the water by the rules of stick_motion.h. Button A or a
  * trigger dips the ring, the right stick tilts it, and button X levels it. The left shoulder button
  * holds the fan over the water. A game pad with motion sensors also tilts the ring by its own
- * attitude (gamepad_imu_filter.h). */
+ * attitude. The filter of the motion sensors estimates the tilt from the gyroscope and the
+ * accelerometer. The gyroscope measures rotation without delay but drifts. The accelerometer
+ * measures the direction of gravity without drift, but slowly, and shaking disturbs it. The two
+ * sensors together determine pitch and roll. Players do not hold a game pad level, so the result is
+ * the tilt relative to a rest attitude. gamepad_imu_filter_level() sets the rest attitude, which
+ * also follows slowly while the poi hovers.
+ *
+ * A stick sets a velocity, so the poi moves between reports too. The queue of reports samples the
+ * motion once for each tick (1/120 s), however rarely the kiosk polls. */
 #ifndef KINGYO_DRIVERS_GAMEPAD_GAMEPAD_DECODER_H
 #define KINGYO_DRIVERS_GAMEPAD_GAMEPAD_DECODER_H
 
 #include <stdint.h>
 
-#include "drivers/gamepad/gamepad_imu_filter.h"
+#include "core/base/vec.h"
 #include "drivers/gamepad/stick_motion.h"
 #include "platform/hal.h"
+
+/* ---- Filter of the motion sensors ------------------------------------------------------------ */
+
+/* Largest pitch and largest roll that the filter returns. */
+#define GAMEPAD_IMU_FILTER_MAX_RAD (45.0f * F_DEG)
+
+/* State of the filter. The axes are SDL's: +x points right, +y up out of the buttons, +z toward the
+ * player. */
+struct gamepad_imu_filter {
+    vec3 up;            /* Upward direction in the axes of the pad, a unit vector. */
+    uint8_t knows_down; /* 1 after the first valid acceleration was processed, otherwise 0. */
+    uint8_t knows_rest; /* 1 after the rest attitude was set, otherwise 0. */
+    float rest_pitch_rad, rest_roll_rad; /* Pitch and roll of the rest attitude. */
+    uint64_t turn_ns;                    /* Time up to which the rotation of the pad is included in
+                                            `up`. */
+    uint64_t weigh_ns;                   /* Time of the newest acceleration. */
+    uint64_t rest_ns;                    /* Time of the last update of the rest attitude. */
+    vec3 rate_rad_s;                     /* Rotation rate from the newest measurement. */
+};
+
+/* Sets the rotation rate that applies from `time_ns` on. Returns 0, or -1 if a component is not
+ * finite; the state is then unchanged. */
+int gamepad_imu_filter_add_rotation(struct gamepad_imu_filter *tilt, uint64_t time_ns,
+                                    vec3 rate_rad_s);
+
+/* Processes an acceleration that includes gravity: a pad at rest measures 9.8 m/s2 upward. Returns
+ * 0, or -1 if a component is not finite; the state is then unchanged. */
+int gamepad_imu_filter_add_gravity(struct gamepad_imu_filter *tilt, uint64_t time_ns, vec3 up_m_s2);
+
+/* Makes the current attitude the rest attitude. */
+void gamepad_imu_filter_level(struct gamepad_imu_filter *tilt);
+
+/* Returns pitch and roll of the poi at `time_ns`, each within +-GAMEPAD_IMU_FILTER_MAX_RAD. Both
+ * angles are 0 before the first acceleration. While `hovers` is 1 the rest attitude follows the
+ * current attitude. */
+struct angles gamepad_imu_filter_at(struct gamepad_imu_filter *tilt, uint64_t time_ns, int hovers);
+
+/* ---- Decoder --------------------------------------------------------------------------------- */
 
 enum gamepad_axis {
     GAMEPAD_LEAD_X = 0, /* Left stick, horizontal; positive to the right. */
@@ -110,5 +156,33 @@ struct gamepad_rumble {
 };
 /* Returns the motor levels for the force feedback `force`. */
 struct gamepad_rumble gamepad_decoder_rumble(const struct poi_force *force);
+
+/* ---- Queue of reports ------------------------------------------------------------------------ */
+
+#define GAMEPAD_REPORTS_MAX 64u /* Capacity of the queue, equal to HAL_POI_SAMPLES_MAX. */
+
+struct gamepad_queue {
+    struct gamepad_decoder hand;                       /* Decoder, whose state includes all decoded
+                                                          reports. */
+    struct gamepad_report report[GAMEPAD_REPORTS_MAX]; /* Reports that are not decoded yet, oldest
+                                                          first. */
+    uint32_t report_count;
+    uint64_t sampled_ns; /* Time of the newest sample. */
+};
+
+/* Initializes `track` with the poi over the middle of the water at `time_ns`. */
+void gamepad_queue_init(struct gamepad_queue *track, const struct view *view, uint64_t time_ns);
+
+/* Appends a report. If the queue is full, the oldest report is decoded immediately. The buttons of
+ * the oldest report still count, but the motion up to its time is not sampled. */
+void gamepad_queue_push(struct gamepad_queue *track, const struct gamepad_report *report);
+
+/* Samples the motion from the previous call to `now_ns`. Writes at most `max` samples, the last of
+ * which is at `now_ns`. Returns the number of samples. */
+uint32_t gamepad_queue_pop(struct gamepad_queue *track, uint64_t now_ns, struct poi_sample *out,
+                           uint32_t max);
+
+/* Decodes all pending reports and writes the pressed buttons to `out`. */
+void gamepad_queue_buttons(struct gamepad_queue *track, struct button_sample *out);
 
 #endif

@@ -1,5 +1,5 @@
 /* gamepad_poi.c -- implements the poi, fan and button devices of a game pad. */
-#include "drivers/gamepad/gamepad_poi.h"
+#include "drivers/gamepad/gamepads.h"
 
 #include <SDL.h>
 
@@ -28,12 +28,13 @@ static int pad_open(void *self)
 
 static int pad_poll(void *self, struct poi_sample *out, uint32_t max)
 {
+    CORE_ASSERT(out || max == 0);
     struct gamepad *pad = self;
     gamepads_poll(pad->gamepads);
     if (!pad->controller) {
         return HAL_ERR_GONE;
     }
-    return (int)gamepad_queue_pop(&pad->track, gamepads_now_ns(pad->gamepads), out, max);
+    return (int)gamepad_queue_pop(&pad->track, hal_now_ns(pad->gamepads->clock), out, max);
 }
 
 static uint32_t apart(uint16_t a, uint16_t b)
@@ -44,12 +45,13 @@ static uint32_t apart(uint16_t a, uint16_t b)
 /* Sends the motor levels when they change, and repeats them before SDL would stop the motors. */
 static int pad_set_force(void *self, const struct poi_force *force)
 {
+    CORE_ASSERT(force);
     struct gamepad *pad = self;
     if (!pad->controller || pad->cannot_rumble) {
         return HAL_ERR_ABSENT;
     }
     const struct gamepad_rumble rumble = gamepad_decoder_rumble(force);
-    const uint64_t now = gamepads_now_ns(pad->gamepads);
+    const uint64_t now = hal_now_ns(pad->gamepads->clock);
     const int hums = rumble.slow > 0 || rumble.fast > 0;
     const int is_other = apart(rumble.slow, pad->rumble.slow) >= RUMBLE_STEP ||
                          apart(rumble.fast, pad->rumble.fast) >= RUMBLE_STEP ||
@@ -67,6 +69,7 @@ static int pad_set_force(void *self, const struct poi_force *force)
 static void pad_set_view(void *self, const struct view *view,
                          const struct display_settings *display_settings)
 {
+    CORE_ASSERT(view);
     struct gamepad *pad = self;
     (void)display_settings; /* Unused, because a stick moves relative to the water and not to the
                                screen. */
@@ -88,11 +91,12 @@ static int gamepad_poi_fan_open(void *self)
 
 static int gamepad_poi_fan_poll(void *self, struct shade_input *out)
 {
+    CORE_ASSERT(out);
     struct gamepad *pad = self;
     if (!pad->controller) {
         return HAL_ERR_GONE;
     }
-    *out = gamepad_decoder_fan(&pad->track.hand, gamepads_now_ns(pad->gamepads));
+    *out = gamepad_decoder_fan(&pad->track.hand, hal_now_ns(pad->gamepads->clock));
     return HAL_OK;
 }
 
@@ -130,6 +134,7 @@ struct hal_fan gamepad_poi_fan(struct gamepads *gamepads, uint32_t index)
  * START. */
 static int gamepad_poi_buttons_poll(void *self, struct button_sample *out)
 {
+    CORE_ASSERT(out);
     struct gamepads *gamepads = self;
     int result = HAL_ERR_ABSENT;
     gamepads_poll(gamepads);

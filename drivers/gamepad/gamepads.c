@@ -6,10 +6,16 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "drivers/usb/usb_sysfs.h"
 
 #define EVENT_BATCH 64
 
+_Static_assert(
+    offsetof(SDL_ControllerAxisEvent, which) == offsetof(SDL_ControllerDeviceEvent, which) &&
+        offsetof(SDL_ControllerButtonEvent, which) == offsetof(SDL_ControllerDeviceEvent, which) &&
+        offsetof(SDL_ControllerSensorEvent, which) == offsetof(SDL_ControllerDeviceEvent, which),
+    "the instance id of all controller events is at the same place");
 _Static_assert(GAMEPAD_SOUTH == 1u << SDL_CONTROLLER_BUTTON_A, "");
 _Static_assert(GAMEPAD_EAST == 1u << SDL_CONTROLLER_BUTTON_B, "");
 _Static_assert(GAMEPAD_WEST == 1u << SDL_CONTROLLER_BUTTON_X, "");
@@ -30,11 +36,6 @@ _Static_assert(GAMEPAD_TILT_Y == (int)SDL_CONTROLLER_AXIS_RIGHTY, "");
 _Static_assert(GAMEPAD_TRIGGER_LEFT == (int)SDL_CONTROLLER_AXIS_TRIGGERLEFT, "");
 _Static_assert(GAMEPAD_TRIGGER_RIGHT == (int)SDL_CONTROLLER_AXIS_TRIGGERRIGHT, "");
 
-uint64_t gamepads_now_ns(const struct gamepads *gamepads)
-{
-    return gamepads->clock.ops->now_ns(gamepads->clock.self);
-}
-
 /* ---- Hot-plug -------------------------------------------------------------------------------- */
 
 static struct gamepad *pad_of(struct gamepads *gamepads, int32_t instance)
@@ -45,11 +46,6 @@ static struct gamepad *pad_of(struct gamepads *gamepads, int32_t instance)
         }
     }
     return NULL;
-}
-
-static int was(const struct gamepad *pad, const char *guid, const char *serial)
-{
-    return pad->was_here && strcmp(pad->guid, guid) == 0 && strcmp(pad->serial, serial) == 0;
 }
 
 /* Returns a free element of `pad`. The element that the pad used last is preferred, then an element
@@ -63,7 +59,7 @@ static struct gamepad *place_for(struct gamepads *gamepads, const char *guid, co
         if (pad->controller) {
             continue;
         }
-        if (was(pad, guid, serial)) {
+        if (pad->was_here && strcmp(pad->guid, guid) == 0 && strcmp(pad->serial, serial) == 0) {
             return pad;
         }
         any = pad;
@@ -74,19 +70,16 @@ static struct gamepad *place_for(struct gamepads *gamepads, const char *guid, co
 
 static void begin_pad(struct gamepad *pad)
 {
+    CORE_ASSERT(pad->controller && pad->gamepads);
     const char *name = SDL_GameControllerName(pad->controller);
     pad->now = (struct gamepad_report){ 0 };
     pad->was_here = 1;
     pad->rumble = (struct gamepad_rumble){ 0 };
     pad->cannot_rumble = SDL_GameControllerHasRumble(pad->controller) == SDL_FALSE;
-    gamepad_queue_init(&pad->track, &pad->gamepads->view, gamepads_now_ns(pad->gamepads));
+    gamepad_queue_init(&pad->track, &pad->gamepads->view, hal_now_ns(pad->gamepads->clock));
     snprintf(pad->text, sizeof pad->text, "pad: %.80s%s (left stick leads, A dips)",
              name ? name : "of no name", pad->cannot_rumble ? "" : ", rumbles");
-}
-
-/* Enables the gyroscope and the accelerometer, if the pad has them. */
-static void begin_motion(struct gamepad *pad)
-{
+    /* The gyroscope and the accelerometer are enabled if the pad has them. */
     static const SDL_SensorType types[] = { SDL_SENSOR_GYRO, SDL_SENSOR_ACCEL };
     for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
         if (SDL_GameControllerHasSensor(pad->controller, types[i])) {
@@ -98,6 +91,8 @@ static void begin_motion(struct gamepad *pad)
 int gamepads_is_excluded(const struct gamepads *gamepads, uint16_t vendor, uint16_t product,
                          const char *serial)
 {
+    CORE_ASSERT(gamepads->bar_count <= GAMEPADS_EXCLUSION_MAX);
+    CORE_ASSERT(serial);
     for (uint32_t i = 0; i < gamepads->bar_count; i++) {
         const struct gamepad_exclusion *bar = &gamepads->bar[i];
         if (bar->vendor == vendor && bar->product == product &&
@@ -108,28 +103,23 @@ int gamepads_is_excluded(const struct gamepads *gamepads, uint16_t vendor, uint1
     return 0;
 }
 
-/* Reads the USB ids of a game pad that is not opened yet. */
-static void look_at(int32_t device_index, struct gamepad *out)
-{
-    const char *node = SDL_JoystickPathForIndex(device_index);
-    out->vendor = SDL_JoystickGetDeviceVendor(device_index);
-    out->product = SDL_JoystickGetDeviceProduct(device_index);
-    usb_sysfs_node_serial("/sys", node ? node : "", out->usb_serial);
-}
-
 /* Opens a new game pad. If all GAMEPADS_MAX elements are in use, the pad is ignored until it is
  * plugged in again. */
 static void plug_in(struct gamepads *gamepads, int32_t device_index)
 {
+    CORE_ASSERT(gamepads->is_open);
     char guid[GAMEPAD_GUID_SIZE];
     char serial[sizeof gamepads->pad[0].serial] = "";
-    struct gamepad seen = { 0 };
+    char usb_serial[HID_TEXT_SIZE] = "";
     if (!SDL_IsGameController(device_index) ||
         pad_of(gamepads, SDL_JoystickGetDeviceInstanceID(device_index))) {
         return;
     }
-    look_at(device_index, &seen);
-    if (gamepads_is_excluded(gamepads, seen.vendor, seen.product, seen.usb_serial)) {
+    const char *node = SDL_JoystickPathForIndex(device_index);
+    const uint16_t vendor = SDL_JoystickGetDeviceVendor(device_index);
+    const uint16_t product = SDL_JoystickGetDeviceProduct(device_index);
+    usb_sysfs_node_serial("/sys", node ? node : "", usb_serial);
+    if (gamepads_is_excluded(gamepads, vendor, product, usb_serial)) {
         return;
     }
     SDL_GameController *controller = SDL_GameControllerOpen(device_index);
@@ -147,13 +137,12 @@ static void plug_in(struct gamepads *gamepads, int32_t device_index)
     }
     memcpy(pad->guid, guid, sizeof guid);
     memcpy(pad->serial, serial, sizeof serial);
-    memcpy(pad->usb_serial, seen.usb_serial, sizeof seen.usb_serial);
-    pad->vendor = seen.vendor;
-    pad->product = seen.product;
+    memcpy(pad->usb_serial, usb_serial, sizeof usb_serial);
+    pad->vendor = vendor;
+    pad->product = product;
     pad->controller = controller;
     pad->instance = SDL_JoystickInstanceID(joystick);
     begin_pad(pad);
-    begin_motion(pad);
 }
 
 static void pull_out(struct gamepads *gamepads, int32_t instance)
@@ -167,72 +156,50 @@ static void pull_out(struct gamepads *gamepads, int32_t instance)
 
 /* ---- Events ---------------------------------------------------------------------------------- */
 
-static void gamepads_queue_report(struct gamepad *pad, uint64_t time_ns)
-{
-    pad->now.time_ns = time_ns;
-    gamepad_queue_push(&pad->track, &pad->now);
-    pad->now.has_turn = pad->now.has_weight = 0;
-}
-
-static void move_axis(struct gamepads *gamepads, const SDL_ControllerAxisEvent *event,
-                      uint64_t time_ns)
-{
-    struct gamepad *pad = pad_of(gamepads, event->which);
-    if (pad && event->axis < GAMEPAD_AXIS_COUNT) {
-        pad->now.axis[event->axis] = event->value;
-        gamepads_queue_report(pad, time_ns);
-    }
-}
-
-static void press(struct gamepads *gamepads, const SDL_ControllerButtonEvent *event,
-                  uint64_t time_ns)
-{
-    struct gamepad *pad = pad_of(gamepads, event->which);
-    if (pad && event->button < 32) {
-        const uint32_t bit = 1u << event->button;
-        pad->now.buttons =
-            event->state == SDL_PRESSED ? pad->now.buttons | bit : pad->now.buttons & ~bit;
-        gamepads_queue_report(pad, time_ns);
-    }
-}
-
-static void sense(struct gamepads *gamepads, const SDL_ControllerSensorEvent *event,
-                  uint64_t time_ns)
-{
-    struct gamepad *pad = pad_of(gamepads, event->which);
-    const vec3 data = v3(event->data[0], event->data[1], event->data[2]);
-    if (pad && event->sensor == SDL_SENSOR_GYRO) {
-        pad->now.has_turn = 1;
-        pad->now.turn_rad_s = data;
-        gamepads_queue_report(pad, time_ns);
-    } else if (pad && event->sensor == SDL_SENSOR_ACCEL) {
-        pad->now.has_weight = 1;
-        pad->now.weight_m_s2 = data;
-        gamepads_queue_report(pad, time_ns);
-    }
-}
-
+/* Applies an event to the state of its pad, and queues the new state as a report. Events of other
+ * types are ignored. SDL's joystick events repeat the controller events. */
 static void gamepads_take_event(struct gamepads *gamepads, const SDL_Event *event, uint64_t time_ns)
 {
-    switch (event->type) {
-    case SDL_CONTROLLERDEVICEADDED:
+    CORE_ASSERT(time_ns >= gamepads->pumped_ns);
+    if (event->type == SDL_CONTROLLERDEVICEADDED) {
         plug_in(gamepads, event->cdevice.which);
-        break;
-    case SDL_CONTROLLERDEVICEREMOVED:
+        return;
+    }
+    if (event->type == SDL_CONTROLLERDEVICEREMOVED) {
         pull_out(gamepads, event->cdevice.which);
-        break;
-    case SDL_CONTROLLERAXISMOTION:
-        move_axis(gamepads, &event->caxis, time_ns);
-        break;
-    case SDL_CONTROLLERBUTTONDOWN:
-    case SDL_CONTROLLERBUTTONUP:
-        press(gamepads, &event->cbutton, time_ns);
-        break;
-    case SDL_CONTROLLERSENSORUPDATE:
-        sense(gamepads, &event->csensor, time_ns);
-        break;
-    default: /* Other events are ignored. SDL's joystick events repeat the controller events. */
-        break;
+        return;
+    }
+    /* All controller events have the instance id of the pad at the same place. */
+    struct gamepad *pad = pad_of(gamepads, event->cdevice.which);
+    int is_new = 0;
+    if (!pad) {
+        return;
+    }
+    if (event->type == SDL_CONTROLLERAXISMOTION) {
+        is_new = event->caxis.axis < GAMEPAD_AXIS_COUNT;
+        if (is_new) {
+            pad->now.axis[event->caxis.axis] = event->caxis.value;
+        }
+    } else if (event->type == SDL_CONTROLLERBUTTONDOWN || event->type == SDL_CONTROLLERBUTTONUP) {
+        const uint32_t bit = event->cbutton.button < 32 ? 1u << event->cbutton.button : 0u;
+        is_new = bit != 0;
+        pad->now.buttons =
+            event->cbutton.state == SDL_PRESSED ? pad->now.buttons | bit : pad->now.buttons & ~bit;
+    } else if (event->type == SDL_CONTROLLERSENSORUPDATE) {
+        const float *data = event->csensor.data;
+        const int is_turn = event->csensor.sensor == SDL_SENSOR_GYRO;
+        is_new = is_turn || event->csensor.sensor == SDL_SENSOR_ACCEL;
+        pad->now.has_turn |= is_new && is_turn;
+        pad->now.has_weight |= is_new && !is_turn;
+        if (is_new) {
+            *(is_turn ? &pad->now.turn_rad_s : &pad->now.weight_m_s2) =
+                v3(data[0], data[1], data[2]);
+        }
+    }
+    if (is_new) {
+        pad->now.time_ns = time_ns;
+        gamepad_queue_push(&pad->track, &pad->now);
+        pad->now.has_turn = pad->now.has_weight = 0;
     }
 }
 
@@ -242,7 +209,7 @@ static void gamepads_take_event(struct gamepads *gamepads, const SDL_Event *even
 void gamepads_poll(struct gamepads *gamepads)
 {
     SDL_Event events[EVENT_BATCH];
-    const uint64_t now = gamepads_now_ns(gamepads);
+    const uint64_t now = hal_now_ns(gamepads->clock);
     int taken;
     if (!gamepads->is_open) {
         return;
@@ -265,6 +232,7 @@ void gamepads_poll(struct gamepads *gamepads)
 
 void gamepads_init(struct gamepads *gamepads, struct hal_clock clock, const struct view *view)
 {
+    CORE_ASSERT(view);
     *gamepads = (struct gamepads){ .clock = clock, .view = *view };
     for (uint32_t i = 0; i < GAMEPADS_MAX; i++) {
         gamepads->pad[i].gamepads = gamepads;
@@ -274,6 +242,7 @@ void gamepads_init(struct gamepads *gamepads, struct hal_clock clock, const stru
 
 static void hint_at_bars(const struct gamepads *gamepads)
 {
+    CORE_ASSERT(gamepads->bar_count <= GAMEPADS_EXCLUSION_MAX);
     char list[GAMEPADS_EXCLUSION_MAX * sizeof "0x0000/0x0000,"] = "";
     for (uint32_t i = 0; i < gamepads->bar_count; i++) {
         const size_t length = strlen(list);
@@ -289,6 +258,7 @@ static void hint_at_bars(const struct gamepads *gamepads)
 void gamepads_exclude(struct gamepads *gamepads, const struct gamepad_exclusion *bar,
                       uint32_t count)
 {
+    CORE_ASSERT(bar || count == 0);
     const uint32_t kept = count < GAMEPADS_EXCLUSION_MAX ? count : GAMEPADS_EXCLUSION_MAX;
     if (kept == gamepads->bar_count && memcmp(gamepads->bar, bar, kept * sizeof *bar) == 0) {
         return;
@@ -307,6 +277,7 @@ void gamepads_exclude(struct gamepads *gamepads, const struct gamepad_exclusion 
 
 int gamepads_open(struct gamepads *gamepads, const char *database)
 {
+    CORE_ASSERT(!gamepads->is_open);
     SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
     hint_at_bars(gamepads);
     if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0) {
@@ -318,7 +289,7 @@ int gamepads_open(struct gamepads *gamepads, const char *database)
                                                             may be missing. */
     }
     gamepads->is_open = 1;
-    gamepads->pumped_ns = gamepads_now_ns(gamepads);
+    gamepads->pumped_ns = hal_now_ns(gamepads->clock);
     for (int i = 0; i < SDL_NumJoysticks(); i++) {
         plug_in(gamepads, i);
     }

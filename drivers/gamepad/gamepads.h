@@ -15,7 +15,7 @@
 #ifndef KINGYO_DRIVERS_GAMEPAD_GAMEPADS_H
 #define KINGYO_DRIVERS_GAMEPAD_GAMEPADS_H
 
-#include "drivers/gamepad/gamepad_queue.h"
+#include "drivers/gamepad/gamepad_decoder.h"
 #include "drivers/hid/hid_port.h"
 #include "platform/hal.h"
 
@@ -96,7 +96,19 @@ void gamepads_close(struct gamepads *gamepads);
 
 /* Processes SDL's pending game pad events. */
 void gamepads_poll(struct gamepads *gamepads);
-/* Returns the current time of gamepads->clock. */
-uint64_t gamepads_now_ns(const struct gamepads *gamepads);
+
+/* ---- Devices of struct hal (gamepad_poi.c) --------------------------------------------------- */
+
+/* Returns the poi device of game pad `index` (0 to GAMEPADS_MAX - 1). */
+struct hal_poi gamepad_poi_device(struct gamepads *gamepads, uint32_t index);
+/* Returns the fan device of game pad `index` (0 to GAMEPADS_MAX - 1). */
+struct hal_fan gamepad_poi_fan(struct gamepads *gamepads, uint32_t index);
+/* Returns 1 if the game pad `pad` (a struct gamepad) is plugged in, otherwise 0. Processes pending
+ * events first. */
+int gamepad_poi_is_present(void *pad);
+
+/* Returns the device that reports START, LEFT, RIGHT, OK and LANGUAGE of all game pads. The poi
+ * devices must be polled before this device. */
+struct hal_buttons gamepad_poi_buttons(struct gamepads *gamepads);
 
 #endif

@@ -1,7 +1,8 @@
 /* stick_motion.c -- implements the motion by sticks: integrates the velocity that a stick sets. */
 #include "drivers/gamepad/stick_motion.h"
 
-#include "drivers/pointer/pointer_fan.h"
+#include "core/base/panic.h"
+#include "drivers/pointer/pointer_poi.h"
 
 /* Time constant that smooths the velocity. The ring then moves as if an arm held it, even if the
  * thumb flicks the stick. */
@@ -37,69 +38,57 @@ static vec3 shares_of(vec3 v)
     return v3(stick_motion_share_of(v.x), stick_motion_share_of(v.y), stick_motion_share_of(v.z));
 }
 
-static vec3 kept_within(vec3 v, vec3 low, vec3 high)
-{
-    return v3(f_clamp(v.x, low.x, high.x), f_clamp(v.y, low.y, high.y),
-              f_clamp(v.z, low.z, high.z));
-}
-
 /* Limits a position to the visible part of the plane at its height. A higher ring appears farther
  * up in the image, so the limits depend on the height. */
 static vec3 seen_m(const struct stick_motion *fly, vec3 at_m)
 {
+    CORE_ASSERT(f_is_finite(at_m.y));
     const float height = f_clamp(
         (at_m.y - STICK_MOTION_LOW_M) / (STICK_MOTION_HIGH_M - STICK_MOTION_LOW_M), 0.0f, 1.0f);
-    return kept_within(at_m, v3_lerp(fly->low_m[0], fly->low_m[1], height),
-                       v3_lerp(fly->high_m[0], fly->high_m[1], height));
-}
-
-static void look_at_height(struct stick_motion *fly, uint32_t index, float height_m)
-{
-    const struct view *view = &fly->view;
-    const vec3 right = view_point_on_plane(view, VIEW_ASPECT, SEEN, 0.0f, height_m);
-    const vec3 far = view_point_on_plane(view, VIEW_ASPECT, 0.0f, SEEN, height_m);
-    const vec3 near = view_point_on_plane(view, VIEW_ASPECT, 0.0f, -SEEN, height_m);
-    fly->low_m[index] = v3(-f_abs(right.x), STICK_MOTION_LOW_M, f_min(far.z, near.z));
-    fly->high_m[index] = v3(f_abs(right.x), STICK_MOTION_HIGH_M, f_max(far.z, near.z));
+    const vec3 low = v3_lerp(fly->low_m[0], fly->low_m[1], height);
+    const vec3 high = v3_lerp(fly->high_m[0], fly->high_m[1], height);
+    return v3(f_clamp(at_m.x, low.x, high.x), f_clamp(at_m.y, low.y, high.y),
+              f_clamp(at_m.z, low.z, high.z));
 }
 
 void stick_motion_set_view(struct stick_motion *fly, const struct view *view)
 {
+    CORE_ASSERT(view);
+    static const float heights_m[2] = { STICK_MOTION_LOW_M, STICK_MOTION_HIGH_M };
     fly->view = *view;
-    look_at_height(fly, 0, STICK_MOTION_LOW_M);
-    look_at_height(fly, 1, STICK_MOTION_HIGH_M);
+    for (uint32_t i = 0; i < 2; i++) {
+        const vec3 right = view_point_on_plane(view, VIEW_ASPECT, SEEN, 0.0f, heights_m[i]);
+        const vec3 far = view_point_on_plane(view, VIEW_ASPECT, 0.0f, SEEN, heights_m[i]);
+        const vec3 near = view_point_on_plane(view, VIEW_ASPECT, 0.0f, -SEEN, heights_m[i]);
+        fly->low_m[i] = v3(-f_abs(right.x), STICK_MOTION_LOW_M, f_min(far.z, near.z));
+        fly->high_m[i] = v3(f_abs(right.x), STICK_MOTION_HIGH_M, f_max(far.z, near.z));
+    }
     fly->place_m = seen_m(fly, fly->place_m);
 }
 
 void stick_motion_init(struct stick_motion *fly, const struct view *view)
 {
     *fly = (struct stick_motion){ .place_m = { 0.0f, DIP_HOVER_M, 0.0f } };
-    dip_init(&fly->dip);
+    pointer_dip_init(&fly->dip);
     stick_motion_set_view(fly, view);
-}
-
-/* Returns the ring's height over the still water: the flight height minus the depth of the dip. */
-static float height_m(const struct stick_motion *fly, uint64_t time_ns)
-{
-    return fly->place_m.y - DIP_HOVER_M + dip_at(&fly->dip, time_ns).height_m;
-}
-
-static float pace_m_s(float at_m)
-{
-    return f_lerp(STICK_MOTION_WATER_M_S, STICK_MOTION_AIR_M_S, f_smoothstep(0.0f, 0.025f, at_m));
 }
 
 /* Applies a response curve with a cubic part to the deflection `push` and returns the result. The
  * curve makes small deflections more precise. */
 static float eased(float push)
 {
+    CORE_ASSERT(push >= -1.0f && push <= 1.0f);
     return push * (0.35f + 0.65f * push * push);
 }
 
 static vec3 wanted_m_s(const struct stick_motion *fly, uint64_t time_ns)
 {
     const vec3 push = fly->report.push;
-    const float pace = pace_m_s(height_m(fly, time_ns));
+    /* The ring's height over the still water is the flight height minus the depth of the dip. */
+    const float height_m =
+        fly->place_m.y - DIP_HOVER_M + pointer_dip_at(&fly->dip, time_ns).height_m;
+    const float pace =
+        f_lerp(STICK_MOTION_WATER_M_S, STICK_MOTION_AIR_M_S, f_smoothstep(0.0f, 0.025f, height_m));
     if (fly->report.buttons & POINTER_FAN) {
         return v3(0.0f, 0.0f, 0.0f);
     }
@@ -109,28 +98,23 @@ static vec3 wanted_m_s(const struct stick_motion *fly, uint64_t time_ns)
     return v3(pace * eased(push.x), STICK_MOTION_HEIGHT_M_S * climb, pace * eased(push.z));
 }
 
-static void lead_fan(struct stick_motion *fly, float dt_s)
-{
-    const vec3 push = fly->report.push;
-    const int fans = (fly->report.buttons & POINTER_FAN) != 0;
-    const float swing = dt_s / POINTER_FAN_SWING_S;
-    if (fans) {
-        const vec3 way = v3(eased(push.x), 0.0f, eased(push.z));
-        const vec3 led = v3_muladd(fly->shade_m, way, STICK_MOTION_AIR_M_S * dt_s);
-        fly->shade_m = seen_m(fly, led);
-    }
-    fly->swing = f_clamp(fly->swing + (fans ? swing : -swing), 0.0f, 1.0f);
-}
-
 static void fly_step(struct stick_motion *fly, uint64_t time_ns, float dt_s)
 {
+    CORE_ASSERT(dt_s > 0.0f);
+    CORE_ASSERT(dt_s <= STEP_MAX_S);
     const vec3 goal = wanted_m_s(fly, time_ns);
     fly->speed_m_s = v3_lerp(fly->speed_m_s, goal, 1.0f - f_exp(-dt_s / PUSH_TAU_S));
     const vec3 next = v3_muladd(fly->place_m, fly->speed_m_s, dt_s);
     fly->place_m = seen_m(fly, next);
     const vec3 twist = v3_scale(fly->report.twist, STICK_MOTION_TILT_MAX_RAD);
     fly->twist_rad = v3_lerp(fly->twist_rad, twist, 1.0f - f_exp(-dt_s / TWIST_TAU_S));
-    lead_fan(fly, dt_s);
+    const int fans = (fly->report.buttons & POINTER_FAN) != 0;
+    const float swing = dt_s / POINTER_FAN_SWING_S;
+    if (fans) {
+        const vec3 way = v3(eased(fly->report.push.x), 0.0f, eased(fly->report.push.z));
+        fly->shade_m = seen_m(fly, v3_muladd(fly->shade_m, way, STICK_MOTION_AIR_M_S * dt_s));
+    }
+    fly->swing = f_clamp(fly->swing + (fans ? swing : -swing), 0.0f, 1.0f);
 }
 
 static void fly_to_time(struct stick_motion *fly, uint64_t time_ns)
@@ -152,13 +136,14 @@ static void fly_to_time(struct stick_motion *fly, uint64_t time_ns)
 
 void stick_motion_report(struct stick_motion *fly, const struct stick_report *report)
 {
+    CORE_ASSERT(fly->swing >= 0.0f && fly->swing <= 1.0f);
     fly_to_time(fly, report->time_ns);
     const uint32_t changed = fly->report.buttons ^ report->buttons;
     fly->report = *report;
     fly->report.push = shares_of(report->push);
     fly->report.twist = shares_of(report->twist);
     if (changed & POINTER_DIP) {
-        dip_begin(&fly->dip, fly->time_ns, (report->buttons & POINTER_DIP) != 0);
+        pointer_dip_begin(&fly->dip, fly->time_ns, (report->buttons & POINTER_DIP) != 0);
     }
     if ((changed & report->buttons & POINTER_FAN) && fly->swing <= 0.0f) {
         fly->shade_m = fly->place_m;
@@ -176,11 +161,12 @@ static vec3 slid_m(const struct stick_motion *fly, float down_m)
 
 struct poi_target stick_motion_target(struct stick_motion *fly, uint64_t time_ns)
 {
+    CORE_ASSERT(v3_is_finite(fly->place_m));
     fly_to_time(fly, time_ns);
-    const struct dip_state stroke = dip_at(&fly->dip, fly->time_ns);
+    const struct dip_state stroke = pointer_dip_at(&fly->dip, fly->time_ns);
     const vec3 along = v3(fly->speed_m_s.x, 0.0f, fly->speed_m_s.z);
     const vec3 lean = v3_limit(v3_scale(along, LEAN_RAD_PER_M_S), LEAN_MAX_RAD);
-    const float slant = dip_slant_rad(stroke.speed_m_s);
+    const float slant = pointer_dip_slant_rad(stroke.speed_m_s);
     return (struct poi_target){
         .position_m = v3_add(fly->place_m, slid_m(fly, DIP_HOVER_M - stroke.height_m)),
         .angles = { .yaw_rad = fly->twist_rad.y,

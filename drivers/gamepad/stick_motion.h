@@ -13,7 +13,6 @@
 
 #include <stdint.h>
 
-#include "drivers/pointer/dip_trajectory.h"
 #include "drivers/pointer/pointer_poi.h"
 
 /* Speed of the ring above the water at full deflection. At this speed the ring crosses the kiosk's

@@ -12,7 +12,6 @@
 
 #include "drivers/gamepad/stick_motion.h"
 #include "drivers/hid/hid_mapping.h"
-#include "drivers/pointer/pointer_fan.h"
 #include "drivers/pointer/pointer_poi.h"
 #include "platform/hal.h"
 

@@ -3,6 +3,8 @@
 
 #include <SDL.h>
 
+#include "core/base/panic.h"
+
 #define EVENT_BATCH 32
 
 struct key {
@@ -34,27 +36,21 @@ static const struct key keys[] = {
     { .code = SDLK_q, .quit = 1 },
 };
 
-static const struct key *find_key(SDL_Keycode code)
-{
-    static const struct key unknown = { 0 };
-    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
-        if (keys[i].code == code) {
-            return &keys[i];
-        }
-    }
-    return &unknown;
-}
-
 static void buttons_keyboard_take_event(struct buttons_keyboard *keyboard, const SDL_Event *event,
                                         struct button_sample *out)
 {
+    static const struct key unknown = { 0 };
+    const struct key *key = &unknown;
     if (event->type != SDL_KEYDOWN && event->type != SDL_KEYUP) {
         return;
     }
-    const struct key *key = find_key(event->key.keysym.sym);
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        key = keys[i].code == event->key.keysym.sym ? &keys[i] : key;
+    }
     if (event->type == SDL_KEYUP) {
         keyboard->held &= ~key->button;
     } else if (!event->key.repeat) {
+        CORE_ASSERT(key->coin <= sizeof out->coin_count / sizeof out->coin_count[0]);
         keyboard->held |= key->button;
         out->pressed |= key->button;
         if (key->coin > 0) {
@@ -67,6 +63,7 @@ static void buttons_keyboard_take_event(struct buttons_keyboard *keyboard, const
 
 static int buttons_keyboard_poll(void *self, struct button_sample *out)
 {
+    CORE_ASSERT(out);
     struct buttons_keyboard *keyboard = self;
     SDL_Event events[EVENT_BATCH];
     *out = (struct button_sample){ 0 };
@@ -91,6 +88,7 @@ static const char *buttons_keyboard_describe(void *self)
 
 struct hal_buttons buttons_keyboard_device(struct buttons_keyboard *keyboard)
 {
+    CORE_ASSERT(keyboard);
     static const struct hal_buttons_ops ops = {
         .poll = buttons_keyboard_poll,
         .describe = buttons_keyboard_describe,

@@ -5,6 +5,8 @@
 #include <SDL.h>
 #include <stdio.h>
 
+#include "core/base/panic.h"
+
 #define EVENT_BATCH 64
 /* Smallest mouse motion that counts as use by a person, in pixels. A bump against the table moves a
  * mouse less. */
@@ -13,6 +15,8 @@
 void mouse_poi_init(struct mouse_poi *mouse, struct hal_clock clock, const struct view *view,
                     uint32_t width, uint32_t height, uint32_t heeds)
 {
+    CORE_ASSERT(clock.ops);
+    CORE_ASSERT(!(heeds & ~(uint32_t)(POINTER_FILTER_MOUSE | POINTER_FILTER_TOUCH)));
     *mouse = (struct mouse_poi){
         .clock = clock,
         .heeds = (uint8_t)heeds,
@@ -26,11 +30,6 @@ void mouse_poi_init(struct mouse_poi *mouse, struct hal_clock clock, const struc
     pointer_poi_init(&mouse->pointer, view);
     pointer_fan_init(&mouse->fan, view);
     snprintf(mouse->text, sizeof mouse->text, "mouse not opened yet");
-}
-
-static uint64_t mouse_now_ns(const struct mouse_poi *mouse)
-{
-    return mouse->clock.ops->now_ns(mouse->clock.self);
 }
 
 /* Records the state of key F without removing its events, because the keyboard driver removes key
@@ -60,7 +59,7 @@ static int poi_mouse_open(void *self)
     snprintf(mouse->text, sizeof mouse->text, "%s (SDL %s)", names[mouse->heeds & 3u],
              video ? video : "?");
     SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, mouse->heeds & POINTER_FILTER_TOUCH ? "0" : "1");
-    mouse->last_poll_ns = mouse_now_ns(mouse);
+    mouse->last_poll_ns = hal_now_ns(mouse->clock);
     SDL_DelEventWatch(watch_key, mouse); /* The event watch for key F is removed first, so that it
                                             is registered only once after reopening. */
     SDL_AddEventWatch(watch_key, mouse);
@@ -133,31 +132,28 @@ static void take_finger(struct mouse_poi *mouse, const SDL_TouchFingerEvent *fin
     }
 }
 
-/* Records use by a person after CREEP_PX of motion. A window that opens under a resting pointer
- * causes a motion event, which must not count as use. */
-static void notice_use(struct mouse_poi *mouse, const SDL_Event *event)
-{
-    const int is_motion = event->type == SDL_MOUSEMOTION;
-    mouse->crept_px +=
-        is_motion ? f_abs((float)event->motion.xrel) + f_abs((float)event->motion.yrel) : CREEP_PX;
-    if (mouse->crept_px >= CREEP_PX) {
-        mouse->used_ns = mouse_now_ns(mouse);
-        mouse->crept_px = 0.0f;
-    }
-}
-
 int mouse_poi_is_used(void *self)
 {
     const struct mouse_poi *mouse = self;
-    return mouse->used_ns > 0 && mouse_now_ns(mouse) - mouse->used_ns < POINTER_USED_NS;
+    return mouse->used_ns > 0 && hal_now_ns(mouse->clock) - mouse->used_ns < POINTER_USED_NS;
 }
 
 static void mouse_poi_take_event(struct mouse_poi *mouse, const SDL_Event *event)
 {
+    CORE_ASSERT(event);
     const int is_finger = event->type >= SDL_FINGERDOWN;
     const uint32_t heed = is_finger ? POINTER_FILTER_TOUCH : POINTER_FILTER_MOUSE;
     if (mouse->heeds & heed) {
-        notice_use(mouse, event);
+        /* A window that opens under a resting pointer causes a motion event, which must not count
+         * as use by a person. Use is recorded after CREEP_PX of motion. */
+        const int is_motion = event->type == SDL_MOUSEMOTION;
+        mouse->crept_px += is_motion
+                               ? f_abs((float)event->motion.xrel) + f_abs((float)event->motion.yrel)
+                               : CREEP_PX;
+        if (mouse->crept_px >= CREEP_PX) {
+            mouse->used_ns = hal_now_ns(mouse->clock);
+            mouse->crept_px = 0.0f;
+        }
     }
     mouse->report.wheel_notches = 0.0f;
     if (is_finger && (mouse->heeds & POINTER_FILTER_TOUCH)) {
@@ -178,19 +174,6 @@ static int tell_hands(struct mouse_poi *mouse)
     return pointer_poi_report(&mouse->pointer, &seen);
 }
 
-/* Applies the state of key F from `now_ns` on, because the order of the key press and the mouse
- * events is not known. */
-static void take_fan_key(struct mouse_poi *mouse, uint64_t now_ns)
-{
-    const uint32_t fan = mouse->fan_key ? (uint32_t)POINTER_FAN : 0u;
-    if ((mouse->report.buttons & POINTER_FAN) != fan) {
-        mouse->report.buttons = (mouse->report.buttons & ~(uint32_t)POINTER_FAN) | fan;
-        mouse->report.wheel_notches = 0.0f;
-        mouse->report.time_ns = now_ns;
-        tell_hands(mouse);
-    }
-}
-
 static struct poi_sample sample_at(struct mouse_poi *mouse, uint64_t time_ns)
 {
     return (struct poi_sample){
@@ -205,6 +188,8 @@ static struct poi_sample sample_at(struct mouse_poi *mouse, uint64_t time_ns)
 static uint32_t take_events(struct mouse_poi *mouse, uint32_t first, uint32_t last, uint64_t now_ns,
                             struct poi_sample *out, uint32_t max)
 {
+    CORE_ASSERT(first <= last);
+    CORE_ASSERT(now_ns >= mouse->last_poll_ns);
     SDL_Event events[EVENT_BATCH];
     uint32_t count = 0;
     int taken;
@@ -228,12 +213,21 @@ static uint32_t take_events(struct mouse_poi *mouse, uint32_t first, uint32_t la
  * events and a resting pointer is still valid. */
 static int poi_mouse_poll(void *self, struct poi_sample *out, uint32_t max)
 {
+    CORE_ASSERT(out || max == 0);
     struct mouse_poi *mouse = self;
-    const uint64_t now_ns = mouse_now_ns(mouse);
+    const uint64_t now_ns = hal_now_ns(mouse->clock);
     uint32_t count = take_events(mouse, SDL_FINGERDOWN, SDL_FINGERMOTION, now_ns, out, max);
     count += take_events(mouse, SDL_MOUSEMOTION, SDL_MOUSEWHEEL, now_ns, out + count, max - count);
     mouse->last_poll_ns = now_ns;
-    take_fan_key(mouse, now_ns);
+    /* The state of key F applies from `now_ns` on, because the order of the key press and the mouse
+     * events is not known. */
+    const uint32_t fan = mouse->fan_key ? (uint32_t)POINTER_FAN : 0u;
+    if ((mouse->report.buttons & POINTER_FAN) != fan) {
+        mouse->report.buttons = (mouse->report.buttons & ~(uint32_t)POINTER_FAN) | fan;
+        mouse->report.wheel_notches = 0.0f;
+        mouse->report.time_ns = now_ns;
+        tell_hands(mouse);
+    }
     if (count < max) {
         out[count++] = sample_at(mouse, now_ns);
     }
@@ -243,6 +237,7 @@ static int poi_mouse_poll(void *self, struct poi_sample *out, uint32_t max)
 static void poi_mouse_set_view(void *self, const struct view *view,
                                const struct display_settings *display_settings)
 {
+    CORE_ASSERT(view && display_settings);
     struct mouse_poi *mouse = self;
     mouse->pointer.view = mouse->fan.view = *view;
     mouse->display_settings = *display_settings;
@@ -271,4 +266,63 @@ struct hal_poi mouse_poi_device(struct mouse_poi *mouse)
         .describe = poi_mouse_describe,
     };
     return (struct hal_poi){ .ops = &ops, .self = mouse };
+}
+
+/* ---- Fan and START button -------------------------------------------------------------------- */
+
+static int mouse_poi_fan_open(void *self)
+{
+    (void)self;
+    /* Only SDL's video subsystem is checked, because open() of the poi device has initialized
+     * everything else. */
+    return SDL_WasInit(SDL_INIT_VIDEO) ? HAL_OK : HAL_ERR_ABSENT;
+}
+
+static int mouse_poi_fan_poll(void *self, struct shade_input *out)
+{
+    struct mouse_poi *mouse = self;
+    *out = pointer_fan_shade(&mouse->fan, hal_now_ns(mouse->clock));
+    return HAL_OK;
+}
+
+static const char *mouse_poi_fan_describe(void *self)
+{
+    (void)self;
+    return "the mouse while F is held";
+}
+
+struct hal_fan mouse_poi_fan(struct mouse_poi *mouse)
+{
+    static const struct hal_fan_ops ops = {
+        .open = mouse_poi_fan_open,
+        .poll = mouse_poi_fan_poll,
+        .describe = mouse_poi_fan_describe,
+    };
+    return (struct hal_fan){ .ops = &ops, .self = mouse };
+}
+
+static int mouse_poi_buttons_poll(void *self, struct button_sample *out)
+{
+    struct mouse_poi *mouse = self;
+    const uint32_t count = mouse->fingers.count;
+    *out = (struct button_sample){
+        .held = count >= TOUCH_START_FINGERS ? (uint32_t)INPUT_START : 0u,
+        .pressed = touch_fingers_start(&mouse->fingers) ? (uint32_t)INPUT_START : 0u,
+    };
+    return HAL_OK;
+}
+
+static const char *buttons_describe(void *self)
+{
+    const struct mouse_poi *mouse = self;
+    return mouse->heeds & POINTER_FILTER_TOUCH ? "three fingers start" : "";
+}
+
+struct hal_buttons mouse_poi_buttons(struct mouse_poi *mouse)
+{
+    static const struct hal_buttons_ops ops = {
+        .poll = mouse_poi_buttons_poll,
+        .describe = buttons_describe,
+    };
+    return (struct hal_buttons){ .ops = &ops, .self = mouse };
 }

@@ -11,7 +11,6 @@
 #ifndef KINGYO_DRIVERS_POINTER_MOUSE_POI_H
 #define KINGYO_DRIVERS_POINTER_MOUSE_POI_H
 
-#include "drivers/pointer/pointer_fan.h"
 #include "drivers/pointer/pointer_poi.h"
 #include "drivers/pointer/touch_fingers.h"
 #include "platform/hal.h"

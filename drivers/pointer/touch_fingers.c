@@ -2,9 +2,11 @@
 #include "drivers/pointer/touch_fingers.h"
 
 #include "core/base/fmath.h"
+#include "core/base/panic.h"
 
 static uint32_t touch_fingers_find(const struct touch_fingers *fingers, int64_t id)
 {
+    CORE_ASSERT(fingers->count <= TOUCH_FINGER_MAX);
     uint32_t i = 0;
     while (i < fingers->count && fingers->id[i] != id) {
         i++;
@@ -23,17 +25,10 @@ static int lead(struct touch_fingers *fingers, const struct touch_event *event)
     return is_new;
 }
 
-static int move(struct touch_fingers *fingers, const struct touch_event *event)
-{
-    return fingers->has_leader && fingers->leader == event->id ? lead(fingers, event) : 0;
-}
-
+/* Processes the first touch of a finger. */
 static int put_down(struct touch_fingers *fingers, const struct touch_event *event)
 {
-    if (touch_fingers_find(fingers, event->id) < fingers->count) {
-        return move(fingers, event); /* The finger is still recorded as touching, so the event of
-                                        its lifting was lost. */
-    }
+    CORE_ASSERT(fingers->count <= TOUCH_FINGER_MAX);
     if (fingers->count == TOUCH_FINGER_MAX) {
         return 0;
     }
@@ -47,32 +42,33 @@ static int put_down(struct touch_fingers *fingers, const struct touch_event *eve
     return 1;
 }
 
-static int lift(struct touch_fingers *fingers, const struct touch_event *event)
-{
-    const uint32_t place = touch_fingers_find(fingers, event->id);
-    if (place == fingers->count) {
-        return 0;
-    }
-    move(fingers, event);
-    fingers->has_leader &= fingers->leader != event->id;
-    fingers->id[place] = fingers->id[--fingers->count];
-    return 1;
-}
-
 int touch_fingers_take(struct touch_fingers *fingers, const struct touch_event *event)
 {
     if (!f_is_finite(event->x) || !f_is_finite(event->y)) {
         return 0;
     }
-    const int changed = event->kind == TOUCH_DOWN ? put_down(fingers, event)
-                        : event->kind == TOUCH_UP ? lift(fingers, event)
-                                                  : move(fingers, event);
+    const uint32_t place = touch_fingers_find(fingers, event->id);
+    const int is_known = place < fingers->count;
+    const int is_leader = fingers->has_leader && fingers->leader == event->id;
+    int changed = 0;
+    if (event->kind == TOUCH_DOWN && !is_known) {
+        changed = put_down(fingers, event);
+    } else if (event->kind != TOUCH_UP || is_known) {
+        /* A finger that is known may touch again, if the event of its lifting was lost. */
+        changed = is_leader ? lead(fingers, event) : 0;
+    }
+    if (event->kind == TOUCH_UP && is_known) {
+        fingers->has_leader &= !is_leader;
+        fingers->id[place] = fingers->id[--fingers->count];
+        changed = 1;
+    }
     fingers->dips = fingers->count >= TOUCH_DIP_FINGERS;
     return changed;
 }
 
 void touch_fingers_point(const struct touch_fingers *fingers, struct pointer_report *report)
 {
+    CORE_ASSERT(fingers->dips <= 1);
     if (fingers->has_place) {
         report->x_px = fingers->x * (float)report->width_px;
         report->y_px = fingers->y * (float)report->height_px;
@@ -83,6 +79,7 @@ void touch_fingers_point(const struct touch_fingers *fingers, struct pointer_rep
 
 int touch_fingers_start(struct touch_fingers *fingers)
 {
+    CORE_ASSERT(fingers->start_pressed <= 1);
     const int pressed = fingers->start_pressed;
     fingers->start_pressed = 0;
     return pressed;

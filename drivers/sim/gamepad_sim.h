@@ -5,7 +5,7 @@
 #ifndef KINGYO_DRIVERS_SIM_GAMEPAD_SIM_H
 #define KINGYO_DRIVERS_SIM_GAMEPAD_SIM_H
 
-#include "drivers/gamepad/gamepad_queue.h"
+#include "drivers/gamepad/gamepad_decoder.h"
 #include "drivers/sim/report_feed.h"
 
 struct gamepad_sim {

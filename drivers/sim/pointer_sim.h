@@ -6,7 +6,6 @@
 #ifndef KINGYO_DRIVERS_SIM_POINTER_SIM_H
 #define KINGYO_DRIVERS_SIM_POINTER_SIM_H
 
-#include "drivers/pointer/pointer_fan.h"
 #include "drivers/pointer/pointer_poi.h"
 #include "drivers/pointer/touch_fingers.h"
 #include "drivers/sim/report_feed.h"

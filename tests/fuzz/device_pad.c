@@ -6,7 +6,7 @@
  * byte of time, kind, finger, x and y. */
 #include <string.h>
 
-#include "drivers/gamepad/gamepad_queue.h"
+#include "drivers/gamepad/gamepad_decoder.h"
 #include "drivers/pointer/touch_fingers.h"
 #include "tests/fuzz/trap.h"
 

@@ -6,8 +6,8 @@ DEVICE_TARGETS := descriptor report rows live poi_report hand map_text learn boo
 DEVICE_BIN := $(DEVICE_TARGETS:%=$(FUZZ)/device_%)
 # A target takes from this archive what it calls, and is counted by that alone.
 DEVICE_SRC := $(filter-out %/poi_hid.c,$(wildcard drivers/hid/*.c)) \
-    $(patsubst %,drivers/pointer/%.c,pointer_fan pointer_poi dip_trajectory touch_fingers) \
-    $(patsubst %,drivers/gamepad/%.c,stick_motion gamepad_decoder gamepad_imu_filter gamepad_queue) \
+    $(patsubst %,drivers/pointer/%.c,pointer_poi touch_fingers) \
+    $(patsubst %,drivers/gamepad/%.c,stick_motion gamepad_decoder) \
     $(patsubst %,drivers/gpio/%.c,gpio_config gpio_signal) \
     $(patsubst %,drivers/sim/%.c,hid_sim) \
     drivers/usb/usb_choice.c $(patsubst %,platform/ctl/devices/hid_%.c,file rows live) \

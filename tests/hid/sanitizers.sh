@@ -11,7 +11,7 @@ tests=(drivers/hid/test_{hid_mapping,hid_pose_decoder,hid_learn,hid_mapping_stor
     drivers/gamepad/test_stick_motion core/game/menu/test_menu core/game/accounting/test_credit
     platform/kiosk/test_{menu_desk,unplug_paid})
 mapfile -t sources < <(find core/game drivers/hid -name '*.c')
-sources+=(drivers/pointer/{dip_trajectory,pointer_fan,pointer_poi}.c drivers/gamepad/stick_motion.c drivers/null.c
+sources+=(drivers/pointer/pointer_poi.c drivers/gamepad/stick_motion.c drivers/null.c
     drivers/sim/{hid_sim,hal_sim}.c
     platform/kiosk/{kiosk,poi_sampler,resample,operator_view,file_notes}.c tests/unit/support/panic.c)
 

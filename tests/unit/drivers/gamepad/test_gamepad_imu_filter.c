@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/gamepad/gamepad_imu_filter.h"
+#include "drivers/gamepad/gamepad_decoder.h"
 
 #define MS_NS 1000000ull
 #define BEGIN_NS (5000u * MS_NS)

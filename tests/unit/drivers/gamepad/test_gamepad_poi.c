@@ -9,7 +9,7 @@
 #include <SDL.h>
 #include <cmocka.h>
 
-#include "drivers/gamepad/gamepad_poi.h"
+#include "drivers/gamepad/gamepads.h"
 #include "drivers/sim/hal_sim.h"
 #include "tests/unit/support/pointer.h"
 

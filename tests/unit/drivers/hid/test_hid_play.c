@@ -170,16 +170,16 @@ static void say_own(const struct wish *wish)
     player.hand_m = v3_add(player.hand_m, v3_limit(v3(way.x, 0.0f, way.z), pace_m));
     if (wish->dips != player.dipped) {
         player.dipped = wish->dips;
-        dip_begin(&player.dip, player.clock.now_ns, wish->dips);
+        pointer_dip_begin(&player.dip, player.clock.now_ns, wish->dips);
     }
-    const struct dip_state stroke = dip_at(&player.dip, player.clock.now_ns);
+    const struct dip_state stroke = pointer_dip_at(&player.dip, player.clock.now_ns);
     const float down_m = DIP_HOVER_M - stroke.height_m;
     player.tip_rad += f_clamp((wish->tips ? 60.0f * F_DEG : 0.0f) - player.tip_rad, -0.02f, 0.02f);
     const float lifted_m = 0.09f * f_sin(player.tip_rad);
     const struct poi_report report = {
         .target = { .position_m = v3(player.hand_m.x, stroke.height_m + lifted_m,
                                      player.hand_m.z - 0.65f * down_m),
-                    .angles = { .pitch_rad = -dip_slant_rad(stroke.speed_m_s),
+                    .angles = { .pitch_rad = -pointer_dip_slant_rad(stroke.speed_m_s),
                                 .roll_rad = player.tip_rad } },
         .sequence = (uint8_t)player.report_count,
     };
@@ -199,7 +199,7 @@ static void begin_round(uint32_t seed)
     poi_hid_init(&player.poi, hid_port_sim_port(&player.wire.port), player.hal.clock,
                  (struct hid_mapper){ 0 }, view);
     player.hal.poi[0] = poi_hid_device(&player.poi);
-    dip_init(&player.dip);
+    pointer_dip_init(&player.dip);
     player.hand_m = v3(0.0f, DIP_HOVER_M, 0.0f);
     player.wish = (struct wish){ .over_m = player.hand_m };
     to_screen(player.hand_m, &player.x_px, &player.y_px);

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "drivers/pointer/pointer_fan.h"
+#include "drivers/pointer/pointer_poi.h"
 #include "tests/unit/support/pointer.h"
 
 #define SWING_MS ((uint64_t)(POINTER_FAN_SWING_S * 1000.0f))

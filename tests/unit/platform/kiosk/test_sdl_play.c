@@ -13,7 +13,7 @@
 
 #include "core/game/control/controller.h"
 #include "core/tank/preset.h"
-#include "drivers/gamepad/gamepad_poi.h"
+#include "drivers/gamepad/gamepads.h"
 #include "drivers/null.h"
 #include "drivers/pointer/mouse_poi.h"
 #include "drivers/sim/hal_sim.h"
