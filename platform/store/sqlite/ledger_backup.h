@@ -5,6 +5,7 @@
 #ifndef KINGYO_PLATFORM_STORE_SQLITE_LEDGER_BACKUP_H
 #define KINGYO_PLATFORM_STORE_SQLITE_LEDGER_BACKUP_H
 
+#include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_file.h"
 
 #define LEDGER_PATH_SIZE 600u
