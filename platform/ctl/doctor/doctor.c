@@ -29,14 +29,6 @@ struct doctor_words {
 
 /* ---- User account of the kiosk --------------------------------------------------------------- */
 
-/* Sets the default data folder of the kiosk, which is below the home folder `home`. */
-static void take_home(struct doctor_user *user, const char *home)
-{
-    if (home && home[0] == '/' && home[1]) {
-        snprintf(user->data, sizeof user->data, "%.900s/.local/share/kingyo", home);
-    }
-}
-
 static enum exit_code take_user(struct doctor_user *user, const char *wanted)
 {
     const struct passwd *entry = wanted ? getpwnam(wanted) : getpwuid(geteuid());
@@ -52,7 +44,10 @@ static enum exit_code take_user(struct doctor_user *user, const char *wanted)
     if (!wanted || user->id == geteuid()) {
         file_default_data(user->data);
     } else {
-        take_home(user, entry->pw_dir);
+        /* The default data folder is below the account's home folder. */
+        if (entry->pw_dir && entry->pw_dir[0] == '/' && entry->pw_dir[1]) {
+            snprintf(user->data, sizeof user->data, "%.900s/.local/share/kingyo", entry->pw_dir);
+        }
     }
     snprintf(user->name, sizeof user->name, "%s", entry ? entry->pw_name : "this user");
     if (entry && getgrouplist(entry->pw_name, entry->pw_gid, user->groups, &count) < 0) {
@@ -151,16 +146,9 @@ static enum exit_code take_root(const char *root)
     return EXIT_OK;
 }
 
-static void doctor_run_checks(void)
-{
-    doctor_usb(&doctor);
-    doctor_nodes(&doctor);
-    doctor_input(&doctor);
-    doctor_gpio(&doctor);
-    doctor_screen(&doctor);
-    doctor_sound(&doctor);
-    doctor_store(&doctor);
-}
+static void (*const checks[])(struct doctor *doctor) = {
+    doctor_usb, doctor_nodes, doctor_input, doctor_gpio, doctor_screen, doctor_sound, doctor_store,
+};
 
 static enum exit_code doctor_run(int argc, const char *const *argv)
 {
@@ -176,7 +164,9 @@ static enum exit_code doctor_run(int argc, const char *const *argv)
     if (!doctor.options.data[0]) {
         memcpy(doctor.options.data, doctor.user.data, sizeof doctor.user.data);
     }
-    doctor_run_checks();
+    for (size_t i = 0; i < sizeof checks / sizeof checks[0]; i++) {
+        checks[i](&doctor);
+    }
     (words.as_json ? doctor_report_json : doctor_report_text)(&doctor);
     return doctor_count(&doctor, DOCTOR_WRONG) > 0 ? EXIT_NOT_SO : EXIT_OK;
 }

@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "core/base/printable.h"
 #include "platform/os/json.h"
 #include "platform/os/print.h"
@@ -25,6 +26,7 @@ struct doctor_finding *doctor_find(struct doctor *doctor, const char *part, enum
     static struct doctor_finding spare; /* Scratch finding that is returned when the list is full.
                                            Its content is never printed. */
     const bool has_room = doctor->count < DOCTOR_FINDINGS_MAX;
+    CORE_ASSERT(part && level <= DOCTOR_WRONG);
     struct doctor_finding *finding = has_room ? &doctor->finding[doctor->count++] : &spare;
     doctor->more += !has_room;
     *finding = (struct doctor_finding){ .part = part, .level = (uint8_t)level };
@@ -54,6 +56,7 @@ void doctor_todo(struct doctor_finding *finding, const char *format, ...)
 uint32_t doctor_count(const struct doctor *doctor, enum doctor_level level)
 {
     uint32_t count = 0;
+    CORE_ASSERT(doctor->count <= DOCTOR_FINDINGS_MAX);
     for (uint32_t i = 0; i < doctor->count; i++) {
         count += doctor->finding[i].level == level;
     }
@@ -108,28 +111,6 @@ void doctor_report_json(const struct doctor *doctor)
     json_end(&json);
 }
 
-static bool is_in(const struct doctor_user *user, gid_t group)
-{
-    for (uint32_t i = 0; i < user->group_count; i++) {
-        if (user->groups[i] == group) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Checks the mode bits of a file. Returns 0 if the user may read and write the file, otherwise
- * EACCES. Like the kernel, uses only the bits of the first matching class: owner, group or
- * others. */
-static int by_mode(const struct doctor_user *user, const struct stat *about)
-{
-    const mode_t both = S_IROTH | S_IWOTH;
-    const mode_t bits = user->id == about->st_uid    ? about->st_mode >> 6
-                        : is_in(user, about->st_gid) ? about->st_mode >> 3
-                                                     : about->st_mode;
-    return user->id == 0 || (bits & both) == both ? 0 : EACCES;
-}
-
 int doctor_may_use(const struct doctor *doctor, const char *path)
 {
     char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
@@ -143,7 +124,18 @@ int doctor_may_use(const struct doctor *doctor, const char *path)
                      allow no access. For example, the logged-in user at the machine has access to
                      many devices through access control lists. */
     }
-    return by_mode(&doctor->user, &about);
+    /* Like the kernel, uses only the mode bits of the first matching class: owner, group or
+     * others. */
+    bool is_member = false;
+    CORE_ASSERT(doctor->user.group_count <= DOCTOR_GROUPS_MAX);
+    for (uint32_t i = 0; i < doctor->user.group_count; i++) {
+        is_member |= doctor->user.groups[i] == about.st_gid;
+    }
+    const mode_t both = S_IROTH | S_IWOTH;
+    const mode_t bits = doctor->user.id == about.st_uid ? about.st_mode >> 6
+                        : is_member                     ? about.st_mode >> 3
+                                                        : about.st_mode;
+    return doctor->user.id == 0 || (bits & both) == both ? 0 : EACCES;
 }
 
 void doctor_todo_access(const struct doctor *doctor, struct doctor_finding *finding,
@@ -169,6 +161,7 @@ void doctor_todo_access(const struct doctor *doctor, struct doctor_finding *find
 void doctor_line(const struct doctor *doctor, char *out, size_t size, const char *path, ...)
 {
     char whole[DOCTOR_PATH + OPTIONS_PATH_MAX];
+    CORE_ASSERT(size > 0);
     const int used = snprintf(whole, sizeof whole, "%s", doctor->root);
     va_list arguments;
     va_start(arguments, path);

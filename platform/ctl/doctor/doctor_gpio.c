@@ -13,6 +13,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "drivers/gpio/gpio_config.h"
 #include "drivers/gpio/gpio_backend.h"
 #include "platform/ctl/doctor/doctor.h"
@@ -42,10 +43,22 @@ static void doctor_gpio_read_lines(int file, const struct gpiochip_info *chip,
     }
 }
 
-static void read_chip(struct doctor *doctor, const char *path, struct gpio_census *census)
+/* Adds a finding for a chip, and adds the lines of the chip to `census`. */
+static void look_at_chip(struct doctor *doctor, const char *path, struct gpio_census *census)
 {
     char whole[OPTIONS_PATH_MAX + 64u];
     struct gpiochip_info chip = { .lines = 0 };
+    const int refused = doctor_may_use(doctor, path);
+    if (refused) {
+        const bool is_needed = doctor->options.line_count > 0;
+        struct doctor_finding *finding =
+            doctor_find(doctor, "gpio", is_needed ? DOCTOR_WRONG : DOCTOR_LOOK, "%s", path);
+        doctor_state(finding, "%s may not open it: %s", doctor->user.name, strerror(refused));
+        doctor_todo_access(doctor, finding, path,
+                           "sudo cp board/udev/*.rules /etc/udev/rules.d/, then sudo udevadm "
+                           "control --reload && sudo udevadm trigger");
+        return;
+    }
     snprintf(whole, sizeof whole, "%s%s", doctor->root, path);
     const int file = open(whole, O_RDWR | O_CLOEXEC);
     const int error = file < 0 ? errno : ioctl(file, GPIO_GET_CHIPINFO_IOCTL, &chip) ? errno : 0;
@@ -61,38 +74,7 @@ static void read_chip(struct doctor *doctor, const char *path, struct gpio_censu
     }
 }
 
-static void look_at_chip(struct doctor *doctor, const char *path, struct gpio_census *census)
-{
-    const int error = doctor_may_use(doctor, path);
-    if (!error) {
-        read_chip(doctor, path, census);
-        return;
-    }
-    const bool is_needed = doctor->options.line_count > 0;
-    struct doctor_finding *finding =
-        doctor_find(doctor, "gpio", is_needed ? DOCTOR_WRONG : DOCTOR_LOOK, "%s", path);
-    doctor_state(finding, "%s may not open it: %s", doctor->user.name, strerror(error));
-    doctor_todo_access(doctor, finding, path,
-                       "sudo cp board/udev/*.rules /etc/udev/rules.d/, then sudo udevadm control "
-                       "--reload && sudo udevadm trigger");
-}
-
-static uint32_t look_at_chips(struct doctor *doctor, struct gpio_census *census)
-{
-    struct gpio_dev_walk walk = { .root = doctor->root };
-    while (gpio_dev_next(&walk)) {
-        look_at_chip(doctor, walk.path, census);
-    }
-    return walk.count;
-}
-
 /* ---- Checks of the configured lines ---------------------------------------------------------- */
-
-static bool is_meant(const struct gpio_wire *wire, const struct gpio_seen *seen)
-{
-    return wire->name[0] ? strcmp(wire->name, seen->name) == 0
-                         : strcmp(wire->chip, seen->chip) == 0 && wire->offset == seen->offset;
-}
 
 /* Fills the finding for a configured line. `seen` is the first of `places` lines that match the
  * configuration. If two chips have the same label, only the names of their lines distinguish the
@@ -124,9 +106,12 @@ void doctor_gpio_wire(struct doctor *doctor, enum gpio_role role, const struct g
     char line[GPIO_WIRE_TEXT_SIZE];
     const struct gpio_seen *found = NULL;
     uint32_t places = 0;
+    CORE_ASSERT(role < GPIO_ROLE_COUNT && census->count <= GPIO_CENSUS_MAX);
     for (uint32_t i = 0; i < census->count; i++) {
-        if (is_meant(wire, &census->line[i])) {
-            found = found ? found : &census->line[i];
+        const struct gpio_seen *seen = &census->line[i];
+        if (wire->name[0] ? strcmp(wire->name, seen->name) == 0
+                          : strcmp(wire->chip, seen->chip) == 0 && wire->offset == seen->offset) {
+            found = found ? found : seen;
             places++;
         }
     }
@@ -149,7 +134,11 @@ void doctor_gpio(struct doctor *doctor)
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
     char why[HAL_TEXT_SIZE];
     census.count = census.more = 0;
-    if (look_at_chips(doctor, &census) == 0) {
+    struct gpio_dev_walk walk = { .root = doctor->root };
+    while (gpio_dev_next(&walk)) {
+        look_at_chip(doctor, walk.path, &census);
+    }
+    if (walk.count == 0) {
         const bool is_needed = doctor->options.line_count > 0;
         struct doctor_finding *none =
             doctor_find(doctor, "gpio", is_needed ? DOCTOR_WRONG : DOCTOR_FINE, "chips");

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/board.h"
 #include "platform/os/file.h"
 
@@ -19,6 +20,7 @@
 static void look_at_node(struct doctor *doctor, const char *part, const char *what,
                          const char *path, const char *group, bool is_needed)
 {
+    CORE_ASSERT(part && what && path && group);
     char join[DOCTOR_TEXT];
     const int error = doctor_may_use(doctor, path);
     struct doctor_finding *finding = doctor_find(doctor, part,
@@ -122,10 +124,9 @@ void doctor_screen(struct doctor *doctor)
 
 /* ---- Sound ----------------------------------------------------------------------------------- */
 
-/* Adds a finding for each sound card in /proc/asound/cards. Two lines describe a card. The first
- * line is for example " 0 [PCH ]: HDA-Intel - HDA Intel PCH", and the second line contains the
- * card's location. Returns the number of cards. */
-static uint32_t look_at_cards(struct doctor *doctor)
+/* Two lines of /proc/asound/cards describe a card. The first line is for example
+ * " 0 [PCH ]: HDA-Intel - HDA Intel PCH", and the second line contains the card's location. */
+void doctor_sound(struct doctor *doctor)
 {
     char path[OPTIONS_PATH_MAX + 64u], line[DOCTOR_TEXT];
     uint32_t count = 0;
@@ -143,12 +144,7 @@ static uint32_t look_at_cards(struct doctor *doctor)
     if (file) {
         fclose(file);
     }
-    return count;
-}
-
-void doctor_sound(struct doctor *doctor)
-{
-    if (look_at_cards(doctor) == 0) {
+    if (count == 0) {
         struct doctor_finding *none = doctor_find(doctor, "sound", DOCTOR_LOOK, "cards");
         doctor_state(none, "there is none: the stall is silent");
         doctor_todo(none, "plug one in, or enable the board's own (on a Raspberry Pi: "

@@ -10,6 +10,7 @@
 
 #include <sqlite3.h>
 
+#include "core/base/panic.h"
 #include "drivers/hid/hid_mapping.h"
 #include "platform/ctl/doctor/doctor.h"
 #include "platform/os/file.h"
@@ -39,19 +40,15 @@ static void look_at_room(struct doctor *doctor, const char *path)
     }
 }
 
-/* Returns 1 if the file system of `path` is mounted read-only, otherwise 0. The mode bits of a
- * folder do not contain the mount state. */
-static int is_read_only(const char *path)
-{
-    struct statvfs about;
-    return statvfs(path, &about) == 0 && (about.f_flag & ST_RDONLY) != 0;
-}
-
 /* Adds a finding for the data folder. Returns 0 if the kiosk's user may use the folder, otherwise
  * an errno. */
 static int look_at_folder(struct doctor *doctor, const char *path)
 {
-    const int error = is_read_only(path) ? EROFS : doctor_may_use(doctor, doctor->options.data);
+    struct statvfs mount;
+    /* The mode bits of a folder do not contain whether its file system is mounted read-only. */
+    const int error = statvfs(path, &mount) == 0 && (mount.f_flag & ST_RDONLY) != 0
+                          ? EROFS
+                          : doctor_may_use(doctor, doctor->options.data);
     struct doctor_finding *finding = doctor_find(doctor, "store", DOCTOR_FINE, "%s", path);
     if (error == ENOENT) {
         doctor_state(finding, "is not there yet: the kiosk makes it at its first start");
@@ -84,17 +81,6 @@ static int64_t count_of(struct ledger_file *file, const char *sql)
     return sql_number(file->db, sql, &count) == SQLITE_OK ? count : 0;
 }
 
-static void say_whole(struct doctor_finding *finding, struct ledger_file *file)
-{
-    const struct ledger_start *ledger = &file->content.memory.ledger;
-    doctor_state(finding,
-                 "whole, version %d: %u entries of %u starts, %" PRId64 " rounds, %" PRId64
-                 " replays",
-                 LEDGER_FILE_VERSION, ledger->last_id, ledger->boots,
-                 count_of(file, "SELECT count(*) FROM rounds"),
-                 count_of(file, "SELECT count(*) FROM replays"));
-}
-
 static void say_why_not(struct doctor *doctor, struct doctor_finding *finding, int code,
                         const char *path)
 {
@@ -123,6 +109,7 @@ static void look_at_database(struct doctor *doctor, const char *folder)
     char path[PATH_ROOM];
     struct stat about;
     struct ledger_file file;
+    CORE_ASSERT(folder[0]);
     snprintf(path, sizeof path, "%s/%s", folder, STORAGE_FILE);
     struct doctor_finding *finding = doctor_find(doctor, "database", DOCTOR_FINE, "%s", path);
     if (stat(path, &about)) {
@@ -132,7 +119,13 @@ static void look_at_database(struct doctor *doctor, const char *folder)
     int code = ledger_file_inspect(&file, path);
     code = code == SQLITE_OK ? ledger_check(file.db) : code;
     if (code == SQLITE_OK) {
-        say_whole(finding, &file);
+        const struct ledger_start *ledger = &file.content.memory.ledger;
+        doctor_state(finding,
+                     "whole, version %d: %u entries of %u starts, %" PRId64 " rounds, %" PRId64
+                     " replays",
+                     LEDGER_FILE_VERSION, ledger->last_id, ledger->boots,
+                     count_of(&file, "SELECT count(*) FROM rounds"),
+                     count_of(&file, "SELECT count(*) FROM replays"));
     } else {
         say_why_not(doctor, finding, code, path);
     }
@@ -192,6 +185,7 @@ static void look_at_damaged(struct doctor *doctor, const char *folder)
     while (list && (entry = readdir(list))) {
         const enum system_health_quarantine aside = system_health_quarantine_of(entry->d_name);
         if (aside != SYSTEM_HEALTH_QUARANTINE_NONE) {
+            CORE_ASSERT((size_t)aside < sizeof asides / sizeof asides[0]);
             struct doctor_finding *finding =
                 doctor_find(doctor, "database", DOCTOR_LOOK, "%s/%s", folder, entry->d_name);
             doctor_state(
@@ -253,6 +247,10 @@ static void look_at_pois(struct doctor *doctor, const char *data)
     }
 }
 
+static void (*const checks[])(struct doctor *doctor, const char *folder) = {
+    look_at_room, look_at_database, look_at_backup, look_at_damaged, look_at_pois,
+};
+
 void doctor_store(struct doctor *doctor)
 {
     char path[OPTIONS_PATH_MAX + 64u];
@@ -263,11 +261,8 @@ void doctor_store(struct doctor *doctor)
         return;
     }
     snprintf(path, sizeof path, "%s%s", doctor->root, doctor->options.data);
-    if (look_at_folder(doctor, path) == 0) {
-        look_at_room(doctor, path);
-        look_at_database(doctor, path);
-        look_at_backup(doctor, path);
-        look_at_damaged(doctor, path);
-        look_at_pois(doctor, path);
+    const int error = look_at_folder(doctor, path);
+    for (size_t i = 0; !error && i < sizeof checks / sizeof checks[0]; i++) {
+        checks[i](doctor, path);
     }
 }

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "drivers/usb/usb_choice.h"
 #include "platform/ctl/devices/hid_source.h"
 
@@ -56,22 +57,6 @@ static void say_denied(struct doctor *doctor, const struct usb_device *device, b
     doctor_todo_access(doctor, finding, node, both);
 }
 
-/* Adds a finding for a device that is in use. libusb detaches a kernel driver automatically, but
- * libusb cannot take a device from another program. */
-static void say_held(struct doctor *doctor, const struct usb_device *device)
-{
-    const bool by_kiosk = doctor_kiosk_is_running(doctor);
-    struct doctor_finding *finding =
-        doctor_usb_add_finding(doctor, device, by_kiosk ? DOCTOR_FINE : DOCTOR_WRONG);
-    if (by_kiosk) {
-        doctor_state(finding, "claimed, by the running kiosk");
-        return;
-    }
-    doctor_state(finding, "could play, but another program has claimed it");
-    doctor_todo(finding, "end that program; sudo fuser -v /dev/bus/usb/%03u/%03u names it",
-                device->bus, device->number);
-}
-
 static void say_ready(struct doctor *doctor, const struct usb_device *device,
                       const struct usb_interface *interface)
 {
@@ -81,6 +66,7 @@ static void say_ready(struct doctor *doctor, const struct usb_device *device,
         [USB_ASK] = "is asked as soon as the kiosk starts",
         [USB_PLAYS] = "plays",
     };
+    CORE_ASSERT((size_t)interface->verdict < sizeof words / sizeof words[0]);
     struct doctor_finding *finding =
         doctor_usb_add_finding(doctor, device, device->sleeps ? DOCTOR_LOOK : DOCTOR_FINE);
     doctor_state(finding, "%s (%s)%s", words[interface->verdict], map_words(interface),
@@ -105,7 +91,18 @@ static void say_hand(struct doctor *doctor, const struct usb_device *device,
     if (error) {
         say_denied(doctor, device, interface->verdict == USB_PLAYS, error, node);
     } else if (strcmp(interface->driver, "usbfs") == 0) {
-        say_held(doctor, device);
+        /* libusb detaches a kernel driver automatically, but cannot take a device from another
+         * program. */
+        const bool by_kiosk = doctor_kiosk_is_running(doctor);
+        struct doctor_finding *finding =
+            doctor_usb_add_finding(doctor, device, by_kiosk ? DOCTOR_FINE : DOCTOR_WRONG);
+        if (by_kiosk) {
+            doctor_state(finding, "claimed, by the running kiosk");
+            return;
+        }
+        doctor_state(finding, "could play, but another program has claimed it");
+        doctor_todo(finding, "end that program; sudo fuser -v /dev/bus/usb/%03u/%03u names it",
+                    device->bus, device->number);
     } else {
         say_ready(doctor, device, interface);
     }
@@ -117,22 +114,16 @@ static bool is_named(const struct usb_key *key, const struct hid_identity *ident
            (!key->serial[0] || strcmp(key->serial, identity->serial) == 0);
 }
 
-static bool is_asked_for(const struct doctor *doctor, const struct hid_identity *identity)
-{
-    struct usb_key key;
-    for (uint32_t i = 0; i < doctor->options.usb_count; i++) {
-        if (usb_key_read(&key, doctor->options.usb[i]) == 0 && is_named(&key, identity)) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* Adds a finding for a device that is not a usable controller, with the reason `why`. If an option
  * names the device, the finding has a higher severity, so that the operator notices the finding. */
 static void say_no_hand(struct doctor *doctor, const struct usb_device *device, const char *why)
 {
-    const bool is_asked = is_asked_for(doctor, &device->identity);
+    bool is_asked = false;
+    for (uint32_t i = 0; i < doctor->options.usb_count; i++) {
+        struct usb_key key;
+        is_asked |=
+            usb_key_read(&key, doctor->options.usb[i]) == 0 && is_named(&key, &device->identity);
+    }
     struct doctor_finding *finding =
         doctor_usb_add_finding(doctor, device, is_asked ? DOCTOR_LOOK : DOCTOR_FINE);
     doctor_state(finding, "%s%s", is_asked ? "was asked for, but " : "", why);
@@ -197,15 +188,6 @@ static void read_choice(const struct doctor *doctor, struct usb_choice *choice)
     }
 }
 
-/* Returns true if `name` is a USB port, which consists of a bus, a port and optional hub ports, for
- * example "3-1.4". "usb3" is a bus and "3-1.4:1.0" is an interface, so the result for these names
- * is false. */
-static bool is_port(const char *name)
-{
-    return name[0] >= '0' && name[0] <= '9' && strchr(name, '-') && !strchr(name, ':') &&
-           strlen(name) < USB_PORT_SIZE;
-}
-
 static int by_name(const void *left, const void *right)
 {
     return strcmp(left, right);
@@ -222,8 +204,12 @@ void doctor_usb(struct doctor *doctor)
     DIR *folder = opendir(path);
     const struct dirent *entry;
     while (folder && count < DOCTOR_FINDINGS_MAX && (entry = readdir(folder))) {
-        if (is_port(entry->d_name)) {
-            snprintf(ports[count++], USB_PORT_SIZE, "%.31s", entry->d_name);
+        /* A USB port consists of a bus, a port and optional hub ports, for example "3-1.4". "usb3"
+         * is a bus, and "3-1.4:1.0" is an interface. */
+        const char *name = entry->d_name;
+        if (name[0] >= '0' && name[0] <= '9' && strchr(name, '-') && !strchr(name, ':') &&
+            strlen(name) < USB_PORT_SIZE) {
+            snprintf(ports[count++], USB_PORT_SIZE, "%.31s", name);
         }
     }
     if (folder) {
@@ -242,6 +228,7 @@ void doctor_usb(struct doctor *doctor)
             shown++;
         }
     }
+    CORE_ASSERT(count <= DOCTOR_FINDINGS_MAX && shown <= count);
     say_missing(doctor, there, count);
     if (shown == 0) {
         struct doctor_finding *none = doctor_find(doctor, "usb", DOCTOR_LOOK, "controllers");

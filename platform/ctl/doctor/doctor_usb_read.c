@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "drivers/usb/usb_sysfs.h"
 
 #define BOOT 1u
@@ -43,16 +44,6 @@ static void read_device(const struct doctor *doctor, struct usb_device *device)
     device->sleeps = strcmp(text, "auto") == 0;
 }
 
-static void read_driver(const struct doctor *doctor, const char *folder, char out[48])
-{
-    char path[OPTIONS_PATH_MAX + 128u], target[256];
-    snprintf(path, sizeof path, "%s" USB_DEVICES "/%.64s/driver", doctor->root, folder);
-    const ssize_t length = readlink(path, target, sizeof target - 1u);
-    target[length > 0 ? length : 0] = '\0';
-    const char *slash = strrchr(target, '/');
-    snprintf(out, 48, "%.47s", slash ? slash + 1 : target);
-}
-
 static void read_interface(const struct doctor *doctor, const struct usb_choice *choice,
                            struct usb_device *device, const char *folder, struct usb_interface *out)
 {
@@ -63,7 +54,12 @@ static void read_interface(const struct doctor *doctor, const struct usb_choice 
     out->class = number_at(doctor, folder, "bInterfaceClass", 16);
     out->subclass = number_at(doctor, folder, "bInterfaceSubClass", 16);
     out->protocol = number_at(doctor, folder, "bInterfaceProtocol", 16);
-    read_driver(doctor, folder, out->driver);
+    char path[OPTIONS_PATH_MAX + 128u], target[256];
+    snprintf(path, sizeof path, "%s" USB_DEVICES "/%.64s/driver", doctor->root, folder);
+    const ssize_t length = readlink(path, target, sizeof target - 1u);
+    target[length > 0 ? length : 0] = '\0';
+    const char *slash = strrchr(target, '/');
+    snprintf(out->driver, sizeof out->driver, "%.47s", slash ? slash + 1 : target);
     if (out->class != USB_CLASS_HID) {
         return;
     }
@@ -99,12 +95,14 @@ static int is_better(const struct usb_choice *choice, const struct usb_interface
     return usb_choice_is_better(choice, &first, &second);
 }
 
-static void read_interfaces(const struct doctor *doctor, const struct usb_choice *choice,
-                            struct usb_device *device, struct usb_interface *best)
+void doctor_read_usb(const struct doctor *doctor, const struct usb_choice *choice,
+                     struct usb_device *device, struct usb_interface *best)
 {
     char path[OPTIONS_PATH_MAX + 64u];
     const size_t length = strlen(device->port);
     uint32_t count = 0;
+    CORE_ASSERT(length > 0 && length < USB_PORT_SIZE);
+    read_device(doctor, device);
     snprintf(path, sizeof path, "%s" USB_DEVICES, doctor->root);
     DIR *folder = opendir(path);
     const struct dirent *entry;
@@ -124,13 +122,8 @@ static void read_interfaces(const struct doctor *doctor, const struct usb_choice
     }
 }
 
-void doctor_read_usb(const struct doctor *doctor, const struct usb_choice *choice,
-                     struct usb_device *device, struct usb_interface *best)
-{
-    read_device(doctor, device);
-    read_interfaces(doctor, choice, device, best);
-}
-
+/* The ids of board/udev/70-kingyo.rules. The table is a copy, so that doctor runs without the rules
+ * file. A test in tests/ctl compares the table with the rules file. */
 /* clang-format off */
 static const struct {
     uint16_t vendor, product;
@@ -147,19 +140,13 @@ static const struct {
 };
 /* clang-format on */
 
-static bool is_listed(uint16_t vendor, uint16_t product)
-{
-    for (uint32_t i = 0; i < sizeof listed / sizeof listed[0]; i++) {
-        if (listed[i].vendor == vendor && listed[i].product == product) {
-            return true;
-        }
-    }
-    return false;
-}
-
 void doctor_rules_todo(char *out, size_t size, uint16_t vendor, uint16_t product)
 {
-    if (is_listed(vendor, product)) {
+    bool is_listed = false;
+    for (uint32_t i = 0; i < sizeof listed / sizeof listed[0]; i++) {
+        is_listed |= listed[i].vendor == vendor && listed[i].product == product;
+    }
+    if (is_listed) {
         snprintf(out, size, "sudo cp board/udev/*.rules /etc/udev/rules.d/ and replug it");
     } else {
         snprintf(out, size,
