@@ -181,6 +181,7 @@ static uint8_t byte_of(float linear)
 int canvas_write_png(const struct canvas *canvas, const char *path)
 {
     const size_t count = (size_t)canvas->width * canvas->height;
+    CORE_ASSERT(canvas->pixels);
     uint8_t *rgb = malloc(3u * count);
     if (!rgb) {
         return -ENOMEM;

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/base/panic.h"
 #include "platform/key_colour.h"
 
 #define DAYS_PER_YEAR 365.25
@@ -52,21 +53,10 @@ const char *caption_measure(const struct species_card *card)
 
 float caption_round_length_m(float length_m)
 {
+    CORE_ASSERT(length_m > 0.0f);
     const float decade = powf(10.0f, floorf(log10f(length_m) + 1e-4f));
     const float steps = length_m / decade;
     return decade * (steps >= 4.999f ? 5.0f : steps >= 1.999f ? 2.0f : 1.0f);
-}
-
-static void bar_words(char out[CAPTION_WORDS_SIZE], float length_m)
-{
-    const double mm = 1e3 * (double)length_m;
-    if (mm < 9.5) {
-        snprintf(out, CAPTION_WORDS_SIZE, "%.3g mm", mm);
-    } else if (mm < 995.0) {
-        snprintf(out, CAPTION_WORDS_SIZE, "%.3g cm", 0.1 * mm);
-    } else {
-        snprintf(out, CAPTION_WORDS_SIZE, "%.3g m", 1e-3 * mm);
-    }
 }
 
 void caption_bar(struct canvas *canvas, float x, float y, float width_max_px, float px_per_m,
@@ -83,7 +73,15 @@ void caption_bar(struct canvas *canvas, float x, float y, float width_max_px, fl
         canvas_fill(canvas, (struct canvas_box){ at, y - 0.5f * tick, thick, tick }, CAPTION_INK,
                     CAPTION_INK);
     }
-    bar_words(words, length_m);
+    const double mm = 1e3 * (double)length_m;
+    const int unit = mm < 9.5 ? 0 : mm < 995.0 ? 1 : 2;
+    snprintf(words, sizeof words, "%.3g %s",
+             unit == 0   ? mm
+             : unit == 1 ? 0.1 * mm
+                         : 1e-3 * mm,
+             unit == 0   ? "mm"
+             : unit == 1 ? "cm"
+                         : "m");
     canvas_words(canvas, x, y + 1.15f * size_px, size_px, ALIGN_CENTRE, CAPTION_INK, words);
 }
 
@@ -91,6 +89,7 @@ void caption_weights(struct canvas *canvas, struct canvas_box box, uint32_t key_
                      const float weights[MORPH_KEY_MAX])
 {
     float left = box.left;
+    CORE_ASSERT(key_count <= MORPH_KEY_MAX);
     for (uint32_t i = 0; i < key_count; i++) {
         const float width = box.width * f_clamp(weights[i], 0.0f, 1.0f);
         const uint32_t colour = key_colour(key_count, i);

@@ -8,6 +8,7 @@
 #include <stdarg.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/ctl/lib/ctl.h"
 #include "platform/os/file.h"
 #include "platform/os/number.h"
@@ -28,6 +29,7 @@ static enum exit_code refuse_line(const struct csv *csv, const char *what)
 enum exit_code csv_error(const struct csv *csv, uint32_t index, const char *format, ...)
 {
     char words[PRINT_LINE_MAX];
+    CORE_ASSERT(index < csv->column_count);
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(words, sizeof words, format, arguments);
@@ -40,16 +42,6 @@ enum exit_code csv_error(const struct csv *csv, uint32_t index, const char *form
 static int is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-
-/* Removes the byte-order mark that some editors write at the start of a file. Otherwise the mark
- * would become part of the first column's name. */
-static void drop_byte_order_mark(char *text)
-{
-    const size_t length = sizeof byte_order_mark - 1u;
-    if (strncmp(text, byte_order_mark, length) == 0) {
-        memmove(text, text + length, strlen(text + length) + 1u);
-    }
 }
 
 /* Reads the next line that is not empty into csv->text. Sets `*is_end` to 1 at the end of the file,
@@ -70,8 +62,11 @@ static enum exit_code csv_next_line(struct csv *csv, int *is_end)
         if (result == FILE_LINE_BAD) {
             return refuse_line(csv, "is longer than any line of numbers");
         }
-        if (csv->line == 1) {
-            drop_byte_order_mark(csv->text);
+        /* Some editors write a byte-order mark at the start of a file. The mark would otherwise
+         * become part of the first column's name. */
+        const size_t mark = sizeof byte_order_mark - 1u;
+        if (csv->line == 1 && strncmp(csv->text, byte_order_mark, mark) == 0) {
+            memmove(csv->text, csv->text + mark, strlen(csv->text + mark) + 1u);
         }
         size_t blank = 0;
         while (is_blank(csv->text[blank])) {
@@ -111,19 +106,10 @@ static void list_word(char list[LIST_MAX], const char *word)
     snprintf(list + used, LIST_MAX - used, "%s%s", used ? ", " : "", word);
 }
 
-static enum exit_code refuse_name(const struct csv *csv, const char *name, uint32_t number)
-{
-    char list[LIST_MAX] = "";
-    for (uint32_t i = 0; i < csv->column_count; i++) {
-        list_word(list, csv->columns[i].name);
-    }
-    print_error("%s: %s: line %u, column %u: '%.*s' is none of %s", csv->speaker, csv->path,
-                csv->line, number, FIELD_SHOWN, name, list);
-    return EXIT_BAD_DATA;
-}
-
+/* Notes that the column `name` is at position `number` in the file. */
 static enum exit_code take_name(struct csv *csv, const char *name, uint32_t number)
 {
+    char list[LIST_MAX] = "";
     for (uint32_t i = 0; i < csv->column_count; i++) {
         if (strcmp(name, csv->columns[i].name) == 0) {
             if (csv->field_of[i]) {
@@ -132,8 +118,11 @@ static enum exit_code take_name(struct csv *csv, const char *name, uint32_t numb
             csv->field_of[i] = number;
             return EXIT_OK;
         }
+        list_word(list, csv->columns[i].name);
     }
-    return refuse_name(csv, name, number);
+    print_error("%s: %s: line %u, column %u: '%.*s' is none of %s", csv->speaker, csv->path,
+                csv->line, number, FIELD_SHOWN, name, list);
+    return EXIT_BAD_DATA;
 }
 
 static enum exit_code read_head(struct csv *csv)
@@ -163,6 +152,7 @@ static enum exit_code read_head(struct csv *csv)
 enum exit_code csv_open(struct csv *csv, const char *speaker, const char *path,
                         const struct csv_column *columns, uint32_t column_count)
 {
+    CORE_ASSERT(columns && column_count >= 1 && column_count <= CSV_COLUMN_MAX);
     *csv = (struct csv){
         .speaker = speaker, .path = path, .columns = columns, .column_count = column_count
     };
@@ -175,21 +165,6 @@ int csv_has(const struct csv *csv, uint32_t index)
     return csv->field_of[index] != 0;
 }
 
-static enum exit_code read_word(const struct csv *csv, uint32_t index, const char *text,
-                                double *value)
-{
-    char list[LIST_MAX] = "";
-    const char *const *words = csv->columns[index].words;
-    for (uint32_t i = 0; words[i]; i++) {
-        if (strcmp(text, words[i]) == 0) {
-            *value = (double)i;
-            return EXIT_OK;
-        }
-        list_word(list, words[i]);
-    }
-    return csv_error(csv, index, "'%.*s' is none of %s", FIELD_SHOWN, text, list);
-}
-
 static enum exit_code read_value(const struct csv *csv, uint32_t index, const char *text,
                                  double *value)
 {
@@ -198,31 +173,21 @@ static enum exit_code read_value(const struct csv *csv, uint32_t index, const ch
         return EXIT_OK;
     }
     if (column->words) {
-        return read_word(csv, index, text, value);
+        char list[LIST_MAX] = "";
+        for (uint32_t i = 0; column->words[i]; i++) {
+            if (strcmp(text, column->words[i]) == 0) {
+                *value = (double)i;
+                return EXIT_OK;
+            }
+            list_word(list, column->words[i]);
+        }
+        return csv_error(csv, index, "'%.*s' is none of %s", FIELD_SHOWN, text, list);
     }
     if (!number_parse_decimal(text, column->min, column->max, value)) {
         return csv_error(csv, index, "'%.*s' is not a number from %g to %g", FIELD_SHOWN, text,
                          column->min, column->max);
     }
     return EXIT_OK;
-}
-
-/* Returns the index of the defined column that is at position `number` in the file. The caller
- * guarantees that the header has this position. */
-static uint32_t column_at(const struct csv *csv, uint32_t number)
-{
-    uint32_t index = 0;
-    while (csv->field_of[index] != number) {
-        index++;
-    }
-    return index;
-}
-
-static enum exit_code refuse_surplus(const struct csv *csv, const char *text)
-{
-    print_error("%s: %s: line %u, column %u: '%.*s' is beyond the head's %u columns", csv->speaker,
-                csv->path, csv->line, csv->field_count + 1u, FIELD_SHOWN, text, csv->field_count);
-    return EXIT_BAD_DATA;
 }
 
 enum exit_code csv_row(struct csv *csv, double *values, int *is_end)
@@ -236,7 +201,11 @@ enum exit_code csv_row(struct csv *csv, double *values, int *is_end)
     }
     char *rest = csv->text;
     for (uint32_t number = 1; number <= csv->field_count; number++) {
-        const uint32_t index = column_at(csv, number);
+        uint32_t index = 0;
+        while (index + 1u < csv->column_count && csv->field_of[index] != number) {
+            index++;
+        }
+        CORE_ASSERT(csv->field_of[index] == number); /* The header has this position. */
         const char *text = cut_field(&rest);
         if (!text) {
             return csv_error(csv, index, "is missing: the line ends before it");
@@ -247,7 +216,13 @@ enum exit_code csv_row(struct csv *csv, double *values, int *is_end)
         }
     }
     const char *surplus = cut_field(&rest);
-    return surplus ? refuse_surplus(csv, surplus) : EXIT_OK;
+    if (surplus) {
+        print_error("%s: %s: line %u, column %u: '%.*s' is beyond the head's %u columns",
+                    csv->speaker, csv->path, csv->line, csv->field_count + 1u, FIELD_SHOWN, surplus,
+                    csv->field_count);
+        return EXIT_BAD_DATA;
+    }
+    return EXIT_OK;
 }
 
 void csv_close(struct csv *csv)

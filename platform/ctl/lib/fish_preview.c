@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "core/base/panic.h"
+
 #define FIN_ROOT_HIDES 0.92f
 #define FIN_TIP_HIDES 0.55f
 #define FIN_RAYS 13.0f /* Number of fin rays, equal to the number that the kiosk draws. */
@@ -30,12 +32,14 @@ static const struct basis *camera(enum fish_preview_view view)
                           { 0.46985f, 0.81915f, 0.32899f },
                           { -0.67101f, 0.57358f, -0.46985f } },
     };
+    CORE_ASSERT(view < VIEW_COUNT);
     return &cameras[view];
 }
 
 void fish_preview_pose(struct fish_preview *preview, const struct species *species,
                        const struct morph_rig *rig, float progress)
 {
+    CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
     preview->species = species;
     preview->mesh = &species->lod[0];
     morph_pose(rig, preview->mesh, progress, &preview->pose);
@@ -82,14 +86,6 @@ static struct species_vertex place(const struct corners *c, const float part[3])
     return at;
 }
 
-static vec3 facing(const struct corners *c, const float part[3], bool is_fin)
-{
-    vec3 n = v3_scale(c->normals[0], part[0]);
-    n = v3_muladd(v3_muladd(n, c->normals[1], part[1]), c->normals[2], part[2]);
-    n = v3_normalize_or(n, v3(0.0f, 0.0f, 1.0f));
-    return is_fin && n.z < 0.0f ? v3_scale(n, -1.0f) : n;
-}
-
 /* Returns the brightness at a point with the normal `n`. The light comes from a large soft lamp at
  * the upper left, from the sky and from the ground. */
 static float light_on(vec3 n, bool is_fin)
@@ -101,27 +97,26 @@ static float light_on(vec3 n, bool is_fin)
     return 0.26f + 0.34f * from_sky + 0.66f * f_max(from_lamp, 0.0f);
 }
 
-static float gloss_on(vec3 n, float shine)
-{
-    /* Direction half way between the directions to the lamp and to the camera. */
-    const vec3 between = v3(-0.2373f, 0.4012f, 0.8844f);
-    const float turned = f_max(v3_dot(n, between), 0.0f);
-    return (0.04f + 0.30f * shine) * powf(turned, 18.0f + 40.0f * shine);
-}
-
 static struct raster_colour fish_preview_colour_at(const void *triangle, const float part[3])
 {
     const struct corners *c = triangle;
     const struct species_vertex at = place(c, part);
     const bool is_fin = at.part >= PART_TAIL;
-    const vec3 n = facing(c, part, is_fin);
+    vec3 n = v3_scale(c->normals[0], part[0]);
+    n = v3_muladd(v3_muladd(n, c->normals[1], part[1]), c->normals[2], part[2]);
+    n = v3_normalize_or(n, v3(0.0f, 0.0f, 1.0f));
+    n = is_fin && n.z < 0.0f ? v3_scale(n, -1.0f) : n;
     const struct paint paint = paint_at(c->preview->species, c->preview->pose.weight[0], &at);
     const float rim = powf(1.0f - f_clamp(n.z, 0.0f, 1.0f), 3.0f);
     const float ray =
         is_fin ? f_abs(2.0f * (at.u * FIN_RAYS - floorf(at.u * FIN_RAYS)) - 1.0f) : 1.0f;
     float hides = fish_preview_hides(&paint, &at) * (1.0f - RAY_HIDES * (1.0f - ray));
     hides += (1.0f - hides) * rim * (is_fin ? 0.0f : GLASS_RIM);
-    const float gloss = is_fin ? 0.0f : gloss_on(n, at.part == PART_EYE ? 1.0f : paint.shine);
+    /* The vector is half way between the directions to the lamp and to the camera. */
+    const float turned = f_max(v3_dot(n, v3(-0.2373f, 0.4012f, 0.8844f)), 0.0f);
+    const float shine = at.part == PART_EYE ? 1.0f : paint.shine;
+    const float gloss =
+        is_fin ? 0.0f : (0.04f + 0.30f * shine) * powf(turned, 18.0f + 40.0f * shine);
     const float light = light_on(n, is_fin) * (1.0f - RAY_LIGHT * (1.0f - ray));
     const vec3 lit = v3_scale(canvas_linear(paint.colour), light);
     return (struct raster_colour){ v3_add(lit, v3(gloss, gloss, gloss)),

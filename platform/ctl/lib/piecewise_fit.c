@@ -71,22 +71,6 @@ static uint32_t refine(const struct samples *from, struct samples *to,
     return halved;
 }
 
-/* Runs one pass of refine() and replaces `s` with the refined samples. Returns false if memory
- * allocation fails. */
-static bool halve(struct samples *s, const struct piecewise_fit_function *f, float tolerance,
-                  uint32_t *halved)
-{
-    struct samples finer;
-    if (!samples_open(&finer, 2u * s->count, s->width)) {
-        samples_free(&finer);
-        return false;
-    }
-    *halved = refine(s, &finer, f, tolerance);
-    samples_free(s);
-    *s = finer;
-    return true;
-}
-
 bool piecewise_fit_fit(struct piecewise_fit *track, const struct piecewise_fit_function *function,
                        const float *marks, uint32_t mark_count, float tolerance)
 {
@@ -99,7 +83,15 @@ bool piecewise_fit_fit(struct piecewise_fit *track, const struct piecewise_fit_f
         function->ask(function->self, marks[i], append(&s, marks[i], i + 1 == mark_count, NULL));
     }
     for (uint32_t pass = 0; good && halved > 0 && pass < PIECEWISE_FIT_HALVINGS; pass++) {
-        good = halve(&s, function, tolerance, &halved);
+        struct samples finer;
+        good = samples_open(&finer, 2u * s.count, s.width);
+        if (good) {
+            halved = refine(&s, &finer, function, tolerance);
+            samples_free(&s);
+            s = finer;
+        } else {
+            samples_free(&finer);
+        }
     }
     *track = (struct piecewise_fit){ .count = good ? s.count : 0, .width = s.width };
     track->progress = good ? malloc(s.count * sizeof *track->progress) : NULL;

@@ -209,21 +209,6 @@ struct pile {
     uint32_t count;
 };
 
-static void pile_add(struct pile *pile, const struct raster_layer *layer, float depth)
-{
-    if (pile->count == PILE_MAX && pile->depth[PILE_MAX - 1u] >= depth) {
-        return; /* The pile is full, and the new layer lies behind all stored layers. */
-    }
-    uint32_t at = pile->count < PILE_MAX ? pile->count++ : PILE_MAX - 1u;
-    while (at > 0 && pile->depth[at - 1] < depth) {
-        pile->layers[at] = pile->layers[at - 1];
-        pile->depth[at] = pile->depth[at - 1];
-        at--;
-    }
-    pile->layers[at] = layer;
-    pile->depth[at] = depth;
-}
-
 static vec3 sample_colour(const struct raster *raster, uint32_t top, uint32_t s, vec3 behind)
 {
     const vec3 offset = sample_offset(s);
@@ -232,8 +217,18 @@ static vec3 sample_colour(const struct raster *raster, uint32_t top, uint32_t s,
     for (uint32_t i = top; i != 0; i = raster->layers[i - 1].below) {
         const struct raster_layer *layer = &raster->layers[i - 1];
         if (layer->samples >> s & 1u) {
-            pile_add(&pile, layer,
-                     layer->depth + layer->depth_dx * offset.x + layer->depth_dy * offset.y);
+            const float depth =
+                layer->depth + layer->depth_dx * offset.x + layer->depth_dy * offset.y;
+            if (pile.count == PILE_MAX && pile.depth[PILE_MAX - 1u] >= depth) {
+                continue; /* The pile is full, and the layer lies behind all stored layers. */
+            }
+            uint32_t at = pile.count < PILE_MAX ? pile.count++ : PILE_MAX - 1u;
+            for (; at > 0 && pile.depth[at - 1] < depth; at--) {
+                pile.layers[at] = pile.layers[at - 1];
+                pile.depth[at] = pile.depth[at - 1];
+            }
+            pile.layers[at] = layer;
+            pile.depth[at] = depth;
         }
     }
     vec3 colour = v3(0.0f, 0.0f, 0.0f);

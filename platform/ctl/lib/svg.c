@@ -4,25 +4,14 @@
 #include <errno.h>
 #include <stdarg.h>
 
+#include "core/base/panic.h"
 #include "core/base/printable.h"
 
 #define TEXT_MAX 256
 
-/* Writes a text as SVG. Characters that are special in XML are replaced by entities. */
-static void put_escaped(FILE *file, char *text)
-{
-    for (printable(text); *text; text++) {
-        const char *word = *text == '<' ? "&lt;" : *text == '&' ? "&amp;" : NULL;
-        if (word) {
-            fputs(word, file);
-        } else {
-            fputc(*text, file);
-        }
-    }
-}
-
 bool svg_open(struct svg *svg, const char *path, double width, double height, const char *title)
 {
+    CORE_ASSERT(path && width > 0.0 && height > 0.0);
     const int error = file_atomic_open(&svg->out, path);
     if (error != 0) {
         errno = -error;
@@ -61,7 +50,15 @@ void svg_text(struct svg *svg, double x, double y, double size, const char *anch
             "<text x=\"%.1f\" y=\"%.1f\" font-size=\"%g\" text-anchor=\"%s\" fill=\"%s\" "
             "stroke=\"%s\" stroke-width=\"3\" stroke-opacity=\"0.8\" paint-order=\"stroke\">",
             x, y, size, anchor, colour, SVG_PAPER);
-    put_escaped(svg->file, text);
+    printable(text);
+    for (const char *c = text; *c; c++) { /* Characters that are special in XML become entities. */
+        const char *word = *c == '<' ? "&lt;" : *c == '&' ? "&amp;" : NULL;
+        if (word) {
+            fputs(word, svg->file);
+        } else {
+            fputc(*c, svg->file);
+        }
+    }
     fputs("</text>\n", svg->file);
 }
 

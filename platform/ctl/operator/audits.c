@@ -4,6 +4,7 @@
  * JSON. */
 #include <stdio.h>
 
+#include "core/base/panic.h"
 #include "core/game/rules.h"
 #include "platform/ctl/operator/books.h"
 #include "platform/os/json.h"
@@ -17,6 +18,7 @@ static const char name[] = "audits";
 static void print_named(const struct audits *audits, uint32_t begin, uint32_t end)
 {
     char key[AUDIT_NAME_SIZE];
+    CORE_ASSERT(begin <= end && end <= AUDIT_COUNT);
     for (uint32_t id = begin; id < end; id++) {
         audits_name(id, key);
         printf("  %-20s %10u\n", key, audits->count[id]);
@@ -31,18 +33,6 @@ static void print_mean(const char *what, uint32_t sum, uint32_t count, const cha
     } else {
         printf("  %-20s %10.1f %s\n", what, (double)sum / count, unit);
     }
-}
-
-static void print_means(const struct audits *audits)
-{
-    const uint32_t *count = audits->count;
-    uint32_t plays = 0;
-    for (uint32_t i = 0; i < MODE_COUNT * AUDIT_GRADES; i++) {
-        plays += count[AUDIT_PLAYS + i];
-    }
-    print_mean("fish a player", count[AUDIT_CAUGHT], count[AUDIT_PLAYERS], "");
-    print_mean("time a round", count[AUDIT_PLAY_S], plays, "s");
-    print_mean("a paper's life", count[AUDIT_PAPER_LIFE_S], count[AUDIT_PAPERS_TORN], "s");
 }
 
 static void print_plays(const struct audits *audits)
@@ -89,7 +79,14 @@ static void audits_print_text(const struct persistent_state *memory)
     print_named(audits, AUDIT_TICKETS_OUT, AUDIT_TICKETS_OUT + 1u);
     puts("\nplay");
     print_named(audits, AUDIT_PLAYS_PAID, AUDIT_PLAYS);
-    print_means(audits);
+    uint32_t plays = 0;
+    for (uint32_t i = 0; i < MODE_COUNT * AUDIT_GRADES; i++) {
+        plays += audits->count[AUDIT_PLAYS + i];
+    }
+    print_mean("fish a player", audits->count[AUDIT_CAUGHT], audits->count[AUDIT_PLAYERS], "");
+    print_mean("time a round", audits->count[AUDIT_PLAY_S], plays, "s");
+    print_mean("a paper's life", audits->count[AUDIT_PAPER_LIFE_S],
+               audits->count[AUDIT_PAPERS_TORN], "s");
     print_plays(audits);
     print_times(audits);
     puts("\nmachine");

@@ -17,6 +17,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "platform/ctl/operator/books.h"
 #include "platform/os/file.h"
 #include "platform/os/json.h"
@@ -29,6 +30,7 @@
 #define PATH_MAX_BYTES 520u
 #define BEFORE_MAX 1000u /* Maximum number of replaced databases that stay in the folder. */
 
+static const char name[] = "backup";
 static const char command[] = "backup --restore";
 
 /* State of the replacement of the database: the paths of the files, and the start record of the
@@ -49,6 +51,7 @@ static enum exit_code fails(const char *path, const char *why)
 
 static void join(char out[LEDGER_PATH_SIZE], const char *path, const char *suffix)
 {
+    CORE_ASSERT(strlen(suffix) < 40u);
     snprintf(out, LEDGER_PATH_SIZE, "%.560s%.39s", path, suffix);
 }
 
@@ -65,25 +68,28 @@ static int is_locked(const char *path)
     return is_held;
 }
 
-/* Returns 1 if a kiosk is running with the data folder of the database, otherwise 0. A kiosk locks
- * its data folder for its whole run, even while its database is closed. */
-static int has_stall(const struct swap *swap)
+/* Writes the path of the folder of the database to `folder`. */
+static void folder_of(const struct swap *swap, char folder[BOOKS_PATH_SIZE])
 {
-    char folder[BOOKS_PATH_SIZE];
-    snprintf(folder, sizeof folder, "%s", swap->own);
-    *strrchr(folder, '/') = '\0';
+    snprintf(folder, BOOKS_PATH_SIZE, "%s", swap->own);
+    char *slash = strrchr(folder, '/');
+    CORE_ASSERT(slash);
+    *slash = '\0';
+}
+
+/* Returns 1 if a kiosk runs with the data folder of the database, or if a process has the database
+ * open, otherwise 0. A kiosk locks its data folder for its whole run, even while its database is
+ * closed. */
+static int is_held(const struct swap *swap)
+{
+    char shared[LEDGER_PATH_SIZE], folder[BOOKS_PATH_SIZE];
+    folder_of(swap, folder);
     const int handle = file_lock_folder(folder[0] ? folder : "/");
     if (handle >= 0) {
         close(handle);
     }
-    return handle == -EWOULDBLOCK;
-}
-
-static int is_held(const struct swap *swap)
-{
-    char shared[LEDGER_PATH_SIZE];
     join(shared, swap->own, "-shm");
-    return has_stall(swap) || is_locked(swap->own) || is_locked(shared);
+    return handle == -EWOULDBLOCK || is_locked(swap->own) || is_locked(shared);
 }
 
 /* ---- Writing the copy ------------------------------------------------------------------------ */
@@ -95,23 +101,13 @@ static int give_to_its_user(const struct swap *swap)
 {
     struct stat about;
     char folder[BOOKS_PATH_SIZE];
-    snprintf(folder, sizeof folder, "%s", swap->own);
-    *strrchr(folder, '/') = '\0';
+    folder_of(swap, folder);
     const int has_file = stat(swap->own, &about) == 0;
     if (!has_file && stat(folder, &about) != 0) {
         return -1;
     }
     const mode_t mode = has_file ? about.st_mode & 0660 : S_IRUSR | S_IWUSR;
     return chown(swap->fresh, about.st_uid, about.st_gid) == 0 ? chmod(swap->fresh, mode) : -1;
-}
-
-static enum exit_code refuse_copy(const char *from, int code)
-{
-    if (code != SQLITE_CORRUPT || !books_tell_foreign(command, from, "use another copy")) {
-        fails(from,
-              code == SQLITE_NOTFOUND ? "is no copy of a stall's file" : ledger_file_error(code));
-    }
-    return code == SQLITE_CANTOPEN ? EXIT_IO : EXIT_BAD_DATA;
 }
 
 static enum exit_code make_copy(struct swap *swap, const char *from)
@@ -129,7 +125,11 @@ static enum exit_code make_copy(struct swap *swap, const char *from)
     code = code == SQLITE_OK ? ledger_check(file.db) : code;
     if (code != SQLITE_OK) {
         ledger_file_close(&file);
-        return refuse_copy(from, code);
+        if (code != SQLITE_CORRUPT || !books_tell_foreign(command, from, "use another copy")) {
+            fails(from, code == SQLITE_NOTFOUND ? "is no copy of a stall's file"
+                                                : ledger_file_error(code));
+        }
+        return code == SQLITE_CANTOPEN ? EXIT_IO : EXIT_BAD_DATA;
     }
     code = ledger_backup_make(&file, swap->fresh, false);
     ledger_file_close(&file);
@@ -206,10 +206,10 @@ static enum exit_code restore_backup(const struct books_words *words, const char
     const char *from = file_is_other(named) && realpath(named, resolved) ? resolved : named;
     books_path(words, swap.own);
     if (strlen(swap.own) > PATH_MAX_BYTES) {
-        return ctl_usage("backup", "the name is too long");
+        return ctl_usage(name, "the name is too long");
     }
     if (books_is_same(from, swap.own)) {
-        return ctl_usage("backup", "%.200s: is the stall's own file", from);
+        return ctl_usage(name, "%.200s: is the stall's own file", from);
     }
     join(swap.fresh, swap.own, STORAGE_NEW_SUFFIX);
     if (is_held(&swap)) {
@@ -238,31 +238,24 @@ static enum exit_code restore_backup(const struct books_words *words, const char
     return EXIT_OK;
 }
 
-static const char name[] = "backup";
-
-/* Returns 1 if `path` names the kiosk's ledger database or one of its companion files, otherwise 0.
- * A copy onto the database would empty the database. A copy onto the write-ahead log would destroy
- * the log. Every file in the data folder whose name begins with STORAGE_FILE counts as a companion
- * file. */
-static int is_stalls_own(const struct books_words *words, const char *path)
+/* Returns the reason why a copy must not be written to `path`, or null if the copy may be written.
+ * A copy may replace only an older copy or an empty file, or create a new file. A copy onto the
+ * kiosk's database would empty the database, and a copy onto the write-ahead log would destroy the
+ * log. Therefore no file in the data folder whose name begins with STORAGE_FILE is replaced. */
+static const char *why_not(const struct books_words *words, const char *path)
 {
     char own[BOOKS_PATH_SIZE], folder[BOOKS_PATH_SIZE];
+    struct ledger_start older;
+    struct stat about;
     const char *slash = strrchr(path, '/'), *last = slash ? slash + 1 : path;
     books_path(words, own);
     snprintf(folder, sizeof folder, "%.*s.", (int)(last - path), path);
-    if (books_is_same(own, path)) {
-        return 1;
-    }
+    const int is_database = books_is_same(own, path);
     *(strrchr(own, '/') + 1) = '\0';
-    return strncmp(last, STORAGE_FILE, strlen(STORAGE_FILE)) == 0 && books_is_same(own, folder);
-}
-
-/* Returns the reason why a copy must not be written to `path`, or null if the copy may be written.
- * A copy may replace only an older copy or an empty file, or create a new file. */
-static const char *why_not(const char *path)
-{
-    struct ledger_start older;
-    struct stat about;
+    if (is_database ||
+        (strncmp(last, STORAGE_FILE, strlen(STORAGE_FILE)) == 0 && books_is_same(own, folder))) {
+        return "is the stall's own file";
+    }
     if (stat(path, &about) != 0 || (S_ISREG(about.st_mode) && about.st_size == 0)) {
         return NULL;
     }
@@ -277,7 +270,7 @@ static const char *why_not(const char *path)
 static enum exit_code copy(struct ledger_file *file, const char *path,
                            const struct books_words *words)
 {
-    const char *why = is_stalls_own(words, path) ? "is the stall's own file" : why_not(path);
+    const char *why = why_not(words, path);
     if (why) {
         return ctl_usage(name, "%.200s: %s", path, why);
     }

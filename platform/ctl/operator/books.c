@@ -9,6 +9,7 @@
 
 #include <sqlite3.h>
 
+#include "core/base/panic.h"
 #include "platform/os/print.h"
 #include "platform/store/sqlite/sql.h"
 #include "platform/store/storage.h"
@@ -35,6 +36,7 @@ static int look_for(const char *path)
 void books_path(const struct books_words *words, char path[BOOKS_PATH_SIZE])
 {
     char own[FILE_FOLDER_MAX];
+    CORE_ASSERT(!words->data || words->data[0]);
     const char *folder = words->data ? words->data : service_folder;
     snprintf(path, BOOKS_PATH_SIZE, "%s/" STORAGE_FILE, folder);
     file_default_data(own);
@@ -97,27 +99,11 @@ int books_tell_foreign(const char *command, const char *path, const char *advice
     return has_foreign;
 }
 
-static enum exit_code books_print_error(const char *command, const char *path, int code)
-{
-    if (code == SQLITE_CORRUPT &&
-        books_tell_foreign(command, path, "the stall replaces the file when it starts")) {
-        return EXIT_BAD_DATA;
-    }
-    const char *why = code == SQLITE_SCHEMA    ? "an earlier Kingyo wrote it: start the stall once"
-                      : code == SQLITE_NOTADB  ? "is no database"
-                      : code == SQLITE_CORRUPT ? "is damaged: the stall replaces it when it starts"
-                                               : ledger_file_error(code);
-    print_error("kingyoctl %s: %s: %s", command, path, why);
-    return code == SQLITE_SCHEMA || code == SQLITE_NOTADB || code == SQLITE_CORRUPT ||
-                   code == LEDGER_FILE_NEWER
-               ? EXIT_BAD_DATA
-               : EXIT_IO;
-}
-
 enum exit_code books_open(const char *command, const struct books_words *words,
                           struct ledger_file *out)
 {
     char path[BOOKS_PATH_SIZE];
+    CORE_ASSERT(command && words && out);
     books_path(words, path);
     const int error = look_for(path);
     if (error) {
@@ -128,5 +114,20 @@ enum exit_code books_open(const char *command, const struct books_words *words,
         return EXIT_IO;
     }
     const int code = ledger_file_inspect(out, path);
-    return code == SQLITE_OK ? EXIT_OK : books_print_error(command, path, code);
+    if (code == SQLITE_OK) {
+        return EXIT_OK;
+    }
+    if (code == SQLITE_CORRUPT &&
+        books_tell_foreign(command, path, "the stall replaces the file when it starts")) {
+        return EXIT_BAD_DATA;
+    }
+    print_error("kingyoctl %s: %s: %s", command, path,
+                code == SQLITE_SCHEMA    ? "an earlier Kingyo wrote it: start the stall once"
+                : code == SQLITE_NOTADB  ? "is no database"
+                : code == SQLITE_CORRUPT ? "is damaged: the stall replaces it when it starts"
+                                         : ledger_file_error(code));
+    return code == SQLITE_SCHEMA || code == SQLITE_NOTADB || code == SQLITE_CORRUPT ||
+                   code == LEDGER_FILE_NEWER
+               ? EXIT_BAD_DATA
+               : EXIT_IO;
 }

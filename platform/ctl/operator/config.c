@@ -40,19 +40,14 @@ static enum exit_code config_check_file(const char *path)
     return EXIT_OK;
 }
 
-static enum exit_code print_defaults(void)
-{
-    config_file_print_defaults(stdout);
-    return EXIT_OK;
-}
-
 static enum exit_code config_run(int argc, const char *const *argv)
 {
     if (argc >= 1 && argc <= 2 && strcmp(argv[0], "check") == 0) {
         return config_check_file(argc == 2 ? argv[1] : CONFIG_FILE_DEFAULT);
     }
     if (argc == 1 && strcmp(argv[0], "defaults") == 0) {
-        return print_defaults();
+        config_file_print_defaults(stdout);
+        return EXIT_OK;
     }
     return ctl_usage(name, "expected check [FILE] or defaults; --help explains them");
 }

@@ -121,6 +121,7 @@ static uint32_t list_rounds(const struct ranking *ranking, uint32_t out[ROUNDS_M
         const struct rank_row *row =
             &ranking->row[board / RANK_PERIOD_COUNT][board % RANK_PERIOD_COUNT][i % RANK_ROWS];
         uint32_t k = 0;
+        CORE_ASSERT(count <= ROUNDS_MAX);
         while (k < count && out[k] != row->round_id) {
             k++;
         }
@@ -165,29 +166,25 @@ static enum exit_code verify(const struct scores_request *request, struct ledger
 
 /* ---- Subcommand replay ----------------------------------------------------------------------- */
 
-/* Returns 1 if a replay contains the PIN of the operator's menu, otherwise 0. A replay begins with
- * a copy of the settings. Earlier versions of Kingyo included the PIN in the copy and in the hashes
- * of the replay, so the PIN cannot be removed. */
-static int holds_pin(const uint8_t *replay, size_t size)
-{
-    static struct replay_reader reader;
-    int holds = 0;
-    if (replay_open_in(&reader, replay, size) == 0) {
-        holds = session_recorder_start_has_pin(&reader.header.config);
-        replay_close(&reader);
-    }
-    return holds;
-}
-
 static enum exit_code write_replay(const struct scores_request *request, struct ledger_file *file)
 {
+    static struct replay_reader reader;
     struct atomic_file out;
     size_t size;
+    CORE_ASSERT(request->out && request->round_id != 0);
     if (ledger_file_get_replay(file, request->round_id, bytes, sizeof bytes, &size) != 0) {
         print_error("kingyoctl scores: round %u has no replay", request->round_id);
         return EXIT_NOT_SO;
     }
-    if (!request->with_pin && holds_pin(bytes, size)) {
+    /* A replay begins with a copy of the settings. Earlier versions of Kingyo included the PIN of
+     * the operator's menu in the copy and in the hashes of the replay, so the PIN cannot be
+     * removed. */
+    int has_pin = 0;
+    if (replay_open_in(&reader, bytes, size) == 0) {
+        has_pin = session_recorder_start_has_pin(&reader.header.config);
+        replay_close(&reader);
+    }
+    if (!request->with_pin && has_pin) {
         print_error("kingyoctl scores: the replay of round %u holds the PIN of the menu: "
                     "--with-pin takes it out all the same; change the PIN then",
                     request->round_id);

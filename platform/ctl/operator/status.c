@@ -6,6 +6,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "core/base/panic.h"
 #include "platform/ctl/lib/ctl.h"
 #include "platform/kiosk/status.h"
 #include "platform/os/json.h"
@@ -95,40 +96,31 @@ static const char sql_faults[] = "SELECT key || ' ' || value FROM json_each(?1, 
 static const char sql_devices[] = "SELECT json_extract(value, '$.part'), "
                                   "json_extract(value, '$.text') FROM json_each(?1, '$.devices')";
 
-static void print_faults(sqlite3 *database, const char *text)
-{
-    sqlite3_stmt *statement = status_prepare_query(database, sql_faults, text);
-    const char *gap = "";
-    printf("  %-9s ", "faults");
-    while (sqlite3_step(statement) == SQLITE_ROW) {
-        print_part(stdout, "%s%s", gap, (const char *)sqlite3_column_text(statement, 0));
-        gap = ", ";
-    }
-    puts(gap[0] ? "" : "none");
-    sqlite3_finalize(statement);
-}
-
-static void print_devices(sqlite3 *database, const char *text)
-{
-    sqlite3_stmt *statement = status_prepare_query(database, sql_devices, text);
-    while (sqlite3_step(statement) == SQLITE_ROW) {
-        print_line(stdout, "  %-9s %s", (const char *)sqlite3_column_text(statement, 0),
-                   (const char *)sqlite3_column_text(statement, 1));
-    }
-    sqlite3_finalize(statement);
-}
-
 static void status_print_text(sqlite3 *database, sqlite3_stmt *figures, const char *text)
 {
     static const char *const parts[] = { "credits", "tickets", "ledger", "machine",
                                          "files",   "panics",  "frames" };
+    const char *gap = "";
+    CORE_ASSERT(sqlite3_column_count(figures) == 10);
     print_line(stdout, "%s", (const char *)sqlite3_column_text(figures, 2));
     for (int i = 0; i < (int)(sizeof parts / sizeof parts[0]); i++) {
         print_line(stdout, "  %-9s %s", parts[i],
                    (const char *)sqlite3_column_text(figures, 3 + i));
     }
-    print_faults(database, text);
-    print_devices(database, text);
+    printf("  %-9s ", "faults");
+    sqlite3_stmt *faults = status_prepare_query(database, sql_faults, text);
+    while (sqlite3_step(faults) == SQLITE_ROW) {
+        print_part(stdout, "%s%s", gap, (const char *)sqlite3_column_text(faults, 0));
+        gap = ", ";
+    }
+    puts(gap[0] ? "" : "none");
+    sqlite3_finalize(faults);
+    sqlite3_stmt *devices = status_prepare_query(database, sql_devices, text);
+    while (sqlite3_step(devices) == SQLITE_ROW) {
+        print_line(stdout, "  %-9s %s", (const char *)sqlite3_column_text(devices, 0),
+                   (const char *)sqlite3_column_text(devices, 1));
+    }
+    sqlite3_finalize(devices);
 }
 
 /* ---- Exit code from the status --------------------------------------------------------------- */

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "core/base/printable.h"
 #include "platform/ctl/lib/ctl.h"
 #include "platform/ctl/play/bot_keys.h"
@@ -54,24 +55,9 @@ static int set_base(struct parser *parser, const char *value)
     if (strcmp(value, "novice") != 0 && strcmp(value, "expert") != 0) {
         return bot_file_error(parser, "base: '%.*s' is not right; novice|expert is", SHOWN, value);
     }
+    CORE_ASSERT(parser->line > 0);
     parser->base_line = parser->line;
     parser->technique = strcmp(value, "novice") == 0 ? technique_novice : technique_expert;
-    return 0;
-}
-
-static int set_key(struct parser *parser, uint32_t key, const char *value)
-{
-    char range[BOT_KEY_RANGE_MAX];
-    if (parser->line_of[key]) {
-        return bot_file_error(parser, "%s is in line %u already", bot_key_name(key),
-                              parser->line_of[key]);
-    }
-    if (bot_key_set(key, value, &parser->technique)) {
-        bot_key_range(key, range);
-        return bot_file_error(parser, "%s: '%.*s' is not right; %s is", bot_key_name(key), SHOWN,
-                              value, range);
-    }
-    parser->line_of[key] = parser->line;
     return 0;
 }
 
@@ -95,19 +81,14 @@ static char *bot_file_trim(char *text)
     return text;
 }
 
-static void drop_comment(char *text)
-{
-    for (char *c = text; *c; c++) {
-        if (*c == '#' && (c == text || is_blank(c[-1]))) {
-            *c = '\0';
-            return;
-        }
-    }
-}
-
 static int parse_line(struct parser *parser, char *text)
 {
-    drop_comment(text);
+    for (char *c = strchr(text, '#'); c; c = strchr(c + 1, '#')) {
+        if (c == text || is_blank(c[-1])) {
+            *c = '\0';
+            break;
+        }
+    }
     char *name = bot_file_trim(text);
     char *equals = strchr(name, '=');
     if (*name == '\0') {
@@ -127,23 +108,16 @@ static int parse_line(struct parser *parser, char *text)
         return bot_file_error(parser, "'%.*s' is no key of a bot; kingyoctl play --help lists them",
                               SHOWN, name);
     }
-    return set_key(parser, key, value);
-}
-
-/* Copies the next line without its newline to `out`, and sets `*length` to the length of the line.
- * A line that is too long for `out` is not copied.
- *
- * Returns the text after the line. */
-static const char *cut_line(const char *text, const char *end, char out[LINE_MAX_CHARS],
-                            size_t *length)
-{
-    const char *stop = memchr(text, '\n', (size_t)(end - text));
-    *length = (size_t)((stop ? stop : end) - text);
-    if (*length < LINE_MAX_CHARS) {
-        memcpy(out, text, *length);
-        out[*length] = '\0';
+    if (parser->line_of[key]) {
+        return bot_file_error(parser, "%s is in line %u already", name, parser->line_of[key]);
     }
-    return stop ? stop + 1 : end;
+    if (bot_key_set(key, value, &parser->technique)) {
+        char range[BOT_KEY_RANGE_MAX];
+        bot_key_range(key, range);
+        return bot_file_error(parser, "%s: '%.*s' is not right; %s is", name, SHOWN, value, range);
+    }
+    parser->line_of[key] = parser->line;
+    return 0;
 }
 
 static int parse_lines(struct parser *parser, const char *text, size_t size)
@@ -152,12 +126,16 @@ static int parse_lines(struct parser *parser, const char *text, size_t size)
     char line[LINE_MAX_CHARS];
     size_t length = 0;
     while (text < end) {
-        text = cut_line(text, end, line, &length);
+        const char *stop = memchr(text, '\n', (size_t)(end - text));
+        length = (size_t)((stop ? stop : end) - text);
         parser->line++;
         if (length >= LINE_MAX_CHARS) {
             return bot_file_error(parser, "a line of %zu characters; %u is the most", length,
                                   LINE_MAX_CHARS - 1u);
         }
+        memcpy(line, text, length);
+        line[length] = '\0';
+        text = stop ? stop + 1 : end;
         if (memchr(line, '\0', length)) {
             return bot_file_error(parser, "is no text");
         }

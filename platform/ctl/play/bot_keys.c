@@ -94,17 +94,6 @@ static double value_of(const struct key *key, const struct technique *technique)
     return (double)real;
 }
 
-static void set_value(const struct key *key, struct technique *technique, double value)
-{
-    unsigned char *at = (unsigned char *)technique + key->offset;
-    const float real = (float)value;
-    if (key->kind == KIND_REAL) {
-        memcpy(at, &real, sizeof real);
-    } else {
-        *at = (unsigned char)value;
-    }
-}
-
 static const struct key *key_at(uint32_t key)
 {
     CORE_ASSERT(key < BOT_KEY_COUNT);
@@ -153,7 +142,13 @@ int bot_key_set(uint32_t key, const char *text, struct technique *technique)
     if (!read_value(key_at(key), text, &value)) {
         return -1;
     }
-    set_value(&keys[key], technique, value);
+    unsigned char *at = (unsigned char *)technique + keys[key].offset;
+    const float real = (float)value;
+    if (keys[key].kind == KIND_REAL) {
+        memcpy(at, &real, sizeof real);
+    } else {
+        *at = (unsigned char)value;
+    }
     return 0;
 }
 

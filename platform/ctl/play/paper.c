@@ -112,23 +112,6 @@ static const char paper_options_notes[] =
     "  kingyoctl paper --grade 7 --medium air --fish 3 --fish-cm 4 --seconds 60\n"
     "  kingyoctl paper --grade 5 --calibrate 88,96,81,104,91 --footprint-mm 20 --hang-s 5\n";
 
-static enum exit_code paper_options_read(struct paper_options *plan, int argc,
-                                         const char *const *argv)
-{
-    struct words words = { .grade = 0 };
-    const enum exit_code code = ctl_options("paper", &paper_options_table, 0, &words, argc, argv);
-    *plan = words.plan;
-    plan->grade = (uint8_t)words.grade;
-    plan->wetness = (float)words.wetness;
-    plan->wet_fraction = (float)words.wet_fraction;
-    plan->tilt_rad = (float)words.tilt_deg * F_DEG;
-    plan->speed_m_s = (float)words.speed_m_s;
-    plan->fish_m = 0.01f * (float)words.fish_cm;
-    plan->tick_count = (uint32_t)ceil(plan->seconds * CORE_TICK_HZ - 1e-6);
-    plan->footprint_m = 1e-3 * words.footprint_mm;
-    return code;
-}
-
 static const char name[] = "paper";
 
 /* ---- Simulation of a moving poi -------------------------------------------------------------- */
@@ -248,12 +231,21 @@ static void calibrate(const struct paper_options *plan)
 
 static enum exit_code paper_run(int argc, const char *const *argv)
 {
-    static struct paper_options plan;
     static struct paper_lab lab;
-    const enum exit_code code = paper_options_read(&plan, argc, argv);
+    struct words words = { .grade = 0 };
+    const enum exit_code code = ctl_options(name, &paper_options_table, 0, &words, argc, argv);
     if (code != EXIT_OK) {
         return code;
     }
+    struct paper_options plan = words.plan;
+    plan.grade = (uint8_t)words.grade;
+    plan.wetness = (float)words.wetness;
+    plan.wet_fraction = (float)words.wet_fraction;
+    plan.tilt_rad = (float)words.tilt_deg * F_DEG;
+    plan.speed_m_s = (float)words.speed_m_s;
+    plan.fish_m = 0.01f * (float)words.fish_cm;
+    plan.tick_count = (uint32_t)ceil(plan.seconds * CORE_TICK_HZ - 1e-6);
+    plan.footprint_m = 1e-3 * words.footprint_mm;
     if (plan.weight_count > 0) {
         calibrate(&plan);
         return EXIT_OK;

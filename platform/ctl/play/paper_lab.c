@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/poi/catch/carried_fish.h"
 #include "core/poi/ring.h"
 
@@ -38,19 +39,6 @@ static void wet_paper(struct paper_lab *lab)
     sheet->soaked = plan->wetness >= 1.0f && wetted == sheet->paper_cells;
 }
 
-/* Fills the poi with water. Dry paper carries no water. Wet paper carries a film of water, and also
- * the water that lies on the paper in its present pose. */
-static void paper_lab_load_water(struct paper_lab *lab, float up_y)
-{
-    struct poi *poi = &lab->poi;
-    const float wet = lab->plan->wetness * lab->plan->wet_fraction;
-    poi->immersed = 1.0f;
-    carried_water_tick(poi, up_y);
-    poi->film_kg *= wet;
-    poi->pool_kg *= wet > 0.0f ? 1.0f : 0.0f;
-    poi->water_kg = poi->film_kg + poi->pool_kg;
-}
-
 /* Places the fish on the paper in the spiral pattern of sunflower seeds. No fish lies on another if
  * the paper has room for all of them. */
 static void lay_fish(struct paper_lab *lab)
@@ -73,6 +61,8 @@ static void lay_fish(struct paper_lab *lab)
 
 void paper_lab_open(struct paper_lab *lab, const struct paper_options *plan)
 {
+    CORE_ASSERT(plan->grade >= SHEET_GRADE_MIN && plan->grade <= SHEET_GRADE_MAX);
+    CORE_ASSERT(plan->fish_count <= POI_CARRIED_MAX && plan->wetness >= 0.0f);
     memset(lab, 0, sizeof *lab);
     lab->plan = plan;
     lab->tank.seed = plan->seed;
@@ -91,7 +81,14 @@ void paper_lab_open(struct paper_lab *lab, const struct paper_options *plan)
     }
     wet_paper(lab);
     const float up_y = vec_basis_from_angles(poi->angles).up.y;
-    paper_lab_load_water(lab, up_y);
+    /* Fills the poi with water. Dry paper carries no water. Wet paper carries a film of water, and
+     * also the water that lies on the paper in its present pose. */
+    const float wet = plan->wetness * plan->wet_fraction;
+    poi->immersed = 1.0f;
+    carried_water_tick(poi, up_y);
+    poi->film_kg *= wet;
+    poi->pool_kg *= wet > 0.0f ? 1.0f : 0.0f;
+    poi->water_kg = poi->film_kg + poi->pool_kg;
     poi->immersed = disc_immersed(POI_RADIUS_M, poi->position_m.y, up_y);
     if (plan->in_air) {
         lay_fish(lab);
@@ -112,22 +109,6 @@ static float force_n(const struct poi *poi, const struct basis *axes, float whol
     return f_sqrt(normal_n * normal_n + plane_n * plane_n);
 }
 
-static void hold_wetness(struct paper_lab *lab)
-{
-    memcpy(lab->poi.sheet.wetness, lab->wetness, sizeof lab->wetness);
-}
-
-static void note(struct paper_lab *lab, float force)
-{
-    const struct poi *poi = &lab->poi;
-    lab->force_n = f_max(lab->force_n, force);
-    lab->tension_n_m = f_max(lab->tension_n_m, poi->strain.tension_max_n_m);
-    lab->water_kg = f_max(lab->water_kg, poi->water_kg);
-    if (lab->tore_tick == 0 && poi->strain.cells_torn > 0) {
-        lab->tore_tick = lab->tick;
-    }
-}
-
 static void catch_fish(struct paper_lab *lab)
 {
     struct output output = { 0 };
@@ -142,6 +123,7 @@ static void catch_fish(struct paper_lab *lab)
 void paper_lab_tick(struct paper_lab *lab)
 {
     struct poi *poi = &lab->poi;
+    CORE_ASSERT(lab->plan && poi->carried_count <= POI_CARRIED_MAX);
     const struct basis axes = vec_basis_from_angles(poi->angles);
     const vec3 carriage_m_s = v3(0.0f, lab->plan->speed_m_s, 0.0f);
     poi->before_m = poi->position_m;
@@ -159,8 +141,13 @@ void paper_lab_tick(struct paper_lab *lab)
     const float whole = poi_whole(poi);
     const struct obstacle ring = poi_obstacle(poi);
     poi_apply_reaction(poi, &ring);
-    note(lab, force_n(poi, &axes, whole));
-    hold_wetness(lab);
+    lab->force_n = f_max(lab->force_n, force_n(poi, &axes, whole));
+    lab->tension_n_m = f_max(lab->tension_n_m, poi->strain.tension_max_n_m);
+    lab->water_kg = f_max(lab->water_kg, poi->water_kg);
+    if (lab->tore_tick == 0 && poi->strain.cells_torn > 0) {
+        lab->tore_tick = lab->tick;
+    }
+    memcpy(poi->sheet.wetness, lab->wetness, sizeof lab->wetness);
     catch_fish(lab);
 }
 

@@ -5,6 +5,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "core/core.h"
 #include "platform/cpu.h"
 #include "platform/ctl/lib/ctl.h"
@@ -187,6 +188,7 @@ static enum exit_code verify(const char *path)
 {
     static struct replayer replayer;
     static struct core core;
+    CORE_ASSERT(path);
     struct core_config config;
     struct replay_totals totals;
     const double begin_s = now_s();

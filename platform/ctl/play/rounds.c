@@ -6,6 +6,7 @@
 #include <sched.h>
 #include <stdlib.h>
 
+#include "core/base/panic.h"
 #include "core/core.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/recorder.h"
@@ -30,6 +31,7 @@ struct seat {
  * the configuration, so that another kiosk with this configuration plays the same round. */
 static struct core_config config_of(const struct round_plan *plan)
 {
+    CORE_ASSERT(plan->mode < MODE_COUNT);
     struct core_config config = {
         .seed = plan->seed,
         .fish_count = plan->fish_count,
@@ -173,37 +175,27 @@ static uint32_t rounds_next_plan(struct hall *hall)
     return index;
 }
 
-static void hand_in(struct hall *hall, uint32_t index, struct round_result result)
-{
-    const struct rounds *rounds = hall->rounds;
-    pthread_mutex_lock(&hall->lock);
-    rounds->results[index] = result;
-    hall->code = hall->code == EXIT_OK ? result.code : hall->code;
-    if (rounds->done) {
-        rounds->done(rounds->self, index);
-    }
-    pthread_mutex_unlock(&hall->lock);
-}
-
-/* Stops all workers because memory allocation for a worker failed. */
-static void give_up(struct hall *hall)
-{
-    pthread_mutex_lock(&hall->lock);
-    hall->code = EXIT_NOT_SO;
-    pthread_mutex_unlock(&hall->lock);
-}
-
 static void *work(void *self)
 {
     struct hall *hall = self;
     cpu_set_float();
     struct seat *seat = malloc(sizeof *seat);
     if (!seat) {
-        give_up(hall);
+        pthread_mutex_lock(&hall->lock);
+        hall->code = EXIT_NOT_SO;
+        pthread_mutex_unlock(&hall->lock);
         return NULL;
     }
     for (uint32_t i = rounds_next_plan(hall); i < hall->rounds->count; i = rounds_next_plan(hall)) {
-        hand_in(hall, i, play_one(seat, &hall->rounds->plans[i]));
+        const struct rounds *rounds = hall->rounds;
+        const struct round_result result = play_one(seat, &rounds->plans[i]);
+        pthread_mutex_lock(&hall->lock);
+        rounds->results[i] = result;
+        hall->code = hall->code == EXIT_OK ? result.code : hall->code;
+        if (rounds->done) {
+            rounds->done(rounds->self, i);
+        }
+        pthread_mutex_unlock(&hall->lock);
     }
     free(seat);
     return NULL;
@@ -223,6 +215,8 @@ uint32_t rounds_workers(void)
  * plays all rounds. */
 enum exit_code rounds_play(const struct rounds *rounds)
 {
+    CORE_ASSERT(rounds->count <= ROUNDS_MAX && rounds->plans && rounds->results);
+    CORE_ASSERT(rounds->workers >= 1 && rounds->workers <= ROUNDS_WORKERS_MAX);
     struct hall hall = { .rounds = rounds, .lock = PTHREAD_MUTEX_INITIALIZER };
     pthread_t threads[ROUNDS_WORKERS_MAX];
     uint32_t helpers = 0;
@@ -248,6 +242,7 @@ static int by_size(const void *left, const void *right)
 
 double rounds_quantile(const uint32_t *sorted, uint32_t count, double share)
 {
+    CORE_ASSERT(count >= 1 && share >= 0.0 && share <= 1.0);
     const double place = share * (double)(count - 1u);
     const uint32_t below = (uint32_t)place;
     const uint32_t above = below + 1u < count ? below + 1u : below;
