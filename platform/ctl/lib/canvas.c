@@ -162,7 +162,7 @@ void canvas_words(struct canvas *canvas, float x, float y, float size_px, enum c
     const float width = text_width_em(FONT_BODY, words, 0.0f) * size_px;
     const vec3 ink = canvas_colour(rgb);
     float pen = x - (align == ALIGN_LEFT ? 0.0f : align == ALIGN_RIGHT ? width : 0.5f * width);
-    for (uint32_t code = text_next(&words); code != 0; code = text_next(&words)) {
+    for (uint32_t code = printable_next(&words); code != 0; code = printable_next(&words)) {
         const struct font_glyph *glyph = text_glyph_or_mark(FONT_BODY, code);
         if (glyph) {
             draw_glyph(canvas, glyph, pen, y, size_px, ink);

@@ -25,7 +25,7 @@ static uint32_t tail_length(unsigned char lead)
     return lead < 0xe0u ? 1u : lead < 0xf0u ? 2u : 3u;
 }
 
-uint32_t text_next(const char **at)
+uint32_t printable_next(const char **at)
 {
     static const uint32_t lowest[4] = { 0, 0x80, 0x800, 0x10000 };
     const unsigned char *bytes = (const unsigned char *)*at;
@@ -35,17 +35,17 @@ uint32_t text_next(const char **at)
     *at += 1;
     const uint32_t tail = tail_length(bytes[0]);
     if (tail > 3u) {
-        return TEXT_MALFORMED;
+        return PRINTABLE_MALFORMED;
     }
     uint32_t code = tail == 0 ? bytes[0] : bytes[0] & (0x3fu >> tail);
     for (uint32_t i = 1; i <= tail; i++) {
         if ((bytes[i] & 0xc0u) != 0x80u) {
-            return TEXT_MALFORMED;
+            return PRINTABLE_MALFORMED;
         }
         code = code << 6 | (bytes[i] & 0x3fu);
     }
     if (code < lowest[tail] || code > 0x10ffffu || (code >= 0xd800u && code <= 0xdfffu)) {
-        return TEXT_MALFORMED;
+        return PRINTABLE_MALFORMED;
     }
     *at += tail;
     return code;
@@ -76,7 +76,7 @@ float text_width_em(enum font_id font, const char *words, float spacing_em)
 {
     float width = 0.0f;
     uint32_t count = 0;
-    for (uint32_t code = text_next(&words); code != 0; code = text_next(&words)) {
+    for (uint32_t code = printable_next(&words); code != 0; code = printable_next(&words)) {
         const struct font_glyph *glyph = text_glyph_or_mark(font, code);
         if (glyph != NULL) {
             width += glyph->advance_em;
@@ -115,7 +115,7 @@ void text_number(char *out, size_t out_size, const char *words, uint32_t number)
             continue;
         }
         const char *next = words;
-        text_next(&next);
+        printable_next(&next);
         if ((size_t)(next - words) > out_size - 1u - used) {
             break;
         }

@@ -13,8 +13,8 @@
 #include "fonts.h"
 #include "text_keys.h"
 
-/* Code point that text_next() returns for bytes that are not valid UTF-8. */
-#define TEXT_MALFORMED 0xfffdu
+/* Code point that printable_next() returns for bytes that are not valid UTF-8. */
+#define PRINTABLE_MALFORMED 0xfffdu
 /* Maximum size of a text line in bytes, including the inserted number and the terminating zero. */
 #define TEXT_LINE_MAX 256u
 
@@ -26,8 +26,8 @@ const char *text_words(uint8_t language, enum text_key key);
 void text_number(char *out, size_t out_size, const char *words, uint32_t number);
 
 /* Returns the code point at `*at` and advances `*at` past this code point. Returns 0 at the end of
- * the text. Malformed bytes are consumed one by one, and each returns TEXT_MALFORMED. */
-uint32_t text_next(const char **at);
+ * the text. Malformed bytes are consumed one by one, and each returns PRINTABLE_MALFORMED. */
+uint32_t printable_next(const char **at);
 
 /* Returns the glyph of a character, or null if the font was baked without the character. */
 const struct font_glyph *text_glyph(enum font_id font, uint32_t code);

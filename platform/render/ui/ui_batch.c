@@ -148,7 +148,7 @@ static void add_glyph(struct ui_batch *batch, const struct ui_text *style, float
 static void add_line(struct ui_batch *batch, const struct ui_text *style, float size_px, float x,
                      float y, const char *words)
 {
-    for (uint32_t code = text_next(&words); code != 0; code = text_next(&words)) {
+    for (uint32_t code = printable_next(&words); code != 0; code = printable_next(&words)) {
         const struct font_glyph *glyph = text_glyph(style->font, code);
         if (glyph == NULL) {
             batch->unbaked_count++;

@@ -149,7 +149,7 @@ static void noren_title(const struct ui_frame *frame, float left, float top, flo
     for (uint32_t i = 0; i < NOREN_STRIPS && *words != 0; i++) {
         char one[8] = "";
         const char *from = words;
-        text_next(&words);
+        printable_next(&words);
         for (uint32_t k = 0; from + k < words && k < sizeof one - 1u; k++) {
             one[k] = from[k];
         }

@@ -150,7 +150,7 @@ size_t menu_fill_line(const struct ui_text *style, const char *words, float room
 {
     const char *at = words, *fits = words, *gap = NULL;
     float width_em = 0.0f;
-    for (uint32_t code = text_next(&at); code != 0; code = text_next(&at)) {
+    for (uint32_t code = printable_next(&at); code != 0; code = printable_next(&at)) {
         const struct font_glyph *glyph = text_glyph_or_mark(style->font, code);
         width_em += glyph ? glyph->advance_em : 0.0f;
         if (width_em * style->size_px > room_px && fits > words) {

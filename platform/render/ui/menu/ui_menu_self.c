@@ -240,7 +240,7 @@ static size_t sentence_end(const struct ui_text *style, const char *words, float
 {
     const char *at = words;
     size_t end = 0;
-    for (uint32_t code = text_next(&at); code != 0; code = text_next(&at)) {
+    for (uint32_t code = printable_next(&at); code != 0; code = printable_next(&at)) {
         const int ends = code == 0x3001u || code == 0x3002u;
         end = ends && *at && menu_fill_line(style, at, room_px) == strlen(at) ? (size_t)(at - words)
                                                                               : end;

@@ -13,19 +13,19 @@
 
 static uint32_t first(const char *bytes)
 {
-    return text_next(&bytes);
+    return printable_next(&bytes);
 }
 
 static void test_utf8_of_every_length_is_decoded(void **state)
 {
     (void)state;
     const char *at = "A\xc3\xa9\xe9\x87\x91\xf0\x9f\x90\x9f"; /* A, e acute, gold, fish */
-    assert_int_equal(text_next(&at), 'A');
-    assert_int_equal(text_next(&at), 0xe9);
-    assert_int_equal(text_next(&at), 0x91d1);
-    assert_int_equal(text_next(&at), 0x1f41f);
-    assert_int_equal(text_next(&at), 0);
-    assert_int_equal(text_next(&at), 0); /* The end stays the end. */
+    assert_int_equal(printable_next(&at), 'A');
+    assert_int_equal(printable_next(&at), 0xe9);
+    assert_int_equal(printable_next(&at), 0x91d1);
+    assert_int_equal(printable_next(&at), 0x1f41f);
+    assert_int_equal(printable_next(&at), 0);
+    assert_int_equal(printable_next(&at), 0); /* The end stays the end. */
 }
 
 static void test_malformed_bytes_are_marked_and_skipped_one_by_one(void **state)
@@ -43,12 +43,12 @@ static void test_malformed_bytes_are_marked_and_skipped_one_by_one(void **state)
         "\xe9\x41", /* cut short by another letter */
     };
     for (size_t i = 0; i < sizeof malformed / sizeof *malformed; i++) {
-        assert_int_equal(first(malformed[i]), TEXT_MALFORMED);
+        assert_int_equal(first(malformed[i]), PRINTABLE_MALFORMED);
     }
     const char *at = "\xe9"
                      "A";
-    assert_int_equal(text_next(&at), TEXT_MALFORMED);
-    assert_int_equal(text_next(&at), 'A');
+    assert_int_equal(printable_next(&at), PRINTABLE_MALFORMED);
+    assert_int_equal(printable_next(&at), 'A');
 }
 
 static void test_every_byte_string_comes_to_its_end(void **state)
@@ -63,7 +63,7 @@ static void test_every_byte_string_comes_to_its_end(void **state)
         }
         bytes[sizeof bytes - 1] = 0;
         const char *at = bytes;
-        while (text_next(&at) != 0) {
+        while (printable_next(&at) != 0) {
             assert_true(at <= bytes + sizeof bytes - 1);
         }
         assert_ptr_equal(at, bytes + strlen(bytes));
@@ -77,8 +77,8 @@ static void test_every_word_has_its_glyphs_in_the_font_for_small_text(void **sta
         for (uint32_t key = 0; key < TEXT_COUNT; key++) {
             const char *at = text_words(language, (enum text_key)key);
             assert_true(*at != 0);
-            for (uint32_t code = text_next(&at); code != 0; code = text_next(&at)) {
-                assert_int_not_equal(code, TEXT_MALFORMED);
+            for (uint32_t code = printable_next(&at); code != 0; code = printable_next(&at)) {
+                assert_int_not_equal(code, PRINTABLE_MALFORMED);
                 assert_non_null(text_glyph(FONT_BODY, code));
             }
         }
@@ -89,7 +89,7 @@ static void test_the_title_can_be_brushed(void **state)
 {
     (void)state;
     const char *at = text_words(LANGUAGE_JA, TEXT_TITLE);
-    for (uint32_t code = text_next(&at); code != 0; code = text_next(&at)) {
+    for (uint32_t code = printable_next(&at); code != 0; code = printable_next(&at)) {
         assert_non_null(text_glyph(FONT_BRUSH, code));
     }
 }
