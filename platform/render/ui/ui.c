@@ -13,54 +13,6 @@
 
 _Static_assert(UI_QUADS_MAX * 4u <= 65536u, "indices are 16 bits wide");
 
-static GLuint make_program(struct gl_status *status, GLuint vertex, const char *body)
-{
-    char numbers[160];
-    snprintf(numbers, sizeof numbers,
-             "#version 300 es\n#define FONT_EDGE %u.0\n#define FONT_STEP %u.0\n"
-             "#define FONT_SIZE vec2(%u.0, %u.0)\n",
-             ASSET_FONT_EDGE, ASSET_FONT_STEP, ASSET_FONT_WIDTH, ASSET_FONT_ROWS);
-    const char *const parts[3] = { numbers, ui_fragment_head, body };
-    const GLuint fragment = gl_compile(status, "words", GL_FRAGMENT_SHADER, parts, 3);
-    const GLuint program = gl_link(status, "words", vertex, fragment);
-    glDeleteShader(fragment); /* OpenGL ignores the name 0, and keeps a deleted shader until no
-                                 program uses the shader. */
-    if (program != 0) {
-        gl_program_bind(program, "font paper");
-    }
-    return program;
-}
-
-static void make_programs(struct ui *ui, struct gl_status *status)
-{
-    const GLuint vertex = gl_compile(status, "words", GL_VERTEX_SHADER, &ui_vertex_source, 1);
-    for (uint32_t i = 0; i < UI_KIND_COUNT && gl_is_well(status); i++) {
-        ui->programs[i] = make_program(status, vertex, ui_fragment_sources[i]);
-        ui->to_clip[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "to_clip") : -1;
-        ui->turn[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "turn") : -1;
-        ui->move[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "move") : -1;
-    }
-    glDeleteShader(vertex);
-}
-
-static void make_textures(struct ui *ui, struct gl_status *status)
-{
-    ui->font_texture = gl_texture(status, "font",
-                                  &(struct gl_texture_desc){ .internal_format = GL_R8,
-                                                             .format = GL_RED,
-                                                             .width = ASSET_FONT_WIDTH,
-                                                             .height = ASSET_FONT_ROWS,
-                                                             .layers = ASSET_FONT_PAGES,
-                                                             .pixels = asset_font });
-    ui->paper_texture = gl_texture(status, "paper",
-                                   &(struct gl_texture_desc){ .internal_format = GL_R8,
-                                                              .format = GL_RED,
-                                                              .width = ASSET_PAPER_SIZE,
-                                                              .height = ASSET_PAPER_SIZE,
-                                                              .pixels = asset_paper,
-                                                              .wrap = GL_REPEAT });
-}
-
 static void add_attribute(GLuint location, GLint count, GLenum type, size_t offset)
 {
     const GLboolean normalized = type == GL_UNSIGNED_BYTE;
@@ -98,8 +50,41 @@ int ui_init(struct ui *ui, char *why, size_t why_size)
 {
     *ui = (struct ui){ 0 };
     struct gl_status status = { 0 };
-    make_programs(ui, &status);
-    make_textures(ui, &status);
+    const GLuint vertex = gl_compile(&status, "words", GL_VERTEX_SHADER, &ui_vertex_source, 1);
+    for (uint32_t i = 0; i < UI_KIND_COUNT && gl_is_well(&status); i++) {
+        char numbers[160];
+        snprintf(numbers, sizeof numbers,
+                 "#version 300 es\n#define FONT_EDGE %u.0\n#define FONT_STEP %u.0\n"
+                 "#define FONT_SIZE vec2(%u.0, %u.0)\n",
+                 ASSET_FONT_EDGE, ASSET_FONT_STEP, ASSET_FONT_WIDTH, ASSET_FONT_ROWS);
+        const char *const parts[3] = { numbers, ui_fragment_head, ui_fragment_sources[i] };
+        const GLuint fragment = gl_compile(&status, "words", GL_FRAGMENT_SHADER, parts, 3);
+        const GLuint program = gl_link(&status, "words", vertex, fragment);
+        glDeleteShader(fragment); /* OpenGL ignores the name 0, and keeps a deleted shader until no
+                                 program uses the shader. */
+        if (program != 0) {
+            gl_program_bind(program, "font paper");
+        }
+        ui->programs[i] = program;
+        ui->to_clip[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "to_clip") : -1;
+        ui->turn[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "turn") : -1;
+        ui->move[i] = ui->programs[i] ? glGetUniformLocation(ui->programs[i], "move") : -1;
+    }
+    glDeleteShader(vertex);
+    ui->font_texture = gl_texture(&status, "font",
+                                  &(struct gl_texture_desc){ .internal_format = GL_R8,
+                                                             .format = GL_RED,
+                                                             .width = ASSET_FONT_WIDTH,
+                                                             .height = ASSET_FONT_ROWS,
+                                                             .layers = ASSET_FONT_PAGES,
+                                                             .pixels = asset_font });
+    ui->paper_texture = gl_texture(&status, "paper",
+                                   &(struct gl_texture_desc){ .internal_format = GL_R8,
+                                                              .format = GL_RED,
+                                                              .width = ASSET_PAPER_SIZE,
+                                                              .height = ASSET_PAPER_SIZE,
+                                                              .pixels = asset_paper,
+                                                              .wrap = GL_REPEAT });
     if (!gl_is_well(&status)) {
         snprintf(why, why_size, "%s", status.text);
         ui_close(ui);
@@ -124,27 +109,7 @@ static void set_state(const struct ui *ui, const struct display_transform *trans
     glBindBuffer(GL_ARRAY_BUFFER, ui->vertex_buffer);
 }
 
-/* Draws consecutive quads of one kind in one draw call. The first quad has the index `first`, and
- * all indices are below `limit`. Returns the index of the first quad that was not drawn. */
-static uint32_t draw_run(const struct ui *ui, uint32_t first, uint32_t limit,
-                         const struct display_transform *transform)
-{
-    const uint8_t kind = ui->batch.kinds[first];
-    float turn[4], move[2];
-    uint32_t end = first + 1u;
-    while (end < limit && ui->batch.kinds[end] == kind) {
-        end++;
-    }
-    glUseProgram(ui->programs[kind]);
-    display_clip_matrix(transform, turn, move);
-    glUniform2f(ui->to_clip[kind], 2.0f / transform->width, -2.0f / transform->height);
-    glUniformMatrix2fv(ui->turn[kind], 1, GL_FALSE, turn);
-    glUniform2fv(ui->move[kind], 1, move);
-    glDrawElements(GL_TRIANGLES, (GLsizei)((end - first) * INDICES_PER_QUAD), GL_UNSIGNED_SHORT,
-                   (const void *)(first * INDICES_PER_QUAD * sizeof(uint16_t)));
-    return end;
-}
-
+/* Draws the quads whose indices are at least `first` and less than `limit`. */
 static void draw_quads(const struct ui *ui, uint32_t first, uint32_t limit,
                        const struct display_transform *transform)
 {
@@ -152,7 +117,22 @@ static void draw_quads(const struct ui *ui, uint32_t first, uint32_t limit,
         set_state(ui, transform);
     }
     while (first < limit) {
-        first = draw_run(ui, first, limit, transform);
+        /* Consecutive quads of one kind, with the indices from `first` to `end` - 1, are drawn in one
+         * draw call. */
+        const uint8_t kind = ui->batch.kinds[first];
+        float turn[4], move[2];
+        uint32_t end = first + 1u;
+        while (end < limit && ui->batch.kinds[end] == kind) {
+            end++;
+        }
+        glUseProgram(ui->programs[kind]);
+        display_clip_matrix(transform, turn, move);
+        glUniform2f(ui->to_clip[kind], 2.0f / transform->width, -2.0f / transform->height);
+        glUniformMatrix2fv(ui->turn[kind], 1, GL_FALSE, turn);
+        glUniform2fv(ui->move[kind], 1, move);
+        glDrawElements(GL_TRIANGLES, (GLsizei)((end - first) * INDICES_PER_QUAD), GL_UNSIGNED_SHORT,
+                       (const void *)(first * INDICES_PER_QUAD * sizeof(uint16_t)));
+        first = end;
     }
 }
 

@@ -39,18 +39,6 @@ static struct spatial_grid grid_of(const struct ui_frame *frame, uint32_t count)
     return grid;
 }
 
-/* Returns the box of picture number `index` of `count`. A last row that is not full is centred. */
-static struct ui_box ui_album_place_of(const struct spatial_grid *grid, uint32_t index,
-                                       uint32_t count)
-{
-    const uint32_t row = index / grid->columns, column = index % grid->columns;
-    const uint32_t in_row = row + 1u < grid->rows ? grid->columns : count - row * grid->columns;
-    const float shift = 0.5f * (float)(grid->columns - in_row) * (grid->width + grid->gap);
-    return (struct ui_box){ grid->left + shift + (float)column * (grid->width + grid->gap),
-                            grid->top + (float)row * (grid->height + grid->gap), grid->width,
-                            grid->height };
-}
-
 /* ---- Picture of one fish -------------------------------------------------------------------- */
 
 /* Returns the opacity of the fish's adult pattern, [0, 1]. The pattern appears between the last two
@@ -63,41 +51,6 @@ static float ripe(const struct scene_grown *fish)
     const float met = life_progress(card, fish->caught_age_days);
     const float whole = fminf(1.0f - key, met);
     return ui_smooth(whole - key, whole, fish->progress);
-}
-
-static void swim(const struct ui_frame *frame, struct ui_box water, uint32_t index,
-                 const struct scene_grown *fish)
-{
-    const float t = frame->time_s + 0.7f * (float)index;
-    struct specimen specimen = { .species = &species_wakin,
-                                 .progress = fish->progress,
-                                 .look = fish->look,
-                                 .ripe = ripe(fish),
-                                 .maturity = fish->maturity };
-    specimen_portrait(&specimen);
-    const float high = water.height - 2.3f * SEAL_SIZE * frame->unit;
-    specimen_fit(&specimen, water.x + 0.05f * water.width, water.y + 0.06f * high,
-                 0.90f * water.width, 0.88f * high);
-    specimen.length_px *= YOUNG_SIZE + (1.0f - YOUNG_SIZE) * fish->progress;
-    specimen.y_px += 0.015f * high * sinf(0.9f * t);
-    specimen.yaw_rad += 0.15f * sinf(0.6f * t);
-    specimen.phase_rad = fmodf(TAU * 1.2f * t, TAU);
-    specimen.amplitude = 0.8f;
-    ui_specimen(frame->batch, &specimen);
-}
-
-/* Draws the fish's lifeline, which is a time axis with a mark on the day of the catch. */
-static void life(const struct ui_frame *frame, struct ui_box line, const struct scene_grown *fish)
-{
-    const float u = frame->unit;
-    const float met = life_progress(&species_wakin.card, fish->caught_age_days);
-    const float y = line.y + 0.5f * line.height;
-    const float from[2] = { line.x, y }, to[2] = { line.x + line.width, y };
-    const float now[2] = { line.x + line.width * fish->progress, y };
-    const float day = line.x + line.width * met, r = 8.0f * u;
-    ui_segment(frame->batch, from, to, 5.0f * u, 0xd9c8a0ffu);
-    ui_segment(frame->batch, from, now, 5.0f * u, UI_VERMILION);
-    ui_disc(frame, day, y, r, 2.5f * u, fish->is_caught ? 0xc92c1cffu : 0xfff6e2ffu, 0xc92c1cffu);
 }
 
 /* Draws the seal of the catch, which appears when the animated age reaches the day of the catch. */
@@ -141,7 +94,22 @@ static void picture(const struct ui_frame *frame, const struct scene *scene, uin
                                  .fill = 0x1d7a86ffu,
                                  .line = 0x06243cffu,
                                  .shape = { 0, 0, 6.0f * u, frame->time_s + (float)index } });
-    swim(frame, water, index, fish);
+    const float t = frame->time_s + 0.7f * (float)index;
+    struct specimen specimen = { .species = &species_wakin,
+                                 .progress = fish->progress,
+                                 .look = fish->look,
+                                 .ripe = ripe(fish),
+                                 .maturity = fish->maturity };
+    specimen_portrait(&specimen);
+    const float high = water.height - 2.3f * SEAL_SIZE * frame->unit;
+    specimen_fit(&specimen, water.x + 0.05f * water.width, water.y + 0.06f * high,
+                 0.90f * water.width, 0.88f * high);
+    specimen.length_px *= YOUNG_SIZE + (1.0f - YOUNG_SIZE) * fish->progress;
+    specimen.y_px += 0.015f * high * sinf(0.9f * t);
+    specimen.yaw_rad += 0.15f * sinf(0.6f * t);
+    specimen.phase_rad = fmodf(TAU * 1.2f * t, TAU);
+    specimen.amplitude = 0.8f;
+    ui_specimen(frame->batch, &specimen);
     met_seal(frame, water, fish);
     lab_age_words(frame->language, fish->age_days, age, sizeof age);
     lab_length_words(fish->length_m, length, sizeof length);
@@ -152,10 +120,17 @@ static void picture(const struct ui_frame *frame, const struct scene *scene, uin
                                    .fill = LAB_INK,
                                    .fit_px = box.width - 28.0f * u };
     ui_text(frame->batch, &style, box.x + 0.5f * box.width, box.y + box.height - 40.0f * u, words);
-    life(frame,
-         (struct ui_box){ box.x + 22.0f * u, box.y + box.height - 28.0f * u, box.width - 44.0f * u,
-                          14.0f * u },
-         fish);
+    /* The fish's lifeline is a time axis with a mark on the day of the catch. */
+    const struct ui_box line = { box.x + 22.0f * u, box.y + box.height - 28.0f * u,
+                                 box.width - 44.0f * u, 14.0f * u };
+    const float met = life_progress(&species_wakin.card, fish->caught_age_days);
+    const float y = line.y + 0.5f * line.height;
+    const float start[2] = { line.x, y }, end[2] = { line.x + line.width, y };
+    const float now[2] = { line.x + line.width * fish->progress, y };
+    const float day = line.x + line.width * met, r = 8.0f * u;
+    ui_segment(frame->batch, start, end, 5.0f * u, 0xd9c8a0ffu);
+    ui_segment(frame->batch, start, now, 5.0f * u, UI_VERMILION);
+    ui_disc(frame, day, y, r, 2.5f * u, fish->is_caught ? 0xc92c1cffu : 0xfff6e2ffu, 0xc92c1cffu);
     if (ui_player_count(scene) > 1u) {
         ui_player_mark(frame, box.x + 32.0f * u, box.y + 32.0f * u, 17.0f * u, fish->owner);
     }
@@ -163,8 +138,13 @@ static void picture(const struct ui_frame *frame, const struct scene *scene, uin
 
 /* ---- Whole page of the album ---------------------------------------------------------------- */
 
-static void head(const struct ui_frame *frame, const struct scene *scene)
+void ui_album(const struct ui_frame *frame, const struct scene *scene)
 {
+    const struct scene_album *album = &scene->album;
+    const struct spatial_grid grid = grid_of(frame, album->fish_count > 0 ? album->fish_count : 1u);
+    const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
+    ui_panel(frame, UI_PANEL, cloth, 0.0f, 0.0f, 0x171d42ffu, 0);
+    ui_panel(frame, UI_WAVES, cloth, 36.0f * frame->unit, 0.0f, 0x141a3cffu, 0);
     const float u = frame->unit;
     char words[TEXT_LINE_MAX];
     const struct ui_text title = { .font = FONT_STALL,
@@ -185,19 +165,16 @@ static void head(const struct ui_frame *frame, const struct scene *scene)
     text_number(words, sizeof words, ui_words(frame, all ? TEXT_ALBUM_ALL : TEXT_ALBUM_FIRST),
                 all ? scene->album.caught : scene->album.fish_count);
     ui_text_at(frame, &small, 0.5f * frame->width, 92.0f * u, words);
-}
-
-void ui_album(const struct ui_frame *frame, const struct scene *scene)
-{
-    const struct scene_album *album = &scene->album;
-    const struct spatial_grid grid = grid_of(frame, album->fish_count > 0 ? album->fish_count : 1u);
-    const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
-    ui_panel(frame, UI_PANEL, cloth, 0.0f, 0.0f, 0x171d42ffu, 0);
-    ui_panel(frame, UI_WAVES, cloth, 36.0f * frame->unit, 0.0f, 0x141a3cffu, 0);
-    head(frame, scene);
     for (uint32_t i = 0; i < album->fish_count; i++) {
         const float in = ui_smooth(0.15f * (float)i, 0.15f * (float)i + 0.4f, scene->phase_s);
-        struct ui_box box = ui_album_place_of(&grid, i, album->fish_count);
+        /* A last row of pictures that is not full is centred. */
+        const uint32_t row = i / grid.columns, column = i % grid.columns;
+        const uint32_t in_row =
+            row + 1u < grid.rows ? grid.columns : album->fish_count - row * grid.columns;
+        const float shift = 0.5f * (float)(grid.columns - in_row) * (grid.width + grid.gap);
+        struct ui_box box = { grid.left + shift + (float)column * (grid.width + grid.gap),
+                              grid.top + (float)row * (grid.height + grid.gap), grid.width,
+                              grid.height };
         box.y += 30.0f * frame->unit * (1.0f - in);
         frame->batch->opacity = in;
         picture(frame, scene, i, box);

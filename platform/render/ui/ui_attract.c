@@ -6,39 +6,6 @@
 #include "core/game/game.h"
 #include "platform/render/ui/ui_widgets.h"
 
-static void best_tag(const struct ui_frame *frame, const struct scene *scene, float y)
-{
-    char words[TEXT_LINE_MAX];
-    ui_best_words(scene, words, sizeof words);
-    const struct ui_ribbon tag = {
-        .y = y,
-        .size_px = 24.0f * frame->unit,
-        .font = FONT_STALL,
-        .fill = UI_NIGHT,
-        .ink = UI_GOLD,
-    };
-    ui_ribbon(frame, &tag, words);
-}
-
-/* Draws the help lines for the keyboard. Omits the line about the mouse if no poi is present. */
-static void key_lines(const struct ui_frame *frame, const struct scene *scene)
-{
-    const float u = frame->unit;
-    const struct ui_text text = { .font = FONT_BODY,
-                                  .size_px = 17.0f * u,
-                                  .align = 0.5f,
-                                  .outline_em = 0.05f,
-                                  .soft_em = 0.12f,
-                                  .fill = 0xe9dcc6ffu,
-                                  .line = 0x0a0814d0u,
-                                  .fit_px = frame->width - 32.0f * u };
-    const float x = 0.5f * frame->width;
-    if (!ui_lacks_poi(scene)) {
-        ui_text(frame->batch, &text, x, frame->height - 41.0f * u, ui_words(frame, TEXT_MOUSE));
-    }
-    ui_text(frame->batch, &text, x, frame->height - 15.0f * u, ui_words(frame, TEXT_KEYS));
-}
-
 void ui_attract(const struct ui_frame *frame, const struct scene *scene)
 {
     const float u = frame->unit, board = ui_leaderboard_in(&scene->leaderboard);
@@ -52,30 +19,33 @@ void ui_attract(const struct ui_frame *frame, const struct scene *scene)
         ui_leaderboard(frame, &scene->leaderboard, 16.0f * u, frame->height - 160.0f * u);
         ui_credits(frame, scene, 128.0f * u, 62.0f * u);
     } else {
-        best_tag(frame, scene, frame->height - 174.0f * u);
+        char words[TEXT_LINE_MAX];
+        ui_best_words(scene, words, sizeof words);
+        const struct ui_ribbon tag = {
+            .y = frame->height - 174.0f * u,
+            .size_px = 24.0f * frame->unit,
+            .font = FONT_STALL,
+            .fill = UI_NIGHT,
+            .ink = UI_GOLD,
+        };
+        ui_ribbon(frame, &tag, words);
         ui_credits(frame, scene, 0.5f * frame->width, frame->height - 230.0f * u);
     }
     ui_start_ribbon(frame, scene, frame->height - 108.0f * u, TEXT_START);
-    key_lines(frame, scene);
-}
-
-/* Draws a tag with the mode and the paper grade of the next round. */
-static void mode_tag(const struct ui_frame *frame, const struct scene *scene, float y, float alpha)
-{
-    char paper[TEXT_LINE_MAX], words[2u * TEXT_LINE_MAX];
-    text_number(paper, sizeof paper, ui_words(frame, TEXT_PAPER), scene->grade);
-    snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode), paper);
-    const struct ui_ribbon tag = {
-        .y = y,
-        .size_px = 29.0f * frame->unit,
-        .font = FONT_STALL,
-        .fill = UI_NIGHT,
-        .line = UI_GOLD_DIM,
-        .ink = UI_GOLD,
-    };
-    frame->batch->opacity = alpha;
-    ui_ribbon(frame, &tag, words);
-    frame->batch->opacity = 1.0f;
+    /* The line about the mouse is omitted if no poi is present. */
+    const struct ui_text text = { .font = FONT_BODY,
+                                  .size_px = 17.0f * u,
+                                  .align = 0.5f,
+                                  .outline_em = 0.05f,
+                                  .soft_em = 0.12f,
+                                  .fill = 0xe9dcc6ffu,
+                                  .line = 0x0a0814d0u,
+                                  .fit_px = frame->width - 32.0f * u };
+    const float x = 0.5f * frame->width;
+    if (!ui_lacks_poi(scene)) {
+        ui_text(frame->batch, &text, x, frame->height - 41.0f * u, ui_words(frame, TEXT_MOUSE));
+    }
+    ui_text(frame->batch, &text, x, frame->height - 15.0f * u, ui_words(frame, TEXT_KEYS));
 }
 
 /* Draws the start of a round. The curtain rises, then a ring over the water counts down three
@@ -115,7 +85,21 @@ void ui_ready(const struct ui_frame *frame, const struct scene *scene,
         ui_big_word(frame, FONT_STALL, y, 190.0f * u * pop,
                     in * (1.0f - ui_smooth(0.82f, 1.0f, gone)), digit);
     }
-    mode_tag(frame, scene, y - radius - 50.0f * u, in);
+    /* A tag shows the mode and the paper grade of the next round. */
+    char paper[TEXT_LINE_MAX], words[2u * TEXT_LINE_MAX];
+    text_number(paper, sizeof paper, ui_words(frame, TEXT_PAPER), scene->grade);
+    snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode), paper);
+    const struct ui_ribbon tag = {
+        .y = y - radius - 50.0f * u,
+        .size_px = 29.0f * frame->unit,
+        .font = FONT_STALL,
+        .fill = UI_NIGHT,
+        .line = UI_GOLD_DIM,
+        .ink = UI_GOLD,
+    };
+    frame->batch->opacity = in;
+    ui_ribbon(frame, &tag, words);
+    frame->batch->opacity = 1.0f;
     ui_bowl_marks(frame, scene, in);
     ui_umpire(frame, scene);
     if (!scene->paused) {
@@ -142,15 +126,6 @@ const char *ui_mode_name(uint8_t language, uint8_t mode)
     return text_words(language, tags[mode < CHOICE_COUNT ? mode : MODE_FESTIVAL].name);
 }
 
-/* Writes a duration such as "3 minutes" or "90 seconds". Minutes are used only for a whole number
- * of minutes from two upward. */
-static void time_words(uint8_t language, uint32_t seconds, char *out, size_t out_size)
-{
-    const int even = seconds >= 120u && seconds % 60u == 0;
-    text_number(out, out_size, text_words(language, even ? TEXT_MINUTES : TEXT_SECONDS),
-                even ? seconds / 60u : seconds);
-}
-
 static void tag_words(const struct ui_frame *frame, const struct scene *scene, uint8_t mode,
                       struct ui_box box)
 {
@@ -175,30 +150,18 @@ static void tag_words(const struct ui_frame *frame, const struct scene *scene, u
         ui_text(frame->batch, &line, x, box.y + 188.0f * u, ui_words(frame, TEXT_LAB_SHAPES));
         ui_text(frame->batch, &line, x, box.y + 228.0f * u, ui_words(frame, TEXT_LAB_GRAPH));
     } else {
-        time_words(frame->language, scene->offer[mode].round_s, words, sizeof words);
+        /* The duration is a text such as "3 minutes" or "90 seconds". Minutes are used only for a
+         * whole number of minutes from two upward. */
+        const uint32_t seconds = scene->offer[mode].round_s;
+        const int even = seconds >= 120u && seconds % 60u == 0;
+        text_number(words, sizeof words,
+                    text_words(frame->language, even ? TEXT_MINUTES : TEXT_SECONDS),
+                    even ? seconds / 60u : seconds);
         ui_text(frame->batch, &line, x, box.y + 188.0f * u, words);
         text_number(words, sizeof words, ui_words(frame, TEXT_PAPER), scene->offer[mode].grade);
         ui_text(frame->batch, &line, x, box.y + 228.0f * u, words);
     }
     ui_text(frame->batch, &line, x, box.y + 268.0f * u, ui_words(frame, tags[mode].ends));
-}
-
-/* Returns how far a tag is raised, [0, 1]. When the selection changes, the selected tag rises and
- * the previously selected tag sinks. */
-static float raised(const struct scene *scene, const struct ui_memory *memory, uint8_t mode)
-{
-    const float age_s = (float)(scene->tick - memory->pointed_tick) * CORE_TICK_S;
-    const float moved = ui_smooth(0.0f, RAISE_S, age_s);
-    return mode == scene->choice ? moved : mode == memory->pointed_before ? 1.0f - moved : 0.0f;
-}
-
-/* Draws the wooden tag of a mode. The selected tag hangs higher and is brighter. */
-static void wooden_tag(const struct ui_frame *frame, const struct scene *scene, uint8_t mode,
-                       struct ui_box box, float pole_y)
-{
-    ui_cords(frame, box, pole_y);
-    ui_wooden_tag(frame, box, mode == scene->choice);
-    tag_words(frame, scene, mode, box);
 }
 
 /* Draws the time that remains for the selection as a ring. */
@@ -226,26 +189,22 @@ static void seconds_ring(const struct ui_frame *frame, const struct scene *scene
 
 static void foot(const struct ui_frame *frame, const struct scene *scene)
 {
-    const float u = frame->unit, x = 0.5f * frame->width, room = frame->width - 32.0f * u;
+    const float u = frame->unit;
     char words[TEXT_LINE_MAX];
     ui_best_words(scene, words, sizeof words);
-    const struct ui_ribbon best = { .x = x,
-                                    .y = frame->height - 128.0f * u,
+    const struct ui_ribbon best = { .y = frame->height - 128.0f * u,
                                     .size_px = 25.0f * u,
                                     .font = FONT_STALL,
                                     .fill = UI_NIGHT,
-                                    .ink = UI_GOLD,
-                                    .room_px = room };
+                                    .ink = UI_GOLD };
     if (scene->choice != CHOICE_LAB && rules_of(scene->mode)->keeps_score) {
         ui_ribbon(frame, &best, words);
     }
-    const struct ui_ribbon keys = { .x = x,
-                                    .y = frame->height - 58.0f * u,
+    const struct ui_ribbon keys = { .y = frame->height - 58.0f * u,
                                     .size_px = 29.0f * u,
                                     .font = FONT_BODY,
                                     .fill = 0xc8341ff2u,
-                                    .line = UI_GOLD,
-                                    .room_px = room };
+                                    .line = UI_GOLD };
     ui_ribbon(frame, &keys,
               ui_words(frame, ui_lacks_poi(scene) ? TEXT_START_NO_POI : TEXT_CHOOSE_KEYS));
 }
@@ -287,8 +246,17 @@ void ui_choose(const struct ui_frame *frame, const struct scene *scene,
             continue;
         }
         struct ui_box hung = box;
-        hung.y += (22.0f - 32.0f * raised(scene, memory, mode)) * u - 60.0f * u * (1.0f - in);
-        wooden_tag(frame, scene, mode, hung, pole_y);
+        /* When the selection changes, the selected tag rises and the previously selected tag
+         * sinks. */
+        const float age_s = (float)(scene->tick - memory->pointed_tick) * CORE_TICK_S;
+        const float moved = ui_smooth(0.0f, RAISE_S, age_s);
+        const float raised = mode == scene->choice            ? moved
+                             : mode == memory->pointed_before ? 1.0f - moved
+                                                              : 0.0f;
+        hung.y += (22.0f - 32.0f * raised) * u - 60.0f * u * (1.0f - in);
+        ui_cords(frame, hung, pole_y);
+        ui_wooden_tag(frame, hung, mode == scene->choice);
+        tag_words(frame, scene, mode, hung);
         box.x += width + gap;
     }
     foot(frame, scene);

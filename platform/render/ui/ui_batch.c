@@ -112,15 +112,6 @@ float ui_text_middle(const struct ui_text *style, float y)
     return y + 0.5f * asset_fonts[style->font].cap_em * style->size_px;
 }
 
-/* Returns the width, in atlas pixels, by which each margin of a letter's quad can be reduced
- * because this part of the margin is not painted. The result is at least half a texel. Otherwise
- * texture filtering would mix in the neighbouring letter. */
-static float trim_px(const float shape[4])
-{
-    const float painted = shape[0] + shape[1] + shape[2] + 0.5f / shape[3] + 0.5f;
-    return f_max(REACH_PX - painted, 0.5f);
-}
-
 static void add_glyph(struct ui_batch *batch, const struct ui_text *style, float size_px, float x,
                       float y, const struct font_glyph *glyph)
 {
@@ -131,7 +122,12 @@ static void add_glyph(struct ui_batch *batch, const struct ui_text *style, float
     const float room = REACH_PX - shape.shape[0] - shape.shape[1], soft = style->soft_em * em;
     shape.shape[2] = soft < room ? soft : room > 0.0f ? room : 0.0f;
     shape.shape[3] = texel_px;
-    const float trim = trim_px(shape.shape);
+    /* `trim` is the width, in atlas pixels, of the part of the letter's margin that is not painted.
+     * The quad omits this part. `trim` is at least half a texel, because otherwise texture
+     * filtering would mix in the neighbouring letter. */
+    const float painted =
+        shape.shape[0] + shape.shape[1] + shape.shape[2] + 0.5f / shape.shape[3] + 0.5f;
+    const float trim = f_max(REACH_PX - painted, 0.5f);
     const float width = (float)glyph->width - 2.0f * trim;
     const float height = (float)glyph->height - 2.0f * trim;
     shape.box.x = x + glyph->left_em * size_px + trim * texel_px;

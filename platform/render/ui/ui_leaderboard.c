@@ -27,61 +27,11 @@ enum text_key ui_leaderboard_key(uint8_t period)
     return keys[period < RANK_PERIOD_COUNT ? period : RANK_EVER];
 }
 
-static uint32_t row_count(const struct scene_leaderboard *board)
-{
-    uint32_t count = 0;
-    while (count < SCENE_LEADERBOARD_ROWS && board->row[count].caught > 0) {
-        count++;
-    }
-    return count;
-}
-
 float ui_leaderboard_in(const struct scene_leaderboard *board)
 {
     return board->shown
                ? ui_smooth(0.0f, COME_S, board->shown_s) * ui_smooth(0.0f, GO_S, board->left_s)
                : 0.0f;
-}
-
-/* Draws a heading such as "Festival: today's best" in white on a band of dyed cloth. */
-static void ui_leaderboard_heading(const struct ui_frame *frame,
-                                   const struct scene_leaderboard *board, struct ui_box box)
-{
-    const float u = frame->unit, inset = 12.0f * u;
-    const struct ui_box band = { box.x + inset, box.y + inset, box.width - 2.0f * inset,
-                                 62.0f * u };
-    const struct ui_text mode = {
-        .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_GOLD, .fit_px = 0.38f * band.width
-    };
-    const struct ui_text title = { .font = FONT_STALL,
-                                   .size_px = 36.0f * u,
-                                   .align = 1.0f,
-                                   .fill = 0xfff6e2ffu,
-                                   .fit_px = 0.52f * band.width };
-    const float y = band.y + 0.5f * band.height;
-    ui_panel(frame, UI_WAVES, band, 9.0f * u, 1.5f * u, UI_INDIGO, 0x0b1030ffu);
-    ui_text_at(frame, &mode, band.x + 20.0f * u, y, ui_mode_name(frame->language, board->mode));
-    ui_text_at(frame, &title, band.x + band.width - 20.0f * u, y,
-               ui_words(frame, ui_leaderboard_key(board->period)));
-}
-
-/* Draws the number of a place. Places 1 to 3 have a medal of gold, silver or bronze. */
-static void place_mark(const struct ui_frame *frame, float x, float y, uint32_t place)
-{
-    static const uint32_t medals[] = { 0xe2a92fffu, 0xa9b0baffu, 0xb9794affu };
-    const float u = frame->unit, radius = 19.0f * u;
-    const int has_medal = place < sizeof medals / sizeof *medals;
-    char number[12];
-    text_number(number, sizeof number, "{}", place + 1u);
-    if (has_medal) {
-        ui_disc(frame, x, y, radius, 1.5f * u, medals[place], 0x5a3a20ffu);
-    }
-    const struct ui_text style = { .font = FONT_STALL,
-                                   .size_px = 26.0f * u,
-                                   .align = 0.5f,
-                                   .fill = has_medal ? UI_INK : UI_INK_SOFT,
-                                   .fit_px = 1.8f * radius };
-    ui_text_at(frame, &style, x, y, number);
 }
 
 /* Draws a vermilion seal, which means that the round can be replayed to verify its score. */
@@ -96,18 +46,10 @@ void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
     ui_words_in(frame, box, &word, ui_words(frame, TEXT_BOARD_SEAL));
 }
 
-/* Draws the background of a newly added row in the colour of the player's ring. */
-static void new_ground(const struct ui_frame *frame, const struct scene_row *row, struct ui_box box)
-{
-    const float u = frame->unit;
-    const uint32_t colour = ui_player_colours[row->seat < POI_MAX ? row->seat : 0];
-    const float glow = 0.30f + 0.20f * ui_pulse(frame->time_s, 1.2f);
-    ui_panel(frame, UI_PANEL, box, 9.0f * u, 2.0f * u, ui_fade(colour, glow), colour);
-}
-
 static void row_at(const struct ui_frame *frame, const struct scene_row *row, uint32_t place,
                    struct ui_box box)
 {
+    static const uint32_t medals[] = { 0xe2a92fffu, 0xa9b0baffu, 0xb9794affu };
     const float u = frame->unit, y = box.y + 0.5f * box.height;
     const float right = box.x + box.width - 18.0f * u;
     const struct ui_text name = { .font = FONT_STALL,
@@ -122,9 +64,25 @@ static void row_at(const struct ui_frame *frame, const struct scene_row *row, ui
     };
     char number[12];
     if (row->is_new) {
-        new_ground(frame, row, box);
+        /* The background of a newly added row has the colour of the player's ring. */
+        const uint32_t colour = ui_player_colours[row->seat < POI_MAX ? row->seat : 0];
+        const float glow = 0.30f + 0.20f * ui_pulse(frame->time_s, 1.2f);
+        ui_panel(frame, UI_PANEL, box, 9.0f * u, 2.0f * u, ui_fade(colour, glow), colour);
     }
-    place_mark(frame, box.x + 34.0f * u, y, place);
+    /* The numbers of the places 1 to 3 have a medal of gold, silver or bronze. */
+    const float x = box.x + 34.0f * u, radius = 19.0f * u;
+    const int has_medal = place < sizeof medals / sizeof *medals;
+    char place_number[12];
+    text_number(place_number, sizeof place_number, "{}", place + 1u);
+    if (has_medal) {
+        ui_disc(frame, x, y, radius, 1.5f * u, medals[place], 0x5a3a20ffu);
+    }
+    const struct ui_text place_style = { .font = FONT_STALL,
+                                         .size_px = 26.0f * u,
+                                         .align = 0.5f,
+                                         .fill = has_medal ? UI_INK : UI_INK_SOFT,
+                                         .fit_px = 1.8f * radius };
+    ui_text_at(frame, &place_style, x, y, place_number);
     ui_text_at(frame, &name, box.x + 74.0f * u, y, row->name[0] ? row->name : "---");
     text_number(number, sizeof number, "{}", row->caught);
     const char *words = ui_words(frame, TEXT_UNIT);
@@ -145,7 +103,11 @@ void ui_leaderboard(const struct ui_frame *frame, const struct scene_leaderboard
     if (in <= 0.0f) {
         return;
     }
-    const uint32_t rows = row_count(board), room = rows > ROWS_MIN ? rows : ROWS_MIN;
+    uint32_t rows = 0;
+    while (rows < SCENE_LEADERBOARD_ROWS && board->row[rows].caught > 0) {
+        rows++;
+    }
+    const uint32_t room = rows > ROWS_MIN ? rows : ROWS_MIN;
     const float head = 86.0f * u, foot = 14.0f * u;
     const float pitch = fminf(58.0f * u, (bottom - top - head - foot) / (float)room);
     const float height = head + foot + pitch * (float)room;
@@ -155,7 +117,23 @@ void ui_leaderboard(const struct ui_frame *frame, const struct scene_leaderboard
                                 height };
     frame->batch->opacity = in;
     ui_card(frame, box);
-    ui_leaderboard_heading(frame, board, box);
+    /* The heading is a text such as "Festival: today's best" in white on a band of dyed cloth. */
+    const float inset = 12.0f * u;
+    const struct ui_box band = { box.x + inset, box.y + inset, box.width - 2.0f * inset,
+                                 62.0f * u };
+    const struct ui_text mode = {
+        .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_GOLD, .fit_px = 0.38f * band.width
+    };
+    const struct ui_text title = { .font = FONT_STALL,
+                                   .size_px = 36.0f * u,
+                                   .align = 1.0f,
+                                   .fill = 0xfff6e2ffu,
+                                   .fit_px = 0.52f * band.width };
+    const float y = band.y + 0.5f * band.height;
+    ui_panel(frame, UI_WAVES, band, 9.0f * u, 1.5f * u, UI_INDIGO, 0x0b1030ffu);
+    ui_text_at(frame, &mode, band.x + 20.0f * u, y, ui_mode_name(frame->language, board->mode));
+    ui_text_at(frame, &title, band.x + band.width - 20.0f * u, y,
+               ui_words(frame, ui_leaderboard_key(board->period)));
     for (uint32_t i = 0; i < rows; i++) {
         const float since_s = board->shown_s - ROW_COMES_S * (float)(rows - i);
         frame->batch->opacity = in * ui_smooth(0.1f, 0.35f, since_s);

@@ -39,22 +39,7 @@ static struct ui_box place(const struct slate *slate, struct layout_box box)
                             box.height * u };
 }
 
-/* Darkens the tank, so that the letters are readable over the bright lights of the tank. */
-static void veil(const struct slate *slate)
-{
-    const struct ui_box box = { 0.0f, 0.0f, slate->frame.width, slate->frame.height };
-    ui_panel(&slate->frame, UI_PANEL, box, 0.0f, 0.0f, 0x090d24b4u, 0);
-}
-
 /* ---- Player, leaderboard place and remaining time ------------------------------------------- */
-
-static void place_words(const struct slate *slate, const struct scene *scene, char *out,
-                        size_t out_size)
-{
-    const struct scene_player *player = &scene->player[slate->name->seat];
-    text_number(out, out_size, ui_words(&slate->frame, ui_place_key(player->period)),
-                player->place);
-}
 
 static void title(const struct slate *slate, const struct scene *scene)
 {
@@ -69,7 +54,9 @@ static void title(const struct slate *slate, const struct scene *scene)
     const struct ui_text proud = { .font = FONT_STALL, .size_px = 44.0f * u, .fill = UI_GOLD };
     const struct ui_text words = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = 0xfff6e2ffu };
     char where[TEXT_LINE_MAX];
-    place_words(slate, scene, where, sizeof where);
+    const struct scene_player *player = &scene->player[slate->name->seat];
+    text_number(where, sizeof where, ui_words(&slate->frame, ui_place_key(player->period)),
+                player->place);
     ui_words_in(&slate->frame, box, &proud, where);
     if (slate->name->was_refused) {
         const struct ui_ribbon ribbon = { .x = line.x + 0.5f * line.width,
@@ -206,38 +193,30 @@ static void board(const struct slate *slate)
     }
 }
 
-static void keys(const struct slate *slate)
-{
-    const int upright = slate->name->upright;
-    const struct ui_text style = { .font = FONT_BODY,
-                                   .size_px = 24.0f * slate->frame.unit,
-                                   .fill = 0xc9d2eeffu };
-    ui_words_in(&slate->frame,
-                place(slate, upright ? (struct layout_box){ 27.0f, 1190.0f, 800.0f, 40.0f }
-                                     : (struct layout_box){ 60.0f, 678.0f, 1160.0f, 34.0f }),
-                &style, ui_words(&slate->frame, TEXT_NAME_KEYS));
-}
-
-static void hand(const struct slate *slate)
-{
-    const struct scene_name *name = slate->name;
-    const float u = slate->frame.unit;
-    if (name->has_hand) {
-        ui_poi_sign(&slate->frame, slate->x + name->x * u, slate->y + name->y * u,
-                    (name->presses ? 15.0f : 20.0f) * u, 1.0f, slate->colour);
-    }
-}
-
 void ui_name(const struct ui_frame *frame, const struct scene *scene)
 {
     const struct slate slate = open_slate(frame, scene);
     frame->batch->opacity = ui_smooth(0.0f, 0.25f, scene->phase_s);
-    veil(&slate);
+    /* A veil darkens the tank, so that the letters are readable over the bright lights of the tank. */
+    const struct ui_box box = { 0.0f, 0.0f, slate.frame.width, slate.frame.height };
+    ui_panel(&slate.frame, UI_PANEL, box, 0.0f, 0.0f, 0x090d24b4u, 0);
     title(&slate, scene);
     seconds(&slate, scene);
     line(&slate);
     board(&slate);
-    keys(&slate);
-    hand(&slate);
+    const int upright = slate.name->upright;
+    const struct ui_text style = { .font = FONT_BODY,
+                                   .size_px = 24.0f * slate.frame.unit,
+                                   .fill = 0xc9d2eeffu };
+    ui_words_in(&slate.frame,
+                place(&slate, upright ? (struct layout_box){ 27.0f, 1190.0f, 800.0f, 40.0f }
+                                      : (struct layout_box){ 60.0f, 678.0f, 1160.0f, 34.0f }),
+                &style, ui_words(&slate.frame, TEXT_NAME_KEYS));
+    const struct scene_name *name = slate.name;
+    const float u = slate.frame.unit;
+    if (name->has_hand) {
+        ui_poi_sign(&slate.frame, slate.x + name->x * u, slate.y + name->y * u,
+                    (name->presses ? 15.0f : 20.0f) * u, 1.0f, slate.colour);
+    }
     frame->batch->opacity = 1.0f;
 }

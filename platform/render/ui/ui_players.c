@@ -150,26 +150,21 @@ float ui_player_plates(const struct ui_frame *frame, const struct scene *scene,
     return box.y + box.height;
 }
 
-/* Projects a point of the tank's world to screen pixels. */
-static void project(const struct ui_frame *frame, const struct view *view, vec3 at_m, float *x,
-                    float *y)
-{
-    const float aspect = frame->width / frame->height, tan_y = view_half_height_tan(view, aspect);
-    const struct basis axes = view_basis(view);
-    const vec3 seen = v3_sub(at_m, view->eye_m);
-    const float away = fmaxf(-v3_dot(seen, axes.back), 0.01f);
-    *x = 0.5f * frame->width * (1.0f + v3_dot(seen, axes.right) / (away * tan_y * aspect));
-    *y = 0.5f * frame->height * (1.0f - v3_dot(seen, axes.up) / (away * tan_y));
-}
-
 void ui_bowl_marks(const struct ui_frame *frame, const struct scene *scene, float alpha)
 {
     const float radius = 24.0f * frame->unit, edge = radius + 4.0f * frame->unit;
     for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
         const int wanted = scene->phase == PHASE_READY || scene->player[i].plays;
         if (wanted && scene->bowl[i].present) {
-            float x, y;
-            project(frame, &scene->view, scene->bowl[i].position_m, &x, &y);
+            /* The bowl's position in the tank is projected to screen pixels. */
+            const float aspect = frame->width / frame->height;
+            const float tan_y = view_half_height_tan(&scene->view, aspect);
+            const struct basis axes = view_basis(&scene->view);
+            const vec3 seen = v3_sub(scene->bowl[i].position_m, scene->view.eye_m);
+            const float away = fmaxf(-v3_dot(seen, axes.back), 0.01f);
+            const float x =
+                0.5f * frame->width * (1.0f + v3_dot(seen, axes.right) / (away * tan_y * aspect));
+            const float y = 0.5f * frame->height * (1.0f - v3_dot(seen, axes.up) / (away * tan_y));
             frame->batch->opacity = alpha;
             ui_player_mark(frame, fminf(fmaxf(x, edge), frame->width - edge),
                            fminf(fmaxf(y, edge), frame->height - edge), radius, i);

@@ -107,28 +107,6 @@ void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size,
                ui_words(frame, TEXT_LANTERN));
 }
 
-/* Draws one strip of the shop curtain. The strip consists of two loops over the pole, the cloth and
- * a white hem. */
-static void noren_strip(const struct ui_frame *frame, struct ui_box box, uint32_t index)
-{
-    const float u = frame->unit;
-    const float lean = u * 3.0f * sinf(frame->time_s * 0.9f + (float)index * 0.8f);
-    for (uint32_t i = 0; i < 2u; i++) {
-        const struct ui_box loop = { box.x + box.width * (0.18f + 0.54f * (float)i),
-                                     box.y - 21.0f * u, box.width * 0.10f, 26.0f * u };
-        ui_panel(frame, UI_PANEL, loop, 3.0f * u, 1.2f * u, 0x2b3878ffu, 0x0b1030ffu);
-    }
-    ui_shape(frame->batch, &(struct ui_shape){ .box = box,
-                                               .kind = UI_WAVES,
-                                               .fill = UI_INDIGO,
-                                               .line = 0x0b1030ffu,
-                                               .lean_px = lean,
-                                               .shape = { 0, 0, 9.0f * u, 1.5f * u } });
-    const struct ui_box hem = { box.x + lean * 0.93f + 5.0f * u, box.y + box.height * 0.935f,
-                                box.width - 10.0f * u, 2.5f * u };
-    ui_panel(frame, UI_PANEL, hem, 1.2f * u, 0.0f, 0xfff6e2b0u, 0);
-}
-
 static void noren_title(const struct ui_frame *frame, float left, float top, float width,
                         float height)
 {
@@ -169,10 +147,24 @@ void ui_noren(const struct ui_frame *frame, float lift)
     const struct ui_box pole = { left - 130.0f * u, top - 9.0f * u, width + 260.0f * u, 15.0f * u };
     ui_panel(frame, UI_WASHI, pole, 7.0f * u, 2.0f * u, 0x8a5a34ffu, 0x3a2214ffu);
     for (uint32_t i = 0; i < NOREN_STRIPS; i++) {
-        noren_strip(frame,
-                    (struct ui_box){ left + strip * (float)i + u, top + 9.0f * u, strip - 2.0f * u,
-                                     height - 9.0f * u },
-                    i);
+        /* Each strip consists of two loops over the pole, the cloth and a white hem. */
+        const struct ui_box box = { left + strip * (float)i + u, top + 9.0f * u, strip - 2.0f * u,
+                                    height - 9.0f * u };
+        const float lean = u * 3.0f * sinf(frame->time_s * 0.9f + (float)i * 0.8f);
+        for (uint32_t k = 0; k < 2u; k++) {
+            const struct ui_box loop = { box.x + box.width * (0.18f + 0.54f * (float)k),
+                                         box.y - 21.0f * u, box.width * 0.10f, 26.0f * u };
+            ui_panel(frame, UI_PANEL, loop, 3.0f * u, 1.2f * u, 0x2b3878ffu, 0x0b1030ffu);
+        }
+        ui_shape(frame->batch, &(struct ui_shape){ .box = box,
+                                                   .kind = UI_WAVES,
+                                                   .fill = UI_INDIGO,
+                                                   .line = 0x0b1030ffu,
+                                                   .lean_px = lean,
+                                                   .shape = { 0, 0, 9.0f * u, 1.5f * u } });
+        const struct ui_box hem = { box.x + lean * 0.93f + 5.0f * u, box.y + box.height * 0.935f,
+                                    box.width - 10.0f * u, 2.5f * u };
+        ui_panel(frame, UI_PANEL, hem, 1.2f * u, 0.0f, 0xfff6e2b0u, 0);
     }
     noren_title(frame, left, top, width, height);
     ui_hang_lantern(frame, left - 64.0f * u, top, 118.0f * u, 0.0f);
@@ -221,7 +213,7 @@ float ui_ribbon(const struct ui_frame *frame, const struct ui_ribbon *ribbon, co
     return width;
 }
 
-/* ---- Wooden parts of a festival stall: a bamboo pole, red cords, and tags of cedar ------------- */
+/* ---- Wooden parts of a festival stall: bamboo pole, red cords and tags of cedar ------------- */
 
 #define CEDAR 0xd9a667ffu
 #define CEDAR_DIM 0xa77d50ffu

@@ -37,23 +37,6 @@ static const struct grade *grade_of(uint8_t mode, uint32_t caught)
     return &grades[grade];
 }
 
-/* Draws the seal of a player who has a place on the leaderboard. */
-static void seal(const struct ui_frame *frame, float x, float y, float in, const char *words)
-{
-    const float u = frame->unit;
-    const struct ui_text text = { .font = FONT_STALL,
-                                  .size_px = 27.0f * u * (2.0f - in),
-                                  .align = 0.5f,
-                                  .fill = 0xfff1ddffu,
-                                  .fit_px = 216.0f * u * (2.0f - in) };
-    const float width = ui_text_width(&text, words) + 34.0f * u, height = 50.0f * u * (2.0f - in);
-    frame->batch->opacity = in;
-    ui_panel(frame, UI_WASHI, (struct ui_box){ x - 0.5f * width, y - 0.5f * height, width, height },
-             8.0f * u, 2.5f * u, 0xc92c1cffu, 0xfff1ddb0u);
-    ui_text_at(frame, &text, x, y, words);
-    frame->batch->opacity = 1.0f;
-}
-
 static uint32_t counted_up(const struct scene *scene, uint32_t player)
 {
     const float share = ui_smooth(0.2f, 0.2f + COUNT_UP_S, scene->phase_s);
@@ -81,39 +64,6 @@ static void result_count(const struct ui_frame *frame, const struct scene *scene
     ui_text(frame->batch, &unit, left + fish + number_width + 2.0f * gap, baseline, words);
 }
 
-/* Draws a heading such as "Championship: that's all!" */
-static void ui_result_heading(const struct ui_frame *frame, const struct scene *scene,
-                              struct ui_box box)
-{
-    const float u = frame->unit;
-    const struct ui_text text = { .font = FONT_STALL,
-                                  .size_px = 30.0f * u,
-                                  .align = 0.5f,
-                                  .fill = UI_INK_SOFT,
-                                  .fit_px = box.width - 60.0f * u };
-    char words[2u * TEXT_LINE_MAX];
-    snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode),
-             ui_words(frame, TEXT_RESULT));
-    ui_text(frame->batch, &text, box.x + 0.5f * box.width, box.y + 56.0f * u, words);
-}
-
-/* Draws the best score of the day in the mode of the round. After a practice round, draws a comment
- * of the stallkeeper instead. */
-static void last_line(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
-{
-    const float u = frame->unit;
-    const int scored = rules_of(scene->mode)->keeps_score;
-    const struct ui_text small = { .font = scored ? FONT_STALL : FONT_BODY,
-                                   .align = 0.5f,
-                                   .size_px = 25.0f * u,
-                                   .fill = 0x8a5a1cffu,
-                                   .fit_px = box.width - 60.0f * u };
-    char best[TEXT_LINE_MAX];
-    ui_best_words(scene, best, sizeof best);
-    ui_text(frame->batch, &small, box.x + 0.5f * box.width, box.y + box.height - 28.0f * u,
-            scored ? best : ui_words(frame, TEXT_PRACTICE_WORDS));
-}
-
 static void praise(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                    struct ui_box box)
 {
@@ -136,26 +86,6 @@ static void praise(const struct ui_frame *frame, const struct scene *scene, uint
     ui_text_at(frame, &word, x, box.y + 252.0f * u, ui_words(frame, grade->praise));
     ui_text(frame->batch, &words, x, box.y + 338.0f * u, ui_words(frame, grade->words));
     frame->batch->opacity = 1.0f;
-}
-
-/* Draws the result card of a refunded round. A refunded round does not count, so that the card
- * shows no score, place or seal. */
-static void given_back(const struct ui_frame *frame, struct ui_box box)
-{
-    const float u = frame->unit, x = box.x + 0.5f * box.width;
-    const struct ui_text word = { .font = FONT_STALL,
-                                  .size_px = 64.0f * u,
-                                  .align = 0.5f,
-                                  .fill = 0xc8301effu,
-                                  .fit_px = box.width - 60.0f * u };
-    const struct ui_text words = { .font = FONT_BODY,
-                                   .size_px = 27.0f * u,
-                                   .align = 0.5f,
-                                   .fill = UI_INK,
-                                   .fit_px = box.width - 60.0f * u };
-    ui_fish_sign(frame, x, box.y + 138.0f * u, 124.0f * u);
-    ui_text_at(frame, &word, x, box.y + 238.0f * u, ui_words(frame, TEXT_GIVEN_BACK));
-    ui_text(frame->batch, &words, x, box.y + 338.0f * u, ui_words(frame, TEXT_GIVEN_BACK_WORDS));
 }
 
 static void one_players_result(const struct ui_frame *frame, const struct scene *scene,
@@ -232,51 +162,6 @@ static void ranking(const struct ui_frame *frame, const struct scene *scene, str
     }
 }
 
-/* Returns the index of the player with the best place on the leaderboard. POI_MAX means that no
- * player has a place. */
-static uint32_t proudest(const struct scene *scene)
-{
-    uint32_t best = POI_MAX;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        const uint8_t place = scene->player[i].place;
-        if (place != 0 && (best == POI_MAX || place < scene->player[best].place)) {
-            best = i;
-        }
-    }
-    return best;
-}
-
-/* Writes a text about a place, such as "Best of the day!" or "No. 3 this week". */
-static void place_words(const struct scene *scene, uint32_t player, char *out, size_t out_size)
-{
-    const struct scene_player *of = &scene->player[player];
-    const enum text_key key =
-        of->place == 1 && of->period == RANK_DAY ? TEXT_NEW_BEST : ui_place_key(of->period);
-    text_number(out, out_size, text_words(scene->language, key), of->place);
-}
-
-static void seal_of(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
-{
-    const float u = frame->unit, stamped = ui_smooth(1.6f, 1.8f, scene->phase_s);
-    const uint32_t player = proudest(scene);
-    char words[TEXT_LINE_MAX];
-    if (stamped > 0.0f && player < POI_MAX) {
-        place_words(scene, player, words, sizeof words);
-        seal(frame, box.x + box.width - 130.0f * u, box.y - 8.0f * u, stamped, words);
-    }
-}
-
-static void counted(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
-{
-    if (ui_player_count(scene) > 1u) {
-        ranking(frame, scene, box);
-    } else {
-        one_players_result(frame, scene, box);
-    }
-    last_line(frame, scene, box);
-    seal_of(frame, scene, box);
-}
-
 /* Returns the opacity of the result card. The announcement "time!" stays visible for CALL_TIME_S
  * before the card fades in. */
 static float after_call(const struct scene *scene)
@@ -285,16 +170,71 @@ static float after_call(const struct scene *scene)
                                     : 1.0f;
 }
 
-static void result_foot(const struct ui_frame *frame, const struct scene *scene,
-                        const struct ui_memory *memory)
+/* Draws the result card of a refunded round. A refunded round does not count, so that the card shows
+ * no score, place or seal. */
+static void given_back(const struct ui_frame *frame, struct ui_box box)
 {
-    if (scene->hint == HINT_START && scene->name.waits != 0) {
-        ui_start_ribbon(frame, scene, frame->height - 58.0f * frame->unit, TEXT_NAME_CALL);
-    } else if (scene->hint == HINT_START) {
-        ui_start_ribbon(frame, scene, frame->height - 58.0f * frame->unit, TEXT_AGAIN);
-    } else {
-        ui_hint_ribbon(frame, scene, memory);
+    const float u = frame->unit, x = box.x + 0.5f * box.width;
+    struct ui_text style = { .font = FONT_STALL,
+                             .size_px = 64.0f * u,
+                             .align = 0.5f,
+                             .fill = 0xc8301effu,
+                             .fit_px = box.width - 60.0f * u };
+    ui_fish_sign(frame, x, box.y + 138.0f * u, 124.0f * u);
+    ui_text_at(frame, &style, x, box.y + 238.0f * u, ui_words(frame, TEXT_GIVEN_BACK));
+    style.font = FONT_BODY;
+    style.size_px = 27.0f * u;
+    style.fill = UI_INK;
+    ui_text(frame->batch, &style, x, box.y + 338.0f * u, ui_words(frame, TEXT_GIVEN_BACK_WORDS));
+}
+
+/* Draws the best score of the day in the mode of the round. After a practice round, draws a comment
+ * of the stallkeeper instead. */
+static void last_line(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
+{
+    const float u = frame->unit;
+    const int scored = rules_of(scene->mode)->keeps_score;
+    const struct ui_text small = { .font = scored ? FONT_STALL : FONT_BODY,
+                                   .align = 0.5f,
+                                   .size_px = 25.0f * u,
+                                   .fill = 0x8a5a1cffu,
+                                   .fit_px = box.width - 60.0f * u };
+    char best[TEXT_LINE_MAX];
+    ui_best_words(scene, best, sizeof best);
+    ui_text(frame->batch, &small, box.x + 0.5f * box.width, box.y + box.height - 28.0f * u,
+            scored ? best : ui_words(frame, TEXT_PRACTICE_WORDS));
+}
+
+/* Draws a seal such as "Best of the day!" or "No. 3 this week" for the player with the best place on
+ * the leaderboard. Draws nothing if no player has a place. */
+static void place_seal(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
+{
+    const float u = frame->unit, in = ui_smooth(1.6f, 1.8f, scene->phase_s);
+    const float x = box.x + box.width - 130.0f * u, y = box.y - 8.0f * u;
+    const struct scene_player *best = NULL;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct scene_player *const player = &scene->player[i];
+        best = player->place != 0 && (!best || player->place < best->place) ? player : best;
     }
+    if (in <= 0.0f || !best) {
+        return;
+    }
+    char words[TEXT_LINE_MAX];
+    const int is_first = best->place == 1 && best->period == RANK_DAY;
+    text_number(words, sizeof words,
+                ui_words(frame, is_first ? TEXT_NEW_BEST : ui_place_key(best->period)),
+                best->place);
+    const struct ui_text text = { .font = FONT_STALL,
+                                  .size_px = 27.0f * u * (2.0f - in),
+                                  .align = 0.5f,
+                                  .fill = 0xfff1ddffu,
+                                  .fit_px = 216.0f * u * (2.0f - in) };
+    const float width = ui_text_width(&text, words) + 34.0f * u, height = 50.0f * u * (2.0f - in);
+    frame->batch->opacity = in;
+    ui_panel(frame, UI_WASHI, (struct ui_box){ x - 0.5f * width, y - 0.5f * height, width, height },
+             8.0f * u, 2.5f * u, 0xc92c1cffu, 0xfff1ddb0u);
+    ui_text_at(frame, &text, x, y, words);
+    frame->batch->opacity = 1.0f;
 }
 
 void ui_result(const struct ui_frame *frame, const struct scene *scene,
@@ -305,18 +245,38 @@ void ui_result(const struct ui_frame *frame, const struct scene *scene,
     const struct ui_box box = { 0.5f * (frame->width - width),
                                 0.45f * frame->height - 0.5f * height + 40.0f * u * (1.0f - in),
                                 width, height };
+    const struct ui_text heading = { .font = FONT_STALL,
+                                     .size_px = 30.0f * u,
+                                     .align = 0.5f,
+                                     .fill = UI_INK_SOFT,
+                                     .fit_px = box.width - 60.0f * u };
+    char words[2u * TEXT_LINE_MAX];
     ui_umpire(frame, scene);
     if (after_call(scene) <= 0.0f) {
         return;
     }
     frame->batch->opacity = in;
     ui_card(frame, box);
-    ui_result_heading(frame, scene, box);
+    /* The heading is a line such as "Championship: that's all!" */
+    snprintf(words, sizeof words, "%s  %s", ui_mode_name(frame->language, scene->mode),
+             ui_words(frame, TEXT_RESULT));
+    ui_text(frame->batch, &heading, box.x + 0.5f * box.width, box.y + 56.0f * u, words);
     frame->batch->opacity = 1.0f;
     if (scene->credit.came_back) {
         given_back(frame, box);
     } else {
-        counted(frame, scene, box);
+        if (ui_player_count(scene) > 1u) {
+            ranking(frame, scene, box);
+        } else {
+            one_players_result(frame, scene, box);
+        }
+        last_line(frame, scene, box);
+        place_seal(frame, scene, box);
     }
-    result_foot(frame, scene, memory);
+    if (scene->hint == HINT_START) {
+        ui_start_ribbon(frame, scene, frame->height - 58.0f * u,
+                        scene->name.waits != 0 ? TEXT_NAME_CALL : TEXT_AGAIN);
+    } else {
+        ui_hint_ribbon(frame, scene, memory);
+    }
 }

@@ -29,25 +29,6 @@ static void countdown(const struct ui_frame *frame, const struct scene *scene)
                 0.85f * (1.0f - ui_smooth(0.6f, 0.95f, gone)), digit);
 }
 
-static void call(const struct ui_frame *frame, const struct scene *scene)
-{
-    static const uint16_t keys[] = {
-        [CALL_ONE_MINUTE] = TEXT_CALL_ONE_MINUTE,
-        [CALL_TWO_MINUTES] = TEXT_CALL_TWO_MINUTES,
-        [CALL_TEN_SECONDS] = TEXT_CALL_TEN_SECONDS,
-        [CALL_TIME] = TEXT_CALL_TIME,
-    };
-    if (scene->call == CALL_COUNTDOWN) {
-        countdown(frame, scene);
-    } else if (scene->call < sizeof keys && keys[scene->call] != 0 && scene->call_s < CALL_S) {
-        const int brush = frame->language == LANGUAGE_JA;
-        const float grow = 1.0f + 0.10f * ui_smooth(0.0f, CALL_S, scene->call_s);
-        ui_big_word(frame, brush ? FONT_BRUSH : FONT_STALL, 0.33f * frame->height,
-                    (brush ? 122.0f : 84.0f) * frame->unit * grow, shown(scene->call_s, CALL_S),
-                    ui_words(frame, (enum text_key)keys[scene->call]));
-    }
-}
-
 /* Draws a red flag with the foul's name and, if there are several players, the player's number.
  * Returns the flag's height. */
 static float foul_flag(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
@@ -100,39 +81,48 @@ static void fouls(const struct ui_frame *frame, const struct scene *scene)
     }
 }
 
-/* Draws the word with which a sumo referee pauses a bout, on a band across the tank. Drawn while
- * the game is paused. */
-static void pause(const struct ui_frame *frame, const struct scene *scene)
-{
-    const float u = frame->unit, y = 0.46f * frame->height, height = 220.0f * u;
-    const int brush = frame->language == LANGUAGE_JA;
-    const struct ui_box band = { 0.0f, y - 0.5f * height, frame->width, height };
-    const struct ui_text words = { .font = FONT_BODY,
-                                   .size_px = 30.0f * u,
-                                   .align = 0.5f,
-                                   .fill = 0xfff8eaffu,
-                                   .fit_px = frame->width - 60.0f * u };
-    ui_panel(frame, UI_PANEL, band, 0.0f, 0.0f, 0x0a0c24c8u, 0);
-    ui_big_word(frame, brush ? FONT_BRUSH : FONT_STALL, y - 30.0f * u, (brush ? 132.0f : 96.0f) * u,
-                1.0f, ui_words(frame, TEXT_PAUSED));
-    ui_text(frame->batch, &words, 0.5f * frame->width, y + 82.0f * u,
-            ui_words(frame, TEXT_PAUSED_WORDS));
-    float x = 0.5f * frame->width + 270.0f * u;
-    for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
-        if (scene->player[i].lost && !scene->player[i].out) {
-            ui_player_mark(frame, x, y - 30.0f * u, 24.0f * u, i);
-            x += 56.0f * u;
-        }
-    }
-}
-
 void ui_umpire(const struct ui_frame *frame, const struct scene *scene)
 {
     if (scene->paused) {
-        pause(frame, scene);
+        /* A band across the tank shows the word with which a sumo referee pauses a bout. */
+        const float u = frame->unit, y = 0.46f * frame->height, height = 220.0f * u;
+        const int is_brush = frame->language == LANGUAGE_JA;
+        const struct ui_box band = { 0.0f, y - 0.5f * height, frame->width, height };
+        const struct ui_text words = { .font = FONT_BODY,
+                                       .size_px = 30.0f * u,
+                                       .align = 0.5f,
+                                       .fill = 0xfff8eaffu,
+                                       .fit_px = frame->width - 60.0f * u };
+        ui_panel(frame, UI_PANEL, band, 0.0f, 0.0f, 0x0a0c24c8u, 0);
+        ui_big_word(frame, is_brush ? FONT_BRUSH : FONT_STALL, y - 30.0f * u,
+                    (is_brush ? 132.0f : 96.0f) * u, 1.0f, ui_words(frame, TEXT_PAUSED));
+        ui_text(frame->batch, &words, 0.5f * frame->width, y + 82.0f * u,
+                ui_words(frame, TEXT_PAUSED_WORDS));
+        float x = 0.5f * frame->width + 270.0f * u;
+        for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
+            if (scene->player[i].lost && !scene->player[i].out) {
+                ui_player_mark(frame, x, y - 30.0f * u, 24.0f * u, i);
+                x += 56.0f * u;
+            }
+        }
         return;
     }
-    call(frame, scene);
+    static const uint16_t keys[] = {
+        [CALL_ONE_MINUTE] = TEXT_CALL_ONE_MINUTE,
+        [CALL_TWO_MINUTES] = TEXT_CALL_TWO_MINUTES,
+        [CALL_TEN_SECONDS] = TEXT_CALL_TEN_SECONDS,
+        [CALL_TIME] = TEXT_CALL_TIME,
+    };
+    if (scene->call == CALL_COUNTDOWN) {
+        countdown(frame, scene);
+    } else if (scene->call < sizeof keys / sizeof *keys && keys[scene->call] != 0 &&
+               scene->call_s < CALL_S) {
+        const int brush = frame->language == LANGUAGE_JA;
+        const float grow = 1.0f + 0.10f * ui_smooth(0.0f, CALL_S, scene->call_s);
+        ui_big_word(frame, brush ? FONT_BRUSH : FONT_STALL, 0.33f * frame->height,
+                    (brush ? 122.0f : 84.0f) * frame->unit * grow, shown(scene->call_s, CALL_S),
+                    ui_words(frame, (enum text_key)keys[scene->call]));
+    }
     fouls(frame, scene);
 }
 
@@ -166,60 +156,37 @@ static void caught_plate(const struct ui_frame *frame, const struct scene *scene
     ui_text(frame->batch, &unit, unit_x, baseline, words);
 }
 
-/* Draws the word "Fouls" and three lamps. One lamp is lit for each foul. */
-static void foul_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player)
-{
-    const float u = frame->unit, left = 18.0f * u, top = 112.0f * u, height = 46.0f * u;
-    const struct ui_text label = { .font = FONT_STALL, .size_px = 26.0f * u, .fill = UI_GOLD };
-    const char *words = ui_words(frame, TEXT_FOUL);
-    const float lamps_x = left + 16.0f * u + ui_text_width(&label, words) + 28.0f * u;
-    ui_plate(frame, (struct ui_box){ left, top, lamps_x + 72.0f * u - left, height });
-    ui_text_at(frame, &label, left + 16.0f * u, top + 0.5f * height, words);
-    ui_foul_lamps(frame, lamps_x, top + 0.5f * height, 9.5f * u, 26.0f * u,
-                  scene->player[player].fouls);
-}
-
-static void time_ring(const struct ui_frame *frame, const struct scene *scene, float x, float y)
-{
-    const float u = frame->unit, radius = 37.0f * u;
-    const float total = scene->phase_s + scene->seconds_left;
-    const int hurry = scene->seconds_left < HURRY_S;
-    const float beat = hurry ? ui_pulse(scene->seconds_left, 1.0f) : 0.0f;
-    ui_ring(frame, x, y, radius, 6.0f * u, total > 0.0f ? scene->seconds_left / total : 0.0f,
-            hurry ? UI_VERMILION : UI_GOLD, 0xffffff28u);
-    char number[12];
-    text_number(number, sizeof number, "{}", (uint32_t)ceilf(fmaxf(scene->seconds_left, 0.0f)));
-    const struct ui_text digits = { .font = FONT_STALL,
-                                    .size_px = (36.0f + 5.0f * beat) * u,
-                                    .align = 0.5f,
-                                    .fit_px = 56.0f * u,
-                                    .fill = hurry ? 0xff9a80ffu : 0xfff8eaffu };
-    struct ui_text fitted = digits;
-    fitted.size_px = ui_text_size(&digits, number);
-    ui_text(frame->batch, &digits, x, ui_text_middle(&fitted, y), number);
-}
-
-/* Draws the remaining time, in minutes and seconds for a long round, otherwise in seconds. */
-static void time_digits(const struct ui_frame *frame, const struct scene *scene, float x, float y)
-{
-    const float u = frame->unit;
-    const uint32_t left = (uint32_t)ceilf(fmaxf(scene->seconds_left, 0.0f));
-    const int hurry = scene->seconds_left < HURRY_S;
-    const float beat = hurry ? ui_pulse(scene->seconds_left, 1.0f) : 0.0f;
-    char words[16], minutes[12];
-    text_number(minutes, sizeof minutes, "{}:", left / 60u);
-    snprintf(words, sizeof words, "%s%02u", minutes, left % 60u);
-    const struct ui_text digits = { .font = FONT_STALL,
-                                    .size_px = (58.0f + 5.0f * beat) * u,
-                                    .align = 0.5f,
-                                    .fit_px = TIME_WIDTH * u,
-                                    .fill = hurry ? 0xff9a80ffu : 0xfff8eaffu };
-    ui_text_at(frame, &digits, x, y, words);
-}
-
 static int is_long(const struct scene *scene)
 {
     return scene->phase_s + scene->seconds_left > LONG_ROUND_S;
+}
+
+/* Draws the remaining time, centred at (x, y): in minutes and seconds for a long round, otherwise in
+ * seconds inside a ring. */
+static void clock_at(const struct ui_frame *frame, const struct scene *scene, float x, float y)
+{
+    const float u = frame->unit, radius = 37.0f * u;
+    const int wide = is_long(scene), hurry = scene->seconds_left < HURRY_S;
+    const float beat = hurry ? ui_pulse(scene->seconds_left, 1.0f) : 0.0f;
+    const uint32_t left_s = (uint32_t)ceilf(fmaxf(scene->seconds_left, 0.0f));
+    const float total_s = scene->phase_s + scene->seconds_left;
+    const struct ui_text digits = { .font = FONT_STALL,
+                                    .size_px = ((wide ? 58.0f : 36.0f) + 5.0f * beat) * u,
+                                    .align = 0.5f,
+                                    .fit_px = (wide ? TIME_WIDTH : 56.0f) * u,
+                                    .fill = hurry ? 0xff9a80ffu : 0xfff8eaffu };
+    struct ui_text fitted = digits;
+    char words[16], number[12];
+    text_number(number, sizeof number, wide ? "{}:" : "{}", wide ? left_s / 60u : left_s);
+    if (wide) {
+        snprintf(words, sizeof words, "%s%02u", number, left_s % 60u);
+        ui_text_at(frame, &digits, x, y, words);
+        return;
+    }
+    ui_ring(frame, x, y, radius, 6.0f * u, total_s > 0.0f ? scene->seconds_left / total_s : 0.0f,
+            hurry ? UI_VERMILION : UI_GOLD, 0xffffff28u);
+    fitted.size_px = ui_text_size(&digits, number);
+    ui_text(frame->batch, &digits, x, ui_text_middle(&fitted, y), number);
 }
 
 /* Draws the paper and the remaining time at the top right. If the player has several papers, draws
@@ -256,11 +223,7 @@ static float state_plate(const struct ui_frame *frame, const struct scene *scene
         ui_text(frame->batch, &label, x, baseline, time);
     }
     x += time_width + 0.5f * clock_width;
-    if (is_long(scene)) {
-        time_digits(frame, scene, x, y);
-    } else {
-        time_ring(frame, scene, x, y);
-    }
+    clock_at(frame, scene, x, y);
     return width;
 }
 
@@ -283,28 +246,6 @@ static void stress_legend(const struct ui_frame *frame, float top)
     ui_text(frame->batch, &end, left + width - 14.0f * u, y, ui_words(frame, TEXT_STRESS_HIGH));
 }
 
-static int shows_stress(const struct scene *scene)
-{
-    int shows = 0;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        shows |= scene->poi[i].present && scene->poi[i].shows_stress;
-    }
-    return shows;
-}
-
-static void one_players_signs(const struct ui_frame *frame, const struct scene *scene,
-                              const struct ui_memory *memory)
-{
-    const uint32_t player = ui_first_player(scene);
-    const float since_s = (float)(scene->tick - memory->caught_tick[player]) * CORE_TICK_S;
-    const float pop = memory->caught[player] > 0 ? 1.0f - ui_smooth(0.0f, POP_S, since_s) : 0.0f;
-    caught_plate(frame, scene, player, pop);
-    if (rules_of(scene->mode)->judges) {
-        foul_plate(frame, scene, player);
-    }
-    state_plate(frame, scene, player, 1);
-}
-
 void ui_round(const struct ui_frame *frame, const struct scene *scene,
               const struct ui_memory *memory)
 {
@@ -313,11 +254,33 @@ void ui_round(const struct ui_frame *frame, const struct scene *scene,
         const float right_px = state_plate(frame, scene, 0, 0);
         bottom = fmaxf(bottom, ui_player_plates(frame, scene, memory, right_px));
     } else {
-        one_players_signs(frame, scene, memory);
+        const uint32_t player = ui_first_player(scene);
+        const float since_s = (float)(scene->tick - memory->caught_tick[player]) * CORE_TICK_S;
+        const float pop =
+            memory->caught[player] > 0 ? 1.0f - ui_smooth(0.0f, POP_S, since_s) : 0.0f;
+        caught_plate(frame, scene, player, pop);
+        if (rules_of(scene->mode)->judges) {
+            /* The plate shows the word "Fouls" and three lamps. One lamp is lit for each foul. */
+            const float u = frame->unit, left = 18.0f * u, top = 112.0f * u, height = 46.0f * u;
+            const struct ui_text label = { .font = FONT_STALL,
+                                           .size_px = 26.0f * u,
+                                           .fill = UI_GOLD };
+            const char *words = ui_words(frame, TEXT_FOUL);
+            const float lamps_x = left + 16.0f * u + ui_text_width(&label, words) + 28.0f * u;
+            ui_plate(frame, (struct ui_box){ left, top, lamps_x + 72.0f * u - left, height });
+            ui_text_at(frame, &label, left + 16.0f * u, top + 0.5f * height, words);
+            ui_foul_lamps(frame, lamps_x, top + 0.5f * height, 9.5f * u, 26.0f * u,
+                          scene->player[player].fouls);
+        }
+        state_plate(frame, scene, player, 1);
     }
     ui_bowl_marks(frame, scene,
                   1.0f - ui_smooth(BOWL_MARKS_S - 0.5f, BOWL_MARKS_S, scene->phase_s));
-    if (shows_stress(scene)) {
+    int shows = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        shows |= scene->poi[i].present && scene->poi[i].shows_stress;
+    }
+    if (shows) {
         stress_legend(frame, bottom + 8.0f * frame->unit);
     }
     if (scene->phase_s < 1.0f) {

@@ -41,29 +41,6 @@ void ui_plate(const struct ui_frame *frame, struct ui_box box)
     ui_panel(frame, UI_WAVES, box, 16.0f * u, 1.5f * u, UI_NIGHT, UI_GOLD_DIM);
 }
 
-static const char *hint_words(uint8_t language, uint8_t hint)
-{
-    static const uint16_t keys[HINT_COUNT] = {
-        [HINT_START] = TEXT_HINT_START,
-        [HINT_MOVE] = TEXT_HINT_MOVE,
-        [HINT_DIP] = TEXT_HINT_DIP,
-        [HINT_LIFT] = TEXT_HINT_LIFT,
-        [HINT_BOWL] = TEXT_HINT_BOWL,
-        [HINT_TILT] = TEXT_HINT_TILT,
-        [HINT_SLOWLY] = TEXT_HINT_SLOWLY,
-        [HINT_GLIDE] = TEXT_HINT_GLIDE,
-        [HINT_TORN] = TEXT_HINT_TORN,
-        [HINT_LOST_POI] = TEXT_HINT_LOST_POI,
-        [HINT_WET_ALL] = TEXT_HINT_WET_ALL,
-        [HINT_NO_SHADE] = TEXT_HINT_NO_SHADE,
-        [HINT_CLEAR_RIM] = TEXT_HINT_CLEAR_RIM,
-        [HINT_CHOOSE] = TEXT_HINT_CHOOSE,
-        [HINT_COIN] = TEXT_HINT_COIN,
-        [HINT_PAID_BACK] = TEXT_HINT_PAID_BACK,
-    };
-    return text_words(language, (enum text_key)keys[hint]);
-}
-
 struct hint_paint {
     uint32_t fill, line;
 };
@@ -86,6 +63,24 @@ static struct hint_paint ui_widgets_paint_of(uint8_t hint)
 void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
                     const struct ui_memory *memory)
 {
+    static const uint16_t keys[HINT_COUNT] = {
+        [HINT_START] = TEXT_HINT_START,
+        [HINT_MOVE] = TEXT_HINT_MOVE,
+        [HINT_DIP] = TEXT_HINT_DIP,
+        [HINT_LIFT] = TEXT_HINT_LIFT,
+        [HINT_BOWL] = TEXT_HINT_BOWL,
+        [HINT_TILT] = TEXT_HINT_TILT,
+        [HINT_SLOWLY] = TEXT_HINT_SLOWLY,
+        [HINT_GLIDE] = TEXT_HINT_GLIDE,
+        [HINT_TORN] = TEXT_HINT_TORN,
+        [HINT_LOST_POI] = TEXT_HINT_LOST_POI,
+        [HINT_WET_ALL] = TEXT_HINT_WET_ALL,
+        [HINT_NO_SHADE] = TEXT_HINT_NO_SHADE,
+        [HINT_CLEAR_RIM] = TEXT_HINT_CLEAR_RIM,
+        [HINT_CHOOSE] = TEXT_HINT_CHOOSE,
+        [HINT_COIN] = TEXT_HINT_COIN,
+        [HINT_PAID_BACK] = TEXT_HINT_PAID_BACK,
+    };
     if (scene->hint == HINT_NONE || scene->hint >= HINT_COUNT ||
         (scene->hint == HINT_COIN && scene->credit.warnings != 0)) {
         return;
@@ -101,7 +96,7 @@ void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
         .line = paint.line,
     };
     frame->batch->opacity = in;
-    ui_ribbon(frame, &ribbon, hint_words(scene->language, scene->hint));
+    ui_ribbon(frame, &ribbon, text_words(scene->language, (enum text_key)keys[scene->hint]));
     frame->batch->opacity = 1.0f;
 }
 
@@ -175,54 +170,6 @@ void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float
 #define PLATES_WIDTH 284.0f
 #define PLATES_REACH 240.0f
 
-static void credit_words(const struct ui_frame *frame, const struct scene_credit *credit, char *out,
-                         size_t out_size)
-{
-    text_number(out, TEXT_LINE_MAX, ui_words(frame, TEXT_CREDITS), credit->credits);
-    if (credit->units > 0 && credit->units < credit->price) {
-        /* A credit that does not pay for a whole round is kept and shown to the next player. */
-        const size_t length = strlen(out);
-        snprintf(out + length, out_size - length, "  +  %u/%u", credit->units, credit->price);
-    }
-}
-
-/* Draws the number of credits that are not on disk yet, as an outlined text beside the plate.
- * `left` is the left edge of the text in pixels. */
-static void coming(const struct ui_frame *frame, const struct scene_credit *credit, float left,
-                   float y)
-{
-    const float u = frame->unit, room = frame->width - left - 8.0f * u;
-    char words[16];
-    if (credit->coming == 0 || room < COMING_WIDTH * u) {
-        return;
-    }
-    snprintf(words, sizeof words, "+%u", credit->coming);
-    const struct ui_ribbon outline = {
-        .x = left + 0.5f * COMING_WIDTH * u,
-        .y = y,
-        .size_px = 21.0f * u,
-        .font = FONT_STALL,
-        .line = ui_fade(UI_GOLD, 0.55f + 0.45f * ui_pulse(frame->time_s, 1.2f)),
-        .ink = ui_fade(0xfff8eaffu, 0.7f),
-        .room_px = COMING_WIDTH * u,
-    };
-    ui_ribbon(frame, &outline, words);
-}
-
-static void event_plate(const struct ui_frame *frame, float x, float y)
-{
-    const struct ui_ribbon plate = {
-        .x = x,
-        .y = y,
-        .size_px = 25.0f * frame->unit,
-        .font = FONT_STALL,
-        .fill = 0x8a2f6ee8u,
-        .line = UI_GOLD,
-        .room_px = 2.0f * fminf(x, frame->width - x) - 8.0f * frame->unit,
-    };
-    ui_ribbon(frame, &plate, ui_words(frame, TEXT_EVENT));
-}
-
 void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x, float y)
 {
     const struct scene_credit *credit = &scene->credit;
@@ -230,12 +177,26 @@ void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x
     const float clink = 1.0f - ui_smooth(0.0f, CLINK_S, credit->coin_s);
     char words[TEXT_LINE_MAX + 32u];
     if (credit->is_event) {
-        event_plate(frame, x, y);
+        const struct ui_ribbon event = {
+            .x = x,
+            .y = y,
+            .size_px = 25.0f * frame->unit,
+            .font = FONT_STALL,
+            .fill = 0x8a2f6ee8u,
+            .line = UI_GOLD,
+            .room_px = 2.0f * fminf(x, frame->width - x) - 8.0f * frame->unit,
+        };
+        ui_ribbon(frame, &event, ui_words(frame, TEXT_EVENT));
     }
     if (credit->price == 0) {
         return;
     }
-    credit_words(frame, credit, words, sizeof words);
+    text_number(words, TEXT_LINE_MAX, ui_words(frame, TEXT_CREDITS), credit->credits);
+    if (credit->units > 0 && credit->units < credit->price) {
+        /* A credit that does not pay for a whole round is kept and shown to the next player. */
+        const size_t length = strlen(words);
+        snprintf(words + length, sizeof words - length, "  +  %u/%u", credit->units, credit->price);
+    }
     const struct ui_ribbon plate = {
         .x = x,
         .y = y,
@@ -246,7 +207,24 @@ void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x
         .room_px = 2.0f * fminf(x, frame->width - x) - 8.0f * u,
     };
     const float width = ui_ribbon(frame, &plate, words);
-    coming(frame, credit, x + 0.5f * width + 10.0f * u, y);
+    /* An outlined text beside the plate shows the number of credits that are not on disk yet. */
+    const float left = x + 0.5f * width + 10.0f * u;
+    const float room = frame->width - left - 8.0f * u;
+    char coming_words[16];
+    if (credit->coming == 0 || room < COMING_WIDTH * u) {
+        return;
+    }
+    snprintf(coming_words, sizeof coming_words, "+%u", credit->coming);
+    const struct ui_ribbon outline = {
+        .x = left + 0.5f * COMING_WIDTH * u,
+        .y = y,
+        .size_px = 21.0f * u,
+        .font = FONT_STALL,
+        .line = ui_fade(UI_GOLD, 0.55f + 0.45f * ui_pulse(frame->time_s, 1.2f)),
+        .ink = ui_fade(0xfff8eaffu, 0.7f),
+        .room_px = COMING_WIDTH * u,
+    };
+    ui_ribbon(frame, &outline, coming_words);
 }
 
 int ui_lacks_poi(const struct scene *scene)

@@ -90,11 +90,6 @@ static struct ui_box tag(const struct lab_page *page, const struct button *butto
     return box;
 }
 
-static struct ui_box inset(struct ui_box box, float x, float y)
-{
-    return (struct ui_box){ box.x + x, box.y + y, box.width - 2.0f * x, box.height - 2.0f * y };
-}
-
 static void word_button(const struct lab_page *page, const struct button *button)
 {
     const float u = page->frame.unit;
@@ -102,7 +97,10 @@ static void word_button(const struct lab_page *page, const struct button *button
     const struct ui_box box = tag(page, button);
     const struct ui_text style = lab_text(
         page, is_small ? 20.0f : 23.0f, button->is_idle ? ui_fade(BUTTON_INK, 0.45f) : BUTTON_INK);
-    lab_words_in(page, inset(box, (is_small ? 3.0f : 10.0f) * u, 0.0f), &style, button->words);
+    const float margin = (is_small ? 3.0f : 10.0f) * u;
+    lab_words_in(page,
+                 (struct ui_box){ box.x + margin, box.y, box.width - 2.0f * margin, box.height },
+                 &style, button->words);
 }
 
 static void sign(const struct lab_page *page, struct ui_box box, enum text_key key)
@@ -114,41 +112,6 @@ static void sign(const struct lab_page *page, struct ui_box box, enum text_key k
 static void arrow_button(const struct lab_page *page, enum lab_part part, enum text_key key)
 {
     sign(page, tag(page, &(struct button){ .part = part }), key);
-}
-
-static void play_button(const struct lab_page *page)
-{
-    const float u = page->frame.unit;
-    const int plays = page->lab->playing;
-    const struct ui_box box = tag(page, &(struct button){ .part = LAB_PLAY, .is_on = plays });
-    const float x = box.x + 40.0f * u, y = box.y + 0.5f * box.height;
-    if (plays) {
-        for (uint32_t i = 0; i < 2u; i++) {
-            const float at = x + ((float)i - 0.5f) * 14.0f * u;
-            const float from[2] = { at, y - 9.0f * u }, to[2] = { at, y + 9.0f * u };
-            ui_segment(page->frame.batch, from, to, 6.0f * u, BUTTON_INK);
-        }
-    } else {
-        const struct ui_box place = { x - 20.0f * u, box.y, 40.0f * u, box.height };
-        sign(page, place, TEXT_SIGN_ON);
-    }
-    const struct ui_text style = lab_text(page, 23.0f, BUTTON_INK);
-    const struct ui_box room = { box.x + 64.0f * u, box.y, box.width - 76.0f * u, box.height };
-    lab_words_in(page, room, &style, ui_words(&page->frame, plays ? TEXT_LAB_STOP : TEXT_LAB_PLAY));
-}
-
-static void save_button(const struct lab_page *page)
-{
-    const struct scene_lab *lab = page->lab;
-    const uint8_t language = page->frame.language;
-    const enum text_key words = !lab->is_kept                 ? TEXT_LAB_SAVE
-                                : lab->keeping == LAB_SAVED   ? TEXT_LAB_SAVED
-                                : lab->keeping == LAB_SAVING  ? TEXT_LAB_SAVING
-                                : lab->keeping == LAB_UNSAVED ? TEXT_LAB_UNSAVED
-                                                              : TEXT_LAB_SAVE;
-    word_button(page, &(struct button){ .part = LAB_SAVE,
-                                        .words = text_words(language, words),
-                                        .is_idle = lab->is_kept && lab->keeping != LAB_UNSAVED });
 }
 
 static void buttons(const struct lab_page *page)
@@ -171,8 +134,31 @@ static void buttons(const struct lab_page *page)
                                             .words = text_words(language, templates[i]),
                                             .is_on = lab->template_id == i });
     }
-    play_button(page);
-    save_button(page);
+    const float u = page->frame.unit;
+    const int plays = lab->playing;
+    const struct ui_box box = tag(page, &(struct button){ .part = LAB_PLAY, .is_on = plays });
+    const float x = box.x + 40.0f * u, y = box.y + 0.5f * box.height;
+    if (plays) {
+        for (uint32_t i = 0; i < 2u; i++) {
+            const float at = x + ((float)i - 0.5f) * 14.0f * u;
+            const float from[2] = { at, y - 9.0f * u }, to[2] = { at, y + 9.0f * u };
+            ui_segment(page->frame.batch, from, to, 6.0f * u, BUTTON_INK);
+        }
+    } else {
+        const struct ui_box place = { x - 20.0f * u, box.y, 40.0f * u, box.height };
+        sign(page, place, TEXT_SIGN_ON);
+    }
+    const struct ui_text style = lab_text(page, 23.0f, BUTTON_INK);
+    const struct ui_box room = { box.x + 64.0f * u, box.y, box.width - 76.0f * u, box.height };
+    lab_words_in(page, room, &style, ui_words(&page->frame, plays ? TEXT_LAB_STOP : TEXT_LAB_PLAY));
+    const enum text_key save_words = !lab->is_kept                 ? TEXT_LAB_SAVE
+                                     : lab->keeping == LAB_SAVED   ? TEXT_LAB_SAVED
+                                     : lab->keeping == LAB_SAVING  ? TEXT_LAB_SAVING
+                                     : lab->keeping == LAB_UNSAVED ? TEXT_LAB_UNSAVED
+                                                                   : TEXT_LAB_SAVE;
+    word_button(page, &(struct button){ .part = LAB_SAVE,
+                                        .words = text_words(language, save_words),
+                                        .is_idle = lab->is_kept && lab->keeping != LAB_UNSAVED });
 }
 
 /* ---- Title and help line -------------------------------------------------------------------- */
@@ -208,27 +194,6 @@ static struct ui_box line_room(const struct lab_page *page)
     return (struct ui_box){ left, next.y, leave.x - left - 18.0f * u, next.height };
 }
 
-static void refused_words(const struct lab_page *page, struct ui_box room)
-{
-    char words[TEXT_LINE_MAX];
-    const struct ui_text style = lab_text(page, 20.0f, REFUSED);
-    text_number(words, sizeof words, ui_words(&page->frame, TEXT_LAB_REFUSED), page->lab->refused);
-    lab_words_in(page, room, &style, words);
-}
-
-/* Draws the name of a rejected file, and below the name the reason. */
-static void fault_words(const struct lab_page *page, struct ui_box room,
-                        const struct library_line *fault)
-{
-    const float half = 0.5f * room.height;
-    const struct ui_box upper = { room.x, room.y, room.width, half };
-    const struct ui_box lower = { room.x, room.y + half, room.width, half };
-    struct ui_text style = lab_text(page, 18.0f, REFUSED);
-    style.size_px = fminf(style.size_px, 0.9f * half);
-    lab_words_in(page, upper, &style, fault->file);
-    lab_words_in(page, lower, &style, fault->why);
-}
-
 /* Draws the help line. In turn, the help line is replaced by messages for the operator: the number
  * of rejected makers' files, then the reason for each rejected file. */
 static void help_line(const struct lab_page *page)
@@ -244,76 +209,53 @@ static void help_line(const struct lab_page *page)
         const struct ui_text style = lab_text(page, 20.0f, 0xc9d2eeffu);
         lab_words_in(page, room, &style, ui_words(&page->frame, TEXT_LAB_HELP));
     } else if (turn <= counted) {
-        refused_words(page, room);
+        char words[TEXT_LINE_MAX];
+        const struct ui_text refused_style = lab_text(page, 20.0f, REFUSED);
+        text_number(words, sizeof words, ui_words(&page->frame, TEXT_LAB_REFUSED),
+                    page->lab->refused);
+        lab_words_in(page, room, &refused_style, words);
     } else {
         const struct library_line fault = library_fault(page->library, turn - 1u - counted);
-        fault_words(page, room, &fault);
+        /* The reason is below the name of the rejected file. */
+        const float half = 0.5f * room.height;
+        const struct ui_box upper = { room.x, room.y, room.width, half };
+        const struct ui_box lower = { room.x, room.y + half, room.width, half };
+        struct ui_text fault_style = lab_text(page, 18.0f, REFUSED);
+        fault_style.size_px = fminf(fault_style.size_px, 0.9f * half);
+        lab_words_in(page, upper, &fault_style, fault.file);
+        lab_words_in(page, lower, &fault_style, fault.why);
     }
-}
-
-/* ---- Cursor --------------------------------------------------------------------------------- */
-
-static void hand(const struct lab_page *page)
-{
-    const struct scene_lab *lab = page->lab;
-    const float u = page->frame.unit;
-    if (!lab->has_hand) {
-        return;
-    }
-    const float x = lab_px_x(page, lab->x), y = lab_px_y(page, lab->y);
-    const float radius = (lab->presses ? 12.0f : 16.0f) * u;
-    const struct ui_box glow = { x - 2.2f * radius, y - 2.2f * radius, 4.4f * radius,
-                                 4.4f * radius };
-    ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = glow,
-                                 .kind = UI_GLOW,
-                                 .fill = lab->presses ? 0xff9a50a0u : 0xffffff38u,
-                                 .shape = { 0, 0, 1.0f } });
-    ui_poi_sign(&page->frame, x, y, radius, 0.0f, ui_player_colours[0]);
 }
 
 /* ---- Whole page of the growth lab ----------------------------------------------------------- */
 
-static struct lab_page open_page(const struct ui_frame *frame, const struct scene *scene,
-                                 struct ui_lab_preview *bench)
-{
-    const struct layout_point canvas = pointer_layout_size(scene->lab.upright);
-    struct lab_page page = { .frame = *frame, .lab = &scene->lab, .bench = bench };
-    page.frame.unit = fminf(frame->width / canvas.x, frame->height / canvas.y);
-    if (scene->lab.upright) {
-        page.frame.unit = frame->width / canvas.x; /* The scale of the canvas equals the camera's
-                                                      scale. */
-    }
-    page.x = 0.5f * (frame->width - canvas.x * page.frame.unit);
-    page.y = 0.5f * (frame->height - canvas.y * page.frame.unit);
-    return page;
-}
-
-/* Returns the species that the growth lab shows, or null if this kiosk lacks the species. A
- * recording may show a maker's species that exists only on another kiosk. In this case the graph is
- * shown without a fish. */
-static const struct species *species_of(const struct ui_memory *memory, const struct scene_lab *lab)
-{
-    const uint32_t index = lab->species;
-    const struct species *species = NULL;
-    if (index < species_table_count) {
-        species = species_table[index];
-    } else if (memory->library != NULL && index < library_count(memory->library)) {
-        species = library_species(memory->library, index);
-    }
-    const int fits = species != NULL && species->card.key_count == lab->card.key_count &&
-                     strcmp(species->card.id, lab->card.id) == 0;
-    return fits ? species : NULL;
-}
-
 void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_memory *memory)
 {
-    const struct species *species = species_of(memory, &scene->lab);
+    /* A recording may show a maker's species that exists only on another kiosk. In this case
+     * `species` is null, and the graph is shown without a fish. */
+    const uint32_t index = scene->lab.species;
+    const struct species *found = NULL;
+    if (index < species_table_count) {
+        found = species_table[index];
+    } else if (memory->library != NULL && index < library_count(memory->library)) {
+        found = library_species(memory->library, index);
+    }
+    const int fits = found != NULL && found->card.key_count == scene->lab.card.key_count &&
+                     strcmp(found->card.id, scene->lab.card.id) == 0;
+    const struct species *species = fits ? found : NULL;
     if (species != NULL) {
         ui_lab_preview_set(&memory->bench, species, &scene->lab.card);
     }
-    struct lab_page page = open_page(frame, scene, species != NULL ? &memory->bench : NULL);
-    page.library = memory->library;
+    const struct layout_point canvas = pointer_layout_size(scene->lab.upright);
+    struct lab_page page = { .frame = *frame,
+                             .lab = &scene->lab,
+                             .bench = species != NULL ? &memory->bench : NULL,
+                             .library = memory->library };
+    /* On an upright screen, the scale of the canvas equals the camera's scale. */
+    page.frame.unit = scene->lab.upright ? frame->width / canvas.x
+                                         : fminf(frame->width / canvas.x, frame->height / canvas.y);
+    page.x = 0.5f * (frame->width - canvas.x * page.frame.unit);
+    page.y = 0.5f * (frame->height - canvas.y * page.frame.unit);
     const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
     ui_panel(frame, UI_PANEL, cloth, 0.0f, 0.0f, CLOTH_EDGE, 0);
     ui_panel(frame, UI_WAVES, cloth, 36.0f * page.frame.unit, 0.0f, CLOTH, 0);
@@ -326,5 +268,18 @@ void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_m
     arrow_button(&page, LAB_NEXT, TEXT_SIGN_ON);
     help_line(&page);
     buttons(&page);
-    hand(&page);
+    const struct scene_lab *lab = page.lab;
+    const float u = page.frame.unit;
+    if (!lab->has_hand) {
+        return;
+    }
+    const float x = lab_px_x(&page, lab->x), y = lab_px_y(&page, lab->y);
+    const float radius = (lab->presses ? 12.0f : 16.0f) * u;
+    const struct ui_box glow = { x - 2.2f * radius, y - 2.2f * radius, 4.4f * radius,
+                                 4.4f * radius };
+    ui_shape(page.frame.batch, &(struct ui_shape){ .box = glow,
+                                                   .kind = UI_GLOW,
+                                                   .fill = lab->presses ? 0xff9a50a0u : 0xffffff38u,
+                                                   .shape = { 0, 0, 1.0f } });
+    ui_poi_sign(&page.frame, x, y, radius, 0.0f, ui_player_colours[0]);
 }

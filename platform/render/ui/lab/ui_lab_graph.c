@@ -92,15 +92,6 @@ static void length_axis(const struct lab_page *page, struct ui_box field)
     }
 }
 
-static void key_marks(const struct lab_page *page, struct ui_box field)
-{
-    const uint32_t count = page->lab->card.key_count;
-    for (uint32_t key = 0; key < count; key++) {
-        const float x = (float)key / (float)(count - 1u);
-        line_in(page, field, (const float[4]){ x, 0.0f, x, 1.0f }, 1.0f, GRID);
-    }
-}
-
 /* Draws the weight curve of a key. A straight line between two knots is drawn as one segment. */
 static void weight_curve(const struct lab_page *page, struct ui_box field, uint32_t key,
                          float width)
@@ -155,17 +146,6 @@ static void weight_knots(const struct lab_page *page, struct ui_box field, uint3
     }
 }
 
-static void size_knots(const struct lab_page *page, struct ui_box field)
-{
-    const struct scene_lab *lab = page->lab;
-    for (uint32_t i = 0; i < lab->scale_knot_count; i++) {
-        const int held = lab->holds == HOLD_SIZE && lab->held_knot == i;
-        const float share = lab_length_share(&lab->card, lab->scale_knots[i].length_m);
-        dot_in(page, field, lab->scale_knots[i].progress, fminf(fmaxf(share, 0.0f), 1.0f),
-               held ? 12.0f : 9.0f, LAB_PURPLE, held ? LAB_INK : 0xffffffffu);
-    }
-}
-
 /* Draws all curves. The curve that the player drags is drawn last. */
 static void curves(const struct lab_page *page, struct ui_box field)
 {
@@ -187,27 +167,16 @@ static void curves(const struct lab_page *page, struct ui_box field)
     }
     if (sizes) {
         size_curve(page, field, 4.2f);
-        size_knots(page, field);
+        for (uint32_t i = 0; i < lab->scale_knot_count; i++) {
+            const int held = lab->holds == HOLD_SIZE && lab->held_knot == i;
+            const float share = lab_length_share(&lab->card, lab->scale_knots[i].length_m);
+            dot_in(page, field, lab->scale_knots[i].progress, fminf(fmaxf(share, 0.0f), 1.0f),
+                   held ? 12.0f : 9.0f, LAB_PURPLE, held ? LAB_INK : 0xffffffffu);
+        }
     } else {
         weight_curve(page, field, lab->layer, 4.2f);
         weight_knots(page, field, lab->layer);
     }
-}
-
-static void now_line(const struct lab_page *page, struct ui_box field)
-{
-    const float x = page->lab->progress;
-    line_in(page, field, (const float[4]){ x, -0.03f, x, 1.03f }, 2.2f, UI_VERMILION);
-}
-
-static void title(const struct lab_page *page)
-{
-    const float u = page->frame.unit;
-    const struct ui_box card = lab_place(page, LAB_CARD), plot = lab_place(page, LAB_PLOT);
-    const struct ui_text style = lab_text(page, 22.0f, LAB_INK);
-    const struct ui_box room = { card.x + 16.0f * u, card.y + 4.0f * u, card.width - 32.0f * u,
-                                 plot.y - card.y - 8.0f * u };
-    lab_words_in(page, room, &style, ui_words(&page->frame, TEXT_LAB_TITLE));
 }
 
 /* Draws a small tool button on the paper. The button is slightly lower while it is pressed. */
@@ -231,11 +200,21 @@ void lab_graph(const struct lab_page *page)
 {
     const struct ui_box field = lab_place(page, LAB_PLOT);
     paper(page, LAB_CARD);
-    title(page);
-    key_marks(page, field);
+    const float u = page->frame.unit;
+    const struct ui_box card = lab_place(page, LAB_CARD), plot = lab_place(page, LAB_PLOT);
+    const struct ui_text style = lab_text(page, 22.0f, LAB_INK);
+    const struct ui_box room = { card.x + 16.0f * u, card.y + 4.0f * u, card.width - 32.0f * u,
+                                 plot.y - card.y - 8.0f * u };
+    lab_words_in(page, room, &style, ui_words(&page->frame, TEXT_LAB_TITLE));
+    const uint32_t count = page->lab->card.key_count;
+    for (uint32_t key = 0; key < count; key++) {
+        const float key_x = (float)key / (float)(count - 1u);
+        line_in(page, field, (const float[4]){ key_x, 0.0f, key_x, 1.0f }, 1.0f, GRID);
+    }
     percent_axis(page, field);
     length_axis(page, field);
-    now_line(page, field);
+    const float x = page->lab->progress;
+    line_in(page, field, (const float[4]){ x, -0.03f, x, 1.03f }, 2.2f, UI_VERMILION);
     curves(page, field);
     tool(page, LAB_SIZE, TEXT_LAB_SIZE, page->lab->layer >= MORPH_KEY_MAX, LAB_PURPLE);
     tool(page, LAB_ADD, TEXT_LAB_ADD, 0, LAB_INK_SOFT);
@@ -243,27 +222,6 @@ void lab_graph(const struct lab_page *page)
 }
 
 /* ---- Growth curve: length over age ---------------------------------------------------------- */
-
-static void chart_axes(const struct lab_page *page, struct ui_box field, float most_days,
-                       float most_m)
-{
-    const float u = page->frame.unit;
-    char words[TEXT_LINE_MAX];
-    struct ui_text style = lab_text(page, 16.0f, LAB_INK_SOFT);
-    line_in(page, field, (const float[4]){ 0.0f, 0.0f, 1.0f, 0.0f }, 1.8f, LAB_INK_SOFT);
-    line_in(page, field, (const float[4]){ 0.0f, 0.0f, 0.0f, 1.0f }, 1.8f, LAB_INK_SOFT);
-    style.align = 1.0f;
-    style.fit_px = 66.0f * u;
-    lab_length_words(most_m, words, sizeof words);
-    ui_text(page->frame.batch, &style, field.x - 6.0f * u, field.y + 8.0f * u, words);
-    style.fit_px = 0.0f;
-    lab_age_words(page->frame.language, most_days, words, sizeof words);
-    ui_text(page->frame.batch, &style, field.x + field.width, field.y + field.height + 20.0f * u,
-            words);
-    style.align = 0.0f;
-    ui_text(page->frame.batch, &style, field.x, field.y + field.height + 20.0f * u,
-            ui_words(&page->frame, TEXT_LAB_CHART));
-}
 
 /* A point of the growth curve: age and length, as fractions of the chart's width and height. */
 struct moment {
@@ -275,15 +233,6 @@ static struct moment moment_at(const struct species_card *card, float progress, 
 {
     return (struct moment){ life_age_days(card, progress) / most_days,
                             life_length_m(card, progress) / most_m };
-}
-
-static float longest_m(const struct species_card *card)
-{
-    float most_m = 0.0f;
-    for (uint32_t i = 0; i <= CHART_STEPS; i++) {
-        most_m = fmaxf(most_m, life_length_m(card, (float)i / (float)CHART_STEPS));
-    }
-    return most_m;
 }
 
 /* Draws the growth curve in equal steps of age. Equal steps of progress through life would put most
@@ -309,9 +258,28 @@ void lab_chart(const struct lab_page *page)
     const struct species_card *card = &lab->card;
     const struct ui_box field = lab_place(page, LAB_CHART);
     const uint32_t last = card->key_count - 1u;
-    const float most_days = card->key_age_days[last], most_m = longest_m(card);
+    float most_m = 0.0f;
+    for (uint32_t i = 0; i <= CHART_STEPS; i++) {
+        most_m = fmaxf(most_m, life_length_m(card, (float)i / (float)CHART_STEPS));
+    }
+    const float most_days = card->key_age_days[last];
     paper(page, LAB_CHART_CARD);
-    chart_axes(page, field, most_days, most_m);
+    const float u = page->frame.unit;
+    char words[TEXT_LINE_MAX];
+    struct ui_text style = lab_text(page, 16.0f, LAB_INK_SOFT);
+    line_in(page, field, (const float[4]){ 0.0f, 0.0f, 1.0f, 0.0f }, 1.8f, LAB_INK_SOFT);
+    line_in(page, field, (const float[4]){ 0.0f, 0.0f, 0.0f, 1.0f }, 1.8f, LAB_INK_SOFT);
+    style.align = 1.0f;
+    style.fit_px = 66.0f * u;
+    lab_length_words(most_m, words, sizeof words);
+    ui_text(page->frame.batch, &style, field.x - 6.0f * u, field.y + 8.0f * u, words);
+    style.fit_px = 0.0f;
+    lab_age_words(page->frame.language, most_days, words, sizeof words);
+    ui_text(page->frame.batch, &style, field.x + field.width, field.y + field.height + 20.0f * u,
+            words);
+    style.align = 0.0f;
+    ui_text(page->frame.batch, &style, field.x, field.y + field.height + 20.0f * u,
+            ui_words(&page->frame, TEXT_LAB_CHART));
     chart_curve(page, field, most_days, most_m);
     for (uint32_t key = 0; key <= last; key++) {
         const struct moment at = moment_at(card, (float)key / (float)last, most_days, most_m);

@@ -56,23 +56,19 @@ const char *lab_key_name(uint8_t language, const char *name)
     return look_up(language, known, sizeof known / sizeof *known, name);
 }
 
-static void put_in(const char *words, const char *number, char *out, size_t out_size)
-{
-    const char *gap = strstr(words, "{}");
-    if (gap == NULL) {
-        snprintf(out, out_size, "%s", words);
-    } else {
-        snprintf(out, out_size, "%.*s%s%s", (int)(gap - words), words, number, gap + 2);
-    }
-}
-
 void lab_age_words(uint8_t language, float age_days, char *out, size_t out_size)
 {
     char number[16];
     const int in_days = age_days < DAYS_TO_TELL;
     const float value = in_days ? age_days : age_days / DAYS_PER_YEAR;
     snprintf(number, sizeof number, in_days ? "%.0f" : "%.1f", (double)value);
-    put_in(text_words(language, in_days ? TEXT_DAYS_OLD : TEXT_YEARS_OLD), number, out, out_size);
+    const char *words = text_words(language, in_days ? TEXT_DAYS_OLD : TEXT_YEARS_OLD);
+    const char *gap = strstr(words, "{}");
+    if (gap == NULL) {
+        snprintf(out, out_size, "%s", words);
+    } else {
+        snprintf(out, out_size, "%.*s%s%s", (int)(gap - words), words, number, gap + 2);
+    }
 }
 
 void lab_length_words(float length_m, char *out, size_t out_size)
@@ -95,23 +91,6 @@ static enum lab_part part_of_key(uint32_t key)
 }
 
 /* ---- Pictures of the key shapes ------------------------------------------------------------- */
-
-static void portrait(const struct lab_page *page, struct ui_box box, uint32_t key)
-{
-    const struct ui_lab_preview *bench = page->bench;
-    const struct specimen_bounds *reach = &bench->bounds;
-    const uint32_t last = page->lab->card.key_count - 1u;
-    struct specimen fish = { .species = bench->species,
-                             .edition = bench->edition,
-                             .progress = (float)key / (float)last };
-    specimen_portrait(&fish);
-    const float wide = box.width / fmaxf(reach->left + reach->right, 0.1f);
-    const float high = box.height / fmaxf(reach->up + reach->down, 0.1f);
-    fish.length_px = 0.90f * fminf(wide, high);
-    fish.x_px = box.x + 0.5f * box.width + 0.5f * (reach->left - reach->right) * fish.length_px;
-    fish.y_px = box.y + 0.5f * box.height + 0.5f * (reach->up - reach->down) * fish.length_px;
-    ui_specimen(page->frame.batch, &fish);
-}
 
 static void weight_bar(const struct lab_page *page, struct ui_box box, uint32_t key)
 {
@@ -142,7 +121,21 @@ static void key_card(const struct lab_page *page, uint32_t key)
     const struct ui_box picture = { box.x + 8.0f * u, box.y + 26.0f * u, box.width - 16.0f * u,
                                     box.height - 66.0f * u };
     if (page->bench != NULL) {
-        portrait(page, picture, key);
+        const struct ui_lab_preview *bench = page->bench;
+        const struct specimen_bounds *reach = &bench->bounds;
+        const uint32_t last = page->lab->card.key_count - 1u;
+        struct specimen fish = { .species = bench->species,
+                                 .edition = bench->edition,
+                                 .progress = (float)key / (float)last };
+        specimen_portrait(&fish);
+        const float wide = picture.width / fmaxf(reach->left + reach->right, 0.1f);
+        const float high = picture.height / fmaxf(reach->up + reach->down, 0.1f);
+        fish.length_px = 0.90f * fminf(wide, high);
+        fish.x_px =
+            picture.x + 0.5f * picture.width + 0.5f * (reach->left - reach->right) * fish.length_px;
+        fish.y_px =
+            picture.y + 0.5f * picture.height + 0.5f * (reach->up - reach->down) * fish.length_px;
+        ui_specimen(page->frame.batch, &fish);
     }
     const struct ui_text name = lab_text(page, 18.5f, LAB_INK);
     const struct ui_box title = { box.x + 8.0f * u, box.y + 6.0f * u, box.width - 16.0f * u,
@@ -161,23 +154,6 @@ static void key_card(const struct lab_page *page, uint32_t key)
 
 /* ---- Lifeline: axis of progress from hatching to adult -------------------------------------- */
 
-static void notch(const struct lab_page *page, uint32_t key, float y)
-{
-    const float u = page->frame.unit;
-    const struct species_card *card = &page->lab->card;
-    const uint32_t last = card->key_count - 1u;
-    const float x =
-        lab_px_x(page, lab_age_x(page->lab->upright, card->key_count, (float)key / (float)last));
-    const float r = 8.0f * u;
-    char words[TEXT_LINE_MAX];
-    ui_disc(&page->frame, x, y, r, 2.0f * u, lab_key_colour(card->key_count, key), 0xfff4deffu);
-    lab_age_words(page->frame.language, card->key_age_days[key], words, sizeof words);
-    struct ui_text style = lab_text(page, 19.0f, 0xd9def2ffu);
-    style.align = 0.5f;
-    style.fit_px = 130.0f * u;
-    ui_text(page->frame.batch, &style, x, y + 32.0f * u, words);
-}
-
 static void handle(const struct lab_page *page, float y)
 {
     const float u = page->frame.unit;
@@ -193,8 +169,11 @@ static void handle(const struct lab_page *page, float y)
     ui_disc(&page->frame, x, y, r, 3.0f * u, UI_VERMILION, 0xfff4deffu);
 }
 
-static void life_line(const struct lab_page *page)
+void lab_keys(const struct lab_page *page)
 {
+    for (uint32_t key = 0; key < page->lab->card.key_count; key++) {
+        key_card(page, key);
+    }
     const float u = page->frame.unit;
     const struct scene_lab *lab = page->lab;
     const struct ui_box box = lab_place(page, LAB_AGE);
@@ -206,15 +185,18 @@ static void life_line(const struct lab_page *page)
     ui_segment(page->frame.batch, from, to, 7.0f * u, 0x3c4888ffu);
     ui_segment(page->frame.batch, from, now, 7.0f * u, UI_VERMILION);
     for (uint32_t key = 0; key < count; key++) {
-        notch(page, key, y);
+        const struct species_card *card = &page->lab->card;
+        const uint32_t last = card->key_count - 1u;
+        const float x = lab_px_x(
+            page, lab_age_x(page->lab->upright, card->key_count, (float)key / (float)last));
+        const float r = 8.0f * u;
+        char words[TEXT_LINE_MAX];
+        ui_disc(&page->frame, x, y, r, 2.0f * u, lab_key_colour(card->key_count, key), 0xfff4deffu);
+        lab_age_words(page->frame.language, card->key_age_days[key], words, sizeof words);
+        struct ui_text style = lab_text(page, 19.0f, 0xd9def2ffu);
+        style.align = 0.5f;
+        style.fit_px = 130.0f * u;
+        ui_text(page->frame.batch, &style, x, y + 32.0f * u, words);
     }
     handle(page, y);
-}
-
-void lab_keys(const struct lab_page *page)
-{
-    for (uint32_t key = 0; key < page->lab->card.key_count; key++) {
-        key_card(page, key);
-    }
-    life_line(page);
 }

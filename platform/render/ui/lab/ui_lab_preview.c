@@ -41,46 +41,36 @@ static void walk(struct ui_lab_preview *bench, uint32_t vertex, struct lab_previ
     }
 }
 
-/* Computes the trajectory of an eye. If the right eye migrates to the left side, the right eye is
- * traced. Otherwise the left eye is traced because a side view shows it. */
-static void walk_eye(struct ui_lab_preview *bench)
-{
-    const struct species_mesh *mesh = &bench->species->lod[0];
-    struct lab_preview_path *way = &bench->ways[LAB_PREVIEW_EYE];
-    walk(bench, part_vertex_range(mesh, PART_EYE, SIDE_RIGHT), way);
-    const vec3 last = way->at[LAB_PREVIEW_STEPS];
-    const bool travels = way->is_there && way->at[0].x > 0.0f && last.x <= 0.0f;
-    if (!travels) {
-        walk(bench, part_vertex_range(mesh, PART_EYE, SIDE_LEFT), way);
-    }
-}
-
 /* ---- Selection of the species --------------------------------------------------------------- */
-
-static void set_species(struct ui_lab_preview *bench, const struct species *species)
-{
-    bench->species = species;
-    bench->edition++;
-    straight_species(species, &bench->memory, &bench->ordinary);
-    morph_rig_init(&bench->ordinary_rig, &bench->ordinary.card, TEMPLATE_ORDINARY);
-    morph_rig_init(&bench->rig, &species->card, TEMPLATE_OWN);
-    struct specimen portrait = { .species = species, .length_px = 1.0f };
-    specimen_portrait(&portrait);
-    bench->bounds = specimen_bounds(&portrait);
-}
 
 void ui_lab_preview_set(struct ui_lab_preview *bench, const struct species *species,
                         const struct species_card *card)
 {
     const bool is_new = species != bench->species;
     if (is_new) {
-        set_species(bench, species);
+        bench->species = species;
+        bench->edition++;
+        straight_species(species, &bench->memory, &bench->ordinary);
+        morph_rig_init(&bench->ordinary_rig, &bench->ordinary.card, TEMPLATE_ORDINARY);
+        morph_rig_init(&bench->rig, &species->card, TEMPLATE_OWN);
+        struct specimen portrait = { .species = species, .length_px = 1.0f };
+        specimen_portrait(&portrait);
+        bench->bounds = specimen_bounds(&portrait);
     }
     if (is_new || memcmp(card, &bench->card, sizeof *card) != 0) {
         bench->card = *card;
         morph_rig_init(&bench->rig, card, TEMPLATE_OWN);
         walk(bench, part_vertex_range(&species->lod[0], PART_DORSAL, SIDE_MIDDLE),
              &bench->ways[LAB_PREVIEW_DORSAL]);
-        walk_eye(bench);
+        /* If the right eye migrates to the left side, the right eye is traced. Otherwise the left
+         * eye is traced, because a side view shows the left eye. */
+        const struct species_mesh *mesh = &bench->species->lod[0];
+        struct lab_preview_path *way = &bench->ways[LAB_PREVIEW_EYE];
+        walk(bench, part_vertex_range(mesh, PART_EYE, SIDE_RIGHT), way);
+        const vec3 last = way->at[LAB_PREVIEW_STEPS];
+        const bool travels = way->is_there && way->at[0].x > 0.0f && last.x <= 0.0f;
+        if (!travels) {
+            walk(bench, part_vertex_range(mesh, PART_EYE, SIDE_LEFT), way);
+        }
     }
 }

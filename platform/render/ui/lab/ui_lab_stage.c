@@ -116,45 +116,6 @@ static float step_m(float px_per_m, float least_px)
     return power;
 }
 
-/* Draws a bracket over the measured length. Draws nothing for a disc-shaped body, because its width
- * is measured, and a ruler below the fish cannot show the width. */
-static void bracket(const struct lab_page *page, float x, float length_px, float y)
-{
-    const float u = page->frame.unit;
-    const float from[2] = { x, y + 1.5f * u }, to[2] = { x + length_px, y + 1.5f * u };
-    if (page->lab->card.measure == MEASURE_DISC) {
-        return;
-    }
-    ui_segment(page->frame.batch, from, to, 4.0f * u, LAB_PURPLE);
-    for (uint32_t i = 0; i < 2u; i++) {
-        const float *foot = i == 0 ? from : to;
-        const float top[2] = { foot[0], foot[1] - 12.0f * u };
-        ui_segment(page->frame.batch, top, foot, 2.4f * u, LAB_PURPLE);
-    }
-}
-
-static void ui_lab_stage_draw_mark(const struct lab_page *page, float x, float y, int is_coarse)
-{
-    const float u = page->frame.unit;
-    const float from[2] = { x, y + 2.5f * u };
-    const float to[2] = { x, y + (is_coarse ? 14.0f : 8.0f) * u };
-    ui_segment(page->frame.batch, from, to, (is_coarse ? 1.8f : 1.1f) * u, 0x4a3018ffu);
-}
-
-/* Draws a number of the ruler. Only the first number is followed by the unit. */
-static void figure(const struct lab_page *page, float x, float y, float length_m, int in_cm)
-{
-    const float u = page->frame.unit;
-    const int is_first = length_m <= 0.0f;
-    char number[24];
-    snprintf(number, sizeof number, "%g%s",
-             (double)roundf(length_m * (in_cm ? 1e4f : 1e5f)) / 100.0,
-             is_first ? (in_cm ? " cm" : " mm") : "");
-    struct ui_text style = lab_text(page, 15.5f, 0x3a2410ffu);
-    style.align = is_first ? 0.0f : 0.5f;
-    ui_text(page->frame.batch, &style, x - (is_first ? 3.0f * u : 0.0f), y + 28.0f * u, number);
-}
-
 /* Draws a bamboo ruler from the fish's snout to the right. The ruler shows the length that is
  * usually measured for the species, for example with or without the tail fin. */
 static void ruler(const struct lab_page *page, const struct tank_room *room,
@@ -168,22 +129,47 @@ static void ruler(const struct lab_page *page, const struct tank_room *room,
     const float fine = step_m(px_per_m, 7.0f * u), coarse = step_m(px_per_m, 74.0f * u);
     const int in_cm = coarse >= 0.0099f;
     ui_panel(&page->frame, UI_WOOD, rule, 5.0f * u, 1.5f * u, 0xe2bf82ffu, 0x6a4a22ffu);
-    const float right = rule.x + rule.width - 6.0f * u;
+    const float end = rule.x + rule.width - 6.0f * u;
     for (uint32_t i = 0; i < RULE_MARKS_MAX; i++) {
         const float x = zero + (float)i * fine * px_per_m;
         const float turns = (float)i * fine / coarse;
         const int is_coarse = fabsf(turns - roundf(turns)) < 0.01f;
-        if (x > right) {
+        if (x > end) {
             break;
         }
         if (x >= rule.x + 6.0f * u) {
-            ui_lab_stage_draw_mark(page, x, rule.y, is_coarse);
+            const float mark_from[2] = { x, rule.y + 2.5f * u };
+            const float mark_to[2] = { x, rule.y + (is_coarse ? 14.0f : 8.0f) * u };
+            ui_segment(page->frame.batch, mark_from, mark_to, (is_coarse ? 1.8f : 1.1f) * u,
+                       0x4a3018ffu);
         }
-        if (x >= rule.x + 6.0f * u && is_coarse && x < right - 34.0f * u) {
-            figure(page, x, rule.y, (float)i * fine, in_cm);
+        if (x >= rule.x + 6.0f * u && is_coarse && x < end - 34.0f * u) {
+            /* Only the first number of the ruler is followed by the unit. */
+            const float length_m = (float)i * fine;
+            const int is_first = length_m <= 0.0f;
+            char number[24];
+            snprintf(number, sizeof number, "%g%s",
+                     (double)roundf(length_m * (in_cm ? 1e4f : 1e5f)) / 100.0,
+                     is_first ? (in_cm ? " cm" : " mm") : "");
+            struct ui_text style = lab_text(page, 15.5f, 0x3a2410ffu);
+            style.align = is_first ? 0.0f : 0.5f;
+            ui_text(page->frame.batch, &style, x - (is_first ? 3.0f * u : 0.0f), rule.y + 28.0f * u,
+                    number);
         }
     }
-    bracket(page, zero, fish->length_px, rule.y);
+    if (page->lab->card.measure == MEASURE_DISC) {
+        return; /* The width of a disc-shaped body is measured, and a ruler below the fish cannot show
+                   the width. */
+    }
+    /* A bracket marks the measured length. */
+    const float left[2] = { zero, rule.y + 1.5f * u };
+    const float right[2] = { zero + fish->length_px, rule.y + 1.5f * u };
+    ui_segment(page->frame.batch, left, right, 4.0f * u, LAB_PURPLE);
+    for (uint32_t i = 0; i < 2u; i++) {
+        const float *foot = i == 0 ? left : right;
+        const float tick[2] = { foot[0], foot[1] - 12.0f * u };
+        ui_segment(page->frame.batch, tick, foot, 2.4f * u, LAB_PURPLE);
+    }
 }
 
 /* ---- Texts on the stage --------------------------------------------------------------------- */
@@ -266,22 +252,6 @@ static void way_dot(const struct lab_page *page, const struct specimen *fish, ve
             line);
 }
 
-/* Returns the size of the dots on a trajectory. The dots are smaller on a short trajectory, for
- * example on an eye's trajectory of about 20 px. */
-static float dot_size(const struct lab_page *page, const struct specimen *fish,
-                      const struct lab_preview_path *way)
-{
-    float length_px = 0.0f;
-    for (uint32_t i = 0; i < LAB_PREVIEW_STEPS; i++) {
-        float from[2], to[2];
-        ui_lab_stage_put(fish, way->at[i], from);
-        ui_lab_stage_put(fish, way->at[i + 1u], to);
-        length_px += hypotf(to[0] - from[0], to[1] - from[1]);
-    }
-    const float share = length_px / (page->frame.unit * DOT_WAY);
-    return fminf(fmaxf(share, 0.4f), 1.0f);
-}
-
 /* Draws the trajectory of a point (2005 thesis, figures 3.4 and 3.5) and the straight line of the
  * ordinary morph (2005 thesis, figure 3.2). A dot marks each key, and a ring marks the current
  * position. */
@@ -293,7 +263,17 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
     if (!way->is_there) {
         return;
     }
-    const float size = dot_size(page, fish, way);
+    /* The dots are smaller on a short trajectory, for example on an eye's trajectory of about 20
+     * px. */
+    float length_px = 0.0f;
+    for (uint32_t i = 0; i < LAB_PREVIEW_STEPS; i++) {
+        float from[2], to[2];
+        ui_lab_stage_put(fish, way->at[i], from);
+        ui_lab_stage_put(fish, way->at[i + 1u], to);
+        length_px += hypotf(to[0] - from[0], to[1] - from[1]);
+    }
+    const float share = length_px / (page->frame.unit * DOT_WAY);
+    const float size = fminf(fmaxf(share, 0.4f), 1.0f);
     way_line(page, fish, way->ordinary, 2.0f, CHORD);
     way_line(page, fish, way->at, 1.5f + 2.5f * size, colour);
     for (uint32_t key = 0; key < keys; key++) {
@@ -303,41 +283,6 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
     }
     /* The ring is large enough that the eye is visible inside it. */
     way_dot(page, fish, way->at[now], 12.0f, 0x00000000u, colour);
-}
-
-/* Returns the name of a traced point. For a stingray, the traced point is the sting instead of the
- * dorsal fin. */
-static enum text_key way_name(const struct lab_page *page, uint32_t point)
-{
-    const int stings = page->lab->card.motion == MOTION_WING;
-    return point == LAB_PREVIEW_EYE ? TEXT_LAB_EYE : stings ? TEXT_LAB_STING : TEXT_LAB_DORSAL;
-}
-
-/* Draws the legend in the free area above the fish's snout. For each trajectory, the legend shows
- * the largest distance from the straight line, in body lengths. */
-static void way_legend(const struct lab_page *page, const struct tank_room *room)
-{
-    static const uint32_t colours[LAB_PREVIEW_POINT_COUNT] = { WAY_GOLD, WAY_PINK };
-    const float u = page->frame.unit;
-    float y = room->box.y + (page->lab->compare ? 74.0f : 88.0f) * u;
-    for (uint32_t i = 0; i < LAB_PREVIEW_POINT_COUNT; i++) {
-        const struct lab_preview_path *way = &page->bench->ways[i];
-        char words[TEXT_LINE_MAX];
-        if (!way->is_there) {
-            continue;
-        }
-        snprintf(words, sizeof words, "%s  %.1f %%", ui_words(&page->frame, way_name(page, i)),
-                 (double)(100.0f * way->bow));
-        const float from[2] = { room->box.x + 20.0f * u, y - 7.0f * u };
-        const float to[2] = { from[0] + 26.0f * u, from[1] };
-        ui_segment(page->frame.batch, from, to, 4.5f * u, colours[i]);
-        struct ui_text style = lab_text(page, 20.0f, LAB_MIST);
-        style.outline_em = 0.04f;
-        style.soft_em = 0.1f;
-        style.line = 0x02141ec0u;
-        ui_text(page->frame.batch, &style, to[0] + 12.0f * u, y, words);
-        y += 28.0f * u;
-    }
 }
 
 static void ways(const struct lab_page *page, const struct specimen *fish)
@@ -358,13 +303,6 @@ static void water(const struct lab_page *page)
                                  .fill = 0x1d7a86ffu,
                                  .line = 0x06243cffu,
                                  .shape = { 0, 0, 16.0f * u, page->frame.time_s } });
-}
-
-static void frame_line(const struct lab_page *page)
-{
-    const float u = page->frame.unit;
-    ui_panel(&page->frame, UI_PANEL, lab_place(page, LAB_STAGE), 16.0f * u, 2.0f * u, 0,
-             UI_GOLD_DIM);
 }
 
 /* Draws the comparison fish, which is the ordinary morph (2005 thesis, eq. 3.1) between the first
@@ -400,7 +338,34 @@ static void fish_and_figures(const struct lab_page *page)
     }
     if (page->lab->path) {
         ways(page, &fish);
-        way_legend(page, &room);
+        /* The legend is in the free area above the fish's snout. For each trajectory, the legend
+         * shows the largest distance from the straight line, in per cent of a body length. */
+        static const uint32_t colours[LAB_PREVIEW_POINT_COUNT] = { WAY_GOLD, WAY_PINK };
+        const float u = page->frame.unit;
+        float y = room.box.y + (page->lab->compare ? 74.0f : 88.0f) * u;
+        for (uint32_t i = 0; i < LAB_PREVIEW_POINT_COUNT; i++) {
+            const struct lab_preview_path *way = &page->bench->ways[i];
+            char words[TEXT_LINE_MAX];
+            if (!way->is_there) {
+                continue;
+            }
+            /* For a stingray, the traced point is the sting instead of the dorsal fin. */
+            const int stings = page->lab->card.motion == MOTION_WING;
+            snprintf(words, sizeof words, "%s  %.1f %%",
+                     ui_words(&page->frame, i == LAB_PREVIEW_EYE ? TEXT_LAB_EYE
+                                            : stings             ? TEXT_LAB_STING
+                                                                 : TEXT_LAB_DORSAL),
+                     (double)(100.0f * way->bow));
+            const float from[2] = { room.box.x + 20.0f * u, y - 7.0f * u };
+            const float to[2] = { from[0] + 26.0f * u, from[1] };
+            ui_segment(page->frame.batch, from, to, 4.5f * u, colours[i]);
+            struct ui_text style = lab_text(page, 20.0f, LAB_MIST);
+            style.outline_em = 0.04f;
+            style.soft_em = 0.1f;
+            style.line = 0x02141ec0u;
+            ui_text(page->frame.batch, &style, to[0] + 12.0f * u, y, words);
+            y += 28.0f * u;
+        }
     }
 }
 
@@ -410,5 +375,7 @@ void lab_stage(const struct lab_page *page)
     if (page->bench != NULL) {
         fish_and_figures(page);
     }
-    frame_line(page);
+    const float u = page->frame.unit;
+    ui_panel(&page->frame, UI_PANEL, lab_place(page, LAB_STAGE), 16.0f * u, 2.0f * u, 0,
+             UI_GOLD_DIM);
 }

@@ -1,4 +1,5 @@
-/* ui_menu.c -- draws the operator's menu: wooden tags over the darkened tank. */
+/* ui_menu.c -- draws the operator's menu: wooden tags over the darkened tank. Also draws the
+ * confirmation page and the PIN page. */
 #include "platform/render/ui/menu/ui_menu.h"
 
 #include <math.h>
@@ -61,25 +62,6 @@ struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag)
     return box;
 }
 
-/* Writes the text keys of a tag's name and description. A tag that leads to a page shows the page's
- * title. */
-static void name_hung(const struct menu_view *view, uint32_t tag, enum text_key *name,
-                      enum text_key *line)
-{
-    const uint8_t page = menu_page_at(view->menu->page, tag);
-    const struct menu_words *words = menu_words_of(view->menu->page);
-    *name = page < MENU_PAGE_COUNT ? menu_words_of(page)->title : words->names[tag];
-    *line = page < MENU_PAGE_COUNT ? menu_words_of(page)->about : words->lines[tag];
-}
-
-/* Returns 1 if the page shows a fault that the operator must check, otherwise 0. */
-static int calls_for_a_look(const struct menu_view *view, uint8_t page)
-{
-    const struct scene_machine *machine = &view->devices->machine;
-    return (page == MENU_UPKEEP || page == MENU_FILES) &&
-           (machine->aside > 0 || machine->missed > 0 || view->devices->files_refused > 0);
-}
-
 /* Draws the sign in the upper corner of a tag. The sign is an exclamation mark on red for a page to
  * check, or the seal for a changed setting. */
 static void corner(const struct menu_view *view, struct ui_box box, uint8_t page)
@@ -87,7 +69,9 @@ static void corner(const struct menu_view *view, struct ui_box box, uint8_t page
     const float u = view->frame.unit, r = 17.0f * u;
     const float x = box.x + box.width - 26.0f * u, y = box.y + 26.0f * u;
     const struct ui_text sign = menu_style(view, 26.0f, MENU_CREAM);
-    if (calls_for_a_look(view, page)) {
+    const struct scene_machine *machine = &view->devices->machine;
+    if ((page == MENU_UPKEEP || page == MENU_FILES) &&
+        (machine->aside > 0 || machine->missed > 0 || view->devices->files_refused > 0)) {
         ui_disc(&view->frame, x, y, r, 0.0f, 0xb3261effu, 0);
         menu_words_at(view, x, y, 2.0f * r, 0.5f, &sign, "!");
     } else if (page == MENU_NEW_PIN && view->menu->settings.value[SET_PIN] != 0) {
@@ -97,12 +81,16 @@ static void corner(const struct menu_view *view, struct ui_box box, uint8_t page
 
 static void hung_tag(const struct menu_view *view, uint32_t tag)
 {
-    enum text_key name_key, line_key;
     const float u = view->frame.unit;
     const struct ui_text name = menu_brush(view, 88.0f, MENU_INK);
     const struct ui_text line = menu_style(view, 24.0f, MENU_INK_SOFT);
     struct ui_box box = menu_tag_place(view, tag);
-    name_hung(view, tag, &name_key, &line_key);
+    const uint8_t page = menu_page_at(view->menu->page, tag);
+    const struct menu_words *words = menu_words_of(view->menu->page);
+    const enum text_key name_key =
+        page < MENU_PAGE_COUNT ? menu_words_of(page)->title : words->names[tag];
+    const enum text_key line_key =
+        page < MENU_PAGE_COUNT ? menu_words_of(page)->about : words->lines[tag];
     ui_cords(&view->frame, box, box.y - 40.0f * u);
     box = menu_tag_board(view, tag);
     const float x = box.x + 14.0f * u, width = box.width - 28.0f * u;
@@ -111,23 +99,7 @@ static void hung_tag(const struct menu_view *view, uint32_t tag)
     ui_words_in(&view->frame,
                 (struct ui_box){ x, box.y + 0.64f * box.height, width, 0.28f * box.height }, &line,
                 menu_text(view, line_key));
-    corner(view, box, menu_page_at(view->menu->page, tag));
-}
-
-static enum text_key foot_name(const struct menu_view *view, uint32_t foot)
-{
-    const enum text_key key = menu_words_of(view->menu->page)->foot[foot];
-    return key == TEXT_FOOT_UP && view->menu->turns_down ? TEXT_FOOT_DOWN : key;
-}
-
-static void foot_tag(const struct menu_view *view, uint32_t tag, uint32_t foot)
-{
-    const float u = view->frame.unit;
-    const struct ui_box box = menu_tag_board(view, tag);
-    const struct ui_text name = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = MENU_INK };
-    ui_words_in(&view->frame,
-                (struct ui_box){ box.x + 12.0f * u, box.y, box.width - 24.0f * u, box.height },
-                &name, menu_text(view, foot_name(view, foot)));
+    corner(view, box, page);
 }
 
 /* Draws a pole over each row of hanging tags. A new row begins at each tag that is lower than the
@@ -151,6 +123,17 @@ static void poles(const struct menu_view *view, uint32_t body_count)
     }
 }
 
+static void foot_tag(const struct menu_view *view, uint32_t tag, enum text_key key)
+{
+    const float u = view->frame.unit;
+    const struct ui_box box = menu_tag_board(view, tag);
+    const struct ui_text name = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = MENU_INK };
+    const int turns_down = key == TEXT_FOOT_UP && view->menu->turns_down;
+    ui_words_in(&view->frame,
+                (struct ui_box){ box.x + 12.0f * u, box.y, box.width - 24.0f * u, box.height },
+                &name, menu_text(view, turns_down ? TEXT_FOOT_DOWN : key));
+}
+
 static void tags(const struct menu_view *view)
 {
     const uint8_t page = view->menu->page, body = menu_page_desc_of(page)->body;
@@ -164,7 +147,7 @@ static void tags(const struct menu_view *view)
             continue;
         }
         if (tag >= body_count) {
-            foot_tag(view, tag, tag - body_count);
+            foot_tag(view, tag, menu_words_of(page)->foot[tag - body_count]);
         } else {
             hung_tag(view, tag);
         }
@@ -172,13 +155,6 @@ static void tags(const struct menu_view *view)
 }
 
 /* ---- Whole page of the menu ----------------------------------------------------------------- */
-
-/* Darkens the tank, so that the menu's text is readable over the bright lights of the tank. */
-static void veil(const struct menu_view *view)
-{
-    const struct ui_box box = { 0.0f, 0.0f, view->frame.width, view->frame.height };
-    ui_panel(&view->frame, UI_PANEL, box, 0.0f, 0.0f, 0x090d24dcu, 0);
-}
 
 static void title(const struct menu_view *view)
 {
@@ -191,31 +167,6 @@ static void title(const struct menu_view *view)
     style.soft_em = 0.1f;
     style.line = 0x0a0c24e0u;
     ui_words_in(&view->frame, box, &style, menu_text(view, menu_words_of(view->menu->page)->title));
-}
-
-static void key_help(const struct menu_view *view)
-{
-    const int upright = view->menu->upright;
-    const struct menu_page_desc *sheet = menu_page_desc_of(view->menu->page);
-    const enum text_key key = view->menu->page == MENU_SELF_TEST  ? TEXT_CHECK_KEYS
-                              : sheet->watches                    ? TEXT_MENU_WATCH_KEYS
-                              : sheet->body == MENU_BODY_SETTINGS ? TEXT_MENU_TURN_KEYS
-                                                                  : TEXT_MENU_KEYS;
-    const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
-    ui_words_in(&view->frame,
-                menu_place(view, upright ? (struct layout_box){ 27.0f, 1366.0f, 800.0f, 34.0f }
-                                         : (struct layout_box){ 60.0f, 684.0f, 1160.0f, 32.0f }),
-                &style, menu_text(view, key));
-}
-
-static void hand(const struct menu_view *view)
-{
-    const struct scene_menu *menu = view->menu;
-    const float u = view->frame.unit;
-    if (menu->has_hand) {
-        ui_poi_sign(&view->frame, view->x + menu->x * u, view->y + menu->y * u,
-                    (menu->presses ? 15.0f : 20.0f) * u, 1.0f, ui_player_colours[0]);
-    }
 }
 
 /* Returns the view with the largest scale at which the whole canvas fits on the screen. On an
@@ -250,11 +201,23 @@ static void body(const struct menu_view *view)
 
 static void page(const struct menu_view *view)
 {
-    veil(view);
+    /* A veil darkens the tank, so that the menu's text is readable over the bright lights of the tank. */
+    const struct ui_box box = { 0.0f, 0.0f, view->frame.width, view->frame.height };
+    ui_panel(&view->frame, UI_PANEL, box, 0.0f, 0.0f, 0x090d24dcu, 0);
     title(view);
     tags(view);
     body(view);
-    key_help(view);
+    const int upright = view->menu->upright;
+    const struct menu_page_desc *sheet = menu_page_desc_of(view->menu->page);
+    const enum text_key key = view->menu->page == MENU_SELF_TEST  ? TEXT_CHECK_KEYS
+                              : sheet->watches                    ? TEXT_MENU_WATCH_KEYS
+                              : sheet->body == MENU_BODY_SETTINGS ? TEXT_MENU_TURN_KEYS
+                                                                  : TEXT_MENU_KEYS;
+    const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
+    ui_words_in(&view->frame,
+                menu_place(view, upright ? (struct layout_box){ 27.0f, 1366.0f, 800.0f, 34.0f }
+                                         : (struct layout_box){ 60.0f, 684.0f, 1160.0f, 32.0f }),
+                &style, menu_text(view, key));
 }
 
 void ui_menu(const struct ui_frame *frame, const struct scene *scene)
@@ -267,25 +230,16 @@ void ui_menu(const struct ui_frame *frame, const struct scene *scene)
     } else {
         page(&view);
     }
-    hand(&view);
+    const struct scene_menu *menu = view.menu;
+    const float u = view.frame.unit;
+    if (menu->has_hand) {
+        ui_poi_sign(&view.frame, view.x + menu->x * u, view.y + menu->y * u,
+                    (menu->presses ? 15.0f : 20.0f) * u, 1.0f, ui_player_colours[0]);
+    }
     frame->batch->opacity = 1.0f;
 }
 
 /* ---- Confirmation page ----------------------------------------------------------------------- */
-
-static enum text_key question(uint8_t page)
-{
-    return page == MENU_RESET     ? TEXT_SURE_RESET
-           : page == MENU_RESTART ? TEXT_SURE_RESTART
-                                  : TEXT_SURE_FACTORY;
-}
-
-static enum text_key cost(uint8_t page)
-{
-    return page == MENU_RESET     ? TEXT_SURE_RESET_WORDS
-           : page == MENU_RESTART ? TEXT_SURE_RESTART_WORDS
-                                  : TEXT_SURE_FACTORY_WORDS;
-}
 
 void menu_confirm(const struct menu_view *view)
 {
@@ -308,10 +262,14 @@ void menu_confirm(const struct menu_view *view)
     }
     ui_words_in(&view->frame,
                 (struct ui_box){ x, box.y + 0.26f * box.height, width, 0.32f * box.height }, &asks,
-                menu_text(view, question(menu->page)));
+                menu_text(view, menu->page == MENU_RESET     ? TEXT_SURE_RESET
+                                : menu->page == MENU_RESTART ? TEXT_SURE_RESTART
+                                                             : TEXT_SURE_FACTORY));
     ui_words_in(&view->frame,
                 (struct ui_box){ x, box.y + 0.64f * box.height, width, 0.2f * box.height }, &costs,
-                menu_text(view, cost(menu->page)));
+                menu_text(view, menu->page == MENU_RESET     ? TEXT_SURE_RESET_WORDS
+                                : menu->page == MENU_RESTART ? TEXT_SURE_RESTART_WORDS
+                                                             : TEXT_SURE_FACTORY_WORDS));
 }
 
 /* ---- PIN page: ten number keys, and a place for each digit ----------------------------------- */

@@ -90,6 +90,12 @@ void menu_seal(const struct menu_view *view, float x, float y);
  * character. */
 size_t menu_fill_line(const struct ui_text *style, const char *words, float room_px);
 
+/* Copies the bytes of `*words` that fit on one line of `room_px` pixels to `out`, and advances
+ * `*words` past these bytes. If `is_last` is 1, copies the whole rest, which the caller shrinks to
+ * fit. A line that is too long for `out` is cut. */
+void menu_take_line(const struct ui_text *style, const char **words, float room_px, int is_last,
+                    char *out, size_t out_size);
+
 /* The following functions draw the content of one page each, beside its tags. */
 void menu_settings(const struct menu_view *view);
 void menu_bits(const struct menu_view *view);

@@ -31,30 +31,6 @@ static const struct places upright_places = {
     .line_count = 3,
 };
 
-/* Draws a line such as "Kingyo 0.1.0 Start no. 12 Running for 340 min", and whether all entries of
- * the account books are on disk. */
-static void ui_menu_about_heading(const struct menu_view *view, const struct places *places,
-                                  struct ui_box box)
-{
-    const struct scene_menu *menu = view->menu;
-    const float u = view->frame.unit;
-    const struct ui_text style = menu_style(view, 27.0f, UI_INK);
-    char boots[TEXT_LINE_MAX / 2u], up[TEXT_LINE_MAX / 2u], first[TEXT_LINE_MAX];
-    char second[TEXT_LINE_MAX];
-    text_number(boots, sizeof boots, menu_text(view, TEXT_LEDGER_LINE), menu->boot);
-    text_number(up, sizeof up, menu_text(view, TEXT_UP_LINE),
-                view->scene->tick / (60u * CORE_TICK_HZ));
-    snprintf(first, sizeof first, "Kingyo %s    %.60s    %.60s", KINGYO_VERSION, boots, up);
-    snprintf(second, sizeof second, "%s %u    %s %u", menu_text(view, TEXT_LEDGER_ENTRIES),
-             menu->last_id, menu_text(view, TEXT_LEDGER_SAVED), menu->saved_id);
-    const int is_one = places->name_width > 0.0f;
-    const float room = box.width - 44.0f * u, x = box.x + 22.0f * u;
-    const float y = box.y + (is_one ? 0.5f : 0.28f) * places->head * u;
-    menu_words_at(view, x, y, is_one ? 0.6f * room : room, 0.0f, &style, first);
-    menu_words_at(view, is_one ? x + room : x, is_one ? y : box.y + 0.7f * places->head * u,
-                  is_one ? 0.39f * room : room, is_one ? 1.0f : 0.0f, &style, second);
-}
-
 static void device(const struct menu_view *view, const struct places *places, struct ui_box box,
                    uint32_t index)
 {
@@ -78,11 +54,9 @@ static void device(const struct menu_view *view, const struct places *places, st
     for (uint32_t i = is_beside ? 0u : 1u; i < places->line_count + (is_beside ? 0u : 1u) && *words;
          i++) {
         const int is_last = i + 1u == places->line_count + (is_beside ? 0u : 1u);
-        const size_t size = is_last ? strlen(words) : menu_fill_line(&style, words, room);
-        snprintf(row, sizeof row, "%.*s", (int)size, words);
+        menu_take_line(&style, &words, room, is_last, row, sizeof row);
         menu_words_at(view, left, top + ((float)i + 0.5f) * places->line * u, room, 0.0f, &style,
                       row);
-        words += size;
     }
 }
 
@@ -92,7 +66,24 @@ void menu_about(const struct menu_view *view)
     const float u = view->frame.unit;
     const struct ui_box box = menu_place(view, places->page);
     ui_panel(&view->frame, UI_WASHI, box, 10.0f * u, 2.0f * u, UI_WASHI_WHITE, 0xb5762fffu);
-    ui_menu_about_heading(view, places, box);
+    /* The heading is a line such as "Kingyo 0.1.0 Start no. 12 Running for 340 min", and the
+     * numbers of the last entry of the account books and of the last entry on disk. */
+    const struct scene_menu *menu = view->menu;
+    const struct ui_text style = menu_style(view, 27.0f, UI_INK);
+    char boots[TEXT_LINE_MAX / 2u], up[TEXT_LINE_MAX / 2u], first[TEXT_LINE_MAX];
+    char second[TEXT_LINE_MAX];
+    text_number(boots, sizeof boots, menu_text(view, TEXT_LEDGER_LINE), menu->boot);
+    text_number(up, sizeof up, menu_text(view, TEXT_UP_LINE),
+                view->scene->tick / (60u * CORE_TICK_HZ));
+    snprintf(first, sizeof first, "Kingyo %s    %.60s    %.60s", KINGYO_VERSION, boots, up);
+    snprintf(second, sizeof second, "%s %u    %s %u", menu_text(view, TEXT_LEDGER_ENTRIES),
+             menu->last_id, menu_text(view, TEXT_LEDGER_SAVED), menu->saved_id);
+    const int is_one = places->name_width > 0.0f;
+    const float room = box.width - 44.0f * u, x = box.x + 22.0f * u;
+    const float y = box.y + (is_one ? 0.5f : 0.28f) * places->head * u;
+    menu_words_at(view, x, y, is_one ? 0.6f * room : room, 0.0f, &style, first);
+    menu_words_at(view, is_one ? x + room : x, is_one ? y : box.y + 0.7f * places->head * u,
+                  is_one ? 0.39f * room : room, is_one ? 1.0f : 0.0f, &style, second);
     for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
         device(view, places, box, i);
     }
@@ -162,24 +153,12 @@ size_t menu_fill_line(const struct ui_text *style, const char *words, float room
     return strlen(words);
 }
 
-/* Draws a reason in several lines. The last line is shrunk so that it contains the rest of the
- * text. */
-static void wrap(const struct menu_view *view, const struct ui_box *box, const char *words,
-                 const struct file_places *file_places)
+void menu_take_line(const struct ui_text *style, const char **words, float room_px, int is_last,
+                    char *out, size_t out_size)
 {
-    const struct ui_text style = menu_style(view, 22.0f, UI_INK_SOFT);
-    const float pitch = file_places->line_height * view->frame.unit;
-    char line[WORDS_SIZE];
-    for (uint32_t i = 0; i < file_places->line_count && *words; i++) {
-        const int is_last = i + 1u == file_places->line_count;
-        const size_t size = is_last ? strlen(words) : menu_fill_line(&style, words, box->width);
-        struct ui_text fitted = style;
-        fitted.fit_px = box->width;
-        snprintf(line, sizeof line, "%.*s", (int)size, words);
-        ui_text(view->frame.batch, &fitted, box->x,
-                ui_text_middle(&style, box->y + ((float)i + 0.5f) * pitch), line);
-        words += size;
-    }
+    const size_t size = is_last ? strlen(*words) : menu_fill_line(style, *words, room_px);
+    snprintf(out, out_size, "%.*s", (int)size, *words);
+    *words += size;
 }
 
 /* ---- Paper slips, one for each file --------------------------------------------------------- */
@@ -192,20 +171,6 @@ static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t 
     ui_words_in(&view->frame,
                 (struct ui_box){ box.x + 6.0f * u, box.y, box.width - 12.0f * u, box.height },
                 &style, menu_text(view, looks[state].name));
-}
-
-/* Writes a file's name. Row 0 is the store, whose name is a text of the menu. If the name is
- * unknown, as in a recording, writes the number of the row. */
-static void name_of(const struct menu_view *view, uint32_t row, const struct scene_file *file,
-                    char *out, size_t out_size)
-{
-    if (row == 0) {
-        snprintf(out, out_size, "%s", menu_text(view, TEXT_FILE_STORE));
-    } else if (file->state == FILE_UNKNOWN) {
-        snprintf(out, out_size, "%u", row);
-    } else {
-        snprintf(out, out_size, "%.*s", (int)SCENE_FILE_SIZE, file->name);
-    }
 }
 
 /* Writes the text beside a file's state to `out` and returns `out`. The store's text begins with
@@ -224,26 +189,45 @@ static const char *words_of(const struct menu_view *view, uint32_t row,
     return out;
 }
 
-static void slip(const struct menu_view *view, const struct file_places *file_places,
-                 uint32_t index)
+static void slip(const struct menu_view *view, const struct file_places *places, uint32_t index)
 {
     const struct scene_file *file = &view->devices->file[index];
     const uint32_t row = view->menu->file_first + index;
     const float u = view->frame.unit, slip_width = 130.0f * u, slip_height = 30.0f * u;
     const struct ui_box box =
-        menu_place(view, (struct layout_box){ file_places->x,
-                                              file_places->y + (float)index * file_places->pitch,
-                                              file_places->width, file_places->height });
-    const struct ui_box reason = { box.x + 16.0f * u, box.y + file_places->name_height * u,
+        menu_place(view, (struct layout_box){ places->x, places->y + (float)index * places->pitch,
+                                              places->width, places->height });
+    const struct ui_box reason = { box.x + 16.0f * u, box.y + places->name_height * u,
                                    box.width - 32.0f * u, box.height };
     struct ui_text name = menu_style(view, 26.0f, UI_INK);
     char words[SCENE_NAME_SIZE + SCENE_FILE_SIZE], said[WORDS_SIZE];
-    name_of(view, row, file, words, sizeof words);
+    /* Row 0 is the store, whose name is a text of the menu. If the name of a file is unknown, as in a
+     * recording, the number of the row replaces the name. */
+    if (row == 0) {
+        snprintf(words, sizeof words, "%s", menu_text(view, TEXT_FILE_STORE));
+    } else if (file->state == FILE_UNKNOWN) {
+        snprintf(words, sizeof words, "%u", row);
+    } else {
+        snprintf(words, sizeof words, "%.*s", (int)SCENE_FILE_SIZE, file->name);
+    }
     ui_panel(&view->frame, UI_WASHI, box, 8.0f * u, 1.5f * u, UI_WASHI_WHITE, 0xb5762fffu);
     name.fit_px = box.width - slip_width - 48.0f * u;
-    ui_text_at(&view->frame, &name, reason.x,
-               box.y + 0.5f * file_places->name_height * u + 2.0f * u, words);
-    wrap(view, &reason, words_of(view, row, file, said, sizeof said), file_places);
+    ui_text_at(&view->frame, &name, reason.x, box.y + 0.5f * places->name_height * u + 2.0f * u,
+               words);
+    /* The reason has several lines. The last line is shrunk so that it contains the rest of the
+     * text. */
+    const char *rest = words_of(view, row, file, said, sizeof said);
+    const struct ui_text style = menu_style(view, 22.0f, UI_INK_SOFT);
+    const float pitch = places->line_height * view->frame.unit;
+    char line[WORDS_SIZE];
+    for (uint32_t i = 0; i < places->line_count && *rest; i++) {
+        struct ui_text fitted = style;
+        fitted.fit_px = reason.width;
+        menu_take_line(&style, &rest, reason.width, i + 1u == places->line_count, line,
+                       sizeof line);
+        ui_text(view->frame.batch, &fitted, reason.x,
+                ui_text_middle(&style, reason.y + ((float)i + 0.5f) * pitch), line);
+    }
     if (file->state != FILE_UNKNOWN) {
         state_slip(view,
                    (struct ui_box){ box.x + box.width - slip_width - 10.0f * u, box.y + 5.0f * u,
@@ -255,17 +239,17 @@ static void slip(const struct menu_view *view, const struct file_places *file_pl
 void menu_files(const struct menu_view *view)
 {
     const struct scene_menu *menu = view->menu;
-    const struct file_places *file_places = menu->upright ? &file_upright : &file_wide;
+    const struct file_places *places = menu->upright ? &file_upright : &file_wide;
     const uint32_t shown = menu_files_shown(menu->upright), count = menu->controllers.file_count;
     const uint32_t first = menu->file_first;
     const uint32_t behind = first + shown < count ? first + shown : count;
     const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
     char words[32];
     for (uint32_t row = first; row < behind; row++) {
-        slip(view, file_places, row - first);
+        slip(view, places, row - first);
     }
     if (count > shown) {
         snprintf(words, sizeof words, "%u - %u / %u", first + 1u, behind, count);
-        ui_words_in(&view->frame, menu_place(view, file_places->count), &style, words);
+        ui_words_in(&view->frame, menu_place(view, places->count), &style, words);
     }
 }

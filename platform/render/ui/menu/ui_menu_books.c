@@ -1,5 +1,6 @@
 /* ui_menu_books.c -- draws the pages of the account books, which are the operator's counters:
- * earnings, plays, plays by hour, and faults. */
+ * earnings, plays, plays by hour, and faults. Also draws the operator's leaderboard page, with a
+ * wooden board for each score, and the page of one score. */
 #include <math.h>
 #include <stdio.h>
 
@@ -54,23 +55,6 @@ static void write_count(char out[NUMBER_SIZE], uint32_t count)
     out[at] = 0;
 }
 
-/* Writes the value of a line: a count, a quotient with one decimal place, or a dash if the counter
- * that divides is 0. */
-static void write_line(const struct menu_view *view, const struct book_line *line,
-                       char out[NUMBER_SIZE])
-{
-    const uint32_t *audit = view->menu->audit;
-    if (line->by != 0 && audit[line->by] == 0) {
-        snprintf(out, NUMBER_SIZE, "-");
-    } else if (line->by != 0 || line->over != 0) {
-        const double by = line->by != 0 ? (double)audit[line->by] : 1.0;
-        snprintf(out, NUMBER_SIZE, "%.1f",
-                 (double)audit[line->audit] / by / (line->over != 0 ? (double)line->over : 1.0));
-    } else {
-        write_count(out, audit[line->audit]);
-    }
-}
-
 /* Draws the lines of an account book in `columns` columns. Each column is filled from top to
  * bottom. */
 static void lines(const struct menu_view *view, struct ui_box box, uint32_t columns,
@@ -87,7 +71,19 @@ static void lines(const struct menu_view *view, struct ui_box box, uint32_t colu
         const float x = box.x + (float)(i / rows) * column + 28.0f * u;
         const float y = box.y + 12.0f * u + ((float)(i % rows) + 0.5f) * pitch;
         const float width = column - 56.0f * u;
-        write_line(view, &line[i], words);
+        /* The value of a line is a count, a quotient with one decimal place, or a dash if the
+         * divisor is 0. */
+        const uint32_t *audit = view->menu->audit;
+        if (line[i].by != 0 && audit[line[i].by] == 0) {
+            snprintf(words, NUMBER_SIZE, "-");
+        } else if (line[i].by != 0 || line[i].over != 0) {
+            const double by = line[i].by != 0 ? (double)audit[line[i].by] : 1.0;
+            snprintf(words, NUMBER_SIZE, "%.1f",
+                     (double)audit[line[i].audit] / by /
+                         (line[i].over != 0 ? (double)line[i].over : 1.0));
+        } else {
+            write_count(words, audit[line[i].audit]);
+        }
         menu_words_at(view, x, y, 0.62f * width, 0.0f, &name, menu_text(view, line[i].name));
         menu_words_at(view, x + width, y, 0.36f * width, 1.0f, &number, words);
         if (i % rows + 1u < rows && i + 1u < count) {
@@ -339,16 +335,6 @@ static void score_words(const struct menu_view *view, uint32_t index, struct ui_
     }
 }
 
-static void nobody(const struct menu_view *view)
-{
-    const int upright = view->menu->upright;
-    const struct ui_text style = menu_style(view, 30.0f, 0xc9d2eeffu);
-    ui_words_in(&view->frame,
-                menu_place(view, upright ? (struct layout_box){ 60.0f, 600.0f, 734.0f, 60.0f }
-                                         : (struct layout_box){ 160.0f, 320.0f, 960.0f, 60.0f }),
-                &style, menu_text(view, TEXT_RANKING_NOBODY));
-}
-
 void menu_ranking(const struct menu_view *view)
 {
     board_words(view);
@@ -358,7 +344,13 @@ void menu_ranking(const struct menu_view *view)
         }
     }
     if (!(view->menu->tags & 1u)) {
-        nobody(view);
+        const int upright = view->menu->upright;
+        const struct ui_text style = menu_style(view, 30.0f, 0xc9d2eeffu);
+        ui_words_in(&view->frame,
+                    menu_place(view, upright
+                                         ? (struct layout_box){ 60.0f, 600.0f, 734.0f, 60.0f }
+                                         : (struct layout_box){ 160.0f, 320.0f, 960.0f, 60.0f }),
+                    &style, menu_text(view, TEXT_RANKING_NOBODY));
     }
 }
 

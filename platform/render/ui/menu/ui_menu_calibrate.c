@@ -1,6 +1,9 @@
-/* ui_menu_calibrate.c -- draws the calibration page. First, the page shows the tank from above with
- * four marks and the next instruction. In the last step, the page shows the water from the side,
- * and the operator lays the poi on the water. */
+/* ui_menu_calibrate.c -- draws the calibration page and the learning page.
+ *
+ * The calibration page first shows the tank from above with four marks and the next instruction. In
+ * the last step, the page shows the water from the side, and the operator lays the poi on the water.
+ * On the learning page, the operator teaches the program the axes of a controller. An animated poi
+ * in a basin demonstrates the motion that the operator must make. */
 #include <math.h>
 #include <stdio.h>
 
@@ -30,21 +33,6 @@ static int is_corner(uint8_t step)
 }
 
 /* ---- Texts of the calibration steps --------------------------------------------------------- */
-
-static enum text_key name_of(uint8_t step)
-{
-    static const enum text_key names[CALIBRATE_STEPS] = {
-        [CALIBRATE_IDLE] = TEXT_CALIBRATE_IDLE,
-        [CALIBRATE_CORNER] = TEXT_CALIBRATE_CORNER_1,
-        [CALIBRATE_CORNER + 1] = TEXT_CALIBRATE_CORNER_2,
-        [CALIBRATE_CORNER + 2] = TEXT_CALIBRATE_CORNER_3,
-        [CALIBRATE_CORNER + 3] = TEXT_CALIBRATE_CORNER_4,
-        [CALIBRATE_WATER] = TEXT_CALIBRATE_WATER,
-        [CALIBRATE_DONE] = TEXT_CALIBRATE_DONE,
-        [CALIBRATE_REFUSED] = TEXT_CALIBRATE_REFUSED,
-    };
-    return names[step < CALIBRATE_STEPS ? step : 0u];
-}
 
 static enum text_key fault_words(uint8_t fault)
 {
@@ -78,30 +66,27 @@ static void paragraph(const struct menu_view *view, struct ui_box box, const str
 {
     char row[TEXT_LINE_MAX];
     for (float y = box.y; *words && y < box.y + box.height; y += 1.4f * style->size_px) {
-        const size_t size = menu_fill_line(style, words, box.width);
-        snprintf(row, sizeof row, "%.*s", (int)size, words);
+        menu_take_line(style, &words, box.width, 0, row, sizeof row);
         menu_words_at(view, box.x + 0.5f * box.width, y + 0.7f * style->size_px, box.width, 0.5f,
                       style, row);
-        words += size;
     }
 }
 
 /* ---- Tank seen from above ------------------------------------------------------------------- */
 
-static struct ui_box pool_of(const struct menu_view *view, struct ui_box box)
-{
-    const float u = view->frame.unit, room = 22.0f * u;
-    return (struct ui_box){ box.x + room, box.y + room, box.width - 2.0f * room,
-                            box.height - 2.0f * room };
-}
-
-static void basin(const struct menu_view *view, struct ui_box box, int from_the_side)
+/* Draws the water of the basin from above, inside a wooden frame that is `margin` pixels wide. If
+ * `from_the_side` is 1, draws the water from the side instead, with its surface in the middle of the
+ * basin. Returns the box inside the frame. */
+static struct ui_box basin(const struct menu_view *view, struct ui_box box, float margin,
+                           float radius, int from_the_side)
 {
     const float u = view->frame.unit;
-    struct ui_box pool = pool_of(view, box);
+    const struct ui_box inside = { box.x + margin, box.y + margin, box.width - 2.0f * margin,
+                                   box.height - 2.0f * margin };
+    struct ui_box pool = inside;
     ui_panel(&view->frame, UI_WOOD, box, 18.0f * u, 3.0f * u, 0x6e4528ffu, 0x3a2214ffu);
     if (from_the_side) {
-        ui_panel(&view->frame, UI_PANEL, pool, 8.0f * u, 0.0f, 0x0c1130ffu, 0);
+        ui_panel(&view->frame, UI_PANEL, pool, radius, 0.0f, 0x0c1130ffu, 0);
         pool.y += 0.5f * pool.height;
         pool.height *= 0.5f;
     }
@@ -110,7 +95,8 @@ static void basin(const struct menu_view *view, struct ui_box box, int from_the_
                                  .kind = UI_WATER,
                                  .fill = 0x1d7a86ffu,
                                  .line = 0x0d3a4cffu,
-                                 .shape = { 0, 0, 8.0f * u, view->frame.time_s } });
+                                 .shape = { 0, 0, radius, view->frame.time_s } });
+    return inside;
 }
 
 static void ring(const struct menu_view *view, float x, float y, float radius, float part)
@@ -169,19 +155,6 @@ static void live_poi(const struct menu_view *view, struct ui_box pool)
     ui_poi_sign(&view->frame, x, y, 24.0f * view->frame.unit, 1.0f, ui_player_colours[menu->seat]);
 }
 
-/* Draws the water from the side. An animated poi sinks onto the water and stays there. */
-static void laid_flat(const struct menu_view *view, struct ui_box pool)
-{
-    const float u = view->frame.unit, t = fmodf(view->frame.time_s, 2.4f);
-    const float x = pool.x + 0.5f * pool.width, water = pool.y + 0.5f * pool.height;
-    const float y = water - 90.0f * u * (1.0f - ui_smooth(0.2f, 1.0f, t));
-    const float left[2] = { x - 90.0f * u, y }, right[2] = { x + 90.0f * u, y };
-    const float grip[2] = { x + 210.0f * u, y };
-    ui_segment(view->frame.batch, left, right, 9.0f * u, 0xfff6e2ffu);
-    ui_segment(view->frame.batch, right, grip, 14.0f * u, ui_player_colours[view->menu->seat]);
-    ring(view, x, water - 130.0f * u, 30.0f * u, view->menu->menu_calibrate_progress);
-}
-
 static void state_line(const struct menu_view *view, struct ui_box box)
 {
     const float u = view->frame.unit;
@@ -199,21 +172,40 @@ static void state_line(const struct menu_view *view, struct ui_box box)
 
 void menu_calibration(const struct menu_view *view)
 {
+    static const enum text_key names[CALIBRATE_STEPS] = {
+        [CALIBRATE_IDLE] = TEXT_CALIBRATE_IDLE,
+        [CALIBRATE_CORNER] = TEXT_CALIBRATE_CORNER_1,
+        [CALIBRATE_CORNER + 1] = TEXT_CALIBRATE_CORNER_2,
+        [CALIBRATE_CORNER + 2] = TEXT_CALIBRATE_CORNER_3,
+        [CALIBRATE_CORNER + 3] = TEXT_CALIBRATE_CORNER_4,
+        [CALIBRATE_WATER] = TEXT_CALIBRATE_WATER,
+        [CALIBRATE_DONE] = TEXT_CALIBRATE_DONE,
+        [CALIBRATE_REFUSED] = TEXT_CALIBRATE_REFUSED,
+    };
     const struct places *places = view->menu->upright ? &upright_places : &wide;
     const uint8_t step = view->menu->calibrate_step;
-    const struct ui_box box = menu_place(view, places->basin), pool = pool_of(view, box);
+    const float u = view->frame.unit;
     const struct ui_text name = menu_brush(view, 130.0f, MENU_CREAM);
     const struct ui_text words = menu_style(view, 30.0f, MENU_CREAM);
-    basin(view, box, step == CALIBRATE_WATER);
+    const struct ui_box pool =
+        basin(view, menu_place(view, places->basin), 22.0f * u, 8.0f * u, step == CALIBRATE_WATER);
     if (step == CALIBRATE_WATER) {
-        laid_flat(view, pool);
+        /* The water is seen from the side. An animated poi sinks onto the water and stays there. */
+        const float t = fmodf(view->frame.time_s, 2.4f);
+        const float x = pool.x + 0.5f * pool.width, water = pool.y + 0.5f * pool.height;
+        const float y = water - 90.0f * u * (1.0f - ui_smooth(0.2f, 1.0f, t));
+        const float left[2] = { x - 90.0f * u, y }, right[2] = { x + 90.0f * u, y };
+        const float grip[2] = { x + 210.0f * u, y };
+        ui_segment(view->frame.batch, left, right, 9.0f * u, 0xfff6e2ffu);
+        ui_segment(view->frame.batch, right, grip, 14.0f * u, ui_player_colours[view->menu->seat]);
+        ring(view, x, water - 130.0f * u, 30.0f * u, view->menu->menu_calibrate_progress);
     } else {
         marks(view, pool);
         live_poi(view, pool);
     }
     state_line(view, menu_place(view, places->state));
     ui_words_in(&view->frame, menu_place(view, places->name), &name,
-                menu_text(view, name_of(step)));
+                menu_text(view, names[step < CALIBRATE_STEPS ? step : 0u]));
     paragraph(view, menu_place(view, places->words), &words, menu_text(view, words_of(view)));
 }
 
@@ -262,61 +254,14 @@ static const struct learn_places learn_upright = {
     .dots = { 27.0f, 1090.0f, 800.0f, 50.0f },
 };
 
-/* Returns how far the demonstrating poi has moved outward at `time_s`, [0, 1]. The poi moves
- * outward, waits, and moves back. */
-static float way(float time_s)
-{
-    const float t = fmodf(time_s, LOOP_S);
-    return ui_smooth(0.2f, WAY_S, t) * (1.0f - ui_smooth(BACK_S - 0.5f, BACK_S, t));
-}
-
-static void arrow(const struct menu_view *view, const struct step_words *step, float x, float y,
-                  float length)
-{
-    const float u = view->frame.unit, norm = fmaxf(fabsf(step->x) + fabsf(step->y), 0.01f);
-    const float dx = step->x / norm, dy = step->y / norm, head = 22.0f * u;
-    const float from[2] = { x, y };
-    const float to[2] = { x + dx * length, y + dy * length };
-    ui_segment(view->frame.batch, from, to, 7.0f * u, 0xffe0a0c0u);
-    for (int side = -1; side <= 1; side += 2) {
-        const float end[2] = { to[0] - head * (dx + (float)side * dy),
-                               to[1] - head * (dy - (float)side * dx) };
-        ui_segment(view->frame.batch, to, end, 7.0f * u, 0xffe0a0c0u);
-    }
-}
-
-/* Draws the water of the basin from above. If `from_the_side` is 1, draws the water from the side
- * instead, with its surface in the middle of the box. */
-static void water(const struct menu_view *view, struct ui_box box, int from_the_side)
-{
-    const float u = view->frame.unit;
-    ui_panel(&view->frame, UI_WOOD, box, 18.0f * u, 3.0f * u, 0x6e4528ffu, 0x3a2214ffu);
-    struct ui_box pool = { box.x + 16.0f * u, box.y + 16.0f * u, box.width - 32.0f * u,
-                           box.height - 32.0f * u };
-    if (from_the_side) {
-        ui_panel(&view->frame, UI_PANEL, pool, 10.0f * u, 0.0f, 0x0c1130ffu, 0);
-        pool.y += 0.5f * pool.height;
-        pool.height *= 0.5f;
-    }
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = pool,
-                                 .kind = UI_WATER,
-                                 .fill = 0x1d7a86ffu,
-                                 .line = 0x0d3a4cffu,
-                                 .shape = { 0, 0, 10.0f * u, view->frame.time_s } });
-}
-
-/* Draws the progress of the current step as a ring round the demonstrating poi. `part` in [0, 1] is
- * the finished fraction. */
-static void progress_ring(const struct menu_view *view, float x, float y, float part)
-{
-    const float u = view->frame.unit, radius = 78.0f * u;
-    ui_ring(&view->frame, x, y, radius, 9.0f * u, part, UI_GOLD, 0xffffff30u);
-}
-
 static void teacher(const struct menu_view *view, struct ui_box box, uint8_t step)
 {
-    const float u = view->frame.unit, t = way(view->frame.time_s);
+    /* `t` is how far the demonstrating poi has moved outward, [0, 1]. The poi moves outward, waits,
+     * and moves back. */
+    const float loop_s = fmodf(view->frame.time_s, LOOP_S);
+    const float t =
+        ui_smooth(0.2f, WAY_S, loop_s) * (1.0f - ui_smooth(BACK_S - 0.5f, BACK_S, loop_s));
+    const float u = view->frame.unit;
     const struct scene_menu *menu = view->menu;
     const struct layout_point canvas = pointer_layout_size(menu->upright);
     float x = 0.5f, y = 0.5f;
@@ -336,7 +281,9 @@ static void teacher(const struct menu_view *view, struct ui_box box, uint8_t ste
     const float left = box.x + 70.0f * u, top = box.y + 70.0f * u;
     const float px = left + x * (box.width - 140.0f * u), py = top + y * (box.height - 140.0f * u);
     if (step >= LEARN_REST && step <= LEARN_DIP) {
-        progress_ring(view, px, py, (float)menu->controllers.learn_progress / 255.0f);
+        /* A ring round the demonstrating poi shows the progress of the current step. */
+        ui_ring(&view->frame, px, py, 78.0f * u, 9.0f * u,
+                (float)menu->controllers.learn_progress / 255.0f, UI_GOLD, 0xffffff30u);
     }
     ui_poi_sign(&view->frame, px, py, radius, paper, ui_player_colours[0]);
 }
@@ -361,21 +308,31 @@ static void dots(const struct menu_view *view, struct ui_box box, uint8_t step)
 
 void menu_learning(const struct menu_view *view)
 {
-    const struct learn_places *learn_places = view->menu->upright ? &learn_upright : &learn_wide;
+    const struct learn_places *places = view->menu->upright ? &learn_upright : &learn_wide;
     const uint8_t step = view->menu->controllers.learn_step;
-    const struct ui_box basin = menu_place(view, learn_places->basin);
+    const struct ui_box box = menu_place(view, places->basin);
+    const float u = view->frame.unit;
     const struct ui_text name = menu_brush(view, 150.0f, MENU_CREAM);
     const struct ui_text words = menu_style(view, 30.0f, MENU_CREAM);
-    water(view, basin, step == LEARN_DIP);
+    basin(view, box, 16.0f * u, 10.0f * u, step == LEARN_DIP);
     if (step >= LEARN_LEFT && step <= LEARN_NEAR) {
-        const float half = 0.44f * (steps[step].x != 0.0f ? basin.width : basin.height);
-        arrow(view, &steps[step], basin.x + 0.5f * basin.width, basin.y + 0.5f * basin.height,
-              half);
+        /* An arrow points in the direction of the motion. */
+        const float half = 0.44f * (steps[step].x != 0.0f ? box.width : box.height);
+        const float norm = fmaxf(fabsf(steps[step].x) + fabsf(steps[step].y), 0.01f);
+        const float dx = steps[step].x / norm, dy = steps[step].y / norm, head = 22.0f * u;
+        const float from[2] = { box.x + 0.5f * box.width, box.y + 0.5f * box.height };
+        const float to[2] = { from[0] + dx * half, from[1] + dy * half };
+        ui_segment(view->frame.batch, from, to, 7.0f * u, 0xffe0a0c0u);
+        for (int side = -1; side <= 1; side += 2) {
+            const float end[2] = { to[0] - head * (dx + (float)side * dy),
+                                   to[1] - head * (dy - (float)side * dx) };
+            ui_segment(view->frame.batch, to, end, 7.0f * u, 0xffe0a0c0u);
+        }
     }
-    teacher(view, basin, step);
-    ui_words_in(&view->frame, menu_place(view, learn_places->name), &name,
+    teacher(view, box, step);
+    ui_words_in(&view->frame, menu_place(view, places->name), &name,
                 menu_text(view, steps[step].name));
-    ui_words_in(&view->frame, menu_place(view, learn_places->words), &words,
+    ui_words_in(&view->frame, menu_place(view, places->words), &words,
                 menu_text(view, steps[step].words));
-    dots(view, menu_place(view, learn_places->dots), step);
+    dots(view, menu_place(view, places->dots), step);
 }

@@ -67,33 +67,6 @@ static uint32_t grid_lines(float length, float side)
     return lines < (float)GRID_LINES_MAX ? (uint32_t)lines : GRID_LINES_MAX;
 }
 
-/* Draws the grid from the middle of the picture to the edges, so that the grid is symmetric. The
- * limit of grid_lines() ends the loops even if a square is smaller than a pixel. */
-static void grid(const struct menu_view *view, float side)
-{
-    const float width = view->frame.width, height = view->frame.height;
-    for (uint32_t i = 0; i < grid_lines(width, side); i++) {
-        line_down(view, 0.5f * width + (float)i * side, 0.0f, height, 1.0f, CARD_GREY);
-        line_down(view, 0.5f * width - (float)i * side, 0.0f, height, 1.0f, CARD_GREY);
-    }
-    for (uint32_t i = 0; i < grid_lines(height, side); i++) {
-        line_across(view, 0.5f * height + (float)i * side, 0.0f, width, 1.0f, CARD_GREY);
-        line_across(view, 0.5f * height - (float)i * side, 0.0f, width, 1.0f, CARD_GREY);
-    }
-}
-
-static void circle(const struct menu_view *view, float radius)
-{
-    const float x = 0.5f * view->frame.width, y = 0.5f * view->frame.height;
-    ui_shape(view->frame.batch,
-             &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
-                                 .kind = UI_RING,
-                                 .shape = { radius - 1.0f, 3.0f, 1.0f },
-                                 .fill = CARD_WHITE });
-    line_across(view, y, x - radius, x + radius, 1.0f, CARD_WHITE);
-    line_down(view, x, y - radius, y + radius, 1.0f, CARD_WHITE);
-}
-
 static void colours(const struct menu_view *view, struct ui_box band)
 {
     static const uint32_t bars[COLOUR_COUNT] = {
@@ -166,8 +139,26 @@ void menu_card(const struct menu_view *view)
     const float left = 0.5f * width - 3.0f * side, middle = 0.5f * height;
     const struct ui_box whole = { 0.0f, 0.0f, width, height };
     ui_menu_card_fill_box(view, whole, CARD_BLACK);
-    grid(view, side);
-    circle(view, 4.0f * side);
+    /* The grid is drawn from the middle of the picture to the edges, so that the grid is symmetric.
+     * The limit of grid_lines() ends the loops even if a square is smaller than a pixel. */
+    const float across = view->frame.width, down = view->frame.height;
+    for (uint32_t i = 0; i < grid_lines(across, side); i++) {
+        line_down(view, 0.5f * across + (float)i * side, 0.0f, down, 1.0f, CARD_GREY);
+        line_down(view, 0.5f * across - (float)i * side, 0.0f, down, 1.0f, CARD_GREY);
+    }
+    for (uint32_t i = 0; i < grid_lines(down, side); i++) {
+        line_across(view, 0.5f * down + (float)i * side, 0.0f, across, 1.0f, CARD_GREY);
+        line_across(view, 0.5f * down - (float)i * side, 0.0f, across, 1.0f, CARD_GREY);
+    }
+    const float radius = 4.0f * side;
+    const float x = 0.5f * view->frame.width, y = 0.5f * view->frame.height;
+    ui_shape(view->frame.batch,
+             &(struct ui_shape){ .box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius },
+                                 .kind = UI_RING,
+                                 .shape = { radius - 1.0f, 3.0f, 1.0f },
+                                 .fill = CARD_WHITE });
+    line_across(view, y, x - radius, x + radius, 1.0f, CARD_WHITE);
+    line_down(view, x, y - radius, y + radius, 1.0f, CARD_WHITE);
     colours(view, (struct ui_box){ left, middle - 2.5f * side, 6.0f * side, 1.5f * side });
     greys(view, (struct ui_box){ left, middle + 1.0f * side, 6.0f * side, 1.5f * side });
     letters(view, 0.5f * width, middle);

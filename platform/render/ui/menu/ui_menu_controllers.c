@@ -1,4 +1,7 @@
-/* ui_menu_controllers.c -- draws the list of controllers, and the page of one controller. */
+/* ui_menu_controllers.c -- draws the list of controllers, the page of one controller, and the page
+ * of axes. For the controller of each slot (place of one of up to four controllers), the page of axes
+ * shows the position over the tank, the rotation, the report rate and the longest time between two
+ * reports. */
 #include <math.h>
 #include <stdio.h>
 
@@ -73,22 +76,6 @@ static void row(const struct menu_view *view, uint32_t index)
                state);
 }
 
-/* Draws the controller manager's status line, which states why no controller is connected. */
-static void nothing_there(const struct menu_view *view)
-{
-    char said[TEXT_TRANSLATE_SIZE];
-    text_translate(said, sizeof said, view->frame.language, view->devices->controllers);
-    const int upright = view->menu->upright;
-    const struct ui_text words = menu_style(view, 32.0f, MENU_CREAM);
-    const struct ui_text line = menu_style(view, 24.0f, 0xf0c089ffu);
-    const float y = upright ? 560.0f : 280.0f, x = upright ? 27.0f : 60.0f;
-    const float width = pointer_layout_size(upright).x - 2.0f * x;
-    ui_words_in(&view->frame, menu_place(view, (struct layout_box){ x, y, width, 60.0f }), &words,
-                menu_text(view, TEXT_MENU_NONE));
-    ui_words_in(&view->frame, menu_place(view, (struct layout_box){ x, y + 64.0f, width, 50.0f }),
-                &line, said);
-}
-
 void menu_rows(const struct menu_view *view)
 {
     uint32_t count = 0;
@@ -99,7 +86,19 @@ void menu_rows(const struct menu_view *view)
         }
     }
     if (count == 0) {
-        nothing_there(view);
+        /* The controller manager's status line states why no controller is connected. */
+        char said[TEXT_TRANSLATE_SIZE];
+        text_translate(said, sizeof said, view->frame.language, view->devices->controllers);
+        const int upright = view->menu->upright;
+        const struct ui_text words = menu_style(view, 32.0f, MENU_CREAM);
+        const struct ui_text line = menu_style(view, 24.0f, 0xf0c089ffu);
+        const float y = upright ? 560.0f : 280.0f, x = upright ? 27.0f : 60.0f;
+        const float width = pointer_layout_size(upright).x - 2.0f * x;
+        ui_words_in(&view->frame, menu_place(view, (struct layout_box){ x, y, width, 60.0f }),
+                    &words, menu_text(view, TEXT_MENU_NONE));
+        ui_words_in(&view->frame,
+                    menu_place(view, (struct layout_box){ x, y + 64.0f, width, 50.0f }), &line,
+                    said);
     }
 }
 
@@ -155,30 +154,15 @@ static const struct axis axes[AXIS_COUNT] = {
     { "yaw", 3.1415927f }, { "pit", 1.5707964f }, { "rol", 1.5707964f },
 };
 
-static float value_of(const struct scene_axes *seat, uint32_t axis)
-{
-    const float values[AXIS_COUNT] = { seat->position_m.x,     seat->position_m.y,
-                                       seat->position_m.z,     seat->angles.yaw_rad,
-                                       seat->angles.pitch_rad, seat->angles.roll_rad };
-    return isfinite(values[axis]) ? values[axis] : 0.0f;
-}
-
-static struct ui_box cell(const struct menu_view *view, uint32_t seat)
-{
-    const int upright = view->menu->upright;
-    return menu_place(
-        view, upright
-                  ? (struct layout_box){ 27.0f, 200.0f + 258.0f * (float)seat, 800.0f, 240.0f }
-                  : (struct layout_box){ 40.0f + 610.0f * (float)(seat % 2u),
-                                         120.0f + 240.0f * (float)(seat / 2u), 590.0f, 228.0f });
-}
-
 /* Draws a bar from the middle to the right for a positive value and to the left for a negative
  * value. Beside the bar, draws the value in mm or degrees. */
 static void ui_menu_axes_bar(const struct menu_view *view, const struct scene_axes *seat,
                              struct ui_box box, uint32_t axis)
 {
-    const float u = view->frame.unit, value = value_of(seat, axis);
+    const float values[AXIS_COUNT] = { seat->position_m.x,     seat->position_m.y,
+                                       seat->position_m.z,     seat->angles.yaw_rad,
+                                       seat->angles.pitch_rad, seat->angles.roll_rad };
+    const float u = view->frame.unit, value = isfinite(values[axis]) ? values[axis] : 0.0f;
     const struct ui_text name = menu_style(view, 22.0f, UI_INK_SOFT);
     const struct ui_text number = menu_style(view, 22.0f, UI_INK);
     const float track = box.x + 46.0f * u, width = box.width - 136.0f * u;
@@ -199,14 +183,6 @@ static void ui_menu_axes_bar(const struct menu_view *view, const struct scene_ax
     menu_words_at(view, box.x + box.width, y, 84.0f * u, 1.0f, &number, words);
 }
 
-static enum text_key link_name(uint8_t link)
-{
-    return link == POI_SOURCE_LIVE   ? TEXT_AXIS_LIVE
-           : link == POI_SOURCE_BOT  ? TEXT_AXIS_BOT
-           : link == POI_SOURCE_LOST ? TEXT_AXIS_LOST
-                                     : TEXT_AXIS_ABSENT;
-}
-
 /* Draws the slot, the controller's state, the report rate and the longest time between two reports
  * above the bars. */
 static void ui_menu_axes_heading(const struct menu_view *view, const struct scene_axes *seat,
@@ -220,7 +196,10 @@ static void ui_menu_axes_heading(const struct menu_view *view, const struct scen
     char words[TEXT_LINE_MAX];
     ui_player_mark(&view->frame, box.x + 34.0f * u, y, 18.0f * u, index);
     menu_words_at(view, box.x + 64.0f * u, y, 0.24f * box.width, 0.0f, &state,
-                  menu_text(view, link_name(seat->link)));
+                  menu_text(view, seat->link == POI_SOURCE_LIVE   ? TEXT_AXIS_LIVE
+                                  : seat->link == POI_SOURCE_BOT  ? TEXT_AXIS_BOT
+                                  : seat->link == POI_SOURCE_LOST ? TEXT_AXIS_LOST
+                                                                  : TEXT_AXIS_ABSENT));
     if (seat->link != POI_SOURCE_LIVE) {
         return;
     }
@@ -235,7 +214,12 @@ static void seat_sheet(const struct menu_view *view, uint32_t index)
 {
     const struct scene_axes *seat = &view->devices->axes[index];
     const float u = view->frame.unit;
-    const struct ui_box box = cell(view, index);
+    const int upright = view->menu->upright;
+    const struct ui_box box = menu_place(
+        view, upright
+                  ? (struct layout_box){ 27.0f, 200.0f + 258.0f * (float)index, 800.0f, 240.0f }
+                  : (struct layout_box){ 40.0f + 610.0f * (float)(index % 2u),
+                                         120.0f + 240.0f * (float)(index / 2u), 590.0f, 228.0f });
     ui_panel(&view->frame, UI_WASHI, box, 10.0f * u, 2.0f * u, UI_WASHI_WHITE, 0xb5762fffu);
     ui_menu_axes_heading(view, seat, index, box);
     if (seat->link != POI_SOURCE_LIVE) {

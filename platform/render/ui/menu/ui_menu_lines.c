@@ -37,20 +37,6 @@ static struct ui_box cell(const struct menu_view *view, uint32_t index)
                       });
 }
 
-static void lamp(const struct menu_view *view, float x, float y, float radius, float lit)
-{
-    const float u = view->frame.unit, glow = 3.2f * radius;
-    if (lit > 0.0f) {
-        ui_shape(view->frame.batch,
-                 &(struct ui_shape){ .box = { x - glow, y - glow, 2.0f * glow, 2.0f * glow },
-                                     .kind = UI_GLOW,
-                                     .shape = { 0, 0, 1.0f },
-                                     .fill = ui_fade(0xff8a30ffu, 0.9f * lit) });
-    }
-    ui_disc(&view->frame, x, y, radius, 3.0f * u, lit > 0.5f ? 0xffd070ffu : 0x3a2a30ffu,
-            lit > 0.5f ? 0xfff4deffu : 0x6b5a50ffu);
-}
-
 /* Draws a red slip instead of a lamp if a configured input line is missing. */
 static void not_there(const struct menu_view *view, struct ui_box box)
 {
@@ -62,29 +48,20 @@ static void not_there(const struct menu_view *view, struct ui_box box)
                 &style, menu_text(view, TEXT_LINE_MISSING));
 }
 
-/* Returns the input line of a cell. For the coin cell, returns the sums of all coin lines. Sets
- * `*is_raw` to 1 if the level before debouncing is active, otherwise to 0. */
-static struct scene_line line_of(const struct menu_view *view, uint32_t index, int *is_raw)
-{
-    const struct scene_devices *devices = view->devices;
-    struct scene_line sum = devices->line[index];
-    uint32_t bits = 1u << index;
-    for (uint32_t i = 1; index == COIN && i < COIN_LINE_COUNT; i++) {
-        sum.edges += devices->line[COIN + i].edges;
-        sum.faults += devices->line[COIN + i].faults;
-        bits |= 1u << (COIN + i);
-    }
-    *is_raw = (devices->line_raw & bits) != 0;
-    return sum;
-}
-
 /* Draws the state of the input line before debouncing in the lower corners of `box`: a square lamp
  * for the level, the number of changes, and in red the number of invalid changes. */
 static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box box)
 {
     const float u = view->frame.unit, size = 16.0f * u;
-    int is_raw;
-    const struct scene_line line = line_of(view, index, &is_raw);
+    const struct scene_devices *devices = view->devices;
+    struct scene_line line = devices->line[index];
+    uint32_t bits = 1u << index;
+    for (uint32_t i = 1; index == COIN && i < COIN_LINE_COUNT; i++) {
+        line.edges += devices->line[COIN + i].edges;
+        line.faults += devices->line[COIN + i].faults;
+        bits |= 1u << (COIN + i);
+    }
+    const int is_raw = (devices->line_raw & bits) != 0;
     const struct ui_text edges = menu_style(view, 22.0f, MENU_INK_SOFT);
     const struct ui_text faults = menu_style(view, 22.0f, MISSING_PAINT);
     const float y = box.y + box.height - 22.0f * u;
@@ -122,8 +99,19 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
                                 : (struct ui_box){ box.x + 24.0f * u, box.y + 26.0f * u,
                                                    box.width - 48.0f * u, 42.0f * u });
     } else {
-        lamp(view, box.x + (upright ? 74.0f * u : 0.5f * box.width),
-             box.y + (upright ? 0.5f * box.height : 46.0f * u), (upright ? 36.0f : 29.0f) * u, lit);
+        const float x = box.x + (upright ? 74.0f * u : 0.5f * box.width);
+        const float y = box.y + (upright ? 0.5f * box.height : 46.0f * u);
+        const float radius = (upright ? 36.0f : 29.0f) * u;
+        const float glow = 3.2f * radius;
+        if (lit > 0.0f) {
+            ui_shape(view->frame.batch,
+                     &(struct ui_shape){ .box = { x - glow, y - glow, 2.0f * glow, 2.0f * glow },
+                                         .kind = UI_GLOW,
+                                         .shape = { 0, 0, 1.0f },
+                                         .fill = ui_fade(0xff8a30ffu, 0.9f * lit) });
+        }
+        ui_disc(&view->frame, x, y, radius, 3.0f * u, lit > 0.5f ? 0xffd070ffu : 0x3a2a30ffu,
+                lit > 0.5f ? 0xfff4deffu : 0x6b5a50ffu);
     }
     const float left = box.x + (upright ? (is_missing ? 152.0f : 130.0f) : 10.0f) * u;
     const float width = box.x + box.width - 12.0f * u - left;
@@ -133,28 +121,6 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
     ui_words_in(&view->frame, (struct ui_box){ left, top + 40.0f * u, width, 46.0f * u }, &number,
                 digits);
     raw_line(view, index, box);
-}
-
-/* Draws the status line of the input lines in STATE_ROWS rows. The status line names the program or
- * device that uses the input lines, and the input lines that are missing. The last row is shrunk to
- * fit. */
-static void state_of_lines(const struct menu_view *view, float x, float y, float width)
-{
-    const uint32_t paint = view->devices->buttons_missing ? 0xff9c86ffu : 0xc9d2eeffu;
-    const struct ui_text style = menu_style(view, 22.0f, paint);
-    char row[TEXT_TRANSLATE_SIZE], said[TEXT_TRANSLATE_SIZE];
-    text_translate(said, sizeof said, view->frame.language, view->devices->lines);
-    const char *words = said;
-    for (uint32_t i = 0; i < STATE_ROWS && *words; i++) {
-        const size_t size = i + 1u == STATE_ROWS
-                                ? strlen(words)
-                                : menu_fill_line(&style, words, width * view->frame.unit);
-        snprintf(row, sizeof row, "%.*s", (int)size, words);
-        ui_words_in(&view->frame,
-                    menu_place(view, (struct layout_box){ x, y + 28.0f * (float)i, width, 28.0f }),
-                    &style, row);
-        words += size;
-    }
 }
 
 /* Draws the status line of the input lines, the note that coins inserted on this page count only as
@@ -170,7 +136,21 @@ static void notes(const struct menu_view *view)
                 view->devices->button_faults);
     snprintf(words, sizeof words, "%s%s%s", menu_text(view, TEXT_TEST_COINS_WORDS),
              upright ? "" : "      ", upright ? "" : faults);
-    state_of_lines(view, x, y, width);
+    /* The status line of the input lines has STATE_ROWS rows. The status line names the program or
+     * device that uses the input lines, and the input lines that are missing. The last row is
+     * shrunk to fit. */
+    const uint32_t paint = view->devices->buttons_missing ? 0xff9c86ffu : 0xc9d2eeffu;
+    const struct ui_text style = menu_style(view, 22.0f, paint);
+    char row[TEXT_TRANSLATE_SIZE], said[TEXT_TRANSLATE_SIZE];
+    text_translate(said, sizeof said, view->frame.language, view->devices->lines);
+    const char *state_words = said;
+    for (uint32_t i = 0; i < STATE_ROWS && *state_words; i++) {
+        menu_take_line(&style, &state_words, width * view->frame.unit, i + 1u == STATE_ROWS, row,
+                       sizeof row);
+        ui_words_in(&view->frame,
+                    menu_place(view, (struct layout_box){ x, y + 28.0f * (float)i, width, 28.0f }),
+                    &style, row);
+    }
     ui_words_in(&view->frame,
                 menu_place(view, (struct layout_box){ x, y + 28.0f * STATE_ROWS, width, 32.0f }),
                 &warm, words);

@@ -88,54 +88,41 @@ static const enum text_key plain[SELF_CHECKS][SELF_STATES] = {
                     [SELF_BAD] = TEXT_CHECK_POIS_BAD },
 };
 
-static struct said backup_says(const struct scene_machine *machine, uint8_t state)
-{
-    const uint32_t minutes = machine->backup_min;
-    return state == SELF_GOOD    ? (struct said){ TEXT_CHECK_BACKUP_GOOD, minutes }
-           : machine->has_backup ? (struct said){ TEXT_CHECK_BACKUP_LOOK, minutes / 60u }
-                                 : (struct said){ TEXT_CHECK_BACKUP_NONE, 0 };
-}
-
-static struct said data_says(uint8_t keeps)
-{
-    static const enum text_key keys[] = {
-        [KEEPS_UNKNOWN] = TEXT_CHECK_SILENT,     [KEEPS_PROVEN] = TEXT_CHECK_DATA_GOOD,
-        [KEEPS_FOLDER] = TEXT_CHECK_DATA_FOLDER, [KEEPS_MEMORY] = TEXT_CHECK_DATA_MEMORY,
-        [KEEPS_NOT] = TEXT_CHECK_DATA_BAD,       [KEEPS_NOWHERE] = TEXT_CHECK_DATA_NOWHERE,
-    };
-    return (struct said){ keys[keeps <= KEEPS_NOWHERE ? keeps : (uint8_t)KEEPS_UNKNOWN], 0 };
-}
-
-static struct said room_says(uint32_t mib, uint8_t state)
-{
-    return state != SELF_GOOD ? (struct said){ TEXT_CHECK_ROOM_LOOK, mib }
-           : mib < 10240u     ? (struct said){ TEXT_CHECK_ROOM_GOOD, mib }
-                              : (struct said){ TEXT_CHECK_ROOM_AMPLE, mib / 1024u };
-}
-
-static struct said heat_says(const struct scene_machine *machine, uint8_t state)
-{
-    const uint32_t margin_c = machine->heat_margin_c > 0 ? (uint32_t)machine->heat_margin_c : 0u;
-    return !machine->has_heat   ? (struct said){ TEXT_CHECK_HEAT_NONE, 0 }
-           : state == SELF_GOOD ? (struct said){ TEXT_CHECK_HEAT_GOOD, margin_c }
-           : state == SELF_LOOK ? (struct said){ TEXT_CHECK_HEAT_LOOK, margin_c }
-                                : (struct said){ TEXT_CHECK_HEAT_BAD, 0 };
-}
-
 /* Returns the text of a check whose text contains a number. */
 static struct said figures_say(const struct menu_view *view, uint32_t self_test_check_row,
                                uint8_t state)
 {
     const struct scene_machine *machine = &view->devices->machine;
     switch (self_test_check_row) {
-    case SELF_BACKUP:
-        return backup_says(machine, state);
-    case SELF_DATA:
-        return data_says(machine->keeps);
+    case SELF_BACKUP: {
+        const uint32_t minutes = machine->backup_min;
+        return state == SELF_GOOD    ? (struct said){ TEXT_CHECK_BACKUP_GOOD, minutes }
+               : machine->has_backup ? (struct said){ TEXT_CHECK_BACKUP_LOOK, minutes / 60u }
+                                     : (struct said){ TEXT_CHECK_BACKUP_NONE, 0 };
+    }
+    case SELF_DATA: {
+        static const enum text_key keys[] = {
+            [KEEPS_UNKNOWN] = TEXT_CHECK_SILENT,     [KEEPS_PROVEN] = TEXT_CHECK_DATA_GOOD,
+            [KEEPS_FOLDER] = TEXT_CHECK_DATA_FOLDER, [KEEPS_MEMORY] = TEXT_CHECK_DATA_MEMORY,
+            [KEEPS_NOT] = TEXT_CHECK_DATA_BAD,       [KEEPS_NOWHERE] = TEXT_CHECK_DATA_NOWHERE,
+        };
+        return (struct said){
+            keys[machine->keeps <= KEEPS_NOWHERE ? machine->keeps : (uint8_t)KEEPS_UNKNOWN], 0
+        };
+    }
     case SELF_ROOM:
-        return room_says(machine->room_mib, state);
-    case SELF_HEAT:
-        return heat_says(machine, state);
+        return state != SELF_GOOD ? (struct said){ TEXT_CHECK_ROOM_LOOK, machine->room_mib }
+               : machine->room_mib < 10240u
+                   ? (struct said){ TEXT_CHECK_ROOM_GOOD, machine->room_mib }
+                   : (struct said){ TEXT_CHECK_ROOM_AMPLE, machine->room_mib / 1024u };
+    case SELF_HEAT: {
+        const uint32_t margin_c =
+            machine->heat_margin_c > 0 ? (uint32_t)machine->heat_margin_c : 0u;
+        return !machine->has_heat   ? (struct said){ TEXT_CHECK_HEAT_NONE, 0 }
+               : state == SELF_GOOD ? (struct said){ TEXT_CHECK_HEAT_GOOD, margin_c }
+               : state == SELF_LOOK ? (struct said){ TEXT_CHECK_HEAT_LOOK, margin_c }
+                                    : (struct said){ TEXT_CHECK_HEAT_BAD, 0 };
+    }
     case SELF_CLOCK:
         return (struct said){ machine->is_clock_back ? TEXT_CHECK_CLOCK_BACK
                                                      : TEXT_CHECK_CLOCK_LOOK,
@@ -154,26 +141,6 @@ static struct said figures_say(const struct menu_view *view, uint32_t self_test_
     }
 }
 
-/* Writes the date and the time of the clock, such as "2026-08-15 18:30", so that the operator can
- * compare them with the true time. */
-static void clock_words(const struct scene_self_test *self, char *out, size_t out_size)
-{
-    static const uint8_t months[12] = { 31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
-    uint32_t year = 2000, month = 0, day = self->day, length = 366;
-    for (; day >= length; length = year % 4u == 0 ? 366u : 365u) {
-        /* Every fourth year is a leap year until 2099. */
-        day -= length;
-        year++;
-    }
-    const uint32_t is_leap = length == 366u;
-    while (day >= months[month] + (month == 1u ? is_leap : 0u)) {
-        day -= months[month] + (month == 1u ? is_leap : 0u);
-        month++;
-    }
-    snprintf(out, out_size, "%u-%02u-%02u %02u:%02u", year, month + 1u, day + 1u,
-             self->minute / 60u, self->minute % 60u);
-}
-
 static void row_words(const struct menu_view *view, uint32_t self_test_check_row, uint8_t state,
                       char *out, size_t out_size)
 {
@@ -186,7 +153,22 @@ static void row_words(const struct menu_view *view, uint32_t self_test_check_row
         snprintf(out, out_size, "%s",
                  menu_text(view, state == SELF_WAITS ? TEXT_CHECK_WAITS : TEXT_CHECK_SILENT));
     } else if (self_test_check_row == SELF_CLOCK && state == SELF_GOOD) {
-        clock_words(&view->menu->self, out, out_size);
+        /* The row shows the date and the time of the clock, such as "2026-08-15 18:30", so that the
+         * operator can compare the clock with the true time. */
+        static const uint8_t months[12] = { 31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
+        uint32_t year = 2000, month = 0, day = view->menu->self.day, length = 366;
+        for (; day >= length; length = year % 4u == 0 ? 366u : 365u) {
+            /* Every fourth year is a leap year until 2099. */
+            day -= length;
+            year++;
+        }
+        const uint32_t is_leap = length == 366u;
+        while (day >= months[month] + (month == 1u ? is_leap : 0u)) {
+            day -= months[month] + (month == 1u ? is_leap : 0u);
+            month++;
+        }
+        snprintf(out, out_size, "%u-%02u-%02u %02u:%02u", year, month + 1u, day + 1u,
+                 view->menu->self.minute / 60u, view->menu->self.minute % 60u);
     } else if (key) {
         snprintf(out, out_size, "%s", menu_text(view, key));
     } else {
@@ -298,17 +280,6 @@ static void self_test_check_row(const struct menu_view *view, const struct place
 
 /* ---- Summary of all checks ------------------------------------------------------------------ */
 
-static void verdict_words(const struct menu_view *view, uint32_t next,
-                          const uint8_t state[SELF_CHECKS], char *out, size_t out_size)
-{
-    const uint32_t seconds = view->menu->self.seconds_left;
-    const uint32_t number = seconds > 0 ? seconds : self_test_left(state);
-    const enum text_key key = next == SELF_CHECKS ? TEXT_CHECK_READY
-                              : seconds > 0       ? TEXT_CHECK_RUNNING
-                                                  : TEXT_CHECK_LEFT;
-    text_number(out, out_size, menu_text(view, key), number);
-}
-
 /* Draws the summary of all checks, and below the summary the next step for the operator. */
 static void verdict(const struct menu_view *view, const struct places *places, uint32_t next,
                     const uint8_t state[SELF_CHECKS])
@@ -321,7 +292,12 @@ static void verdict(const struct menu_view *view, const struct places *places, u
     char words[2u * TEXT_LINE_MAX], line[3u * TEXT_LINE_MAX];
     const float x = box.x + 0.5f * box.width, room = box.width - 40.0f * u;
     sheet(view, box, ui_menu_self_paint_of(kind));
-    verdict_words(view, next, state, words, sizeof words);
+    const uint32_t seconds = view->menu->self.seconds_left;
+    const uint32_t number = seconds > 0 ? seconds : self_test_left(state);
+    const enum text_key key = next == SELF_CHECKS ? TEXT_CHECK_READY
+                              : seconds > 0       ? TEXT_CHECK_RUNNING
+                                                  : TEXT_CHECK_LEFT;
+    text_number(words, sizeof words, menu_text(view, key), number);
     menu_words_at(view, x, box.y + (next < SELF_CHECKS ? 0.3f : 0.5f) * box.height, room, 0.5f,
                   &large, words);
     if (next < SELF_CHECKS) {

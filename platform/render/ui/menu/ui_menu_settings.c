@@ -88,11 +88,6 @@ void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, 
     text_number(out, out_size, menu_text(view, special ? special : words->unit), (uint32_t)value);
 }
 
-static int32_t max_of(const struct menu_view *view, uint32_t id)
-{
-    return id == SET_FISH ? (int32_t)view->menu->fish_max : settings_entry(id)->max;
-}
-
 /* Writes the choices of a setting, such as "free / paid / event". */
 static void choice_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
 {
@@ -114,7 +109,7 @@ static void span_words(const struct menu_view *view, uint32_t id, char *out, siz
     const int has_zero = settings_entry(id)->min == 0 && words->zero != 0;
     const char *unit = words->one ? "{}" : menu_text(view, words->unit);
     const char *hole = strstr(unit, "{}");
-    const int max = (int)max_of(view, id);
+    const int max = (int)(id == SET_FISH ? (int32_t)view->menu->fish_max : settings_entry(id)->max);
     int32_t min = settings_entry(id)->min;
     char span[48];
     while (has_zero && (min == 0 || !settings_allows(id, min))) {
@@ -192,14 +187,6 @@ static void setting_board(const struct menu_view *view, const struct places *pla
     }
 }
 
-/* Draws the board of a tag that leads to a page. This board shows no value. */
-static void page_board(const struct menu_view *view, const struct places *places, struct ui_box box,
-                       uint8_t page)
-{
-    const struct ui_text name = sized(view, &box, places->name_size, MENU_INK);
-    ui_words_in(&view->frame, box, &name, menu_text(view, menu_words_of(page)->title));
-}
-
 /* Draws the description of the selected setting above the tags at the bottom of the page. */
 static void help(const struct menu_view *view, const struct places *places, const char *words)
 {
@@ -208,13 +195,10 @@ static void help(const struct menu_view *view, const struct places *places, cons
     const float pitch = box.height / (float)places->help_lines;
     char line[TEXT_LINE_MAX];
     for (uint32_t i = 0; i < places->help_lines && *words; i++) {
-        const int is_last = i + 1u == places->help_lines;
-        const size_t size = is_last ? strlen(words) : menu_fill_line(&style, words, box.width);
-        snprintf(line, sizeof line, "%.*s", (int)size, words);
+        menu_take_line(&style, &words, box.width, i + 1u == places->help_lines, line, sizeof line);
         ui_words_in(&view->frame,
                     (struct ui_box){ box.x, box.y + (float)i * pitch, box.width, pitch }, &style,
                     line);
-        words += size;
     }
 }
 
@@ -241,30 +225,9 @@ static void board(const struct menu_view *view, const struct places *places, uin
     if (id < SETTING_COUNT) {
         setting_board(view, places, box, id);
     } else {
-        page_board(view, places, box, menu_page_at(view->menu->page, tag));
-    }
-}
-
-/* Draws the description of the selected menu row. If the button SETTINGS_STANDARD is selected,
- * draws the name of the setting and the default value that the button restores. */
-static void tell_pointed(const struct menu_view *view, const struct places *places)
-{
-    const struct scene_menu *menu = view->menu;
-    const uint32_t body_count = menu_body_count(menu->page);
-    const int is_row = menu->tag < body_count;
-    const uint8_t row = is_row ? menu->tag : menu->chosen;
-    const uint32_t id = menu_setting_at(menu->page, row);
-    const uint8_t page = menu_page_at(menu->page, row);
-    char words[2u * TEXT_LINE_MAX], standard[TEXT_LINE_MAX / 2u];
-    if (is_row && id < SETTING_COUNT) {
-        help(view, places, menu_text(view, menu_setting_words_of(id)->help));
-    } else if (is_row && page < MENU_PAGE_COUNT) {
-        help(view, places, menu_text(view, menu_words_of(page)->about));
-    } else if (menu->tag == body_count + SETTINGS_STANDARD && id < SETTING_COUNT) {
-        menu_value_words(view, id, settings_entry(id)->standard, standard, sizeof standard);
-        snprintf(words, sizeof words, "%s → %s", menu_text(view, menu_setting_words_of(id)->name),
-                 standard);
-        help(view, places, words);
+        const struct ui_text name = sized(view, &box, places->name_size, MENU_INK);
+        ui_words_in(&view->frame, box, &name,
+                    menu_text(view, menu_words_of(menu_page_at(view->menu->page, tag))->title));
     }
 }
 
@@ -282,7 +245,21 @@ void menu_settings(const struct menu_view *view)
             board(view, places, tag);
         }
     }
-    tell_pointed(view, places);
+    const int is_row = menu->tag < body_count;
+    const uint8_t row = is_row ? menu->tag : menu->chosen;
+    const uint32_t id = menu_setting_at(menu->page, row);
+    const uint8_t page = menu_page_at(menu->page, row);
+    char words[2u * TEXT_LINE_MAX], standard[TEXT_LINE_MAX / 2u];
+    if (is_row && id < SETTING_COUNT) {
+        help(view, places, menu_text(view, menu_setting_words_of(id)->help));
+    } else if (is_row && page < MENU_PAGE_COUNT) {
+        help(view, places, menu_text(view, menu_words_of(page)->about));
+    } else if (menu->tag == body_count + SETTINGS_STANDARD && id < SETTING_COUNT) {
+        menu_value_words(view, id, settings_entry(id)->standard, standard, sizeof standard);
+        snprintf(words, sizeof words, "%s → %s", menu_text(view, menu_setting_words_of(id)->name),
+                 standard);
+        help(view, places, words);
+    }
     saved(view, places);
 }
 
