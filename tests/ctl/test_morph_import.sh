@@ -10,7 +10,7 @@ mistake() { # STATUS WORDS ARGUMENTS...: nothing but one line, with the words in
     shift 2
     (
         ulimit -v 2097152
-        timeout 20 "$ctl" morph import "$@" >"$work/out" 2>"$work/err"
+        timeout 20 "$ctl" morph "${of:-import}" "$@" >"$work/out" 2>"$work/err"
     )
     status=$?
     cat "$work/out" "$work/err"
@@ -94,7 +94,7 @@ for ((i = 0; i < keys; i++)); do
     morph export wakin --progress "$(awk "BEGIN { print $i / ($keys - 1) }")" --obj "$work/fit$i.obj" >/dev/null 2>&1
     marks "$work/fit$i.obj" >"$work/fit$i.marks"
 done
-fits() { morph import "$work/fitted.kfish" --fit kurodai "${meshes[@]}" --id fitted >"$work/fits"; }
+fits() { morph refit "$work/fitted.kfish" kurodai "${meshes[@]}" --id fitted >"$work/fits"; }
 fitted_well() { # Each mean, both ways, within 0.4 % of the length
     cat "$work/fits"
     awk -v keys="$keys" '/mean/ { split($0, p, /mean |mesh to fit: /); n++; if (p[2] + 0 > 0.4 || p[3] + 0 > 0.4) bad = 1 }
@@ -104,13 +104,16 @@ check 'a bream is bent onto goldfish by four landmarks' fits
 check 'within 0.4 % of their length in the mean' fitted_well
 check 'and grows as one' morph weights "$work/fitted.kfish" --steps 4
 awk '$1 == "tail_root" { $3 += 0.002 } { print }' "$work/fit0.marks" >"$work/stray.marks"
-strays() { morph import "$work/x.kfish" --fit kurodai "${meshes[@]}" --marks "$work/stray.marks,$1,$1,$1,$1" 2>&1 >/dev/null |
+strays() { morph refit "$work/x.kfish" kurodai "${meshes[@]}" --marks "$work/stray.marks,$1,$1,$1,$1" 2>&1 >/dev/null |
     grep -E '^[^ ]*stray.marks: tail_root lies [1-9][0-9] % of the length off the mesh$'; }
 check 'a landmark off the mesh is told' strays "$work/fit1.marks"
-check 'landmarks are needed' mistake 74 grown.marks "$work/x.kfish" --fit wakin "$work/grown.obj" "$work/grown.obj" \
+of_refit() { of=refit mistake "$@"; }
+check 'landmarks are needed' of_refit 74 grown.marks "$work/x.kfish" wakin "$work/grown.obj" "$work/grown.obj" \
     "$work/grown.obj" "$work/grown.obj" "$work/grown.obj"
-check 'no such template' mistake 2 "'karp' is no species; there are wakin" "$work/x.kfish" --fit karp "$work/grown.obj"
-check 'a file a key' mistake 2 'and there are 1 files' "$work/x.kfish" --fit wakin "$work/grown.obj"
+check 'no such template' of_refit 2 "'karp' is no species; there are wakin" "$work/x.kfish" karp "$work/grown.obj"
+check 'a mesh is needed' of_refit 2 'a mesh for each key' "$work/x.kfish" wakin
+check 'the colours stay' of_refit 2 'unknown option' "$work/x.kfish" wakin --colours 0,0,0,0,0 "$work/grown.obj"
+check 'a file a key' of_refit 2 'and there are 1 files' "$work/x.kfish" wakin "$work/grown.obj"
 
 # ---- glTF
 if morph import "$work/x.kfish" "$corpus/scene/fish.glb" --lengths-mm 1,2,3 >"$work/scene" 2>&1; then

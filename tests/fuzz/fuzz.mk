@@ -11,7 +11,7 @@ FUZZ_CFLAGS := -std=c17 -O1 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE $(ASSIMP)
 FUZZ_SRC := $(filter-out %/blend_pick.c,$(wildcard core/morph/*.c)) core/base/fmath.c core/base/vec.c \
     core/base/printable.c platform/os/file.c platform/os/print.c \
     $(filter-out %/library.c,$(wildcard platform/species/*.c)) \
-    $(wildcard platform/ctl/import/*.c) tests/fuzz/exercise.c tests/fuzz/meshes.c
+    $(filter-out %/refit_command.c,$(wildcard platform/ctl/import/*.c)) tests/fuzz/exercise.c tests/fuzz/meshes.c
 FUZZ_OBJ := $(FUZZ_SRC:%.c=$(FUZZ)/%.o)
 FUZZ_BIN := $(FUZZ_TARGETS:%=$(FUZZ)/fuzz_%)
 

@@ -70,16 +70,6 @@ struct refit_result {
 void refit_key(struct species_slot *slot, uint32_t key, const struct import_mesh *mesh,
                const struct refit_marks *marks, struct refit_result *result);
 
-/* Fits the template in `slot` to one mesh for each key. `files` contains the paths of the meshes,
- * and `marks` the paths of their landmark files. The meshes are rotated and scaled as the options
- * and the landmarks require. The error of each key is printed on standard output. Returns EXIT_OK.
- * After an error, writes the reason with the file name to `why` and returns EXIT_BAD_DATA or
- * EXIT_IO. */
-struct import_options;
-enum exit_code refit_files(struct species_slot *slot, const char *const *files,
-                           const char *const *marks, uint32_t count,
-                           const struct import_options *plan, char why[IMPORT_WHY_SIZE]);
-
 /* ---- refit_tree.c: search for the nearest point of a surface --------------------------------- */
 
 #define REFIT_TREE_TRIANGLE_MAX IMPORT_TRIANGLE_MAX

@@ -14,8 +14,8 @@
 static const char name[] = "morph";
 
 static const struct morph_command *const table[] = {
-    &ctl_morph_list,  &ctl_morph_weights, &ctl_morph_growth, &ctl_morph_path,
-    &ctl_morph_graph, &ctl_morph_check,   &ctl_morph_export, &ctl_morph_import,
+    &ctl_morph_list,  &ctl_morph_weights, &ctl_morph_growth, &ctl_morph_path,  &ctl_morph_graph,
+    &ctl_morph_check, &ctl_morph_export,  &ctl_morph_import, &ctl_morph_refit,
 };
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])

@@ -1,6 +1,6 @@
 /* morph.h -- the subcommands of `kingyoctl morph`, which show and convert fish of any age.
  *
- * Each subcommand has its own source file and one row in the table of morph.c. */
+ * Each subcommand has one row in the table of morph.c. */
 #ifndef KINGYO_PLATFORM_CTL_MORPH_MORPH_H
 #define KINGYO_PLATFORM_CTL_MORPH_MORPH_H
 
@@ -24,6 +24,7 @@ extern const struct morph_command ctl_morph_growth;
 extern const struct morph_command ctl_morph_import;
 extern const struct morph_command ctl_morph_list;
 extern const struct morph_command ctl_morph_path;
+extern const struct morph_command ctl_morph_refit; /* Defined in platform/ctl/import. */
 extern const struct morph_command ctl_morph_weights;
 
 /* Prints one line, "kingyoctl morph COMMAND: ...", to standard error and returns EXIT_USAGE. */

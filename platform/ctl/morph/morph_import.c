@@ -5,7 +5,6 @@
 
 #include "core/base/panic.h"
 #include "core/morph/morph.h"
-#include "platform/ctl/import/refit.h"
 #include "platform/ctl/morph/morph_import_words.h"
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/os/print.h"
@@ -18,23 +17,6 @@ static bool ends_with(const char *word, const char *suffix)
 {
     const size_t length = strlen(word), tail = strlen(suffix);
     return length >= tail && strcmp(word + length - tail, suffix) == 0;
-}
-
-/* Writes the base name of the file without its suffix to `out`, for use as an id or as the name of
- * a key. */
-static void name_of_file(const char *path, char out[SPECIES_NAME_SIZE])
-{
-    CORE_ASSERT(path);
-    const char *slash = strrchr(path, '/');
-    const char *base = slash ? slash + 1 : path;
-    uint32_t length = 0;
-    memset(out, 0, SPECIES_NAME_SIZE);
-    for (; *base && *base != '.' && length + 1 < SPECIES_NAME_SIZE; base++) {
-        const bool upper = *base >= 'A' && *base <= 'Z';
-        const char c = upper ? (char)(*base - 'A' + 'a') : *base;
-        const bool fits = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-        out[length++] = fits ? c : '_';
-    }
 }
 
 static enum exit_code read_meshes(const struct morph_import_words *words, struct import_mesh *mesh)
@@ -54,7 +36,7 @@ static enum exit_code read_meshes(const struct morph_import_words *words, struct
     for (uint32_t key = 0; key < words->file_count && code == EXIT_OK; key++) {
         code = import_obj(mesh, key, words->files[key], why);
         memset(mesh->key_names[key], 0, IMPORT_NAME_SIZE);
-        name_of_file(words->files[key], mesh->key_names[key]);
+        morph_import_words_name(words->files[key], mesh->key_names[key]);
     }
     if (code != EXIT_OK) {
         print_error("%s", why);
@@ -123,48 +105,10 @@ static enum exit_code make_of_meshes(struct morph_import_words *words, struct sp
     return EXIT_OK;
 }
 
-static enum exit_code make_by_fit(struct morph_import_words *words, struct species_slot *slot)
-{
-    const char *files[MORPH_KEY_MAX], *marks[MORPH_KEY_MAX];
-    char why[IMPORT_WHY_SIZE], fault[VALIDATE_WHY_SIZE];
-    const struct species *template_id = words->plan.like;
-    if (words->file_count != template_id->card.key_count) {
-        return morph_usage(name, "--fit: '%.60s' has %u keys, and there are %u files", words->fit,
-                           template_id->card.key_count, words->file_count);
-    }
-    /* Unless an option names the landmark file, the landmarks of FISH.obj are in FISH.marks. */
-    for (uint32_t i = words->mark_count; i < words->file_count; i++) {
-        const char *file = words->files[i], *dot = strrchr(file, '.');
-        const int length = dot ? (int)(dot - file) : (int)strlen(file);
-        snprintf(words->marks[i], sizeof words->marks[i], "%.*s.marks", length < 240 ? length : 240,
-                 file);
-    }
-    for (uint32_t i = 0; i < words->file_count; i++) {
-        files[i] = words->files[i];
-        marks[i] = words->marks[i];
-    }
-    pack_copy(template_id, slot);
-    if (words->plan.measure == IMPORT_UNSET) {
-        words->plan.measure = template_id->card.measure;
-    }
-    const enum exit_code code =
-        refit_files(slot, files, marks, words->file_count, &words->plan, why);
-    if (code != EXIT_OK) {
-        print_error("%s", why);
-        return code;
-    }
-    if (import_fitted_life(&words->plan, &slot->species.card, why) != EXIT_OK) {
-        return morph_import_error(words->files[0], why);
-    }
-    return species_validate(&slot->species, fault) ? EXIT_OK
-                                                   : morph_import_error(words->files[0], fault);
-}
-
 /* ---- Command --------------------------------------------------------------------------------- */
 
 static enum exit_code make(struct morph_import_words *words, struct species_slot *slot)
 {
-    char id[SPECIES_NAME_SIZE];
     if (ends_with(words->files[0], ".txt") || ends_with(words->files[0], PACK_SUFFIX)) {
         const enum exit_code code = words->file_count == 1
                                         ? morph_options_file(words->files[0], name, slot)
@@ -175,34 +119,18 @@ static enum exit_code make(struct morph_import_words *words, struct species_slot
         }
         return code;
     }
-    name_of_file(words->out, id);
-    words->plan.id = words->id ? words->id : id;
-    words->like = words->fit ? words->fit : words->like;
-    if (words->like) {
-        /* The species of --like is built-in or a file. Its values are the defaults for options
-         * that are absent. */
-        static struct morph_options like;
-        like.word = words->like;
-        const enum exit_code opened = morph_options_open(&like, name);
-        if (opened != EXIT_OK) {
-            return opened;
-        }
-        words->plan.like = like.drawn;
-    }
-    return words->fit ? make_by_fit(words, slot) : make_of_meshes(words, slot);
+    const enum exit_code code = morph_import_words_open_like(words, IMPORT_MESHES);
+    return code == EXIT_OK ? make_of_meshes(words, slot) : code;
 }
 
 static enum exit_code morph_import_run(int argc, const char *const *argv)
 {
     static struct morph_import_words words;
     static struct species_slot slot;
-    char why[VALIDATE_WHY_SIZE], id[SPECIES_NAME_SIZE];
-    enum exit_code code = morph_import_words_read(&words, argc, argv);
+    char why[VALIDATE_WHY_SIZE];
+    enum exit_code code = morph_import_words_read(&words, IMPORT_MESHES, argc, argv);
     if (code != EXIT_OK) {
         return code;
-    }
-    if (words.id && !morph_import_words_take_name(words.id, 0, &id)) {
-        return morph_usage(name, "--id: '%.60s' is no name of a-z, 0-9 and _", words.id);
     }
     code = make(&words, &slot);
     if (code != EXIT_OK) {
@@ -247,15 +175,7 @@ const struct morph_command ctl_morph_import = {
         "                       each rrggbb; otherwise what our own .glb says of each key,\n"
         "                       else the file's vertex colours, for all keys. Marks are painted\n"
         "                       by a text or by --like alone\n"
-        "  --fit SPECIES|FILE   meshes of any topology: bends the body of that species onto each,\n"
-        "                       a file a key, by landmarks (FISH.obj has FISH.marks), and prints\n"
-        "                       how far off it is. Lines of 'NAME X Y Z': snout, tail_root, back,\n"
-        "                       belly, eye_right, eye_left, tail_top, tail_bottom, and\n"
-        "                       NAME_start, NAME_end, NAME_tip of dorsal, dorsal2, anal,\n"
-        "                       pectoral_right, .._left, pelvic_right, .._left; four or more,\n"
-        "                       each within 10 % of the length of the mesh. As many files as the\n"
-        "                       species has keys\n"
-        "  --marks A,B,C        the landmarks' files, where they stand elsewhere\n"
+        "Meshes of any topology are for 'kingyoctl morph refit'.\n"
         "Parts are known by the names of groups or objects: eye, tail or caudal, dorsal,\n"
         "dorsal_2, anal, pectoral, pelvic, finlet_upper, finlet_lower; all else is body.\n",
     .run = morph_import_run,

@@ -1,4 +1,5 @@
-/* morph_import_words.c -- parses the options of `kingyoctl morph import`. */
+/* morph_import_words.c -- parses the options of `kingyoctl morph import` and `kingyoctl morph
+ * refit`. */
 #include "platform/ctl/morph/morph_import_words.h"
 
 #include <stdio.h>
@@ -9,29 +10,7 @@
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/os/number.h"
 
-static const char name[] = "import";
-
-/* Calls `take` for each item of a comma-separated list. Returns the number of items, or
- * IMPORT_UNSET if an item is invalid. */
-static uint32_t each_piece(const char *list, uint32_t count_max, void *out,
-                           bool (*take)(const char *piece, uint32_t index, void *out))
-{
-    uint32_t count = 0;
-    while (*list) {
-        char piece[IMPORT_PATH_SIZE];
-        const size_t length = strcspn(list, ",");
-        if (length >= sizeof piece || count == count_max) {
-            return IMPORT_UNSET;
-        }
-        memcpy(piece, list, length);
-        piece[length] = '\0';
-        if (!take(piece, count++, out)) {
-            return IMPORT_UNSET;
-        }
-        list += length + (list[length] == ',');
-    }
-    return count > 0 ? count : IMPORT_UNSET;
-}
+/* ---- Parsers of one value -------------------------------------------------------------------- */
 
 /* Parses a length in mm. The allowed range is the range of a species text (text_life.c), so that
  * the core receives no other value. */
@@ -43,16 +22,23 @@ static bool take_length(const char *piece, uint32_t index, void *out)
 
 static bool take_age(const char *piece, uint32_t index, void *out)
 {
+    CORE_ASSERT(index < MORPH_KEY_MAX);
     return number_parse_decimal(piece, 0.0, 14610.0, (double *)out + index);
 }
 
 static bool take_growth(const char *piece, uint32_t index, void *out)
 {
-    CORE_ASSERT(index < 5);
     static const double ranges[5][2] = {
         { 10.0, 20000.0 }, { 0.001, 10.0 }, { -20.0, 20.0 }, { 0.5, 2000.0 }, { 0.001, 5.0 }
     };
+    CORE_ASSERT(index < 5);
     return number_parse_decimal(piece, ranges[index][0], ranges[index][1], (double *)out + index);
+}
+
+static bool take_unit(const char *piece, uint32_t index, void *out)
+{
+    (void)index;
+    return number_parse_decimal(piece, 1e-6, 1e3, out);
 }
 
 bool morph_import_words_take_name(const char *piece, uint32_t index, void *out)
@@ -76,6 +62,14 @@ static bool take_path(const char *piece, uint32_t index, void *out)
     return true;
 }
 
+/* Stores a text that is not empty. `out` points to a pointer to the text. */
+static bool take_text(const char *piece, uint32_t index, void *out)
+{
+    (void)index;
+    *(const char **)out = piece;
+    return piece[0] != '\0';
+}
+
 static bool take_colour(const char *piece, uint32_t index, void *out)
 {
     uint32_t value = 0;
@@ -93,119 +87,128 @@ static bool take_colour(const char *piece, uint32_t index, void *out)
     return true;
 }
 
-static bool take_axis(const char *value, uint8_t *out)
+static bool take_axis(const char *value, uint32_t index, void *out)
 {
+    (void)index;
     for (uint8_t axis = 0; axis < AXIS_NONE; axis++) {
         if (strcmp(value, import_axis_names[axis]) == 0 ||
             strcmp(value, import_axis_names[axis] + 1) == 0) {
-            *out = axis;
+            *(uint8_t *)out = axis;
             return axis < AXIS_MINUS_X || value[0] == '-';
         }
     }
     return false;
 }
 
-static bool take_choice(const char *value, const char *const *words, uint32_t count, uint8_t *out)
+static bool take_template(const char *value, uint32_t index, void *out)
 {
-    for (uint32_t i = 0; i < count; i++) {
-        if (strcmp(value, words[i]) == 0) {
-            *out = (uint8_t)i;
+    (void)index;
+    for (enum graph_template i = TEMPLATE_ORDINARY; i < TEMPLATE_COUNT; i++) {
+        if (strcmp(value, morph_template_name(i)) == 0) {
+            *(uint8_t *)out = (uint8_t)i;
             return true;
         }
     }
     return false;
 }
 
-static const char *const measures[] = { "total", "standard", "fork", "disc" };
-static const char *const motions[] = { "tail", "eel", "fins", "tuna", "wing" };
-static const char *const forms[] = { "fusiform", "compressed", "depressed", "eel", "puffer" };
+/* ---- Options --------------------------------------------------------------------------------- */
 
-/* Parses an option with a single value. Returns false if the value is invalid. Sets `*known` to
- * true if the option exists, otherwise to false. */
-static bool take_value(struct morph_import_words *words, const char *option, const char *value,
-                       bool *known)
+static const char *const measures[] = { "total", "standard", "fork", "disc", NULL };
+static const char *const motions[] = { "tail", "eel", "fins", "tuna", "wing", NULL };
+static const char *const forms[] = { "fusiform", "compressed", "depressed", "eel", "puffer", NULL };
+
+/* An option and its value. Exactly one of `take` and `choices` is not null. */
+struct word_option {
+    const char *name;
+    enum import_command command; /* The option exists for this command or for both commands. */
+    void *out;
+    bool (*take)(const char *piece, uint32_t index, void *out); /* Parses one item of the value. */
+    const char *const *choices; /* Allowed words. `out` points to the index of the word. */
+    uint32_t *count;            /* Number of items of a comma-separated list. Null for one value. */
+    uint32_t least, most;       /* Allowed number of items of a list. */
+};
+
+/* Parses the value of an option. Returns false if the value is invalid. */
+static bool take_value(const struct word_option *option, const char *value)
 {
-    struct import_options *plan = &words->plan;
-    *known = true;
-    if (strcmp(option, "--id") == 0) {
-        words->id = value;
-        return value[0] != '\0';
-    }
-    if (strcmp(option, "--like") == 0) {
-        words->like = value;
-        return value[0] != '\0';
-    }
-    if (strcmp(option, "--fit") == 0) {
-        words->fit = value;
-        return value[0] != '\0';
-    }
-    if (strcmp(option, "--front") == 0) {
-        return take_axis(value, &plan->front);
-    }
-    if (strcmp(option, "--up") == 0) {
-        return take_axis(value, &plan->up);
-    }
-    if (strcmp(option, "--unit-m") == 0) {
-        return number_parse_decimal(value, 1e-6, 1e3, &plan->unit_m) != 0;
-    }
-    if (strcmp(option, "--measure") == 0) {
-        return take_choice(value, measures, 4, &plan->measure);
-    }
-    if (strcmp(option, "--motion") == 0) {
-        return take_choice(value, motions, 5, &plan->motion);
-    }
-    if (strcmp(option, "--form") == 0) {
-        return take_choice(value, forms, 5, &plan->form);
-    }
-    if (strcmp(option, "--graph") == 0) {
-        for (enum graph_template i = TEMPLATE_ORDINARY; i < TEMPLATE_COUNT; i++) {
-            if (strcmp(value, morph_template_name(i)) == 0) {
-                plan->template_id = (uint8_t)i;
-                return true;
-            }
+    if (option->choices) {
+        uint8_t choice = 0;
+        while (option->choices[choice] && strcmp(option->choices[choice], value) != 0) {
+            choice++;
         }
-        return false;
+        *(uint8_t *)option->out = choice;
+        return option->choices[choice] != NULL;
     }
-    *known = false;
-    return false;
+    if (!option->count) {
+        return option->take(value, 0, option->out);
+    }
+    for (*option->count = 0; *value; (*option->count)++) {
+        char piece[IMPORT_PATH_SIZE];
+        const size_t length = strcspn(value, ",");
+        if (length >= sizeof piece || *option->count == option->most) {
+            return false;
+        }
+        memcpy(piece, value, length);
+        piece[length] = '\0';
+        if (!option->take(piece, *option->count, option->out)) {
+            return false;
+        }
+        value += length + (value[length] == ',');
+    }
+    return *option->count >= option->least;
 }
 
-/* Parses an option whose value is a comma-separated list. Returns false if the value is invalid.
- * Sets `*known` to true if the option exists, otherwise to false. */
-static bool take_list(struct morph_import_words *words, const char *option, const char *value,
-                      bool *known)
+static const char *command_name(enum import_command command)
+{
+    return command == IMPORT_REFIT ? "refit" : "import";
+}
+
+/* Parses one option with its value. Returns EXIT_OK, or prints one line and returns EXIT_USAGE. */
+static enum exit_code take_option(struct morph_import_words *words, enum import_command command,
+                                  const char *option, const char *value)
 {
     struct import_options *plan = &words->plan;
-    const struct {
-        const char *name;
-        uint32_t *count;
-        uint32_t least, most;
-        void *out;
-        bool (*take)(const char *piece, uint32_t index, void *out);
-    } lists[] = {
-        { "--names", &plan->name_count, 3, MORPH_KEY_MAX, plan->names,
-          morph_import_words_take_name },
-        { "--marks", &words->mark_count, 3, MORPH_KEY_MAX, words->marks, take_path },
-        { "--lengths-mm", &plan->length_count, 2, MORPH_KEY_MAX, plan->lengths_mm, take_length },
-        { "--ages-days", &plan->age_count, 2, MORPH_KEY_MAX, plan->ages_days, take_age },
-        { "--growth", &plan->growth_count, 5, 5, plan->growth, take_growth },
-        { "--colours", &plan->colour_count, 5, 5, plan->colours, take_colour },
+    /* clang-format off */
+    const struct word_option options[] = {
+        { "--id", IMPORT_BOTH, &words->id, take_text, 0, 0, 0, 0 },
+        { "--like", IMPORT_MESHES, &words->like, take_text, 0, 0, 0, 0 },
+        { "--front", IMPORT_BOTH, &plan->front, take_axis, 0, 0, 0, 0 },
+        { "--up", IMPORT_BOTH, &plan->up, take_axis, 0, 0, 0, 0 },
+        { "--unit-m", IMPORT_MESHES, &plan->unit_m, take_unit, 0, 0, 0, 0 },
+        { "--measure", IMPORT_BOTH, &plan->measure, 0, measures, 0, 0, 0 },
+        { "--motion", IMPORT_MESHES, &plan->motion, 0, motions, 0, 0, 0 },
+        { "--form", IMPORT_MESHES, &plan->form, 0, forms, 0, 0, 0 },
+        { "--graph", IMPORT_MESHES, &plan->template_id, take_template, 0, 0, 0, 0 },
+        { "--names", IMPORT_BOTH, plan->names, morph_import_words_take_name, 0,
+          &plan->name_count, 3, MORPH_KEY_MAX },
+        { "--marks", IMPORT_REFIT, words->marks, take_path, 0,
+          &words->mark_count, 3, MORPH_KEY_MAX },
+        { "--lengths-mm", IMPORT_BOTH, plan->lengths_mm, take_length, 0,
+          &plan->length_count, 2, MORPH_KEY_MAX },
+        { "--ages-days", IMPORT_BOTH, plan->ages_days, take_age, 0,
+          &plan->age_count, 2, MORPH_KEY_MAX },
+        { "--growth", IMPORT_BOTH, plan->growth, take_growth, 0, &plan->growth_count, 5, 5 },
+        { "--colours", IMPORT_MESHES, plan->colours, take_colour, 0, &plan->colour_count, 5, 5 },
     };
-    for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
-        if (strcmp(option, lists[i].name) == 0) {
-            const uint32_t got = each_piece(value, lists[i].most, lists[i].out, lists[i].take);
-            *known = true;
-            *lists[i].count = got;
-            return got != IMPORT_UNSET && got >= lists[i].least;
+    /* clang-format on */
+    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
+        if ((options[i].command & command) && strcmp(option, options[i].name) == 0) {
+            return take_value(&options[i], value)
+                       ? EXIT_OK
+                       : morph_usage(command_name(command),
+                                     "%s: '%.60s' will not do; --help says what will", option,
+                                     value);
         }
     }
-    *known = false;
-    return false;
+    return morph_usage(command_name(command), "unknown option '%.100s'; --help lists them", option);
 }
 
-enum exit_code morph_import_words_read(struct morph_import_words *words, int argc,
+enum exit_code morph_import_words_read(struct morph_import_words *words,
+                                       enum import_command command, int argc,
                                        const char *const *argv)
 {
+    CORE_ASSERT(command == IMPORT_MESHES || command == IMPORT_REFIT);
     *words = (struct morph_import_words){
         .plan = { .front = AXIS_NONE,
                   .up = AXIS_Y,
@@ -217,29 +220,63 @@ enum exit_code morph_import_words_read(struct morph_import_words *words, int arg
     };
     for (int i = 0; i < argc; i++) {
         if (strncmp(argv[i], "--", 2) == 0) {
-            bool known;
-            const char *value = i + 1 < argc ? argv[i + 1] : "";
-            bool good = take_value(words, argv[i], value, &known);
-            if (!known) {
-                good = take_list(words, argv[i], value, &known);
-            }
-            if (!good) {
-                return known ? morph_usage(name, "%s: '%.60s' will not do; --help says what will",
-                                           argv[i], value)
-                             : morph_usage(name, "unknown option '%.100s'; --help lists them",
-                                           argv[i]);
+            const enum exit_code code =
+                take_option(words, command, argv[i], i + 1 < argc ? argv[i + 1] : "");
+            if (code != EXIT_OK) {
+                return code;
             }
             i++;
         } else if (!words->out) {
             words->out = argv[i];
+        } else if (command == IMPORT_REFIT && !words->like) {
+            words->like = argv[i];
         } else if (words->file_count == MORPH_KEY_MAX) {
-            return morph_usage(name, "more than %u files", MORPH_KEY_MAX);
+            return morph_usage(command_name(command), "more than %u files", MORPH_KEY_MAX);
         } else {
             words->files[words->file_count++] = argv[i];
         }
     }
     if (words->file_count == 0) {
-        return morph_usage(name, "write: OUT.kfish and what to make it of");
+        return morph_usage(command_name(command),
+                           command == IMPORT_REFIT
+                               ? "write: OUT.kfish, the species to bend, and a mesh for each key"
+                               : "write: OUT.kfish and what to make it of");
+    }
+    char id[1][SPECIES_NAME_SIZE];
+    if (words->id && !morph_import_words_take_name(words->id, 0, id)) {
+        return morph_usage(command_name(command), "--id: '%.60s' is no name of a-z, 0-9 and _",
+                           words->id);
     }
     return EXIT_OK;
+}
+
+void morph_import_words_name(const char *path, char out[SPECIES_NAME_SIZE])
+{
+    CORE_ASSERT(path);
+    const char *slash = strrchr(path, '/');
+    const char *base = slash ? slash + 1 : path;
+    uint32_t length = 0;
+    memset(out, 0, SPECIES_NAME_SIZE);
+    for (; *base && *base != '.' && length + 1 < SPECIES_NAME_SIZE; base++) {
+        const bool upper = *base >= 'A' && *base <= 'Z';
+        const char c = upper ? (char)(*base - 'A' + 'a') : *base;
+        const bool fits = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        out[length++] = fits ? c : '_';
+    }
+}
+
+enum exit_code morph_import_words_open_like(struct morph_import_words *words,
+                                            enum import_command command)
+{
+    static struct morph_options like;
+    static char id[SPECIES_NAME_SIZE];
+    morph_import_words_name(words->out, id);
+    words->plan.id = words->id ? words->id : id;
+    if (!words->like) {
+        return EXIT_OK;
+    }
+    like.word = words->like;
+    const enum exit_code code = morph_options_open(&like, command_name(command));
+    words->plan.like = code == EXIT_OK ? like.drawn : NULL;
+    return code;
 }
