@@ -79,10 +79,6 @@ void text_write_keys(const struct text_file files[TEXT_LANGUAGES], const char *p
 /* Writes the texts of all languages as a C table. */
 void text_write_table(const struct text_file files[TEXT_LANGUAGES], const char *path);
 
-/* Returns the next code point of zero-terminated UTF-8 and advances `*at`. Returns 0 at the end and
- * -1 for malformed bytes. */
-int32_t text_utf8_next(const char **at);
-
 /* Output files of font_bake(): the atlas, its glyph tables, and the ids of its fonts. */
 struct font_output {
     const char *atlas_path, *table_path, *header_path;

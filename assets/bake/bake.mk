@@ -18,7 +18,7 @@ GENERATED_OBJ += $(GENERATED)/blobs.o $(GENERATED)/fonts.o $(GENERATED)/text_tab
 
 generated: $(GENERATED_HEADERS)
 
-$(BUILD)/bake: $(BAKE_OBJ)
+$(BUILD)/bake: $(BAKE_OBJ) $(BUILD)/bake_host/core/base/printable.o
 	$(call step,LINK,$@)
 	$(Q)$(BUILD_CC) -o $@ $^ -lm
 

@@ -10,6 +10,8 @@
 #include <string.h>
 #include <stb/stb_truetype.h>
 
+#include "core/base/printable.h"
+
 #define GLYPHS_MAX 2048u
 /* Width of the margin around a glyph in atlas pixels, equal to FONT_EDGE / FONT_STEP. */
 #define FONT_PADDING 10
@@ -163,11 +165,10 @@ static void add_words(struct face *face, const struct text_file *file)
             continue;
         }
         const char *at = line->words, *start = at;
-        for (int32_t code = text_utf8_next(&at); code != 0; code = text_utf8_next(&at)) {
-            if (!add_glyph(face, (uint32_t)code)) {
+        for (uint32_t code = printable_next(&at); code != 0; code = printable_next(&at)) {
+            if (!add_glyph(face, code)) {
                 bake_fail("font %s (%s) lacks `%.*s` (U+%04X), which %s:%u uses", face->name,
-                          face->path, (int)(at - start), start, (unsigned)code, file->path,
-                          line->line);
+                          face->path, (int)(at - start), start, code, file->path, line->line);
             }
             start = at;
         }

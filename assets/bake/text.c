@@ -8,34 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const language_names[TEXT_LANGUAGES] = { "ja", "en" };
+#include "core/base/printable.h"
 
-int32_t text_utf8_next(const char **at)
-{
-    const unsigned char *s = (const unsigned char *)*at;
-    if (s[0] == 0) {
-        return 0;
-    }
-    const uint32_t tail = s[0] < 0x80u   ? 0u
-                          : s[0] < 0xc2u ? 4u
-                          : s[0] < 0xe0u ? 1u
-                          : s[0] < 0xf0u ? 2u
-                          : s[0] < 0xf5u ? 3u
-                                         : 4u;
-    *at += 1;
-    if (tail > 3u) {
-        return -1;
-    }
-    int32_t code = tail == 0 ? s[0] : s[0] & (0x3f >> tail);
-    for (uint32_t i = 1; i <= tail; i++) {
-        if ((s[i] & 0xc0) != 0x80) {
-            return -1;
-        }
-        code = code * 64 + (s[i] & 0x3f);
-        *at += 1;
-    }
-    return code;
-}
+static const char *const language_names[TEXT_LANGUAGES] = { "ja", "en" };
 
 static char *text_trim(char *s)
 {
@@ -91,8 +66,8 @@ static void add_line(struct text_file *file, char *line, uint32_t number)
 static void check_line(const struct text_file *file, const struct text_line *line)
 {
     const char *at = line->words;
-    for (int32_t code = text_utf8_next(&at); code != 0; code = text_utf8_next(&at)) {
-        if (code < 0x20) {
+    for (uint32_t code = printable_next(&at); code != 0; code = printable_next(&at)) {
+        if (code < 0x20 || code == PRINTABLE_MALFORMED) {
             bake_fail("%s:%u: `%s` holds bytes that are not UTF-8 text", file->path, line->line,
                       line->key);
         }

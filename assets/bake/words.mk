@@ -6,7 +6,7 @@ BUILD_CC ?= cc
 
 generated: $(BUILD)/generated/refused_words.c
 
-$(BUILD)/bake_words: $(WORDS_OBJ)
+$(BUILD)/bake_words: $(WORDS_OBJ) $(BUILD)/bake_host/core/base/printable.o
 	$(call step,LINK,$@)
 	$(Q)$(BUILD_CC) -o $@ $^
 

@@ -44,6 +44,26 @@ uint32_t printable_code_point(const char *text)
     return point;
 }
 
+uint32_t printable_next(const char **at)
+{
+    const uint32_t size = printable_utf8_size(*at);
+    const uint32_t point = size > 0 ? printable_code_point(*at) : PRINTABLE_MALFORMED;
+    *at += size > 0 ? size * (point > 0) : 1u; /* The end of the text stays the end. */
+    return point;
+}
+
+uint32_t printable_fit(const char *text, uint32_t max)
+{
+    uint32_t length = 0;
+    while (length < max && text[length]) {
+        length++;
+    }
+    while (length > 0 && ((unsigned char)text[length] & 0xc0u) == 0x80u) {
+        length--;
+    }
+    return length;
+}
+
 uint32_t printable_size(const char *text)
 {
     const uint32_t size = printable_utf8_size(text);

@@ -15,6 +15,8 @@
 #include <stdint.h>
 
 #define PRINTABLE_MARK '?' /* Replacement for a rejected character. */
+/* Code point that printable_next() returns for bytes that are not UTF-8: U+FFFD. */
+#define PRINTABLE_MALFORMED 0xfffdu
 
 /* Returns the size in bytes of the UTF-8 character at `text`, 1 to 4, or 0 if the bytes are not
  * UTF-8. `text` must end with a zero byte, for which the function returns 1. */
@@ -23,6 +25,14 @@ uint32_t printable_utf8_size(const char *text);
 /* Returns the code point of the character at `text`. The caller guarantees that
  * printable_utf8_size() of `text` is not 0. */
 uint32_t printable_code_point(const char *text);
+
+/* Returns the code point at `*at` and advances `*at` past this code point. Returns 0 at the end of
+ * the text. Malformed bytes are consumed one by one, and each returns PRINTABLE_MALFORMED. */
+uint32_t printable_next(const char **at);
+
+/* Returns the number of bytes of `text` that fit into `max` bytes without splitting a UTF-8
+ * character. */
+uint32_t printable_fit(const char *text, uint32_t max);
 
 /* Returns the size in bytes of the character at `text` if the character may be displayed, otherwise
  * 0. Returns 0 for the zero byte that ends `text`. */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
+#include "core/base/printable.h"
 
 void controller_manager_init(struct controller_manager *manager, struct hid_device_list device_list,
                              struct hid_mapping_store *book, struct poi_hid *const seats[POI_MAX])
@@ -295,7 +296,7 @@ static const char *hid_desk_name(void *self, uint32_t row)
     }
     const struct hid_identity *who = &manager->row[row].identity;
     snprintf(manager->name, sizeof manager->name, "%04x:%04x %.*s%s%.9s", who->vendor, who->product,
-             hid_text_fit(who->name, 24), who->name, who->port[0] ? ", " : "", who->port);
+             (int)printable_fit(who->name, 24), who->name, who->port[0] ? ", " : "", who->port);
     return manager->name;
 }
 

@@ -30,20 +30,6 @@ struct hid_identity {
                       the hub at port 1. */
 };
 
-/* Returns the number of bytes of `text` that fit into `max` bytes without splitting a UTF-8
- * character. */
-static inline int hid_text_fit(const char *text, int max)
-{
-    int length = 0;
-    while (length < max && text[length]) {
-        length++;
-    }
-    while (length > 0 && ((uint8_t)text[length] & 0xc0u) == 0x80u) {
-        length--;
-    }
-    return length;
-}
-
 /* Identity and report descriptor of an attached device. The struct is a complete copy, from which a
  * decoder can be initialized. */
 struct hid_device_info {

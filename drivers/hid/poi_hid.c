@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
+#include "core/base/printable.h"
 #include "drivers/hid/poi_report.h"
 
 /* Largest number of reports in one frame: a full queue and the newest report. */
@@ -64,7 +65,7 @@ int poi_hid_remap(struct poi_hid *poi, const struct hid_mapping *map)
     CORE_ASSERT(chosen.source <= HID_MAPPING_LEARNED);
     poi->plays = hid_pose_decoder_init(&poi->hand, face, &chosen, &poi->view) == 0;
     snprintf(poi->text, sizeof poi->text, "%04x:%04x %.*s%s%.24s: %s", who->vendor, who->product,
-             hid_text_fit(name, 40), name, who->port[0] ? " at port " : "", who->port,
+             (int)printable_fit(name, 40), name, who->port[0] ? " at port " : "", who->port,
              sources[poi->plays ? chosen.source : HID_MAPPING_NONE]);
     return poi->plays;
 }

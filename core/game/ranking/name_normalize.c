@@ -1,35 +1,10 @@
 /* name_normalize.c -- maps width, case, kana and similar characters to one form. */
 #include "core/game/ranking/name_normalize.h"
 
-#define MALFORMED 0xffffu
+#include "core/base/printable.h"
+
 /* Offset from the code point of a hiragana to the code point of its katakana. */
 #define KATAKANA_AFTER 0x60u
-
-/* Returns the number of continuation bytes that follow the first byte `lead` of a letter below
- * U+10000. Returns 3 if `lead` is not a valid first byte. */
-static uint32_t tail_count(uint8_t lead)
-{
-    return lead < 0x80u ? 0u : lead < 0xc2u ? 3u : lead < 0xe0u ? 1u : lead < 0xf0u ? 2u : 3u;
-}
-
-static uint16_t next_letter(const char **at)
-{
-    const uint8_t lead = (uint8_t)*(*at)++;
-    const uint32_t tail = tail_count(lead);
-    if (tail == 3u) {
-        return MALFORMED;
-    }
-    uint32_t letter = tail == 0 ? lead : lead & (0x3fu >> tail);
-    for (uint32_t i = 0; i < tail; i++) {
-        const uint8_t byte = (uint8_t)**at;
-        if ((byte & 0xc0u) != 0x80u) {
-            return MALFORMED;
-        }
-        letter = letter << 6 | (byte & 0x3fu);
-        (*at)++;
-    }
-    return (uint16_t)letter;
-}
 
 static uint16_t narrowed(uint16_t letter)
 {
@@ -100,7 +75,9 @@ uint32_t name_normalize(const char *utf8, enum name_ends ends, uint16_t out[NAME
     uint32_t count = 0, end = 0; /* Number of letters up to the last letter that is not
                                     decoration. */
     while (*utf8 != 0 && count < NAME_NORMALIZE_MAX) {
-        const uint16_t raw = next_letter(&utf8);
+        const uint32_t point = printable_next(&utf8);
+        /* Letters above U+FFFF are not distinguished, because none of them has another form. */
+        const uint16_t raw = (uint16_t)(point <= 0xffffu ? point : PRINTABLE_MALFORMED);
         if (voices_last(raw, out, count)) {
             continue;
         }

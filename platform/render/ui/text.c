@@ -12,45 +12,6 @@ const char *text_words(uint8_t language, enum text_key key)
     return text_table[language < LANGUAGE_COUNT ? language : LANGUAGE_JA][key];
 }
 
-/* Returns the number of bytes that follow the first byte of a UTF-8 character. 4 means an invalid
- * first byte. */
-static uint32_t tail_length(unsigned char lead)
-{
-    if (lead < 0x80u) {
-        return 0;
-    }
-    if (lead < 0xc2u || lead > 0xf4u) {
-        return 4;
-    }
-    return lead < 0xe0u ? 1u : lead < 0xf0u ? 2u : 3u;
-}
-
-uint32_t printable_next(const char **at)
-{
-    static const uint32_t lowest[4] = { 0, 0x80, 0x800, 0x10000 };
-    const unsigned char *bytes = (const unsigned char *)*at;
-    if (bytes[0] == 0) {
-        return 0;
-    }
-    *at += 1;
-    const uint32_t tail = tail_length(bytes[0]);
-    if (tail > 3u) {
-        return PRINTABLE_MALFORMED;
-    }
-    uint32_t code = tail == 0 ? bytes[0] : bytes[0] & (0x3fu >> tail);
-    for (uint32_t i = 1; i <= tail; i++) {
-        if ((bytes[i] & 0xc0u) != 0x80u) {
-            return PRINTABLE_MALFORMED;
-        }
-        code = code << 6 | (bytes[i] & 0x3fu);
-    }
-    if (code < lowest[tail] || code > 0x10ffffu || (code >= 0xd800u && code <= 0xdfffu)) {
-        return PRINTABLE_MALFORMED;
-    }
-    *at += tail;
-    return code;
-}
-
 const struct font_glyph *text_glyph(enum font_id font, uint32_t code)
 {
     const struct font *face = &asset_fonts[font];
@@ -147,10 +108,7 @@ static void sink_put(struct sink *sink, const char *at, size_t size)
 {
     size_t room = sink->size - 1u - sink->used;
     if (size > room) {
-        size = room;
-        while (size > 0 && ((unsigned char)at[size] & 0xc0u) == 0x80u) {
-            size--;
-        }
+        size = printable_fit(at, (uint32_t)room);
         sink->size = sink->used + size + 1u; /* After this assignment the sink has no room left, so
                                                 that later bytes are dropped. */
     }

@@ -9,12 +9,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/base/printable.h"
 #include "core/scene.h"
 #include "fonts.h"
 #include "text_keys.h"
 
-/* Code point that printable_next() returns for bytes that are not valid UTF-8. */
-#define PRINTABLE_MALFORMED 0xfffdu
 /* Maximum size of a text line in bytes, including the inserted number and the terminating zero. */
 #define TEXT_LINE_MAX 256u
 
@@ -24,10 +23,6 @@ const char *text_words(uint8_t language, enum text_key key);
 /* Copies `words` with the first {} replaced by `number`. If `out` is too small, the text is cut
  * after a whole character. */
 void text_number(char *out, size_t out_size, const char *words, uint32_t number);
-
-/* Returns the code point at `*at` and advances `*at` past this code point. Returns 0 at the end of
- * the text. Malformed bytes are consumed one by one, and each returns PRINTABLE_MALFORMED. */
-uint32_t printable_next(const char **at);
 
 /* Returns the glyph of a character, or null if the font was baked without the character. */
 const struct font_glyph *text_glyph(enum font_id font, uint32_t code);
