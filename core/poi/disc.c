@@ -6,8 +6,8 @@
  * disc perpendicular to the flow. */
 #include "core/poi/ring.h"
 
-#include "core/base/panic.h"
 #include "core/base/fmath.h"
+#include "core/base/panic.h"
 #include "core/base/physics.h"
 
 /* C_N of a disc that moves along its normal. Published values are 1.12 to 1.17. */

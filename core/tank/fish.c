@@ -1,8 +1,8 @@
-/* fish.c -- size, box, mass, direction and hash of a fish. */
+/* fish.c -- computes the size, the box, the mass, the direction and the hash of a fish. */
 #include "core/tank/fish.h"
 
-#include "core/base/panic.h"
 #include "core/base/hash.h"
+#include "core/base/panic.h"
 
 void fish_grow(struct fish *fish, float length_m, const struct behavior_params *params)
 {

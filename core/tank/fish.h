@@ -79,9 +79,10 @@ struct fish {
     vec3 push_m_s;     /* Velocity that is added to the fish's own motion: repulsion by near fish
                           (as in the 2013 thesis), the flow around a poi, and sidesteps. */
     float climb_m_s;   /* Vertical speed caused by swim bladder, fins and pitch; > 0 is upward. */
-    float heading_rad; /* Goal of the yaw, which the fish approaches at a bounded rate. */
-    float drawn_rad;   /* Offset from `heading_rad` to the goal of the yaw, caused by the attraction
-                          of shades; > 0 is to the left. */
+    float heading_rad; /* Goal of the yaw before the attraction of shades. The yaw approaches its
+                          goal at a bounded rate. */
+    float drawn_rad;   /* Angle by which the attraction of shades turns the goal of the yaw away
+                        from `heading_rad`. A value > 0 means to the left. */
     float brake;       /* Factor [0, 1] on the goal of the speed. The factor is below 1 if another
                           fish is close ahead. */
     float room;        /* Factor [0, 1] on the largest turning rate. The factor is below 1 if other
@@ -136,8 +137,8 @@ struct fish {
     uint8_t startle;    /* Cause of a startle whose latency has not yet ended (enum startle_cause);
                            0 means none. */
     float depth_goal_m; /* Preferred depth as a y coordinate, < 0. */
-    float depth_stray;  /* Random offset of the preferred depth from the depth for the fish's
-                           stamina, as a fraction of the water depth; > 0 is upward. */
+    float depth_stray;  /* Random offset that is added to the preferred depth for the fish's
+                          stamina, as a fraction of the water depth. A value > 0 means upward. */
 
     /* The next members are the state of the startle response; see startle.h. */
     float alarm;     /* Alarm [0, 1], which decays over time. */

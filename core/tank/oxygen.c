@@ -1,8 +1,9 @@
-/* oxygen.c -- the oxygen balance of a well mixed tank: solubility, respiration and gas exchange. */
+/* oxygen.c -- computes the oxygen balance of a well mixed tank: solubility, respiration and gas
+ * exchange. */
 #include "core/tank/oxygen.h"
 
-#include "core/base/panic.h"
 #include "core/base/hash.h"
+#include "core/base/panic.h"
 #include "core/input.h"
 #include "core/tank/behavior/surface_breathing.h"
 

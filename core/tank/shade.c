@@ -1,4 +1,5 @@
-/* shade.c -- the age and motion of shades, and how shades attract and startle fish. */
+/* shade.c -- tracks the age and the motion of shades, and computes how shades attract and startle
+ * fish. */
 #include "core/tank/shade.h"
 
 #include "core/base/hash.h"

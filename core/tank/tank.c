@@ -140,8 +140,8 @@ static void update_broad_phase(struct tank *tank, uint32_t station, const struct
         return;
     }
     struct broad_phase_search how = tank_search(tank);
-    how.contacts_only = !is_time; /* A query outside the schedule finds only contacts and no
-                                     avoidance advice. */
+    how.contacts_only = !is_time; /* A query between two scheduled queries finds only contacts
+                                     and gives no avoidance advice. */
     broad_phase_update(broad_phase, tank->fish, how, around);
     if (is_time) {
         struct perception then = *around;

@@ -9,9 +9,9 @@
  * The flow around a disc that moves along its plane is an estimate. */
 #include "core/tank/water.h"
 
-#include "core/base/panic.h"
 #include "core/base/hash.h"
 #include "core/base/mem.h"
+#include "core/base/panic.h"
 
 #define WAVE_SPEED_M_S 0.23f
 #define STEP_S (1.0f / 60.0f)

@@ -21,8 +21,8 @@
 
 /* ---- Stress concentration -------------------------------------------------------------------- */
 
-/* Raises `ratio` of a cell beside a tear to the load times the stress factor of the tear. If the
- * ratio of the cell is already higher, it does not change. */
+/* Raises `ratio` of a cell beside a tear to the load times the stress factor of the tear. A ratio
+ * that is already higher does not change. */
 static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uint32_t row,
                            uint32_t column)
 {

@@ -128,7 +128,7 @@ void paper_wetting_tick(struct sheet *sheet, struct sheet_wetting wet);
 float paper_wetting_line(const struct sheet *sheet, uint32_t row, uint32_t column);
 
 /* Returns the fraction of the initial wet strength that a cell still has after softening. */
-static inline float wetting_strength(const struct sheet *sheet, uint32_t cell)
+static inline float paper_wetting_strength(const struct sheet *sheet, uint32_t cell)
 {
     return 1.0f - SHEET_SOFTENING * (float)sheet->soak_ticks[cell] / (float)SHEET_SOAK_TICKS;
 }

@@ -18,8 +18,8 @@
 /* Time for which a fish keeps its depth after it avoided another fish by pitch. The preferred depth
  * would lead the fish back to the other fish. */
 #define HOLD_DEPTH_S 0.5f
-/* Closing speed below which fish do not avoid each other. Two resting fish can drift together at
- * this speed; repulsion then separates them. */
+/* Closing speed below which fish do not avoid each other. Two resting fish can drift toward each
+ * other at this speed, and repulsion then separates them. */
 #define CLOSING_MIN_M_S 0.010f
 /* Smallest factor on the speed of a braking fish. With a smaller factor, a burst in a dense tank
  * would lose more than half its speed. */

@@ -1,4 +1,5 @@
-/* escape.c -- the C-start: turn, bend and thrust of a startled fish as functions of time. */
+/* escape.c -- computes the C-start: the turn, the bend and the thrust of a startled fish as
+ * functions of time. */
 #include "core/tank/behavior/startle.h"
 
 #include "core/base/panic.h"

@@ -33,8 +33,9 @@
 /* Time constant with which a fish slows down from burst speed to swimming speed. */
 #define RUN_OUT_TAU_S 0.20f
 
-/* Returns the fraction of a difference that remains after `dt_s`: exp(-dt_s / tau_s). The error is
- * below 1e-4 for `dt_s` up to `tau_s`. */
+/* Returns exp(-dt_s / tau_s): the fraction of a difference that remains after `dt_s` if the
+ * difference decays with the time constant `tau_s`. The error is below 1e-4 for `dt_s` up to
+ * `tau_s`. */
 static float kept(float dt_s, float tau_s)
 {
     const float x = f_min(1.0f, dt_s / tau_s), even = 1.0f + x * x * (1.0f / 12.0f);
@@ -131,8 +132,9 @@ static float climb_goal_m_s(const struct fish *fish)
     return avoid_holds_depth(fish) ? 0.0f : f_clamp(CLIMB_GAIN_PER_S * off_m, -able_m_s, able_m_s);
 }
 
-/* Returns the fraction of the difference to a higher speed goal that remains after one tick. Except
- * in an escape, the fraction depends only on the length, so its value is cached. */
+/* Returns the factor by which one tick multiplies the difference between the speed and a higher
+ * speed goal. Except in an escape, the factor depends only on the length, so the fish stores the
+ * factor. */
 static float speed_up_keep(const struct fish *fish)
 {
     const float start_keep = kept(DT, START_TAU_S);
@@ -143,7 +145,8 @@ static float speed_up_keep(const struct fish *fish)
     return known ? fish->speed_up_keep : kept(DT, gait_run_up_s(fish->length_m));
 }
 
-/* Returns the fraction of the difference to a lower speed goal that remains after one tick. */
+/* Returns the factor by which one tick multiplies the difference between the speed and a lower
+ * speed goal. */
 static float slow_keep(const struct fish *fish, const struct behavior_params *params)
 {
     if (fish->gait == GAIT_ESCAPE) {

@@ -60,7 +60,8 @@ float swim_move(struct fish *fish, const struct behavior_params *params)
     const float turned_rad = f_abs(fish->yaw_rate_rad_s * DT) +
                              f_abs(fish->angles.pitch_rad - before.pitch_rad) +
                              f_abs(fish->angles.roll_rad - before.roll_rad);
-    /* Half the diagonal of the box is the largest motion of a corner per radian of rotation. */
+    /* A rotation by one radian moves a corner of the box by at most half the diagonal of the
+     * box. */
     return v3_length(velocity) * DT +
            (0.5f * v3_length(v3(fish->width_m, fish->height_m, fish->length_m))) * turned_rad;
 }

@@ -1,5 +1,5 @@
-/* box.c -- the separating-axis test of two boxes. The cosines between the axes of the boxes are
- * computed once per test. */
+/* box.c -- computes the gap of two boxes by the separating-axis test. The cosines between the axes
+ * of the boxes are computed once per test. */
 #include "core/tank/collision/box.h"
 
 #include "core/base/mem.h"

@@ -27,7 +27,8 @@ enum body_flag {
                                list. */
 };
 
-/* Results of a query for one fish about its neighbours; valid until the next query. */
+/* Results of a query about the neighbours of one fish. The results are valid until the next
+ * query. */
 struct neighbours {
     struct avoid_advice advice; /* Advice for the encounter with the soonest contact. */
     vec3 push_m_s;              /* Sum of the velocities by which near fish repel the fish. */

@@ -1,4 +1,5 @@
-/* contact_solver_steps.c -- the division of a tick into substeps, and the end of a tick. */
+/* contact_solver_steps.c -- divides a tick of the contact solver into substeps, and ends the
+ * tick. */
 #include "core/base/panic.h"
 #include "core/input.h"
 #include "core/tank/collision/contact_solver.h"

@@ -1,8 +1,8 @@
 /* narrow_phase_boxes_simd.c -- the separating-axis test of box.c for several pairs at a time. */
 #include "core/tank/collision/narrow_phase_simd.h"
 
-#include "core/base/panic.h"
 #include "core/base/mem.h"
+#include "core/base/panic.h"
 
 #define APART_M 1e9f
 #define PARALLEL simd_splat(1e-6f) /* Value of PARALLEL in box.c. */

@@ -1,8 +1,8 @@
 /* narrow_phase_simd.c -- the tests of balls, heights and sides for several pairs at a time. */
 #include "core/tank/collision/narrow_phase_simd.h"
 
-#include "core/base/panic.h"
 #include "core/base/mem.h"
+#include "core/base/panic.h"
 
 #define ROUNDING 1.00001f /* Tolerance for rounding errors, so that no ball is too small. */
 

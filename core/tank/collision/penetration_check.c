@@ -3,8 +3,8 @@
 #include "core/base/panic.h"
 #include "core/tank/collision/contact_solver_internal.h"
 
-/* Limit of overlaps per fish for hold_unlisted(). More overlaps occur only if tank_stage_all()
- * placed fish that overlap. */
+/* Largest number of overlaps per fish with which a full contact list still reverts fish. More
+ * overlaps occur only if tank_stage_all() placed fish that overlap. */
 #define PILE 2u
 /* Limit of rounds in which only obstacles react (give up motion): eight reactions of each of eight
  * obstacles, and the last check, with a reserve. */
@@ -92,8 +92,8 @@ static int carry_too(const struct solver_step *all, uint32_t carried, uint32_t o
     return result >= SOLVER_CARRIED && carry(all, other, (uint32_t)result - SOLVER_CARRIED, round);
 }
 
-/* Resolves the penetration of two fish. Reverts a fish whose revert removes the penetration. If the
- * revert of either fish would remove it, reverts the fish that moved farther. */
+/* Resolves the penetration of two fish. Reverts a fish whose revert removes the penetration. If a
+ * revert of each fish alone would remove the penetration, reverts the fish that moved farther. */
 static void choose_reverted(const struct solver_step *all, uint32_t a, uint32_t b, float allowed_m,
                             uint32_t round)
 {

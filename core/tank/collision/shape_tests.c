@@ -61,7 +61,8 @@ static const float ring_cos[RING_POINTS / 2 + 1] = {
     -0.98078528f,  -0.995184727f, -1.0f,
 };
 
-/* Cosines and sines of 1/2, 1/4, 1/8, .. of the angle between two coarse points. */
+/* Entry k holds the cosine and the sine of an angle: the angle between two coarse points, divided
+ * by 2^(k + 1). */
 static const struct turn ring_halving[RING_HALVINGS] = {
     { 0.998795456f, 0.0490676743f },   { 0.999698819f, 0.0245412285f },
     { 0.999924702f, 0.0122715383f },   { 0.999981175f, 0.00613588465f },

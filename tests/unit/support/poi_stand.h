@@ -18,8 +18,8 @@
 #include "core/base/physics.h"
 #include "core/poi/bowl/bowl.h"
 #include "core/poi/catch/catch.h"
-#include "core/poi/ring.h"
 #include "core/poi/poi.h"
+#include "core/poi/ring.h"
 #include "core/tank/behavior/swim.h"
 #include "core/tank/tank.h"
 

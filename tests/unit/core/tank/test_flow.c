@@ -11,8 +11,8 @@
 #include "core/base/simd.h"
 #include "core/input.h"
 #include "core/tank/behavior/fish_behavior.h"
-#include "core/tank/water.h"
 #include "core/tank/tank.h"
+#include "core/tank/water.h"
 #include "tests/unit/support/pond.h"
 
 #define RADIUS_M 0.0465f

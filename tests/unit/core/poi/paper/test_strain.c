@@ -59,7 +59,7 @@ static float plain_load(uint32_t cell, float *tension_max_n_m)
         return 0.0f;
     }
     *tension_max_n_m = f_max(*tension_max_n_m, tension);
-    const float wet = strain.grade->wet_n_m * wetting_strength(&sheet, cell);
+    const float wet = strain.grade->wet_n_m * paper_wetting_strength(&sheet, cell);
     const float holds =
         f_lerp(strain.grade->dry_n_m, wet, sheet.wetness[cell]) * sheet.strength[cell];
     const float load = tension / f_max(holds, 1e-3f);

@@ -78,13 +78,13 @@ static void test_wet_paper_loses_a_quarter_more_in_a_minute_and_no_more(void **s
     sheet_init(&sheet, 5, RADIUS_M, 1);
     stand_plain_paper(&sheet, 1.0f);
     sheet.soaked = 1;
-    assert_float_equal(wetting_strength(&sheet, cell), 1.0f, 0.0f);
+    assert_float_equal(paper_wetting_strength(&sheet, cell), 1.0f, 0.0f);
     soak(in_air, 30.0f);
-    assert_float_equal(wetting_strength(&sheet, cell), 0.875f, 1e-4f);
+    assert_float_equal(paper_wetting_strength(&sheet, cell), 0.875f, 1e-4f);
     soak(in_air, 30.0f);
-    assert_float_equal(wetting_strength(&sheet, cell), 0.75f, 1e-4f);
+    assert_float_equal(paper_wetting_strength(&sheet, cell), 0.75f, 1e-4f);
     soak(in_air, 30.0f);
-    assert_float_equal(wetting_strength(&sheet, cell), 0.75f, 1e-4f);
+    assert_float_equal(paper_wetting_strength(&sheet, cell), 0.75f, 1e-4f);
 }
 
 static void test_softened_paper_tears_at_three_quarters_of_the_tension(void **state)

@@ -7,8 +7,8 @@
 #include <cmocka.h>
 
 #include "core/input.h"
-#include "core/tank/behavior/gait.h"
 #include "core/tank/behavior/fish_behavior.h"
+#include "core/tank/behavior/gait.h"
 #include "core/tank/behavior/swim.h"
 #include "tests/unit/support/pond.h"
 

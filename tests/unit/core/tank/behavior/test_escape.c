@@ -8,8 +8,8 @@
 
 #include "core/base/rng.h"
 #include "core/input.h"
-#include "core/tank/behavior/startle.h"
 #include "core/tank/behavior/gait.h"
+#include "core/tank/behavior/startle.h"
 #include "core/tank/behavior/swim.h"
 #include "tests/unit/support/pond.h"
 
