@@ -229,13 +229,13 @@ static enum exit_code run_words(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    const int closed = standard_streams_open();
+    const int closed = print_open_streams();
     if (closed) {
         print_error("kingyo-poi: /dev/null: %s", strerror(-closed));
         return EXIT_IO;
     }
     const enum exit_code code = run_words(argc, argv);
-    const int lost = standard_output_finish();
+    const int lost = print_finish();
     if (lost && (code == EXIT_OK || code == EXIT_NOT_SO)) {
         print_error("kingyo-poi: standard output: %s", strerror(-lost));
         return EXIT_IO;

@@ -204,7 +204,7 @@ static enum exit_code run_words(int argc, char **argv)
 int main(int argc, char **argv)
 {
     char line[128];
-    const int closed = standard_streams_open();
+    const int closed = print_open_streams();
     log_open();
     if (closed) {
         snprintf(line, sizeof line, "/dev/null: %s", strerror(-closed));
@@ -214,7 +214,7 @@ int main(int argc, char **argv)
     evening.stop = &stop;
     evening.recorder.writer.fd = -1;
     const enum exit_code code = run_words(argc, argv);
-    const int lost = standard_output_finish();
+    const int lost = print_finish();
     if (lost && code == EXIT_OK) {
         snprintf(line, sizeof line, "standard output: %s", strerror(-lost));
         kiosk_main_warn(line);

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-int standard_streams_open(void)
+int print_open_streams(void)
 {
     for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {
         if (fcntl(fd, F_GETFD) >= 0) {
@@ -22,10 +22,10 @@ int standard_streams_open(void)
     return 0;
 }
 
-static int flush_error; /* errno of the first failed standard_output_flush(), or 0 if no call
+static int flush_error; /* errno of the first failed print_flush(), or 0 if no call
                            failed. */
 
-int standard_output_flush(FILE *out)
+int print_flush(FILE *out)
 {
     errno = 0;
     if (fflush(out) == 0 && !ferror(out)) {
@@ -35,7 +35,7 @@ int standard_output_flush(FILE *out)
     return -1;
 }
 
-int standard_output_finish(void)
+int print_finish(void)
 {
     const int has_failed = ferror(stdout) != 0;
     errno = 0;

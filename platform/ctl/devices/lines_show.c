@@ -33,7 +33,7 @@ enum exit_code lines_list(struct gpio_lines lines, FILE *out)
 {
     fputs("device\tchip\toffset\tname\tdirection\tactive\theld_by\n", out);
     const int count = lines.ops->list(lines.self, tell_line, out);
-    if (standard_output_flush(out) != 0) {
+    if (print_flush(out) != 0) {
         return EXIT_NOT_SO; /* The write to standard output failed. main() prints the error line. */
     }
     if (count == HAL_ERR_ABSENT) {

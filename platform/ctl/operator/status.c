@@ -160,7 +160,7 @@ static enum exit_code status_print_report(const struct request *request, sqlite3
             status_print_text(database, figures, text);
         }
         /* If the output is incomplete, main() reports the write error. */
-        code = standard_output_flush(stdout) == 0 ? status_exit_code(figures) : EXIT_NOT_SO;
+        code = print_flush(stdout) == 0 ? status_exit_code(figures) : EXIT_NOT_SO;
     }
     sqlite3_finalize(figures);
     return code;
