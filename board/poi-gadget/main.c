@@ -102,19 +102,6 @@ static enum exit_code wrong(const char *what, const char *word)
 
 /* ---- Commands ------------------------------------------------------------------------------- */
 
-static enum exit_code descriptor(const struct arguments *arguments)
-{
-    for (uint32_t i = 0; i < POI_DESCRIPTOR_SIZE && arguments->hex; i++) {
-        printf("%02x%c", poi_descriptor[i], i % 16 == 15 ? '\n' : ' ');
-    }
-    if (arguments->hex) {
-        putchar('\n');
-    } else {
-        fwrite(poi_descriptor, 1, sizeof poi_descriptor, stdout);
-    }
-    return EXIT_OK;
-}
-
 static enum exit_code play_sensors(const struct poi_config *config,
                                    const struct arguments *arguments, struct feel_sink sink,
                                    int prints)
@@ -175,7 +162,15 @@ static enum exit_code command(const char *name, struct arguments *arguments)
     struct poi_config config;
     const int prints = strcmp(name, "watch") == 0;
     if (strcmp(name, "descriptor") == 0) {
-        return descriptor(arguments);
+        for (uint32_t i = 0; i < POI_DESCRIPTOR_SIZE && arguments->hex; i++) {
+            printf("%02x%c", poi_descriptor[i], i % 16 == 15 ? '\n' : ' ');
+        }
+        if (arguments->hex) {
+            putchar('\n');
+        } else {
+            fwrite(poi_descriptor, 1, sizeof poi_descriptor, stdout);
+        }
+        return EXIT_OK;
     }
     if (arguments->simulate && arguments->script) {
         return wrong("--simulate and --script exclude each other in", name);

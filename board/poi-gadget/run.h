@@ -58,7 +58,7 @@ struct run_options {
 enum exit_code run(const struct run_options *options, struct pose_source source,
                    struct feel_sink sink);
 
-/* Prints the poses of `source` as lines of text (pose_line.h), `rate_hz` lines per second. */
+/* Prints the poses of `source` as lines of text (pose_script.h), `rate_hz` lines per second. */
 enum exit_code run_watch(const struct run_options *options, struct pose_source source);
 
 #endif

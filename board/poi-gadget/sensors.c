@@ -132,22 +132,6 @@ void sensors_open_keys(struct keys *keys, const char *root)
     }
 }
 
-static void keys_take_event(struct keys *keys, const struct input_event *event)
-{
-    if (event->type == EV_SYN && event->code == SYN_DROPPED) {
-        keys->held = 0;
-        for (uint32_t i = 0; i < keys->count; i++) {
-            ask_levels(keys, keys->fd[i]);
-        }
-    }
-    for (size_t k = 0; k < CODE_COUNT && event->type == EV_KEY; k++) {
-        if (codes[k].code == event->code) {
-            keys->held = event->value ? keys->held | codes[k].button
-                                      : keys->held & ~(uint32_t)codes[k].button;
-        }
-    }
-}
-
 uint8_t sensors_held_keys(struct keys *keys)
 {
     assert(keys->count <= KEYS_DEVICES_MAX);
@@ -155,7 +139,17 @@ uint8_t sensors_held_keys(struct keys *keys)
         struct input_event events[EVENTS_MAX];
         const ssize_t size = read(keys->fd[i], events, sizeof events);
         for (ssize_t e = 0; e < size / (ssize_t)sizeof events[0]; e++) {
-            keys_take_event(keys, &events[e]);
+            const struct input_event *event = &events[e];
+            if (event->type == EV_SYN && event->code == SYN_DROPPED) {
+                keys->held = 0;
+                for (uint32_t k = 0; k < keys->count; k++) {
+                    ask_levels(keys, keys->fd[k]);
+                }
+            }
+            for (size_t k = 0; k < CODE_COUNT && event->type == EV_KEY; k++) {
+                const uint32_t bit = codes[k].code == event->code ? codes[k].button : 0u;
+                keys->held = event->value ? keys->held | bit : keys->held & ~bit;
+            }
         }
     }
     return (uint8_t)keys->held;

@@ -22,17 +22,12 @@
 #define RATE_MAX_RAD_S 40.0f
 #define STEP_MAX_S 0.25f /* Longest time over which a measured rotation rate is extrapolated. */
 
-static float seconds_between(uint64_t from_ns, uint64_t to_ns)
-{
-    return to_ns > from_ns ? (float)(to_ns - from_ns) * 1e-9f : 0.0f;
-}
-
 /* Rotates `up` to `time_ns`, opposite to the rotation of the pad, because the upward direction is
  * fixed in the world. */
 static void turn_to(struct gamepad_imu_filter *tilt, uint64_t time_ns)
 {
     CORE_ASSERT(v3_is_finite(tilt->rate_rad_s));
-    const float dt_s = f_min(seconds_between(tilt->turn_ns, time_ns), STEP_MAX_S);
+    const float dt_s = f_min(pointer_seconds_between(tilt->turn_ns, time_ns), STEP_MAX_S);
     if (tilt->turn_ns > 0 && tilt->knows_down) {
         const vec3 turned = v3_muladd(tilt->up, v3_cross(tilt->up, tilt->rate_rad_s), dt_s);
         tilt->up = v3_normalize_or(turned, tilt->up);
@@ -59,7 +54,7 @@ int gamepad_imu_filter_add_gravity(struct gamepad_imu_filter *tilt, uint64_t tim
         return -1;
     }
     const float weight = v3_length(up_m_s2);
-    const float dt_s = f_min(seconds_between(tilt->weigh_ns, time_ns), STEP_MAX_S);
+    const float dt_s = f_min(pointer_seconds_between(tilt->weigh_ns, time_ns), STEP_MAX_S);
     tilt->weigh_ns = time_ns > tilt->weigh_ns ? time_ns : tilt->weigh_ns;
     turn_to(tilt, time_ns);
     if (!(weight > 0.7f * G_M_S2 && weight < 1.3f * G_M_S2)) {
@@ -111,7 +106,7 @@ struct angles gamepad_imu_filter_at(struct gamepad_imu_filter *tilt, uint64_t ti
     }
     const float pitch_rad = pitch_of(tilt->up);
     const float roll_rad = roll_of(tilt->up);
-    const float dt_s = f_min(seconds_between(tilt->rest_ns, time_ns), STEP_MAX_S);
+    const float dt_s = f_min(pointer_seconds_between(tilt->rest_ns, time_ns), STEP_MAX_S);
     const float share = hovers ? dt_s / (dt_s + REST_TAU_S) : 0.0f;
     tilt->rest_pitch_rad = f_lerp(tilt->rest_pitch_rad, pitch_rad, share);
     tilt->rest_roll_rad = f_lerp(tilt->rest_roll_rad, roll_rad, share);

@@ -1,7 +1,7 @@
 /* gamepad_decoder.h -- the game pad decoder: turns sticks, triggers, buttons and motion sensors
  * into a pose of the poi.
  *
- * Pure: uses no device, clock or library. SDL's game pads (gamepad_poi.h) and the simulated game
+ * Pure: uses no device, clock or library. SDL's game pads (gamepads.h) and the simulated game
  * pad (gamepad_sim.h) share this decoder. The poi is the paper scoop, a ring with paper.
  *
  * The left stick moves the ring over the water by the rules of stick_motion.h. Button A or a

@@ -2,6 +2,7 @@
 #include "drivers/gamepad/gamepads.h"
 
 #include <SDL.h>
+#include <stdlib.h>
 
 #include "core/base/panic.h"
 
@@ -37,11 +38,6 @@ static int pad_poll(void *self, struct poi_sample *out, uint32_t max)
     return (int)gamepad_queue_pop(&pad->track, hal_now_ns(pad->gamepads->clock), out, max);
 }
 
-static uint32_t apart(uint16_t a, uint16_t b)
-{
-    return a > b ? (uint32_t)(a - b) : (uint32_t)(b - a);
-}
-
 /* Sends the motor levels when they change, and repeats them before SDL would stop the motors. */
 static int pad_set_force(void *self, const struct poi_force *force)
 {
@@ -53,8 +49,8 @@ static int pad_set_force(void *self, const struct poi_force *force)
     const struct gamepad_rumble rumble = gamepad_decoder_rumble(force);
     const uint64_t now = hal_now_ns(pad->gamepads->clock);
     const int hums = rumble.slow > 0 || rumble.fast > 0;
-    const int is_other = apart(rumble.slow, pad->rumble.slow) >= RUMBLE_STEP ||
-                         apart(rumble.fast, pad->rumble.fast) >= RUMBLE_STEP ||
+    const int is_other = abs(rumble.slow - pad->rumble.slow) >= RUMBLE_STEP ||
+                         abs(rumble.fast - pad->rumble.fast) >= RUMBLE_STEP ||
                          (!hums && (pad->rumble.slow > 0 || pad->rumble.fast > 0));
     if (!is_other && !(hums && now - pad->rumble_ns >= RUMBLE_AGAIN_NS)) {
         return HAL_OK;

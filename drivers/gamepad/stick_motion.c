@@ -150,15 +150,6 @@ void stick_motion_report(struct stick_motion *fly, const struct stick_report *re
     }
 }
 
-/* Returns the offset of the ring during a dip. The ring moves away from the player along the line
- * of sight as it sinks by `down_m`. The slanted ring then moves more edge-on through the water. */
-static vec3 slid_m(const struct stick_motion *fly, float down_m)
-{
-    const vec3 sight = v3_sub(fly->view.target_m, fly->view.eye_m);
-    const float slope = sight.y < -0.1f ? f_clamp(sight.z / sight.y, 0.0f, 1.5f) : 0.0f;
-    return v3(0.0f, -down_m, -slope * down_m);
-}
-
 struct poi_target stick_motion_target(struct stick_motion *fly, uint64_t time_ns)
 {
     CORE_ASSERT(v3_is_finite(fly->place_m));
@@ -167,8 +158,13 @@ struct poi_target stick_motion_target(struct stick_motion *fly, uint64_t time_ns
     const vec3 along = v3(fly->speed_m_s.x, 0.0f, fly->speed_m_s.z);
     const vec3 lean = v3_limit(v3_scale(along, LEAN_RAD_PER_M_S), LEAN_MAX_RAD);
     const float slant = pointer_dip_slant_rad(stroke.speed_m_s);
+    /* The ring moves away from the player along the line of sight as it sinks by `down_m`. The
+     * slanted ring then moves more edge-on through the water. */
+    const vec3 sight = v3_sub(fly->view.target_m, fly->view.eye_m);
+    const float slope = sight.y < -0.1f ? f_clamp(sight.z / sight.y, 0.0f, 1.5f) : 0.0f;
+    const float down_m = DIP_HOVER_M - stroke.height_m;
     return (struct poi_target){
-        .position_m = v3_add(fly->place_m, slid_m(fly, DIP_HOVER_M - stroke.height_m)),
+        .position_m = v3_add(fly->place_m, v3(0.0f, -down_m, -slope * down_m)),
         .angles = { .yaw_rad = fly->twist_rad.y,
                     .pitch_rad = fly->twist_rad.x - slant - lean.z,
                     .roll_rad = fly->twist_rad.z - lean.x },

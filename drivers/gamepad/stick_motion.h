@@ -3,7 +3,7 @@
  *
  * Pure: uses no device, clock or library. A stick sets a velocity: pushing the stick moves the
  * ring, and releasing the stick stops the ring. A puck also moves the ring up and down. A game pad
- * lowers the ring with a button, as a mouse does (dip_trajectory.h).
+ * lowers the ring with a button, as a mouse does (pointer_poi.h).
  *
  * The tilt of the ring follows the angle of the stick or puck and returns to level on release.
  * Holding LEVEL returns a puck's ring to the hover height. The ring is slower under water, so that

@@ -199,12 +199,6 @@ static int controller_manager_save_mapping(struct controller_manager *manager)
 
 /* ---- Commands ------------------------------------------------------------------------------- */
 
-static void controller_manager_forget_mapping(struct controller_manager *manager)
-{
-    manager->forgets =
-        hid_mapping_store_forget(manager->book, &manager->forget_identity) == HAL_ERR_BUSY;
-}
-
 static int controller_manager_release(struct controller_manager *manager, uint32_t row)
 {
     CORE_ASSERT(row < CONTROLLER_MAX);
@@ -215,7 +209,8 @@ static int controller_manager_release(struct controller_manager *manager, uint32
     }
     if (manager->row[row].state != CONTROLLER_NONE) {
         manager->forget_identity = manager->row[row].identity;
-        controller_manager_forget_mapping(manager);
+        manager->forgets =
+            hid_mapping_store_forget(manager->book, &manager->forget_identity) == HAL_ERR_BUSY;
     }
     return manager->device_list.ops->release(manager->device_list.self, row);
 }
@@ -276,7 +271,8 @@ static int hid_desk_poll(void *self, struct controller_status *out)
     manager->device_list.ops->rows(manager->device_list.self, manager->row);
     watch_learning(manager);
     if (manager->forgets) {
-        controller_manager_forget_mapping(manager);
+        manager->forgets =
+            hid_mapping_store_forget(manager->book, &manager->forget_identity) == HAL_ERR_BUSY;
     }
     memset(out, 0, sizeof *out);
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {

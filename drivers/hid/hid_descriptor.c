@@ -94,21 +94,6 @@ static enum hid_error read_local(struct reader *reader, const struct hid_item *i
 
 /* ---- Main items ----------------------------------------------------------------------------- */
 
-static enum hid_error open_collection(struct reader *reader, uint32_t kind)
-{
-    CORE_ASSERT(reader->depth <= HID_DEPTH_MAX);
-    const struct hid_descriptor *out = reader->out;
-    if (reader->depth == HID_DEPTH_MAX) {
-        return HID_ERR_DEPTH;
-    }
-    const hid_usage named =
-        out->range_count > reader->range_first ? out->range[reader->range_first].first : 0;
-    const hid_usage around = reader->application[reader->depth];
-    reader->depth++;
-    reader->application[reader->depth] = kind == COLLECTION_APPLICATION ? named : around;
-    return HID_OK;
-}
-
 static struct hid_group group_of(const struct reader *reader, uint32_t flags)
 {
     CORE_ASSERT(reader->depth <= HID_DEPTH_MAX);
@@ -172,8 +157,19 @@ static enum hid_error read_main(struct reader *reader, const struct hid_item *it
     switch (item->tag) {
     case MAIN_INPUT:
         return reader->has_usage_min ? HID_ERR_USAGE_ALONE : add_input(reader, item->data);
-    case MAIN_COLLECTION:
-        return open_collection(reader, item->data);
+    case MAIN_COLLECTION: {
+        if (reader->depth == HID_DEPTH_MAX) {
+            return HID_ERR_DEPTH;
+        }
+        hid_usage application = reader->application[reader->depth];
+        if (item->data == COLLECTION_APPLICATION) {
+            application = reader->out->range_count > reader->range_first
+                              ? reader->out->range[reader->range_first].first
+                              : 0;
+        }
+        reader->application[++reader->depth] = application;
+        return HID_OK;
+    }
     case MAIN_END_COLLECTION:
         if (reader->depth == 0) {
             return HID_ERR_NO_COLLECTION;

@@ -267,16 +267,12 @@ int hid_mapping_is_array_of(const struct hid_group *group, const struct hid_bind
            group->bit_size == binding->bit_size;
 }
 
-static int is_value(int64_t value)
-{
-    return value >= -HID_VALUE_MAX && value <= HID_VALUE_MAX;
-}
-
 static int binding_is_sound(const struct hid_binding *binding,
                             const struct hid_descriptor *descriptor)
 {
     CORE_ASSERT(descriptor->error == HID_OK);
-    if (!is_value(binding->rest) || !is_value(binding->full)) {
+    if (binding->rest < -HID_VALUE_MAX || binding->rest > HID_VALUE_MAX ||
+        binding->full < -HID_VALUE_MAX || binding->full > HID_VALUE_MAX) {
         return 0;
     }
     const uint64_t end = (uint64_t)binding->bit_offset + binding->bit_size;

@@ -235,19 +235,6 @@ static void bind_axis(struct hid_learn *learn, const struct learn_field *field, 
     hid_mapping_auto_bits(&learn->map, binding);
 }
 
-static int is_taken(const struct hid_mapping *map, const struct hid_binding *binding)
-{
-    CORE_ASSERT(map->count <= HID_BINDING_MAX);
-    for (uint32_t i = 0; i < map->count; i++) {
-        const struct hid_binding *taken = &map->binding[i];
-        if (taken->report_id == binding->report_id && taken->bit_offset == binding->bit_offset &&
-            taken->usage == binding->usage) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 /* Returns 1 if the in-range bit of a pen was not set while the pen moved an axis, otherwise 0. Some
  * pens never report their range or report it inverted. The in-range bit of these pens must not be
  * used. */
@@ -275,7 +262,13 @@ static void keep_offered(struct hid_learn *learn)
         const int was_shown = binding->role == HID_ROLE_X || binding->role == HID_ROLE_Y ||
                               binding->role == HID_ROLE_Z || binding->role == HID_ROLE_DIP;
         const int is_false = binding->role == HID_ROLE_IN_RANGE && never_said(learn, binding);
-        if (!was_shown && !is_false && !is_taken(&learn->map, binding)) {
+        uint32_t k = 0;
+        while (k < learn->map.count && !(learn->map.binding[k].report_id == binding->report_id &&
+                                         learn->map.binding[k].bit_offset == binding->bit_offset &&
+                                         learn->map.binding[k].usage == binding->usage)) {
+            k++;
+        }
+        if (!was_shown && !is_false && k == learn->map.count) {
             hid_mapping_auto_bits(&learn->map, *binding);
         }
     }

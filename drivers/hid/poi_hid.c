@@ -102,21 +102,6 @@ static void poi_hid_add_sample(struct basket *basket, const struct poi_sample *s
     basket->out[basket->count++] = *sample;
 }
 
-static void poi_hid_decode_raw(struct poi_hid *poi, const struct hid_raw *raw,
-                               struct basket *basket)
-{
-    CORE_ASSERT(raw->size <= HID_REPORT_MAX);
-    struct poi_sample sample;
-    if (poi->watch.report) {
-        poi->watch.report(poi->watch.self, raw);
-    }
-    if (poi->plays && hid_pose_decoder_report(&poi->hand, raw) &&
-        hid_pose_decoder_sample(&poi->hand, raw->time_ns, &sample)) {
-        sample.was_stamped = 1;
-        poi_hid_add_sample(basket, &sample);
-    }
-}
-
 /* Decodes all queued reports even if `out` has room for fewer samples, because remaining reports
  * would delay the next frames. Reports that arrived before the controller was unplugged are still
  * returned; the next poll then returns HAL_ERR_GONE. */
@@ -140,7 +125,14 @@ static int poi_hid_poll(void *self, struct poi_sample *out, uint32_t max)
         if (result <= 0) {
             break;
         }
-        poi_hid_decode_raw(poi, &raw, &basket);
+        if (poi->watch.report) {
+            poi->watch.report(poi->watch.self, &raw);
+        }
+        if (poi->plays && hid_pose_decoder_report(&poi->hand, &raw) &&
+            hid_pose_decoder_sample(&poi->hand, raw.time_ns, &now)) {
+            now.was_stamped = 1;
+            poi_hid_add_sample(&basket, &now);
+        }
     }
     /* The pose of a pointer or a stick changes between reports, so it is also sampled without a
      * report. An absolute pose is sampled only with its reports. */

@@ -9,19 +9,6 @@
 #define FULL 32767.0f
 #define NONE (-32768)
 
-static void put_i16(uint8_t *bytes, int32_t value)
-{
-    const uint32_t bits = (uint32_t)value;
-    bytes[0] = (uint8_t)(bits & 255u);
-    bytes[1] = (uint8_t)(bits >> 8 & 255u);
-}
-
-static int32_t get_i16(const uint8_t *bytes)
-{
-    const int32_t bits = bytes[0] | bytes[1] << 8;
-    return bits < 32768 ? bits : bits - 65536;
-}
-
 /* Returns `value` as a 16-bit field with the range +-`most`, or `otherwise` if it is not finite.
  * Halves are rounded away from 0, so that opposite forces have opposite encodings. */
 static int32_t steps_of(float value, float most, int32_t otherwise)
@@ -35,30 +22,32 @@ static int32_t steps_of(float value, float most, int32_t otherwise)
 
 static void put_three(uint8_t *bytes, vec3 v, float most, int32_t otherwise)
 {
-    put_i16(bytes, steps_of(v.x, most, otherwise));
-    put_i16(bytes + 2, steps_of(v.y, most, otherwise));
-    put_i16(bytes + 4, steps_of(v.z, most, otherwise));
+    const float components[3] = { v.x, v.y, v.z };
+    for (uint32_t i = 0; i < 3; i++) {
+        const uint32_t bits = (uint32_t)steps_of(components[i], most, otherwise);
+        bytes[2u * i] = (uint8_t)(bits & 255u);
+        bytes[2u * i + 1u] = (uint8_t)(bits >> 8 & 255u);
+    }
 }
 
 /* Decodes three 16-bit fields with the range +-`most`. Returns 0 if a field has the code for "no
  * value", otherwise 1. */
 static int get_three(const uint8_t *bytes, float most, vec3 *out)
 {
-    const int32_t x = get_i16(bytes), y = get_i16(bytes + 2), z = get_i16(bytes + 4);
+    int32_t n[3];
+    for (uint32_t i = 0; i < 3; i++) {
+        const int32_t bits = bytes[2u * i] | bytes[2u * i + 1u] << 8;
+        n[i] = bits < 32768 ? bits : bits - 65536;
+    }
     const float step = most / FULL;
-    *out = v3((float)x * step, (float)y * step, (float)z * step);
-    return x != NONE && y != NONE && z != NONE;
-}
-
-static int is_report(const uint8_t *bytes, uint32_t size, uint32_t id, uint32_t id_size)
-{
-    return size == id_size && bytes[0] == id;
+    *out = v3((float)n[0] * step, (float)n[1] * step, (float)n[2] * step);
+    return n[0] != NONE && n[1] != NONE && n[2] != NONE;
 }
 
 int poi_report_decode(const uint8_t *bytes, uint32_t size, struct poi_report *out)
 {
     vec3 place_m, turn_rad;
-    if (!is_report(bytes, size, POI_REPORT_ID, POI_REPORT_SIZE) ||
+    if (size != POI_REPORT_SIZE || bytes[0] != POI_REPORT_ID ||
         !get_three(bytes + 2, POI_REPORT_REACH_M, &place_m) ||
         !get_three(bytes + 8, F_PI, &turn_rad)) {
         return 0;
@@ -103,7 +92,7 @@ void poi_feel_encode(const struct poi_force *force, uint8_t sequence, uint8_t by
 int poi_feel_decode(const uint8_t *bytes, uint32_t size, struct poi_force *out, uint8_t *sequence)
 {
     vec3 force_n, torque_n_m;
-    if (!is_report(bytes, size, POI_FEEL_ID, POI_FEEL_SIZE) ||
+    if (size != POI_FEEL_SIZE || bytes[0] != POI_FEEL_ID ||
         !get_three(bytes + 2, POI_FORCE_N_MAX, &force_n) ||
         !get_three(bytes + 8, POI_TORQUE_N_M_MAX, &torque_n_m)) {
         return 0;

@@ -115,23 +115,6 @@ static void take_mouse(struct mouse_poi *mouse, const SDL_Event *event)
     }
 }
 
-static void take_finger(struct mouse_poi *mouse, const SDL_TouchFingerEvent *finger)
-{
-    const struct touch_event event = {
-        .kind = (uint8_t)(finger->type == SDL_FINGERDOWN ? TOUCH_DOWN
-                          : finger->type == SDL_FINGERUP ? TOUCH_UP
-                                                         : TOUCH_MOVE),
-        .id = finger->fingerId, /* `time_ns` is not set, because the pointer report has the time. */
-        .x = finger->x,
-        .y = finger->y,
-    };
-    struct pointer_report *report = &mouse->report;
-    if (touch_fingers_take(&mouse->fingers, &event)) {
-        learn_window(report, finger->windowID);
-        touch_fingers_point(&mouse->fingers, report);
-    }
-}
-
 int mouse_poi_is_used(void *self)
 {
     const struct mouse_poi *mouse = self;
@@ -157,7 +140,20 @@ static void mouse_poi_take_event(struct mouse_poi *mouse, const SDL_Event *event
     }
     mouse->report.wheel_notches = 0.0f;
     if (is_finger && (mouse->heeds & POINTER_FILTER_TOUCH)) {
-        take_finger(mouse, &event->tfinger);
+        const SDL_TouchFingerEvent *finger = &event->tfinger;
+        const struct touch_event touch = {
+            .kind = (uint8_t)(finger->type == SDL_FINGERDOWN ? TOUCH_DOWN
+                              : finger->type == SDL_FINGERUP ? TOUCH_UP
+                                                             : TOUCH_MOVE),
+            .id = finger->fingerId, /* `time_ns` is not set, because the pointer report has the
+                                       time. */
+            .x = finger->x,
+            .y = finger->y,
+        };
+        if (touch_fingers_take(&mouse->fingers, &touch)) {
+            learn_window(&mouse->report, finger->windowID);
+            touch_fingers_point(&mouse->fingers, &mouse->report);
+        }
     } else if (!is_finger && (mouse->heeds & POINTER_FILTER_MOUSE)) {
         take_mouse(mouse, event);
     }

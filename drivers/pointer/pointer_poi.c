@@ -22,7 +22,7 @@ struct dip_state pointer_dip_at(const struct dip *dip, uint64_t time_ns)
 {
     CORE_ASSERT(dip->duration_s >= 0.0f);
     const float total = dip->duration_s;
-    const float t = time_ns > dip->start_ns ? (float)(time_ns - dip->start_ns) * 1e-9f : 0.0f;
+    const float t = pointer_seconds_between(dip->start_ns, time_ns);
     if (t >= total) {
         return (struct dip_state){ .height_m = dip->to_m };
     }
@@ -84,15 +84,10 @@ float pointer_dip_slant_rad(float speed_m_s)
  * the paper. */
 #define BACK_UNDER_WATER 0.12f
 
-static float seconds_between(uint64_t from_ns, uint64_t to_ns)
-{
-    return to_ns > from_ns ? (float)(to_ns - from_ns) * 1e-9f : 0.0f;
-}
-
 static void move_to_time(struct pointer_poi *pointer, uint64_t time_ns)
 {
     CORE_ASSERT(pointer->aspect > 0.0f);
-    const float dt = seconds_between(pointer->time_ns, time_ns);
+    const float dt = pointer_seconds_between(pointer->time_ns, time_ns);
     const float left = f_exp(-f_min(dt / TILT_TAU_S, 50.0f));
     pointer->tilt_rad = f_lerp(pointer->tilt_goal_rad, pointer->tilt_rad, left);
     const float dry =
@@ -107,7 +102,7 @@ static void move_to_time(struct pointer_poi *pointer, uint64_t time_ns)
  * velocity. After more than one second without a call the velocity is 0. */
 static void pointer_poi_update_speed(struct pointer_poi *pointer, vec3 hand_m)
 {
-    const float dt = seconds_between(pointer->hand_ns, pointer->time_ns);
+    const float dt = pointer_seconds_between(pointer->hand_ns, pointer->time_ns);
     if (pointer->hand_ns == 0 || dt > 1.0f) {
         pointer->hand_m_s = v3(0.0f, 0.0f, 0.0f);
     } else if (dt > 0.0f) {

@@ -25,6 +25,12 @@
 #include "core/base/fmath.h"
 #include "platform/hal.h"
 
+/* Returns the time from `from_ns` to `to_ns` in seconds, or 0 if `to_ns` is not later. */
+static inline float pointer_seconds_between(uint64_t from_ns, uint64_t to_ns)
+{
+    return to_ns > from_ns ? (float)(to_ns - from_ns) * 1e-9f : 0.0f;
+}
+
 /* ---- Dips ------------------------------------------------------------------------------------ */
 
 /* Height of a hovering ring above the still water. The ring is above the ripples and low enough for

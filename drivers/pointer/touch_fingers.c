@@ -4,16 +4,6 @@
 #include "core/base/fmath.h"
 #include "core/base/panic.h"
 
-static uint32_t touch_fingers_find(const struct touch_fingers *fingers, int64_t id)
-{
-    CORE_ASSERT(fingers->count <= TOUCH_FINGER_MAX);
-    uint32_t i = 0;
-    while (i < fingers->count && fingers->id[i] != id) {
-        i++;
-    }
-    return i;
-}
-
 static int lead(struct touch_fingers *fingers, const struct touch_event *event)
 {
     const float x = f_clamp(event->x, 0.0f, 1.0f);
@@ -47,7 +37,11 @@ int touch_fingers_take(struct touch_fingers *fingers, const struct touch_event *
     if (!f_is_finite(event->x) || !f_is_finite(event->y)) {
         return 0;
     }
-    const uint32_t place = touch_fingers_find(fingers, event->id);
+    uint32_t place = 0;
+    CORE_ASSERT(fingers->count <= TOUCH_FINGER_MAX);
+    while (place < fingers->count && fingers->id[place] != event->id) {
+        place++;
+    }
     const int is_known = place < fingers->count;
     const int is_leader = fingers->has_leader && fingers->leader == event->id;
     int changed = 0;

@@ -316,28 +316,20 @@ uint32_t usb_choice_slot(const struct usb_place place[POI_MAX], const struct hid
 
 /* ---- File of rules --------------------------------------------------------------------------- */
 
-static int usb_choice_file_read_lines(struct usb_choice *choice, const char *path, FILE *file,
-                                      char why[HAL_TEXT_SIZE])
-{
-    char line[2u * USB_CHOICE_LINE_SIZE], error[USB_ERROR_SIZE];
-    uint32_t number = 0;
-    int bad = 0;
-    while (file_read_line(file, line, sizeof line) != FILE_LINE_END) {
-        number++;
-        if (usb_choice_read_line(choice, line, error)) {
-            snprintf(why, HAL_TEXT_SIZE, "%.60s:%u: %s", path, number, error);
-            bad++;
-        }
-    }
-    return ferror(file) ? -errno : bad;
-}
-
 int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TEXT_SIZE])
 {
     const int handle = path[0] ? file_handle(path, O_RDONLY, 0) : -1;
     FILE *file = handle >= 0 ? fdopen(handle, "r") : NULL;
     const int error = !path[0] || file || errno == ENOENT ? 0 : -errno;
-    const int result = file ? usb_choice_file_read_lines(choice, path, file, why) : error;
+    char line[2u * USB_CHOICE_LINE_SIZE], invalid[USB_ERROR_SIZE];
+    int result = error;
+    for (uint32_t number = 1; file && fgets(line, sizeof line, file); number++) {
+        if (usb_choice_read_line(choice, line, invalid)) {
+            snprintf(why, HAL_TEXT_SIZE, "%.60s:%u: %s", path, number, invalid);
+            result++;
+        }
+    }
+    result = file && ferror(file) ? -errno : result;
     /* open() of a socket fails with ENXIO. */
     if (result == -ENOTSUP || result == -EISDIR || result == -ELOOP || result == -ENXIO) {
         snprintf(why, HAL_TEXT_SIZE, "%.60s: is not a regular file", path);

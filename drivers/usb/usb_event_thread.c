@@ -167,24 +167,6 @@ static void free_links(struct usb_event_thread *usb_thread)
     }
 }
 
-static void init(struct usb_event_thread *usb_thread)
-{
-    usb_device_table_init(&usb_thread->rows);
-    usb_device_list_init(&usb_thread->device_list, usb_event_thread_wake, usb_thread);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        usb_slot_init(&usb_thread->seat[i], usb_event_thread_wake, usb_thread);
-    }
-    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
-        usb_thread->entry[i].device.device = NULL;
-    }
-    usb_thread->fds_changed = usb_thread->rows_changed = 1;
-    atomic_store(&usb_thread->stop, 0);
-    /* The rows and keys are published before the thread starts, because other drivers already read
-     * the selected controllers. */
-    usb_event_thread_publish(usb_thread);
-    usb_thread->rows_changed = 1;
-}
-
 /* Signals that the kernel sends to a thread because of its own fault, such as an invalid memory
  * access. */
 static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
@@ -209,7 +191,20 @@ int usb_event_thread_begin(struct usb_event_thread *usb_thread, char why[HAL_TEX
 {
     CORE_ASSERT(usb_thread->clock.ops);
     CORE_ASSERT(usb_thread->sysfs && usb_thread->choices_path);
-    init(usb_thread);
+    usb_device_table_init(&usb_thread->rows);
+    usb_device_list_init(&usb_thread->device_list, usb_event_thread_wake, usb_thread);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        usb_slot_init(&usb_thread->seat[i], usb_event_thread_wake, usb_thread);
+    }
+    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
+        usb_thread->entry[i].device.device = NULL;
+    }
+    usb_thread->fds_changed = usb_thread->rows_changed = 1;
+    atomic_store(&usb_thread->stop, 0);
+    /* The rows and keys are published before the thread starts, because other drivers already read
+     * the selected controllers. */
+    usb_event_thread_publish(usb_thread);
+    usb_thread->rows_changed = 1;
     usb_thread->wake_fd = eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
     if (usb_thread->wake_fd < 0) {
         snprintf(why, HAL_TEXT_SIZE, "no USB: %s", strerror(errno));

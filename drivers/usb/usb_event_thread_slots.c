@@ -183,20 +183,6 @@ static int is_draining(const struct usb_event_thread *usb_thread,
            usb_thread->link[entry->drains].state == USB_TRANSFERS_DRAINING;
 }
 
-/* Detaches the device of a failed link, and closes the link immediately if all transfers have
- * returned. */
-static void unseat_link(struct usb_event_thread *usb_thread, uint32_t link)
-{
-    CORE_ASSERT(link < USB_LINK_MAX);
-    for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
-        struct usb_device_entry *entry = &usb_thread->entry[i];
-        if (entry->device.device && entry->link == link) {
-            usb_event_thread_detach(usb_thread, entry, usb_thread->link[link].is_gone);
-        }
-    }
-    usb_transfers_service(&usb_thread->link[link]);
-}
-
 void usb_event_thread_service(struct usb_event_thread *usb_thread)
 {
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
@@ -212,9 +198,18 @@ void usb_event_thread_service(struct usb_event_thread *usb_thread)
         }
     }
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
-        if (usb_transfers_service(&usb_thread->link[i])) {
-            unseat_link(usb_thread, i);
+        if (!usb_transfers_service(&usb_thread->link[i])) {
+            continue;
         }
+        /* The device of a failed link is detached. The link is closed immediately if all transfers
+         * have returned. */
+        for (uint32_t k = 0; k < USB_DEVICE_MAX; k++) {
+            struct usb_device_entry *entry = &usb_thread->entry[k];
+            if (entry->device.device && entry->link == i) {
+                usb_event_thread_detach(usb_thread, entry, usb_thread->link[i].is_gone);
+            }
+        }
+        usb_transfers_service(&usb_thread->link[i]);
     }
 }
 
