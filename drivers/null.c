@@ -1,6 +1,9 @@
 /* null.c -- implements the null drivers, which do nothing and report HAL_ERR_ABSENT. */
 #include "drivers/null.h"
 
+/* A null driver ignores the arguments of most of its functions. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 /* Returns the description, which is the `self` pointer of every null device. The text is never
  * written. */
 static const char *null_describe(void *self)
@@ -15,40 +18,31 @@ static void *line_self(const char *line)
 
 static int null_open(void *self)
 {
-    (void)self;
     return HAL_ERR_ABSENT;
 }
 
 static void null_close(void *self)
 {
-    (void)self;
 }
 
 static int null_display_poll(void *self, struct display_events *out)
 {
-    (void)self;
     *out = (struct display_events){ 0 };
     return HAL_ERR_ABSENT;
 }
 
 static int null_present(void *self, const struct scene *scene)
 {
-    (void)self;
-    (void)scene;
     return HAL_ERR_ABSENT;
 }
 
 static int null_capture(void *self, struct hal_image *image)
 {
-    (void)self;
-    (void)image;
     return HAL_ERR_ABSENT;
 }
 
 static void null_set_transform(void *self, const struct display_settings *display_settings)
 {
-    (void)self;
-    (void)display_settings;
 }
 
 struct hal_display null_display(const char *line)
@@ -68,24 +62,16 @@ struct hal_display null_display(const char *line)
 
 static int null_poi_poll(void *self, struct poi_sample *out, uint32_t max)
 {
-    (void)self;
-    (void)out;
-    (void)max;
     return HAL_ERR_ABSENT;
 }
 
 static void null_set_view(void *self, const struct view *view,
                           const struct display_settings *display_settings)
 {
-    (void)self;
-    (void)view;
-    (void)display_settings;
 }
 
 static int null_set_force(void *self, const struct poi_force *force)
 {
-    (void)self;
-    (void)force;
     return HAL_ERR_ABSENT;
 }
 
@@ -103,8 +89,6 @@ struct hal_poi null_poi(const char *line)
 
 static int null_shade_poll(void *self, struct shade_input *out)
 {
-    (void)self;
-    (void)out;
     return HAL_ERR_ABSENT;
 }
 
@@ -120,8 +104,6 @@ struct hal_fan null_fan(const char *line)
 
 static uint32_t null_arrange(void *self, int may_move)
 {
-    (void)self;
-    (void)may_move;
     return 0;
 }
 
@@ -133,7 +115,6 @@ struct hal_seats null_seats(void)
 
 static int null_buttons_poll(void *self, struct button_sample *out)
 {
-    (void)self;
     *out = (struct button_sample){ 0 };
     return HAL_ERR_ABSENT;
 }
@@ -149,24 +130,16 @@ struct hal_buttons null_buttons(const char *line)
 
 static int null_set(void *self, enum hal_switch which, int active)
 {
-    (void)self;
-    (void)which;
-    (void)active;
     return HAL_ERR_ABSENT;
 }
 
 static int null_pulse(void *self, enum hal_switch which, uint32_t count)
 {
-    (void)self;
-    (void)which;
-    (void)count;
     return HAL_ERR_ABSENT;
 }
 
 static uint32_t null_pending(void *self, enum hal_switch which)
 {
-    (void)self;
-    (void)which;
     return 0;
 }
 
@@ -183,22 +156,17 @@ struct hal_switches null_switches(const char *line)
 
 static int null_desk(void *self, struct controller_status *out)
 {
-    (void)self;
     *out = (struct controller_status){ 0 };
     return HAL_ERR_ABSENT;
 }
 
 static const char *null_name(void *self, uint32_t row)
 {
-    (void)self;
-    (void)row;
     return "";
 }
 
 static int null_command(void *self, const struct controller_command *order)
 {
-    (void)self;
-    (void)order;
     return HAL_ERR_ABSENT;
 }
 
@@ -215,8 +183,6 @@ struct hal_controllers null_controllers(const char *line)
 
 static int null_play(void *self, const struct sound_event *event)
 {
-    (void)self;
-    (void)event;
     return HAL_ERR_ABSENT;
 }
 
@@ -233,90 +199,54 @@ struct hal_audio null_audio(const char *line)
 
 static int null_load(void *self, struct persistent_state *out)
 {
-    (void)self;
-    (void)out;
     return HAL_ERR_ABSENT;
 }
 
 static int null_append(void *self, const struct ledger_entry *entry)
 {
-    (void)self;
-    (void)entry;
     return HAL_ERR_ABSENT;
 }
 
 static int null_store_replay(void *self, uint32_t round_id, const uint8_t *bytes, size_t size)
 {
-    (void)self;
-    (void)round_id;
-    (void)bytes;
-    (void)size;
     return HAL_ERR_ABSENT;
 }
 
 static int null_fetch_replay(void *self, uint32_t round_id, uint8_t *bytes, size_t size,
                              struct ledger_entry *round)
 {
-    (void)self;
-    (void)round_id;
-    (void)bytes;
-    (void)size;
-    (void)round;
-    return HAL_ERR_ABSENT;
-}
-
-static int null_replay_fetched(void *self)
-{
-    (void)self;
     return HAL_ERR_ABSENT;
 }
 
 static int null_has_replay(void *self, uint32_t round_id)
 {
-    (void)self;
-    (void)round_id;
     return 0;
 }
 
 static int null_store_edit(void *self, const struct graph_edit_record *edit)
 {
-    (void)self;
-    (void)edit;
     return HAL_ERR_ABSENT;
 }
 
 static int null_edits_failed(void *self)
 {
-    (void)self;
     return 1;
 }
 
 static int null_is_healthy(void *self)
 {
-    (void)self;
     return 0;
 }
 
 /* Returns 0, because a null storage never saved, refused or queued an entry. */
 static uint32_t null_none(void *self)
 {
-    (void)self;
     return 0;
 }
 
 static int null_merge_offline(void *self, const struct balance_change *step,
                               const struct ledger_entry *entries, uint32_t count)
 {
-    (void)self;
-    (void)step;
-    (void)entries;
-    (void)count;
-    return HAL_ERR_ABSENT;
-}
-
-static int null_offline_merged(void *self)
-{
-    (void)self;
     return HAL_ERR_ABSENT;
 }
 
@@ -331,7 +261,7 @@ struct hal_storage null_storage(const char *line)
         .is_healthy = null_is_healthy,
         .needs_restart = null_is_healthy,
         .merge_offline = null_merge_offline,
-        .offline_merged = null_offline_merged,
+        .offline_merged = null_open,
         .describe = null_describe,
         .close = null_none,
     };
@@ -339,7 +269,7 @@ struct hal_storage null_storage(const char *line)
         .store = null_store_replay,
         .stored_id = null_none,
         .fetch = null_fetch_replay,
-        .fetched = null_replay_fetched,
+        .fetched = null_open,
         .has = null_has_replay,
     };
     static const struct hal_edit_store_ops edits = {
@@ -357,7 +287,6 @@ struct hal_storage null_storage(const char *line)
 
 static uint8_t null_watches(void *self)
 {
-    (void)self;
     return WATCH_NONE;
 }
 
@@ -373,7 +302,6 @@ struct hal_watchdog null_watchdog(const char *line)
 
 static uint64_t null_now_ns(void *self)
 {
-    (void)self;
     return 0;
 }
 

@@ -3,8 +3,7 @@
 #include <stdlib.h>
 
 #include "core/base/panic.h"
-#include "platform/os/panic_text.h"
-#include "platform/panic.h"
+#include "platform/os/panic.h"
 
 _Noreturn void core_panic(const char *condition, const char *file, int line)
 {

@@ -13,7 +13,7 @@
 #include "core/base/hash.h"
 #include "platform/os/log.h"
 #include "platform/os/file.h"
-#include "platform/os/panic_text.h"
+#include "platform/os/panic.h"
 #include "platform/replay/replay_format.h"
 
 #define MAGIC "KGPANIC1"

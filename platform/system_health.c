@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "platform/os/file.h"
-#include "platform/panic.h"
+#include "platform/os/panic.h"
 #include "platform/panic_count.h"
 #include "platform/store/storage.h"
 #include "platform/thermal.h"

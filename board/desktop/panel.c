@@ -92,8 +92,7 @@ void panel_open(struct hal *hal, const struct board_options *options)
 {
     devices.join = (struct buttons_mux){ 0 };
     add_keys(options);
-    usb_add_buttons(&devices.join);
-    hands_add_buttons(&devices.join);
+    controllers_add_buttons(&devices.join);
     /* The GPIO lines are added last, because the descriptions are joined in this order. The other
      * parts name the keys to press, and the lines report what is missing. */
     open_lines(hal, options);

@@ -15,7 +15,6 @@
 #include "board/poi-gadget/sensors.h"
 #include "drivers/hid/poi_report.h"
 #include "platform/os/print.h"
-#include "platform/os/standard_streams.h"
 
 static const char usage[] =
     "kingyo-poi COMMAND [OPTION...]: the program of a poi's own board.\n\n"

@@ -8,7 +8,6 @@
 #include "platform/cpu.h"
 #include "platform/ctl/lib/ctl.h"
 #include "platform/os/print.h"
-#include "platform/os/standard_streams.h"
 
 static const struct ctl_command *const commands[] = {
     &ctl_tank,   &ctl_paper,  &ctl_play,   &ctl_morph,  &ctl_replay, &ctl_hid,   &ctl_lines,

@@ -15,8 +15,7 @@
 #include "platform/os/log.h"
 #include "platform/os/print.h"
 #include "platform/os/file.h"
-#include "platform/os/standard_streams.h"
-#include "platform/panic.h"
+#include "platform/os/panic.h"
 
 static volatile sig_atomic_t stop;
 static struct run_common evening; /* State of the program. Static because the structure has several

@@ -14,8 +14,7 @@
 
 #include "platform/os/file.h"
 #include "platform/os/log.h"
-#include "platform/os/panic_text.h"
-#include "platform/panic.h"
+#include "platform/os/panic.h"
 #include "platform/store/sqlite/ledger_omit.h"
 
 #define NAME_SIZE 16u

@@ -11,7 +11,7 @@
 
 #include "core/base/printable.h"
 #include "platform/os/file.h"
-#include "platform/os/panic_text.h"
+#include "platform/os/panic.h"
 
 static int has_journal; /* 1 if standard error is a journal. Set once, before other threads
                            start. */

@@ -2,8 +2,12 @@
  * see print.h. */
 #include "platform/os/print.h"
 
+#include <assert.h>
+#include <errno.h>
+#include <fcntl.h>
 #include <stdarg.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "core/base/printable.h"
 
@@ -13,6 +17,7 @@ __attribute__((format(printf, 3, 0))) static void print_put(FILE *file, const ch
     char line[PRINT_LINE_MAX];
     vsnprintf(line, sizeof line - 1u, format, arguments);
     printable(line);
+    assert(strlen(end) <= 1);
     strcat(line, end); /* `end` is at most one byte, for which `line` has space. */
     fputs(line, file);
 }
@@ -39,4 +44,47 @@ void print_error(const char *format, ...)
     va_start(arguments, format);
     print_put(stderr, "\n", format, arguments);
     va_end(arguments);
+}
+
+/* ---- Standard streams ----------------------------------------------------------------------- */
+
+int print_open_streams(void)
+{
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {
+        if (fcntl(fd, F_GETFD) >= 0) {
+            continue;
+        }
+        /* /dev/null is opened for writing as standard input, and for reading as standard output or
+         * standard error. Each use therefore fails. open() returns the lowest free descriptor,
+         * which is `fd`. */
+        if (open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) != fd) {
+            return errno != 0 ? -errno : -EIO;
+        }
+    }
+    return 0;
+}
+
+static int flush_error; /* errno of the first failed print_flush(), or 0 if no call
+                           failed. */
+
+int print_flush(FILE *out)
+{
+    errno = 0;
+    if (fflush(out) == 0 && !ferror(out)) {
+        return 0;
+    }
+    flush_error = flush_error ? flush_error : errno;
+    return -1;
+}
+
+int print_finish(void)
+{
+    const int has_failed = ferror(stdout) != 0;
+    errno = 0;
+    /* After a failed write the C library keeps the bytes in its buffer, so that fflush() fails
+     * again for the same reason. */
+    if (fflush(stdout) == 0 && !has_failed) {
+        return 0;
+    }
+    return flush_error != 0 ? -flush_error : errno != 0 ? -errno : -EIO;
 }

@@ -1,8 +1,10 @@
-/* print.h -- prints one line that may contain text from outside the program.
+/* print.h -- prints one line that may contain text from outside the program, opens the standard
+ * streams at program start, and reports lost output at program end.
  *
- * Each function formats as printf() does, and passes the result through printable()
- * (core/base/printable.h). A line break or an escape sequence in an argument therefore cannot break
- * the line or reach the terminal. `format` must not contain control characters, including tabs. */
+ * print_part(), print_line() and print_error() format as printf() does, and pass the result through
+ * printable() (core/base/printable.h). A line break or an escape sequence in an argument therefore
+ * cannot break the line or reach the terminal. `format` must not contain control characters,
+ * including tabs. */
 #ifndef KINGYO_PLATFORM_OS_PRINT_H
 #define KINGYO_PLATFORM_OS_PRINT_H
 
@@ -20,5 +22,20 @@ __attribute__((format(printf, 2, 3))) void print_line(FILE *file, const char *fo
 
 /* Writes one line and a line end to standard error. */
 __attribute__((format(printf, 1, 2))) void print_error(const char *format, ...);
+
+/* ---- Standard streams ------------------------------------------------------------------------- */
+
+/* Opens those of the descriptors 0, 1 and 2 that the parent process left closed. No data file can
+ * then get one of these numbers. Reads and writes on a descriptor opened here fail with EBADF. Must
+ * be called before any other file is opened. Returns 0 or a negative errno. */
+int print_open_streams(void);
+
+/* Flushes standard output. Returns 0, or the negative errno of the first failed write since program
+ * start. */
+int print_finish(void);
+
+/* Flushes `out` before program end. Returns 0. On an error returns -1 and stores errno.
+ * print_finish() reports the stored error, so that the caller must not report it. */
+int print_flush(FILE *out);
 
 #endif

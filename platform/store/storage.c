@@ -10,7 +10,7 @@
 #include <sqlite3.h>
 
 #include "platform/os/file.h"
-#include "platform/panic.h"
+#include "platform/os/panic.h"
 #include "platform/store/storage_internal.h"
 
 /* ---- Opening ------------------------------------------------------------------------------- */

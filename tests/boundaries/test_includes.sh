@@ -76,7 +76,7 @@ refuses wiring platform/kiosk/kiosk.c drivers/null.h 'the frame loop may not nam
 refuses wiring platform/render/renderer.c drivers/hid/hid_descriptor.h 'nor may the renderer, not even a decoder'
 refuses wiring platform/store/storage.c board/desktop/parts.h 'nor may the store name a board'
 allows platform/kiosk/main.c board/desktop/parts.h 'main wires'
-allows board/desktop/usb.c drivers/usb/usb_transport.h 'and so does board/'
+allows board/desktop/controllers.c drivers/usb/usb_transport.h 'and so does board/'
 refuses ctl platform/ctl/devices/hid.c drivers/usb/usb_transport.h 'kingyoctl may not include a transport'
 allows platform/ctl/devices/hid.c drivers/hid/hid_descriptor.h 'but a decoder'
 allows platform/ctl/tank/tank.c core/tank/tank.h 'and what is public in the core'

@@ -20,7 +20,7 @@
 #include "platform/kiosk/kiosk.h"
 #include "platform/os/clock.h"
 #include "platform/os/number.h"
-#include "platform/panic.h"
+#include "platform/os/panic.h"
 #include "platform/store/storage.h"
 #include "tests/power/tape.h"
 

@@ -17,7 +17,7 @@
 
 #include "core/base/rng.h"
 #include "platform/os/number.h"
-#include "platform/panic.h"
+#include "platform/os/panic.h"
 #include "platform/store/storage.h"
 #include "tests/power/cutter.h"
 #include "tests/power/disk.h"

@@ -22,7 +22,7 @@
 #include <unistd.h>
 
 #include "platform/os/number.h"
-#include "platform/panic.h"
+#include "platform/os/panic.h"
 #include "platform/store/storage.h"
 #include "tests/power/cutter.h"
 #include "tests/power/hour.h"

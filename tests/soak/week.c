@@ -25,7 +25,7 @@
 #include "drivers/sim/hal_sim.h"
 #include "platform/kiosk/kiosk.h"
 #include "platform/os/number.h"
-#include "platform/panic.h"
+#include "platform/os/panic.h"
 #include "platform/store/storage.h"
 
 #define HOURS 168u

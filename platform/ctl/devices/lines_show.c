@@ -5,7 +5,6 @@
 #include "core/base/printable.h"
 #include "drivers/gpio/gpio_config.h"
 #include "platform/os/print.h"
-#include "platform/os/standard_streams.h"
 
 static const char *or_dash(const char *text)
 {

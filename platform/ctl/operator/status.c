@@ -12,7 +12,6 @@
 #include "platform/os/json.h"
 #include "platform/os/print.h"
 #include "platform/os/file.h"
-#include "platform/os/standard_streams.h"
 
 #define DEFAULT_FILE "/run/kingyo/" STATUS_FILE
 /* Age of the status file in ms above which the status counts as outdated. The watchdog timeout of

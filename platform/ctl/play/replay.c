@@ -12,9 +12,8 @@
 #include "platform/kiosk/replayer.h"
 #include "platform/os/file.h"
 #include "platform/os/json.h"
-#include "platform/os/panic_text.h"
+#include "platform/os/panic.h"
 #include "platform/os/print.h"
-#include "platform/panic.h"
 
 static const char name[] = "replay";
 static const char speaker[] = "kingyoctl replay";

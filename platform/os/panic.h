@@ -1,11 +1,14 @@
-/* panic.h -- handles a failed assertion of the core (a panic) and fatal signals.
+/* panic.h -- handles a failed assertion of the core (a panic) and fatal signals, and formats text
+ * with async-signal-safe functions.
  *
  * core_panic(), SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT call the panic handler once. Afterwards
  * the signal ends the process. */
-#ifndef KINGYO_PLATFORM_PANIC_H
-#define KINGYO_PLATFORM_PANIC_H
+#ifndef KINGYO_PLATFORM_OS_PANIC_H
+#define KINGYO_PLATFORM_OS_PANIC_H
 
 #include <signal.h>
+#include <stddef.h>
+#include <stdint.h>
 
 /* Installs the signal handlers. The calling thread gets a separate signal stack, because its own
  * stack may have overflowed. `last_wish` is the panic handler, which is called with `self` and the
@@ -21,5 +24,24 @@ void panic_report(const char *reason);
 /* Removes the fatal signals of panic_prepare() from a set of signals that a thread will block. A
  * blocked fatal signal would end the process without a report. */
 void panic_leave_open(sigset_t *set);
+
+/* ---- Text: async-signal-safe ------------------------------------------------------------------- */
+
+#define PANIC_TEXT_MAX 1536u /* Size of a line in bytes. Longer text is cut. */
+
+/* Buffer for one line of text. A structure of zeros is an empty line. */
+struct panic_text {
+    size_t used;
+    char out[PANIC_TEXT_MAX]; /* Text of the line, with a terminating zero. */
+};
+
+/* panic_put() appends `words`; panic_put_number() appends `number` in decimal. Text beyond
+ * PANIC_TEXT_MAX is dropped. */
+void panic_put(struct panic_text *text, const char *words);
+void panic_put_number(struct panic_text *text, uint32_t number);
+
+/* Replaces unprintable characters (core/base/printable.h) and appends a line end. The line end is
+ * written even if the line is full. */
+void panic_put_end(struct panic_text *text);
 
 #endif

@@ -1,14 +1,15 @@
-/* panic.c -- calls the panic handler once, then ends the process without exit(). */
-#include "platform/panic.h"
+/* panic.c -- calls the panic handler once, then ends the process without exit(). Text is formatted
+ * without stdio, because a signal may arrive while a thread holds the stdio lock. */
+#include "platform/os/panic.h"
 
+#include <assert.h>
 #include <poll.h>
 #include <stdatomic.h>
-#include <stddef.h>
-#include <stdint.h>
+#include <string.h>
 #include <unistd.h>
 
+#include "core/base/printable.h"
 #include "platform/os/log.h"
-#include "platform/os/panic_text.h"
 
 /* Size of the signal stack in bytes. core_hash() and the replay writer need less than 4 KiB, but a
  * signal handler of a library may also run on this stack. */
@@ -33,6 +34,41 @@ static uint8_t stack[STACK_SIZE];
 static wish_function wish;
 static void *wish_self;
 static atomic_int panicking; /* Id of the thread that panicked first. 0 means no panic. */
+
+/* ---- Text ----------------------------------------------------------------------------------- */
+
+void panic_put(struct panic_text *text, const char *words)
+{
+    assert(text->used < PANIC_TEXT_MAX);
+    while (*words && text->used + 1u < PANIC_TEXT_MAX) {
+        text->out[text->used++] = *words++;
+    }
+    text->out[text->used] = '\0';
+}
+
+void panic_put_number(struct panic_text *text, uint32_t number)
+{
+    char digits[11];
+    size_t at = sizeof digits - 1u;
+    digits[at] = '\0';
+    do {
+        digits[--at] = (char)('0' + number % 10u);
+        number /= 10u;
+    } while (number > 0);
+    panic_put(text, digits + at);
+}
+
+void panic_put_end(struct panic_text *text)
+{
+    printable(text->out);
+    text->used = strlen(text->out);
+    if (text->used + 1u == PANIC_TEXT_MAX) {
+        text->used--;
+    }
+    panic_put(text, "\n");
+}
+
+/* ---- Panic handler -------------------------------------------------------------------------- */
 
 /* Handles the first panic only. A second thread that panics waits while the first thread writes its
  * report. A panic inside the handler returns immediately, so that the process ends. */
