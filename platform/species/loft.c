@@ -188,7 +188,7 @@ void species_loft(const struct species_text *species, const struct detail *detai
 
 /* This section computes the positions of the rings along the body.
  *
- * * The rings have equal body coordinates in every key, and are closer to each other where the
+ * The rings have equal body coordinates in every key, and are closer to each other where the
  * outline of any key bends. Between two rings the outline is a straight line. Its deviation from
  * the curve is proportional to the curvature multiplied by the square of the ring distance. A
  * ring density proportional to the square root of the curvature therefore gives an equal
@@ -263,7 +263,7 @@ void loft_place_rings(const struct species_text *species, uint32_t count, double
 /* This section computes the weight with which each deformation curve moves each vertex. The weights
  * change smoothly on skin that several parts share.
  *
- * * Fins and eyes are attached to anchors, so that a single curve can move them completely
+ * Fins and eyes are attached to anchors, so that a single curve can move them completely
  * without tearing the mesh. The head, the trunk, the painted areas and the tail share their skin
  * with neighbouring parts. */
 

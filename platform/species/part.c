@@ -7,6 +7,10 @@
 
 #include "core/base/panic.h"
 
+const char *const species_measure_names[] = { "total", "standard", "fork", "disc" };
+const char *const species_motion_names[] = { "tail", "eel", "fins", "tuna", "wing" };
+const char *const species_form_names[] = { "fusiform", "compressed", "depressed", "eel", "puffer" };
+
 const char *const part_names[OWNED_COUNT] = {
     [PART_BODY] = "body",
     [PART_EYE] = "eye",

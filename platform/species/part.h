@@ -6,6 +6,12 @@
 #include "core/morph/morph.h"
 #include "platform/species/drawing.h"
 
+/* Names of the values of enum species_measure, enum species_motion and enum body_form, as in a
+ * species text. */
+extern const char *const species_measure_names[MEASURE_DISC + 1];
+extern const char *const species_motion_names[MOTION_WING + 1];
+extern const char *const species_form_names[FORM_PUFFER + 1];
+
 /* Names of the body parts in a species text, in the order of enum species_part, PART_HEAD,
  * PART_TRUNK. */
 extern const char *const part_names[OWNED_COUNT];

@@ -26,31 +26,17 @@ bool text_read_species(struct species_reader *r)
 
 bool text_read_measure(struct species_reader *r)
 {
-    static const char *const choices[] = { [MEASURE_TOTAL] = "total",
-                                           [MEASURE_STANDARD] = "standard",
-                                           [MEASURE_FORK] = "fork",
-                                           [MEASURE_DISC] = "disc" };
-    return read_choice(r, "measure", choices, 4, &r->species->measure);
+    return read_choice(r, "measure", species_measure_names, 4, &r->species->measure);
 }
 
 bool text_read_form(struct species_reader *r)
 {
-    static const char *const choices[] = { [FORM_FUSIFORM] = "fusiform",
-                                           [FORM_COMPRESSED] = "compressed",
-                                           [FORM_DEPRESSED] = "depressed",
-                                           [FORM_EEL] = "eel",
-                                           [FORM_PUFFER] = "puffer" };
-    return read_choice(r, "form", choices, 5, &r->species->form);
+    return read_choice(r, "form", species_form_names, 5, &r->species->form);
 }
 
 bool text_read_motion(struct species_reader *r)
 {
-    static const char *const choices[] = { [MOTION_TAIL] = "tail",
-                                           [MOTION_EEL] = "eel",
-                                           [MOTION_FINS] = "fins",
-                                           [MOTION_TUNA] = "tuna",
-                                           [MOTION_WING] = "wing" };
-    return read_choice(r, "motion", choices, 5, &r->species->motion);
+    return read_choice(r, "motion", species_motion_names, 5, &r->species->motion);
 }
 
 /* Parses the line `without FIN ..`, which lists the fins that the species lacks in every key. */

@@ -158,7 +158,7 @@ bool refit_marks_of_template(const struct species_mesh *mesh, const vec3 *positi
                            0.25f, out);
     }
     if (strcmp(name, "back") == 0 || strcmp(name, "belly") == 0) {
-        /* The highest point of the body has the sign 1, and the lowest point has the sign -1. */
+        /* `sign` is 1 for the highest point of the body, and -1 for the lowest point. */
         const float sign = strcmp(name, "back") == 0 ? 1.0f : -1.0f;
         float best = -INFINITY;
         for (uint32_t i = 0; i < mesh->vertex_count; i++) {

@@ -76,6 +76,17 @@ static void add_bound(struct byte_buffer *out, const char *name, float sign, con
     byte_buffer_print(out, "]");
 }
 
+/* Starts the accessor of a view. The caller adds the closing brace. */
+static uint32_t add_accessor(struct glb *glb, uint32_t view, enum component component,
+                             uint32_t count, enum glb_type type)
+{
+    const uint32_t accessor = glb_next(glb, GLB_ACCESSORS);
+    byte_buffer_print(&glb->lists[GLB_ACCESSORS],
+                      "{\"bufferView\":%u,\"componentType\":%d,\"count\":%u,\"type\":\"%s\"", view,
+                      (int)component, count, types[type].name);
+    return accessor;
+}
+
 uint32_t glb_floats(struct glb *glb, enum glb_use use, enum glb_type type, const float *values,
                     uint32_t count)
 {
@@ -85,10 +96,8 @@ uint32_t glb_floats(struct glb *glb, enum glb_use use, enum glb_type type, const
     const bool of_vertices = use == GLB_FOR_VERTICES || use == GLB_FOR_PLACES;
     const uint32_t view = add_view(glb, values, (size_t)count * width * sizeof *values,
                                    of_vertices ? ARRAY_BUFFER : NO_TARGET);
-    const uint32_t accessor = glb_next(glb, GLB_ACCESSORS);
+    const uint32_t accessor = add_accessor(glb, view, FLOAT, count, type);
     struct byte_buffer *out = &glb->lists[GLB_ACCESSORS];
-    byte_buffer_print(out, "{\"bufferView\":%u,\"componentType\":%d,\"count\":%u,\"type\":\"%s\"",
-                      view, FLOAT, count, types[type].name);
     if (use == GLB_FOR_PLACES || use == GLB_FOR_TIMES) {
         add_bound(out, "min", -1.0f, values, width, count);
         add_bound(out, "max", 1.0f, values, width, count);
@@ -102,10 +111,8 @@ uint32_t glb_indices(struct glb *glb, const uint16_t *indices, uint32_t count)
     CORE_ASSERT(count >= 3 && count % 3 == 0);
     const uint32_t view =
         add_view(glb, indices, (size_t)count * sizeof *indices, ELEMENT_ARRAY_BUFFER);
-    const uint32_t accessor = glb_next(glb, GLB_ACCESSORS);
-    byte_buffer_print(&glb->lists[GLB_ACCESSORS],
-                      "{\"bufferView\":%u,\"componentType\":%d,\"count\":%u,\"type\":\"SCALAR\"}",
-                      view, UNSIGNED_SHORT, count);
+    const uint32_t accessor = add_accessor(glb, view, UNSIGNED_SHORT, count, GLB_SCALAR);
+    byte_buffer_print(&glb->lists[GLB_ACCESSORS], "}");
     return accessor;
 }
 
@@ -113,10 +120,8 @@ uint32_t glb_joints(struct glb *glb, const uint8_t (*joints)[4], uint32_t count)
 {
     CORE_ASSERT(count >= 1);
     const uint32_t view = add_view(glb, joints, (size_t)count * 4u, ARRAY_BUFFER);
-    const uint32_t accessor = glb_next(glb, GLB_ACCESSORS);
-    byte_buffer_print(&glb->lists[GLB_ACCESSORS],
-                      "{\"bufferView\":%u,\"componentType\":%d,\"count\":%u,\"type\":\"VEC4\"}",
-                      view, UNSIGNED_BYTE, count);
+    const uint32_t accessor = add_accessor(glb, view, UNSIGNED_BYTE, count, GLB_VEC4);
+    byte_buffer_print(&glb->lists[GLB_ACCESSORS], "}");
     return accessor;
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/panic.h"
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/os/print.h"
+#include "platform/species/part.h"
 
 static const char name[] = "morph";
 
@@ -105,19 +106,15 @@ const struct ctl_command ctl_morph = {
 
 /* `kingyoctl morph list`, which lists the built-in species. */
 
-static const char *const measure_names[] = { "total", "standard", "fork", "disc" };
-static const char *const motion_names[] = { "tail", "eel", "fins", "tuna", "wing" };
-static const char *const form_names[] = { "fusiform", "compressed", "depressed", "eel", "puffer" };
-
 static void list_json(const struct species *species)
 {
     CORE_ASSERT(species->card.key_count <= MORPH_KEY_MAX);
     const struct species_card *card = &species->card;
     printf("{\"id\": \"%s\", \"form\": \"%s\", \"motion\": \"%s\", \"measure\": \"%s\", "
            "\"vertices\": [%u, %u], \"anchors\": %u, \"keys\": [",
-           card->id, form_names[card->form], motion_names[card->motion],
-           measure_names[card->measure], species->lod[0].vertex_count, species->lod[1].vertex_count,
-           species->lod[0].anchor_count);
+           card->id, species_form_names[card->form], species_motion_names[card->motion],
+           species_measure_names[card->measure], species->lod[0].vertex_count,
+           species->lod[1].vertex_count, species->lod[0].anchor_count);
     for (uint32_t i = 0; i < card->key_count; i++) {
         printf("%s{\"name\": \"%s\", \"age_days\": %.2f, \"length_mm\": %.3f}", i > 0 ? ", " : "",
                card->key_names[i], (double)card->key_age_days[i],
@@ -138,7 +135,7 @@ static void list_json(const struct species *species)
 static void list_text(const struct species *species)
 {
     const struct species_card *card = &species->card;
-    printf("%-10s %-10s  ", card->id, form_names[card->form]);
+    printf("%-10s %-10s  ", card->id, species_form_names[card->form]);
     for (uint32_t i = 0; i < card->key_count; i++) {
         const double mm = 1e3 * (double)card->key_length_m[i];
         printf("%s%s %.*f mm", i > 0 ? ", " : "", card->key_names[i], mm < 100.0 ? 1 : 0, mm);

@@ -1,5 +1,6 @@
 /* morph_check.c -- `kingyoctl morph check`, which reports errors in the growth of a species, for
  * example flipped triangles. */
+#include <stddef.h>
 #include <stdio.h>
 
 #include "core/base/panic.h"
@@ -24,10 +25,9 @@ struct check_plan {
 /* One printed value of a survey (morph_survey.h) and its limit. */
 struct row {
     const char *title, *key;
-    float (*value)(const struct morph_survey *survey);
-    /* Returns the progress and the vertex at which the worst value was found. Null means that the
-     * value has no such place. */
-    const struct finding *(*where)(const struct morph_survey *survey);
+    size_t offset; /* Position of the value in struct morph_survey. */
+    /* Type of the value. A finding also has the progress and the vertex of the worst value. */
+    enum { IS_FLOAT, IS_COUNT, IS_FINDING } type;
     const char *format;
     /* Factor by which the measured value is multiplied for printing. 100 prints a share in
      * percent. */
@@ -36,62 +36,26 @@ struct row {
     enum { AT_MOST, AT_LEAST, TOLD_ONLY } rule;
 };
 
-#define FIGURE(name, expression)                                                                   \
-    static float value_##name(const struct morph_survey *s)                                        \
-    {                                                                                              \
-        return (float)(expression);                                                                \
-    }
-#define FINDING(name)                                                                              \
-    FIGURE(name, s->name.value)                                                                    \
-    static const struct finding *where_##name(const struct morph_survey *s)                        \
-    {                                                                                              \
-        return &s->name;                                                                           \
-    }
-
-FIGURE(sum_error, s->sum_error)
-FIGURE(weight_min, s->weight_min)
-FIGURE(drawn_sum_error, s->drawn_sum_error)
-FIGURE(drawn_weight_min, s->drawn_weight_min)
-FIGURE(flipped_skin, s->flipped_skin)
-FIGURE(flipped_fins, s->flipped_fins)
-FIGURE(moments_open, s->moments_open)
-FIGURE(keys_alone, s->keys_alone)
-FIGURE(dorsal_root, s->dorsal_root.from_chord)
-FIGURE(eye_right, s->eye_right.from_chord)
-FIGURE(eye_left, s->eye_left.from_chord)
-FINDING(key_error)
-FINDING(body_in_body)
-FINDING(fin_in_body)
-FINDING(eye_in_body)
-FINDING(pupil_in_body)
-FINDING(eye_in_eye)
-FINDING(fin_in_eye)
-FINDING(root_off_skin)
-FINDING(volume_dip)
-FINDING(size_error)
-FIGURE(moments_not_older, s->moments_not_older)
-FINDING(progress_lost)
-FINDING(length_lost)
-FINDING(off_growth)
-
-#define OF(name) #name, value_##name, NULL
-#define FOUND(name) #name, value_##name, where_##name
+#define REAL(name) #name, offsetof(struct morph_survey, name), IS_FLOAT
+#define COUNT(name) #name, offsetof(struct morph_survey, name), IS_COUNT
+#define FOUND(name) #name, offsetof(struct morph_survey, name), IS_FINDING
+#define CHORD(name) #name, offsetof(struct morph_survey, name.from_chord), IS_FLOAT
 
 static const struct row rows[] = {
     { "keys' sizes: off one another, %", FOUND(size_error), "%.3f", 100.0, 1.0, AT_MOST },
     { "length off the growth curve, %", FOUND(off_growth), "%.3f", 100.0, 2.0, AT_MOST },
-    { "moments at which age does not rise", OF(moments_not_older), "%.0f", 1.0, 0.0, AT_MOST },
+    { "moments at which age does not rise", COUNT(moments_not_older), "%.0f", 1.0, 0.0, AT_MOST },
     { "age leads to another progress, by", FOUND(progress_lost), "%.1e", 1.0, 1e-3, AT_MOST },
     { "length leads to another length, %", FOUND(length_lost), "%.3f", 100.0, 0.1, AT_MOST },
-    { "weights: sum is off 1 by", OF(sum_error), "%.1e", 1.0, 1e-6, AT_MOST },
-    { "weights: least", OF(weight_min), "%.4f", 1.0, 0.0, AT_LEAST },
-    { "weights of drawings: sum is off 1 by", OF(drawn_sum_error), "%.1e", 1.0, 2e-6, AT_MOST },
-    { "weights of drawings: least", OF(drawn_weight_min), "%.4f", 1.0, 0.0, TOLD_ONLY },
-    { "keys shown alone", OF(keys_alone), "%.0f", 1.0, 0.0, TOLD_ONLY },
+    { "weights: sum is off 1 by", REAL(sum_error), "%.1e", 1.0, 1e-6, AT_MOST },
+    { "weights: least", REAL(weight_min), "%.4f", 1.0, 0.0, AT_LEAST },
+    { "weights of drawings: sum is off 1 by", REAL(drawn_sum_error), "%.1e", 1.0, 2e-6, AT_MOST },
+    { "weights of drawings: least", REAL(drawn_weight_min), "%.4f", 1.0, 0.0, TOLD_ONLY },
+    { "keys shown alone", COUNT(keys_alone), "%.0f", 1.0, 0.0, TOLD_ONLY },
     { "key, where shown alone, missed by", FOUND(key_error), "%.1e", 1.0, 0.0, AT_MOST },
-    { "triangles turned over: body, eyes", OF(flipped_skin), "%.0f", 1.0, 0.0, AT_MOST },
-    { "triangles turned over: fins", OF(flipped_fins), "%.0f", 1.0, 0.0, AT_MOST },
-    { "moments at which the body has a hole", OF(moments_open), "%.0f", 1.0, 0.0, AT_MOST },
+    { "triangles turned over: body, eyes", COUNT(flipped_skin), "%.0f", 1.0, 0.0, AT_MOST },
+    { "triangles turned over: fins", COUNT(flipped_fins), "%.0f", 1.0, 0.0, AT_MOST },
+    { "moments at which the body has a hole", COUNT(moments_open), "%.0f", 1.0, 0.0, AT_MOST },
     { "skin folded into itself, % of length", FOUND(body_in_body), "%.3f", 100.0, 0.0, AT_MOST },
     { "fin deeper than its root, % of length", FOUND(fin_in_body), "%.3f", 100.0, 0.05, AT_MOST },
     { "fin in an eye, % of length", FOUND(fin_in_eye), "%.3f", 100.0, 0.0, AT_MOST },
@@ -100,15 +64,28 @@ static const struct row rows[] = {
     { "eye in the other eye, % of length", FOUND(eye_in_eye), "%.3f", 100.0, 0.0, AT_MOST },
     { "fin root off the skin, % of length", FOUND(root_off_skin), "%.3f", 100.0, 0.0, TOLD_ONLY },
     { "volume below the lesser key's, %", FOUND(volume_dip), "%.3f", 100.0, 2.0, AT_MOST },
-    { "dorsal root's path off its chord", OF(dorsal_root), "%.5f", 1.0, 0.0, TOLD_ONLY },
-    { "right eye's path off its chord", OF(eye_right), "%.5f", 1.0, 0.0, TOLD_ONLY },
-    { "left eye's path off its chord", OF(eye_left), "%.5f", 1.0, 0.0, TOLD_ONLY },
+    { "dorsal root's path off its chord", CHORD(dorsal_root), "%.5f", 1.0, 0.0, TOLD_ONLY },
+    { "right eye's path off its chord", CHORD(eye_right), "%.5f", 1.0, 0.0, TOLD_ONLY },
+    { "left eye's path off its chord", CHORD(eye_left), "%.5f", 1.0, 0.0, TOLD_ONLY },
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 
+static const void *field_of(const struct row *row, const struct morph_survey *survey)
+{
+    return (const char *)survey + row->offset;
+}
+
+static float value_of(const struct row *row, const struct morph_survey *survey)
+{
+    const void *field = field_of(row, survey);
+    return row->type == IS_COUNT     ? (float)*(const uint32_t *)field
+           : row->type == IS_FINDING ? ((const struct finding *)field)->value
+                                     : *(const float *)field;
+}
+
 static double told(const struct row *row, const struct morph_survey *survey)
 {
-    return (double)row->value(survey) * row->scale;
+    return (double)value_of(row, survey) * row->scale;
 }
 
 static bool is_so(const struct row *row, const struct morph_survey *survey)
@@ -142,9 +119,9 @@ static void print_faults(const struct check_plan *plan, enum column column)
         if (!is_so(&rows[i], survey)) {
             printf("not so (%s): %s", column_names[column], rows[i].title);
             print_number(&rows[i], survey);
-            if (rows[i].where) {
+            if (rows[i].type == IS_FINDING) {
                 /* The text is for example " at progress 0.431, vertex 312 (eye)". */
-                const struct finding *at = rows[i].where(survey);
+                const struct finding *at = field_of(&rows[i], survey);
                 printf(" at progress %.4f", (double)at->progress);
                 if (at->vertex != MORPH_SURVEY_NOWHERE) {
                     const struct species_mesh *mesh = column == ORDINARY
@@ -153,9 +130,10 @@ static void print_faults(const struct check_plan *plan, enum column column)
                     const uint8_t part = mesh->vertices[at->vertex].part;
                     printf(", vertex %u (%s)", at->vertex, part_names[part]);
                 }
-            } else if (rows[i].value == value_flipped_skin || rows[i].value == value_flipped_fins) {
+            } else if (rows[i].offset == offsetof(struct morph_survey, flipped_skin) ||
+                       rows[i].offset == offsetof(struct morph_survey, flipped_fins)) {
                 printf(", first at progress %.4f", (double)survey->flipped_at);
-            } else if (rows[i].value == value_moments_not_older) {
+            } else if (rows[i].offset == offsetof(struct morph_survey, moments_not_older)) {
                 printf(", first at progress %.4f", (double)survey->age_stands_at);
             }
             putchar('\n');
@@ -213,10 +191,10 @@ static enum exit_code morph_check_run(int argc, const char *const *argv)
             printf(",\n \"%s\": {\"good\": %s", column_names[column],
                    is_good(survey) ? "true" : "false");
             for (size_t i = 0; i < ROWS; i++) {
-                printf(", \"%s\": %.9g", rows[i].key, (double)rows[i].value(survey));
-                if (rows[i].where && rows[i].value(survey) > 0.0f) {
-                    printf(", \"%s_at\": %.6f", rows[i].key,
-                           (double)rows[i].where(survey)->progress);
+                printf(", \"%s\": %.9g", rows[i].key, (double)value_of(&rows[i], survey));
+                const struct finding *at = field_of(&rows[i], survey);
+                if (rows[i].type == IS_FINDING && at->value > 0.0f) {
+                    printf(", \"%s_at\": %.6f", rows[i].key, (double)at->progress);
                 }
             }
             putchar('}');

@@ -9,6 +9,7 @@
 #include "core/morph/morph.h"
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/os/number.h"
+#include "platform/species/part.h"
 
 /* ---- Parsers of one value -------------------------------------------------------------------- */
 
@@ -114,17 +115,13 @@ static bool take_template(const char *value, uint32_t index, void *out)
 
 /* ---- Options --------------------------------------------------------------------------------- */
 
-static const char *const measures[] = { "total", "standard", "fork", "disc", NULL };
-static const char *const motions[] = { "tail", "eel", "fins", "tuna", "wing", NULL };
-static const char *const forms[] = { "fusiform", "compressed", "depressed", "eel", "puffer", NULL };
-
 /* An option and its value. Exactly one of `take` and `choices` is not null. */
 struct word_option {
     const char *name;
     enum import_command command; /* The option exists for this command or for both commands. */
     void *out;
     bool (*take)(const char *piece, uint32_t index, void *out); /* Parses one item of the value. */
-    const char *const *choices; /* Allowed words. `out` points to the index of the word. */
+    const char *const *choices; /* `most` allowed words. `out` points to the index of the word. */
     uint32_t *count;            /* Number of items of a comma-separated list. Null for one value. */
     uint32_t least, most;       /* Allowed number of items of a list. */
 };
@@ -134,11 +131,11 @@ static bool take_value(const struct word_option *option, const char *value)
 {
     if (option->choices) {
         uint8_t choice = 0;
-        while (option->choices[choice] && strcmp(option->choices[choice], value) != 0) {
+        while (choice < option->most && strcmp(option->choices[choice], value) != 0) {
             choice++;
         }
         *(uint8_t *)option->out = choice;
-        return option->choices[choice] != NULL;
+        return choice < option->most;
     }
     if (!option->count) {
         return option->take(value, 0, option->out);
@@ -176,9 +173,9 @@ static enum exit_code take_option(struct morph_import_words *words, enum import_
         { "--front", IMPORT_BOTH, &plan->front, take_axis, 0, 0, 0, 0 },
         { "--up", IMPORT_BOTH, &plan->up, take_axis, 0, 0, 0, 0 },
         { "--unit-m", IMPORT_MESHES, &plan->unit_m, take_unit, 0, 0, 0, 0 },
-        { "--measure", IMPORT_BOTH, &plan->measure, 0, measures, 0, 0, 0 },
-        { "--motion", IMPORT_MESHES, &plan->motion, 0, motions, 0, 0, 0 },
-        { "--form", IMPORT_MESHES, &plan->form, 0, forms, 0, 0, 0 },
+        { "--measure", IMPORT_BOTH, &plan->measure, 0, species_measure_names, 0, 0, 4 },
+        { "--motion", IMPORT_MESHES, &plan->motion, 0, species_motion_names, 0, 0, 5 },
+        { "--form", IMPORT_MESHES, &plan->form, 0, species_form_names, 0, 0, 5 },
         { "--graph", IMPORT_MESHES, &plan->template_id, take_template, 0, 0, 0, 0 },
         { "--names", IMPORT_BOTH, plan->names, morph_import_words_take_name, 0,
           &plan->name_count, 3, MORPH_KEY_MAX },

@@ -198,8 +198,7 @@ enum exit_code morph_options_read(struct morph_options *pick, const char *comman
     if (code != EXIT_OK) {
         return code;
     }
-    /* Create `pick->fish` from the drawn species by applying --thesis or --template
-     * ordinary. */
+    /* --thesis and --template ordinary change the drawn species. */
     static struct straight_memory memory;
     static struct species made;
     pick->fish = pick->drawn;
