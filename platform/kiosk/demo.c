@@ -7,9 +7,9 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "core/tank/preset.h"
 #include "platform/board.h"
-#include "platform/kiosk/contact_sheet.h"
 #include "platform/os/clock.h"
 #include "platform/os/log.h"
 #include "platform/os/png.h"
@@ -46,20 +46,6 @@ struct demo {
     int failed;             /* 1 if a picture could not be captured or written. */
 };
 
-static void wire(struct demo *demo)
-{
-    const struct options *options = &demo->session->options;
-    const struct board_options board = {
-        .width = options->width ? options->width : 1280,
-        .height = options->height ? options->height : 720,
-        .on_demand = options->replay[0] != '\0', /* Without a replay, every frame is drawn because
-                                                    the demonstration measures its frame times. */
-        .view = tank_preset(options->tank)->view,
-        .library = &demo->session->library,
-    };
-    board_open_rehearsal(&demo->session->hal, &board, START_NS);
-}
-
 static enum exit_code demo_begin(struct demo *demo)
 {
     const struct options *options = &demo->session->options;
@@ -94,17 +80,18 @@ static enum exit_code demo_begin(struct demo *demo)
 
 static int plan_sheet(struct demo *demo, const struct hal_image *image)
 {
-    demo->sheet.rgb = malloc(contact_sheet_plan(&demo->sheet, image->width, image->height));
+    demo->sheet.rgb = malloc(demo_sheet_plan(&demo->sheet, image->width, image->height));
     if (!demo->sheet.rgb) {
         log_print(LOG_LEVEL_ERROR, "no memory for the contact sheet");
         return -1;
     }
-    contact_sheet_clear(&demo->sheet);
+    demo_sheet_clear(&demo->sheet);
     return 0;
 }
 
 static void take_shot(struct demo *demo)
 {
+    CORE_ASSERT(demo->shots < SHEET_PICTURES);
     char path[PATH_SIZE];
     struct hal_image image;
     snprintf(path, sizeof path, "%s/shot-%02u.png", demo->folder, demo->shots + 1);
@@ -113,38 +100,11 @@ static void take_shot(struct demo *demo)
         demo->failed = 1;
         return;
     }
-    contact_sheet_put(&demo->sheet, demo->shots, image.rgb, image.width, image.height);
+    demo_sheet_put(&demo->sheet, demo->shots, image.rgb, image.width, image.height);
     demo->shots++;
 }
 
-/* Returns 1 if the next picture is due, otherwise 0. The duration of the demonstration is divided
- * into equal intervals, and each picture is taken in the middle of an interval. */
-static int shot_is_due(const struct demo *demo)
-{
-    const uint64_t due_ns = demo->end_ns * (2 * demo->shots + 1) / (2 * SHEET_PICTURES);
-    return !demo->failed && demo->shots < SHEET_PICTURES && demo->now_ns >= due_ns;
-}
-
-static void write_sheet(struct demo *demo)
-{
-    char path[PATH_SIZE];
-    snprintf(path, sizeof path, "%s/contact-sheet.png", demo->folder);
-    const int error = demo->sheet.rgb
-                          ? png_write(path, demo->sheet.rgb, demo->sheet.width, demo->sheet.height)
-                          : 0;
-    if (error) {
-        log_print(LOG_LEVEL_ERROR, "%s: cannot write: %s", path, strerror(-error));
-        demo->failed = 1;
-    }
-    free(demo->sheet.rgb);
-}
-
 /* ---- Main loop ----------------------------------------------------------------------------- */
-
-static int round_is_under_way(const struct output *output)
-{
-    return output->phase == PHASE_ROUND && output->tick - output->round_tick >= IN_ROUND_TICKS;
-}
 
 /* Runs frames without pictures until the round is in progress. Before the round, the bot's poi is
  * beside the tank. */
@@ -153,26 +113,13 @@ static enum kiosk_end skip_to_round(struct demo *demo)
     struct run_common *session = demo->session;
     const struct output *output = &session->kiosk.output;
     enum kiosk_end end = KIOSK_RUNS;
-    while (end == KIOSK_RUNS && !*session->stop && !round_is_under_way(output) &&
+    while (end == KIOSK_RUNS && !*session->stop &&
+           !(output->phase == PHASE_ROUND && output->tick - output->round_tick >= IN_ROUND_TICKS) &&
            output->tick < PRELUDE_TICKS_MAX) {
         end = kiosk_frame(&session->kiosk, &session->hal);
         board_rehearsal_advance(PRELUDE_NS);
     }
     return end;
-}
-
-/* Prints the progress. On a terminal one line is updated; otherwise one line is printed every five
- * seconds. */
-static void demo_print_progress(const struct demo *demo)
-{
-    const int on_terminal = isatty(STDERR_FILENO);
-    const uint64_t step_ns = on_terminal ? NS_PER_S / 2 : 5 * NS_PER_S;
-    if (demo->now_ns % step_ns == 0 && demo->now_ns > 0) {
-        fprintf(stderr, "%s%s: %4.1f of %.0f s, %u pictures%s", on_terminal ? "\r" : "",
-                demo->session->options.replay[0] ? "replay" : "demo",
-                (double)demo->now_ns / (double)NS_PER_S, (double)demo->end_ns / (double)NS_PER_S,
-                demo->shots, on_terminal ? "" : "\n");
-    }
 }
 
 static enum kiosk_end demo_run_frames(struct demo *demo)
@@ -182,12 +129,25 @@ static enum kiosk_end demo_run_frames(struct demo *demo)
     while (end == KIOSK_RUNS && !*session->stop &&
            (demo->whole_replay || demo->now_ns < demo->end_ns)) {
         end = kiosk_frame(&session->kiosk, &session->hal);
-        if (end != KIOSK_DISPLAY_LOST && shot_is_due(demo)) {
+        /* The duration of the demonstration is divided into equal intervals, and each picture is
+         * taken in the middle of an interval. */
+        const uint64_t due_ns = demo->end_ns * (2 * demo->shots + 1) / (2 * SHEET_PICTURES);
+        if (end != KIOSK_DISPLAY_LOST && !demo->failed && demo->shots < SHEET_PICTURES &&
+            demo->now_ns >= due_ns) {
             take_shot(demo);
         }
         board_rehearsal_advance(FRAME_NS);
         demo->now_ns += FRAME_NS;
-        demo_print_progress(demo);
+        /* Print the progress. On a terminal one line is updated; otherwise one line is printed
+         * every five seconds. */
+        const int on_terminal = isatty(STDERR_FILENO);
+        const uint64_t step_ns = on_terminal ? NS_PER_S / 2 : 5 * NS_PER_S;
+        if (demo->now_ns % step_ns == 0 && demo->now_ns > 0) {
+            fprintf(stderr, "%s%s: %4.1f of %.0f s, %u pictures%s", on_terminal ? "\r" : "",
+                    demo->session->options.replay[0] ? "replay" : "demo",
+                    (double)demo->now_ns / (double)NS_PER_S,
+                    (double)demo->end_ns / (double)NS_PER_S, demo->shots, on_terminal ? "" : "\n");
+        }
     }
     if (isatty(STDERR_FILENO)) {
         fputc('\n', stderr);
@@ -204,7 +164,7 @@ static void print_summary(const struct demo *demo)
 {
     const struct run_common *session = demo->session;
     const struct kiosk *kiosk = &session->kiosk;
-    const struct timing *frame = &kiosk->work_time;
+    const struct frame_timing *frame = &kiosk->work_time;
     const double ticks = kiosk->output.tick > 0 ? kiosk->output.tick : 1;
     const double share = frame->sum_ns > 0 ? (double)kiosk->core_ns / (double)frame->sum_ns : 0.0;
     printf("Kingyo %s: %.0f s %s, seed %u, %u fish\n", KINGYO_VERSION,
@@ -222,7 +182,7 @@ static void print_summary(const struct demo *demo)
     printf("  frames        %llu of %ux%u%s; frame time median %.1f ms, p99 %.1f ms\n",
            (unsigned long long)kiosk->frames, demo->width, demo->height,
            session->options.replay[0] ? ", drawn where pictures are" : "",
-           ms(timing_quantile_ns(frame, 0.5)), ms(timing_quantile_ns(frame, 0.99)));
+           ms(frame_timing_quantile_ns(frame, 0.5)), ms(frame_timing_quantile_ns(frame, 0.99)));
     printf("  core          %.1f %% of the frame; %.3f ms a tick\n", 100.0 * share,
            ms(kiosk->core_ns) / ticks);
     printf("  state hash    %016llx\n", (unsigned long long)core_hash(&kiosk->core));
@@ -249,7 +209,15 @@ enum exit_code demo_run(struct run_common *session)
     if (code != EXIT_OK) {
         return code;
     }
-    wire(&demo);
+    const struct board_options board = {
+        .width = demo.width,
+        .height = demo.height,
+        .on_demand = options->replay[0] != '\0', /* Without a replay, every frame is drawn because
+                                                    the demonstration measures its frame times. */
+        .view = tank_preset(options->tank)->view,
+        .library = &session->library,
+    };
+    board_open_rehearsal(&session->hal, &board, START_NS);
     code = run_common_make_room(session, demo.width, demo.height);
     if (code == EXIT_OK) {
         code = demo_begin(&demo);
@@ -262,7 +230,15 @@ enum exit_code demo_run(struct run_common *session)
     if (demo.shots == 0) {
         log_print(LOG_LEVEL_ERROR, "no picture could be made here");
     }
-    write_sheet(&demo);
+    char path[PATH_SIZE];
+    snprintf(path, sizeof path, "%s/contact-sheet.png", demo.folder);
+    const int error =
+        demo.sheet.rgb ? png_write(path, demo.sheet.rgb, demo.sheet.width, demo.sheet.height) : 0;
+    if (error) {
+        log_print(LOG_LEVEL_ERROR, "%s: cannot write: %s", path, strerror(-error));
+        demo.failed = 1;
+    }
+    free(demo.sheet.rgb);
     print_summary(&demo);
     code = run_common_end(session);
     session->hal.display.ops->close(session->hal.display.self);
@@ -273,4 +249,76 @@ enum exit_code demo_run(struct run_common *session)
         code = EXIT_NOT_SO;
     }
     return code;
+}
+
+/* ---- Contact sheet --------------------------------------------------------------------------- */
+
+size_t demo_sheet_plan(struct contact_sheet *sheet, uint32_t width, uint32_t height)
+{
+    CORE_ASSERT(width > 0);
+    const uint32_t tall = (uint32_t)((uint64_t)SHEET_PICTURE_WIDTH * height / width);
+    sheet->picture_height = tall > 0 ? tall : 1;
+    sheet->width = SHEET_COLUMNS * SHEET_PICTURE_WIDTH + (SHEET_COLUMNS + 1) * SHEET_MARGIN;
+    sheet->height = SHEET_ROWS * sheet->picture_height + (SHEET_ROWS + 1) * SHEET_MARGIN;
+    return (size_t)sheet->width * sheet->height * 3;
+}
+
+void demo_sheet_clear(struct contact_sheet *sheet)
+{
+    CORE_ASSERT(sheet->rgb);
+    static const uint8_t night[3] = { 24, 28, 46 };
+    const size_t count = (size_t)sheet->width * sheet->height;
+    for (size_t i = 0; i < count; i++) {
+        for (size_t c = 0; c < 3; c++) {
+            sheet->rgb[3 * i + c] = night[c];
+        }
+    }
+}
+
+struct span {
+    uint32_t begin, end; /* Range of source pixels that one target pixel covers, at least one
+                            pixel. */
+};
+
+static struct span span_under(uint32_t index, uint32_t count, uint32_t source)
+{
+    const uint32_t begin = (uint32_t)((uint64_t)index * source / count);
+    const uint32_t end = (uint32_t)((uint64_t)(index + 1) * source / count);
+    return (struct span){ begin, end > begin ? end : begin + 1 };
+}
+
+static void average(const uint8_t *rgb, uint32_t width, struct span x, struct span y,
+                    uint8_t out[3])
+{
+    uint32_t sum[3] = { 0 };
+    const uint32_t count = (x.end - x.begin) * (y.end - y.begin);
+    for (uint32_t row = y.begin; row < y.end; row++) {
+        const uint8_t *pixel = rgb + ((size_t)row * width + x.begin) * 3;
+        for (uint32_t column = x.begin; column < x.end; column++, pixel += 3) {
+            for (int c = 0; c < 3; c++) {
+                sum[c] += pixel[c];
+            }
+        }
+    }
+    for (int c = 0; c < 3; c++) {
+        out[c] = (uint8_t)((sum[c] + count / 2) / count);
+    }
+}
+
+void demo_sheet_put(struct contact_sheet *sheet, uint32_t index, const uint8_t *rgb, uint32_t width,
+                    uint32_t height)
+{
+    CORE_ASSERT(index < SHEET_PICTURES);
+    CORE_ASSERT(sheet->rgb);
+    const uint32_t left =
+        SHEET_MARGIN + index % SHEET_COLUMNS * (SHEET_PICTURE_WIDTH + SHEET_MARGIN);
+    const uint32_t top =
+        SHEET_MARGIN + index / SHEET_COLUMNS * (sheet->picture_height + SHEET_MARGIN);
+    for (uint32_t y = 0; y < sheet->picture_height; y++) {
+        uint8_t *out = sheet->rgb + ((size_t)(top + y) * sheet->width + left) * 3;
+        const struct span rows = span_under(y, sheet->picture_height, height);
+        for (uint32_t x = 0; x < SHEET_PICTURE_WIDTH; x++, out += 3) {
+            average(rgb, width, span_under(x, SHEET_PICTURE_WIDTH, width), rows, out);
+        }
+    }
 }

@@ -1,6 +1,7 @@
 /* frame_pacer.c -- converts elapsed time to a number of ticks; see frame_pacer.h. */
 #include "platform/kiosk/frame_pacer.h"
 
+#include "core/base/panic.h"
 #include "core/input.h"
 
 #define NS_PER_S 1000000000ull
@@ -80,4 +81,44 @@ uint64_t frame_pacer_sleep_ns(struct frame_pacer_sleep *rest, uint64_t took_ns)
     }
     rest->mean_ns = (rest->mean_ns * (REST_SHARE - 1) + took_ns) / REST_SHARE;
     return rest->mean_ns < WAITS_NS && took_ns < FRAME_NS ? FRAME_NS - took_ns : 0;
+}
+
+/* ---- Histogram of durations ------------------------------------------------------------------ */
+
+#define FINE_END_NS ((uint64_t)TIMING_BIN_NS * TIMING_BIN_COUNT)
+#define LAST (TIMING_BIN_COUNT + TIMING_SLOW_COUNT - 1u)
+
+void frame_timing_add(struct frame_timing *timing, uint64_t duration_ns)
+{
+    const int is_fine = duration_ns < FINE_END_NS;
+    const uint64_t slow = is_fine ? 0u : (duration_ns - FINE_END_NS) / TIMING_SLOW_NS;
+    const uint32_t bin = is_fine                         ? (uint32_t)(duration_ns / TIMING_BIN_NS)
+                         : slow < TIMING_SLOW_COUNT - 1u ? TIMING_BIN_COUNT + (uint32_t)slow
+                                                         : LAST;
+    CORE_ASSERT(bin <= LAST);
+    timing->bins[bin]++;
+    timing->count++;
+    timing->sum_ns += duration_ns;
+    if (duration_ns > timing->max_ns) {
+        timing->max_ns = duration_ns;
+    }
+}
+
+uint64_t frame_timing_quantile_ns(const struct frame_timing *timing, double share)
+{
+    CORE_ASSERT(share >= 0.0 && share <= 1.0);
+    const double wanted = share * (double)timing->count;
+    uint64_t seen = 0;
+    for (uint32_t i = 0; i < LAST && timing->count > 0; i++) {
+        seen += timing->bins[i];
+        if (seen > 0 && (double)seen >= wanted) {
+            const uint64_t middle = i < TIMING_BIN_COUNT
+                                        ? i * (uint64_t)TIMING_BIN_NS + TIMING_BIN_NS / 2u
+                                        : FINE_END_NS +
+                                              (i - TIMING_BIN_COUNT) * (uint64_t)TIMING_SLOW_NS +
+                                              TIMING_SLOW_NS / 2u;
+            return middle < timing->max_ns ? middle : timing->max_ns;
+        }
+    }
+    return timing->max_ns; /* The last bin has no upper limit except max_ns. */
 }

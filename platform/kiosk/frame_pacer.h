@@ -1,5 +1,5 @@
-/* frame_pacer.h -- computes how many ticks (1/120 s) the frame loop must run in each frame. Pure
- * functions. */
+/* frame_pacer.h -- computes how many ticks (1/120 s) the frame loop must run in each frame, and counts
+ * the durations of frames in a histogram. Pure functions. */
 #ifndef KINGYO_PLATFORM_KIOSK_FRAME_PACER_H
 #define KINGYO_PLATFORM_KIOSK_FRAME_PACER_H
 
@@ -38,5 +38,32 @@ struct frame_pacer_sleep {
  * is the duration of the frame, including vertical synchronization. Returns 0 if the screen's
  * vertical synchronization already limits the frame rate. */
 uint64_t frame_pacer_sleep_ns(struct frame_pacer_sleep *rest, uint64_t took_ns);
+
+/* ---- Histogram of durations ------------------------------------------------------------------ */
+
+/* A histogram of durations in fixed memory, which gives the median and the 99th percentile of a
+ * whole day. Pure functions. */
+
+/* Width of a fine bin (0.05 ms), less than the variation of frame times. */
+#define TIMING_BIN_NS 50000u
+/* Number of fine bins, which reach up to 0.4 s. Coarse bins follow. */
+#define TIMING_BIN_COUNT 8000u
+/* Width of a coarse bin (20 ms). */
+#define TIMING_SLOW_NS 20000000u
+/* Number of coarse bins, which reach up to 10 s. Longer durations count in the last bin. */
+#define TIMING_SLOW_COUNT 500u
+
+struct frame_timing {
+    uint64_t count, sum_ns, max_ns;
+    uint32_t bins[TIMING_BIN_COUNT + TIMING_SLOW_COUNT];
+};
+
+/* Adds one duration. */
+void frame_timing_add(struct frame_timing *timing, uint64_t duration_ns);
+
+/* Returns the duration that a share of all durations does not exceed. `share` is in [0, 1]; 0.5
+ * gives the median. The error is at most half a bin. Returns max_ns if the result is in the last
+ * bin, and 0 if there are no durations. */
+uint64_t frame_timing_quantile_ns(const struct frame_timing *timing, double share);
 
 #endif

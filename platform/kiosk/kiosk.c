@@ -1,20 +1,20 @@
-/* kiosk.c -- runs one frame: samples the devices (sample.h), runs the ticks, and presents the
- * result (present.h). */
+/* kiosk.c -- runs one frame: samples the devices, runs the ticks, and presents the result. The file
+ * kiosk_devices.c accesses the devices. */
 #include "platform/kiosk/kiosk.h"
 
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/operator_view.h"
-#include "platform/kiosk/present.h"
-#include "platform/kiosk/sample.h"
-#include "platform/kiosk/score_playback.h"
-#include "platform/kiosk/session_recorder.h"
+#include "platform/kiosk/recorder/score_playback.h"
+#include "platform/kiosk/recorder/session_recorder.h"
 #include "platform/system_health.h"
 
 enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
                            const struct kiosk_config *config)
 {
+    CORE_ASSERT(hal->audio.ops && hal->display.ops && hal->seats.ops);
     memset(kiosk, 0, sizeof *kiosk);
     cpu_set_float();
     kiosk->config = *config;
@@ -25,13 +25,13 @@ enum core_error kiosk_init(struct kiosk *kiosk, const struct hal *hal,
     if (error != CORE_OK) {
         return error;
     }
-    audio_output_open(&kiosk->voice, &hal->audio, hal_now_ns(hal->clock));
-    sample_open(kiosk, hal);
+    output_audio_open(&kiosk->voice, &hal->audio, hal_now_ns(hal->clock));
+    kiosk_open_devices(kiosk, hal);
     if (config->chapters) {
         session_recorder_begin(config->chapters, &kiosk->core);
     }
     core_scene(&kiosk->core, &kiosk->scene);
-    present_view(kiosk, hal);
+    kiosk_present_view(kiosk, hal);
     return CORE_OK;
 }
 
@@ -42,48 +42,35 @@ int kiosk_asks_to_quit(const struct kiosk *kiosk)
 
 uint32_t kiosk_fault_count(const struct kiosk_faults *faults)
 {
+    CORE_ASSERT(faults);
     return faults->poi + faults->shade + faults->display + faults->audio + faults->storage +
            faults->buttons + faults->switches;
-}
-
-/* Sets the poses of the pois and fans for one tick. Each tick gets its own interpolated poses. */
-static void pose_hands(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
-{
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        struct poi_input *poi = &kiosk->input.poi[i];
-        poi_sampler_at(&kiosk->hands[i], index, tick_count, kiosk->sampled_ns, poi);
-        poi->link = kiosk->config.bot[i] ? (uint8_t)POI_SOURCE_BOT : poi->link;
-    }
-    for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        kiosk->input.shade[i] = fan_sampler_at(&kiosk->shades[i], index, tick_count);
-    }
-}
-
-static int is_encore_on(const struct kiosk *kiosk)
-{
-    return kiosk->config.playback && kiosk->config.playback->state != ENCORE_OFF;
-}
-
-/* Redirects input during a score playback: poses and buttons control the playback, and the game
- * gets only coins. The input that ends the playback is not passed to the game. */
-static void lend_hands(struct kiosk *kiosk)
-{
-    if (is_encore_on(kiosk)) {
-        score_playback_handle_input(kiosk->config.playback, kiosk->input.pressed, kiosk->input.poi);
-        kiosk->input.pressed = kiosk->input.held = 0;
-        for (uint32_t i = 0; i < POI_MAX; i++) {
-            kiosk->input.poi[i].link = POI_SOURCE_ABSENT;
-        }
-    }
 }
 
 /* Prepares the input of one tick. Returns 0 and ends the frame loop if the input source has no more
  * ticks, otherwise 1. */
 static int prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
 {
+    CORE_ASSERT(index < tick_count);
     if (!kiosk->config.source.next) {
-        pose_hands(kiosk, index, tick_count);
-        lend_hands(kiosk);
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            struct poi_input *poi = &kiosk->input.poi[i];
+            sampler_poi_at(&kiosk->hands[i], index, tick_count, kiosk->sampled_ns, poi);
+            poi->link = kiosk->config.bot[i] ? (uint8_t)POI_SOURCE_BOT : poi->link;
+        }
+        for (uint32_t i = 0; i < SHADE_MAX; i++) {
+            kiosk->input.shade[i] = sampler_fan_at(&kiosk->shades[i], index, tick_count);
+        }
+        /* During a score playback, poses and buttons control the playback, and the game gets
+         * only coins. The input that ends the playback is not passed to the game. */
+        if (kiosk->config.playback && kiosk->config.playback->state != ENCORE_OFF) {
+            score_playback_handle_input(kiosk->config.playback, kiosk->input.pressed,
+                                        kiosk->input.poi);
+            kiosk->input.pressed = kiosk->input.held = 0;
+            for (uint32_t i = 0; i < POI_MAX; i++) {
+                kiosk->input.poi[i].link = POI_SOURCE_ABSENT;
+            }
+        }
         return 1;
     }
     if (!kiosk->config.source.next(kiosk->config.source.self, &kiosk->input)) {
@@ -93,21 +80,12 @@ static int prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_count
     return 1;
 }
 
-/* Adds the waiting time of each poi report to the statistics. The end of the waiting time is read
- * from the clock that also stamped the reports. */
-static void time_reports(struct kiosk *kiosk, const struct hal *hal)
-{
-    const uint64_t now_ns = hal_now_ns(hal->clock);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        poi_sampler_time(&kiosk->hands[i], now_ns, &kiosk->report_wait);
-    }
-}
-
 /* Runs one tick. Returns 1. If the core rejects the tick, sets kiosk->end and returns 0.
  * session_recorder_before() must be the first call, because it blocks the calling thread if another
  * thread panics. */
 static int run_tick(struct kiosk *kiosk)
 {
+    CORE_ASSERT(kiosk->output.sound_count <= OUTPUT_SOUND_MAX);
     const struct kiosk_tap *tap = &kiosk->config.tap;
     if (kiosk->config.chapters) {
         session_recorder_before(kiosk->config.chapters, &kiosk->input);
@@ -133,20 +111,10 @@ static int run_tick(struct kiosk *kiosk)
     return 1;
 }
 
-static void end_ticks(struct kiosk *kiosk)
-{
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        poi_sampler_end(&kiosk->hands[i]);
-    }
-    for (uint32_t i = 0; i < SHADE_MAX; i++) {
-        fan_sampler_end(&kiosk->shades[i]);
-    }
-    core_scene(&kiosk->core, &kiosk->scene);
-}
-
 /* Runs the ticks of the frame. Returns the number of completed ticks. */
 static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
 {
+    CORE_ASSERT(tick_count <= FRAME_PACER_TICKS_MAX);
     uint32_t done = 0;
     kiosk->output.sound_count = 0;
     if (tick_count > 0) { /* In a frame without ticks the forces of the previous frame remain
@@ -160,7 +128,13 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
         done++;
     }
     if (done > 0) {
-        end_ticks(kiosk);
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            sampler_poi_end(&kiosk->hands[i]);
+        }
+        for (uint32_t i = 0; i < SHADE_MAX; i++) {
+            sampler_fan_end(&kiosk->shades[i]);
+        }
+        core_scene(&kiosk->core, &kiosk->scene);
     }
     return done;
 }
@@ -186,88 +160,74 @@ static uint64_t stopwatch_ns(const struct kiosk *kiosk)
     return hal_now_ns(kiosk->config.stopwatch);
 }
 
-static void begin_frame(struct kiosk *kiosk)
+enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
 {
-    const uint64_t now_ns = stopwatch_ns(kiosk);
+    CORE_ASSERT(hal->display.ops && hal->seats.ops && hal->storage.ledger.ops);
+    const uint64_t begin_ns = stopwatch_ns(kiosk);
     if (kiosk->frames > 0) {
-        timing_add(&kiosk->frame_time, now_ns - kiosk->frame_begin_ns);
+        frame_timing_add(&kiosk->frame_time, begin_ns - kiosk->frame_begin_ns);
     }
-    kiosk->frame_begin_ns = now_ns;
+    kiosk->frame_begin_ns = begin_ns;
     kiosk->frames++;
-}
-
-/* Copies the newest system health to kiosk->machine, and forwards the operator's acknowledgement to
- * the health monitor. Never blocks. */
-static void meet_machine(struct kiosk *kiosk, const struct hal *hal)
-{
+    const uint32_t tick_due = frame_pacer_ticks_due(&kiosk->pace, hal_now_ns(hal->clock));
+    kiosk_sample_devices(kiosk, hal);
+    if (tick_due > 0) {
+        /* Adds the waiting time of each poi report to the statistics. The end of the waiting
+         * time is read from the clock that also stamped the reports. */
+        const uint64_t now_ns = hal_now_ns(hal->clock);
+        for (uint32_t i = 0; i < POI_MAX; i++) {
+            sampler_poi_time(&kiosk->hands[i], now_ns, &kiosk->report_wait);
+        }
+    }
+    output_dimmer_notice(&kiosk->dimmer, &kiosk->input, kiosk->output.phase == PHASE_ATTRACT);
+    const uint64_t core_begin_ns = stopwatch_ns(kiosk);
+    const uint32_t tick_count = run_ticks(kiosk, tick_due);
+    show_encore(kiosk, hal, tick_count);
+    kiosk->scene.asks_quit = (uint8_t)kiosk_asks_to_quit(kiosk);
+    /* Copies the newest system health, and forwards the operator's acknowledgement to the health
+     * monitor. Never blocks. */
     struct system_health *machine = kiosk->config.machine;
     kiosk->machine.watch = hal->watchdog.ops->watches(hal->watchdog.self);
     kiosk->machine.missed = kiosk->config.chapters ? kiosk->config.chapters->missed : 0u;
-    if (!machine) {
-        return;
+    if (machine) {
+        if (kiosk->has_acknowledged) {
+            kiosk->has_acknowledged = !system_health_acknowledge(machine);
+        }
+        system_health_read(machine, &kiosk->machine);
     }
-    if (kiosk->has_acknowledged) {
-        kiosk->has_acknowledged = !system_health_acknowledge(machine);
-    }
-    system_health_read(machine, &kiosk->machine);
-}
-
-static void dress_scene(struct kiosk *kiosk, const struct hal *hal)
-{
-    kiosk->scene.asks_quit = (uint8_t)kiosk_asks_to_quit(kiosk);
-    meet_machine(kiosk, hal);
     const struct operator_view operator_view = { .notes = kiosk->config.notes,
                                                  .input = &kiosk->input,
                                                  .hands = kiosk->hands,
                                                  .lines = &kiosk->lines,
                                                  .button_faults = kiosk->faults.buttons,
                                                  .machine = &kiosk->machine,
-                                                 .frame_ns =
-                                                     timing_quantile_ns(&kiosk->frame_time, 0.5) };
+                                                 .frame_ns = frame_timing_quantile_ns(
+                                                     &kiosk->frame_time, 0.5) };
     operator_view_fill(&kiosk->scene, hal, &operator_view);
-}
-
-enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
-{
-    begin_frame(kiosk);
-    const uint32_t tick_due = frame_pacer_ticks_due(&kiosk->pace, hal_now_ns(hal->clock));
-    sample_devices(kiosk, hal);
-    if (tick_due > 0) {
-        time_reports(kiosk, hal);
-    }
-    dimmer_notice(&kiosk->dimmer, &kiosk->input, kiosk->output.phase == PHASE_ATTRACT);
-    const uint64_t core_begin_ns = stopwatch_ns(kiosk);
-    const uint32_t tick_count = run_ticks(kiosk, tick_due);
-    show_encore(kiosk, hal, tick_count);
-    dress_scene(kiosk, hal);
     kiosk->core_ns += stopwatch_ns(kiosk) - core_begin_ns;
-    present_view(kiosk, hal);
-    present_frame(kiosk, hal, tick_count);
+    kiosk_present_view(kiosk, hal);
+    kiosk_present_frame(kiosk, hal, tick_count);
     if (tick_count > 0) {
         hal->watchdog.ops->kick(hal->watchdog.self); /* The watchdog is notified only after ticks,
                                                         so that it restarts a kiosk that runs no
                                                         ticks. */
     }
-    timing_add(&kiosk->work_time, stopwatch_ns(kiosk) - kiosk->frame_begin_ns);
+    frame_timing_add(&kiosk->work_time, stopwatch_ns(kiosk) - kiosk->frame_begin_ns);
     return kiosk->end;
 }
 
-/* Adds a last health entry, which contains the uptime, to the ledger when the program ends
- * regularly. Adds no entry while other entries wait for the store. */
-static void tell_last_word(struct kiosk *kiosk, const struct hal *hal)
+uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal)
 {
+    CORE_ASSERT(hal->storage.ledger.ops);
+    const int is_replay = kiosk->config.source.next != NULL;
+    const uint32_t waiting = is_replay ? 0 : kiosk->output.entry_id - kiosk->saving.accepted_id;
+    /* Adds a last health entry, which contains the uptime, to the ledger when the program ends
+     * regularly. Adds no entry while other entries wait for the store. */
     struct ledger_entry entry;
     if (!kiosk->config.source.next && saving_is_done(&kiosk->saving, &kiosk->output) &&
         core_final_entry(&kiosk->core, &kiosk->input, &entry)) {
         hal->storage.ledger.ops->append(hal->storage.ledger.self, &entry);
     }
-}
-
-uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal)
-{
-    const int is_replay = kiosk->config.source.next != NULL;
-    const uint32_t waiting = is_replay ? 0 : kiosk->output.entry_id - kiosk->saving.accepted_id;
-    tell_last_word(kiosk, hal);
     const uint32_t unwritten = hal->storage.ledger.ops->close(hal->storage.ledger.self);
     kiosk->faults.storage += saving_refused(&kiosk->saving, &hal->storage.ledger);
     return unwritten + waiting;

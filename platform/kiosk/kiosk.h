@@ -15,49 +15,27 @@
 
 #include "core/core.h"
 #include "platform/hal.h"
-#include "platform/kiosk/audio_output.h"
-#include "platform/kiosk/dimmer.h"
-#include "platform/kiosk/fan_sampler.h"
-#include "platform/kiosk/file_notes.h"
 #include "platform/kiosk/frame_pacer.h"
-#include "platform/kiosk/offline_flush.h"
 #include "platform/kiosk/operator_view.h"
-#include "platform/kiosk/output_lines.h"
-#include "platform/kiosk/poi_sampler.h"
+#include "platform/kiosk/output_devices.h"
+#include "platform/kiosk/recorder/replayer.h"
+#include "platform/kiosk/sampler.h"
 #include "platform/kiosk/saving.h"
-#include "platform/kiosk/timing.h"
 
 struct session_recorder;
 struct score_playback;
 struct system_health;
 
-/* Callbacks for a recorder. `before` gets the input before each tick; `tick` gets the input and the
- * core's state after each tick. The callbacks must not change their arguments. */
-struct kiosk_tap {
-    void (*before)(void *self, const struct input *input); /* Callback before each tick. May be
-                                                              null. */
-    void (*tick)(void *self, const struct input *input, const struct core *core);
-    void *self;
-};
-
-/* Callback that provides each tick's input in place of the devices. Used to play a recording
- * (replayer.h). */
-struct kiosk_source {
-    int (*next)(void *self, struct input *out); /* Writes the input of the next tick. Returns 1, or
-                                                   0 at the end of the recording. */
-    void *self;
-};
-
 struct kiosk_config {
     struct core_config core;
-    uint8_t bot[POI_MAX];           /* 1 if the core's bot controls the poi, regardless of the
-                                       connected devices. */
-    struct hal_clock stopwatch;     /* Clock that only measures durations. Its time has no effect on
-                                       the core. */
-    const struct file_notes *notes; /* Messages for the operator's menu. Must outlive the kiosk.
-                                       Null means no messages. */
-    struct system_health *machine;  /* System health monitor. Must outlive the kiosk. Null means no
-                                       monitor. */
+    uint8_t bot[POI_MAX];       /* 1 if the core's bot controls the poi, regardless of the
+                                   connected devices. */
+    struct hal_clock stopwatch; /* Clock that only measures durations. Its time has no effect on
+                                   the core. */
+    const struct operator_notes *notes; /* Messages for the operator's menu. Must outlive the
+                                           kiosk. Null means no messages. */
+    struct system_health *machine; /* System health monitor. Must outlive the kiosk. Null means
+                                      no monitor. */
     struct session_recorder *chapters; /* Session recorder. Must outlive the kiosk. Null means no
                                           recording. */
     struct score_playback *playback;   /* Score playback. Must outlive the kiosk. Null means no
@@ -102,14 +80,14 @@ struct kiosk {
     uint64_t sampled_ns;       /* Time of the last device poll in nanoseconds. */
     uint64_t display_retry_ns; /* Time of the next attempt to reopen a lost display. 0 means that
                                   the display is open. */
-    struct dimmer dimmer;
+    struct output_dimmer dimmer;
     struct view view; /* Camera view that was last sent to the display and the pois. */
     /* Display settings (rotation, margins, brightness) that were last sent to the display and the
      * pois. */
     struct display_settings display_settings;
     struct saving saving;
     struct offline_flush late;
-    struct audio_output voice;
+    struct output_audio voice;
     struct output_lines switches;
     uint64_t restart_ns;    /* Latest time of a requested restart. Until then the restart waits for
                                the store. 0 means no request. */
@@ -130,10 +108,10 @@ struct kiosk {
                                          the floating-point control register. The kiosk then
                                          restored the register. */
     struct operator_view_lines lines; /* Statistics of the button and coin lines. */
-    struct timing frame_time;         /* Time between the starts of two consecutive frames, measured
+    struct frame_timing frame_time;   /* Time between the starts of two consecutive frames, measured
                                          with `stopwatch`. */
-    struct timing work_time;          /* Duration of kiosk_frame(), measured with `stopwatch`. */
-    struct timing report_wait;        /* Time from the arrival of a controller's report to the tick
+    struct frame_timing work_time;    /* Duration of kiosk_frame(), measured with `stopwatch`. */
+    struct frame_timing report_wait;  /* Time from the arrival of a controller's report to the tick
                                          that uses the report. */
     uint64_t core_ns;                 /* Total time in nanoseconds that was spent in ticks and in
                                          filling the scene. */
@@ -159,5 +137,22 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal);
  * Returns the number of lost ledger entries. An entry is lost if the store did not write it, or if
  * an existing store never accepted it. */
 uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal);
+
+/* ---- Parts of a frame, implemented by kiosk_devices.c -------------------------------------- */
+
+/* Assigns controllers to all slots and opens them. Call before the first frame. */
+void kiosk_open_devices(struct kiosk *kiosk, const struct hal *hal);
+
+/* Fills kiosk->input with the current device values, except the poses, which are set for each tick.
+ * Counts faults. Sets kiosk->end if the user quits or the display is lost permanently. */
+void kiosk_sample_devices(struct kiosk *kiosk, const struct hal *hal);
+
+/* Sends the camera view and the display settings to the display and to the pointer devices if one
+ * of them has changed. */
+void kiosk_present_view(struct kiosk *kiosk, const struct hal *hal);
+
+/* Presents the picture. If the frame had ticks, also plays sounds, sets outputs, executes commands,
+ * sends forces and stores data. Counts faults. Sets kiosk->end if the kiosk must restart. */
+void kiosk_present_frame(struct kiosk *kiosk, const struct hal *hal, uint32_t tick_count);
 
 #endif

@@ -11,7 +11,6 @@
 #include "platform/config/options.h"
 #include "platform/kiosk/demo.h"
 #include "platform/kiosk/run_common.h"
-#include "platform/kiosk/run_interactive.h"
 #include "platform/os/log.h"
 #include "platform/os/print.h"
 #include "platform/os/file.h"
@@ -25,15 +24,6 @@ static void on_signal(int number)
 {
     (void)number;
     stop = 1;
-}
-
-static void catch_signals(void)
-{
-    struct sigaction action = { .sa_handler = on_signal };
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    signal(SIGPIPE, SIG_IGN);
 }
 
 static void kiosk_main_warn(const char *line)
@@ -178,7 +168,11 @@ static enum exit_code run_words(int argc, char **argv)
         printf("kingyo %s\n", KINGYO_VERSION);
         return EXIT_OK;
     }
-    catch_signals();
+    struct sigaction action = { .sa_handler = on_signal };
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    signal(SIGPIPE, SIG_IGN);
     panic_prepare(last_wish, &evening);
     /* The kiosk also starts if its data folder cannot be used. The store then reports the
      * reason. */

@@ -2,7 +2,11 @@
  * operator_view.h. */
 #include "platform/kiosk/operator_view.h"
 
+#include <assert.h>
+#include <stdio.h>
 #include <string.h>
+
+#include "core/base/panic.h"
 
 /* Returns the position, at most `limit`, at which a long line is cut. The line is cut after the
  * last remark that ends with ';', because the menu can translate only complete remarks. Without a
@@ -22,6 +26,7 @@ static size_t end_before(const char *line, size_t limit)
 
 static void copy_line(char *out, size_t out_size, const char *line)
 {
+    CORE_ASSERT(out_size > sizeof " ...");
     static const char more[] = " ...";
     size_t length = line ? strlen(line) : 0;
     if (length < out_size) {
@@ -32,19 +37,6 @@ static void copy_line(char *out, size_t out_size, const char *line)
     length = end_before(line, out_size - sizeof more);
     memcpy(out, line, length);
     memcpy(out + length, more, sizeof more);
-}
-
-static void name_devices(struct scene_devices *devices, const struct hal *hal)
-{
-    const struct hal_controllers *controllers = &hal->controllers;
-    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
-        copy_line(devices->controller[i], sizeof devices->controller[i],
-                  controllers->ops->name(controllers->self, i));
-    }
-    copy_line(devices->controllers, sizeof devices->controllers,
-              controllers->ops->describe(controllers->self));
-    copy_line(devices->lines, sizeof devices->lines,
-              hal->switches.ops->describe(hal->switches.self));
 }
 
 /* Returns the row of the store. The state is read in each frame because a card may become full
@@ -61,61 +53,9 @@ static struct scene_file store_row(const struct hal_storage *store)
     return row;
 }
 
-static void name_files(struct scene *scene, const struct hal *hal, const struct file_notes *notes)
+uint8_t operator_view_file_count(const struct operator_notes *notes)
 {
-    const struct scene_machine *machine = &scene->devices.machine;
-    for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
-        const uint32_t row = scene->menu.file_first + i;
-        struct scene_file *file = &scene->devices.file[i];
-        *file = row == 0 ? store_row(&hal->storage)
-                : notes  ? file_notes_row(notes, row - 1u)
-                         : (struct scene_file){ .state = FILE_UNKNOWN };
-        if (file->state == FILE_ASIDE && machine->has_looked && machine->aside == 0) {
-            file->state = FILE_SEEN;
-        }
-    }
-}
-
-uint8_t operator_view_file_count(const struct file_notes *notes)
-{
-    return (uint8_t)(1u + (notes ? file_notes_rows(notes) : 0u));
-}
-
-/* Copies the describe() text of each device. */
-static void tell_about(struct scene_devices *devices, const struct hal *hal)
-{
-    const char *const lines[ABOUT_COUNT] = {
-        [ABOUT_DISPLAY] = hal->display.ops->describe(hal->display.self),
-        [ABOUT_SOUND] = hal->audio.ops->describe(hal->audio.self),
-        [ABOUT_STORE] = hal->storage.ledger.ops->describe(hal->storage.ledger.self),
-        [ABOUT_CONTROLLERS] = hal->controllers.ops->describe(hal->controllers.self),
-        [ABOUT_BUTTONS] = hal->buttons.ops->describe(hal->buttons.self),
-        [ABOUT_SWITCHES] = hal->switches.ops->describe(hal->switches.self),
-        [ABOUT_WATCHDOG] = hal->watchdog.ops->describe(hal->watchdog.self),
-    };
-    for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
-        copy_line(devices->about[i], sizeof devices->about[i], lines[i]);
-    }
-}
-
-static struct scene_axes axes_of(const struct poi_input *says, const struct poi_sampler *hand)
-{
-    return (struct scene_axes){
-        .link = says->link,
-        .position_m = says->target.position_m,
-        .angles = says->target.angles,
-        .report_count = hand->pace.shown_count,
-        .gap_ms = (float)hand->pace.shown_gap_ns * 1e-6f,
-    };
-}
-
-static void seal_scores(struct scene_leaderboard *board, const struct hal_storage *store)
-{
-    for (uint32_t i = 0; i < SCENE_LEADERBOARD_ROWS && board->shown; i++) {
-        struct scene_row *row = &board->row[i];
-        row->is_sealed =
-            row->caught > 0 && store->replays.ops->has(store->replays.self, row->round_id);
-    }
+    return (uint8_t)(1u + (notes ? operator_notes_rows(notes) : 0u));
 }
 
 void operator_view_lines_add(struct operator_view_lines *book, const struct button_sample *sample)
@@ -131,38 +71,148 @@ void operator_view_lines_add(struct operator_view_lines *book, const struct butt
     }
 }
 
-static void tell_lines(struct scene_devices *devices, const struct operator_view_lines *book)
-{
-    devices->line_raw = book->raw;
-    devices->buttons_missing = book->missing;
-    memcpy(devices->coins, book->coins, sizeof devices->coins);
-    for (uint32_t i = 0; i < HAL_LINE_COUNT; i++) {
-        devices->line[i] = (struct scene_line){ book->line[i].edges, book->line[i].faults };
-    }
-}
-
 static uint32_t frames_a_second(uint64_t frame_ns)
 {
     return frame_ns > 0 ? (uint32_t)((1000000000ull + frame_ns / 2u) / frame_ns) : 0u;
+}
+
+/* Copies the names of the controllers and the describe() text of each device. */
+static void copy_texts(struct scene_devices *devices, const struct hal *hal)
+{
+    const struct hal_controllers *controllers = &hal->controllers;
+    for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
+        copy_line(devices->controller[i], sizeof devices->controller[i],
+                  controllers->ops->name(controllers->self, i));
+    }
+    copy_line(devices->controllers, sizeof devices->controllers,
+              controllers->ops->describe(controllers->self));
+    copy_line(devices->lines, sizeof devices->lines,
+              hal->switches.ops->describe(hal->switches.self));
+    const char *const lines[ABOUT_COUNT] = {
+        [ABOUT_DISPLAY] = hal->display.ops->describe(hal->display.self),
+        [ABOUT_SOUND] = hal->audio.ops->describe(hal->audio.self),
+        [ABOUT_STORE] = hal->storage.ledger.ops->describe(hal->storage.ledger.self),
+        [ABOUT_CONTROLLERS] = hal->controllers.ops->describe(hal->controllers.self),
+        [ABOUT_BUTTONS] = hal->buttons.ops->describe(hal->buttons.self),
+        [ABOUT_SWITCHES] = hal->switches.ops->describe(hal->switches.self),
+        [ABOUT_WATCHDOG] = hal->watchdog.ops->describe(hal->watchdog.self),
+    };
+    for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
+        copy_line(devices->about[i], sizeof devices->about[i], lines[i]);
+    }
 }
 
 void operator_view_fill(struct scene *scene, const struct hal *hal,
                         const struct operator_view *operator_view)
 {
     struct scene_devices *devices = &scene->devices;
-    seal_scores(&scene->leaderboard, &hal->storage);
+    for (uint32_t i = 0; i < SCENE_LEADERBOARD_ROWS && scene->leaderboard.shown; i++) {
+        struct scene_row *scored = &scene->leaderboard.row[i];
+        scored->is_sealed = scored->caught > 0 && hal->storage.replays.ops->has(
+                                                      hal->storage.replays.self, scored->round_id);
+    }
     if (scene->phase != PHASE_MENU) {
         return;
     }
     devices->machine = *operator_view->machine;
-    name_devices(devices, hal);
-    name_files(scene, hal, operator_view->notes);
-    tell_about(devices, hal);
+    copy_texts(devices, hal);
+    const struct scene_machine *machine = &scene->devices.machine;
+    for (uint32_t i = 0; i < SCENE_FILE_MAX; i++) {
+        const uint32_t row = scene->menu.file_first + i;
+        struct scene_file *file = &scene->devices.file[i];
+        *file = row == 0               ? store_row(&hal->storage)
+                : operator_view->notes ? operator_notes_row(operator_view->notes, row - 1u)
+                                       : (struct scene_file){ .state = FILE_UNKNOWN };
+        if (file->state == FILE_ASIDE && machine->has_looked && machine->aside == 0) {
+            file->state = FILE_SEEN;
+        }
+    }
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        devices->axes[i] = axes_of(&operator_view->input->poi[i], &operator_view->hands[i]);
+        devices->axes[i] = (struct scene_axes){
+            .link = operator_view->input->poi[i].link,
+            .position_m = operator_view->input->poi[i].target.position_m,
+            .angles = operator_view->input->poi[i].target.angles,
+            .report_count = operator_view->hands[i].pace.shown_count,
+            .gap_ms = (float)operator_view->hands[i].pace.shown_gap_ns * 1e-6f,
+        };
     }
     devices->button_faults = operator_view->button_faults;
     devices->files_refused = operator_view->notes ? operator_view->notes->refused_count : 0u;
     devices->frames_a_second = frames_a_second(operator_view->frame_ns);
-    tell_lines(devices, operator_view->lines);
+    devices->line_raw = operator_view->lines->raw;
+    devices->buttons_missing = operator_view->lines->missing;
+    memcpy(devices->coins, operator_view->lines->coins, sizeof devices->coins);
+    for (uint32_t i = 0; i < HAL_LINE_COUNT; i++) {
+        devices->line[i] = (struct scene_line){ operator_view->lines->line[i].edges,
+                                                operator_view->lines->line[i].faults };
+    }
+}
+
+/* ---- Messages about files -------------------------------------------------------------------- */
+
+/* The notes are in one array: first the files that were not used, then the files that were used. */
+
+_Static_assert(OPERATOR_NOTES_MAX + 2u <= UINT8_MAX,
+               "struct controller_status counts rows in a byte");
+
+void operator_notes_add(struct operator_notes *notes, enum scene_file_state state, const char *name,
+                        const char *words)
+{
+    CORE_ASSERT(notes->count <= OPERATOR_NOTES_MAX);
+    CORE_ASSERT(notes->first_count <= notes->count);
+    assert(state == FILE_USED || state == FILE_REFUSED || state == FILE_ASIDE);
+    if (notes->count == OPERATOR_NOTES_MAX) {
+        notes->beyond++;
+        return;
+    }
+    const uint32_t at = state == FILE_USED ? notes->count : notes->first_count++;
+    notes->refused_count += state == FILE_REFUSED;
+    struct scene_file *note = &notes->note[at];
+    memmove(note + 1, note, (notes->count - at) * sizeof *note);
+    notes->count++;
+    note->state = (uint8_t)state;
+    /* A path that is too long is cut at its beginning, because its end is more specific. */
+    const size_t length = strlen(name), room = sizeof note->name - 1u;
+    if (length <= room) {
+        memcpy(note->name, name, length + 1u);
+    } else {
+        snprintf(note->name, sizeof note->name, "...%s", name + length - (room - 3u));
+    }
+    snprintf(note->words, sizeof note->words, "%s", words);
+}
+
+void operator_notes_refused(struct operator_notes *notes, const char *data, const char *line)
+{
+    char name[1024];
+    const size_t length = strlen(data);
+    const int is_below = length > 0 && strncmp(line, data, length) == 0 && line[length] == '/';
+    const char *from = is_below ? line + length + 1u : line;
+    const char *gap = strstr(from, ": ");
+    if (gap == NULL) {
+        operator_notes_add(notes, FILE_REFUSED, "", line);
+        return;
+    }
+    snprintf(name, sizeof name, "%.*s", (int)(gap - from), from);
+    operator_notes_add(notes, FILE_REFUSED, name, gap + 2);
+}
+
+uint32_t operator_notes_rows(const struct operator_notes *notes)
+{
+    return notes->count + (notes->beyond > 0);
+}
+
+struct scene_file operator_notes_row(const struct operator_notes *notes, uint32_t row)
+{
+    CORE_ASSERT(notes->count <= OPERATOR_NOTES_MAX);
+    struct scene_file beyond = { .state = FILE_UNKNOWN };
+    if (row < notes->count) {
+        return notes->note[row];
+    }
+    if (row == notes->count && notes->beyond > 0) {
+        beyond.state = FILE_REFUSED;
+        snprintf(beyond.name, sizeof beyond.name, "...");
+        snprintf(beyond.words, sizeof beyond.words, "%u more lines, and no room for them",
+                 notes->beyond);
+    }
+    return beyond;
 }

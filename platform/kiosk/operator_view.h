@@ -1,15 +1,54 @@
-/* operator_view.h -- fills the operator's menu with device names and texts. The core does not have
- * these data. */
+/* operator_view.h -- fills the operator's menu with device names and texts, and with messages about
+ * the files that were read at program start. The core does not have these data. */
 #ifndef KINGYO_PLATFORM_KIOSK_OPERATOR_VIEW_H
 #define KINGYO_PLATFORM_KIOSK_OPERATOR_VIEW_H
 
+#include <stdint.h>
+
+#include "core/scene.h"
 #include "platform/hal.h"
-#include "platform/kiosk/file_notes.h"
-#include "platform/kiosk/poi_sampler.h"
+#include "platform/kiosk/sampler.h"
+
+/* ---- Messages about files -------------------------------------------------------------------- */
+
+/* Collects messages about the files that were read at program start. Pure functions.
+ *
+ * The operator's menu shows one row for each file. Rejected and quarantined files come first.
+ * Within each group, rows have the order in which the files were read. */
+
+/* Maximum number of notes: enough for every species and graph, 64 controllers and one page of other
+ * notes. The operator's menu counts its rows in one byte, and needs one row for the store and one
+ * last row. Notes beyond the maximum are only counted, and the last row shows their number. */
+#define OPERATOR_NOTES_MAX 253u
+
+struct operator_notes {
+    uint32_t count;
+    uint32_t first_count;   /* Number of notes about files that were not used. These notes come
+                               first in `note`. */
+    uint32_t refused_count; /* Number of notes with the state FILE_REFUSED. */
+    uint32_t beyond;        /* Number of notes that did not fit into `note`. */
+    struct scene_file note[OPERATOR_NOTES_MAX];
+};
+
+/* Adds a note about a rejected file. `line` is "FILE: reason" or "FILE:LINE: reason". If `line` has
+ * no reason, the whole line is the text and the name is empty. If the name starts with the folder
+ * `data`, this prefix is removed; `data` may be "". A name that is too long is cut at its
+ * beginning. */
+void operator_notes_refused(struct operator_notes *notes, const char *data, const char *line);
+/* Adds a note about the file `name` with the text `words`. */
+void operator_notes_add(struct operator_notes *notes, enum scene_file_state state, const char *name,
+                        const char *words);
+
+/* operator_notes_rows() returns the number of rows. operator_notes_row() returns one row; its state is
+ * FILE_UNKNOWN if `row` is beyond the end. */
+uint32_t operator_notes_rows(const struct operator_notes *notes);
+struct scene_file operator_notes_row(const struct operator_notes *notes, uint32_t row);
+
+/* ---- Names and texts of the devices ---------------------------------------------------------- */
 
 /* Returns the number of rows on the menu page of files: one row for the store, and the rows of
  * `notes`. `notes` may be null. */
-uint8_t operator_view_file_count(const struct file_notes *notes);
+uint8_t operator_view_file_count(const struct operator_notes *notes);
 
 /* State of all button and coin lines, with counts since program start. */
 struct operator_view_lines {
@@ -23,7 +62,8 @@ void operator_view_lines_add(struct operator_view_lines *book, const struct butt
 
 /* Input data of operator_view_fill(). */
 struct operator_view {
-    const struct file_notes *notes;  /* Messages about files that the operator's menu shows. May be
+    const struct operator_notes
+        *notes;                      /* Messages about files that the operator's menu shows. May be
                                         null. */
     const struct input *input;       /* Input of the newest tick. */
     const struct poi_sampler *hands; /* Array of POI_MAX poi samplers. */

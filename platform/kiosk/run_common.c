@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/cpu.h"
 #include "platform/os/file.h"
 #include "platform/os/log.h"
@@ -28,7 +29,7 @@ enum exit_code run_common_check(struct run_common *session)
 void run_common_note_refused(void *self, const char *line)
 {
     struct run_common *session = self;
-    file_notes_refused(&session->notes, session->options.data, line);
+    operator_notes_refused(&session->notes, session->options.data, line);
 }
 
 /* Reports a rejected line of a graph file in the log, in the operator's menu and in the growth
@@ -40,38 +41,6 @@ static void run_common_warn(void *context, const char *line)
     log_print(LOG_LEVEL_WARNING, "%s", line);
     run_common_note_refused(session, line);
     library_note_graph(&session->library, line + (folder < strlen(line) ? folder : 0u));
-}
-
-/* Fills the growth lab's catalog with the installed species. */
-static void fill_book(const struct library *library, struct lab_book *book)
-{
-    book->card_count = (uint8_t)library->species_count;
-    for (uint32_t i = 0; i < library->species_count; i++) {
-        book->cards[i] = library->slots[i].species.card;
-    }
-    uint32_t refused = library->unread_count;
-    for (uint32_t i = 0; i < library->line_count; i++) {
-        refused += library->lines[i].slot == LIBRARY_SLOT_NONE;
-    }
-    book->refused = (uint8_t)(refused < UINT8_MAX ? refused : UINT8_MAX);
-}
-
-/* Adds the result of each species file to the operator's messages. */
-static void note_species(struct run_common *session)
-{
-    const struct library *library = &session->library;
-    char name[sizeof LIBRARY_FOLDER + LIBRARY_FILE_SIZE], words[SCENE_LINE_SIZE];
-    for (uint32_t i = 0; i < library->line_count; i++) {
-        const struct library_line *line = &library->lines[i];
-        const int is_used = line->slot != LIBRARY_SLOT_NONE;
-        snprintf(name, sizeof name, LIBRARY_FOLDER "/%s", line->file);
-        file_notes_add(&session->notes, is_used ? FILE_USED : FILE_REFUSED, name,
-                       is_used ? library->slots[line->slot].species.card.id : line->why);
-    }
-    if (library->unread_count > 0) {
-        snprintf(words, sizeof words, "%u more files, and no room for them", library->unread_count);
-        file_notes_add(&session->notes, FILE_REFUSED, LIBRARY_FOLDER, words);
-    }
 }
 
 /* Returns the text for a quarantined file in the log and in the operator's menu. */
@@ -110,7 +79,7 @@ static void note_damaged(struct run_common *session)
                 log_print(LOG_LEVEL_WARNING, "%s/%s: %s", session->options.data, entry->d_name,
                           words);
             }
-            file_notes_add(&session->notes, FILE_ASIDE, entry->d_name, words);
+            operator_notes_add(&session->notes, FILE_ASIDE, entry->d_name, words);
         }
     }
     if (folder) {
@@ -118,15 +87,27 @@ static void note_damaged(struct run_common *session)
     }
 }
 
-static void note_graphs(struct run_common *session, const struct lab_book *book)
+/* Fills the growth lab's catalog with the installed species, and loads the saved graphs. */
+static void load_species(struct run_common *session, struct lab_book *book)
 {
+    book->card_count = (uint8_t)session->library.species_count;
+    for (uint32_t i = 0; i < session->library.species_count; i++) {
+        book->cards[i] = session->library.slots[i].species.card;
+    }
+    uint32_t rejected = session->library.unread_count;
+    for (uint32_t i = 0; i < session->library.line_count; i++) {
+        rejected += session->library.lines[i].slot == LIBRARY_SLOT_NONE;
+    }
+    book->refused = (uint8_t)(rejected < UINT8_MAX ? rejected : UINT8_MAX);
+    graph_file_load(session->options.data, book,
+                    (struct graph_file_warn){ run_common_warn, session });
     char name[sizeof GRAPH_FILE_FOLDER + SPECIES_NAME_SIZE + sizeof GRAPH_FILE_SUFFIX];
     for (uint32_t i = 0; i < lab_book_count(book); i++) {
         if (book->has_edit[i]) {
             const char *id = lab_book_card(book, i)->id;
             snprintf(name, sizeof name, GRAPH_FILE_FOLDER "/%.*s" GRAPH_FILE_SUFFIX,
                      (int)SPECIES_NAME_SIZE, id);
-            file_notes_add(&session->notes, FILE_USED, name, id);
+            operator_notes_add(&session->notes, FILE_USED, name, id);
         }
     }
 }
@@ -146,17 +127,26 @@ enum exit_code run_common_begin(struct run_common *session, struct kiosk_config 
     }
     config->core.lanes = cpu_lanes();
     library_fill(&session->library, session->options.data);
-    note_species(session);
+    const struct library *library = &session->library;
+    char file[sizeof LIBRARY_FOLDER + LIBRARY_FILE_SIZE], words[SCENE_LINE_SIZE];
+    for (uint32_t i = 0; i < library->line_count; i++) {
+        const struct library_line *line = &library->lines[i];
+        const int is_used = line->slot != LIBRARY_SLOT_NONE;
+        snprintf(file, sizeof file, LIBRARY_FOLDER "/%s", line->file);
+        operator_notes_add(&session->notes, is_used ? FILE_USED : FILE_REFUSED, file,
+                           is_used ? library->slots[line->slot].species.card.id : line->why);
+    }
+    if (library->unread_count > 0) {
+        snprintf(words, sizeof words, "%u more files, and no room for them", library->unread_count);
+        operator_notes_add(&session->notes, FILE_REFUSED, LIBRARY_FOLDER, words);
+    }
     note_damaged(session);
     config->notes = &session->notes;
     config->machine = &session->machine;
     if (!replay[0]) {
         config->chapters = &session->chapters;
         config->playback = &session->playback;
-        fill_book(&session->library, &config->core.book);
-        graph_file_load(session->options.data, &config->core.book,
-                        (struct graph_file_warn){ run_common_warn, session });
-        note_graphs(session, &config->core.book);
+        load_species(session, &config->core.book);
     }
     const enum core_error refused = kiosk_init(&session->kiosk, &session->hal, config);
     if (refused == CORE_ERR_FLOAT) {
@@ -263,6 +253,7 @@ enum exit_code run_common_make_folder(const char *path)
 
 enum exit_code run_common_make_room(struct run_common *session, uint32_t width, uint32_t height)
 {
+    CORE_ASSERT(width > 0 && height > 0);
     free(session->rgb);
     session->rgb_size = (size_t)width * height * 3;
     session->rgb = malloc(session->rgb_size);
@@ -281,23 +272,17 @@ static int capture(struct run_common *session, struct hal_image *image)
     return display->ops->capture(display->self, image);
 }
 
-/* Captures the picture. If the window has grown since the last picture, first enlarges the
- * buffer. */
-static int capture_with_room(struct run_common *session, struct hal_image *image)
-{
-    const int result = capture(session, image);
-    const size_t needed = (size_t)image->width * image->height * 3;
-    if (result == HAL_OK || needed <= session->rgb_size) {
-        return result;
-    }
-    return run_common_make_room(session, image->width, image->height) == EXIT_OK
-               ? capture(session, image)
-               : HAL_ERR_IO;
-}
-
 int run_common_shot(struct run_common *session, const char *path, struct hal_image *image)
 {
-    if (capture_with_room(session, image) != HAL_OK) {
+    int result = capture(session, image);
+    const size_t needed = (size_t)image->width * image->height * 3;
+    if (result != HAL_OK && needed > session->rgb_size) { /* The window has grown since the last
+                                                             picture. */
+        result = run_common_make_room(session, image->width, image->height) == EXIT_OK
+                     ? capture(session, image)
+                     : HAL_ERR_IO;
+    }
+    if (result != HAL_OK) {
         log_print(LOG_LEVEL_ERROR, "the display gives no picture");
         return -1;
     }

@@ -8,11 +8,10 @@
 #include "platform/config/options.h"
 #include "platform/hal.h"
 #include "platform/kiosk/kiosk.h"
-#include "platform/kiosk/panic_recovery.h"
-#include "platform/kiosk/recorder.h"
-#include "platform/kiosk/replayer.h"
-#include "platform/kiosk/score_playback.h"
-#include "platform/kiosk/session_recorder.h"
+#include "platform/kiosk/recorder/panic_recovery.h"
+#include "platform/kiosk/recorder/replayer.h"
+#include "platform/kiosk/recorder/score_playback.h"
+#include "platform/kiosk/recorder/session_recorder.h"
 #include "platform/kiosk/status.h"
 #include "platform/species/library.h"
 #include "platform/system_health.h"
@@ -28,7 +27,7 @@ struct run_common {
     struct evidence evidence;         /* Panic handler, which writes the replay and the count of a
                                          panic. */
     struct library library;           /* Installed species files, read at program start. */
-    struct file_notes notes;          /* Messages about species files and other files that were read
+    struct operator_notes notes;      /* Messages about species files and other files that were read
                                          at program start. */
     struct replay_totals replayed;    /* Totals of the recording to replay, set by
                                          run_common_check(). */
@@ -71,5 +70,19 @@ enum exit_code run_common_make_room(struct run_common *session, uint32_t width, 
 /* Copies the frame that was presented last to session->rgb. If `path` is not null, also writes a
  * PNG file. Returns 0 and fills `image`. On an error returns -1 after reporting the error. */
 int run_common_shot(struct run_common *session, const char *path, struct hal_image *image);
+
+/* ---- run_interactive.c: the kiosk on a screen ---------------------------------------------- */
+
+/* Returns 1 if a service manager started the kiosk ($NOTIFY_SOCKET is set), otherwise 0. In a
+ * service, the kiosk starts without a screen and waits for one, because no user would read an error
+ * message. */
+int run_interactive_waits_for_screen(void);
+
+/* Opens the board's devices. Returns 1 if the display is open, or if the kiosk waits until a screen
+ * is connected. Otherwise returns 0. */
+int run_interactive_open(struct run_common *session);
+
+/* Runs frames until the end. Returns an exit code. Reports all errors before it returns. */
+enum exit_code run_interactive_run(struct run_common *session);
 
 #endif

@@ -1,6 +1,6 @@
 /* run_interactive.c -- opens the devices of the board, runs the frame loop and closes the devices;
- * see run_interactive.h. */
-#include "platform/kiosk/run_interactive.h"
+ * see run_common.h. */
+#include "platform/kiosk/run_common.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -42,44 +42,6 @@ static void tell_devices(const struct hal *hal)
     tell_device("watchdog", hal->watchdog.ops->describe(hal->watchdog.self));
 }
 
-/* Prints the player slots that have no controller. */
-static void tell_seats(const struct kiosk *kiosk)
-{
-    char text[HAL_TEXT_SIZE] = "";
-    for (uint32_t i = 1; i < kiosk->core.config.players; i++) {
-        if (!kiosk->config.bot[i] && kiosk->hands[i].link == POI_SOURCE_ABSENT) {
-            const size_t length = strlen(text);
-            snprintf(text + length, sizeof text - length, "%s%u", length ? ", " : "", i + 1u);
-        }
-    }
-    if (text[0]) {
-        printf("  %-9s nobody at %s: no controller\n", "seats", text);
-    }
-}
-
-/* Prints the duration of a frame, from the first device poll to the end of the buffer swap. Also
- * prints the core's share of this duration. */
-static void tell_work(const struct kiosk *kiosk)
-{
-    const struct timing *work = &kiosk->work_time;
-    const double share = work->sum_ns > 0 ? (double)kiosk->core_ns / (double)work->sum_ns : 0.0;
-    printf("a frame's work: median %.1f ms, p99 %.1f ms, the core %.1f %% of it\n",
-           (double)timing_quantile_ns(work, 0.5) * 1e-6,
-           (double)timing_quantile_ns(work, 0.99) * 1e-6, 100.0 * share);
-}
-
-/* Prints the latency of controller reports, if a poi has time-stamped reports. */
-static void tell_reports(const struct kiosk *kiosk)
-{
-    const struct timing *wait = &kiosk->report_wait;
-    if (wait->count > 0) {
-        printf("%llu reports of pois, from arrival to the tick that used them: median %.1f ms, "
-               "p99 %.1f ms\n",
-               (unsigned long long)wait->count, (double)timing_quantile_ns(wait, 0.5) * 1e-6,
-               (double)timing_quantile_ns(wait, 0.99) * 1e-6);
-    }
-}
-
 /* Closes the store, then prints the statistics, which include entries that could not be written.
  * Returns EXIT_IO if entries or edits are lost, otherwise EXIT_OK. */
 static enum exit_code tell_end(struct run_common *session, enum kiosk_end end)
@@ -93,11 +55,24 @@ static enum exit_code tell_end(struct run_common *session, enum kiosk_end end)
     }
     printf("%llu frames, median %.1f ms, p99 %.1f ms; %u ticks, %llu dropped; device faults %u\n",
            (unsigned long long)kiosk->frames,
-           (double)timing_quantile_ns(&kiosk->frame_time, 0.5) * 1e-6,
-           (double)timing_quantile_ns(&kiosk->frame_time, 0.99) * 1e-6, kiosk->output.tick,
+           (double)frame_timing_quantile_ns(&kiosk->frame_time, 0.5) * 1e-6,
+           (double)frame_timing_quantile_ns(&kiosk->frame_time, 0.99) * 1e-6, kiosk->output.tick,
            (unsigned long long)kiosk->pace.dropped, kiosk_fault_count(&kiosk->faults));
-    tell_work(kiosk);
-    tell_reports(kiosk);
+    /* Prints the duration of a frame, from the first device poll to the end of the buffer swap.
+     * Also prints the core's share of this duration. */
+    const struct frame_timing *work = &kiosk->work_time;
+    const double share = work->sum_ns > 0 ? (double)kiosk->core_ns / (double)work->sum_ns : 0.0;
+    printf("a frame's work: median %.1f ms, p99 %.1f ms, the core %.1f %% of it\n",
+           (double)frame_timing_quantile_ns(work, 0.5) * 1e-6,
+           (double)frame_timing_quantile_ns(work, 0.99) * 1e-6, 100.0 * share);
+    /* Prints the latency of controller reports, if a poi has time-stamped reports. */
+    const struct frame_timing *wait = &kiosk->report_wait;
+    if (wait->count > 0) {
+        printf("%llu reports of pois, from arrival to the tick that used them: median %.1f ms, "
+               "p99 %.1f ms\n",
+               (unsigned long long)wait->count, (double)frame_timing_quantile_ns(wait, 0.5) * 1e-6,
+               (double)frame_timing_quantile_ns(wait, 0.99) * 1e-6);
+    }
     if (lost > 0) {
         const struct hal_storage *storage = &session->hal.storage;
         log_print(LOG_LEVEL_ERROR, "%u entries or graphs could not be written (%s)", lost,
@@ -106,20 +81,15 @@ static enum exit_code tell_end(struct run_common *session, enum kiosk_end end)
     return lost > 0 ? EXIT_IO : EXIT_OK;
 }
 
-static enum exit_code code_of_end(enum kiosk_end end)
-{
-    return end == KIOSK_FLOAT          ? run_common_print_float()
-           : end == KIOSK_DISPLAY_LOST ? EXIT_NOT_SO
-                                       : EXIT_OK;
-}
-
 /* Returns the first exit code that is not EXIT_OK, in the order store, recording, display. Returns
  * EXIT_OK if there is no other exit code. */
 static enum exit_code end_play(struct run_common *session, enum kiosk_end end)
 {
     const enum exit_code told = tell_end(session, end);
     const enum exit_code code = run_common_end(session);
-    const enum exit_code ended = code_of_end(end);
+    const enum exit_code ended = end == KIOSK_FLOAT          ? run_common_print_float()
+                                 : end == KIOSK_DISPLAY_LOST ? EXIT_NOT_SO
+                                                             : EXIT_OK;
     return told != EXIT_OK ? told : code != EXIT_OK ? code : ended;
 }
 
@@ -140,14 +110,6 @@ int run_interactive_waits_for_screen(void)
     return socket && socket[0];
 }
 
-/* Returns whether keys act as buttons and coins. The default is ON on a desktop and OFF in a
- * service, because a stranger may plug a keyboard into a cabinet. */
-static uint8_t keyboard_of(const struct options *options)
-{
-    const uint8_t automatic = getenv("NOTIFY_SOCKET") ? BOARD_KEYBOARD_OFF : BOARD_KEYBOARD_ON;
-    return options->keyboard == BOARD_KEYBOARD_AUTO ? automatic : options->keyboard;
-}
-
 int run_interactive_open(struct run_common *session)
 {
     struct options *options = &session->options;
@@ -158,9 +120,12 @@ int run_interactive_open(struct run_common *session)
     file_make_folder(options->data); /* The data folder must exist before evidence_open(). If
                                       file_make_folder() fails, the store later reports the reason. */
     evidence_open(&session->evidence, options->data, &session->chapters, &session->kiosk.core);
+    /* Keys act as buttons and coins by default on a desktop but not in a service, because a
+     * stranger may plug a keyboard into a cabinet. */
+    const uint8_t automatic = getenv("NOTIFY_SOCKET") ? BOARD_KEYBOARD_OFF : BOARD_KEYBOARD_ON;
     const struct board_options board = {
         .poi = options->poi,
-        .keyboard = keyboard_of(options),
+        .keyboard = options->keyboard == BOARD_KEYBOARD_AUTO ? automatic : options->keyboard,
         .usb_count = options->usb_count,
         .usb = (const char(*)[BOARD_USB_SIZE])options->usb,
         .line_count = options->line_count,
@@ -186,7 +151,56 @@ int run_interactive_open(struct run_common *session)
     return 1;
 }
 
-static enum exit_code run_interactive_begin(struct run_common *session)
+static enum kiosk_end run_interactive_loop(struct run_common *session)
+{
+    const struct hal_clock clock = clock_device();
+    enum kiosk_end end = KIOSK_RUNS;
+    struct frame_pacer_sleep rest = { 0 };
+    uint32_t shots = 0;
+    int was_away = 0, is_float_told = 0;
+    while (end == KIOSK_RUNS && !*session->stop) {
+        const uint64_t begin_ns = clock.ops->now_ns(clock.self);
+        end = kiosk_frame(&session->kiosk, &session->hal);
+        evidence_note_frame(&session->evidence);
+        /* Report once when the display is lost and once when the display is back. */
+        const struct hal_display *display = &session->hal.display;
+        const int is_away = session->kiosk.display_retry_ns > 0;
+        if (is_away != was_away) {
+            print_error("kingyo: %s%s", is_away ? "the stall goes on without a picture: " : "",
+                        display->ops->describe(display->self));
+            was_away = is_away;
+        }
+        /* Report a changed floating-point control register once, because a library that changes
+         * it does so in each frame. */
+        int *is_told = &is_float_told;
+        if (session->kiosk.float_resets > 0 && !*is_told) {
+            log_print(LOG_LEVEL_WARNING,
+                      "a library changed how this thread computes (denormal numbers or "
+                      "rounding): it is set back before each frame");
+            *is_told = 1;
+        }
+        /* Take a picture if one is due. After the first failure no more pictures are taken, so that
+         * the error is reported only once. */
+        char path[OPTIONS_PATH_MAX + 32];
+        struct hal_image image;
+        if (session->options.shots[0] && shots < UINT32_MAX &&
+            session->kiosk.output.tick >= (shots + 1) * SHOT_TICKS) {
+            snprintf(path, sizeof path, "%s/shot-%04u.png", session->options.shots, ++shots);
+            if (run_common_shot(session, path, &image)) {
+                shots = UINT32_MAX;
+            }
+        }
+        status_update(&session->status, &session->kiosk, &session->hal, begin_ns);
+        const uint64_t end_ns = clock.ops->now_ns(clock.self);
+        const uint64_t rest_ns = frame_pacer_sleep_ns(&rest, end_ns - begin_ns);
+        if (rest_ns > 0) {
+            clock_sleep_until(end_ns + rest_ns);
+        }
+    }
+    return end;
+}
+
+enum exit_code run_interactive_run(struct run_common *session)
 {
     const struct options *options = &session->options;
     const struct hal_storage *storage = &session->hal.storage;
@@ -206,81 +220,23 @@ static enum exit_code run_interactive_begin(struct run_common *session)
     for (uint32_t i = 0; i < config.core.players; i++) {
         config.bot[i] = options->poi == BOARD_POI_BOT;
     }
-    return run_common_begin(session, &config);
-}
-
-/* Takes a picture if one is due. After the first failure no more pictures are taken, so that the
- * error is reported only once. */
-static void shoot_if_due(struct run_common *session, uint32_t *shots)
-{
-    char path[OPTIONS_PATH_MAX + 32];
-    struct hal_image image;
-    if (session->options.shots[0] && *shots < UINT32_MAX &&
-        session->kiosk.output.tick >= (*shots + 1) * SHOT_TICKS) {
-        snprintf(path, sizeof path, "%s/shot-%04u.png", session->options.shots, ++*shots);
-        if (run_common_shot(session, path, &image)) {
-            *shots = UINT32_MAX;
-        }
-    }
-}
-
-/* Reports once when the display is lost and once when the display is back. */
-static void tell_picture(const struct run_common *session, int *was_away)
-{
-    const struct hal_display *display = &session->hal.display;
-    const int is_away = session->kiosk.display_retry_ns > 0;
-    if (is_away != *was_away) {
-        print_error("kingyo: %s%s", is_away ? "the stall goes on without a picture: " : "",
-                    display->ops->describe(display->self));
-        *was_away = is_away;
-    }
-}
-
-/* Reports a changed floating-point control register once, because a library that changes it does so
- * in each frame. */
-static void tell_float(const struct run_common *session, int *is_told)
-{
-    if (session->kiosk.float_resets > 0 && !*is_told) {
-        log_print(LOG_LEVEL_WARNING,
-                  "a library changed how this thread computes (denormal numbers or "
-                  "rounding): it is set back before each frame");
-        *is_told = 1;
-    }
-}
-
-static enum kiosk_end run_interactive_loop(struct run_common *session)
-{
-    const struct hal_clock clock = clock_device();
-    enum kiosk_end end = KIOSK_RUNS;
-    struct frame_pacer_sleep rest = { 0 };
-    uint32_t shots = 0;
-    int was_away = 0, is_float_told = 0;
-    while (end == KIOSK_RUNS && !*session->stop) {
-        const uint64_t begin_ns = clock.ops->now_ns(clock.self);
-        end = kiosk_frame(&session->kiosk, &session->hal);
-        evidence_note_frame(&session->evidence);
-        tell_picture(session, &was_away);
-        tell_float(session, &is_float_told);
-        shoot_if_due(session, &shots);
-        status_update(&session->status, &session->kiosk, &session->hal, begin_ns);
-        const uint64_t end_ns = clock.ops->now_ns(clock.self);
-        const uint64_t rest_ns = frame_pacer_sleep_ns(&rest, end_ns - begin_ns);
-        if (rest_ns > 0) {
-            clock_sleep_until(end_ns + rest_ns);
-        }
-    }
-    return end;
-}
-
-enum exit_code run_interactive_run(struct run_common *session)
-{
-    enum exit_code code = run_interactive_begin(session);
+    enum exit_code code = run_common_begin(session, &config);
     if (code != EXIT_OK) {
         board_close(&session->hal);
         return code;
     }
     tell_devices(&session->hal);
-    tell_seats(&session->kiosk);
+    /* Print the player slots that have no controller. */
+    char text[HAL_TEXT_SIZE] = "";
+    for (uint32_t i = 1; i < session->kiosk.core.config.players; i++) {
+        if (!session->kiosk.config.bot[i] && session->kiosk.hands[i].link == POI_SOURCE_ABSENT) {
+            const size_t length = strlen(text);
+            snprintf(text + length, sizeof text - length, "%s%u", length ? ", " : "", i + 1u);
+        }
+    }
+    if (text[0]) {
+        printf("  %-9s nobody at %s: no controller\n", "seats", text);
+    }
     run_common_print_library(session);
     fflush(stdout);
     status_begin(&session->status, getenv("RUNTIME_DIRECTORY"));

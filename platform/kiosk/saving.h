@@ -1,4 +1,5 @@
-/* saving.h -- passes ledger entries and edits to a store that may be busy, fail or be absent.
+/* saving.h -- passes ledger entries and edits to a store that may be busy, fail or be absent, and
+ * transfers offline credits to a store that appears later.
  *
  * An entry or edit is offered again until the store accepts it. */
 #ifndef KINGYO_PLATFORM_KIOSK_SAVING_H
@@ -6,6 +7,7 @@
 
 #include <stdint.h>
 
+#include "core/core.h"
 #include "core/output.h"
 #include "platform/hal.h"
 
@@ -39,5 +41,33 @@ static inline int saving_is_done(const struct saving *saving, const struct outpu
 {
     return saving->accepted_id == output->entry_id;
 }
+
+/* ---- Offline credits ------------------------------------------------------------------------- */
+
+/* Transfers offline credits to the store. Offline credits are coins and credits that the kiosk
+ * received while it had no store.
+ *
+ * A kiosk that started without a store must restart to use a store that appears later. The restart
+ * would lose data that are only in memory: coins, the credits that the coins bought, and service
+ * credits. Therefore the kiosk first transfers these data to the store. Each transfer contains
+ * only amounts that no earlier transfer contained. Coins that are inserted during a transfer wait
+ * for the next transfer. Each coin is therefore stored exactly once. */
+
+/* State of the transfer. A structure of zeros means that nothing has been transferred. */
+struct offline_flush {
+    struct audits told; /* Part of this kiosk's audits that the store has written to disk. */
+    struct balance told_balance; /* Part of this kiosk's balance that the store has written to
+                                    disk. */
+    struct audits asked; /* Part of this kiosk's audits that will be on disk when the current
+                            write succeeds. */
+    struct balance asked_balance;
+    uint8_t is_asked;
+};
+
+/* Transfers the amounts that are not yet on disk. Call once per frame while a new store exists and
+ * no game runs. Returns 1 if all amounts are on disk, so that the kiosk may restart in this frame.
+ * Otherwise returns 0. */
+int saving_flush_offline(struct offline_flush *flush, const struct hal_ledger *store,
+                         const struct core *core);
 
 #endif

@@ -1,17 +1,22 @@
-/* status.c -- collects the status report and writes it on a separate thread; see status.h. */
+/* status.c -- collects the status report, formats it as JSON and writes it on a separate thread; see
+ * status.h. */
 #include "platform/kiosk/status.h"
 
 #include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "platform/os/file.h"
+#include "platform/os/json.h"
 #include "platform/os/log.h"
+#include "platform/panic_count.h"
 
 #define NS_PER_MS 1000000ull
 
@@ -26,8 +31,31 @@ static void take_device(struct status_report *report, const char *part, const ch
     }
 }
 
-static void take_devices(struct status_report *report, const struct hal *hal)
+void status_take(struct status_report *report, const struct kiosk *kiosk, const struct hal *hal)
 {
+    CORE_ASSERT(hal->display.ops && hal->storage.ledger.ops);
+    const struct core *core = &kiosk->core;
+    report->up_s = kiosk->output.tick / CORE_TICK_HZ;
+    report->boot = core->config.persistent.ledger.boots;
+    report->phase = kiosk->output.phase;
+    report->players = core->config.players;
+    report->balance = core->game.accounts.ledger.balance;
+    report->tickets_out = core->game.accounts.audits.count[AUDIT_TICKETS_OUT];
+    report->entry_id = kiosk->output.entry_id;
+    report->saved_id = kiosk->input.record_saved_id;
+    report->store_well = kiosk->input.store_well;
+    report->frames = kiosk->frames;
+    report->dropped_ticks = kiosk->pace.dropped;
+    report->ticks = kiosk->output.tick;
+    report->frame_median_ns = frame_timing_quantile_ns(&kiosk->frame_time, 0.5);
+    report->frame_p99_ns = frame_timing_quantile_ns(&kiosk->frame_time, 0.99);
+    report->faults = kiosk->faults;
+    report->float_resets = kiosk->float_resets;
+    report->buttons_missing = kiosk->lines.missing;
+    report->day = kiosk->input.day;
+    report->minute = kiosk->input.minute;
+    report->files_refused = kiosk->config.notes ? kiosk->config.notes->refused_count : 0u;
+    report->machine = kiosk->machine;
     report->device_count = 0;
     take_device(report, "display", hal->display.ops->describe(hal->display.self));
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -44,53 +72,7 @@ static void take_devices(struct status_report *report, const struct hal *hal)
     take_device(report, "watchdog", hal->watchdog.ops->describe(hal->watchdog.self));
 }
 
-void status_take(struct status_report *report, const struct kiosk *kiosk, const struct hal *hal)
-{
-    const struct core *core = &kiosk->core;
-    report->up_s = kiosk->output.tick / CORE_TICK_HZ;
-    report->boot = core->config.persistent.ledger.boots;
-    report->phase = kiosk->output.phase;
-    report->players = core->config.players;
-    report->balance = core->game.accounts.ledger.balance;
-    report->tickets_out = core->game.accounts.audits.count[AUDIT_TICKETS_OUT];
-    report->entry_id = kiosk->output.entry_id;
-    report->saved_id = kiosk->input.record_saved_id;
-    report->store_well = kiosk->input.store_well;
-    report->frames = kiosk->frames;
-    report->dropped_ticks = kiosk->pace.dropped;
-    report->ticks = kiosk->output.tick;
-    report->frame_median_ns = timing_quantile_ns(&kiosk->frame_time, 0.5);
-    report->frame_p99_ns = timing_quantile_ns(&kiosk->frame_time, 0.99);
-    report->faults = kiosk->faults;
-    report->float_resets = kiosk->float_resets;
-    report->buttons_missing = kiosk->lines.missing;
-    report->day = kiosk->input.day;
-    report->minute = kiosk->input.minute;
-    report->files_refused = kiosk->config.notes ? kiosk->config.notes->refused_count : 0u;
-    report->machine = kiosk->machine;
-    take_devices(report, hal);
-}
-
 /* ---- Writing the file ---------------------------------------------------------------------- */
-
-static uint64_t since_power_on_ms(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_BOOTTIME, &now);
-    return (uint64_t)now.tv_sec * 1000u + (uint64_t)now.tv_nsec / NS_PER_MS;
-}
-
-static void write_report(struct status *status, struct status_report *report)
-{
-    report->written_ms = since_power_on_ms();
-    report->pid = (uint32_t)getpid();
-    /* The file is in a memory file system and needs no sync. */
-    const int error = file_replace(status->path, status->text, status_format(report, status->text),
-                                   FILE_REPLACE_PUBLIC);
-    if (error && atomic_fetch_add(&status->failed, 1) == 0) {
-        log_print(LOG_LEVEL_ERROR, "%s: cannot write: %s", status->path, strerror(-error));
-    }
-}
 
 static void *status_thread(void *self)
 {
@@ -107,7 +89,16 @@ static void *status_thread(void *self)
         report = status->report;
         status->is_fresh = 0;
         pthread_mutex_unlock(&status->mutex);
-        write_report(status, &report);
+        struct timespec now;
+        clock_gettime(CLOCK_BOOTTIME, &now);
+        report.written_ms = (uint64_t)now.tv_sec * 1000u + (uint64_t)now.tv_nsec / NS_PER_MS;
+        report.pid = (uint32_t)getpid();
+        /* The file is in a memory file system and needs no sync. */
+        const int error = file_replace(status->path, status->text,
+                                       status_format(&report, status->text), FILE_REPLACE_PUBLIC);
+        if (error && atomic_fetch_add(&status->failed, 1) == 0) {
+            log_print(LOG_LEVEL_ERROR, "%s: cannot write: %s", status->path, strerror(-error));
+        }
         pthread_mutex_lock(&status->mutex);
     }
     pthread_mutex_unlock(&status->mutex);
@@ -131,6 +122,7 @@ void status_begin(struct status *status, const char *folder)
 void status_update(struct status *status, const struct kiosk *kiosk, const struct hal *hal,
                    uint64_t now_ns)
 {
+    CORE_ASSERT(!status->runs || status->path[0]);
     const int has_changed = kiosk->input.store_well != status->told_well;
     if (!status->runs || (now_ns < status->next_ns && !has_changed)) {
         return;
@@ -160,4 +152,157 @@ void status_end(struct status *status)
     pthread_cond_destroy(&status->changed);
     unlink(status->path);
     status->runs = 0;
+}
+
+/* ---- JSON text ------------------------------------------------------------------------------- */
+
+static const char *const phase_names[] = {
+    [PHASE_ATTRACT] = "attract",   [PHASE_READY] = "ready",        [PHASE_ROUND] = "round",
+    [PHASE_RESULT] = "result",     [PHASE_MODE_SELECT] = "choose", [PHASE_LAB] = "lab",
+    [PHASE_ALBUM] = "album",       [PHASE_MENU] = "menu",          [PHASE_NAME] = "name",
+    [PHASE_LEADERBOARD] = "board",
+};
+static const char *const keeps_names[] = {
+    [KEEPS_UNKNOWN] = "unknown", [KEEPS_PROVEN] = "proven", [KEEPS_FOLDER] = "folder",
+    [KEEPS_MEMORY] = "memory",   [KEEPS_NOT] = "not",       [KEEPS_NOWHERE] = "nowhere",
+};
+static const char *const watch_names[] = {
+    [WATCH_NONE] = "none", [WATCH_NO_LIMIT] = "no-limit", [WATCH_FED] = "fed", [WATCH_DEAF] = "deaf"
+};
+
+#define NAME_OF(names, value, other) name_of(names, sizeof(names) / sizeof(names)[0], value, other)
+
+/* Returns the name of `value`, or `other` if the table has no name for the value. */
+static const char *name_of(const char *const *names, size_t count, uint8_t value, const char *other)
+{
+    return value < count && names[value] ? names[value] : other;
+}
+
+static void put_stall(struct json *json, const struct status_report *report)
+{
+    const struct balance *balance = &report->balance;
+    json_line(json, 2);
+    json_text(json, "version", KINGYO_VERSION);
+    json_line(json, 2);
+    json_value(json, "pid", "%u", report->pid);
+    json_line(json, 2);
+    json_value(json, "written_ms", "%llu", (unsigned long long)report->written_ms);
+    json_line(json, 2);
+    json_value(json, "up_s", "%u", report->up_s);
+    json_line(json, 2);
+    json_value(json, "boot", "%u", report->boot);
+    json_line(json, 2);
+    json_text(json, "phase", NAME_OF(phase_names, report->phase, "other"));
+    json_line(json, 2);
+    json_value(json, "players", "%u", report->players);
+    json_line(json, 2);
+    json_open(json, "credits", '{');
+    json_value(json, "paid", "%u", balance->paid);
+    json_value(json, "service", "%u", balance->service);
+    json_value(json, "units", "%u", balance->units);
+    json_value(json, "untold", "%u", balance->unlogged);
+    json_bool(json, "round_open", balance->open != PAYMENT_NONE);
+    json_close(json, '}');
+    json_line(json, 2);
+    json_open(json, "tickets", '{');
+    json_value(json, "owed", "%u", balance->tickets);
+    json_value(json, "dispensed", "%u", report->tickets_out);
+    json_close(json, '}');
+    json_line(json, 2);
+    json_open(json, "store", '{');
+    json_bool(json, "well", report->store_well);
+    json_value(json, "entry_id", "%u", report->entry_id);
+    json_value(json, "saved_id", "%u", report->saved_id);
+    json_value(json, "waiting", "%u", report->entry_id - report->saved_id);
+    json_close(json, '}');
+}
+
+static void put_figures(struct json *json, const struct status_report *report)
+{
+    const struct kiosk_faults *faults = &report->faults;
+    json_line(json, 2);
+    json_open(json, "frames", '{');
+    json_value(json, "count", "%llu", (unsigned long long)report->frames);
+    json_value(json, "median_ms", "%.1f", (double)report->frame_median_ns * 1e-6);
+    json_value(json, "p99_ms", "%.1f", (double)report->frame_p99_ns * 1e-6);
+    json_close(json, '}');
+    json_line(json, 2);
+    json_open(json, "ticks", '{');
+    json_value(json, "count", "%u", report->ticks);
+    json_value(json, "dropped", "%llu", (unsigned long long)report->dropped_ticks);
+    json_close(json, '}');
+    json_line(json, 2);
+    json_open(json, "faults", '{');
+    json_value(json, "poi", "%u", faults->poi);
+    json_value(json, "fan", "%u", faults->shade);
+    json_value(json, "display", "%u", faults->display);
+    json_value(json, "sound", "%u", faults->audio);
+    json_value(json, "store", "%u", faults->storage);
+    json_value(json, "buttons", "%u", faults->buttons);
+    json_value(json, "switches", "%u", faults->switches);
+    json_value(json, "buttons_missing", "%d", __builtin_popcount(report->buttons_missing));
+    json_value(json, "float", "%u", report->float_resets);
+    json_close(json, '}');
+}
+
+/* Writes `name` and a number, or null if the value is unknown. */
+static void put_known(struct json *json, const char *name, int is_known, int64_t value)
+{
+    if (is_known) {
+        json_value(json, name, "%lld", (long long)value);
+    } else {
+        json_value(json, name, "null");
+    }
+}
+
+/* Writes the values that the page "ready for opening" of the operator's menu shows. */
+static void put_machine(struct json *json, const struct status_report *report)
+{
+    const struct scene_machine *machine = &report->machine;
+    json_line(json, 2);
+    json_open(json, "machine", '{');
+    json_text(json, "data", NAME_OF(keeps_names, machine->keeps, "unknown"));
+    put_known(json, "backup_min", machine->has_backup, machine->backup_min);
+    put_known(json, "free_mib", machine->has_looked, machine->room_mib);
+    put_known(json, "heat_margin_c", machine->has_heat, machine->heat_margin_c);
+    json_text(json, "watchdog", NAME_OF(watch_names, machine->watch, "none"));
+    put_known(json, "clock_day", report->day != 0, report->day);
+    put_known(json, "clock_minute", report->day != 0, report->minute);
+    json_bool(json, "clock_went_back", machine->is_clock_back);
+    json_close(json, '}');
+    json_line(json, 2);
+    json_open(json, "files", '{');
+    json_value(json, "refused", "%u", report->files_refused);
+    json_value(json, "set_aside", "%u", machine->aside);
+    json_value(json, "replays_missed", "%u", machine->missed);
+    json_close(json, '}');
+    json_line(json, 2);
+    json_open(json, "panics", '{');
+    json_value(json, "count", "%u", machine->panics);
+    json_text(json, "left_out", panics_left_name(machine->left_out));
+    json_close(json, '}');
+}
+
+size_t status_format(const struct status_report *report, char out[STATUS_TEXT_MAX])
+{
+    struct json json = { .buffer = out, .size = STATUS_TEXT_MAX };
+    json_open(&json, NULL, '{');
+    put_stall(&json, report);
+    put_figures(&json, report);
+    put_machine(&json, report);
+    json_line(&json, 2);
+    json_open(&json, "devices", '[');
+    for (uint32_t i = 0; i < report->device_count; i++) {
+        json_line(&json, 4);
+        json_open(&json, NULL, '{');
+        json_text(&json, "part", report->device[i].part);
+        json_text(&json, "text", report->device[i].text);
+        json_close(&json, '}');
+    }
+    json_line(&json, 2);
+    json_close(&json, ']');
+    json_line(&json, 0);
+    json_close(&json, '}');
+    json_end(&json);
+    return json.used;
 }

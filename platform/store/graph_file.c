@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "platform/os/file.h"
 
 #define PATH_SIZE 1200u
@@ -28,6 +29,7 @@ static int is_plain_name(const char id[SPECIES_NAME_SIZE])
 
 int graph_file_write(const char *data, const struct graph_edit_record *record)
 {
+    CORE_ASSERT(data && record);
     char folder[PATH_SIZE], path[PATH_SIZE + SPECIES_NAME_SIZE + 16u], text[GRAPH_FILE_TEXT_MAX];
     const int length = snprintf(folder, sizeof folder, "%s/" GRAPH_FILE_FOLDER, data);
     if (!is_plain_name(record->species) || length < 0 || (size_t)length >= sizeof folder) {

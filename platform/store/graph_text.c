@@ -1,4 +1,5 @@
 /* graph_text.c -- formats and parses the text of a saved graph; see graph_file.h. */
+#include "core/base/panic.h"
 #include "platform/store/graph_file.h"
 
 #include <ctype.h>
@@ -36,6 +37,9 @@ __attribute__((format(printf, 2, 3))) static void graph_text_put(struct text_out
 
 size_t graph_file_format(const struct graph_edit_record *record, char out[GRAPH_FILE_TEXT_MAX])
 {
+    CORE_ASSERT(record->edit.graph.knot_count <= GRAPH_KNOT_MAX);
+    CORE_ASSERT(record->edit.scale_knot_count <= GRAPH_KNOT_MAX);
+    CORE_ASSERT(record->key_count <= MORPH_KEY_MAX);
     const struct graph *graph = &record->edit.graph;
     struct text_out text = { .out = out };
     graph_text_put(&text, "kingyo-graph %u\nspecies %s\nkeys %u\n", GRAPH_FILE_VERSION,
@@ -199,6 +203,7 @@ static int read_head(struct reading *reading, const struct species_card *card,
 static int read_knot(struct reading *reading, const char *rest, const struct species_card *card,
                      struct graph *graph)
 {
+    CORE_ASSERT(graph->knot_count <= GRAPH_KNOT_MAX);
     float values[1u + MORPH_KEY_MAX] = { 0 };
     if (graph->knot_count == GRAPH_KNOT_MAX) {
         return graph_text_error(reading, "more than %u knots", GRAPH_KNOT_MAX);
@@ -272,19 +277,10 @@ static int judge_scale(struct reading *reading, const struct lab_edit *edit)
     return 1;
 }
 
-static int graph_text_validate(struct reading *reading, const struct species_card *card,
-                               const struct lab_edit *edit)
-{
-    if (!judge_graph(reading, card, &edit->graph) || !judge_scale(reading, edit)) {
-        return 0;
-    }
-    return lab_edit_is_valid(edit, card) ? 1
-                                         : graph_text_error(reading, "no graph of %s", card->id);
-}
-
 int graph_file_parse(const char *text, size_t size, const struct species_card *card,
                      struct lab_edit *edit, char why[GRAPH_FILE_WHY_SIZE])
 {
+    CORE_ASSERT(text && card->key_count <= MORPH_KEY_MAX);
     struct reading reading = { .text = text, .size = size, .why = why };
     struct lab_edit read = { 0 };
     why[0] = 0;
@@ -294,8 +290,11 @@ int graph_file_parse(const char *text, size_t size, const struct species_card *c
     while (graph_text_next_line(&reading)) {
         const char *knot = after(&reading, "knot"), *scale = after(&reading, "scale");
         if (strcmp(reading.words, "end") == 0) {
-            if (!graph_text_validate(&reading, card, &read)) {
+            if (!judge_graph(&reading, card, &read.graph) || !judge_scale(&reading, &read)) {
                 return 0;
+            }
+            if (!lab_edit_is_valid(&read, card)) {
+                return graph_text_error(&reading, "no graph of %s", card->id);
             }
             *edit = read;
             return 1;

@@ -1,5 +1,5 @@
-/* storage.c -- the functions of the store that the frame loop calls. Only open() and close() may
- * block. */
+/* storage.c -- the functions of the store that the frame loop calls, and the status text of the store.
+ * Only open() and close() may block. */
 #include "platform/store/storage.h"
 
 #include <signal.h>
@@ -9,6 +9,7 @@
 
 #include <sqlite3.h>
 
+#include "core/base/panic.h"
 #include "platform/os/file.h"
 #include "platform/os/panic.h"
 #include "platform/store/storage_internal.h"
@@ -61,23 +62,6 @@ static bool start_thread(struct storage *storage)
     return storage->has_thread;
 }
 
-/* Copies the state that was read from the database. The core starts from this state. Called before
- * the store's thread uses the database. */
-static void note_start(struct storage *storage)
-{
-    storage->start = storage->file.content;
-    storage->accepted_id = storage->start.memory.ledger.last_id;
-    atomic_store(&storage->saved_id, storage->accepted_id);
-    atomic_store(&storage->is_unproven, storage->file.is_suspect);
-    storage->saved_boot = storage->start.memory.ledger.boots;
-    storage->saved_tick = storage->start.tick;
-    storage->prunes = true;
-    if (storage->file.db) {
-        storage_update_sealed(storage);
-    }
-    atomic_store(&storage->has_file, true);
-}
-
 /* Opens the store. The store's thread also runs without a database, because edits of the growth lab
  * are text files in the same folder. */
 static int storage_open(void *self)
@@ -96,7 +80,19 @@ static int storage_open(void *self)
     }
     atomic_store(&storage->error, code == SQLITE_OK ? storage->file.refusal : code);
     if (code == SQLITE_OK) {
-        note_start(storage);
+        /* Copy the state that was read from the database. The core starts from this state. The
+         * store's thread does not use the database yet. */
+        storage->start = storage->file.content;
+        storage->accepted_id = storage->start.memory.ledger.last_id;
+        atomic_store(&storage->saved_id, storage->accepted_id);
+        atomic_store(&storage->is_unproven, storage->file.is_suspect);
+        storage->saved_boot = storage->start.memory.ledger.boots;
+        storage->saved_tick = storage->start.tick;
+        storage->prunes = true;
+        if (storage->file.db) {
+            storage_update_sealed(storage);
+        }
+        atomic_store(&storage->has_file, true);
         storage_share_file(storage);
     } else {
         storage_log_no_file(storage, ledger_file_error(code));
@@ -194,6 +190,7 @@ static int storage_edits_failed(void *self)
  * STORAGE_STUCK_MS. */
 int64_t storage_stuck_ms(const struct storage *storage)
 {
+    CORE_ASSERT(storage);
     const int64_t since_ms = atomic_load(&storage->busy_since_ms);
     const int64_t busy_ms = since_ms > 0 ? storage_now_ms() - since_ms : 0;
     return busy_ms >= STORAGE_STUCK_MS ? busy_ms : 0;
@@ -221,8 +218,12 @@ static uint32_t storage_failed_count(void *self)
 
 /* ---- Closing ------------------------------------------------------------------------------- */
 
-static void stop_thread(struct storage *storage)
+static uint32_t storage_close(void *self)
 {
+    struct storage *storage = self;
+    if (!storage->running) {
+        return 0;
+    }
     if (storage->has_thread) {
         atomic_store(&storage->stop, true);
         sem_post(&storage->wake);
@@ -230,36 +231,21 @@ static void stop_thread(struct storage *storage)
         storage->has_thread = false;
         atomic_store(&storage->stop, false);
     }
-}
-
-/* Returns the number of queued entries that are lost. An entry that is missing only in the mirror
- * is in the database and therefore not lost. */
-static uint32_t lost_entries(const struct storage *storage)
-{
-    const unsigned pushed = atomic_load(&storage->pushed);
-    uint32_t lost = 0;
-    for (unsigned i = atomic_load(&storage->written); i != pushed; i++) {
-        lost +=
-            !storage->file.db || storage->file.refusal || storage->moved ||
-            storage->queue[i % STORAGE_QUEUE_MAX].id > storage->file.content.memory.ledger.last_id;
-    }
-    return lost;
-}
-
-static uint32_t storage_close(void *self)
-{
-    struct storage *storage = self;
-    if (!storage->running) {
-        return 0;
-    }
-    stop_thread(storage);
     storage->closes = true; /* No new backup is started during the close, so that a power cut leaves
                                the previous backup. */
     ledger_backup_drop(&storage->backup);
     storage_work(storage); /* Writes entries that arrived after the last write of the store's
                               thread, and retries failed writes once. */
     storage_save_deleted(storage);
-    const uint32_t lost = lost_entries(storage), lost_edits = storage_unwritten_edits(storage);
+    /* An entry that is missing only in the mirror is in the database and therefore not lost. */
+    const unsigned pushed = atomic_load(&storage->pushed);
+    uint32_t unsaved = 0;
+    for (unsigned i = atomic_load(&storage->written); i != pushed; i++) {
+        unsaved +=
+            !storage->file.db || storage->file.refusal || storage->moved ||
+            storage->queue[i % STORAGE_QUEUE_MAX].id > storage->file.content.memory.ledger.last_id;
+    }
+    const uint32_t lost = unsaved, lost_edits = storage_unwritten_edits(storage);
     if (lost > 0) {
         storage_log_refused(storage, atomic_load(&storage->error), "they are lost");
     } else if (lost_edits > 0) {
@@ -284,8 +270,8 @@ struct hal_storage storage_device(struct storage *storage)
         .failed_count = storage_failed_count,
         .is_healthy = storage_is_healthy,
         .needs_restart = storage_needs_restart,
-        .merge_offline = offline_credits_merge,
-        .offline_merged = offline_credits_result,
+        .merge_offline = storage_merge_offline,
+        .offline_merged = storage_offline_merged,
         .describe = storage_describe,
         .close = storage_close,
     };
@@ -306,4 +292,95 @@ struct hal_storage storage_device(struct storage *storage)
         .replays = { &replays, storage },
         .edits = { &edits, storage },
     };
+}
+
+/* ---- Status text ----------------------------------------------------------------------------- */
+
+/* Describes the state of the store in one line for the operator's menu, the status file and the
+ * log. */
+
+void storage_log(struct storage *storage, const char *what, const char *why, const char *advice)
+{
+    snprintf(storage->text, sizeof storage->text, "%.68s: %.44s; %.40s", what, why, advice);
+}
+
+void storage_log_no_file(struct storage *storage, const char *why)
+{
+    char what[HAL_TEXT_SIZE / 2];
+    snprintf(what, sizeof what, "no store: %.56s", storage->path);
+    storage_log(storage, what, why, "nothing is kept");
+}
+
+void storage_log_refused(struct storage *storage, int error, const char *advice)
+{
+    char what[HAL_TEXT_SIZE / 2];
+    snprintf(what, sizeof what, "store: %u entries not written", storage_unwritten(storage));
+    storage_log(storage, what, ledger_file_error(error), advice);
+}
+
+static const char *advice_for(int error)
+{
+    switch (error) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+        return "another program holds it; it is retried";
+    case SQLITE_FULL:
+        return "free some space; it is retried";
+    case SQLITE_READONLY:
+        return "the card is read-only; it is retried";
+    case LEDGER_FILE_FOREIGN:
+        return "restart to use this one";
+    default:
+        return "it is retried each second";
+    }
+}
+
+const char *storage_describe(void *self)
+{
+    struct storage *storage = self;
+    const int error = atomic_load(&storage->error);
+    const int edit_error = atomic_load(&storage->edit_error);
+    const unsigned aside = atomic_load(&storage->aside);
+    if (!atomic_load(&storage->has_file)) {
+        if (error == LEDGER_FILE_FOREIGN) {
+            storage_log(storage, "no store", "the card is there now, and not empty",
+                        "a restart, once nobody plays");
+        }
+        return storage->text[0] ? storage->text : "no store: not opened";
+    }
+    if (storage_stuck_ms(storage) > 0) {
+        snprintf(storage->text, sizeof storage->text,
+                 "store: the card has not answered for %u s; %u entries wait",
+                 (unsigned)(storage_stuck_ms(storage) / 1000), storage_unwritten(storage));
+    } else if (error == LEDGER_FILE_MOVED) {
+        storage_log(storage, "store: the data folder or " STORAGE_FILE " was removed or replaced",
+                    "nothing is kept", "put it back, or restart the kiosk");
+    } else if (error != SQLITE_OK) {
+        storage_log_refused(storage, error, advice_for(error));
+    } else if (edit_error != 0) {
+        storage_log(storage, "store: a graph was not written", strerror(edit_error),
+                    "it is retried");
+    } else if (atomic_load(&storage->tail_error) != 0) {
+        storage_log(storage, "store: the second copy is not written",
+                    strerror(atomic_load(&storage->tail_error)), "it is retried");
+    } else if (aside > 0) {
+        char what[80] = "missing", lost[24] = "unknown how many";
+        if (!storage->was_missing) {
+            snprintf(what, sizeof what,
+                     "damaged and is now " STORAGE_FILE STORAGE_QUARANTINE_SUFFIX "%u", aside);
+        }
+        if (!storage->salvaged.is_open_ended) {
+            snprintf(lost, sizeof lost, "%u", storage->salvaged.lost);
+        }
+        snprintf(storage->text, sizeof storage->text,
+                 STORAGE_FILE " was %s: %u entries from the backup, %u later ones, %s lost", what,
+                 storage->from_backup, storage->salvaged.entries, lost);
+    } else if (atomic_load(&storage->strange) > 0) {
+        snprintf(storage->text, sizeof storage->text,
+                 STORAGE_FILE "%s was not a regular file and was set aside",
+                 storage_suffixes[atomic_load(&storage->strange) - 1u]);
+    } else {
+        snprintf(storage->text, sizeof storage->text, "%.150s", storage->path);
+    }
+    return storage->text;
 }

@@ -6,7 +6,7 @@
  * entry into a queue of STORAGE_QUEUE_MAX entries and returns. The store's thread writes and syncs
  * all queued entries in one transaction. Afterwards committed_id() returns the id of the newest entry.
  * After a failed sync, an entry counts as saved only when its bytes were written again and synced,
- * in the database (platform/store/sqlite/ledger_log.c) and in the ledger mirror. The ledger mirror
+ * in the database (platform/store/sqlite/ledger_file.c) and in the ledger mirror. The ledger mirror
  * is a second copy of the newest entries.
  *
  * A card that is slow, full, busy, read-only or absent is retried once per second while the queue
@@ -19,7 +19,7 @@
  * The database is copied to a backup file in the same folder: at program start, every hour, and
  * after STORAGE_BACKUP_ENTRIES entries. The backup is validated before it replaces the previous
  * backup. Entries that are newer than the backup are stored twice, in the database and in the
- * ledger mirror (platform/store/sqlite/ledger_mirror.h).
+ * ledger mirror (platform/store/sqlite/ledger_recovery.h).
  *
  * A damaged database is renamed (quarantined). It is never repaired in place and never deleted. The
  * replacement consists of the backup and of all later entries that can be read from the damaged
@@ -28,7 +28,7 @@
  * unchanged and are only read.
  *
  * The open database or its folder may be removed, renamed, replaced or mounted over. The store
- * detects each of these events within one second (storage_moved.c). Afterwards no entry counts as
+ * detects each of these events within one second (storage_card.c). Afterwards no entry counts as
  * saved until the file is back.
  *
  * Edits of the growth lab become text files in the same folder. Edits are stored even if the

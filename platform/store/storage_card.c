@@ -1,4 +1,5 @@
-/* storage_card.c -- detects a card that was removed, replaced or full, and reopens the database.
+/* storage_card.c -- detects a card that was removed, replaced or full, reopens the database, and
+ * detects that the open database is no longer at its path.
  *
  * An absent card is checked once per second because the check is cheap. An unusable file is read
  * completely at each attempt. The interval between attempts therefore grows from one second to one
@@ -12,7 +13,9 @@
 #include <sqlite3.h>
 
 #include "core/base/hash.h"
+#include "core/base/panic.h"
 #include "platform/os/file.h"
+#include "platform/os/log.h"
 #include "platform/store/storage_internal.h"
 
 void storage_note_result(struct storage *storage, int code)
@@ -75,68 +78,7 @@ static uint64_t room_of(const struct storage *storage)
                : 0u;
 }
 
-/* Returns true if the last write failed because the card was full and the card has more free space
- * now. */
-static bool has_more_room(const struct storage *storage)
-{
-    return atomic_load(&storage->error) == SQLITE_FULL &&
-           room_of(storage) >= storage->room + STORAGE_ROOM_MORE;
-}
-
-static bool is_worth_a_look(const struct storage *storage)
-{
-    return storage_now_ms() >= storage->look_due_ms ||
-           atomic_load(&storage->late.state) == OFFLINE_CREDITS_NEW ||
-           sight_of(storage) != storage->sight || has_more_room(storage);
-}
-
-/* Returns true if the store has read the whole file to get the result `code`. */
-static bool was_dear(int code)
-{
-    return code == LEDGER_FILE_FOREIGN || code == LEDGER_FILE_NEWER || code == LEDGER_FILE_MOVED ||
-           code == SQLITE_READONLY || code == SQLITE_FULL || code == SQLITE_CORRUPT ||
-           code == SQLITE_NOTADB;
-}
-
-static void note_look(struct storage *storage, int code)
-{
-    const uint64_t sight = sight_of(storage);
-    const int64_t longer_ms = 2 * storage->look_wait_ms;
-    if (!was_dear(code)) {
-        storage->look_wait_ms = 0;
-    } else if (storage->look_wait_ms == 0 || sight != storage->sight) {
-        storage->look_wait_ms = STORAGE_RETRY_MS;
-    } else {
-        storage->look_wait_ms = longer_ms < STORAGE_RETRY_MS_MAX ? longer_ms : STORAGE_RETRY_MS_MAX;
-    }
-    storage->sight = sight;
-    storage->room = room_of(storage);
-    storage->look_due_ms = storage->look_wait_ms > 0 ? storage_now_ms() + storage->look_wait_ms : 0;
-}
-
 /* ---- Identity of the ledger ---------------------------------------------------------------- */
-
-/* Returns true if the open file contains a foreign ledger. A foreign ledger comes from another
- * card, or from a card that was absent at program start. A new card or a backup has fewer entries
- * and is accepted. The file may also contain queued entries, because a write that reported an error
- * may have succeeded. */
-static bool is_anothers(struct storage *storage)
-{
-    const unsigned pushed = atomic_load(&storage->pushed);
-    const uint32_t saved_id = atomic_load(&storage->saved_id);
-    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
-    const uint32_t newest_id = storage_unwritten(storage) > 0
-                                   ? storage->queue[(pushed - 1u) % STORAGE_QUEUE_MAX].id
-                                   : saved_id;
-    struct ledger_entry entry;
-    if (last_id < saved_id || last_id == 0) {
-        return false;
-    }
-    return last_id > newest_id ||
-           (saved_id > 0 &&
-            (ledger_file_entry(&storage->file, saved_id, &entry) != SQLITE_OK ||
-             entry.boot != storage->saved_boot || entry.tick != storage->saved_tick));
-}
 
 /* Locks the folder, because two kiosk processes with one ledger would assign the same ids. Returns
  * false only if another process holds the lock. On a file system without locks, returns true. */
@@ -161,28 +103,42 @@ int storage_open_exclusive(struct storage *storage)
 
 void storage_unlock(struct storage *storage)
 {
+    CORE_ASSERT(storage->hold >= 0);
     if (storage->hold > 0) {
         close(storage->hold - 1);
         storage->hold = 0;
     }
 }
 
-/* Returns true if the file that replaced a moved file lacks entries that were acknowledged. */
-static bool lacks_entries(const struct storage *storage)
-{
-    return storage->file.content.memory.ledger.last_id < atomic_load(&storage->saved_id);
-}
-
 static int storage_card_probe(struct storage *storage)
 {
     int code = storage_open_exclusive(storage);
-    if (code == SQLITE_OK && storage->moved && lacks_entries(storage)) {
+    /* A file that replaced a moved file may lack entries that were acknowledged. */
+    if (code == SQLITE_OK && storage->moved &&
+        storage->file.content.memory.ledger.last_id < atomic_load(&storage->saved_id)) {
         storage_close_file(storage);
         storage_unlock(storage);
         return LEDGER_FILE_MOVED;
     }
-    if (code == SQLITE_OK && is_anothers(storage)) {
-        offline_credits_apply(storage);
+    /* Returns true if the open file contains a foreign ledger. A foreign ledger comes from
+     * another card, or from a card that was absent at program start. A new card or a backup has
+     * fewer entries and is accepted. The file may also contain queued entries, because a write
+     * that reported an error may have succeeded. */
+    const unsigned pushed = atomic_load(&storage->pushed);
+    const uint32_t saved_id = atomic_load(&storage->saved_id);
+    const uint32_t last_id = storage->file.content.memory.ledger.last_id;
+    const uint32_t newest_id = storage_unwritten(storage) > 0
+                                   ? storage->queue[(pushed - 1u) % STORAGE_QUEUE_MAX].id
+                                   : saved_id;
+    struct ledger_entry entry;
+    if (code == SQLITE_OK &&
+        (last_id < saved_id || last_id == 0
+             ? false
+             : last_id > newest_id ||
+                   (saved_id > 0 &&
+                    (ledger_file_entry(&storage->file, saved_id, &entry) != SQLITE_OK ||
+                     entry.boot != storage->saved_boot || entry.tick != storage->saved_tick)))) {
+        storage_apply_offline(storage);
         storage_close_file(storage);
         return LEDGER_FILE_FOREIGN;
     }
@@ -223,6 +179,7 @@ static bool leave_moved(struct storage *storage)
 
 bool storage_has_card(struct storage *storage)
 {
+    CORE_ASSERT(storage->hold >= 0);
     if (storage->file.db && !storage->file.refusal && !storage_has_moved(storage)) {
         if (storage->moved) { /* The file is back at its path. */
             storage->moved = false;
@@ -235,15 +192,203 @@ bool storage_has_card(struct storage *storage)
     if (has_left && !leave_moved(storage)) {
         return false;
     }
-    if (!storage->path[0] || !is_worth_a_look(storage)) {
+    /* The file is opened early if the last write failed because the card was full and the card
+     * has more free space now. */
+    if (!storage->path[0] || !(storage_now_ms() >= storage->look_due_ms ||
+                               atomic_load(&storage->late.state) == OFFLINE_CREDITS_NEW ||
+                               sight_of(storage) != storage->sight ||
+                               (atomic_load(&storage->error) == SQLITE_FULL &&
+                                room_of(storage) >= storage->room + STORAGE_ROOM_MORE))) {
         return false;
     }
     storage_close_file(storage);
     const int code = storage_card_probe(storage);
-    note_look(storage, code);
+    const uint64_t sight = sight_of(storage);
+    const int64_t longer_ms = 2 * storage->look_wait_ms;
+    /* The interval grows only if the store has read the whole file to get the result `code`. */
+    if (!(code == LEDGER_FILE_FOREIGN || code == LEDGER_FILE_NEWER || code == LEDGER_FILE_MOVED ||
+          code == SQLITE_READONLY || code == SQLITE_FULL || code == SQLITE_CORRUPT ||
+          code == SQLITE_NOTADB)) {
+        storage->look_wait_ms = 0;
+    } else if (storage->look_wait_ms == 0 || sight != storage->sight) {
+        storage->look_wait_ms = STORAGE_RETRY_MS;
+    } else {
+        storage->look_wait_ms = longer_ms < STORAGE_RETRY_MS_MAX ? longer_ms : STORAGE_RETRY_MS_MAX;
+    }
+    storage->sight = sight;
+    storage->room = room_of(storage);
+    storage->look_due_ms = storage->look_wait_ms > 0 ? storage_now_ms() + storage->look_wait_ms : 0;
     if (code != SQLITE_OK || storage_unwritten(storage) == 0) {
         storage_note_result(storage, code); /* If entries wait in the queue, the result of their
                                                write sets the store's status. */
     }
     return code == SQLITE_OK;
+}
+
+/* ---- Moved database -------------------------------------------------------------------------- */
+
+/* Detects that the open database is no longer at its path.
+ *
+ * The database or its folder may have been removed, renamed, replaced or mounted over, so that the
+ * next program start would not find it. The open file can still be written and synced, but its
+ * content is lost or hidden. Therefore no entry is acknowledged, which locks the coin slot. A
+ * folder that is put back is used again. A deleted database stays open, and close() copies it to
+ * the path of the backup, where the next start finds it. */
+
+/* Suffixes of the monitored files. SQLite owns the descriptors of the log and its index. These
+ * files are therefore identified by the inode that was seen first. */
+static const char *const suffixes[STORAGE_PLACES] = { "", "-wal", "-shm" };
+
+static bool storage_moved_is_same(const struct stat *about, const struct storage_place *place)
+{
+    return (uint64_t)about->st_dev == place->device && (uint64_t)about->st_ino == place->inode;
+}
+
+void storage_note_place(struct storage *storage)
+{
+    CORE_ASSERT(storage->path[0]);
+    memset(storage->places, 0, sizeof storage->places);
+    storage->moved = false;
+}
+
+/* Returns true if the file is absent or was replaced. The identity of a new file is stored when the
+ * file is first seen. */
+static bool has_left(struct storage *storage, size_t index)
+{
+    struct storage_place *place = &storage->places[index];
+    struct stat about;
+    char path[LEDGER_PATH_SIZE];
+    storage_sibling_path(storage, suffixes[index], "", path);
+    const bool is_there = lstat(path, &about) == 0;
+    if (place->inode == 0 && is_there) {
+        *place = (struct storage_place){ (uint64_t)about.st_dev, (uint64_t)about.st_ino };
+    }
+    return place->inode != 0 && !(is_there && storage_moved_is_same(&about, place));
+}
+
+static bool has_folder_left(const struct storage *storage)
+{
+    struct stat held, named;
+    return storage->hold > 0 && fstat(storage->hold - 1, &held) == 0 &&
+           (stat(storage->dir, &named) != 0 || held.st_dev != named.st_dev ||
+            held.st_ino != named.st_ino);
+}
+
+bool storage_has_moved(struct storage *storage)
+{
+    int has_moved = 0;
+    if (storage->how.vfs || !storage->file.db) {
+        return false;
+    }
+    sqlite3_file_control(storage->file.db, "main", SQLITE_FCNTL_HAS_MOVED, &has_moved);
+    bool result = has_moved != 0 || has_folder_left(storage);
+    for (size_t i = 0; i < STORAGE_PLACES; i++) {
+        result = has_left(storage, i) || result;
+    }
+    return result;
+}
+
+/* Checks for a moved database before the entries are acknowledged. If the database moved during the
+ * write, no program start would find the entries. */
+int storage_write_entries(struct storage *storage, const struct ledger_entry *entries,
+                          uint32_t count)
+{
+    CORE_ASSERT(entries && count > 0);
+    CORE_ASSERT(storage->file.db);
+    const int code = ledger_file_write(&storage->file, entries, count);
+    return code == SQLITE_OK && storage_has_moved(storage) ? LEDGER_FILE_MOVED : code;
+}
+
+/* ---- Recovery ------------------------------------------------------------------------------ */
+
+/* Returns true if the open database was deleted and has no name in any folder. Closing a database
+ * without a name deletes its data. */
+static bool is_deleted(const struct storage *storage)
+{
+    struct stat held, about;
+    const struct storage_place *place = &storage->places[0];
+    if (storage->hold > 0 && fstat(storage->hold - 1, &held) == 0 && held.st_nlink == 0) {
+        return true;
+    }
+    /* A database in a folder that was renamed or mounted over still has its name. */
+    return !has_folder_left(storage) &&
+           !(lstat(storage->path, &about) == 0 && storage_moved_is_same(&about, place));
+}
+
+bool storage_may_follow(struct storage *storage)
+{
+    return storage_has_path(storage->path) && (!storage->file.db || !is_deleted(storage));
+}
+
+static bool has_any(const struct storage *storage)
+{
+    static const char *const names[] = { "", STORAGE_BACKUP_SUFFIX, STORAGE_MIRROR_SUFFIX,
+                                         STORAGE_NEW_SUFFIX };
+    bool has = false;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        char path[LEDGER_PATH_SIZE];
+        storage_sibling_path(storage, names[i], "", path);
+        has = has || storage_has_path(path);
+    }
+    return has;
+}
+
+void storage_mark_log_removed(const struct storage *storage)
+{
+    struct stat about;
+    if (has_folder_left(storage)) {
+        log_print(LOG_LEVEL_ERROR,
+                  "%s: the data folder was removed, renamed or replaced; nothing is stored"
+                  " until it is back",
+                  storage->dir);
+    } else if (lstat(storage->path, &about) == 0 &&
+               storage_moved_is_same(&about, &storage->places[0])) {
+        log_print(LOG_LEVEL_ERROR,
+                  "%s: its log (-wal or -shm) was removed or replaced; the database is"
+                  " opened again",
+                  storage->path);
+    } else {
+        log_print(LOG_LEVEL_ERROR,
+                  "%s: was removed or replaced; nothing is stored until it is back", storage->path);
+    }
+}
+
+void storage_restore_log(const struct storage *storage)
+{
+    log_print(LOG_LEVEL_WARNING, "%s: is in use again, with entries up to %u", storage->path,
+              storage->file.content.memory.ledger.last_id);
+}
+
+bool storage_save_deleted(struct storage *storage)
+{
+    CORE_ASSERT(storage_unwritten(storage) <= STORAGE_QUEUE_MAX);
+    char backup[LEDGER_PATH_SIZE];
+    if (!storage->moved || !storage->file.db || !is_deleted(storage) ||
+        file_make_folder(storage->dir) != 0 || has_any(storage)) {
+        return false;
+    }
+    storage_backup_path(storage, backup);
+    /* Write all queued entries, in at most two parts because the queue is a ring buffer. */
+    const unsigned pushed = atomic_load(&storage->pushed);
+    unsigned at = atomic_load(&storage->written);
+    int code = SQLITE_OK;
+    while (code == SQLITE_OK && at != pushed) {
+        const unsigned first = at % STORAGE_QUEUE_MAX;
+        const unsigned beside = STORAGE_QUEUE_MAX - first;
+        const unsigned count = pushed - at < beside ? pushed - at : beside;
+        code = ledger_file_write(&storage->file, &storage->queue[first], count);
+        at += count;
+    }
+    const bool is_saved =
+        code == SQLITE_OK && ledger_backup_make(&storage->file, backup, false) == SQLITE_OK;
+    if (is_saved) {
+        atomic_store(&storage->written, atomic_load(&storage->pushed));
+        log_print(LOG_LEVEL_WARNING,
+                  "%s: was deleted while it was open; all entries are saved in %s", storage->path,
+                  backup);
+    } else {
+        log_print(LOG_LEVEL_ERROR, "%s: was deleted while it was open, and %s could not be written",
+                  storage->path, backup);
+    }
+    return is_saved;
 }

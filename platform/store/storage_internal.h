@@ -58,7 +58,7 @@ void storage_note_write(struct storage *storage, int code);
  * temporary errors. */
 bool storage_needs_reopening(int code);
 
-/* storage_moved.c: clears the stored identities of the files. Called after a database was
+/* storage_card.c: clears the stored identities of the files. Called after a database was
  * opened. */
 void storage_note_place(struct storage *storage);
 /* Returns true if the open database, its log or its folder is no longer at its path. */
@@ -78,15 +78,15 @@ void storage_restore_log(const struct storage *storage);
  * or mirror exists at the old path. Returns true if the backup was written. */
 bool storage_save_deleted(struct storage *storage);
 
-/* offline_credits.c: offline_credits_merge() and offline_credits_result() implement functions of
- * hal_storage. The store's thread calls offline_credits_apply(), which writes the offline credits
+/* storage_requests.c: storage_merge_offline() and storage_offline_merged() implement functions of
+ * hal_storage. The store's thread calls storage_apply_offline(), which writes the offline credits
  * to the open database. The function has an effect only if the kiosk started without a database. */
-int offline_credits_merge(void *storage, const struct balance_change *step,
+int storage_merge_offline(void *storage, const struct balance_change *step,
                           const struct ledger_entry *entries, uint32_t count);
-int offline_credits_result(void *storage);
-void offline_credits_apply(struct storage *storage);
+int storage_offline_merged(void *storage);
+void storage_apply_offline(struct storage *storage);
 
-/* storage_status_text.c: each function writes the status text to storage->text. storage_describe()
+/* storage.c: each function writes the status text to storage->text. storage_describe()
  * also returns the text. */
 void storage_log(struct storage *storage, const char *what, const char *why, const char *advice);
 void storage_log_no_file(struct storage *storage, const char *why);
@@ -97,7 +97,7 @@ const char *storage_describe(void *storage);
  * less than STORAGE_STUCK_MS. */
 int64_t storage_stuck_ms(const struct storage *storage);
 
-/* storage_mirror.c: writes the newest entries to the ledger mirror. A failed write or sync is
+/* storage_thread.c: writes the newest entries to the ledger mirror. A failed write or sync is
  * counted and reported, and is retried every second. Returns 0. Returns -1 if the entries are not
  * on disk in the mirror; the caller must then not acknowledge them. */
 int storage_mirror_write(struct storage *storage, const struct ledger_entry *entries,
@@ -118,7 +118,7 @@ void *storage_thread(void *storage);
 int64_t storage_now_ms(void); /* Returns the time of the monotonic clock in milliseconds, never
                                  0. */
 
-/* storage_replays.c: the replay functions of hal_storage. The frame loop calls them. */
+/* storage_requests.c: the replay functions of hal_storage. The frame loop calls them. */
 int storage_store_replay(void *storage, uint32_t round_id, const uint8_t *bytes, size_t size);
 uint32_t storage_stored_replay_id(void *storage);
 int storage_fetch_replay(void *storage, uint32_t round_id, uint8_t *bytes, size_t size,

@@ -11,6 +11,7 @@
 
 #include <sqlite3.h>
 
+#include "core/base/panic.h"
 #include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_backup.h"
 #include "platform/store/storage_internal.h"
@@ -18,6 +19,7 @@
 void storage_sibling_path(const struct storage *storage, const char *suffix, const char *more,
                           char out[LEDGER_PATH_SIZE])
 {
+    CORE_ASSERT(suffix && more);
     snprintf(out, LEDGER_PATH_SIZE, "%.520s%.40s%.20s", storage->path, suffix, more);
 }
 
@@ -61,13 +63,6 @@ static bool has_tail(const struct storage *storage)
     const uint32_t last_id = ledger_mirror_last_id(&tail);
     ledger_mirror_close(&tail);
     return last_id > 0;
-}
-
-static bool has_backup(const struct storage *storage)
-{
-    char backup[LEDGER_PATH_SIZE];
-    storage_backup_path(storage, backup);
-    return storage_has_path(backup);
 }
 
 /* ---- Comparison with the backup and the mirror --------------------------------------------- */
@@ -124,19 +119,6 @@ bool storage_is_behind_backup(struct storage *storage)
 
 /* ---- Lost content -------------------------------------------------------------------------- */
 
-/* Returns true if the database file is empty but the log, the backup or the mirror has content. A
- * power cut or a file system repair often leaves an empty file. SQLite would treat an empty file as
- * a new database and discard its log. */
-static bool is_emptied(const struct storage *storage)
-{
-    char backup[LEDGER_PATH_SIZE], log[LEDGER_PATH_SIZE];
-    storage_backup_path(storage, backup);
-    storage_sibling_path(storage, "-wal", "", log);
-    struct stat about;
-    return stat(storage->path, &about) == 0 && about.st_size == 0 &&
-           (has_bytes(backup) || has_bytes(log) || has_tail(storage));
-}
-
 /* Accepts a copy that the operator restored in place of the database. The backup may have newer
  * entries, which the operator intends to drop. The backup is renamed and kept. The mirror belongs
  * to the replaced database and is deleted. Returns an SQLite code. */
@@ -153,27 +135,6 @@ static int take_copy(struct storage *storage)
         return SQLITE_IOERR;
     }
     return ledger_unmark(&storage->file);
-}
-
-/* Returns true if the database path is a symbolic link. The link may lead to a card that is not
- * mounted yet. Therefore the link is neither removed nor followed. */
-static bool is_link(const struct storage *storage)
-{
-    struct stat about;
-    return lstat(storage->path, &about) == 0 && S_ISLNK(about.st_mode);
-}
-
-/* Renames each FIFO, device, link or folder that has the name of a file of the database, so that
- * the start continues without it. On a read-only card the object stays and is not opened. */
-static void set_strange_aside(struct storage *storage)
-{
-    for (unsigned i = 0; i < STORAGE_SIBLING_COUNT; i++) {
-        char path[LEDGER_PATH_SIZE];
-        storage_sibling_path(storage, storage_suffixes[i], "", path);
-        if (file_is_other(path) && storage_quarantine_other(storage, storage_suffixes[i]) == 0) {
-            atomic_store(&storage->strange, i + 1u);
-        }
-    }
 }
 
 /* Compares the database with its backup and mirror, and renames a backup or mirror of a foreign
@@ -198,8 +159,13 @@ static int compare(struct storage *storage)
 
 static int open_whole(struct storage *storage)
 {
+    char backup[LEDGER_PATH_SIZE], log[LEDGER_PATH_SIZE];
+    storage_backup_path(storage, backup);
+    storage_sibling_path(storage, "-wal", "", log);
+    struct stat about;
     int code = file_is_other(storage->path) ? SQLITE_NOTADB
-               : is_emptied(storage)
+               : (stat(storage->path, &about) == 0 && about.st_size == 0 &&
+                  (has_bytes(backup) || has_bytes(log) || has_tail(storage)))
                    ? SQLITE_CORRUPT
                    : ledger_file_open(&storage->file, storage->path, &storage->how);
     if (code != SQLITE_OK) {
@@ -221,20 +187,35 @@ static int open_whole(struct storage *storage)
  * custom vfs has no other files than the database. */
 int storage_open_file(struct storage *storage)
 {
+    CORE_ASSERT(storage->path[0]);
     if (storage->how.vfs) {
         return ledger_file_open(&storage->file, storage->path, &storage->how);
     }
     storage->has_to_rebuild = false;
-    if (is_link(storage)) {
+    /* Returns true if the database path is a symbolic link. The link may lead to a card that is
+     * not mounted yet. Therefore the link is neither removed nor followed. */
+    struct stat about;
+    if (lstat(storage->path, &about) == 0 && S_ISLNK(about.st_mode)) {
         return LEDGER_FILE_LINK;
     }
-    set_strange_aside(storage);
+    /* Renames each FIFO, device, link or folder that has the name of a file of the database, so
+     * that the start continues without it. On a read-only card the object stays and is not
+     * opened. */
+    for (unsigned i = 0; i < STORAGE_SIBLING_COUNT; i++) {
+        char path[LEDGER_PATH_SIZE];
+        storage_sibling_path(storage, storage_suffixes[i], "", path);
+        if (file_is_other(path) && storage_quarantine_other(storage, storage_suffixes[i]) == 0) {
+            atomic_store(&storage->strange, i + 1u);
+        }
+    }
     int code = storage_end_rebuilding(storage);
     if (code != SQLITE_OK) {
         return code;
     }
+    char backup[LEDGER_PATH_SIZE];
+    storage_backup_path(storage, backup);
     const bool is_missing =
-        !storage_has_path(storage->path) && (has_backup(storage) || has_tail(storage));
+        !storage_has_path(storage->path) && (storage_has_path(backup) || has_tail(storage));
     code = is_missing ? SQLITE_CORRUPT : open_whole(storage);
     if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
         storage->has_to_rebuild = true;

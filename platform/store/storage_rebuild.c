@@ -19,6 +19,7 @@
 
 #include <sqlite3.h>
 
+#include "core/base/panic.h"
 #include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_backup.h"
 #include "platform/store/sqlite/sql.h"
@@ -32,13 +33,6 @@ static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
 
 /* ---- Quarantine ---------------------------------------------------------------------------- */
 
-static unsigned number_in(const char *name, const char *suffix)
-{
-    const char *at =
-        strncmp(name, STORAGE_FILE, sizeof STORAGE_FILE - 1u) == 0 ? strstr(name, suffix) : NULL;
-    return at ? (unsigned)strtoul(at + strlen(suffix), NULL, 10) : 0u;
-}
-
 /* Returns one more than the highest number of all quarantined files and markers. The operator may
  * have deleted an acknowledged file. Its marker remains, and would hide a new file with the same
  * number. */
@@ -51,7 +45,10 @@ static unsigned next_number(const struct storage *storage)
     unsigned newest = 0;
     while (folder && (entry = readdir(folder))) {
         for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
-            const unsigned number = number_in(entry->d_name, kinds[i]);
+            const char *at = strncmp(entry->d_name, STORAGE_FILE, sizeof STORAGE_FILE - 1u) == 0
+                                 ? strstr(entry->d_name, kinds[i])
+                                 : NULL;
+            const unsigned number = at ? (unsigned)strtoul(at + strlen(kinds[i]), NULL, 10) : 0u;
             newest = number > newest ? number : newest;
         }
     }
@@ -63,6 +60,7 @@ static unsigned next_number(const struct storage *storage)
 
 int storage_quarantine_other(struct storage *storage, const char *suffix)
 {
+    CORE_ASSERT(suffix[0] == '.' || suffix[0] == '-');
     char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE], number[40];
     snprintf(number, sizeof number, STORAGE_OTHER_SUFFIX "%u", next_number(storage));
     storage_sibling_path(storage, suffix, "", from);
@@ -114,19 +112,6 @@ static void remove_all(const struct storage *storage, const char *suffix)
     }
 }
 
-/* Opens the backup read-only. Returns true if the backup is valid. An older schema is accepted. */
-static bool open_backup(struct ledger_file *file, const char *backup)
-{
-    *file = (struct ledger_file){ .refusal = SQLITE_READONLY };
-    const bool is_good = storage_has_path(backup) &&
-                         sql_open(backup, SQLITE_OPEN_READONLY, NULL, &file->db) == SQLITE_OK &&
-                         ledger_check(file->db) == SQLITE_OK;
-    if (!is_good) {
-        ledger_file_close(file);
-    }
-    return is_good;
-}
-
 /* Copies entries that `to` lacks from the damaged database and the mirror into `to`. Returns an
  * SQLite code. */
 static int salvage_into(struct storage *storage, struct ledger_file *to)
@@ -151,33 +136,6 @@ static int sync_file(const char *path)
     return result;
 }
 
-/* Makes the replacement under its temporary name. The single writes are not synced because no
- * process reads the file before it is complete. One sync at the end saves time on a slow card. */
-static int make_part(struct storage *storage, const char *part)
-{
-    static const struct ledger_file_options unsynced = { .journal = "MEMORY OFF" };
-    struct ledger_file file;
-    char backup[LEDGER_PATH_SIZE];
-    int code = SQLITE_OK;
-    storage_backup_path(storage, backup);
-    if (open_backup(&file, backup)) {
-        code = ledger_backup_make(&file, part, false);
-        ledger_file_close(&file);
-    }
-    code = code == SQLITE_OK ? ledger_file_open(&file, part, &unsynced) : code;
-    if (code == SQLITE_CORRUPT) { /* The pages of the backup are intact, but its aggregates are out
-                                     of range. */
-        remove_all(storage, PART_SUFFIX);
-        code = ledger_file_open(&file, part, &unsynced);
-    }
-    if (code != SQLITE_OK) {
-        return code;
-    }
-    code = file.refusal ? file.refusal : salvage_into(storage, &file);
-    ledger_file_close(&file);
-    return code == SQLITE_OK && sync_file(part) != 0 ? SQLITE_IOERR : code;
-}
-
 /* Makes the replacement and renames it to STORAGE_NEW_SUFFIX. If the database is missing, the
  * marker file is created before the rename. The loss is therefore reported even after a power cut
  * between the two steps. */
@@ -187,7 +145,37 @@ static int make_new(struct storage *storage, bool is_missing, unsigned number)
     storage_sibling_path(storage, PART_SUFFIX, "", part);
     storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
     remove_all(storage, PART_SUFFIX);
-    int code = make_part(storage, part);
+    /* Makes the replacement under its temporary name. The single writes are not synced because
+     * no process reads the file before it is complete. One sync at the end saves time on a slow
+     * card. */
+    static const struct ledger_file_options unsynced = { .journal = "MEMORY OFF" };
+    struct ledger_file file;
+    char backup[LEDGER_PATH_SIZE];
+    int code = SQLITE_OK;
+    storage_backup_path(storage, backup);
+    /* The backup is opened read-only. An older schema is accepted. */
+    file = (struct ledger_file){ .refusal = SQLITE_READONLY };
+    const bool is_good = storage_has_path(backup) &&
+                         sql_open(backup, SQLITE_OPEN_READONLY, NULL, &file.db) == SQLITE_OK &&
+                         ledger_check(file.db) == SQLITE_OK;
+    if (!is_good) {
+        ledger_file_close(&file);
+    }
+    if (is_good) {
+        code = ledger_backup_make(&file, part, false);
+        ledger_file_close(&file);
+    }
+    code = code == SQLITE_OK ? ledger_file_open(&file, part, &unsynced) : code;
+    if (code == SQLITE_CORRUPT) { /* The pages of the backup are intact, but its aggregates are out
+                                     of range. */
+        remove_all(storage, PART_SUFFIX);
+        code = ledger_file_open(&file, part, &unsynced);
+    }
+    if (code == SQLITE_OK) {
+        code = file.refusal ? file.refusal : salvage_into(storage, &file);
+        ledger_file_close(&file);
+        code = code == SQLITE_OK && sync_file(part) != 0 ? SQLITE_IOERR : code;
+    }
     if (code == SQLITE_OK &&
         ((is_missing && !leave_note(storage, number)) || file_rename_durable(part, fresh) != 0)) {
         code = SQLITE_IOERR;
@@ -209,6 +197,8 @@ static bool put_new(struct storage *storage)
 
 int storage_rebuild(struct storage *storage, bool is_missing)
 {
+    CORE_ASSERT(storage->path[0]);
+    CORE_ASSERT(!storage->how.vfs);
     const unsigned number = next_number(storage);
     const int code = make_new(storage, is_missing, number);
     if (code != SQLITE_OK) {

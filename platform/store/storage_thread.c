@@ -1,10 +1,14 @@
-/* storage_thread.c -- implements the store's thread, which writes to the database while the frame
- * loop draws. */
+/* storage_thread.c -- implements the store's thread, which writes to the database and to the ledger
+ * mirror while the frame loop draws. */
+#include <errno.h>
 #include <semaphore.h>
+#include <sys/stat.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <sqlite3.h>
 
+#include "core/base/panic.h"
 #include "platform/store/graph_file.h"
 #include "platform/store/storage_internal.h"
 
@@ -48,18 +52,13 @@ int64_t storage_now_ms(void)
 
 /* ---- Writing entries ----------------------------------------------------------------------- */
 
-static void note_saved(struct storage *storage, const struct ledger_entry *newest)
-{
-    storage->saved_boot = newest->boot;
-    storage->saved_tick = newest->tick;
-    atomic_store(&storage->saved_id, newest->id);
-}
-
 /* Writes the oldest contiguous entries of the queue in one transaction. Returns 1 if both the
  * database and the mirror have synced the entries. Otherwise acknowledges no entry and returns
  * 0. */
 static int write_batch(struct storage *storage, unsigned written, unsigned pushed)
 {
+    CORE_ASSERT(written != pushed);
+    CORE_ASSERT(pushed - written <= STORAGE_QUEUE_MAX);
     const unsigned first = written % STORAGE_QUEUE_MAX;
     const unsigned waiting = pushed - written;
     const unsigned beside = STORAGE_QUEUE_MAX - first;
@@ -76,7 +75,10 @@ static int write_batch(struct storage *storage, unsigned written, unsigned pushe
     for (unsigned i = 0; i < count; i++) {
         storage->prunes |= entries[i].kind == LEDGER_ROUND;
     }
-    note_saved(storage, &entries[count - 1u]);
+    const struct ledger_entry *newest = &entries[count - 1u];
+    storage->saved_boot = newest->boot;
+    storage->saved_tick = newest->tick;
+    atomic_store(&storage->saved_id, newest->id);
     atomic_store(&storage->written, written + count);
     return 1;
 }
@@ -107,29 +109,19 @@ static int64_t now_s(void)
     return storage_now_ms() / 1000;
 }
 
-static bool may_back_up(const struct storage *storage)
-{
-    return storage->file.db && !storage->file.refusal && !storage->how.vfs && !storage->closes &&
-           atomic_load(&storage->error) == SQLITE_OK;
-}
-
-static bool is_backup_due(const struct storage *storage, uint32_t last_id)
-{
-    return now_s() >= storage->backup_due_s ||
-           last_id - storage->backup_id >= STORAGE_BACKUP_ENTRIES;
-}
-
 /* Advances the backup in steps while no entry waits. A failed backup is retried after one hour. */
 static void back_up(struct storage *storage)
 {
     char path[LEDGER_PATH_SIZE];
     int code = SQLITE_OK;
-    if (!may_back_up(storage)) {
+    if (!(storage->file.db && !storage->file.refusal && !storage->how.vfs && !storage->closes &&
+          atomic_load(&storage->error) == SQLITE_OK)) {
         ledger_backup_drop(&storage->backup);
         return;
     }
     const uint32_t last_id = storage->file.content.memory.ledger.last_id;
-    if (!storage->backup.copy && is_backup_due(storage, last_id)) {
+    if (!storage->backup.copy && (now_s() >= storage->backup_due_s ||
+                                  last_id - storage->backup_id >= STORAGE_BACKUP_ENTRIES)) {
         storage->backup_due_s = now_s() + STORAGE_BACKUP_S;
         storage->backup_id = last_id;
         storage_backup_path(storage, path);
@@ -151,6 +143,7 @@ static void back_up(struct storage *storage)
 
 static void drain_edits(struct storage *storage)
 {
+    CORE_ASSERT(storage_unwritten_edits(storage) <= STORAGE_EDITS_MAX);
     unsigned written = atomic_load(&storage->edits_written);
     while (written != atomic_load(&storage->edits_pushed)) {
         const struct graph_edit_record *edit = &storage->edits[written % STORAGE_EDITS_MAX];
@@ -166,20 +159,6 @@ static void drain_edits(struct storage *storage)
 }
 
 /* ---- Write-ahead log ----------------------------------------------------------------------- */
-
-/* Writes and syncs the write-ahead log again if another program's lock prevented the rewrite when
- * the database was opened. If the lock remains, the next call retries. */
-static void prove_log(struct storage *storage)
-{
-    if (!atomic_load(&storage->is_unproven) || !storage_has_card(storage)) {
-        return;
-    }
-    const int code = storage->file.is_suspect ? ledger_log_secure(&storage->file) : SQLITE_OK;
-    storage_note_write(storage, code);
-    if (code == SQLITE_OK) {
-        atomic_store(&storage->is_unproven, false);
-    }
-}
 
 /* ---- Background work ----------------------------------------------------------------------- */
 
@@ -208,7 +187,16 @@ static void do_chore(struct storage *storage)
 
 void storage_work(struct storage *storage)
 {
-    prove_log(storage);
+    CORE_ASSERT(storage_unwritten(storage) <= STORAGE_QUEUE_MAX);
+    /* Write and sync the write-ahead log again if another program's lock prevented the rewrite
+     * when the database was opened. If the lock remains, the next call retries. */
+    if (atomic_load(&storage->is_unproven) && storage_has_card(storage)) {
+        const int code = storage->file.is_suspect ? ledger_log_secure(&storage->file) : SQLITE_OK;
+        storage_note_write(storage, code);
+        if (code == SQLITE_OK) {
+            atomic_store(&storage->is_unproven, false);
+        }
+    }
     if (storage_has_card(storage)) {
         drain(storage);
         storage_mirror_repair(storage);
@@ -220,25 +208,6 @@ void storage_work(struct storage *storage)
     do_chore(storage);
 }
 
-/* Blocks until new work arrives, for at most CHECK_MS. Returns true if there is new work. */
-static bool wait_for_work(struct storage *storage)
-{
-    struct timespec until;
-    clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_nsec += (has_chore(storage) ? STORAGE_CHORE_WAIT_MS : CHECK_MS) * 1000000L;
-    until.tv_sec += until.tv_nsec / 1000000000L;
-    until.tv_nsec %= 1000000000L;
-    return sem_clockwait(&storage->wake, CLOCK_MONOTONIC, &until) == 0;
-}
-
-/* Returns true if the open database left its path, or returned to its path, after the last call of
- * storage_has_card(). */
-static bool has_place_changed(struct storage *storage)
-{
-    return storage->file.db && !storage->file.refusal &&
-           storage_has_moved(storage) != storage->moved;
-}
-
 /* Thread function. Calls storage_work() when there is new work, and at least once per second,
  * because a failed card is retried and a backup may be due. */
 void *storage_thread(void *context)
@@ -246,7 +215,17 @@ void *storage_thread(void *context)
     struct storage *storage = context;
     int64_t due_ms = 0;
     while (!atomic_load(&storage->stop)) {
-        if (wait_for_work(storage) || storage_now_ms() >= due_ms || has_place_changed(storage)) {
+        /* Blocks until new work arrives, for at most CHECK_MS. Returns true if there is new
+         * work. */
+        struct timespec until;
+        clock_gettime(CLOCK_MONOTONIC, &until);
+        until.tv_nsec += (has_chore(storage) ? STORAGE_CHORE_WAIT_MS : CHECK_MS) * 1000000L;
+        until.tv_sec += until.tv_nsec / 1000000000L;
+        until.tv_nsec %= 1000000000L;
+        if (sem_clockwait(&storage->wake, CLOCK_MONOTONIC, &until) == 0 ||
+            storage_now_ms() >= due_ms ||
+            (storage->file.db && !storage->file.refusal &&
+             storage_has_moved(storage) != storage->moved)) {
             storage_work(storage);
             due_ms = storage_now_ms() + RETRY_MS;
         } else {
@@ -254,4 +233,114 @@ void *storage_thread(void *context)
         }
     }
     return NULL;
+}
+
+/* ---- Ledger mirror --------------------------------------------------------------------------- */
+
+/* Writes each new entry to the ledger mirror before the entry is acknowledged. The ledger mirror
+ * is a second copy of the newest entries.
+ *
+ * The mirror has no gap. After a failed write, the missing entries are copied from the database
+ * before a newer entry is added. No entry is acknowledged until the mirror is complete. */
+
+/* Maximum number of entries that are copied from the database between two syncs. */
+#define BATCH 64u
+
+static int open_tail(struct storage *storage)
+{
+    char path[LEDGER_PATH_SIZE];
+    storage_mirror_path(storage, path);
+    int result = ledger_mirror_open(&storage->tail, path);
+    /* A foreign mirror, for example after a user copied a card, must not be used. */
+    struct ledger_entry entry;
+    if (result == 0 &&
+        ledger_mirror_entry(&storage->tail, atomic_load(&storage->saved_id), &entry) &&
+        (entry.boot != storage->saved_boot || entry.tick != storage->saved_tick)) {
+        ledger_mirror_close(&storage->tail);
+        result = storage_quarantine_other(storage, STORAGE_MIRROR_SUFFIX);
+        result = result == 0 ? ledger_mirror_open(&storage->tail, path) : result;
+    }
+    if (result == 0) {
+        /* Set `tail_from` to the id of the first saved entry that the mirror lacks. */
+        const uint32_t saved_id = atomic_load(&storage->saved_id);
+        const uint32_t last_id = ledger_mirror_last_id(&storage->tail);
+        if (last_id < saved_id && (storage->tail_from == 0 || storage->tail_from > last_id + 1u)) {
+            storage->tail_from = last_id + 1u;
+        }
+    }
+    return result;
+}
+
+/* Opens the mirror and copies missing entries up to the id `last_id`. Returns 0 or -1. */
+static int make_ready(struct storage *storage, uint32_t last_id)
+{
+    CORE_ASSERT(storage->file.db);
+    /* The mirror file may have been deleted while it was open. */
+    struct stat about;
+    if (storage->tail.handle > 0 && fstat(storage->tail.handle, &about) == 0 &&
+        about.st_nlink == 0) {
+        ledger_mirror_close(&storage->tail);
+    }
+    int result = storage->tail.handle > 0 ? 0 : open_tail(storage);
+    if (result == 0) {
+        struct ledger_entry entries[BATCH];
+        uint32_t count = 0;
+        uint32_t id = storage->tail_from;
+        if (last_id >= LEDGER_MIRROR_SLOTS && id < last_id - LEDGER_MIRROR_SLOTS + 1u) {
+            id = last_id - LEDGER_MIRROR_SLOTS + 1u;
+        }
+        for (; result == 0 && storage->tail_from > 0 && id <= last_id; id++) {
+            count += ledger_file_entry(&storage->file, id, &entries[count]) == SQLITE_OK;
+            if (count == BATCH || (count > 0 && id == last_id)) {
+                result = ledger_mirror_write(&storage->tail, entries, count);
+                count = 0;
+            }
+        }
+        storage->tail_from = result == 0 ? 0u : storage->tail_from;
+    }
+    return result;
+}
+
+static void note_result(struct storage *storage, int result, uint32_t first_id)
+{
+    const int error = errno > 0 ? errno : EIO;
+    atomic_store(&storage->tail_error, result == 0 ? 0 : error);
+    if (result != 0) {
+        ledger_mirror_close(&storage->tail);
+        storage->tail_from = storage->tail_from > 0 ? storage->tail_from : first_id;
+        atomic_fetch_add(&storage->refused, 1);
+    }
+}
+
+int storage_mirror_write(struct storage *storage, const struct ledger_entry *entries,
+                         uint32_t count)
+{
+    CORE_ASSERT(entries && count > 0);
+    if (storage->how.vfs) {
+        return 0;
+    }
+    int result = make_ready(storage, entries[0].id - 1u);
+    if (result == 0) {
+        /* Erase revoked player names from the mirror. */
+        result = 0;
+        for (uint32_t i = 0; result == 0 && i < count; i++) {
+            if (entries[i].kind == LEDGER_NAME && !entries[i].name[0]) {
+                result =
+                    ledger_mirror_erase_name(&storage->tail, entries[i].count, entries[i].detail);
+            }
+        }
+    }
+    result = result == 0 ? ledger_mirror_write(&storage->tail, entries, count) : result;
+    note_result(storage, result, entries[0].id);
+    return result;
+}
+
+/* Completes the mirror if no entry waits in the queue. If entries wait, the write of the next batch
+ * completes the mirror, and the store must stay unhealthy until then. */
+void storage_mirror_repair(struct storage *storage)
+{
+    if (storage->tail_from > 0 && storage_unwritten(storage) == 0 && storage->file.db &&
+        !storage->file.refusal) {
+        note_result(storage, make_ready(storage, atomic_load(&storage->saved_id)), 0);
+    }
 }

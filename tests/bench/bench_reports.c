@@ -109,9 +109,9 @@ static void wire(struct hal *hal)
 
 static int tell(uint32_t lost)
 {
-    const struct timing *wait = &bench.kiosk.report_wait;
-    const double median_ms = (double)timing_quantile_ns(wait, 0.5) * 1e-6;
-    const double p99_ms = (double)timing_quantile_ns(wait, 0.99) * 1e-6;
+    const struct frame_timing *wait = &bench.kiosk.report_wait;
+    const double median_ms = (double)frame_timing_quantile_ns(wait, 0.5) * 1e-6;
+    const double p99_ms = (double)frame_timing_quantile_ns(wait, 0.99) * 1e-6;
     printf("%.0f reports a second, a frame each %.1f ms of which %.1f are work: %llu of %u used, "
            "%u lost; arrival to tick: median %.1f ms, p99 %.1f ms, max %.1f ms\n",
            bench.report_hz, bench.frame_ms, bench.work_ms, (unsigned long long)wait->count,

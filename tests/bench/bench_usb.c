@@ -14,7 +14,7 @@
 #include <time.h>
 
 #include "drivers/usb/usb_transport.h"
-#include "platform/kiosk/timing.h"
+#include "platform/kiosk/frame_pacer.h"
 #include "tests/unit/support/usb_kinds.h"
 
 #define REPORT_NS 1000000ull
@@ -23,7 +23,7 @@
 #define SECONDS_MAX 600u
 
 static struct usb_bench bench;
-static struct timing to_stamp, to_frame, call;
+static struct frame_timing to_stamp, to_frame, call;
 static uint64_t sent_ns[65536]; /* Send time of each report, indexed by the number in the report. */
 static atomic_int is_over;
 static uint32_t device;
@@ -56,23 +56,23 @@ static uint32_t take_all(const struct hid_port *port, uint32_t *expected)
         const uint64_t begin_ns = now_ns();
         result = port->ops->take(port->self, &raw);
         const uint64_t end_ns = now_ns();
-        timing_add(&call, end_ns - begin_ns);
+        frame_timing_add(&call, end_ns - begin_ns);
         if (result == 1) {
             const uint32_t number = bench_number(&raw);
             wrong += number != *expected;
             *expected = (number + 1u) & 0xffffu;
-            timing_add(&to_stamp, raw.time_ns - sent_ns[number]);
-            timing_add(&to_frame, end_ns - raw.time_ns);
+            frame_timing_add(&to_stamp, raw.time_ns - sent_ns[number]);
+            frame_timing_add(&to_frame, end_ns - raw.time_ns);
         }
     } while (result == 1);
     return wrong;
 }
 
-static void tell(const char *what, const struct timing *timing)
+static void tell(const char *what, const struct frame_timing *timing)
 {
     printf("%-28s p50 %6.2f ms   p99 %6.2f ms   at most %6.2f ms\n", what,
-           (double)timing_quantile_ns(timing, 0.5) * 1e-6,
-           (double)timing_quantile_ns(timing, 0.99) * 1e-6, (double)timing->max_ns * 1e-6);
+           (double)frame_timing_quantile_ns(timing, 0.5) * 1e-6,
+           (double)frame_timing_quantile_ns(timing, 0.99) * 1e-6, (double)timing->max_ns * 1e-6);
 }
 
 static uint32_t run(uint32_t seconds)

@@ -85,7 +85,7 @@ for file in platform/kiosk/kiosk.c drivers/null.c board/desktop/board.c platform
     refuses ctl $file platform/ctl/lib/ctl.h "$file may not include kingyoctl"
 done
 refuses kiosk platform/store/storage.c platform/kiosk/kiosk.h 'the store may not include the frame loop'
-allows platform/ctl/play/replay.c platform/kiosk/replayer.h 'but kingyoctl may'
+allows platform/ctl/play/replay.c platform/kiosk/recorder/replayer.h 'but kingyoctl may'
 
 # ---- The list of exceptions ----
 printf 'limit 1\nlayer core/tank/tank.c core/poi/poi.h # why\n' >"$EXCEPTIONS"

@@ -8,7 +8,7 @@
 #include "core/core.h"
 #include "core/tank/behavior/startle.h"
 #include "platform/cpu.h"
-#include "platform/kiosk/contact_sheet.h"
+#include "platform/kiosk/demo.h"
 #include "platform/os/png.h"
 #include "platform/render/display_gl.h"
 
@@ -80,7 +80,7 @@ static void show(const struct hal_display *device, struct contact_sheet *sheet, 
     if (device->ops->capture(device->self, &image) != HAL_OK) {
         exit(1);
     }
-    contact_sheet_put(sheet, index, pixels, image.width, image.height);
+    demo_sheet_put(sheet, index, pixels, image.width, image.height);
     printf("tick %2u: yaw %4.0f, bend %4.0f degrees, %5.2f lengths/s, tail %4.1f Hz x %.2f\n",
            index, (double)(fish->angles.yaw_rad / F_DEG), (double)(fish->bend_rad / F_DEG),
            (double)(fish->speed_m_s / fish->length_m), (double)fish->tail_beat_hz,
@@ -94,7 +94,7 @@ int main(int argc, char **argv)
     display.config =
         (struct display_gl_config){ .width = SIDE_PX, .height = SIDE_PX, .off_screen = true };
     const struct hal_display device = display_gl_device(&display);
-    if (contact_sheet_plan(&sheet, SIDE_PX, SIDE_PX) > sizeof sheet_rgb) {
+    if (demo_sheet_plan(&sheet, SIDE_PX, SIDE_PX) > sizeof sheet_rgb) {
         return 1;
     }
     stage();
@@ -102,7 +102,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "%s\n", device.ops->describe(device.self));
         return 1;
     }
-    contact_sheet_clear(&sheet);
+    demo_sheet_clear(&sheet);
     for (uint32_t i = 0; i < SHEET_PICTURES; i++) {
         tick();
         show(&device, &sheet, i);

@@ -15,7 +15,7 @@
 #include "drivers/null.h"
 #include "drivers/usb/usb_transport.h"
 #include "platform/kiosk/frame_pacer.h"
-#include "platform/kiosk/poi_sampler.h"
+#include "platform/kiosk/sampler.h"
 #include "platform/os/clock.h"
 
 #define FRAME_NS 16666667u
@@ -26,7 +26,7 @@
 static struct poi_hid poi[POI_MAX];
 static struct poi_sampler hand;
 static struct frame_pacer pace;
-static struct timing waits;
+static struct frame_timing waits;
 
 static void tell(void *self, const char *line)
 {
@@ -74,15 +74,15 @@ static void frame(const struct hal *hal)
     struct poi_input input;
     const uint64_t now_ns = hal->clock.ops->now_ns(hal->clock.self);
     const uint32_t due = frame_pacer_ticks_due(&pace, now_ns);
-    poi_sampler_sample(&hand, &hal->poi[0], now_ns);
+    sampler_poi_sample(&hand, &hal->poi[0], now_ns);
     if (due == 0) {
         return;
     }
-    poi_sampler_time(&hand, hal->clock.ops->now_ns(hal->clock.self), &waits);
+    sampler_poi_time(&hand, hal->clock.ops->now_ns(hal->clock.self), &waits);
     for (uint32_t i = 0; i < due; i++) {
-        poi_sampler_at(&hand, i, due, now_ns, &input);
+        sampler_poi_at(&hand, i, due, now_ns, &input);
     }
-    poi_sampler_end(&hand);
+    sampler_poi_end(&hand);
 }
 
 /* Runs frames until `long_ns` have passed. A late frame is not repeated. Returns the number of
@@ -92,7 +92,7 @@ static uint32_t play(const struct hal *hal, uint64_t long_ns)
     const uint64_t begin_ns = hal->clock.ops->now_ns(hal->clock.self);
     uint64_t next_ns = begin_ns, now_ns = begin_ns;
     uint32_t frames = 0;
-    poi_sampler_open(&hand, &hal->poi[0], begin_ns);
+    sampler_poi_open(&hand, &hal->poi[0], begin_ns);
     for (; now_ns < begin_ns + long_ns; frames++) {
         frame(hal);
         now_ns = hal->clock.ops->now_ns(hal->clock.self);
@@ -104,10 +104,10 @@ static uint32_t play(const struct hal *hal, uint64_t long_ns)
 
 static int judge(uint32_t frames, uint64_t seconds)
 {
-    const uint64_t median_ns = timing_quantile_ns(&waits, 0.5);
+    const uint64_t median_ns = frame_timing_quantile_ns(&waits, 0.5);
     printf("median %.1f ms, p99 %.1f ms, longest %.1f ms; "
            "%llu reports and %llu frames a second\n",
-           (double)median_ns * 1e-6, (double)timing_quantile_ns(&waits, 0.99) * 1e-6,
+           (double)median_ns * 1e-6, (double)frame_timing_quantile_ns(&waits, 0.99) * 1e-6,
            (double)waits.max_ns * 1e-6, (unsigned long long)(waits.count / seconds),
            (unsigned long long)(frames / seconds));
     return waits.count >= REPORTS_MIN * seconds && median_ns <= MEDIAN_MAX_NS;

@@ -10,13 +10,13 @@
 #include "core/game/rules.h"
 #include "platform/cpu.h"
 #include "platform/ctl/operator/books.h"
-#include "platform/kiosk/replay_verifier.h"
-#include "platform/kiosk/session_recorder.h"
+#include "platform/kiosk/recorder/replay_verifier.h"
+#include "platform/kiosk/recorder/session_recorder.h"
 #include "platform/os/file.h"
 #include "platform/os/json.h"
 #include "platform/os/number.h"
 #include "platform/os/print.h"
-#include "platform/store/sqlite/day.h"
+#include "platform/store/sqlite/sql.h"
 
 #define ROUNDS_MAX (MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS)
 
@@ -220,8 +220,8 @@ struct place {
 
 static void place_text(const struct place *at)
 {
-    char day[DAY_TEXT_SIZE];
-    day_text(at->row->day, day);
+    char day[SQL_DAY_TEXT_SIZE];
+    sql_day_text(at->row->day, day);
     if (at->place == 0) {
         printf("%s, %s\n", rules_of((uint8_t)at->mode)->name, periods[at->period]);
     }
@@ -232,8 +232,8 @@ static void place_text(const struct place *at)
 
 static void place_json(const struct place *at, struct json *json)
 {
-    char day[DAY_TEXT_SIZE];
-    day_text(at->row->day, day);
+    char day[SQL_DAY_TEXT_SIZE];
+    sql_day_text(at->row->day, day);
     json_line(json, 2);
     json_open(json, NULL, '{');
     json_text(json, "mode", rules_of((uint8_t)at->mode)->name);

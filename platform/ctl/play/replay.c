@@ -9,7 +9,7 @@
 #include "core/core.h"
 #include "platform/cpu.h"
 #include "platform/ctl/lib/ctl.h"
-#include "platform/kiosk/replayer.h"
+#include "platform/kiosk/recorder/replayer.h"
 #include "platform/os/file.h"
 #include "platform/os/json.h"
 #include "platform/os/panic.h"

@@ -9,7 +9,7 @@
 #include "core/base/panic.h"
 #include "core/core.h"
 #include "platform/cpu.h"
-#include "platform/kiosk/recorder.h"
+#include "platform/kiosk/recorder/replayer.h"
 
 /* Maximum number of ticks of a round. The longest round, its countdown and a margin are
  * included. */

@@ -1,17 +1,21 @@
-/* ledger_backup.c -- copies the database with SQLite's backup API, validates the copy and renames
- * it; see ledger_backup.h. */
+/* ledger_backup.c -- copies the database with SQLite's backup API, validates the copy and renames it.
+ * Also copies the database before a part of its data is deleted; see ledger_backup.h. */
 #include "platform/store/sqlite/ledger_backup.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <sqlite3.h>
 
+#include "core/base/panic.h"
 #include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
+#include "platform/store/storage.h"
 
 #define PAGES_A_STEP 64
 
@@ -36,6 +40,7 @@ void ledger_backup_drop(struct ledger_backup *backup)
 
 int ledger_backup_begin(struct ledger_backup *backup, struct ledger_file *from, const char *path)
 {
+    CORE_ASSERT(path[0]);
     char part[LEDGER_PATH_SIZE], journal[LEDGER_PATH_SIZE];
     *backup = (struct ledger_backup){ 0 };
     snprintf(backup->path, sizeof backup->path, "%s", path);
@@ -74,33 +79,29 @@ int ledger_unmark(struct ledger_file *file)
     return ledger_backup_set_mark(file->db, false);
 }
 
-/* Completes the copy as a file that can be read without a log. The copy is validated like a
- * database, because a damaged copy must not replace the last backup. Returns SQLITE_DONE or an
- * SQLite error code. */
-static int end_copy(struct ledger_backup *backup)
-{
-    char part[LEDGER_PATH_SIZE];
-    name_part(backup, part);
-    int code = sqlite3_backup_finish(backup->copy);
-    backup->copy = NULL;
-    code = code == SQLITE_OK ? sql_run(backup->to, "PRAGMA journal_mode = DELETE") : code;
-    code = code == SQLITE_OK ? ledger_backup_set_mark(backup->to, backup->is_marked) : code;
-    code = code == SQLITE_OK ? ledger_check(backup->to) : code;
-    if (code == SQLITE_OK) {
-        sqlite3_close(backup->to);
-        backup->to = NULL;
-        code = file_rename_durable(part, backup->path) == 0 ? SQLITE_DONE : SQLITE_IOERR;
-    }
-    return code;
-}
-
 int ledger_backup_step(struct ledger_backup *backup)
 {
+    CORE_ASSERT(backup->copy);
     int code = sqlite3_backup_step(backup->copy, PAGES_A_STEP);
     if (code == SQLITE_OK || code == SQLITE_BUSY || code == SQLITE_LOCKED) {
         return code == SQLITE_OK ? SQLITE_OK : SQLITE_BUSY;
     }
-    code = code == SQLITE_DONE ? end_copy(backup) : code;
+    if (code == SQLITE_DONE) {
+        /* Complete the copy as a file that can be read without a log. The copy is validated like
+         * a database, because a damaged copy must not replace the last backup. */
+        char name[LEDGER_PATH_SIZE];
+        name_part(backup, name);
+        code = sqlite3_backup_finish(backup->copy);
+        backup->copy = NULL;
+        code = code == SQLITE_OK ? sql_run(backup->to, "PRAGMA journal_mode = DELETE") : code;
+        code = code == SQLITE_OK ? ledger_backup_set_mark(backup->to, backup->is_marked) : code;
+        code = code == SQLITE_OK ? ledger_check(backup->to) : code;
+        if (code == SQLITE_OK) {
+            sqlite3_close(backup->to);
+            backup->to = NULL;
+            code = file_rename_durable(name, backup->path) == 0 ? SQLITE_DONE : SQLITE_IOERR;
+        }
+    }
     ledger_backup_drop(backup);
     return code;
 }
@@ -117,4 +118,91 @@ int ledger_backup_make(struct ledger_file *from, const char *path, bool is_marke
         ledger_backup_drop(&backup);
     }
     return code == SQLITE_DONE ? SQLITE_OK : code;
+}
+
+/* ---- Leaving out data after panics ----------------------------------------------------------- */
+
+static int ledger_leave_delete_rows(struct ledger_file *file, enum panics_left left)
+{
+    int code = sql_run(file->db, "BEGIN IMMEDIATE");
+    if (code == SQLITE_OK) {
+        sqlite3_stmt *forget = NULL;
+        code =
+            sqlite3_prepare_v2(file->db, "DELETE FROM settings WHERE name = ?1", -1, &forget, NULL);
+        for (uint32_t id = 0; code == SQLITE_OK && id < SETTING_COUNT; id++) {
+            /* The PIN and the money settings must stay, and they do not affect a round. Without a
+             * PIN everyone could open the menu, and without money settings the game would be free. */
+            if (settings_entry(id)->group != GROUP_MONEY && id != SET_PIN) {
+                sqlite3_bind_text(forget, 1, settings_entry(id)->name, -1, SQLITE_STATIC);
+                code = sqlite3_step(forget) == SQLITE_DONE ? SQLITE_OK : sqlite3_errcode(file->db);
+                sqlite3_reset(forget);
+            }
+        }
+        sqlite3_finalize(forget);
+        if (code == SQLITE_OK && left >= LEFT_REPLAYS) {
+            code = sql_run(file->db, "DELETE FROM replays");
+        }
+        if (code == SQLITE_OK && left >= LEFT_NAMES) {
+            code = sql_run(file->db,
+                           "UPDATE ranking SET name = ''; UPDATE round_players SET name = ''");
+        }
+        code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
+    }
+    code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
+    if (code != SQLITE_OK) {
+        sql_run(file->db, "ROLLBACK");
+    }
+    return ledger_log_result(file, code);
+}
+
+/* Writes the path of the first unused copy to `copy` and returns its number. Returns 0 if all
+ * numbers are used. */
+static uint32_t free_number(const char *path, char copy[LEDGER_PATH_SIZE])
+{
+    struct stat about;
+    for (uint32_t i = 1; i <= LEDGER_LEFT_MAX; i++) {
+        snprintf(copy, LEDGER_PATH_SIZE, "%.560s" STORAGE_LEFT_SUFFIX "%u", path, i);
+        if (lstat(copy, &about) != 0 && errno == ENOENT) {
+            return i;
+        }
+    }
+    return 0;
+}
+
+int ledger_leave_out(const char *data, enum panics_left left, char words[LEDGER_LEAVE_WORDS])
+{
+    CORE_ASSERT(left != LEFT_NOTHING);
+    char path[STORAGE_PATH_SIZE];
+    struct stat about;
+    const int length = snprintf(path, sizeof path, "%s/" STORAGE_FILE, data);
+    if (length < 0 || (size_t)length >= sizeof path || lstat(path, &about) != 0) {
+        snprintf(words, LEDGER_LEAVE_WORDS, "there is no " STORAGE_FILE " to leave it out of");
+        return LEDGER_LEAVE_NONE;
+    }
+    struct ledger_file file;
+    uint32_t number = 0;
+    int code = ledger_file_open(&file, path, NULL);
+    if (code == SQLITE_OK) {
+        char copy[LEDGER_PATH_SIZE];
+        number = free_number(path, copy);
+        code = file.refusal ? file.refusal : number == 0 ? SQLITE_FULL : SQLITE_OK;
+        code = code == SQLITE_OK ? ledger_backup_make(&file, copy, true) : code;
+        if (code == SQLITE_OK && chmod(copy, 0600) != 0) {
+            code = SQLITE_IOERR;
+        }
+        code = code == SQLITE_OK ? ledger_leave_delete_rows(&file, left) : code;
+        ledger_file_close(&file);
+    }
+    if (code == SQLITE_OK) {
+        snprintf(words, LEDGER_LEAVE_WORDS,
+                 STORAGE_FILE STORAGE_LEFT_SUFFIX "%u is the database "
+                                                  "from before; coins and credits are unchanged",
+                 number);
+    } else {
+        snprintf(words, LEDGER_LEAVE_WORDS,
+                 "nothing was changed, because " STORAGE_FILE
+                 " could not be copied or written: %.60s",
+                 ledger_file_error(code));
+    }
+    return code == SQLITE_OK ? 0 : -1;
 }

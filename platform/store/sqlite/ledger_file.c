@@ -1,14 +1,23 @@
-/* ledger_file.c -- writes entries to the open database in transactions; ledger_open.c opens the
- * database. */
+/* ledger_file.c -- writes entries and replays to the open database in transactions, deletes old data,
+ * and makes the write-ahead log durable; ledger_open.c opens the database. */
 #include "platform/store/sqlite/ledger_file.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
 
 #include <sqlite3.h>
 
+#include "core/base/panic.h"
+#include "platform/os/file.h"
+#include "platform/store/sqlite/ledger_backup.h"
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
 int ledger_statement(struct ledger_file *file, enum ledger_statement which, sqlite3_stmt **out)
 {
+    CORE_ASSERT(which < LEDGER_STATEMENT_COUNT);
+    CORE_ASSERT(file->db);
     int code = SQLITE_OK;
     if (!file->statement[which]) {
         code = sqlite3_prepare_v3(file->db, ledger_statement_text(which), -1,
@@ -30,44 +39,33 @@ void ledger_file_close(struct ledger_file *file)
 
 /* ---- Writing ------------------------------------------------------------------------------- */
 
-static int put_entries(struct ledger_file *file, const struct ledger_entry *entries, uint32_t count,
-                       struct ledger_content *after)
-{
-    int code = SQLITE_OK;
-    for (uint32_t i = 0; code == SQLITE_OK && i < count; i++) {
-        if (entries[i].id > after->memory.ledger.last_id) {
-            code = ledger_rows_put(file, &entries[i]);
-            ledger_aggregates_note(after, &entries[i]);
-        }
-    }
-    return code == SQLITE_OK ? ledger_aggregates_put(file, &file->content, after) : code;
-}
-
-/* Rolls back and reads the content again, because the entries may have been written in spite of the
- * error, or by another program. The content that this connection reads never includes a transaction
- * whose sync failed. */
-static int undo(struct ledger_file *file, int code)
-{
-    sql_run(file->db, "ROLLBACK");
-    struct ledger_content found;
-    if (ledger_aggregates_read(file, &found) == SQLITE_OK) {
-        file->content = found;
-    }
-    return code;
-}
-
 int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entries, uint32_t count)
 {
+    CORE_ASSERT(file->db && entries);
     struct ledger_content after = file->content;
     int code = file->is_suspect ? ledger_log_secure(file) : SQLITE_OK;
     code = code == SQLITE_OK ? sql_run(file->db, "BEGIN IMMEDIATE") : code;
     if (code != SQLITE_OK) {
         return code;
     }
-    code = put_entries(file, entries, count, &after);
+    for (uint32_t i = 0; code == SQLITE_OK && i < count; i++) {
+        if (entries[i].id > after.memory.ledger.last_id) {
+            code = ledger_rows_put(file, &entries[i]);
+            ledger_aggregates_note(&after, &entries[i]);
+        }
+    }
+    code = code == SQLITE_OK ? ledger_aggregates_put(file, &file->content, &after) : code;
     code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
     if (code != SQLITE_OK) {
-        return undo(file, code);
+        /* Roll back and read the content again, because the entries may have been written in
+         * spite of the error, or by another program. The content that this connection reads
+         * never includes a transaction whose sync failed. */
+        sql_run(file->db, "ROLLBACK");
+        struct ledger_content found;
+        if (ledger_aggregates_read(file, &found) == SQLITE_OK) {
+            file->content = found;
+        }
+        return code;
     }
     file->content = after;
     return ledger_log_result(file, SQLITE_OK);
@@ -96,4 +94,204 @@ const char *ledger_file_error(int code)
            : code == LEDGER_FILE_LINK    ? "is a symbolic link, not a file"
            : code == LEDGER_FILE_FOREIGN ? "not the card that it began with"
                                          : sqlite3_errstr(code);
+}
+
+/* ---- Write-ahead log ------------------------------------------------------------------------- */
+
+/* Makes the write-ahead log durable before its content is used, and copies the log into the
+ * database.
+ *
+ * After a failed fsync() Linux marks the pages clean. A read then returns the new bytes while the
+ * disk keeps the old bytes, and a later fsync() writes nothing and returns 0. A log that is opened
+ * may contain such pages, from this process or from a process that was killed. Therefore each byte
+ * of the log is written again and synced before SQLite may copy the log into the database, and
+ * before an entry from the log counts as stored. Writing equal bytes in place is always safe,
+ * because each sector contains either its old bytes or the bytes that were read.
+ *
+ * The database file needs no such treatment. SQLite restarts the log only after a checkpoint whose
+ * sync succeeded. Until then the log contains every page that the checkpoint copied. A failed
+ * checkpoint is not repeated in the same connection. `is_suspect` stays true until the file is
+ * closed, opened again and made durable. */
+
+/* Number of log pages after which the log is copied into the database. With this limit one
+ * transaction copies at most half a MiB. */
+#define CHECKPOINT_PAGES 128
+/* Number of bytes that are written again at a time. */
+#define CHUNK 4096
+
+/* Commit hook, which SQLite calls after each commit. SQLite's default hook ignores a failed
+ * checkpoint; this hook sets `is_suspect`. */
+static int after_commit(void *context, sqlite3 *db, const char *name, int page_count)
+{
+    struct ledger_file *file = context;
+    if (page_count >= CHECKPOINT_PAGES && !file->is_suspect) {
+        const int code = sqlite3_wal_checkpoint_v2(db, name, SQLITE_CHECKPOINT_PASSIVE, NULL, NULL);
+        file->is_suspect = code != SQLITE_OK && code != SQLITE_BUSY && code != SQLITE_LOCKED;
+    }
+    return SQLITE_OK;
+}
+
+void ledger_log_distrust(struct ledger_file *file)
+{
+    CORE_ASSERT(file->db);
+    file->is_suspect = true;
+    sqlite3_wal_hook(file->db, after_commit, file);
+}
+
+void ledger_log_before_close(struct ledger_file *file)
+{
+    if (file->db) {
+        sqlite3_db_config(file->db, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, (int)file->is_suspect, NULL);
+    }
+}
+
+/* Writes the log again. The write lock prevents another program from restarting the log during the
+ * rewrite. */
+int ledger_log_secure(struct ledger_file *file)
+{
+    CORE_ASSERT(file->db);
+    sqlite3_file *log = NULL;
+    int code = sql_run(file->db, "BEGIN IMMEDIATE");
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    code = sqlite3_file_control(file->db, "main", SQLITE_FCNTL_JOURNAL_POINTER, &log);
+    code = code == SQLITE_OK && (!log || !log->pMethods) ? SQLITE_IOERR : code;
+    if (code == SQLITE_OK) {
+        uint8_t bytes[CHUNK];
+        sqlite3_int64 size = 0;
+        code = log->pMethods->xFileSize(log, &size);
+        for (sqlite3_int64 at = 0; code == SQLITE_OK && at < size; at += CHUNK) {
+            const int count = size - at < CHUNK ? (int)(size - at) : CHUNK;
+            code = log->pMethods->xRead(log, bytes, count, at);
+            code = code == SQLITE_OK ? log->pMethods->xWrite(log, bytes, count, at) : code;
+        }
+        code = code == SQLITE_OK && size > 0 ? log->pMethods->xSync(log, SQLITE_SYNC_NORMAL) : code;
+    }
+    if (code == SQLITE_OK) {
+        /* Sync the folder of the database, because SQLite ignores an error when it syncs the
+         * folder for a new log. */
+        const char *path = sqlite3_db_filename(file->db, "main");
+        code = !path || !path[0] || file_sync_parent(path) == 0 ? SQLITE_OK : SQLITE_IOERR;
+    }
+    sql_run(file->db, "ROLLBACK");
+    file->is_suspect = code != SQLITE_OK;
+    return code & 0xff; /* The low byte is SQLite's primary code. The extended code is dropped. */
+}
+
+int ledger_log_result(const struct ledger_file *file, int code)
+{
+    return code == SQLITE_OK && file->is_suspect ? SQLITE_IOERR : code;
+}
+
+/* ---- Replays and old data -------------------------------------------------------------------- */
+
+/* Stores the replays of ranked rounds and deletes old data. */
+
+/* SQL text that deletes old data. Entries are deleted in large groups, so that most calls write
+ * nothing. */
+static const char prune[] =
+    "BEGIN IMMEDIATE;"
+    "DELETE FROM replays WHERE round NOT IN (SELECT round FROM ranking WHERE caught > 0);"
+    "DELETE FROM entries WHERE id + 32768 <= (SELECT max(id) FROM entries) AND"
+    " (SELECT max(id) - min(id) FROM entries) >= 32768 + 256;"
+    "DELETE FROM round_players WHERE round <="
+    " (SELECT entry FROM rounds ORDER BY entry DESC LIMIT 1 OFFSET 65536)"
+    " AND round NOT IN (SELECT round FROM ranking);"
+    "DELETE FROM rounds WHERE entry <="
+    " (SELECT entry FROM rounds ORDER BY entry DESC LIMIT 1 OFFSET 65536)"
+    " AND entry NOT IN (SELECT round FROM ranking);"
+    "COMMIT";
+
+_Static_assert(LEDGER_FILE_ENTRIES == 32768u && LEDGER_FILE_ROUNDS == 65536u, "as prune says");
+
+int ledger_file_prune(struct ledger_file *file)
+{
+    CORE_ASSERT(file->db);
+    const int code = sql_run(file->db, prune);
+    if (code != SQLITE_OK) {
+        sql_run(file->db, "ROLLBACK");
+    }
+    return ledger_log_result(file, code);
+}
+
+int ledger_file_put_replay(struct ledger_file *file, uint32_t round_id, const void *bytes,
+                           size_t size)
+{
+    CORE_ASSERT(bytes);
+    const int64_t round = round_id;
+    sqlite3_stmt *put = NULL;
+    int code = ledger_statement(file, PUT_REPLAY, &put);
+    if (code == SQLITE_OK) {
+        sqlite3_bind_blob64(put, 2, bytes, size, SQLITE_STATIC);
+        code = sql_put_one(put, &round, 1);
+        sqlite3_clear_bindings(put);
+    }
+    return ledger_log_result(file, code);
+}
+
+int ledger_file_get_replay(struct ledger_file *file, uint32_t round_id, void *bytes, size_t size,
+                           size_t *size_out)
+{
+    CORE_ASSERT(bytes && size_out);
+    sqlite3_stmt *get = NULL;
+    int code = ledger_statement(file, GET_REPLAY, &get);
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    sqlite3_bind_int64(get, 1, round_id);
+    code = sqlite3_step(get);
+    if (code == SQLITE_ROW) {
+        const void *blob = sqlite3_column_blob(get, 0);
+        *size_out = (size_t)sqlite3_column_bytes(get, 0);
+        code = *size_out > size ? SQLITE_TOOBIG : blob ? SQLITE_OK : SQLITE_NOMEM;
+        if (code == SQLITE_OK) {
+            memcpy(bytes, blob, *size_out);
+        }
+    } else if (code == SQLITE_DONE) {
+        code = SQLITE_NOTFOUND;
+    }
+    sqlite3_reset(get);
+    return code;
+}
+
+int ledger_file_next_replay(struct ledger_file *file, uint32_t round_id, uint32_t *out)
+{
+    char text[120];
+    int64_t next = 0;
+    snprintf(text, sizeof text,
+             "SELECT coalesce(min(round), 0) FROM replays WHERE round > %u AND round <= %u",
+             round_id, UINT32_MAX);
+    const int code = sql_number(file->db, text, &next);
+    *out = (uint32_t)next;
+    return code == SQLITE_OK && next == 0 ? SQLITE_NOTFOUND : code;
+}
+
+int ledger_file_renew_replay(struct ledger_file *file, uint32_t round_id, const void *bytes,
+                             size_t size)
+{
+    int code = sql_run(file->db, "PRAGMA secure_delete = ON; BEGIN IMMEDIATE");
+    if (code != SQLITE_OK) {
+        return code;
+    }
+    code = ledger_pin_mark(file);
+    code = code == SQLITE_OK ? ledger_file_put_replay(file, round_id, bytes, size) : code;
+    code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
+    code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
+    if (code != SQLITE_OK) {
+        sql_run(file->db, "ROLLBACK");
+    }
+    return ledger_log_result(file, code);
+}
+
+int ledger_file_has_replay(struct ledger_file *file, uint32_t round_id)
+{
+    sqlite3_stmt *has = NULL;
+    if (ledger_statement(file, HAS_REPLAY, &has) != SQLITE_OK) {
+        return 0;
+    }
+    sqlite3_bind_int64(has, 1, round_id);
+    const int code = sqlite3_step(has);
+    sqlite3_reset(has);
+    return code == SQLITE_ROW;
 }

@@ -76,7 +76,7 @@ struct ledger_file {
     struct sqlite3_stmt *statement[LEDGER_STATEMENT_COUNT];
     struct ledger_content content;
     bool is_suspect; /* True if a sync may have failed. The write-ahead log must then be written
-                        again (ledger_log.c) before SQLite copies the log into the database. */
+                        again (ledger_file.c) before SQLite copies the log into the database. */
     int refusal;     /* Reason why the file is read-only. 0 means that the file can be written.
                         SQLITE_FULL means that the card has no space for the log's index. Other
                         values are SQLITE_READONLY, or the reason why a damaged file could not be
@@ -116,7 +116,7 @@ struct ledger_foreign {
  * or if the schema cannot be read. */
 bool ledger_schema_foreign(struct sqlite3 *db, struct ledger_foreign *out);
 
-/* ledger_log.c: writes the whole write-ahead log again, and syncs the log and its folder. All data
+/* ledger_file.c: writes the whole write-ahead log again, and syncs the log and its folder. All data
  * that are read from the log afterwards are on disk. Returns SQLITE_BUSY while another program
  * holds the write lock. After an error `is_suspect` stays true. */
 int ledger_log_secure(struct ledger_file *file);

@@ -13,7 +13,7 @@
 int ledger_statement(struct ledger_file *file, enum ledger_statement which,
                      struct sqlite3_stmt **out);
 
-/* ledger_log.c: ledger_log_distrust() disables copying of the write-ahead log into the database
+/* ledger_file.c: ledger_log_distrust() disables copying of the write-ahead log into the database
  * until ledger_log_secure() succeeds. ledger_log_before_close() also disables the copy that SQLite
  * makes at closing. */
 void ledger_log_distrust(struct ledger_file *file);
@@ -28,7 +28,7 @@ const char *ledger_statement_text(enum ledger_statement which);
  * an SQLite code. */
 int ledger_schema_raise(struct ledger_file *file, int version);
 
-/* ledger_tables.c: creates all tables of `version`. If `name` is not null, creates only the table
+/* ledger_schema.c: creates all tables of `version`. If `name` is not null, creates only the table
  * `name`. Returns an SQLite code. */
 int ledger_tables_make(struct sqlite3 *db, int version, const char *name);
 
@@ -43,13 +43,13 @@ int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry);
  * code. */
 int ledger_rows_put_value(struct ledger_file *file, const struct ledger_entry *entry);
 
-/* ledger_pin.c: hides each PIN that settings or entries contain as plain digits (core/pin.h).
+/* ledger_open.c: hides each PIN that settings or entries contain as plain digits (core/pin.h).
  * Removes the old bytes from free pages and from the log. Returns an SQLite code; after an error
  * the next open tries again. Replays of an older version may still contain the PIN until
- * platform/kiosk/pin_sweep.h has replaced them. */
+ * platform/kiosk/recorder/pin_sweep.h has replaced them. */
 int ledger_pin_hide(struct ledger_file *file);
 
-/* ledger_pin.c: marks the file, inside the caller's transaction, as possibly containing old bytes
+/* ledger_open.c: marks the file, inside the caller's transaction, as possibly containing old bytes
  * of a PIN. The next ledger_pin_hide() then rewrites the file. The caller must update the
  * checksums. */
 int ledger_pin_mark(struct ledger_file *file);
@@ -71,7 +71,7 @@ int ledger_aggregates_read(struct ledger_file *file, struct ledger_content *out)
 /* First file version in which the tables have checksums. */
 #define LEDGER_CHECKSUM_VERSION 4
 
-/* ledger_checksum.c: writes the table checksums, inside the caller's transaction and after its
+/* ledger_aggregates.c: writes the table checksums, inside the caller's transaction and after its
  * changes. Returns an SQLite code. */
 int ledger_checksum_put(struct sqlite3 *db);
 /* Verifies the table checksums. Returns SQLITE_CORRUPT if settings, audits or ranking differ from

@@ -1,6 +1,7 @@
 /* ledger_mirror.c -- writes and reads the ledger mirror, a file with one sector per entry; see
- * ledger_mirror.h. */
-#include "platform/store/sqlite/ledger_mirror.h"
+ * ledger_recovery.h. */
+#include "core/base/panic.h"
+#include "platform/store/sqlite/ledger_recovery.h"
 
 #include <fcntl.h>
 #include <stddef.h>
@@ -44,6 +45,7 @@ static off_t offset_of(uint32_t id)
 
 static bool read_slot_as_is(const struct ledger_mirror *tail, uint32_t index, struct slot *slot)
 {
+    CORE_ASSERT(index < LEDGER_MIRROR_SLOTS);
     if (pread(tail->handle, slot, sizeof *slot, offset_of(index)) != (ssize_t)sizeof *slot ||
         (slot->version != SLOT_VERSION && slot->version != SLOT_VERSION_4) ||
         slot->size != sizeof slot->entry || slot->sum != sum_of(slot) ||
@@ -139,6 +141,7 @@ struct ledger_mirror ledger_mirror_inspect(const char *path)
 
 void ledger_mirror_close(struct ledger_mirror *tail)
 {
+    CORE_ASSERT(tail->handle >= 0);
     if (tail->handle > 0) {
         close(tail->handle);
     }
@@ -149,6 +152,7 @@ void ledger_mirror_close(struct ledger_mirror *tail)
 
 static int write_slot(struct ledger_mirror *tail, const struct ledger_entry *entry)
 {
+    CORE_ASSERT(entry->id > 0);
     uint8_t sector[LEDGER_MIRROR_SLOT_SIZE] = { 0 };
     struct slot slot;
     memset(&slot, 0, sizeof slot);
@@ -180,6 +184,7 @@ static int hide_pins(struct ledger_mirror *tail)
 int ledger_mirror_write(struct ledger_mirror *tail, const struct ledger_entry *entries,
                         uint32_t count)
 {
+    CORE_ASSERT(tail->handle > 0);
     int result = 0;
     for (uint32_t i = 0; result == 0 && i < count; i++) {
         result = write_slot(tail, &entries[i]);

@@ -1,5 +1,5 @@
-/* ledger_open.c -- opens, validates, migrates and reads the database. A database that cannot be
- * written is opened read-only. */
+/* ledger_open.c -- opens, validates, migrates and reads the database, and hides a PIN that an older
+ * version stored as plain digits. A database that cannot be written is opened read-only. */
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,6 +7,7 @@
 
 #include <sqlite3.h>
 
+#include "core/pin.h"
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
@@ -16,7 +17,7 @@
 
 /* Journal mode and synchronous mode: a write-ahead log with a sync per transaction. Of all journals
  * that lose no data in a power cut, this journal has the fewest writes and syncs (`make
- * bench-journals`). A rollback journal at EXTRA needs three times as many syncs. ledger_log.c
+ * bench-journals`). A rollback journal at EXTRA needs three times as many syncs. ledger_file.c
  * copies the log into the database. cache_size is the memory in KiB that one transaction needs. */
 #define JOURNAL "WAL FULL"
 static const char settings[] = "PRAGMA cache_size = -1024";
@@ -69,24 +70,6 @@ static int as_damage(int code)
                : code;
 }
 
-/* Runs SQLite's integrity check, which finds most damage. Returns SQLITE_CORRUPT if the check
- * fails. */
-static int check_pages(sqlite3 *db)
-{
-    sqlite3_stmt *check = NULL;
-    int code = sqlite3_prepare_v2(db, "PRAGMA quick_check(1)", -1, &check, NULL);
-    if (code == SQLITE_OK) {
-        code = sqlite3_step(check);
-        if (code == SQLITE_ROW) {
-            const unsigned char *verdict = sqlite3_column_text(check, 0);
-            const bool good = verdict && strcmp((const char *)verdict, "ok") == 0;
-            code = good ? SQLITE_OK : SQLITE_CORRUPT;
-        }
-    }
-    sqlite3_finalize(check);
-    return code;
-}
-
 /* The schema is validated first, because the page check evaluates expressions of the schema. */
 int ledger_check(sqlite3 *db)
 {
@@ -96,7 +79,20 @@ int ledger_check(sqlite3 *db)
         return LEDGER_FILE_NEWER;
     }
     code = code == SQLITE_OK ? ledger_schema_check(db, version) : code;
-    code = code == SQLITE_OK ? check_pages(db) : code;
+    if (code == SQLITE_OK) {
+        /* SQLite's integrity check finds most damage. */
+        sqlite3_stmt *check = NULL;
+        code = sqlite3_prepare_v2(db, "PRAGMA quick_check(1)", -1, &check, NULL);
+        if (code == SQLITE_OK) {
+            code = sqlite3_step(check);
+            if (code == SQLITE_ROW) {
+                const unsigned char *verdict = sqlite3_column_text(check, 0);
+                const bool good = verdict && strcmp((const char *)verdict, "ok") == 0;
+                code = good ? SQLITE_OK : SQLITE_CORRUPT;
+            }
+        }
+        sqlite3_finalize(check);
+    }
     if (code == SQLITE_OK && version >= LEDGER_CHECKSUM_VERSION) {
         code = ledger_checksum_check(db);
     }
@@ -104,18 +100,6 @@ int ledger_check(sqlite3 *db)
 }
 
 /* ---- Opening ------------------------------------------------------------------------------- */
-
-/* Prepares all statements, so that a file in which a statement fails is detected when it is opened.
- * Returns an SQLite code. */
-static int prepare_all(struct ledger_file *file)
-{
-    sqlite3_stmt *statement;
-    int code = SQLITE_OK;
-    for (uint32_t i = 0; code == SQLITE_OK && i < LEDGER_STATEMENT_COUNT; i++) {
-        code = ledger_statement(file, (enum ledger_statement)i, &statement);
-    }
-    return code;
-}
 
 static int read_version(struct ledger_file *file, int64_t *version)
 {
@@ -143,25 +127,6 @@ static int bring_up_to_date(struct ledger_file *file)
     return code;
 }
 
-static int raise_version(struct ledger_file *file, int64_t version)
-{
-    if (version > LEDGER_FILE_VERSION) {
-        return LEDGER_FILE_NEWER;
-    }
-    if (version == LEDGER_FILE_VERSION) {
-        return SQLITE_OK;
-    }
-    return file->refusal ? file->refusal : bring_up_to_date(file);
-}
-
-/* Hides the PIN. If the card has no space, the next start tries again, and the plain PIN opens the
- * menu until then. */
-static int hide_pin(struct ledger_file *file)
-{
-    const int code = file->refusal ? SQLITE_OK : ledger_pin_hide(file);
-    return code == SQLITE_CORRUPT || code == SQLITE_NOTADB ? code : SQLITE_OK;
-}
-
 /* Validates and reads an open connection. A damaged file or a file of a newer version is not
  * changed. Returns an SQLite code or an error code of ledger_file.h. */
 static int ledger_open_begin(struct ledger_file *file, const struct ledger_file_options *how)
@@ -183,9 +148,24 @@ static int ledger_open_begin(struct ledger_file *file, const struct ledger_file_
     if (code != SQLITE_OK) {
         return code;
     }
-    code = raise_version(file, version);
-    code = code == SQLITE_OK ? hide_pin(file) : code;
-    code = code == SQLITE_OK ? prepare_all(file) : code;
+    code = version > LEDGER_FILE_VERSION    ? LEDGER_FILE_NEWER
+           : version == LEDGER_FILE_VERSION ? SQLITE_OK
+           : file->refusal                  ? file->refusal
+                                            : bring_up_to_date(file);
+    if (code == SQLITE_OK) {
+        /* If the card has no space, the next start tries again, and the plain PIN opens the menu
+         * until then. */
+        code = file->refusal ? SQLITE_OK : ledger_pin_hide(file);
+        code = code == SQLITE_CORRUPT || code == SQLITE_NOTADB ? code : SQLITE_OK;
+    }
+    if (code == SQLITE_OK) {
+        /* Prepare all statements, so that a file in which a statement fails is detected when it
+         * is opened. */
+        sqlite3_stmt *statement;
+        for (uint32_t i = 0; code == SQLITE_OK && i < LEDGER_STATEMENT_COUNT; i++) {
+            code = ledger_statement(file, (enum ledger_statement)i, &statement);
+        }
+    }
     return as_damage(code == SQLITE_OK ? ledger_aggregates_read(file, &file->content) : code);
 }
 
@@ -222,21 +202,6 @@ static bool is_full(struct ledger_file *file, int code)
            (code == SQLITE_IOERR && sqlite3_extended_errcode(file->db) == SQLITE_IOERR_SHMSIZE);
 }
 
-/* Opens a file on a full card, with the log's index in memory. Only one program at a time may open
- * a file in this way. Other programs must wait until the file is closed. If the file had a log,
- * `is_suspect` stays true because the log cannot be written again. */
-static int open_full(struct ledger_file *file, const char *path,
-                     const struct ledger_file_options *how)
-{
-    const bool had_log = has_log(path);
-    int code = sql_open(path, SQLITE_OPEN_READWRITE, how ? how->vfs : NULL, &file->db);
-    code = code == SQLITE_OK ? sql_run(file->db, "PRAGMA locking_mode = EXCLUSIVE") : code;
-    file->refusal = SQLITE_FULL;
-    code = code == SQLITE_OK ? ledger_open_begin(file, how) : code;
-    file->is_suspect = had_log;
-    return code;
-}
-
 int ledger_file_open(struct ledger_file *file, const char *path,
                      const struct ledger_file_options *how)
 {
@@ -251,7 +216,12 @@ int ledger_file_open(struct ledger_file *file, const char *path,
         file->is_suspect = false;
     } else if (is_full(file, code)) {
         ledger_file_close(file);
-        code = open_full(file, path, how);
+        const bool had_log = has_log(path);
+        code = sql_open(path, SQLITE_OPEN_READWRITE, how ? how->vfs : NULL, &file->db);
+        code = code == SQLITE_OK ? sql_run(file->db, "PRAGMA locking_mode = EXCLUSIVE") : code;
+        file->refusal = SQLITE_FULL;
+        code = code == SQLITE_OK ? ledger_open_begin(file, how) : code;
+        file->is_suspect = had_log;
     }
     if (code != SQLITE_OK) {
         ledger_file_close(file);
@@ -282,5 +252,114 @@ int ledger_file_inspect(struct ledger_file *file, const char *path)
     if (code != SQLITE_OK) {
         ledger_file_close(file);
     }
+    return code;
+}
+
+/* ---- Hiding a PIN ---------------------------------------------------------------------------- */
+
+/* Hides a PIN that an older version stored as plain digits.
+ *
+ * The digits are in the PIN setting and in each entry that records a change of the PIN setting.
+ * All copies of a PIN are hidden with the same salt. Settings that are rebuilt from the entries
+ * are therefore equal to the stored settings. Old bytes remain in free pages and in gaps of pages.
+ * VACUUM rewrites the file, and the following checkpoint empties the log. Each of the two steps
+ * may fail after the rows were committed. Therefore a row of `state` marks the file until both
+ * steps have succeeded. */
+
+/* Name of the `state` row that exists while old bytes of a PIN may be in the file. */
+#define MARK "'pin-vacuum'"
+/* SQL text that selects the entries with a PIN as plain digits. */
+#define PLAIN_ENTRIES "FROM entries WHERE kind = %d AND detail = %d AND count = 0 AND value > 0"
+
+/* Hides the PIN in its entries. The entries are few: one for each PIN that was ever set. Returns an
+ * SQLite code. */
+static int hide_entries(struct ledger_file *file, uint32_t salt)
+{
+    struct ledger_entry entry;
+    char text[160];
+    int64_t id = 0;
+    int code;
+    snprintf(text, sizeof text, "SELECT coalesce(max(id), 0) " PLAIN_ENTRIES, LEDGER_SETTING,
+             SET_PIN);
+    while ((code = sql_number(file->db, text, &id)) == SQLITE_OK && id > 0) {
+        code = ledger_file_entry(file, (uint32_t)id, &entry);
+        if (code == SQLITE_OK) {
+            entry.value = pin_is_plain(entry.value) ? pin_hide((uint32_t)entry.value, salt) : 0;
+            code = ledger_rows_put_value(file, &entry);
+        }
+        if (code != SQLITE_OK) {
+            return code;
+        }
+    }
+    return code;
+}
+
+static int end_transaction(struct ledger_file *file, int code)
+{
+    code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
+    if (code != SQLITE_OK) {
+        sql_run(file->db, "ROLLBACK");
+    }
+    return code;
+}
+
+int ledger_pin_mark(struct ledger_file *file)
+{
+    return sql_run(file->db, "INSERT OR REPLACE INTO state VALUES (" MARK ", 1)");
+}
+
+int ledger_pin_hide(struct ledger_file *file)
+{
+    uint32_t salt = 0;
+    int64_t reasons = 0;
+    /* Count the rows because of which the file must be rewritten: rows with a plain PIN and the
+     * row MARK. */
+    char text[320];
+    snprintf(text, sizeof text,
+             "SELECT (SELECT count(*) " PLAIN_ENTRIES ") +"
+             " (SELECT count(*) FROM settings WHERE name = 'pin' AND value BETWEEN 1 AND %d) +"
+             " (SELECT count(*) FROM state WHERE name = " MARK ")",
+             LEDGER_SETTING, SET_PIN, PIN_MAX);
+    int code = sql_number(file->db, text, &reasons);
+    if (code != SQLITE_OK || reasons == 0) {
+        return code;
+    }
+    sqlite3_randomness(sizeof salt, &salt);
+    code = sql_run(file->db, "PRAGMA secure_delete = ON; BEGIN IMMEDIATE");
+    if (code == SQLITE_OK) {
+        code = ledger_pin_mark(file);
+        code = code == SQLITE_OK ? hide_entries(file, salt) : code;
+        if (code == SQLITE_OK) {
+            char change[120];
+            int64_t kept = 0;
+            code = sql_number(file->db, "SELECT value FROM settings WHERE name = 'pin'", &kept);
+            if (code == SQLITE_OK && pin_is_plain((int32_t)kept)) {
+                snprintf(change, sizeof change, "UPDATE settings SET value = %d WHERE name = 'pin'",
+                         pin_hide((uint32_t)kept, salt));
+                code = sql_run(file->db, change);
+            }
+            code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
+        }
+        code = end_transaction(file, code);
+    }
+    if (code == SQLITE_OK) {
+        /* Rewrite the file with VACUUM. VACUUM attaches its new file, which a limit of
+         * sql_open() forbids. The limit is raised for this call. */
+        sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 1);
+        code = sql_run(file->db, "VACUUM");
+        sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 0);
+        code = code == SQLITE_OK ? sqlite3_wal_checkpoint_v2(file->db, "main",
+                                                             SQLITE_CHECKPOINT_TRUNCATE, NULL, NULL)
+                                 : code;
+    }
+    if (code == SQLITE_OK) {
+        code = sql_run(file->db, "BEGIN IMMEDIATE");
+        if (code == SQLITE_OK) {
+            code = sql_run(file->db, "DELETE FROM state WHERE name = " MARK);
+            code = code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
+            code = end_transaction(file, code);
+        }
+    }
+    file->is_suspect = file->is_suspect || (code != SQLITE_OK && code != SQLITE_BUSY);
     return code;
 }

@@ -4,6 +4,7 @@
 
 #include <sqlite3.h>
 
+#include "core/base/panic.h"
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
@@ -28,24 +29,21 @@ struct salvage {
 
 /* ---- Comparison of two ledgers ------------------------------------------------------------- */
 
-static enum ledger_relation kin_of(const struct ledger_entry *one, const struct ledger_entry *other)
-{
-    return one->boot == other->boot && one->tick == other->tick && one->kind == other->kind &&
-                   one->day == other->day && one->minute == other->minute
-               ? LEDGER_RELATION_SAME
-               : LEDGER_RELATION_OTHER;
-}
-
 static enum ledger_relation find_kin(struct ledger_file *file, uint32_t last_id,
                                      const struct ledger_mirror *tail, struct ledger_file *other)
 {
+    CORE_ASSERT((tail == 0) != (other == 0));
     struct ledger_entry ours, theirs;
     for (uint32_t i = 0; i < LEDGER_MIRROR_SLOTS && i < last_id; i++) {
         const uint32_t id = last_id - i;
         const bool has = tail ? ledger_mirror_entry(tail, id, &theirs)
                               : ledger_file_entry(other, id, &theirs) == SQLITE_OK;
         if (has && ledger_file_entry(file, id, &ours) == SQLITE_OK) {
-            return kin_of(&ours, &theirs);
+            return ours.boot == theirs.boot && ours.tick == theirs.tick &&
+                           ours.kind == theirs.kind && ours.day == theirs.day &&
+                           ours.minute == theirs.minute
+                       ? LEDGER_RELATION_SAME
+                       : LEDGER_RELATION_OTHER;
         }
     }
     return LEDGER_RELATION_UNKNOWN;
@@ -63,16 +61,6 @@ enum ledger_relation ledger_recovery_relation_of_file(struct ledger_file *file, 
     return find_kin(file, last_id, NULL, other);
 }
 
-/* Returns true if the mirror is newer than `content`, or if the mirror is empty. Called only if the
- * mirror and the ledger have no common entry. */
-static bool comes_later(const struct ledger_content *content, const struct ledger_mirror *tail)
-{
-    struct ledger_entry newest;
-    return !ledger_mirror_entry(tail, ledger_mirror_last_id(tail), &newest) ||
-           newest.boot > content->memory.ledger.boots ||
-           (newest.boot == content->memory.ledger.boots && newest.tick >= content->tick);
-}
-
 static bool has_others_tail(struct salvage *salvage)
 {
     const struct ledger_content *content = &salvage->to->content;
@@ -85,8 +73,14 @@ static bool has_others_tail(struct salvage *salvage)
     if (kin == LEDGER_RELATION_UNKNOWN && salvage->to->db) {
         kin = ledger_recovery_relation_of_mirror(salvage->to, last_id, salvage->tail);
     }
+    /* Without a common entry, the mirror belongs to a foreign ledger if the mirror is older than
+     * `content`. An empty mirror is accepted. */
+    struct ledger_entry newest;
     return kin == LEDGER_RELATION_OTHER ||
-           (kin == LEDGER_RELATION_UNKNOWN && !comes_later(content, salvage->tail));
+           (kin == LEDGER_RELATION_UNKNOWN &&
+            !(!ledger_mirror_entry(salvage->tail, ledger_mirror_last_id(salvage->tail), &newest) ||
+              newest.boot > content->memory.ledger.boots ||
+              (newest.boot == content->memory.ledger.boots && newest.tick >= content->tick)));
 }
 
 /* ---- Range of ids -------------------------------------------------------------------------- */
@@ -96,26 +90,6 @@ static bool reads_well(struct salvage *salvage, int64_t id)
     struct ledger_entry entry;
     return id > 0 && id <= UINT32_MAX &&
            ledger_file_entry(&salvage->from, (uint32_t)id, &entry) == SQLITE_OK;
-}
-
-/* Reads the smallest and the largest id of the damaged file, and limits the range to plausible
- * values. */
-static void find_ends(struct salvage *salvage)
-{
-    int64_t min = 0, max = 0;
-    sqlite3 *db = salvage->from.db;
-    const bool has_min = sql_number(db, "SELECT min(id) FROM entries", &min) == SQLITE_OK &&
-                         reads_well(salvage, min);
-    const bool has_max =
-        sql_number(db, "SELECT max(id) FROM entries", &max) == SQLITE_OK && max >= 0;
-    if (has_min && min > salvage->first) {
-        salvage->first = (uint32_t)min;
-    }
-    if (has_max && max > (int64_t)salvage->first + SALVAGE_MAX && reads_well(salvage, max)) {
-        salvage->first = (uint32_t)max - SALVAGE_MAX;
-    }
-    salvage->knows_last = has_max && max <= (int64_t)salvage->first + SALVAGE_MAX;
-    salvage->last = salvage->knows_last ? (uint32_t)max : salvage->first + SALVAGE_MAX;
 }
 
 /* Extends the range of ids to the end of the mirror. The mirror is written before an entry is
@@ -139,14 +113,9 @@ static void reach_to_tail(struct salvage *salvage)
 
 /* ---- Recovery of entries ------------------------------------------------------------------- */
 
-static bool read_either(struct salvage *salvage, uint32_t id, struct ledger_entry *out)
-{
-    return (salvage->has_from && ledger_file_entry(&salvage->from, id, out) == SQLITE_OK) ||
-           ledger_mirror_entry(salvage->tail, id, out);
-}
-
 static int write_salvaged(struct salvage *salvage)
 {
+    CORE_ASSERT(salvage->count <= BATCH);
     struct ledger_file *to = salvage->to;
     int code = SQLITE_OK;
     if (to->refusal) {
@@ -165,7 +134,9 @@ static int salvage_entries(struct salvage *salvage)
 {
     int code = SQLITE_OK;
     for (uint32_t id = salvage->first; code == SQLITE_OK && id <= salvage->last; id++) {
-        if (read_either(salvage, id, &salvage->entries[salvage->count]) &&
+        struct ledger_entry *out = &salvage->entries[salvage->count];
+        if (((salvage->has_from && ledger_file_entry(&salvage->from, id, out) == SQLITE_OK) ||
+             ledger_mirror_entry(salvage->tail, id, out)) &&
             ++salvage->count == BATCH) {
             code = write_salvaged(salvage);
         }
@@ -173,19 +144,10 @@ static int salvage_entries(struct salvage *salvage)
     return code == SQLITE_OK ? write_salvaged(salvage) : code;
 }
 
-static void open_from(struct salvage *salvage, const char *path)
-{
-    static const char any[] = "SELECT count(*) FROM sqlite_schema WHERE name = 'entries'"
-                              " AND type = 'table' AND sql LIKE 'CREATE TABLE%'";
-    int64_t has_entries = 0;
-    salvage->has_from =
-        path && sql_open(path, SQLITE_OPEN_READONLY, NULL, &salvage->from.db) == SQLITE_OK &&
-        sql_number(salvage->from.db, any, &has_entries) == SQLITE_OK && has_entries;
-}
-
 int ledger_recover(const char *path, const struct ledger_mirror *tail, struct ledger_file *to,
                    struct ledger_recovered *out)
 {
+    CORE_ASSERT(tail && out);
     static const struct ledger_mirror none;
     const uint32_t before_id = to->content.memory.ledger.last_id;
     struct salvage salvage = { .from = { .refusal = SQLITE_READONLY },
@@ -194,9 +156,29 @@ int ledger_recover(const char *path, const struct ledger_mirror *tail, struct le
                                .first = before_id + 1u,
                                .last = before_id,
                                .knows_last = true };
-    open_from(&salvage, path);
+    static const char any[] = "SELECT count(*) FROM sqlite_schema WHERE name = 'entries'"
+                              " AND type = 'table' AND sql LIKE 'CREATE TABLE%'";
+    int64_t has_entries = 0;
+    salvage.has_from = path &&
+                       sql_open(path, SQLITE_OPEN_READONLY, NULL, &salvage.from.db) == SQLITE_OK &&
+                       sql_number(salvage.from.db, any, &has_entries) == SQLITE_OK && has_entries;
     if (salvage.has_from) {
-        find_ends(&salvage);
+        /* Read the smallest and the largest id of the damaged file, and limit the range to
+         * plausible values. */
+        int64_t min = 0, max = 0;
+        sqlite3 *db = salvage.from.db;
+        const bool has_min = sql_number(db, "SELECT min(id) FROM entries", &min) == SQLITE_OK &&
+                             reads_well(&salvage, min);
+        const bool has_max =
+            sql_number(db, "SELECT max(id) FROM entries", &max) == SQLITE_OK && max >= 0;
+        if (has_min && min > salvage.first) {
+            salvage.first = (uint32_t)min;
+        }
+        if (has_max && max > (int64_t)salvage.first + SALVAGE_MAX && reads_well(&salvage, max)) {
+            salvage.first = (uint32_t)max - SALVAGE_MAX;
+        }
+        salvage.knows_last = has_max && max <= (int64_t)salvage.first + SALVAGE_MAX;
+        salvage.last = salvage.knows_last ? (uint32_t)max : salvage.first + SALVAGE_MAX;
     }
     if (has_others_tail(&salvage)) {
         salvage.done.has_others_tail = true;

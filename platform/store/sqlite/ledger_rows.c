@@ -4,12 +4,13 @@
 #include <sqlite3.h>
 
 #include "core/base/hash.h"
+#include "core/base/panic.h"
 #include "core/game/accounting/ledger_range.h"
 #include "core/game/accounting/round_standing.h"
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 
-/* A new field of struct balance also needs a column (ledger_tables.c), code in this file, and a
+/* A new field of struct balance also needs a column (ledger_schema.c), code in this file, and a
  * term in entry_sum(). */
 _Static_assert(sizeof(struct balance) == 24, "a field of the purse is not kept");
 _Static_assert(sizeof(struct health) == 12, "a field of the health is not kept");
@@ -99,39 +100,6 @@ static int put_entry(struct ledger_file *file, const struct ledger_entry *entry)
     return sql_put_one(put, values, COUNT(values));
 }
 
-static int put_round(struct ledger_file *file, const struct ledger_entry *entry)
-{
-    const struct round_record *round = &entry->round;
-    const int64_t values[] = { entry->id,       entry->boot,       entry->day,      entry->minute,
-                               round->seed,     round->start_tick, round->end_tick, round->caught,
-                               round->by_bot,   round->mode,       round->grade,    round->players,
-                               round->unscored, round->fish_count, round->round_s,  round->preset };
-    sqlite3_stmt *put = NULL;
-    const int code = ledger_statement(file, PUT_ROUND, &put);
-    return code == SQLITE_OK ? sql_put_one(put, values, COUNT(values)) : code;
-}
-
-static int put_players(struct ledger_file *file, const struct ledger_entry *entry)
-{
-    sqlite3_stmt *put = NULL;
-    int code = ledger_statement(file, PUT_PLAYER, &put);
-    for (uint32_t i = 0; code == SQLITE_OK && i < POI_MAX; i++) {
-        const struct player_record *player = &entry->round.player[i];
-        const int64_t values[] = { entry->id,
-                                   i,
-                                   player->caught,
-                                   player->scoops,
-                                   player->hole_area_mm2,
-                                   player->torn_tick,
-                                   player->sheets,
-                                   player->fouls };
-        if (entry->round.players >> i & 1u) {
-            code = sql_put_one(put, values, COUNT(values));
-        }
-    }
-    return code;
-}
-
 /* Stores a player's name. An empty name revokes the player's earlier names, which are then also
  * erased in the ledger's entries. Returns an SQLite code. */
 static int put_name(struct ledger_file *file, const struct ledger_entry *entry)
@@ -164,10 +132,37 @@ int ledger_rows_put_value(struct ledger_file *file, const struct ledger_entry *e
 
 int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry)
 {
+    CORE_ASSERT(entry->id > 0);
     int code = put_entry(file, entry);
     if (code == SQLITE_OK && entry->kind == LEDGER_ROUND) {
-        code = put_round(file, entry);
-        code = code == SQLITE_OK ? put_players(file, entry) : code;
+        const struct round_record *round = &entry->round;
+        const int64_t values[] = { entry->id,       entry->boot,       entry->day,
+                                   entry->minute,   round->seed,       round->start_tick,
+                                   round->end_tick, round->caught,     round->by_bot,
+                                   round->mode,     round->grade,      round->players,
+                                   round->unscored, round->fish_count, round->round_s,
+                                   round->preset };
+        sqlite3_stmt *put = NULL;
+        code = ledger_statement(file, PUT_ROUND, &put);
+        code = code == SQLITE_OK ? sql_put_one(put, values, COUNT(values)) : code;
+        if (code == SQLITE_OK) {
+            sqlite3_stmt *put_player = NULL;
+            code = ledger_statement(file, PUT_PLAYER, &put_player);
+            for (uint32_t i = 0; code == SQLITE_OK && i < POI_MAX; i++) {
+                const struct player_record *player = &entry->round.player[i];
+                const int64_t columns[] = { entry->id,
+                                            i,
+                                            player->caught,
+                                            player->scoops,
+                                            player->hole_area_mm2,
+                                            player->torn_tick,
+                                            player->sheets,
+                                            player->fouls };
+                if (entry->round.players >> i & 1u) {
+                    code = sql_put_one(put_player, columns, COUNT(columns));
+                }
+            }
+        }
     } else if (code == SQLITE_OK && entry->kind == LEDGER_NAME) {
         code = put_name(file, entry);
     }
@@ -206,25 +201,6 @@ static struct ledger_entry entry_of(sqlite3_stmt *row)
     };
     sql_text(row, 18, entry.name, sizeof entry.name);
     return entry;
-}
-
-static int read_players(struct ledger_file *file, uint32_t id, struct round_record *round)
-{
-    sqlite3_stmt *row = NULL;
-    int code = sqlite3_prepare_v2(file->db,
-                                  "SELECT seat, caught, scoops, hole_area_mm2, torn_tick, sheets,"
-                                  " fouls FROM round_players WHERE round = ?",
-                                  -1, &row, NULL);
-    sqlite3_bind_int64(row, 1, id);
-    while ((code == SQLITE_OK || code == SQLITE_ROW) && (code = sqlite3_step(row)) == SQLITE_ROW) {
-        const uint32_t seat = word(row, 0);
-        if (seat < POI_MAX) {
-            round->player[seat] = (struct player_record){
-                word(row, 1), word(row, 2), word(row, 3), word(row, 4), word(row, 5), byte(row, 6),
-            };
-        }
-    }
-    return sql_end(row, code);
 }
 
 #define ROUND_COLUMNS                                                                              \
@@ -268,29 +244,44 @@ static int read_round(struct ledger_file *file, uint32_t id, struct round_record
     "SELECT id, boot, tick, day, minute, kind, detail, count, value, units, bonus_units, paid,"    \
     " service, untold, open, up_s, dropped_ticks, device_faults, name, sum FROM entries "
 
-static int read_entry(struct ledger_file *file, sqlite3_stmt *row, struct ledger_entry *out)
-{
-    *out = entry_of(row);
-    const int64_t sum = sqlite3_column_int64(row, 19);
-    int code = SQLITE_OK;
-    if (out->kind == LEDGER_ROUND) {
-        code = read_round(file, out->id, &out->round);
-        code = code == SQLITE_OK ? read_players(file, out->id, &out->round) : code;
-    }
-    return code == SQLITE_OK && (entry_sum(out) != sum || !ledger_entry_is_valid(out))
-               ? SQLITE_CORRUPT
-               : code;
-}
-
 static int find_entry(struct ledger_file *file, const char *text, uint32_t id,
                       struct ledger_entry *out)
 {
+    CORE_ASSERT(file->db);
     sqlite3_stmt *row = NULL;
     int code = sqlite3_prepare_v2(file->db, text, -1, &row, NULL);
     sqlite3_bind_int64(row, 1, id);
     code = code == SQLITE_OK ? sqlite3_step(row) : code;
     if (code == SQLITE_ROW) {
-        code = read_entry(file, row, out);
+        *out = entry_of(row);
+        const int64_t sum = sqlite3_column_int64(row, 19);
+        code = SQLITE_OK;
+        if (out->kind == LEDGER_ROUND) {
+            code = read_round(file, out->id, &out->round);
+            if (code == SQLITE_OK) {
+                sqlite3_stmt *player = NULL;
+                code = sqlite3_prepare_v2(
+                    file->db,
+                    "SELECT seat, caught, scoops, hole_area_mm2, torn_tick, sheets,"
+                    " fouls FROM round_players WHERE round = ?",
+                    -1, &player, NULL);
+                sqlite3_bind_int64(player, 1, out->id);
+                while ((code == SQLITE_OK || code == SQLITE_ROW) &&
+                       (code = sqlite3_step(player)) == SQLITE_ROW) {
+                    const uint32_t seat = word(player, 0);
+                    if (seat < POI_MAX) {
+                        out->round.player[seat] = (struct player_record){
+                            word(player, 1), word(player, 2), word(player, 3),
+                            word(player, 4), word(player, 5), byte(player, 6),
+                        };
+                    }
+                }
+                code = sql_end(player, code);
+            }
+        }
+        code = code == SQLITE_OK && (entry_sum(out) != sum || !ledger_entry_is_valid(out))
+                   ? SQLITE_CORRUPT
+                   : code;
     } else if (code == SQLITE_DONE) {
         code = SQLITE_NOTFOUND;
     }

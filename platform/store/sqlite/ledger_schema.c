@@ -1,13 +1,14 @@
-/* ledger_schema.c -- the SQL statements, and the migrations from older file versions.
- * ledger_tables.c has the tables. */
+/* ledger_schema.c -- the SQL statements, the tables of all file versions, and the migrations from
+ * older file versions. */
 #include <stddef.h>
 #include <stdio.h>
+#include <string.h>
 
 #include <sqlite3.h>
 
-#include "platform/store/sqlite/day.h"
-#include "platform/store/sqlite/ledger_internal.h"
+#include "core/base/panic.h"
 #include "platform/store/sqlite/sql.h"
+#include "platform/store/sqlite/ledger_internal.h"
 
 /* ---- SQL text of the migrations ------------------------------------------------------------ */
 
@@ -67,6 +68,8 @@ static const char *const texts[LEDGER_STATEMENT_COUNT] = {
 
 const char *ledger_statement_text(enum ledger_statement which)
 {
+    CORE_ASSERT(which < LEDGER_STATEMENT_COUNT);
+    CORE_ASSERT(texts[which]);
     return texts[which];
 }
 
@@ -79,32 +82,11 @@ static const char select_old_players[] =
     "SELECT player, caught, coalesce(scoops, 0), coalesce(hole_area_mm2, 0),"
     " coalesce(torn_tick, 0), fouls FROM old_round_players WHERE round = ?1";
 
-static int read_old_players(sqlite3_stmt *players, int64_t number, struct round_record *round)
-{
-    int code;
-    sqlite3_bind_int64(players, 1, number);
-    while ((code = sqlite3_step(players)) == SQLITE_ROW) {
-        const uint32_t seat = sql_uint(players, 0, UINT32_MAX);
-        if (seat < POI_MAX) {
-            round->players |= (uint8_t)(1u << seat);
-            round->player[seat] = (struct player_record){
-                .caught = sql_uint(players, 1, UINT32_MAX),
-                .scoops = sql_uint(players, 2, UINT32_MAX),
-                .hole_area_mm2 = sql_uint(players, 3, UINT32_MAX),
-                .torn_tick = sql_uint(players, 4, UINT32_MAX),
-                .fouls = (uint8_t)sql_uint(players, 5, UINT8_MAX),
-            };
-        }
-    }
-    sqlite3_reset(players);
-    return code == SQLITE_DONE ? SQLITE_OK : code;
-}
-
 /* Converts an old round to an entry. A round of an unknown mode is marked as unscored, so that it
  * is not ranked. */
 static struct ledger_entry old_entry(sqlite3_stmt *old, uint32_t id)
 {
-    const struct day_minute ended = day_minute_of(sqlite3_column_int64(old, 6));
+    const struct sql_day ended = sql_day_of(sqlite3_column_int64(old, 6));
     const uint32_t mode = sql_uint(old, 7, UINT8_MAX);
     return (struct ledger_entry){
         .id = id,
@@ -134,7 +116,22 @@ static int carry_over(struct ledger_file *file, sqlite3_stmt *old, sqlite3_stmt 
     uint32_t id = 0;
     while ((code = sqlite3_step(old)) == SQLITE_ROW) {
         struct ledger_entry entry = old_entry(old, ++id);
-        code = read_old_players(players, sqlite3_column_int64(old, 0), &entry.round);
+        sqlite3_bind_int64(players, 1, (sqlite3_column_int64(old, 0)));
+        while ((code = sqlite3_step(players)) == SQLITE_ROW) {
+            const uint32_t seat = sql_uint(players, 0, UINT32_MAX);
+            if (seat < POI_MAX) {
+                entry.round.players |= (uint8_t)(1u << seat);
+                entry.round.player[seat] = (struct player_record){
+                    .caught = sql_uint(players, 1, UINT32_MAX),
+                    .scoops = sql_uint(players, 2, UINT32_MAX),
+                    .hole_area_mm2 = sql_uint(players, 3, UINT32_MAX),
+                    .torn_tick = sql_uint(players, 4, UINT32_MAX),
+                    .fouls = (uint8_t)sql_uint(players, 5, UINT8_MAX),
+                };
+            }
+        }
+        sqlite3_reset(players);
+        code = code == SQLITE_DONE ? SQLITE_OK : code;
         code = code == SQLITE_OK ? ledger_rows_put(file, &entry) : code;
         if (code != SQLITE_OK) {
             return code;
@@ -143,18 +140,6 @@ static int carry_over(struct ledger_file *file, sqlite3_stmt *old, sqlite3_stmt 
     }
     const struct ledger_content nothing = { 0 };
     return code == SQLITE_DONE ? ledger_aggregates_put(file, &nothing, content) : code;
-}
-
-static int carry_all_over(struct ledger_file *file)
-{
-    sqlite3_stmt *old = NULL, *players = NULL;
-    int code = sqlite3_prepare_v2(file->db, select_old, -1, &old, NULL);
-    code = code == SQLITE_OK ? sqlite3_prepare_v2(file->db, select_old_players, -1, &players, NULL)
-                             : code;
-    code = code == SQLITE_OK ? carry_over(file, old, players) : code;
-    sqlite3_finalize(players);
-    sqlite3_finalize(old);
-    return code;
 }
 
 static int put_version(sqlite3 *db)
@@ -186,6 +171,7 @@ static int raise_3_to_4(sqlite3 *db)
 
 int ledger_schema_raise(struct ledger_file *file, int version)
 {
+    CORE_ASSERT(version < LEDGER_FILE_VERSION);
     if (version >= 3) { /* The tables are the same in versions 4 and 5. */
         const int raised = version == 3 ? raise_3_to_4(file->db) : SQLITE_OK;
         return raised == SQLITE_OK ? put_version(file->db) : raised;
@@ -199,6 +185,207 @@ int ledger_schema_raise(struct ledger_file *file, int version)
     code = version < 2 ? raise_1_to_2(file->db) : code;
     code = code == SQLITE_OK ? sql_run(file->db, set_old_aside) : code;
     code = code == SQLITE_OK ? make_now(file->db) : code;
-    code = code == SQLITE_OK ? carry_all_over(file) : code;
+    if (code == SQLITE_OK) {
+        sqlite3_stmt *old = NULL, *players = NULL;
+        code = sqlite3_prepare_v2(file->db, select_old, -1, &old, NULL);
+        code = code == SQLITE_OK
+                   ? sqlite3_prepare_v2(file->db, select_old_players, -1, &players, NULL)
+                   : code;
+        code = code == SQLITE_OK ? carry_over(file, old, players) : code;
+        sqlite3_finalize(players);
+        sqlite3_finalize(old);
+    }
     return code == SQLITE_OK ? sql_run(file->db, forget_unknown) : code;
+}
+
+/* ---- Tables ---------------------------------------------------------------------------------- */
+
+/* The exact SQL text of every table in every version of the file.
+ *
+ * A new file is created from these texts, and each opened file is compared with them. A file with
+ * another text or any other schema object (a trigger, a view, an index, another table) is treated
+ * as damaged, because a trigger could delete acknowledged rows.
+ *
+ * To add a version: increase LEDGER_FILE_VERSION and set the last version of each table that
+ * changes. Then add a row with the new text, exactly as SQLite stores it after the migration. */
+
+#define NOW LEDGER_FILE_VERSION
+
+/* Tables of all versions. The columns have the names of the fields in core/ledger.h. SQLite stores
+ * a zero without any byte of data. NULL in a player's column means that an earlier version did not
+ * record the number. */
+static const struct table {
+    uint8_t first, last; /* First and last `user_version` that have this table. */
+    const char *name, *text;
+} tables[] = {
+    { 1, 1, "rounds",
+      "CREATE TABLE rounds ("
+      " number INTEGER PRIMARY KEY," /* Number of the round, counted over all program runs. */
+      " id INTEGER NOT NULL,"        /* Number of the round, counted within one program run. */
+      " seed INTEGER NOT NULL,"
+      " start_tick INTEGER NOT NULL,"
+      " end_tick INTEGER NOT NULL,"
+      " caught INTEGER NOT NULL," /* Total of all players' caught fish. */
+      " by_bot INTEGER NOT NULL,"
+      " ended_at INTEGER NOT NULL)" }, /* Unix time in seconds. */
+    { 2, 2, "rounds",                  /* The table of version 1 with columns appended by ALTER
+                                          TABLE. */
+      "CREATE TABLE rounds ("
+      " number INTEGER PRIMARY KEY, id INTEGER NOT NULL, seed INTEGER NOT NULL,"
+      " start_tick INTEGER NOT NULL, end_tick INTEGER NOT NULL, caught INTEGER NOT NULL,"
+      " by_bot INTEGER NOT NULL, ended_at INTEGER NOT NULL,"
+      " mode INTEGER NOT NULL DEFAULT 0, grade INTEGER NOT NULL DEFAULT 6,"
+      " players INTEGER NOT NULL DEFAULT 1)" },
+    { 2, 2, "round_players",
+      "CREATE TABLE round_players ("
+      " round INTEGER NOT NULL REFERENCES rounds (number) ON DELETE CASCADE,"
+      " player INTEGER NOT NULL," /* Number of the player, counted from 0. */
+      " caught INTEGER NOT NULL, scoops INTEGER, hole_area_mm2 INTEGER, torn_tick INTEGER,"
+      " fouls INTEGER NOT NULL,"
+      " PRIMARY KEY (round, player)) WITHOUT ROWID" },
+    { 3, NOW, "entries",
+      "CREATE TABLE entries ("
+      " id INTEGER PRIMARY KEY, boot INTEGER NOT NULL, tick INTEGER NOT NULL,"
+      " day INTEGER NOT NULL, minute INTEGER NOT NULL, kind INTEGER NOT NULL,"
+      " detail INTEGER NOT NULL, count INTEGER NOT NULL, value INTEGER NOT NULL,"
+      " units INTEGER NOT NULL, bonus_units INTEGER NOT NULL, paid INTEGER NOT NULL,"
+      " service INTEGER NOT NULL, untold INTEGER NOT NULL, open INTEGER NOT NULL,"
+      " up_s INTEGER NOT NULL, dropped_ticks INTEGER NOT NULL, device_faults INTEGER NOT NULL,"
+      " name TEXT NOT NULL,"
+      " sum INTEGER NOT NULL)" }, /* Checksum of all columns except the name, because a name may be
+                                     revoked. */
+    { 3, 3, "rounds",
+      "CREATE TABLE rounds ("
+      " entry INTEGER PRIMARY KEY, boot INTEGER NOT NULL, day INTEGER NOT NULL,"
+      " minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,"
+      " end_tick INTEGER NOT NULL, caught INTEGER NOT NULL, by_bot INTEGER NOT NULL,"
+      " mode INTEGER NOT NULL, grade INTEGER NOT NULL,"
+      " players INTEGER NOT NULL," /* Players of the round, one bit each. */
+      " unscored INTEGER NOT NULL)" },
+    { 4, NOW, "rounds",
+      "CREATE TABLE rounds ("
+      " entry INTEGER PRIMARY KEY, boot INTEGER NOT NULL, day INTEGER NOT NULL,"
+      " minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,"
+      " end_tick INTEGER NOT NULL, caught INTEGER NOT NULL, by_bot INTEGER NOT NULL,"
+      " mode INTEGER NOT NULL, grade INTEGER NOT NULL,"
+      " players INTEGER NOT NULL," /* Players of the round, one bit each. */
+      " unscored INTEGER NOT NULL,"
+      " fish_count INTEGER NOT NULL," /* Number of fish. 0 means that fish_count, round_s and preset
+                                         are unknown. */
+      " round_s INTEGER NOT NULL, preset INTEGER NOT NULL)" },
+    { 3, NOW, "round_players",
+      "CREATE TABLE round_players ("
+      " round INTEGER NOT NULL, seat INTEGER NOT NULL, caught INTEGER NOT NULL,"
+      " scoops INTEGER, hole_area_mm2 INTEGER, torn_tick INTEGER, sheets INTEGER,"
+      " fouls INTEGER NOT NULL, name TEXT NOT NULL DEFAULT '',"
+      " PRIMARY KEY (round, seat)) WITHOUT ROWID" },
+    { 3, NOW, "settings",
+      "CREATE TABLE settings (name TEXT PRIMARY KEY, value INTEGER NOT NULL) WITHOUT ROWID" },
+    { 3, NOW, "audits",
+      "CREATE TABLE audits (name TEXT PRIMARY KEY, count INTEGER NOT NULL) WITHOUT ROWID" },
+    { 3, NOW, "ranking",
+      "CREATE TABLE ranking ("
+      " mode INTEGER NOT NULL, period INTEGER NOT NULL, place INTEGER NOT NULL,"
+      " caught INTEGER NOT NULL, round INTEGER NOT NULL, day INTEGER NOT NULL,"
+      " seat INTEGER NOT NULL, name TEXT NOT NULL,"
+      " PRIMARY KEY (mode, period, place)) WITHOUT ROWID" },
+    { 3, NOW, "state",
+      "CREATE TABLE state (name TEXT PRIMARY KEY, value INTEGER NOT NULL) WITHOUT ROWID" },
+    { 3, NOW, "replays", "CREATE TABLE replays (round INTEGER PRIMARY KEY, bytes BLOB NOT NULL)" },
+};
+#define TABLE_COUNT (sizeof tables / sizeof tables[0])
+
+static bool is_of(const struct table *table, int version)
+{
+    return version >= table->first && version <= table->last;
+}
+
+int ledger_tables_make(sqlite3 *db, int version, const char *name)
+{
+    CORE_ASSERT(version >= 1 && version <= LEDGER_FILE_VERSION);
+    int code = SQLITE_OK;
+    for (size_t i = 0; code == SQLITE_OK && i < TABLE_COUNT; i++) {
+        if (is_of(&tables[i], version) && (!name || strcmp(name, tables[i].name) == 0)) {
+            code = sql_run(db, tables[i].text);
+        }
+    }
+    return code;
+}
+
+/* ---- Comparison with a file's schema ------------------------------------------------------- */
+
+static bool is_text(sqlite3_stmt *row, int column, const char *text)
+{
+    const unsigned char *found = sqlite3_column_text(row, column);
+    return found && (size_t)sqlite3_column_bytes(row, column) == strlen(text) &&
+           strcmp((const char *)found, text) == 0;
+}
+
+#define SELECT_SCHEMA "SELECT type, name, tbl_name, sql FROM sqlite_schema"
+
+/* Returns the index of the table that a row of the schema describes, or TABLE_COUNT if no table
+ * matches. */
+static size_t find_table(sqlite3_stmt *row, int version)
+{
+    for (size_t i = 0; i < TABLE_COUNT; i++) {
+        if (is_of(&tables[i], version) && is_text(row, 0, "table") &&
+            is_text(row, 1, tables[i].name) && is_text(row, 2, tables[i].name) &&
+            is_text(row, 3, tables[i].text)) {
+            return i;
+        }
+    }
+    return TABLE_COUNT;
+}
+
+_Static_assert(TABLE_COUNT < 32u, "a bit for each table");
+
+/* Compares the schema with the tables of `user_version`. Version 1 did not set `user_version`,
+ * which is then 0. A new file also has 0, but no tables. */
+int ledger_schema_check(sqlite3 *db, int64_t user_version)
+{
+    const int version = user_version == 0 ? 1 : (int)user_version;
+    uint32_t found = 0;
+    bool has_other = user_version < 0 || user_version > LEDGER_FILE_VERSION;
+    sqlite3_stmt *row = NULL;
+    int code = sqlite3_prepare_v2(db, SELECT_SCHEMA, -1, &row, NULL);
+    while ((code == SQLITE_OK || code == SQLITE_ROW) && (code = sqlite3_step(row)) == SQLITE_ROW) {
+        const size_t index = find_table(row, version);
+        has_other = has_other || index == TABLE_COUNT || (found >> index & 1u) != 0;
+        found |= index < TABLE_COUNT ? 1u << index : 0u;
+    }
+    code = sql_end(row, code);
+    const bool is_new = user_version == 0 && found == 0;
+    uint32_t all = 0;
+    for (size_t i = 0; i < TABLE_COUNT; i++) {
+        all |= is_of(&tables[i], version) ? 1u << i : 0u;
+    }
+    return code == SQLITE_OK && (has_other || (found != all && !is_new)) ? SQLITE_CORRUPT : code;
+}
+
+static bool is_name_of_table(sqlite3_stmt *row, int version)
+{
+    bool is_name = false;
+    for (size_t i = 0; i < TABLE_COUNT; i++) {
+        is_name = is_name || (is_of(&tables[i], version) && is_text(row, 0, "table") &&
+                              is_text(row, 1, tables[i].name));
+    }
+    return is_name;
+}
+
+bool ledger_schema_foreign(sqlite3 *db, struct ledger_foreign *out)
+{
+    int64_t user_version = 0;
+    sqlite3_stmt *row = NULL;
+    bool has_found = false;
+    int code = sql_number(db, "PRAGMA user_version", &user_version);
+    const int version = user_version == 0 ? 1 : (int)user_version;
+    code = code == SQLITE_OK ? sqlite3_prepare_v2(db, SELECT_SCHEMA, -1, &row, NULL) : code;
+    while (code == SQLITE_OK && version > 0 && !has_found && sqlite3_step(row) == SQLITE_ROW) {
+        has_found = find_table(row, version) == TABLE_COUNT;
+        sql_text(row, 0, out->type, sizeof out->type);
+        sql_text(row, 1, out->name, sizeof out->name);
+        out->is_changed = has_found && is_name_of_table(row, version);
+    }
+    sqlite3_finalize(row);
+    return has_found;
 }

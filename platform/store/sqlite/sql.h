@@ -44,4 +44,22 @@ void sql_text(struct sqlite3_stmt *statement, int column, char *out, int size);
  * Returns SQLITE_OK if `code` is SQLITE_DONE, otherwise `code`. */
 int sql_end(struct sqlite3_stmt *statement, int code);
 
+/* ---- Days and dates -------------------------------------------------------------------------- */
+
+/* Converts between the days and minutes of the ledger and the calendar. */
+
+#define SQL_DAY_TEXT_SIZE 11u
+
+/* Local date and time in the units of input.day (days since 2000-01-01) and input.minute. `day` and
+ * `minute` are 0 for an earlier or invalid time. */
+struct sql_day {
+    uint16_t day, minute;
+};
+
+/* Converts `unix_s`, seconds since 1970-01-01 UTC, to the local time of the machine. */
+struct sql_day sql_day_of(int64_t unix_s);
+
+/* Writes the date as "2026-11-21". Writes "-" if `day` is 0 (unknown). */
+void sql_day_text(uint16_t day, char out[SQL_DAY_TEXT_SIZE]);
+
 #endif

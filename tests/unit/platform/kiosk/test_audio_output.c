@@ -9,11 +9,11 @@
 #include <cmocka.h>
 
 #include "drivers/sim/hal_sim.h"
-#include "platform/kiosk/audio_output.h"
+#include "platform/kiosk/output_devices.h"
 
 #define S 1000000000ull
 
-static struct audio_output voice;
+static struct output_audio voice;
 static struct audio_sim sim;
 static struct hal_audio audio;
 static struct settings settings;
@@ -33,13 +33,13 @@ static int set_up(void **state)
 
 static uint32_t put(int is_attract, uint64_t now_ns)
 {
-    return audio_output_play(&voice, &audio, &output, &settings, is_attract, now_ns);
+    return output_audio_play(&voice, &audio, &output, &settings, is_attract, now_ns);
 }
 
 static void test_the_slider_is_a_power_and_its_foot_is_silence(void **state)
 {
     (void)state;
-    audio_output_open(&voice, &audio, 1 * S);
+    output_audio_open(&voice, &audio, 1 * S);
     settings.value[SET_VOLUME] = 100;
     put(0, 2 * S);
     assert_float_equal(sim.gain, 0.5f, 1e-6f);
@@ -57,7 +57,7 @@ static uint32_t heard_in_ten_shows(int32_t every)
     voice.attract_ns = 0;
     settings.value[SET_ATTRACT_SOUND] = every;
     for (uint64_t show = 0; show < 10; show++) {
-        put(1, (100u + show * AUDIO_OUTPUT_SHOW_S) * S);
+        put(1, (100u + show * OUTPUT_AUDIO_SHOW_S) * S);
     }
     return sim.played[SOUND_DIP];
 }
@@ -65,7 +65,7 @@ static uint32_t heard_in_ten_shows(int32_t every)
 static void test_of_attract_each_nth_show_is_heard_and_a_game_always(void **state)
 {
     (void)state;
-    audio_output_open(&voice, &audio, 1 * S);
+    output_audio_open(&voice, &audio, 1 * S);
     assert_int_equal(heard_in_ten_shows(0), 0);
     assert_int_equal(heard_in_ten_shows(1), 10);
     assert_int_equal(heard_in_ten_shows(3), 4);
@@ -79,7 +79,7 @@ static void test_a_card_that_is_plugged_in_after_the_start_is_heard(void **state
 {
     (void)state;
     sim.gone = 1;
-    audio_output_open(&voice, &audio, 10 * S);
+    output_audio_open(&voice, &audio, 10 * S);
     for (uint64_t ms = 0; ms < 3000; ms += 10) {
         assert_int_equal(put(0, 10 * S + ms * 1000000ull), 0); /* None, and no fault. */
     }
@@ -94,7 +94,7 @@ static void test_a_silent_attract_looks_for_a_card_too(void **state)
     (void)state;
     settings.value[SET_ATTRACT_SOUND] = 0;
     sim.gone = 1;
-    audio_output_open(&voice, &audio, 10 * S);
+    output_audio_open(&voice, &audio, 10 * S);
     sim.gone = 0;
     put(1, 12 * S);
     assert_int_equal(sim.open_count, 2);
@@ -104,7 +104,7 @@ static void test_a_silent_attract_looks_for_a_card_too(void **state)
 static void test_a_card_that_goes_is_one_fault(void **state)
 {
     (void)state;
-    audio_output_open(&voice, &audio, 10 * S);
+    output_audio_open(&voice, &audio, 10 * S);
     output_sound(&output, SOUND_DIP, 0.5f, 0.0f);
     sim.gone = 1;
     assert_int_equal(put(0, 11 * S), 1);

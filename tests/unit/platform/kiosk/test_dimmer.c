@@ -8,12 +8,12 @@
 
 #include <cmocka.h>
 
-#include "platform/kiosk/dimmer.h"
+#include "platform/kiosk/output_devices.h"
 
 #define FRAME_NS 16666667ull
 #define S 1000000000ull
 
-static struct dimmer dimmer;
+static struct output_dimmer dimmer;
 static struct settings settings;
 static struct input input;
 static struct display_settings display_settings;
@@ -32,8 +32,8 @@ static int set_up(void **state)
 static void frame(int is_attract)
 {
     now_ns += FRAME_NS;
-    dimmer_notice(&dimmer, &input, is_attract);
-    display_settings = dimmer_step(&dimmer, &settings, &input, is_attract, now_ns);
+    output_dimmer_notice(&dimmer, &input, is_attract);
+    display_settings = output_dimmer_step(&dimmer, &settings, &input, is_attract, now_ns);
     input.pressed = input.coin_count[0] = 0;
 }
 
@@ -162,7 +162,7 @@ static void test_what_stands_still_wanders_by_a_pixel_every_few_minutes(void **s
     frame(1);
     for (uint32_t i = 0; i < 24u * 3600u * 20u; i++) {
         now_ns += 50u * 1000000ull;
-        display_settings = dimmer_step(&dimmer, &settings, &input, 1, now_ns);
+        display_settings = output_dimmer_step(&dimmer, &settings, &input, 1, now_ns);
         const int32_t x = (int32_t)f_floor(display_settings.shift_x * 720.0f + 0.5f);
         const int32_t y = (int32_t)f_floor(display_settings.shift_y * 720.0f + 0.5f);
         assert_in_range(x + 4, 0, 8);

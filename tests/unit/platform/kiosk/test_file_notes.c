@@ -21,7 +21,7 @@
 
 #define FRAME_NS 16666667ull
 
-static struct file_notes notes;
+static struct operator_notes notes;
 
 /* ---- The list ------------------------------------------------------------------------------- */
 
@@ -35,7 +35,7 @@ static int empty(void **state)
 static void expect_row(uint32_t row, enum scene_file_state state, const char *name,
                        const char *words)
 {
-    const struct scene_file file = file_notes_row(&notes, row);
+    const struct scene_file file = operator_notes_row(&notes, row);
     assert_int_equal(file.state, state);
     assert_string_equal(file.name, name);
     assert_string_equal(file.words, words);
@@ -44,11 +44,11 @@ static void expect_row(uint32_t row, enum scene_file_state state, const char *na
 static void test_what_was_refused_comes_first_and_each_kind_in_its_order(void **state)
 {
     (void)state;
-    file_notes_add(&notes, FILE_USED, "a", "one");
-    file_notes_add(&notes, FILE_REFUSED, "b", "two");
-    file_notes_add(&notes, FILE_USED, "c", "three");
-    file_notes_add(&notes, FILE_REFUSED, "d", "four");
-    assert_int_equal(file_notes_rows(&notes), 4);
+    operator_notes_add(&notes, FILE_USED, "a", "one");
+    operator_notes_add(&notes, FILE_REFUSED, "b", "two");
+    operator_notes_add(&notes, FILE_USED, "c", "three");
+    operator_notes_add(&notes, FILE_REFUSED, "d", "four");
+    assert_int_equal(operator_notes_rows(&notes), 4);
     expect_row(0, FILE_REFUSED, "b", "two");
     expect_row(1, FILE_REFUSED, "d", "four");
     expect_row(2, FILE_USED, "a", "one");
@@ -59,10 +59,10 @@ static void test_what_was_refused_comes_first_and_each_kind_in_its_order(void **
 static void test_a_complaint_is_taken_apart_at_its_first_colon_and_gap(void **state)
 {
     (void)state;
-    file_notes_refused(&notes, "/data", "/data/pois/x.poi:3: role: unknown");
-    file_notes_refused(&notes, "/data", "/database/x: why");
-    file_notes_refused(&notes, "", "/etc/kingyo.conf:7: wrong");
-    file_notes_refused(&notes, "/data", "no reason");
+    operator_notes_refused(&notes, "/data", "/data/pois/x.poi:3: role: unknown");
+    operator_notes_refused(&notes, "/data", "/database/x: why");
+    operator_notes_refused(&notes, "", "/etc/kingyo.conf:7: wrong");
+    operator_notes_refused(&notes, "/data", "no reason");
     expect_row(0, FILE_REFUSED, "pois/x.poi:3", "role: unknown");
     expect_row(1, FILE_REFUSED, "/database/x", "why");
     expect_row(2, FILE_REFUSED, "/etc/kingyo.conf:7", "wrong");
@@ -76,8 +76,8 @@ static void test_long_names_keep_their_end_and_long_reasons_their_beginning(void
     memset(line, 'p', sizeof line);
     memcpy(line + 1500, "/end.kfish: ", 12);
     line[sizeof line - 1u] = 0;
-    file_notes_refused(&notes, "", line + 600);
-    const struct scene_file file = file_notes_row(&notes, 0);
+    operator_notes_refused(&notes, "", line + 600);
+    const struct scene_file file = operator_notes_row(&notes, 0);
     assert_int_equal(strlen(file.name), SCENE_FILE_SIZE - 1u);
     assert_memory_equal(file.name, "...p", 4);
     assert_string_equal(file.name + SCENE_FILE_SIZE - 1u - 10u, "/end.kfish");
@@ -90,16 +90,16 @@ static void test_when_it_is_full_the_rest_is_counted_in_a_row(void **state)
 {
     char name[16];
     (void)state;
-    for (uint32_t i = 0; i < FILE_NOTES_MAX + 3u; i++) {
-        const uint32_t kept = i < FILE_NOTES_MAX ? i : FILE_NOTES_MAX;
-        assert_int_equal(file_notes_rows(&notes), kept + (i > FILE_NOTES_MAX));
+    for (uint32_t i = 0; i < OPERATOR_NOTES_MAX + 3u; i++) {
+        const uint32_t kept = i < OPERATOR_NOTES_MAX ? i : OPERATOR_NOTES_MAX;
+        assert_int_equal(operator_notes_rows(&notes), kept + (i > OPERATOR_NOTES_MAX));
         snprintf(name, sizeof name, "%u", i);
-        file_notes_add(&notes, i % 2u ? FILE_USED : FILE_REFUSED, name, "");
+        operator_notes_add(&notes, i % 2u ? FILE_USED : FILE_REFUSED, name, "");
     }
-    expect_row(FILE_NOTES_MAX, FILE_REFUSED, "...", "3 more lines, and no room for them");
-    expect_row(FILE_NOTES_MAX + 1u, FILE_UNKNOWN, "", "");
+    expect_row(OPERATOR_NOTES_MAX, FILE_REFUSED, "...", "3 more lines, and no room for them");
+    expect_row(OPERATOR_NOTES_MAX + 1u, FILE_UNKNOWN, "", "");
     expect_row(0, FILE_REFUSED, "0", "");
-    expect_row(FILE_NOTES_MAX - 1u, FILE_USED, "251", "");
+    expect_row(OPERATOR_NOTES_MAX - 1u, FILE_USED, "251", "");
 }
 
 /* ---- From the folder to the screen ---------------------------------------------------------- */
@@ -317,7 +317,7 @@ static void test_a_database_that_was_set_aside_is_told_of_until_somebody_says_so
     push(INPUT_TEST);
     until_first_is(file, FILE_SEEN);
     system_health_stop(&rig.session.machine);
-    rig.session.notes = (struct file_notes){ 0 };
+    rig.session.notes = (struct operator_notes){ 0 };
     look();
     until_first_is(file, FILE_SEEN);
     assert_int_equal(devices->machine.aside, 0);

@@ -15,8 +15,8 @@
 #include "drivers/sim/pointer_sim.h"
 #include "drivers/sim/storage_sim.h"
 #include "platform/kiosk/kiosk.h"
-#include "platform/kiosk/score_playback.h"
-#include "platform/kiosk/session_recorder.h"
+#include "platform/kiosk/recorder/score_playback.h"
+#include "platform/kiosk/recorder/session_recorder.h"
 
 #define MS 1000000ull
 #define FRAME_NS 16666667ull

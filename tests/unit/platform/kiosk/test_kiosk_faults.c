@@ -19,8 +19,7 @@
 #include "drivers/sim/pointer_sim.h"
 #include "drivers/sim/sensor_sim.h"
 #include "platform/kiosk/kiosk.h"
-#include "platform/kiosk/recorder.h"
-#include "platform/kiosk/replayer.h"
+#include "platform/kiosk/recorder/replayer.h"
 
 #define MS 1000000ull
 #define FRAME_NS 16666667ull

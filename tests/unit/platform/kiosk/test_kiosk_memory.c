@@ -18,7 +18,7 @@
 #include "drivers/sim/pointer_sim.h"
 #include "drivers/sim/storage_sim.h"
 #include "platform/kiosk/kiosk.h"
-#include "platform/kiosk/recorder.h"
+#include "platform/kiosk/recorder/replayer.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define HAS_TRAP 0

@@ -203,10 +203,10 @@ static void test_a_report_waits_from_its_arrival_to_its_tick(void **state)
     rig.told = 4;
     rig.late_ns = 5 * MS;
     frames(50);
-    const struct timing *wait = &rig.kiosk.report_wait;
+    const struct frame_timing *wait = &rig.kiosk.report_wait;
     assert_int_equal(wait->count, 200);
-    assert_true(timing_quantile_ns(wait, 0.5) >= 4900000u);
-    assert_true(timing_quantile_ns(wait, 0.99) <= 5100000u);
+    assert_true(frame_timing_quantile_ns(wait, 0.5) >= 4900000u);
+    assert_true(frame_timing_quantile_ns(wait, 0.99) <= 5100000u);
 }
 
 /* A frame without a tick uses nothing: what came in it waits on. */

@@ -22,7 +22,7 @@
 #include "drivers/sim/pointer_sim.h"
 #include "platform/audio.h"
 #include "platform/kiosk/kiosk.h"
-#include "platform/kiosk/recorder.h"
+#include "platform/kiosk/recorder/replayer.h"
 #include "platform/os/png.h"
 #include "platform/render/display_gl.h"
 #include "platform/store/storage.h"

@@ -19,10 +19,10 @@
 
 #include <cmocka.h>
 
-#include "platform/kiosk/panic_recovery.h"
+#include "platform/kiosk/recorder/panic_recovery.h"
 #include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_file.h"
-#include "platform/store/sqlite/ledger_omit.h"
+#include "platform/store/sqlite/ledger_backup.h"
 
 static char dir[32];
 static char path[64];

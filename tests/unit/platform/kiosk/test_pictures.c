@@ -12,8 +12,8 @@
 
 #include <cmocka.h>
 
-#include "platform/kiosk/contact_sheet.h"
-#include "platform/kiosk/timing.h"
+#include "platform/kiosk/demo.h"
+#include "platform/kiosk/frame_pacer.h"
 #include "platform/os/png.h"
 
 /* A picture of one colour per half: left red, right green. */
@@ -30,16 +30,16 @@ static void test_a_sheet_holds_each_picture_in_its_place_and_shape(void **state)
     static uint8_t picture[640 * 360 * 3];
     struct contact_sheet sheet;
     (void)state;
-    const size_t size = contact_sheet_plan(&sheet, 640, 360);
+    const size_t size = demo_sheet_plan(&sheet, 640, 360);
     assert_int_equal(sheet.width, 4 * 480 + 5 * 16);
     assert_int_equal(sheet.height, 3 * 270 + 4 * 16);
     assert_int_equal(size, (size_t)sheet.width * sheet.height * 3);
     sheet.rgb = malloc(size);
     assert_non_null(sheet.rgb);
-    contact_sheet_clear(&sheet);
+    demo_sheet_clear(&sheet);
     const uint8_t night = sheet.rgb[0];
     paint(picture, 640, 360);
-    contact_sheet_put(&sheet, SHEET_PICTURES - 1, picture, 640, 360);
+    demo_sheet_put(&sheet, SHEET_PICTURES - 1, picture, 640, 360);
     const size_t left = 16 + 3 * (480 + 16);
     const size_t top = 16 + 2 * (270 + 16);
     const uint8_t *first = sheet.rgb + (top * sheet.width + left) * 3;
@@ -63,10 +63,10 @@ static void test_pictures_of_any_size_fill_their_place(void **state)
     memset(picture, 77, sizeof picture);
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         struct contact_sheet sheet;
-        sheet.rgb = malloc(contact_sheet_plan(&sheet, sizes[i][0], sizes[i][1]));
+        sheet.rgb = malloc(demo_sheet_plan(&sheet, sizes[i][0], sizes[i][1]));
         assert_non_null(sheet.rgb);
-        contact_sheet_clear(&sheet);
-        contact_sheet_put(&sheet, 0, picture, sizes[i][0], sizes[i][1]);
+        demo_sheet_clear(&sheet);
+        demo_sheet_put(&sheet, 0, picture, sizes[i][0], sizes[i][1]);
         for (uint32_t y = 0; y < sheet.picture_height; y++) {
             for (uint32_t x = 0; x < SHEET_PICTURE_WIDTH; x++) {
                 assert_int_equal(sheet.rgb[((16 + y) * sheet.width + 16 + x) * 3], 77);
@@ -101,18 +101,18 @@ static void test_a_png_is_written_and_a_bad_path_is_told(void **state)
 
 static void test_quantiles_are_right_to_half_a_bin(void **state)
 {
-    static struct timing timing;
+    static struct frame_timing timing;
     (void)state;
-    assert_int_equal(timing_quantile_ns(&timing, 0.5), 0);
+    assert_int_equal(frame_timing_quantile_ns(&timing, 0.5), 0);
     for (uint64_t i = 1; i <= 1000; i++) {
-        timing_add(&timing, i * 100000); /* 0.1 ms .. 100 ms */
+        frame_timing_add(&timing, i * 100000); /* 0.1 ms .. 100 ms */
     }
-    assert_in_range(timing_quantile_ns(&timing, 0.5), 49975000, 50050000);
-    assert_in_range(timing_quantile_ns(&timing, 0.99), 98975000, 99050000);
+    assert_in_range(frame_timing_quantile_ns(&timing, 0.5), 49975000, 50050000);
+    assert_in_range(frame_timing_quantile_ns(&timing, 0.99), 98975000, 99050000);
     assert_int_equal(timing.count, 1000);
     assert_int_equal(timing.max_ns, 100000000);
-    timing_add(&timing, UINT64_MAX / 4);
-    assert_int_equal(timing_quantile_ns(&timing, 1.0), UINT64_MAX / 4); /* Beyond all bins. */
+    frame_timing_add(&timing, UINT64_MAX / 4);
+    assert_int_equal(frame_timing_quantile_ns(&timing, 1.0), UINT64_MAX / 4); /* Beyond all bins. */
 }
 
 int main(void)

@@ -14,7 +14,7 @@
 
 #include "core/pin.h"
 #include "platform/cpu.h"
-#include "platform/kiosk/pin_sweep.h"
+#include "platform/kiosk/recorder/pin_sweep.h"
 #include "platform/store/sqlite/ledger_file.h"
 
 #define PIN 4071

@@ -45,8 +45,8 @@ static void frame(uint64_t now_ns, int due)
 {
     rig.now_ns = now_ns;
     rig.due = due;
-    assert_int_equal(poi_sampler_sample(&rig.hand, &device, now_ns), 0);
-    poi_sampler_end(&rig.hand);
+    assert_int_equal(sampler_poi_sample(&rig.hand, &device, now_ns), 0);
+    sampler_poi_end(&rig.hand);
 }
 
 static int setup(void **state)
@@ -54,7 +54,7 @@ static int setup(void **state)
     (void)state;
     memset(&rig, 0, sizeof rig);
     rig.is_stamped = 1;
-    assert_int_equal(poi_sampler_open(&rig.hand, &device, BEGIN_NS), 0);
+    assert_int_equal(sampler_poi_open(&rig.hand, &device, BEGIN_NS), 0);
     frame(BEGIN_NS, 0); /* The first measured second begins here. */
     return 0;
 }
@@ -111,18 +111,18 @@ static void test_samples_that_the_driver_made_up_are_no_reports(void **state)
 
 static void test_the_files_page_has_a_row_for_the_store_and_one_for_each_note(void **state)
 {
-    static struct file_notes notes;
+    static struct operator_notes notes;
     (void)state;
     assert_int_equal(operator_view_file_count(NULL), 1);
     assert_int_equal(operator_view_file_count(&notes), 1);
-    file_notes_add(&notes, FILE_USED, "koi.kfish", "");
-    file_notes_add(&notes, FILE_REFUSED, "pois/x.poi", "no map");
+    operator_notes_add(&notes, FILE_USED, "koi.kfish", "");
+    operator_notes_add(&notes, FILE_REFUSED, "pois/x.poi", "no map");
     assert_int_equal(operator_view_file_count(&notes), 3);
 }
 
 static void test_the_files_page_shows_the_store_and_then_the_notes(void **state)
 {
-    static struct file_notes notes;
+    static struct operator_notes notes;
     const struct hal hal = null_hal();
     static struct scene scene;
     static struct input input;
@@ -130,7 +130,7 @@ static void test_the_files_page_shows_the_store_and_then_the_notes(void **state)
     static struct operator_view_lines lines;
     static struct scene_machine machine;
     (void)state;
-    file_notes_add(&notes, FILE_USED, "koi.kfish", "a koi");
+    operator_notes_add(&notes, FILE_USED, "koi.kfish", "a koi");
     scene.phase = PHASE_MENU;
     operator_view_fill(&scene, &hal,
                        &(struct operator_view){ .notes = &notes,

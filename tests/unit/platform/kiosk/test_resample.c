@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "platform/kiosk/resample.h"
+#include "platform/kiosk/sampler.h"
 
 #define MS 1000000ull
 
@@ -17,12 +17,12 @@ static struct poi_sample at(uint64_t ms, float x)
     return (struct poi_sample){ .time_ns = ms * MS, .target.position_m.x = x };
 }
 
-static struct resampler with(const struct poi_sample *samples, uint32_t count)
+static struct sampler_path with(const struct poi_sample *samples, uint32_t count)
 {
-    struct resampler resampler;
+    struct sampler_path resampler;
     memset(&resampler, 0, sizeof resampler);
     for (uint32_t i = 0; i < count; i++) {
-        assert_int_equal(resample_push(&resampler, &samples[i]), 1);
+        assert_int_equal(sampler_path_push(&resampler, &samples[i]), 1);
     }
     return resampler;
 }
@@ -31,38 +31,38 @@ static void test_the_newest_tick_gets_the_newest_reading_exactly(void **state)
 {
     (void)state;
     const struct poi_sample samples[] = { at(0, 0.0f), at(7, 0.3f), at(16, 0.1f) };
-    const struct resampler resampler = with(samples, 3);
-    assert_true(resample_at(&resampler, 1, 2).position_m.x == 0.1f);
+    const struct sampler_path resampler = with(samples, 3);
+    assert_true(sampler_path_at(&resampler, 1, 2).position_m.x == 0.1f);
 }
 
 static void test_ticks_between_lie_on_the_path_between_readings(void **state)
 {
     (void)state;
     const struct poi_sample samples[] = { at(0, 0.0f), at(8, 0.08f), at(16, 0.0f) };
-    const struct resampler resampler = with(samples, 3);
-    assert_float_equal(resample_at(&resampler, 0, 4).position_m.x, 0.04f, 1e-6f);
-    assert_float_equal(resample_at(&resampler, 1, 4).position_m.x, 0.08f, 1e-6f);
-    assert_float_equal(resample_at(&resampler, 2, 4).position_m.x, 0.04f, 1e-6f);
+    const struct sampler_path resampler = with(samples, 3);
+    assert_float_equal(sampler_path_at(&resampler, 0, 4).position_m.x, 0.04f, 1e-6f);
+    assert_float_equal(sampler_path_at(&resampler, 1, 4).position_m.x, 0.08f, 1e-6f);
+    assert_float_equal(sampler_path_at(&resampler, 2, 4).position_m.x, 0.04f, 1e-6f);
 }
 
 /* The point of it all: 60 readings a second and 120 ticks a second must not make 2v, 0, 2v. */
 static void test_a_steady_hand_has_a_steady_speed_at_every_tick(void **state)
 {
     (void)state;
-    struct resampler resampler;
+    struct sampler_path resampler;
     memset(&resampler, 0, sizeof resampler);
     float last = 0.0f;
     for (uint32_t frame = 0; frame < 60; frame++) {
         const struct poi_sample sample = at(16 * frame, 0.004f * (float)frame);
-        resample_push(&resampler, &sample);
+        sampler_path_push(&resampler, &sample);
         for (uint32_t tick = 0; tick < 2; tick++) {
-            const float x = resample_at(&resampler, tick, 2).position_m.x;
+            const float x = sampler_path_at(&resampler, tick, 2).position_m.x;
             if (frame > 1) {
                 assert_float_equal(x - last, 0.002f, 1e-6f);
             }
             last = x;
         }
-        resample_end(&resampler);
+        sampler_path_end(&resampler);
     }
 }
 
@@ -70,12 +70,12 @@ static void test_readings_of_tickless_frames_wait_for_the_next_tick(void **state
 {
     (void)state;
     const struct poi_sample samples[] = { at(0, 0.0f), at(4, 0.1f), at(8, 0.2f) };
-    struct resampler resampler = with(samples, 3);
-    assert_float_equal(resample_at(&resampler, 0, 1).position_m.x, 0.2f, 0.0f);
-    resample_end(&resampler);
+    struct sampler_path resampler = with(samples, 3);
+    assert_float_equal(sampler_path_at(&resampler, 0, 1).position_m.x, 0.2f, 0.0f);
+    sampler_path_end(&resampler);
     const struct poi_sample next = at(16, 0.4f);
-    resample_push(&resampler, &next);
-    assert_float_equal(resample_at(&resampler, 0, 2).position_m.x, 0.3f, 1e-6f);
+    sampler_path_push(&resampler, &next);
+    assert_float_equal(sampler_path_at(&resampler, 0, 2).position_m.x, 0.3f, 1e-6f);
 }
 
 static void test_angles_turn_the_short_way_round(void **state)
@@ -84,8 +84,8 @@ static void test_angles_turn_the_short_way_round(void **state)
     struct poi_sample samples[] = { at(0, 0.0f), at(10, 0.0f) };
     samples[0].target.angles.yaw_rad = 3.0f;
     samples[1].target.angles.yaw_rad = -3.0f;
-    const struct resampler resampler = with(samples, 2);
-    const float middle = resample_at(&resampler, 0, 2).angles.yaw_rad;
+    const struct sampler_path resampler = with(samples, 2);
+    const float middle = sampler_path_at(&resampler, 0, 2).angles.yaw_rad;
     assert_float_equal(fabsf(middle), 3.14159265f, 1e-5f);
 }
 
@@ -95,19 +95,19 @@ static void test_a_reading_that_is_no_number_is_told_and_passed_on_as_it_is(void
     const float wrong[] = { NAN, INFINITY, -INFINITY, 3e38f, 1001.0f };
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         const struct poi_sample good = at(0, 0.5f);
-        struct resampler resampler = with(&good, 1);
+        struct sampler_path resampler = with(&good, 1);
         struct poi_sample bad = at(16, 0.5f);
         bad.target.angles.roll_rad = wrong[i];
-        assert_int_equal(resample_push(&resampler, &bad), 0);
-        const struct poi_target before = resample_at(&resampler, 0, 2);
+        assert_int_equal(sampler_path_push(&resampler, &bad), 0);
+        const struct poi_target before = sampler_path_at(&resampler, 0, 2);
         assert_memory_equal(&before, &good.target, sizeof before); /* Never a mean with it. */
-        const struct poi_target newest = resample_at(&resampler, 1, 2);
+        const struct poi_target newest = sampler_path_at(&resampler, 1, 2);
         assert_memory_equal(&newest, &bad.target, sizeof newest);
-        resample_end(&resampler);
+        sampler_path_end(&resampler);
         const struct poi_sample again = at(33, 0.51f);
-        assert_int_equal(resample_push(&resampler, &again), 1);
+        assert_int_equal(sampler_path_push(&resampler, &again), 1);
         for (uint32_t tick = 0; tick < 2; tick++) {
-            const struct poi_target after = resample_at(&resampler, tick, 2);
+            const struct poi_target after = sampler_path_at(&resampler, tick, 2);
             assert_memory_equal(&after, &again.target, sizeof after);
         }
     }
@@ -117,10 +117,10 @@ static void test_a_leap_is_not_walked(void **state)
 {
     (void)state;
     const struct poi_sample samples[] = { at(0, 0.0f), at(16, 1.0f) };
-    const struct resampler resampler = with(samples, 2);
-    assert_float_equal(resample_at(&resampler, 0, 4).position_m.x, 0.0f, 0.0f);
-    assert_float_equal(resample_at(&resampler, 2, 4).position_m.x, 0.0f, 0.0f);
-    assert_float_equal(resample_at(&resampler, 3, 4).position_m.x, 1.0f, 0.0f);
+    const struct sampler_path resampler = with(samples, 2);
+    assert_float_equal(sampler_path_at(&resampler, 0, 4).position_m.x, 0.0f, 0.0f);
+    assert_float_equal(sampler_path_at(&resampler, 2, 4).position_m.x, 0.0f, 0.0f);
+    assert_float_equal(sampler_path_at(&resampler, 3, 4).position_m.x, 1.0f, 0.0f);
 }
 
 /* What an arm holds does not go as far in a frame as a pointer on a picture. */
@@ -128,21 +128,21 @@ static void test_what_is_a_leap_depends_on_who_has_a_wrist(void **state)
 {
     (void)state;
     struct poi_sample samples[] = { at(0, 0.0f), at(16, 0.4f) };
-    struct resampler resampler = with(samples, 2);
-    assert_float_equal(resample_at(&resampler, 0, 2).position_m.x, 0.2f, 1e-6f);
+    struct sampler_path resampler = with(samples, 2);
+    assert_float_equal(sampler_path_at(&resampler, 0, 2).position_m.x, 0.2f, 1e-6f);
     samples[0].has_wrist = samples[1].has_wrist = 1;
     resampler = with(samples, 2);
-    assert_float_equal(resample_at(&resampler, 0, 2).position_m.x, 0.0f, 0.0f);
+    assert_float_equal(sampler_path_at(&resampler, 0, 2).position_m.x, 0.0f, 0.0f);
 }
 
 static void test_time_that_goes_back_keeps_the_newest_reading(void **state)
 {
     (void)state;
     const struct poi_sample samples[] = { at(0, 0.0f), at(9, 0.9f), at(3, 0.3f), at(3, 0.4f) };
-    const struct resampler resampler = with(samples, 4);
-    assert_float_equal(resample_at(&resampler, 0, 1).position_m.x, 0.4f, 0.0f);
+    const struct sampler_path resampler = with(samples, 4);
+    assert_float_equal(sampler_path_at(&resampler, 0, 1).position_m.x, 0.4f, 0.0f);
     for (uint32_t tick = 0; tick < 24; tick++) {
-        assert_true(isfinite(resample_at(&resampler, tick, 24).position_m.x));
+        assert_true(isfinite(sampler_path_at(&resampler, tick, 24).position_m.x));
     }
 }
 
@@ -151,36 +151,37 @@ static void test_a_path_of_no_length_in_time_divides_by_nothing(void **state)
     (void)state;
     struct poi_sample samples[] = { at(1, 0.0f), at(1, 0.5f), at(1, 1.0f) };
     samples[2].time_ns += 1;
-    const struct resampler resampler = with(samples, 3);
+    const struct sampler_path resampler = with(samples, 3);
     for (uint32_t tick = 0; tick < 24; tick++) {
-        assert_in_range((int)(1000.0f * resample_at(&resampler, tick, 24).position_m.x), 0, 1000);
+        assert_in_range((int)(1000.0f * sampler_path_at(&resampler, tick, 24).position_m.x), 0,
+                        1000);
     }
 }
 
 static void test_too_many_readings_lose_the_oldest_and_keep_both_ends(void **state)
 {
     (void)state;
-    struct resampler resampler;
+    struct sampler_path resampler;
     memset(&resampler, 0, sizeof resampler);
     for (uint32_t i = 0; i <= 1000; i++) {
         const struct poi_sample sample = at(i, 0.001f * (float)i);
-        assert_int_equal(resample_push(&resampler, &sample), 1);
+        assert_int_equal(sampler_path_push(&resampler, &sample), 1);
     }
-    assert_int_equal(resampler.count, RESAMPLE_MAX);
+    assert_int_equal(resampler.count, SAMPLER_PATH_MAX);
     assert_float_equal(resampler.path[0].target.position_m.x, 0.0f, 0.0f);
-    assert_float_equal(resample_at(&resampler, 0, 1).position_m.x, 1.0f, 1e-6f);
-    assert_float_equal(resample_at(&resampler, 0, 2).position_m.x, 0.5f, 1e-5f);
+    assert_float_equal(sampler_path_at(&resampler, 0, 1).position_m.x, 1.0f, 1e-6f);
+    assert_float_equal(sampler_path_at(&resampler, 0, 2).position_m.x, 0.5f, 1e-5f);
 }
 
 static void test_asking_before_any_reading_is_a_bug(void **state)
 {
     (void)state;
-    struct resampler resampler;
+    struct sampler_path resampler;
     memset(&resampler, 0, sizeof resampler);
-    expect_assert_failure(resample_at(&resampler, 0, 1));
+    expect_assert_failure(sampler_path_at(&resampler, 0, 1));
     const struct poi_sample sample = at(0, 0.0f);
-    resample_push(&resampler, &sample);
-    expect_assert_failure(resample_at(&resampler, 1, 1));
+    sampler_path_push(&resampler, &sample);
+    expect_assert_failure(sampler_path_at(&resampler, 1, 1));
 }
 
 int main(void)

@@ -14,9 +14,9 @@
 #include "core/pin.h"
 #include "drivers/sim/storage_sim.h"
 #include "platform/cpu.h"
-#include "platform/kiosk/replay_verifier.h"
-#include "platform/kiosk/score_playback.h"
-#include "platform/kiosk/session_recorder.h"
+#include "platform/kiosk/recorder/replay_verifier.h"
+#include "platform/kiosk/recorder/score_playback.h"
+#include "platform/kiosk/recorder/session_recorder.h"
 
 static struct core core, bots;
 static struct output output, unheard;

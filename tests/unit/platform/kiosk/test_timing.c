@@ -7,11 +7,11 @@
 
 #include <cmocka.h>
 
-#include "platform/kiosk/timing.h"
+#include "platform/kiosk/frame_pacer.h"
 
 #define MS 1000000ull
 
-static struct timing timing;
+static struct frame_timing timing;
 
 static int clear(void **state)
 {
@@ -23,37 +23,37 @@ static int clear(void **state)
 static void test_nothing_counted_takes_no_time(void **state)
 {
     (void)state;
-    assert_int_equal(timing_quantile_ns(&timing, 0.5), 0);
+    assert_int_equal(frame_timing_quantile_ns(&timing, 0.5), 0);
 }
 
 static void test_the_median_and_p99_of_a_hundred_are_the_50th_and_the_99th(void **state)
 {
     (void)state;
     for (uint64_t i = 1; i <= 100; i++) {
-        timing_add(&timing, i * MS);
+        frame_timing_add(&timing, i * MS);
     }
-    assert_in_range(timing_quantile_ns(&timing, 0.5), 50 * MS, 50 * MS + TIMING_BIN_NS);
-    assert_in_range(timing_quantile_ns(&timing, 0.99), 99 * MS, 99 * MS + TIMING_BIN_NS);
+    assert_in_range(frame_timing_quantile_ns(&timing, 0.5), 50 * MS, 50 * MS + TIMING_BIN_NS);
+    assert_in_range(frame_timing_quantile_ns(&timing, 0.99), 99 * MS, 99 * MS + TIMING_BIN_NS);
 }
 
 static void test_what_no_bin_holds_is_told_as_the_longest(void **state)
 {
     (void)state;
-    timing_add(&timing, 5 * MS);
-    timing_add(&timing, 11000 * MS);
-    timing_add(&timing, 12000 * MS);
-    assert_int_equal(timing_quantile_ns(&timing, 0.99), 12000 * MS);
-    assert_in_range(timing_quantile_ns(&timing, 0.3), 5 * MS, 5 * MS + TIMING_BIN_NS);
+    frame_timing_add(&timing, 5 * MS);
+    frame_timing_add(&timing, 11000 * MS);
+    frame_timing_add(&timing, 12000 * MS);
+    assert_int_equal(frame_timing_quantile_ns(&timing, 0.99), 12000 * MS);
+    assert_in_range(frame_timing_quantile_ns(&timing, 0.3), 5 * MS, 5 * MS + TIMING_BIN_NS);
 }
 
 static void test_slow_frames_are_told_to_20_ms(void **state)
 {
     (void)state;
     for (uint64_t i = 0; i < 100; i++) {
-        timing_add(&timing, 400 * MS + i * 50 * MS);
+        frame_timing_add(&timing, 400 * MS + i * 50 * MS);
     }
-    assert_in_range(timing_quantile_ns(&timing, 0.5), 2840 * MS, 2870 * MS);
-    assert_in_range(timing_quantile_ns(&timing, 0.01), 400 * MS, 420 * MS);
+    assert_in_range(frame_timing_quantile_ns(&timing, 0.5), 2840 * MS, 2870 * MS);
+    assert_in_range(frame_timing_quantile_ns(&timing, 0.01), 400 * MS, 420 * MS);
 }
 
 int main(void)

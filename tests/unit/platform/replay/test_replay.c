@@ -17,8 +17,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/rng.h"
-#include "platform/kiosk/recorder.h"
-#include "platform/kiosk/replayer.h"
+#include "platform/kiosk/recorder/replayer.h"
 #include "platform/replay/replay.h"
 #include "platform/replay/replay_format.h"
 

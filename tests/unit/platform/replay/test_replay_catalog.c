@@ -13,8 +13,7 @@
 #include "core/base/hash.h"
 #include "core/base/rng.h"
 #include "core/core.h"
-#include "platform/kiosk/recorder.h"
-#include "platform/kiosk/replayer.h"
+#include "platform/kiosk/recorder/replayer.h"
 
 static struct lab_book book, back;
 static struct core core;

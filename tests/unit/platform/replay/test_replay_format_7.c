@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "platform/kiosk/replayer.h"
+#include "platform/kiosk/recorder/replayer.h"
 
 #define OLD_FILE "tests/replay/format-7.replay"
 

@@ -16,7 +16,7 @@
 #include "core/game/accounting/ledger_range.h"
 #include "platform/replay/replay.h"
 #include "platform/replay/replay_initial_state.h"
-#include "platform/store/sqlite/ledger_mirror.h"
+#include "platform/store/sqlite/ledger_recovery.h"
 #include "platform/store/storage.h"
 
 static char dir[64], path[96];

@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "platform/store/sqlite/ledger_omit.h"
+#include "platform/store/sqlite/ledger_backup.h"
 #include "tests/unit/support/ledger_stand.h"
 
 static char words[LEDGER_LEAVE_WORDS];

@@ -16,7 +16,7 @@
 #include "core/pin.h"
 #include "platform/store/sqlite/ledger_backup.h"
 #include "platform/store/sqlite/ledger_file.h"
-#include "platform/store/sqlite/ledger_mirror.h"
+#include "platform/store/sqlite/ledger_recovery.h"
 
 #define PIN 4071
 #define ENTRIES 400u /* More than four pages of rows. */

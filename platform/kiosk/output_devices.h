@@ -1,0 +1,110 @@
+/* output_devices.h -- passes the results of a frame to the sound card, to the lamp, coin lockout,
+ * coin counter and ticket dispenser, and computes brightness and position of the picture.
+ *
+ * The sound card may be connected and disconnected. In attract mode (the demonstration between
+ * rounds) sounds are played only at intervals. */
+#ifndef KINGYO_PLATFORM_KIOSK_OUTPUT_DEVICES_H
+#define KINGYO_PLATFORM_KIOSK_OUTPUT_DEVICES_H
+
+#include <stdint.h>
+
+#include "core/display_geometry.h"
+#include "core/input.h"
+#include "core/output.h"
+#include "core/settings.h"
+#include "platform/hal.h"
+
+/* Length in seconds of one section of attract mode. Sounds are played only in each n-th section,
+ * where n is the setting SET_ATTRACT_SOUND. If n is 0, no section has sounds. */
+#define OUTPUT_AUDIO_SHOW_S 60u
+
+struct output_audio {
+    uint64_t retry_ns;   /* Time of the next search for a missing sound card. 0 means that a sound
+                            card is open. */
+    uint64_t attract_ns; /* Start time of attract mode. 0 means that a game runs. */
+};
+
+/* Opens the sound card. If no sound card is found, output_audio_play() repeats the search once per
+ * second. */
+void output_audio_open(struct output_audio *voice, const struct hal_audio *audio, uint64_t now_ns);
+
+/* Returns the gain [0, 1] of a sound of full volume. The gain is the square of the volume setting,
+ * because hearing follows a power law: half of the setting sounds about half as loud. */
+float output_audio_gain(const struct settings *settings);
+
+/* Returns 1 if sounds are played `attract_s` seconds after the start of attract mode, otherwise
+ * 0. */
+int output_audio_is_audible(const struct settings *settings, uint64_t attract_s);
+
+/* Plays the sounds of one frame. Returns the number of faults. The loss of the sound card counts as
+ * one fault. */
+uint32_t output_audio_play(struct output_audio *voice, const struct hal_audio *audio,
+                           const struct output *output, const struct settings *settings,
+                           int is_attract, uint64_t now_ns);
+
+/* ---- Lamp, lockout, counter and tickets ------------------------------------------------------ */
+
+/* Sends the core's outputs (start lamp, coin lockout, coin counter, tickets) to a driver that may
+ * fail.
+ *
+ * An output counts as sent only after the driver has accepted it. */
+
+struct output_lines {
+    uint32_t active;                     /* Levels that the driver accepted last, one bit (1 << enum
+                                            hal_switch) per output. */
+    uint32_t given[HAL_SWITCH_COUNT];    /* Pulses that the driver accepted since program start. */
+    uint64_t retry_ns[HAL_SWITCH_COUNT]; /* Time of the next attempt for an output whose last
+                                            request failed. */
+};
+
+/* Sets the start lamp and the coin lockout. Sends one pulse to the coin counter or the ticket
+ * dispenser for each increase of its count. Call once per frame. Returns the number of faults. */
+uint32_t output_lines_put(struct output_lines *switches, const struct hal_switches *device,
+                          const struct output *output, uint64_t now_ns);
+
+/* Returns the number of completed pulses since program start. Pulses of an output that the cabinet
+ * does not have are completed immediately. */
+uint32_t output_lines_are_done(const struct output_lines *switches,
+                               const struct hal_switches *device, enum hal_switch which);
+
+/* ---- Brightness and position of the picture -------------------------------------------------- */
+
+/* Dims the picture and moves it slowly to prevent burn-in.
+ *
+ * The brightness is the operator's brightness while a player is present. After a time without
+ * input the brightness is lower, and at night the picture is dark. */
+
+/* Seconds without input after which the picture becomes dark at night. The time is long enough to
+ * start a game. */
+#define DIMMER_NIGHT_IDLE_S 60u
+/* Distance in metres that a poi must move to count as input. Shorter movements may be sensor
+ * noise. */
+#define DIMMER_STIR_M 0.03f
+/* Maximum shift of the picture in each direction, as a share of the picture height: 4 pixels at a
+ * height of 720 pixels, 6 pixels at 1080. */
+#define DIMMER_SHIFT (1.0f / 180.0f)
+
+struct output_dimmer {
+    uint64_t seen_ns;     /* Time of the previous frame. 0 means no frame yet. */
+    uint64_t touched_ns;  /* Time of the last input. */
+    float light;          /* Current brightness as a share [0, 1] of the operator's brightness.
+                             Changes gradually. */
+    uint32_t wander_ms;   /* Phase of the slow movement in milliseconds. Wraps around at the end of
+                             its period. */
+    uint8_t was_stirred;  /* 1 if a button, a coin, a poi movement or a running game was detected
+                             after the previous output_dimmer_step(). */
+    vec3 hand_m[POI_MAX]; /* Position in metres of each poi at its last detected movement. */
+};
+
+/* Detects input: a pressed button, a coin or a running game. Call before the ticks of the frame. */
+void output_dimmer_notice(struct output_dimmer *dimmer, const struct input *input, int is_attract);
+
+/* Detects movements of the pois and returns the display settings of the frame. Call after the ticks
+ * of the frame. `now_ns` is monotonic. The caller guarantees that `settings` are valid. Night is
+ * determined from input->minute, and there is no night while input->day is 0. */
+struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
+                                           const struct settings *settings,
+                                           const struct input *input, int is_attract,
+                                           uint64_t now_ns);
+
+#endif

@@ -1,0 +1,62 @@
+/* panic_recovery.h -- writes the evidence of a panic to the data folder, and evaluates the evidence
+ * at the next start.
+ *
+ * A panic is a failed assertion or a fatal signal. The panic handler writes the running session
+ * (session_recorder.h), up to the newest input, to panic-N.kgr with N from 0 to 9. The tenth panic
+ * after a file was written replaces that file. `kingyoctl replay verify` replays the file. If the
+ * panic occurred inside the core, the replay panics at the same tick. After any other panic, the
+ * replay ends in the state that the core had at the panic. The file's mode is 0600 because inputs
+ * and settings may contain the operator's PIN. panic_count.h counts the panics. */
+#ifndef KINGYO_PLATFORM_KIOSK_RECORDER_PANIC_RECOVERY_H
+#define KINGYO_PLATFORM_KIOSK_RECORDER_PANIC_RECOVERY_H
+
+#include <stdatomic.h>
+#include <stdint.h>
+#include <sys/types.h>
+
+#include "platform/kiosk/recorder/session_recorder.h"
+#include "platform/panic_count.h"
+
+/* State of the panic handler. The caller owns the structure and initializes it to zero. The address
+ * must not change. */
+struct evidence {
+    int folder;                        /* Descriptor of the data folder plus 1. 0 means no data
+                                          folder. */
+    const char *data;                  /* Path of the data folder, for messages. */
+    struct session_recorder *chapters; /* Session recorder. Null means that no session is
+                                          recorded. */
+    const struct core *core;
+    pid_t thread; /* Id of the thread that runs the core's ticks. */
+    uint64_t boot;
+    uint32_t begun_s;          /* Time of the program start in seconds since the machine's boot
+                                  (panics_up_s()). */
+    struct panics panics;      /* Count of panics. The file of panic_count.h stores the same
+                                  count. */
+    atomic_uchar has_frame;    /* 1 if the first frame was shown, otherwise 0. */
+    atomic_uchar has_panicked; /* 1 if evidence_write() has started. Afterwards only
+                                  evidence_write() uses `panics`. */
+    atomic_uchar is_clearing;  /* 1 while a thread clears `panics` after ten minutes without a
+                                  panic. */
+};
+
+/* Opens the data folder and reads the count of panics. Call on the thread that will run the ticks,
+ * before the store is opened.
+ *
+ * After three panics within ten minutes, or one panic before the first frame, the stored data may
+ * be the cause. The function then leaves out a part of the data
+ * (platform/store/sqlite/ledger_backup.h): it copies the database and deletes this part. The result
+ * is logged. If the deletion fails, the next start tries again. If this process runs for ten
+ * minutes, a thread clears the count. Without a data folder, panics are only reported. */
+void evidence_open(struct evidence *evidence, const char *data, struct session_recorder *chapters,
+                   const struct core *core);
+
+/* Records that a frame was shown. Call after the first frame. */
+void evidence_note_frame(struct evidence *evidence);
+
+/* Handles a panic: stops the thread that runs the ticks, writes the replay and the count, and
+ * reports `reason` and the results in one line. Returns 1. Returns 0 if the thread that runs the
+ * ticks may still change the core and its recordings, or if a change was interrupted.
+ * Async-signal-safe. */
+int evidence_write(struct evidence *evidence, const char *reason);
+
+#endif

@@ -1,0 +1,186 @@
+/* replay_verifier.c -- runs the core with the recorded inputs and compares the results; see
+ * replay_verifier.h. */
+#include "platform/kiosk/recorder/replay_verifier.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "core/base/panic.h"
+#include "platform/cpu.h"
+
+static int no_such_stall(struct replay_verifier *verifier)
+{
+    struct replay_problem *problem = &verifier->replayer.reader.problem;
+    *problem = (struct replay_problem){ .offset = REPLAY_HEADER_SIZE };
+    snprintf(problem->text, sizeof problem->text, "this program has no such stall");
+    verifier->is_damaged = 1;
+    return -1;
+}
+
+int replay_verifier_open(struct replay_verifier *verifier, const uint8_t *bytes, size_t size)
+{
+    CORE_ASSERT(bytes);
+    struct core_config config;
+    verifier->round = (struct ledger_entry){ 0 };
+    verifier->said = (struct replay_totals){ 0 };
+    verifier->round_tick = 0;
+    verifier->is_read = verifier->is_refused = 0;
+    verifier->bytes = bytes;
+    verifier->size = size;
+    memset(&verifier->output, 0, sizeof verifier->output);
+    cpu_set_float();
+    verifier->is_damaged = replayer_begin_in(&verifier->replayer, bytes, size, &config) != 0;
+    return verifier->is_damaged ? -1 : 0;
+}
+
+int replay_verifier_read(struct replay_verifier *verifier)
+{
+    struct replay_reader *reader = &verifier->replayer.reader;
+    int more = verifier->is_damaged ? -1 : 1;
+    for (uint32_t tick = 0; more == 1 && tick < REPLAY_CHUNK_TICKS; tick++) {
+        more = replay_next(reader, &verifier->input);
+        if (more == 1 && reader->totals.rounds != verifier->said.rounds) {
+            verifier->said.rounds = reader->totals.rounds;
+            verifier->round_tick = reader->tick;
+        }
+    }
+    if (more == 0) {
+        verifier->said = reader->totals;
+        replay_close(reader);
+        struct core_config config;
+        if (replayer_begin_in(&verifier->replayer, verifier->bytes, verifier->size, &config)) {
+            verifier->is_damaged = 1;
+            return -1;
+        }
+        config.lanes = cpu_lanes();
+        verifier->input = (struct input){ 0 };
+        const enum core_error error = core_init(&verifier->core, &config);
+        verifier->is_refused = error == CORE_ERR_FLOAT;
+        if (error != CORE_OK) {
+            return verifier->is_refused ? -1 : no_such_stall(verifier);
+        }
+        verifier->seen_id = verifier->core.game.accounts.ledger.last_id;
+        verifier->is_read = 1;
+        return 0;
+    }
+    verifier->is_damaged = more < 0;
+    return more;
+}
+
+int replay_verifier_begin(struct replay_verifier *verifier, const uint8_t *bytes, size_t size)
+{
+    int more = replay_verifier_open(verifier, bytes, size) ? -1 : 1;
+    while (more == 1) {
+        more = replay_verifier_read(verifier);
+    }
+    return more;
+}
+
+int replay_verifier_tick(struct replay_verifier *verifier)
+{
+    struct replayer *replayer = &verifier->replayer;
+    const struct kiosk_source source = replayer_source(replayer);
+    const struct kiosk_tap tap = replayer_tap(replayer);
+    if (verifier->is_damaged || verifier->is_refused || !verifier->is_read ||
+        replayer->difference.found || !source.next(source.self, &verifier->input)) {
+        return 0;
+    }
+    verifier->output.sound_count = 0;
+    verifier->is_refused =
+        core_tick(&verifier->core, &verifier->input, &verifier->output) == CORE_ERR_FLOAT;
+    if (verifier->is_refused) {
+        return 0;
+    }
+    tap.tick(tap.self, &verifier->input, &verifier->core);
+    while (verifier->seen_id != verifier->core.game.accounts.ledger.last_id) {
+        const struct ledger_entry *entry =
+            &verifier->output.entries[++verifier->seen_id % LEDGER_RING];
+        if (entry->id == verifier->seen_id && entry->kind == LEDGER_ROUND) {
+            verifier->round = *entry;
+        }
+    }
+    return 1;
+}
+
+int replay_verifier_is_at_round(const struct replay_verifier *verifier)
+{
+    return verifier->replayer.totals.ticks >= verifier->round_tick;
+}
+
+/* Compares a row of the ranking with the simulated round. Returns 1 if the row equals the round, -1
+ * if the row differs, 0 if the row belongs to another round. */
+static int look_at_row(const struct replay_verifier *verifier, const struct rank_row *row,
+                       uint8_t mode, uint32_t round_id)
+{
+    const struct round_record *round = &verifier->round.round;
+    if (row->caught == 0 || row->round_id != round_id) {
+        return 0;
+    }
+    return row->seat < POI_MAX && round->mode == mode && (round->players & 1u << row->seat) &&
+                   round->player[row->seat].caught == row->caught
+               ? 1
+               : -1;
+}
+
+static int agrees_with(const struct replay_verifier *verifier, const struct ranking *ranking,
+                       uint32_t round_id)
+{
+    uint32_t found = 0;
+    for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
+        for (uint32_t i = 0; i < RANK_PERIOD_COUNT * RANK_ROWS; i++) {
+            const struct rank_row *row = &ranking->row[mode][i / RANK_ROWS][i % RANK_ROWS];
+            const int says = look_at_row(verifier, row, mode, round_id);
+            if (says < 0) {
+                return 0;
+            }
+            found += (uint32_t)says;
+        }
+    }
+    return found > 0;
+}
+
+static int same_players(const struct round_record *a, const struct round_record *b)
+{
+    int same = 1;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct player_record *one = &a->player[i], *other = &b->player[i];
+        same &= one->caught == other->caught && one->scoops == other->scoops &&
+                one->hole_area_mm2 == other->hole_area_mm2 && one->torn_tick == other->torn_tick &&
+                one->sheets == other->sheets && one->fouls == other->fouls;
+    }
+    return same;
+}
+
+/* Returns 1 if the simulated round's entry equals the ledger's entry `kept`, otherwise 0. */
+static int is_entry(const struct ledger_entry *played, const struct ledger_entry *kept)
+{
+    const struct round_record *a = &played->round, *b = &kept->round;
+    /* Older versions did not store tank data. A round without tank data is accepted. */
+    return kept->kind == LEDGER_ROUND && played->id == kept->id && played->boot == kept->boot &&
+           played->tick == kept->tick && played->value == kept->value && a->seed == b->seed &&
+           a->start_tick == b->start_tick && a->end_tick == b->end_tick && a->caught == b->caught &&
+           a->by_bot == b->by_bot && a->mode == b->mode && a->grade == b->grade &&
+           a->players == b->players && a->unscored == b->unscored && same_players(a, b) &&
+           (b->fish_count == 0 ||
+            (a->fish_count == b->fish_count && a->round_s == b->round_s && a->preset == b->preset));
+}
+
+enum replay_verdict replay_verifier_result(const struct replay_verifier *verifier,
+                                           const struct ranking *ranking, uint32_t round_id,
+                                           const struct ledger_entry *kept)
+{
+    const struct replayer *replayer = &verifier->replayer;
+    if (verifier->is_refused) {
+        return REPLAY_VERDICT_UNCHECKED;
+    }
+    if (verifier->is_damaged || !verifier->is_read || replayer->damaged) {
+        return REPLAY_VERDICT_DAMAGED;
+    }
+    if (replayer->difference.found || replayer->totals.ticks != verifier->said.ticks ||
+        verifier->round.id != round_id || verifier->round.round.by_bot ||
+        verifier->round.round.unscored || !agrees_with(verifier, ranking, round_id) ||
+        (kept->id != 0 && !is_entry(&verifier->round, kept))) {
+        return REPLAY_VERDICT_OTHER;
+    }
+    return REPLAY_VERDICT_GENUINE;
+}

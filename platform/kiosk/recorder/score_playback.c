@@ -1,0 +1,169 @@
+/* score_playback.c -- loads, seeks, plays and verifies the replay of a score; see
+ * score_playback.h. */
+#include "platform/kiosk/recorder/score_playback.h"
+
+#include <string.h>
+
+#include "core/base/panic.h"
+#include "core/game/game.h"
+
+void score_playback_request(struct score_playback *playback, uint32_t round_id)
+{
+    CORE_ASSERT(round_id != 0);
+    if (playback->is_asked) {
+        return; /* The store is still writing the previously requested replay to `bytes`. */
+    }
+    playback->state = ENCORE_SEEKS;
+    playback->is_open = playback->has_play = 0;
+    playback->round_id = round_id;
+    playback->end_ticks = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        playback->hand_y_m[i] = GAME_DIP_Y_M; /* A poi that is already below the water does not
+                                                 count as a dip. */
+    }
+}
+
+void score_playback_end(struct score_playback *playback)
+{
+    playback->state = ENCORE_OFF;
+    playback->is_open = playback->has_play = 0;
+}
+
+int score_playback_handle_input(struct score_playback *playback, uint32_t pressed,
+                                const struct poi_input poi[POI_MAX])
+{
+    int dips = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (poi[i].link == POI_SOURCE_LIVE) {
+            const float y_m = poi[i].target.position_m.y;
+            dips |= y_m < GAME_DIP_Y_M && playback->hand_y_m[i] > GAME_DIP_Y_M;
+            playback->hand_y_m[i] = y_m;
+        }
+    }
+    if (pressed != 0 || dips) {
+        score_playback_end(playback);
+        return 1;
+    }
+    return 0;
+}
+
+static void conclude(struct score_playback *playback, const struct ranking *ranking)
+{
+    const enum replay_verdict verdict =
+        replay_verifier_result(&playback->judge, ranking, playback->round_id, &playback->kept);
+    playback->state = verdict == REPLAY_VERDICT_GENUINE     ? ENCORE_GENUINE
+                      : verdict == REPLAY_VERDICT_UNCHECKED ? ENCORE_NONE
+                                                            : ENCORE_OTHER;
+}
+
+/* Requests the replay from the store. When the store has loaded the replay, opens it. */
+static void fetch(struct score_playback *playback, const struct hal_storage *storage,
+                  const struct ranking *ranking)
+{
+    if (!playback->is_asked) {
+        const int result =
+            storage->replays.ops->fetch(storage->replays.self, playback->round_id, playback->bytes,
+                                        sizeof playback->bytes, &playback->kept);
+        playback->is_asked = result == HAL_OK;
+        playback->state = result == HAL_OK || result == HAL_ERR_BUSY ? ENCORE_SEEKS : ENCORE_NONE;
+        return;
+    }
+    const int size = storage->replays.ops->fetched(storage->replays.self);
+    if (size == HAL_ERR_BUSY) {
+        return;
+    }
+    playback->is_asked = 0;
+    if (playback->state == ENCORE_OFF) {
+        return; /* The playback was ended while the store loaded the replay. */
+    }
+    if (size <= 0) {
+        playback->state = ENCORE_NONE;
+    } else if (replay_verifier_open(&playback->judge, playback->bytes, (size_t)size)) {
+        conclude(playback, ranking);
+    } else {
+        playback->is_open = 1;
+    }
+}
+
+/* Parses one second of the replay. */
+static void read_on(struct score_playback *playback, const struct ranking *ranking)
+{
+    const int more = replay_verifier_read(&playback->judge);
+    playback->has_play = more == 0;
+    if (more < 0) {
+        conclude(playback, ranking);
+    }
+}
+
+static void seek_on(struct score_playback *playback, const struct ranking *ranking)
+{
+    if (replay_verifier_is_at_round(&playback->judge)) {
+        playback->state = ENCORE_PLAYS;
+    } else if (!replay_verifier_tick(&playback->judge)) {
+        conclude(playback, ranking);
+    }
+}
+
+/* Parses seconds and then runs ticks, as many as fit into the frame without delaying the kiosk's
+ * own ticks. */
+static void seek(struct score_playback *playback, const struct hal_clock *stopwatch,
+                 const struct ranking *ranking)
+{
+    const uint64_t begin_ns = hal_now_ns(*stopwatch);
+    uint64_t spent_ns = 0;
+    for (uint32_t i = 0; i < SCORE_PLAYBACK_SEEK_TICKS && spent_ns < SCORE_PLAYBACK_SEEK_NS &&
+                         playback->state == ENCORE_SEEKS;
+         i++) {
+        (playback->has_play ? seek_on : read_on)(playback, ranking);
+        spent_ns = hal_now_ns(*stopwatch) - begin_ns;
+    }
+}
+
+void score_playback_frame(struct score_playback *playback, const struct hal *hal,
+                          const struct hal_clock *stopwatch, const struct ranking *ranking,
+                          uint32_t tick_count)
+{
+    const int waits = playback->state == ENCORE_SEEKS && !playback->is_open;
+    if (waits || playback->is_asked) {
+        fetch(playback, &hal->storage, ranking);
+    } else if (playback->state == ENCORE_SEEKS) {
+        seek(playback, stopwatch, ranking);
+    } else if (playback->state == ENCORE_PLAYS) {
+        for (uint32_t i = 0; i < tick_count && playback->state == ENCORE_PLAYS; i++) {
+            if (!replay_verifier_tick(&playback->judge)) {
+                conclude(playback, ranking);
+            }
+        }
+    } else if (playback->state != ENCORE_OFF) {
+        playback->end_ticks += tick_count;
+        if (playback->end_ticks >= SCORE_PLAYBACK_END_TICKS) {
+            score_playback_end(playback);
+        }
+    }
+}
+
+void score_playback_show(const struct score_playback *playback, struct scene *scene,
+                         struct output *output)
+{
+    const struct replay_verifier *judge = &playback->judge;
+    scene->playback = playback->state;
+    scene->encore_progress = 0.0f;
+    if (playback->state == ENCORE_OFF) {
+        return;
+    }
+    output->sound_count = 0; /* The game's own sounds are dropped during a playback. */
+    if (playback->state == ENCORE_SEEKS && playback->has_play) {
+        scene->encore_progress =
+            (float)judge->replayer.totals.ticks / (float)(judge->round_tick + 1u);
+    }
+    if (playback->state != ENCORE_SEEKS && playback->has_play) {
+        const uint8_t language = scene->language;
+        core_scene(&judge->core, scene);
+        scene->language = language; /* The playback is shown in the operator's language because the
+                                       operator watches it. */
+    }
+    if (playback->state == ENCORE_PLAYS) {
+        output->sound_count = judge->output.sound_count;
+        memcpy(output->sounds, judge->output.sounds, sizeof output->sounds);
+    }
+}

@@ -1,0 +1,201 @@
+/* session_recorder.c -- records sessions in memory and starts a new recording for each session; see
+ * session_recorder.h. */
+#include "platform/kiosk/recorder/session_recorder.h"
+
+#include <poll.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "core/base/panic.h"
+#include "core/pin.h"
+
+static int32_t withheld_told(int32_t told, int32_t kept)
+{
+    return told == kept ? (kept != 0 ? PIN_WITHHELD : 0) : kept == 0 ? PIN_WITHHELD : 0;
+}
+
+void session_recorder_withhold_pin(struct core_config *config, int32_t *told)
+{
+    int32_t *kept = &config->persistent.settings.value[SET_PIN];
+    int32_t *begun = &config->session.settings_edit.told.value[SET_PIN];
+    *begun = withheld_told(*begun, *kept);
+    if (told) {
+        *told = withheld_told(*told, *kept);
+    }
+    *kept = *kept != 0 ? PIN_WITHHELD : 0;
+}
+
+static int is_pin(int32_t value)
+{
+    return value != 0 && value != PIN_WITHHELD;
+}
+
+int session_recorder_start_has_pin(const struct core_config *config)
+{
+    return is_pin(config->persistent.settings.value[SET_PIN]) ||
+           is_pin(config->session.settings_edit.told.value[SET_PIN]);
+}
+
+int session_recorder_types_pin(const struct core *core)
+{
+    const struct menu *menu = &core->game.menu;
+    return core->game.phase == PHASE_MENU &&
+           (menu->page == MENU_PIN || menu->page == MENU_NEW_PIN) && menu->pin_count > 0;
+}
+
+void session_recorder_begin(struct session_recorder *chapters, const struct core *core)
+{
+    CORE_ASSERT(core_is_fresh(core));
+    memset(&chapters->totals, 0, sizeof chapters->totals);
+    memset(&chapters->tally, 0, sizeof chapters->tally);
+    chapters->totals.hash = core_hash(core);
+    chapters->seen_id = core->game.accounts.ledger.last_id;
+    chapters->has_pin = 0;
+    chapters->start = core->config;
+    session_recorder_withhold_pin(&chapters->start, NULL);
+    replay_create_in(&chapters->writer, chapters->memory, sizeof chapters->memory, &core->config,
+                     chapters->totals.hash);
+}
+
+static int is_ranked(const struct core *core, const struct ledger_entry *entry)
+{
+    const struct round_record *round = &entry->round;
+    uint32_t place = RANK_ROWS;
+    if (entry->kind != LEDGER_ROUND || round->by_bot || round->unscored) {
+        return 0;
+    }
+    for (uint32_t i = 0; i < RANK_PERIOD_COUNT * POI_MAX && place == RANK_ROWS; i++) {
+        place = ranking_place(&core->game.accounts.ranking, round->mode,
+                              (enum rank_period)(i / POI_MAX), entry->id, (uint8_t)(i % POI_MAX));
+    }
+    return place < RANK_ROWS;
+}
+
+static void keep_round(struct session_recorder *chapters, uint32_t round_id,
+                       const struct core *core)
+{
+    CORE_ASSERT(round_id != 0);
+    if (chapters->round_id != 0 || chapters->has_pin) {
+        chapters->missed++;
+        return;
+    }
+    chapters->replay_size =
+        replay_copy(&chapters->writer, core_hash(core), chapters->replay, sizeof chapters->replay);
+    if (chapters->replay_size > 0) {
+        chapters->replay_size =
+            replay_replace_start(chapters->replay, chapters->replay_size, sizeof chapters->replay,
+                                 &chapters->start, &chapters->seal);
+    }
+    chapters->is_sealed = 0;
+    chapters->round_id = chapters->replay_size > 0 ? round_id : 0;
+    chapters->missed += chapters->replay_size == 0;
+}
+
+void session_recorder_before(struct session_recorder *chapters, const struct input *input)
+{
+    atomic_store(&chapters->is_busy, 1);
+    /* Block the thread that runs the ticks forever if another thread has panicked. */
+    while (atomic_load(&chapters->is_frozen)) {
+        atomic_store(&chapters->is_busy, 0);
+        pause();
+    }
+    chapters->begun = *input;
+    atomic_store(&chapters->is_in_tick, 1);
+}
+
+static void note_tick(struct session_recorder *chapters, const struct input *input,
+                      const struct core *core, const struct output *output)
+{
+    if (core_is_fresh(core)) { /* The configuration of the new session already includes the effect
+                                  of the current tick. */
+        session_recorder_begin(chapters, core);
+        return;
+    }
+    chapters->has_pin = chapters->has_pin || session_recorder_types_pin(core);
+    struct replay_writer *writer = &chapters->writer;
+    uint32_t digest = 0;
+    recorder_count(&chapters->totals, &chapters->tally, core);
+    if (replay_wants_hash(writer)) {
+        chapters->totals.hash = core_hash(core);
+    }
+    if (replay_wants_digest(writer)) {
+        digest = (uint32_t)core_hash_quick(core);
+    }
+    replay_add(writer, input, digest, &chapters->totals);
+    while (chapters->seen_id != core->game.accounts.ledger.last_id) {
+        const struct ledger_entry *entry = &output->entries[++chapters->seen_id % LEDGER_RING];
+        if (entry->id == chapters->seen_id && is_ranked(core, entry)) {
+            keep_round(chapters, entry->id, core);
+        }
+    }
+}
+
+void session_recorder_tick(struct session_recorder *chapters, const struct input *input,
+                           const struct core *core, const struct output *output)
+{
+    atomic_store(&chapters->is_in_tick, 0);
+    note_tick(chapters, input, core, output);
+    atomic_store(&chapters->is_busy, 0);
+}
+
+int session_recorder_freeze(struct session_recorder *chapters, int is_own)
+{
+    if (is_own) {
+        return !atomic_load(&chapters->is_busy) || atomic_load(&chapters->is_in_tick);
+    }
+    atomic_store(&chapters->is_frozen, 1);
+    for (int i = 0; i < SESSION_RECORDER_FREEZE_MS && atomic_load(&chapters->is_busy); i++) {
+        poll(NULL, 0, 1);
+    }
+    return !atomic_load(&chapters->is_busy);
+}
+
+int session_recorder_has_begun(const struct session_recorder *chapters)
+{
+    return chapters->writer.offset > 0;
+}
+
+int session_recorder_dump(struct session_recorder *chapters, const struct core *core, int is_sound,
+                          int fd)
+{
+    uint64_t hash = chapters->totals.hash;
+    if (is_sound && atomic_load(&chapters->is_in_tick)) {
+        hash = chapters->totals.hash = REPLAY_HASH_NONE;
+        chapters->totals.ticks++;
+        replay_add(&chapters->writer, &chapters->begun, 0, &chapters->totals);
+    } else if (is_sound) {
+        hash = core_hash(core);
+    }
+    return replay_dump(&chapters->writer, chapters->memory, hash, !is_sound, fd);
+}
+
+/* The store drops replays of unknown rounds, therefore the replay is offered after its round is on
+ * disk. */
+int session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage)
+{
+    CORE_ASSERT(storage->ledger.ops && storage->replays.ops);
+    const struct hal_replay_store *store = &storage->replays;
+    if (chapters->round_id != 0 && !chapters->is_sealed) {
+        chapters->is_sealed =
+            (uint8_t)replay_seal_next(&chapters->seal, SESSION_RECORDER_SEAL_SIZE);
+    }
+    if (chapters->round_id == 0 || !chapters->is_sealed ||
+        storage->ledger.ops->committed_id(storage->ledger.self) < chapters->round_id) {
+        return 0;
+    }
+    if (chapters->is_lent) {
+        const int is_done = store->ops->stored_id(store->self) == chapters->round_id;
+        chapters->round_id = is_done ? 0 : chapters->round_id;
+        chapters->is_lent = !is_done;
+        return 0;
+    }
+    const int result =
+        store->ops->store(store->self, chapters->round_id, chapters->replay, chapters->replay_size);
+    if (result == HAL_OK) {
+        chapters->is_lent = 1;
+    } else if (result != HAL_ERR_BUSY) {
+        chapters->round_id = 0;
+        chapters->missed += (uint32_t)hal_is_fault(result);
+    }
+    return hal_is_fault(result);
+}

@@ -1,0 +1,116 @@
+/* session_recorder.h -- records the running session (core/game/session.h) in memory.
+ *
+ * The recorder gives the store the replay of each ranked round. In a panic, the recorder writes the
+ * session to a file. Each recording starts with a snapshot, which is the configuration of the
+ * session's first state. The snapshot and all later inputs stay in memory until the next session
+ * starts. The caller owns `struct session_recorder` (20 MiB: static storage) and initializes it to
+ * zero.
+ *
+ * Ranked rounds without a replay are counted. A round has no replay if the session is larger than
+ * SESSION_RECORDER_SIZE or if the store is still writing an earlier replay. A round also has no
+ * replay if digits of the PIN were typed during the session. The recording of a session ends when
+ * it exceeds SESSION_RECORDER_MEMORY. A later panic then writes only the session's part before this
+ * end. */
+#ifndef KINGYO_PLATFORM_KIOSK_RECORDER_SESSION_RECORDER_H
+#define KINGYO_PLATFORM_KIOSK_RECORDER_SESSION_RECORDER_H
+
+#include <stdatomic.h>
+
+#include "platform/hal.h"
+#include "platform/kiosk/recorder/replayer.h"
+#include "platform/replay/replay.h"
+
+/* Maximum size of a replay in bytes. Ten minutes of attract mode take 0.1 MB. A six-axis controller
+ * that changes in each tick adds 3.4 KB per second. The rest is enough for a quarter of an hour
+ * with one player, or four minutes with four players. */
+#define SESSION_RECORDER_SIZE (3u * 1024u * 1024u)
+
+/* Memory for a recording in bytes. Ten minutes in which every field of every input changes in each
+ * tick take 16 MiB. Four six-axis controllers write 13 KB per second, so that the memory is enough
+ * for twenty minutes: attract mode and the longest round with its pauses. Pages that no session has
+ * reached use no physical memory. */
+#define SESSION_RECORDER_MEMORY (17u * 1024u * 1024u)
+/* Maximum size of one recorded second in bytes. */
+#define SESSION_RECORDER_SECOND_MAX (REPLAY_CHUNK_HEAD_SIZE + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE)
+_Static_assert(REPLAY_HEADER_MAX + 600u * SESSION_RECORDER_SECOND_MAX + REPLAY_END_SIZE <=
+                   SESSION_RECORDER_MEMORY,
+               "ten minutes of any input fit");
+
+struct session_recorder {
+    struct core_config start; /* Configuration at the start of the session, with the PIN withheld
+                                 (core/pin.h). Each replay that the store gets starts with this
+                                 configuration. */
+    struct replay_writer writer;
+    struct replay_totals totals;
+    struct recorder_tally tally;
+    uint32_t seen_id;  /* Id of the newest ledger entry that was examined. */
+    uint32_t round_id; /* Id of the round whose replay is in `replay`. 0 means no replay. */
+    uint8_t is_lent;   /* 1 while the store uses `replay`. */
+    uint8_t is_sealed; /* 1 if the checksums of `replay` are complete. */
+    struct replay_seal seal;
+    uint8_t has_pin; /* 1 if digits of a PIN were typed in the session. The store then gets no
+                        replay of the session. */
+    size_t replay_size;
+    uint32_t missed;         /* Number of ranked rounds whose replay could not be stored. */
+    struct input begun;      /* Input of the current tick. Valid while is_in_tick is 1. */
+    atomic_uchar is_in_tick; /* 1 while core_tick() runs. */
+    /* 1 between the start of session_recorder_before() and the end of session_recorder_tick(). */
+    atomic_uchar is_busy;
+    atomic_uchar is_frozen; /* 1 if a panic reads the recording. The thread that runs the ticks then
+                               blocks before it changes the recording. */
+    uint8_t memory[SESSION_RECORDER_MEMORY];
+    uint8_t replay[SESSION_RECORDER_SIZE];
+};
+
+/* Starts the recording of a session. Call before the first tick of a new core. */
+void session_recorder_begin(struct session_recorder *chapters, const struct core *core);
+
+/* Stores the input of the next tick. Call before each tick. */
+void session_recorder_before(struct session_recorder *chapters, const struct input *input);
+
+/* Records a tick. Call after each tick. */
+void session_recorder_tick(struct session_recorder *chapters, const struct input *input,
+                           const struct core *core, const struct output *output);
+
+/* Number of bytes whose checksums are computed per frame, which takes 0.2 ms. A replay of
+ * SESSION_RECORDER_SIZE bytes takes 4 ms in total and is spread over 24 frames. */
+#define SESSION_RECORDER_SEAL_SIZE (128u * 1024u)
+
+/* Computes checksums of the waiting replay, SESSION_RECORDER_SEAL_SIZE bytes per call. Passes the
+ * replay to the store after its round is on disk. Call once per frame. Returns 1 if the store
+ * failed, otherwise 0. */
+int session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage);
+
+/* ---- PIN in a recording -------------------------------------------------------------------- */
+
+/* Withholds the PIN (core/pin.h) in the initial configuration of a recording. `told` is the last
+ * logged PIN of a running core, or null. The core writes a ledger entry if the PIN and its logged
+ * value differ. The function therefore keeps equal values equal and different values different, so
+ * that the simulated game stays the same. */
+void session_recorder_withhold_pin(struct core_config *config, int32_t *told);
+
+/* Returns 1 if the initial configuration of a recording contains a PIN, otherwise 0. */
+int session_recorder_start_has_pin(const struct core_config *config);
+
+/* Returns 1 while digits of a PIN are typed, otherwise 0. Inputs that are recorded during this time
+ * contain the digits. */
+int session_recorder_types_pin(const struct core *core);
+
+/* ---- Async-signal-safe functions for the panic handler ------------------------------------- */
+
+/* Stops all changes of the recording. `is_own` is 1 if the calling thread runs the ticks. If
+ * `is_own` is 0, waits for the end of the current tick, at most SESSION_RECORDER_FREEZE_MS
+ * milliseconds. Returns 1. Returns 0 if a change was interrupted or is still in progress. */
+#define SESSION_RECORDER_FREEZE_MS 200
+int session_recorder_freeze(struct session_recorder *chapters, int is_own);
+
+/* Returns 1 if there is a session to write, otherwise 0. */
+int session_recorder_has_begun(const struct session_recorder *chapters);
+
+/* Writes the session to the descriptor `fd`. session_recorder_freeze() must be called first;
+ * `is_sound` is its return value. An interrupted tick is written with its input and
+ * REPLAY_HASH_NONE. Returns 0 or a negative errno. */
+int session_recorder_dump(struct session_recorder *chapters, const struct core *core, int is_sound,
+                          int fd);
+
+#endif
