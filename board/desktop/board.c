@@ -10,7 +10,7 @@
 #include "board/desktop/parts.h"
 #include "drivers/null.h"
 #include "platform/audio.h"
-#include "platform/kiosk/pin_sweep.h"
+#include "platform/kiosk/recorder/pin_sweep.h"
 #include "platform/os/clock.h"
 #include "platform/store/storage.h"
 #include "platform/watchdog.h"

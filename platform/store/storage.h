@@ -47,7 +47,6 @@
 #include "platform/store/sqlite/ledger_backup.h"
 #include "platform/store/sqlite/ledger_recovery.h"
 
-#define STORAGE_FILE "kingyo.db"
 #define STORAGE_BACKUP_SUFFIX ".backup"
 #define STORAGE_MIRROR_SUFFIX ".tail"
 /* Suffix of the complete replacement of a damaged database, before the replacement is renamed to
@@ -65,9 +64,6 @@
 /* Suffix of a quarantined backup or ledger mirror that belongs to a foreign ledger. A number
  * follows. */
 #define STORAGE_OTHER_SUFFIX ".other-"
-/* Suffix of the copy of the database that ledger_leave_out() makes before it deletes data. A number
- * follows. */
-#define STORAGE_LEFT_SUFFIX ".left-out-"
 /* Suffix of the empty marker file that records that the operator has acknowledged a quarantined
  * file. The suffix follows the full name of the quarantined file. */
 #define STORAGE_SEEN_SUFFIX ".seen"
@@ -86,8 +82,6 @@
 /* Number of new entries after which a backup is made, even if less than STORAGE_BACKUP_S has
  * passed. */
 #define STORAGE_BACKUP_ENTRIES (LEDGER_MIRROR_SLOTS / 2u)
-/* Size in bytes of the database's path. */
-#define STORAGE_PATH_SIZE 512u
 /* Capacity of the queue of ledger entries: twice the number of unwritten entries that the core can
  * hold. While the card responds, the queue is therefore never full. */
 #define STORAGE_QUEUE_MAX (2u * LEDGER_RING)

@@ -15,7 +15,6 @@
 #include "platform/os/file.h"
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
-#include "platform/store/storage.h"
 
 #define PAGES_A_STEP 64
 

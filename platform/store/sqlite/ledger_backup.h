@@ -8,6 +8,14 @@
 #include "platform/panic_count.h"
 #include "platform/store/sqlite/ledger_file.h"
 
+/* Name of the database in its folder. */
+#define STORAGE_FILE "kingyo.db"
+/* Suffix of the copy of the database that ledger_leave_out() makes before it deletes data. A number
+ * follows. */
+#define STORAGE_LEFT_SUFFIX ".left-out-"
+/* Size in bytes of the database's path. */
+#define STORAGE_PATH_SIZE 512u
+/* Size in bytes of the path of a file that belongs to the database. */
 #define LEDGER_PATH_SIZE 600u
 /* Suffix of temporary files. A temporary file may be deleted at any program start. */
 #define LEDGER_PART_SUFFIX ".kingyo-part"
