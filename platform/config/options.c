@@ -183,11 +183,18 @@ static const char *const keyboard_names[] = {
     [BOARD_KEYBOARD_OFF + 1] = NULL,
 };
 
-static const char *const tank_names[] = {
+const char *const options_tank_names[] = {
     [TANK_PRESET_FESTIVAL] = "festival",
     [TANK_PRESET_THESIS] = "thesis",
     [TANK_PRESET_OFFICIAL] = "official",
     [TANK_PRESET_COUNT] = NULL,
+};
+
+const char *const options_mode_names[] = {
+    [MODE_FESTIVAL] = "festival",
+    [MODE_CHAMPIONSHIP] = "championship",
+    [MODE_PRACTICE] = "practice",
+    [MODE_COUNT] = NULL,
 };
 
 #define AT(member) .offset = offsetof(struct options, member)
@@ -241,7 +248,7 @@ static const struct option table[] = {
       .expects = "ja or en", .section = "" },
     { "tank", "NAME",
       "tank of the kiosk; thesis is the tank of 2013, and official that of a championship",
-      OPTION_CHOICE, AT(tank), .choices = tank_names, .expects = "festival, thesis or official",
+      OPTION_CHOICE, AT(tank), .choices = options_tank_names, .expects = "festival, thesis or official",
       .section = "game" },
     { "seed", "N", "seed of all random numbers; equal seeds give equal fish", SET(set_seed),
       .expects = "0 to 4294967295", .section = "game" },

@@ -63,6 +63,11 @@ struct options {
 /* Checks rules that concern several options. Returns 0, or -1 and writes one line to `error`. */
 int options_check(const struct options *options, char error[OPTIONS_ERROR_MAX]);
 
+/* Names of the tank presets (enum tank_preset_id) and of the game modes (enum game_mode). Each list
+ * ends with null. */
+extern const char *const options_tank_names[];
+extern const char *const options_mode_names[];
+
 /* The table of the options. Its target is struct options. */
 extern const struct option_table options_table;
 

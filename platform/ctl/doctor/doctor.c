@@ -128,24 +128,6 @@ static enum exit_code read_config(struct doctor_words *words, int argc, const ch
 
 /* ---- Running the checks ---------------------------------------------------------------------- */
 
-/* Sets the root folder, which is the prefix of all paths. A root folder that does not exist is an
- * error. Otherwise a mistyped folder would produce the findings of a machine without devices.
- * Returns EXIT_OK. After an error, prints one line and returns EXIT_IO. */
-static enum exit_code take_root(const char *root)
-{
-    struct stat about;
-    const int failed = !root                    ? 0
-                       : stat(root, &about)     ? errno
-                       : S_ISDIR(about.st_mode) ? 0
-                                                : ENOTDIR;
-    if (failed) {
-        print_error("kingyoctl doctor: --root %s: %s", root, strerror(failed));
-        return EXIT_IO;
-    }
-    doctor.root = root ? root : "";
-    return EXIT_OK;
-}
-
 static void (*const checks[])(struct doctor *doctor) = {
     doctor_usb, doctor_nodes, doctor_input, doctor_gpio, doctor_screen, doctor_sound, doctor_store,
 };
@@ -154,7 +136,17 @@ static enum exit_code doctor_run(int argc, const char *const *argv)
 {
     static struct doctor_words words;
     enum exit_code code = read_words(&words, argc, argv);
-    code = code == EXIT_OK ? take_root(words.root) : code;
+    if (code == EXIT_OK && words.root) {
+        /* A root folder that does not exist is an error. Otherwise a mistyped folder would produce
+         * the findings of a machine without devices. */
+        struct stat about;
+        const int failed = stat(words.root, &about) ? errno : S_ISDIR(about.st_mode) ? 0 : ENOTDIR;
+        if (failed) {
+            print_error("kingyoctl doctor: --root %s: %s", words.root, strerror(failed));
+            return EXIT_IO;
+        }
+    }
+    doctor.root = words.root ? words.root : "";
     code = code == EXIT_OK ? take_user(&doctor.user, words.user) : code;
     code = code == EXIT_OK ? read_config(&words, argc, argv) : code;
     if (code != EXIT_OK) {

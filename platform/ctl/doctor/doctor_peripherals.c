@@ -75,12 +75,10 @@ static void look_at_nodes(struct doctor *doctor, const char *part, const char *f
 
 /* ---- Screens --------------------------------------------------------------------------------- */
 
-/* Adds a finding for each video connector, for example "card1-HDMI-A-1". Returns the number of
- * connectors to which a screen is connected. */
-static uint32_t look_at_sockets(struct doctor *doctor)
+void doctor_screen(struct doctor *doctor)
 {
-    struct doctor_names sockets;
-    uint32_t connected = 0;
+    struct doctor_names sockets; /* Video connectors, for example "card1-HDMI-A-1". */
+    uint32_t connected = 0;      /* Number of connectors to which a screen is connected. */
     doctor_list(doctor, "/sys/class/drm", "card", &sockets);
     for (uint32_t i = 0; i < sockets.count; i++) {
         char status[32], mode[32];
@@ -92,12 +90,6 @@ static uint32_t look_at_sockets(struct doctor *doctor)
             connected += strcmp(status, "connected") == 0;
         }
     }
-    return connected;
-}
-
-void doctor_screen(struct doctor *doctor)
-{
-    const uint32_t connected = look_at_sockets(doctor);
     if (doctor_under_a_desktop(doctor)) {
         doctor_state(doctor_find(doctor, "display", DOCTOR_FINE, "desktop"), "%s",
                      getenv("WAYLAND_DISPLAY") ? getenv("WAYLAND_DISPLAY") : getenv("DISPLAY"));

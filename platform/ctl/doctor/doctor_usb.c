@@ -41,22 +41,6 @@ static struct doctor_finding *doctor_usb_add_finding(struct doctor *doctor,
                        identity->product, name[0] ? name : "without a name", device->port);
 }
 
-static void say_denied(struct doctor *doctor, const struct usb_device *device, bool plays,
-                       int error, const char *node)
-{
-    char rule[DOCTOR_TEXT], both[2u * DOCTOR_TEXT];
-    struct doctor_finding *finding =
-        doctor_usb_add_finding(doctor, device, plays ? DOCTOR_WRONG : DOCTOR_LOOK);
-    doctor_rules_todo(rule, sizeof rule, device->identity.vendor, device->identity.product);
-    snprintf(both, sizeof both,
-             "%s; %s must be in group kingyo, which board/sysusers/kingyo.conf makes: "
-             "sudo usermod -aG kingyo %s",
-             rule, doctor->user.name, doctor->user.name);
-    doctor_state(finding, "could play, but %s may not open it: %s: %s", doctor->user.name, node,
-                 strerror(error));
-    doctor_todo_access(doctor, finding, node, both);
-}
-
 static void say_ready(struct doctor *doctor, const struct usb_device *device,
                       const struct usb_interface *interface)
 {
@@ -85,11 +69,20 @@ static void say_ready(struct doctor *doctor, const struct usb_device *device,
 static void say_hand(struct doctor *doctor, const struct usb_device *device,
                      const struct usb_interface *interface)
 {
-    char node[64];
+    char node[64], rule[DOCTOR_TEXT], both[2u * DOCTOR_TEXT];
     snprintf(node, sizeof node, "/dev/bus/usb/%03u/%03u", device->bus, device->number);
     const int error = doctor_may_use(doctor, node);
     if (error) {
-        say_denied(doctor, device, interface->verdict == USB_PLAYS, error, node);
+        struct doctor_finding *denied = doctor_usb_add_finding(
+            doctor, device, interface->verdict == USB_PLAYS ? DOCTOR_WRONG : DOCTOR_LOOK);
+        doctor_rules_todo(rule, sizeof rule, device->identity.vendor, device->identity.product);
+        snprintf(both, sizeof both,
+                 "%s; %s must be in group kingyo, which board/sysusers/kingyo.conf makes: "
+                 "sudo usermod -aG kingyo %s",
+                 rule, doctor->user.name, doctor->user.name);
+        doctor_state(denied, "could play, but %s may not open it: %s: %s", doctor->user.name, node,
+                     strerror(error));
+        doctor_todo_access(doctor, denied, node, both);
     } else if (strcmp(interface->driver, "usbfs") == 0) {
         /* libusb detaches a kernel driver automatically, but cannot take a device from another
          * program. */

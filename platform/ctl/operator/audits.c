@@ -35,22 +35,6 @@ static void print_mean(const char *what, uint32_t sum, uint32_t count, const cha
     }
 }
 
-static void print_plays(const struct audits *audits)
-{
-    printf("\nrounds by paper");
-    for (uint32_t grade = 0; grade < AUDIT_GRADES; grade++) {
-        printf("%s No. %u", grade == 0 ? "        " : "    ", grade + SHEET_GRADE_MIN);
-    }
-    putchar('\n');
-    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
-        printf("  %-17s", rules_of((uint8_t)mode)->name);
-        for (uint32_t grade = 0; grade < AUDIT_GRADES; grade++) {
-            printf(" %9u", audits->count[AUDIT_PLAYS + mode * AUDIT_GRADES + grade]);
-        }
-        putchar('\n');
-    }
-}
-
 static void print_times(const struct audits *audits)
 {
     static const char *const days[DAYS] = { "Mon", "Tue", "Wed", "Thu", "Fri", "Sat", "Sun" };
@@ -87,7 +71,18 @@ static void audits_print_text(const struct persistent_state *memory)
     print_mean("time a round", audits->count[AUDIT_PLAY_S], plays, "s");
     print_mean("a paper's life", audits->count[AUDIT_PAPER_LIFE_S],
                audits->count[AUDIT_PAPERS_TORN], "s");
-    print_plays(audits);
+    printf("\nrounds by paper");
+    for (uint32_t grade = 0; grade < AUDIT_GRADES; grade++) {
+        printf("%s No. %u", grade == 0 ? "        " : "    ", grade + SHEET_GRADE_MIN);
+    }
+    putchar('\n');
+    for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
+        printf("  %-17s", rules_of((uint8_t)mode)->name);
+        for (uint32_t grade = 0; grade < AUDIT_GRADES; grade++) {
+            printf(" %9u", audits->count[AUDIT_PLAYS + mode * AUDIT_GRADES + grade]);
+        }
+        putchar('\n');
+    }
     print_times(audits);
     puts("\nmachine");
     print_named(audits, AUDIT_BOOTS, AUDIT_TICKETS_OUT);

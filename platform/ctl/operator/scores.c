@@ -289,13 +289,6 @@ static enum exit_code print_ranking(const struct scores_request *request, struct
 
 enum group { GROUP_RANKING = 1, GROUP_VERIFY = 2, GROUP_REPLAY = 4 };
 
-static const char *const modes[] = {
-    [MODE_FESTIVAL] = "festival",
-    [MODE_CHAMPIONSHIP] = "championship",
-    [MODE_PRACTICE] = "practice",
-    [MODE_COUNT] = NULL,
-};
-
 static int take_round(void *target, const struct option *option, const char *value, char *why)
 {
     struct scores_request *request = target;
@@ -309,7 +302,7 @@ static int take_round(void *target, const struct option *option, const char *val
 static const struct option options[] = {
     { NULL, "ROUND", "number of a ranked round, for verify and replay", OPTION_ARGUMENT,
       .set = take_round, .groups = GROUP_VERIFY | GROUP_REPLAY },
-    { "mode", "MODE", "game mode", OPTION_CHOICE, AT(mode), .choices = modes,
+    { "mode", "MODE", "game mode", OPTION_CHOICE, AT(mode), .choices = options_mode_names,
       .groups = GROUP_RANKING },
     { "period", "PERIOD", "ranking period", OPTION_CHOICE, AT(period), .choices = periods,
       .groups = GROUP_RANKING },

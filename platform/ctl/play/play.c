@@ -220,20 +220,13 @@ static enum exit_code hold_evening(const struct play_options *options,
 
 /* ---- Command line ---------------------------------------------------------------------------- */
 
-static const char *const modes[] = {
-    [MODE_FESTIVAL] = "festival",
-    [MODE_CHAMPIONSHIP] = "championship",
-    [MODE_PRACTICE] = "practice",
-    [MODE_COUNT] = NULL,
-};
-
 #define AT(member) .offset = offsetof(struct play_options, member)
 
 /* clang-format off */
 static const struct option options_list[] = {
     { "bot", "WHO", "novice, expert, or a bot FILE; the keys of the file are listed below",
       OPTION_TEXT, AT(bot), .initial = "expert", .expects = "novice, expert or a bot FILE" },
-    { "mode", "MODE", "game mode", OPTION_CHOICE, AT(mode), .choices = modes,
+    { "mode", "MODE", "game mode", OPTION_CHOICE, AT(mode), .choices = options_mode_names,
       .initial = "festival" },
     { "grade", "G",
       "grade of the paper, from strong to weak; without the option 6, and 5 in a championship",
@@ -268,27 +261,20 @@ static const struct option options_list[] = {
 static const struct option_table table = { options_list,
                                            sizeof options_list / sizeof options_list[0], NULL };
 
-/* Checks rules that concern several options. Returns EXIT_OK, or prints one line to standard error
- * and returns another exit code. */
-static enum exit_code check_options(const struct play_options *options)
-{
-    const struct rules *rules = rules_of(options->mode);
-    const struct core_config stall = { 0 };
-    const struct tank_preset *preset = tank_preset(table_setup_preset(&stall, options->mode));
-    const uint32_t fish_max = tank_preset_fish_max(preset, 1.0f);
-    if (options->fish_count > fish_max) {
-        return ctl_usage(name, "--fish: '%u' is wrong; the water of a %s holds 1 to %u",
-                         options->fish_count, rules->name, fish_max);
-    }
-    return EXIT_OK;
-}
-
 static enum exit_code play_command_run(int argc, const char *const *argv)
 {
     struct play_options options = { .bot = NULL };
     struct technique technique;
     enum exit_code code = ctl_options(name, &table, 0, &options, argc, argv);
-    code = code == EXIT_OK ? check_options(&options) : code;
+    if (code == EXIT_OK) {
+        const struct core_config stall = { 0 };
+        const struct tank_preset *preset = tank_preset(table_setup_preset(&stall, options.mode));
+        const uint32_t fish_max = tank_preset_fish_max(preset, 1.0f);
+        if (options.fish_count > fish_max) {
+            return ctl_usage(name, "--fish: '%u' is wrong; the water of a %s holds 1 to %u",
+                             options.fish_count, rules_of(options.mode)->name, fish_max);
+        }
+    }
     code = code == EXIT_OK ? bot_file_named(speaker, options.bot, &technique) : code;
     const int error = code == EXIT_OK && options.record ? file_make_folder(options.record) : 0;
     if (error) {

@@ -234,24 +234,16 @@ static void forget_the_parted(struct tank_meetings *meetings, const struct tank 
     }
 }
 
-static int is_open(const struct tank_meetings *meetings, const struct tank_meeting *pair)
-{
-    for (uint32_t at = meetings->newest[pair->low]; at > 0; at = meetings->open[at - 1].older) {
-        if (meetings->open[at - 1].high == pair->high) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 static void tank_meetings_begin(struct tank_meetings *meetings, const struct fish *fish,
                                 fish_index index)
 {
     const fish_index with = fish->avoid_with;
     const struct tank_meeting pair = { index < with ? index : with, index < with ? with : index, 0,
                                        0 };
-    if (is_open(meetings, &pair)) {
-        return;
+    for (uint32_t at = meetings->newest[pair.low]; at > 0; at = meetings->open[at - 1].older) {
+        if (meetings->open[at - 1].high == pair.high) {
+            return; /* The pair is open already. */
+        }
     }
     if (meetings->open_count < TANK_MEETINGS_OPEN_MAX) {
         open_pair(meetings, &pair);

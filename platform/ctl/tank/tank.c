@@ -14,16 +14,6 @@
 
 #define PROGRESS_TICKS (2u * CORE_TICK_HZ)
 
-/* Prints the progress if standard error is a terminal. */
-static void tank_print_progress(const struct tank_lab *lab)
-{
-    if (lab->tick % PROGRESS_TICKS == 0 && isatty(STDERR_FILENO)) {
-        fprintf(stderr, "\r%u of %u s", lab->tick / CORE_TICK_HZ,
-                lab->plan->tick_count / CORE_TICK_HZ);
-        fputs(lab->tick + PROGRESS_TICKS > lab->plan->tick_count ? "\n" : "", stderr);
-    }
-}
-
 /* Runs the whole simulation. Once per second, checks that the floating-point settings are still
  * suitable for the core. Returns EXIT_OK, or prints one line to standard error and returns
  * EXIT_NOT_SO if the settings have changed. */
@@ -41,7 +31,11 @@ static enum exit_code swim(struct tank_lab *lab, struct tank_trace *trace)
         if (trace->file && lab->tick % plan->trace_every == 0) {
             tank_trace_add(trace, &lab->tank, lab->tick);
         }
-        tank_print_progress(lab);
+        if (lab->tick % PROGRESS_TICKS == 0 && isatty(STDERR_FILENO)) {
+            fprintf(stderr, "\r%u of %u s", lab->tick / CORE_TICK_HZ,
+                    plan->tick_count / CORE_TICK_HZ);
+            fputs(lab->tick + PROGRESS_TICKS > plan->tick_count ? "\n" : "", stderr);
+        }
     }
     return EXIT_OK;
 }

@@ -159,10 +159,15 @@ static const struct csv_column columns[COLUMN_COUNT] = {
     [AVOIDING] = { .name = "avoiding", .may_miss = 1, .unread = 1 },
 };
 
-static struct tank_stage stage_of(const double value[COLUMN_COUNT])
+static enum exit_code tank_place_take_row(struct tank_place *place, const struct csv *csv,
+                                          const double value[COLUMN_COUNT])
 {
+    if (place->count > 0 && value[TICK] != place->tick) {
+        place->rows_left_out++;
+        return EXIT_OK;
+    }
     const uint8_t by_speed = value[SPEED_CM_S] > 0.0 ? GAIT_SWIM : GAIT_REST;
-    return (struct tank_stage){
+    const struct tank_stage stage = {
         .position_m = { hundredth(value[X_CM]), hundredth(value[Y_CM]), hundredth(value[Z_CM]) },
         .angles = { f_wrap_angle(radians(value[YAW_DEG])), radians(value[PITCH_DEG]),
                     radians(value[ROLL_DEG]) },
@@ -171,16 +176,6 @@ static struct tank_stage stage_of(const double value[COLUMN_COUNT])
         .stamina = hundredth(value[STAMINA]),
         .gait = value[GAIT] < 0.0 ? by_speed : gaits[(uint32_t)value[GAIT]],
     };
-}
-
-static enum exit_code tank_place_take_row(struct tank_place *place, const struct csv *csv,
-                                          const double value[COLUMN_COUNT])
-{
-    if (place->count > 0 && value[TICK] != place->tick) {
-        place->rows_left_out++;
-        return EXIT_OK;
-    }
-    const struct tank_stage stage = stage_of(value);
     if (stage.gait == GAIT_HELD) {
         return csv_error(csv, GAIT, "no poi holds this fish; leave it out, or let it swim");
     }

@@ -107,12 +107,6 @@ static int take_shade(void *target, const struct option *option, const char *val
 
 /* ---- Table of options ------------------------------------------------------------------------ */
 
-static const char *const presets[] = {
-    [TANK_PRESET_FESTIVAL] = "festival",
-    [TANK_PRESET_THESIS] = "thesis",
-    [TANK_PRESET_OFFICIAL] = "official",
-    [TANK_PRESET_COUNT] = NULL,
-};
 static const char *const pumps[] = { [PUMP_OFF] = "off", [PUMP_ON] = "on", NULL };
 static const char *const searches[] = {
     [PAIR_SEARCH_GRID] = "grid",
@@ -126,7 +120,7 @@ static const char *const spaces[] = { "box", "ball", NULL };
 /* clang-format off */
 static const struct option table[] = {
     { .help = "The tank" },
-    { "preset", "NAME", "tank preset", OPTION_CHOICE, AT(preset), .choices = presets,
+    { "preset", "NAME", "tank preset", OPTION_CHOICE, AT(preset), .choices = options_tank_names,
       .initial = "thesis" },
     { "fish", "N",
       "number of fish, at most 131,072 and as many as the water holds; the default is the preset's "
