@@ -27,6 +27,12 @@ const struct option *option_table_find(const struct option_table *table, const c
     return NULL;
 }
 
+/* Returns 1 if one of the subcommands `groups` accepts the option, otherwise 0. */
+static int is_in(const struct option *option, uint32_t groups)
+{
+    return option->groups == 0 || (option->groups & groups) != 0;
+}
+
 /* ---- Values -------------------------------------------------------------------------------- */
 
 static int parse_choice(const char *const *choices, const char *value, uint8_t *out)
@@ -172,8 +178,7 @@ static int parse_word(const struct option_table *table, uint32_t groups, void *t
     for (; table; table = table->base) {
         for (uint32_t i = 0; i < table->count; i++) {
             const struct option *option = &table->options[i];
-            const int is_open = option->kind == OPTION_ARGUMENT &&
-                                (option->groups == 0 || (option->groups & groups)) &&
+            const int is_open = option->kind == OPTION_ARGUMENT && is_in(option, groups) &&
                                 (option->set || !*(const char **)((char *)target + option->offset));
             if (is_open && option_parse(option, target, word, why)) {
                 return 0;
@@ -202,8 +207,8 @@ static int parse_next(const struct option_table *table, uint32_t groups, void *t
     if (dash_count == 1 && length == 1 && word[1] == 'h') {
         option = option_table_find(table, "help", 4);
     }
-    if (!option || (option->groups != 0 && !(option->groups & groups)) ||
-        (dash_count == 1 && length != 1) || (dash_count == 2 && length == 1)) {
+    if (!option || !is_in(option, groups) || (dash_count == 1 && length != 1) ||
+        (dash_count == 2 && length == 1)) {
         snprintf(error, OPTIONS_ERROR_MAX, "unknown option '%.100s'; --help lists them", word);
         return -1;
     }
@@ -290,23 +295,26 @@ static void print_option(const struct option *option, int indent)
     print_words(text, column, indent);
 }
 
-void option_table_print(const struct option_table *table)
+void option_table_print(const struct option_table *table, uint32_t groups)
 {
     char left[OPTION_TEXT_MAX];
     int width = 0;
-    for (const struct option_table *part = table; part; part = part->base) {
-        for (uint32_t i = 0; i < part->count; i++) {
-            write_left(&part->options[i], left);
-            const int length = (int)strlen(left);
-            width = length > width && length <= LEFT_COLUMNS ? length : width;
-        }
-    }
-    for (const struct option_table *part = table; part; part = part->base) {
-        for (uint32_t i = 0; i < part->count; i++) {
-            if (part->options[i].kind == OPTION_HEADING) {
-                puts(part->options[i].help);
-            } else {
-                print_option(&part->options[i], width + 4);
+    for (int pass = 0; pass < 2; pass++) { /* The first pass measures the column of names. */
+        for (const struct option_table *part = table; part; part = part->base) {
+            for (uint32_t i = 0; i < part->count; i++) {
+                const struct option *option = &part->options[i];
+                write_left(option, left);
+                const int length = (int)strlen(left);
+                if (!is_in(option, groups)) {
+                    continue;
+                }
+                if (pass == 0) {
+                    width = length > width && length <= LEFT_COLUMNS ? length : width;
+                } else if (option->kind == OPTION_HEADING) {
+                    puts(option->help);
+                } else {
+                    print_option(option, width + 4);
+                }
             }
         }
     }

@@ -91,8 +91,8 @@ const char *option_expects(const struct option *option, char out[OPTION_TEXT_MAX
 int option_table_parse(const struct option_table *table, uint32_t groups, void *target, int argc,
                        const char *const *argv, char error[OPTIONS_ERROR_MAX]);
 
-/* Prints the options and headings of `table` for --help to standard output, in lines of at most 80
- * columns. */
-void option_table_print(const struct option_table *table);
+/* Prints the headings of `table` and the options that `groups` accepts, as option_table_parse()
+ * does, for --help to standard output, in lines of at most 80 columns. */
+void option_table_print(const struct option_table *table, uint32_t groups);
 
 #endif

@@ -330,7 +330,7 @@ void options_print_help(void)
          "Gamepad: the left stick moves the poi, A or a trigger dips it, and the right stick\n"
          "tilts it.\n"
          "Without a screen the bot plays, or the replay is verified, and pictures are written.\n");
-    option_table_print(&options_table);
+    option_table_print(&options_table, 0);
     puts("\nEach player needs a controller. A seat without a controller stays empty. With --poi\n"
          "bot, the bot plays for all players. With --poi auto, the first player gets the best\n"
          "connected controller, also if it is connected later: a USB poi, else a gamepad, else\n"

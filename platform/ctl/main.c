@@ -37,7 +37,7 @@ static void print_command_help(const struct ctl_command *command)
            command->usage ? command->usage : "");
     if (command->options) {
         fputs(command->usage ? "\n" : "", stdout);
-        option_table_print(command->options);
+        option_table_print(command->options, UINT32_MAX);
     }
     if (command->notes) {
         printf("\n%s", command->notes);

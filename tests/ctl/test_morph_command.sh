@@ -245,9 +245,9 @@ check 'the list takes no fish' mistake 2 wakin list wakin
 for sub in weights growth path graph; do
     check "$sub: a species is missing" mistake 2 'a species is missing' $sub
     check "$sub: a species that is none" mistake 2 "'koi'" $sub koi
-    check "$sub: one species at a time" mistake 2 'one species too many' $sub wakin wakin
+    check "$sub: one species at a time" mistake 2 "'wakin' is not understood" $sub wakin wakin
     check "$sub: an option that is none" mistake 2 "'--step'" $sub wakin --step 3
-    check "$sub: an empty word" mistake 2 'a species has a name' $sub ''
+    check "$sub: an empty word" mistake 2 "'' is not understood" $sub ''
     check "$sub: a file that is not there" mistake 74 nowhere $sub "$work/nowhere.txt"
     check "$sub: a folder is no file" mistake 74 "$work" $sub "$work/."
     check "$sub: nor a packed one" mistake 74 nowhere $sub "$work/nowhere.kfish"

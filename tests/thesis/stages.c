@@ -315,7 +315,8 @@ int main(int argc, char **argv)
         return EXIT_USAGE;
     }
     const char *const words[] = { argv[2], "--thesis" };
-    enum exit_code code = morph_options_read(&pick, name, MORPH_REQUIRES_CURVES, NULL, 0, 2, words);
+    enum exit_code code =
+        morph_options_read(&pick, name, MORPH_REQUIRES_CURVES, &morph_options_table, 2, words);
     for (size_t i = 0; code == EXIT_OK && i < sizeof kinds / sizeof kinds[0]; i++) {
         if (strcmp(argv[1], kinds[i].word) == 0) {
             code = kinds[i].draw(&pick);

@@ -58,8 +58,13 @@ static enum exit_code run_one(const struct morph_command *command, int argc,
 {
     for (int i = 0; i < argc; i++) {
         if (is_help(argv[i])) {
-            printf("kingyoctl %s %s %s\n%s\n\n%s", name, command->name, command->words,
-                   command->summary, command->usage);
+            printf("kingyoctl %s %s %s\n%s\n\n", name, command->name, command->words,
+                   command->summary);
+            if (command->options) {
+                option_table_print(command->options, command->groups);
+                putchar('\n');
+            }
+            fputs(command->usage, stdout);
             return EXIT_OK;
         }
     }

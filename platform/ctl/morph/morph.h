@@ -10,8 +10,10 @@ struct morph_command {
     const char *name; /* Name of the subcommand, for example "weights". */
     /* Arguments in the form of the usage line, for example "SPECIES|FILE [--steps N]". */
     const char *words;
-    const char *summary; /* Summary of the subcommand in one line. */
-    const char *usage;   /* Further text that `kingyoctl morph NAME --help` prints. */
+    const char *summary;                /* Summary of the subcommand in one line. */
+    const struct option_table *options; /* Options that --help lists, or null. */
+    uint32_t groups;                    /* Groups of the options (enum morph_requirement). */
+    const char *usage;                  /* Further text that --help prints after the options. */
     /* Runs the subcommand. argv[0] is the first argument after the subcommand's name. The caller of
      * `run` has already handled --help. */
     enum exit_code (*run)(int argc, const char *const *argv);

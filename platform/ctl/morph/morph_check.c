@@ -163,17 +163,22 @@ static void morph_check_print_text(const struct check_plan *plan)
     print_faults(plan, FAR);
 }
 
+static const struct option options[] = {
+    { "steps", "N", "number of moments minus one", OPTION_WHOLE,
+      .offset = offsetof(struct check_plan, steps), 1, 100000, .initial = "1000" },
+    { "json", NULL, "print JSON, in which shares are not percentages", OPTION_FLAG,
+      .offset = offsetof(struct check_plan, as_json) },
+};
+
+static const struct option_table table = { options, sizeof options / sizeof options[0],
+                                           &morph_options_table };
+
 static enum exit_code morph_check_run(int argc, const char *const *argv)
 {
     static struct check_plan plan;
-    plan = (struct check_plan){ .steps = 1000 };
-    const struct morph_option options[] = {
-        { .name = "--steps", .count = &plan.steps, .min = 1, .max = 100000 },
-        { .name = "--json", .flag = &plan.as_json },
-    };
+    plan = (struct check_plan){ .steps = 0 };
     const enum exit_code code =
-        morph_options_read(&plan.pick, command, MORPH_REQUIRES_CURVES, options,
-                           sizeof options / sizeof options[0], argc, argv);
+        morph_options_read(&plan.pick, command, MORPH_REQUIRES_CURVES, &table, argc, argv);
     if (code != EXIT_OK) {
         return code;
     }
@@ -208,12 +213,12 @@ static enum exit_code morph_check_run(int argc, const char *const *argv)
 
 const struct morph_command ctl_morph_check = {
     .name = command,
+    .options = &table,
+    .groups = MORPH_REQUIRES_CURVES,
     .words = "SPECIES|FILE [--template T] [--thesis] [--steps N] [--json]",
     .summary = "whether it grows without a flaw, in figures, the ordinary morph's beside them",
     .usage =
-        "  --steps N     moments but one, 1 to 100000; 1000 otherwise\n"
-        "  --json        the same as JSON; shares there are not percent\n"
-        "\nnear and far are the two levels of detail, ordinary is the near fish morphed straight\n"
+        "near and far are the two levels of detail, ordinary is the near fish morphed straight\n"
         "from its first key to its last. Lengths are of the body's own length.\n\n"
         "What counts, and what is by design:\n"
         "  sizes         all keys are one long as the species measures it (size is a curve of its\n"

@@ -5,6 +5,7 @@
  * the keys are drawn above the graph, and the ages below. */
 #include <errno.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -169,16 +170,22 @@ static void draw_foot(struct graph_plan *plan)
     }
 }
 
+static const struct option options[] = {
+    { "svg", "FILE", "file of the picture", OPTION_TEXT,
+      .offset = offsetof(struct graph_plan, path) },
+    { "curve", "NAME", "curve of a part instead of the curve of the whole fish", OPTION_TEXT,
+      .offset = offsetof(struct graph_plan, curve_name), .expects = "the name of a curve" },
+};
+
+static const struct option_table table = { options, sizeof options / sizeof options[0],
+                                           &morph_options_table };
+
 static enum exit_code morph_graph_run(int argc, const char *const *argv)
 {
     static struct graph_plan plan;
     plan = (struct graph_plan){ 0 };
-    const struct morph_option options[] = {
-        { .name = "--svg", .text = &plan.path },
-        { .name = "--curve", .text = &plan.curve_name },
-    };
-    enum exit_code code = morph_options_read(&plan.pick, name, MORPH_REQUIRES_CURVES, options,
-                                             sizeof options / sizeof options[0], argc, argv);
+    enum exit_code code =
+        morph_options_read(&plan.pick, name, MORPH_REQUIRES_CURVES, &table, argc, argv);
     if (code == EXIT_OK) {
         code = plan.path
                    ? morph_curve_find(&plan.pick.fish->card, name, plan.curve_name, &plan.curve)
@@ -221,12 +228,12 @@ static enum exit_code morph_graph_run(int argc, const char *const *argv)
 
 const struct morph_command ctl_morph_graph = {
     .name = name,
+    .options = &table,
+    .groups = MORPH_REQUIRES_CURVES,
     .words = "SPECIES|FILE --svg FILE [--template T] [--thesis] [--curve NAME]",
     .summary = "the deformation graph as a picture: a curve for each key, the size, the ages",
     .usage =
-        "  --svg FILE    where the picture goes\n"
-        "  --curve NAME  a part's own curve instead of the whole fish's\n"
-        "\nThree keys are red, green and blue as in the 2005 thesis; of more, those between have\n"
+        "Three keys are red, green and blue as in the 2005 thesis; of more, those between have\n"
         "the colours between, as in the growth lab: red, orange, green, teal, blue for five. The\n"
         "size is purple, read off on the right: by factors where it spans more than ten, with\n"
         "the lengths where it turns round. With --thesis its axis is even, as in the thesis.\n",

@@ -2,11 +2,12 @@
  * options to the species. */
 #include "platform/ctl/morph/morph_options.h"
 
+#include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "platform/os/number.h"
 #include "platform/os/print.h"
 #include "platform/species/text.h"
 
@@ -15,67 +16,39 @@
  * rounded for printing. */
 #define ROUNDED 1e-3
 
-static const char *const template_names[TEMPLATE_COUNT] = { "own", "ordinary", "pairwise",
-                                                            "simultaneous", "smooth" };
-
-/* Options as the user wrote them, before the species is opened. */
-struct words {
-    const char *template_id;
-    const char *place[3]; /* Value of each option in `place_options`, or null if the option is
-                             absent. */
+static const char *const template_names[TEMPLATE_COUNT + 1] = {
+    "own", "ordinary", "pairwise", "simultaneous", "smooth", NULL,
 };
 
 enum place { PLACE_PROGRESS, PLACE_AGE_DAYS, PLACE_LENGTH_MM };
 
-static const struct {
-    const char *name;
-    double min, max;
-} place_options[3] = {
-    { "--progress", 0.0, 1.0 },
-    { "--age-days", 0.0, 14610.0 }, /* The maximum is 40 years, as in core/morph/growth.c. */
-    { "--length-mm", 1e-3, 10000.0 },
+static const char *const place_names[3] = { "--progress", "--age-days", "--length-mm" };
+
+#define AT(member) .offset = offsetof(struct morph_options, member)
+
+static const struct option options[] = {
+    { NULL, "SPECIES|FILE", "built-in species, or species file NAME.txt or NAME.kfish",
+      OPTION_ARGUMENT, AT(word) },
+    { "template", "T", "template of the deformation graph", OPTION_CHOICE, AT(template_id),
+      .choices = template_names, .groups = MORPH_REQUIRES_CURVES },
+    { "thesis", NULL, "use the method of the thesis", OPTION_FLAG, AT(thesis),
+      .groups = MORPH_REQUIRES_CURVES },
+    { "progress", "P", "progress of the life", OPTION_DECIMAL, AT(place[PLACE_PROGRESS]), 0, 1,
+      .groups = MORPH_REQUIRES_PLACE },
+    /* The maximum is 40 years, as in core/morph/growth.c. */
+    { "age-days", "D", "age in days", OPTION_DECIMAL, AT(place[PLACE_AGE_DAYS]), 0, 14610,
+      .groups = MORPH_REQUIRES_PLACE },
+    { "length-mm", "L", "length in mm", OPTION_DECIMAL, AT(place[PLACE_LENGTH_MM]), 1e-3, 10000,
+      .groups = MORPH_REQUIRES_PLACE },
 };
+
+const struct option_table morph_options_table = { options, sizeof options / sizeof options[0],
+                                                  NULL };
 
 const char *morph_template_name(enum graph_template template_id)
 {
     CORE_ASSERT(template_id < TEMPLATE_COUNT);
     return template_names[template_id];
-}
-
-/* ---- Parsing the options --------------------------------------------------------------------- */
-
-/* Parses an option that all subcommands share, with its value. Sets `*used` to the number of words
- * that were parsed, or to 0 if the option is not a shared option. */
-static enum exit_code take_shared(struct morph_options *pick, struct words *words,
-                                  const char *command, enum morph_requirement asks,
-                                  const char *option, const char *value, int *used)
-{
-    *used = 2;
-    if ((asks & MORPH_REQUIRES_CURVES) && strcmp(option, "--template") == 0) {
-        for (enum graph_template i = TEMPLATE_OWN; value && i < TEMPLATE_COUNT; i++) {
-            if (strcmp(value, template_names[i]) == 0) {
-                pick->template_id = i;
-                return EXIT_OK;
-            }
-        }
-        return morph_usage(command,
-                           "--template: '%.40s' is not own, ordinary, pairwise, simultaneous "
-                           "or smooth",
-                           value ? value : "");
-    }
-    for (size_t i = 0; (asks & MORPH_REQUIRES_PLACE) && i < 3; i++) {
-        if (strcmp(option, place_options[i].name) == 0) {
-            words->place[i] = value ? value : "";
-            return EXIT_OK;
-        }
-    }
-    *used = 1;
-    if ((asks & MORPH_REQUIRES_CURVES) && strcmp(option, "--thesis") == 0) {
-        pick->thesis = true;
-        return EXIT_OK;
-    }
-    *used = 0;
-    return EXIT_OK;
 }
 
 /* ---- Curves --------------------------------------------------------------------------------- */
@@ -130,69 +103,20 @@ static enum exit_code check_drawn(const struct species_card *card, enum place pl
     return morph_usage(command,
                        "%s: %.10g is outside the drawn life: %s is drawn from %.6g to "
                        "%.6g %s",
-                       place_options[place].name, asked, card->id, (double)from, (double)to,
+                       place_names[place], asked, card->id, (double)from, (double)to,
                        place == PLACE_AGE_DAYS ? "days" : "mm");
 }
 
 /* ---- Complete command line ------------------------------------------------------------------- */
 
-static enum exit_code take_any(struct morph_options *pick, struct words *words, const char *command,
-                               enum morph_requirement asks, const struct morph_option *options,
-                               size_t option_count, const char *word, const char *value, int *used)
-{
-    CORE_ASSERT(option_count == 0 || options);
-    const enum exit_code code = take_shared(pick, words, command, asks, word, value, used);
-    if (*used > 0) {
-        return code;
-    }
-    *used = 1;
-    for (size_t i = 0; i < option_count; i++) {
-        if (strcmp(word, options[i].name) == 0) {
-            *used = options[i].flag ? 1 : 2;
-            if (options[i].flag) {
-                *options[i].flag = true;
-                return EXIT_OK;
-            }
-            if (options[i].text) {
-                *options[i].text = value;
-                return value && *value ? EXIT_OK
-                                       : morph_usage(command, "%s needs a value", options[i].name);
-            }
-            if (options[i].count ? number_parse(value, (uint32_t)options[i].min,
-                                                (uint32_t)options[i].max, options[i].count)
-                                 : number_parse_decimal(value, options[i].min, options[i].max,
-                                                        options[i].number)) {
-                return EXIT_OK;
-            }
-            return morph_usage(command, "%s: '%.40s' is not a %snumber from %.10g to %.10g",
-                               options[i].name, value ? value : "",
-                               options[i].count ? "whole " : "", options[i].min, options[i].max);
-        }
-    }
-    if (word[0] == '-') {
-        return morph_usage(command, "unknown option '%.100s'; --help lists them", word);
-    }
-    if (pick->word) {
-        return morph_usage(command, "'%.100s' is one species too many", word);
-    }
-    pick->word = word;
-    return *word ? EXIT_OK : morph_usage(command, "a species has a name");
-}
-
 enum exit_code morph_options_read(struct morph_options *pick, const char *command,
-                                  enum morph_requirement asks, const struct morph_option *options,
-                                  size_t option_count, int argc, const char *const *argv)
+                                  enum morph_requirement asks, const struct option_table *table,
+                                  int argc, const char *const *argv)
 {
-    CORE_ASSERT(option_count == 0 || options);
-    struct words words = { 0 };
-    int used = 1;
-    *pick = (struct morph_options){ .template_id = TEMPLATE_OWN };
-    for (int i = 0; i < argc; i += used) {
-        const enum exit_code code = take_any(pick, &words, command, asks, options, option_count,
-                                             argv[i], i + 1 < argc ? argv[i + 1] : NULL, &used);
-        if (code != EXIT_OK) {
-            return code;
-        }
+    char error[OPTIONS_ERROR_MAX];
+    *pick = (struct morph_options){ .place = { NAN, NAN, NAN } };
+    if (option_table_parse(table, asks, pick, argc, argv, error)) {
+        return morph_usage(command, "%s", error);
     }
     enum exit_code code = morph_options_open(pick, command);
     if (code != EXIT_OK) {
@@ -212,18 +136,12 @@ enum exit_code morph_options_read(struct morph_options *pick, const char *comman
     morph_rig_init(&pick->rig, &pick->fish->card, pick->template_id);
     const struct species_card *card = &pick->fish->card;
     for (size_t i = 0; i < 3; i++) {
-        double value;
-        if (!words.place[i]) {
+        const double value = pick->place[i];
+        if (isnan(value)) {
             continue;
         }
         if (pick->has_place) {
             return morph_usage(command, "--progress, --age-days and --length-mm: one of them");
-        }
-        if (!number_parse_decimal(words.place[i], place_options[i].min, place_options[i].max,
-                                  &value)) {
-            return morph_usage(command, "%s: '%.40s' is not a number from %.10g to %.10g",
-                               place_options[i].name, words.place[i], place_options[i].min,
-                               place_options[i].max);
         }
         code = check_drawn(card, (enum place)i, value, command);
         if (code != EXIT_OK) {

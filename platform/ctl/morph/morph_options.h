@@ -8,21 +8,11 @@
 #define KINGYO_PLATFORM_CTL_MORPH_MORPH_OPTIONS_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "core/morph/morph.h"
 #include "platform/ctl/morph/morph.h"
 #include "platform/species/pack.h"
-
-/* An option of one subcommand. Exactly one of the pointers is not null. The parser writes the value
- * to this pointer. If the option is absent, the value stays unchanged. */
-struct morph_option {
-    const char *name; /* Name of the option, for example "--steps". */
-    bool *flag;
-    const char **text; /* Target for a text that is not empty. */
-    uint32_t *count;   /* Target for a whole number in [min, max]. */
-    double *number;    /* Target for a decimal number in [min, max]. */
-    double min, max;
-};
 
 enum morph_requirement {
     MORPH_REQUIRES_FISH = 0,   /* The subcommand accepts only SPECIES|FILE. */
@@ -41,27 +31,33 @@ struct morph_options {
                                     `drawn`. */
     struct morph_rig rig;        /* Animation rig of `fish`: the weights of the keys over its
                                     life. */
-    /* Template of the deformation graph, as --template selects it. TEMPLATE_OWN if the option is
-     * absent. */
-    enum graph_template template_id;
+    /* Template of the deformation graph, as --template selects it (enum graph_template).
+     * TEMPLATE_OWN if the option is absent. */
+    uint8_t template_id;
     bool thesis;
     /* True if --progress, --age-days or --length-mm was given. False means that progress is 0. */
     bool has_place;
-    float progress; /* Progress of the fish's life, from 0 (first key) to 1 (last key). */
+    double place[3]; /* Values of --progress, --age-days and --length-mm. NaN means absent. */
+    float progress;  /* Progress of the fish's life, from 0 (first key) to 1 (last key). */
 };
 
 /* Returns the name of a template, as --template accepts it. */
 const char *morph_template_name(enum graph_template template_id);
 
-/* Parses the arguments of the subcommand `command`, for example "weights". The arguments are one
- * SPECIES|FILE and options in any order. Returns EXIT_OK, or prints one line to standard error and
- * returns another exit code.
+/* The table of the options that all subcommands share. The groups of the options are enum
+ * morph_requirement. A subcommand with further options has struct morph_options as the first member
+ * of its own structure, and this table as the base of its own table. */
+extern const struct option_table morph_options_table;
+
+/* Parses the arguments of the subcommand `command` with `table`, for example "weights". The
+ * arguments are one SPECIES|FILE and options in any order. Returns EXIT_OK, or prints one line to
+ * standard error and returns another exit code.
  *
  * An age or a length outside the drawn life is an error, and the message contains the allowed
  * range. The objects to which `pick` points are static, so only one fish is valid at a time. */
 enum exit_code morph_options_read(struct morph_options *pick, const char *command,
-                                  enum morph_requirement asks, const struct morph_option *options,
-                                  size_t option_count, int argc, const char *const *argv);
+                                  enum morph_requirement asks, const struct option_table *table,
+                                  int argc, const char *const *argv);
 
 /* Reads a species file into `slot`. A file NAME.kfish is read as a packed species. Any other file
  * is read as a species text, from which the mesh is lofted. Returns EXIT_OK, or prints one line to

@@ -3,6 +3,7 @@
  * The path is compared with the straight line of ordinary morphing (2005 thesis, figures 3.2 to
  * 3.5). */
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -39,19 +40,35 @@ static struct chord chord_of(const struct species *fish, const struct morph_rig 
                            part_of_place(fish, rig, vertex, 1.0f) };
 }
 
+#define AT(member) .offset = offsetof(struct morph_path_plan, member)
+
+static const struct option options[] = {
+    { "part", "PART",
+      "body (its back at the deepest point), eye (the pupil), tail (the tip of the upper lobe), or "
+      "the root of the leading ray of dorsal, anal, pectoral, pelvic, dorsal2, finlets_upper or "
+      "finlets_lower",
+      OPTION_TEXT, AT(part), .expects = "the name of a part" },
+    { "side", "right|left", "side of a paired part; the default is right", OPTION_TEXT, AT(side),
+      .expects = "right or left" },
+    { "steps", "N", "number of rows minus one", OPTION_WHOLE, AT(steps), 1, 100000,
+      .initial = "100" },
+    { "svg", "FILE",
+      "write a picture instead of the table: the outlines of the keys with the path across them, "
+      "and the straight line dashed",
+      OPTION_TEXT, AT(svg) },
+    { "view", "VIEW", "view of the picture: side, front or top", OPTION_TEXT, AT(view),
+      .expects = "side, front or top" },
+};
+
+static const struct option_table table = { options, sizeof options / sizeof options[0],
+                                           &morph_options_table };
+
 static enum exit_code morph_path_run(int argc, const char *const *argv)
 {
     static struct morph_path_plan plan;
-    plan = (struct morph_path_plan){ .steps = 100 };
-    const struct morph_option options[] = {
-        { .name = "--part", .text = &plan.part },
-        { .name = "--side", .text = &plan.side },
-        { .name = "--svg", .text = &plan.svg },
-        { .name = "--view", .text = &plan.view },
-        { .name = "--steps", .count = &plan.steps, .min = 1, .max = 100000 },
-    };
-    enum exit_code code = morph_options_read(&plan.pick, name, MORPH_REQUIRES_CURVES, options,
-                                             sizeof options / sizeof options[0], argc, argv);
+    plan = (struct morph_path_plan){ .steps = 0 };
+    enum exit_code code =
+        morph_options_read(&plan.pick, name, MORPH_REQUIRES_CURVES, &table, argc, argv);
     if (code == EXIT_OK) {
         code = find_vertex(&plan);
     }
@@ -86,20 +103,15 @@ static enum exit_code morph_path_run(int argc, const char *const *argv)
 
 const struct morph_command ctl_morph_path = {
     .name = name,
+    .options = &table,
+    .groups = MORPH_REQUIRES_CURVES,
     .words = "SPECIES|FILE --part PART [--side right|left] [--template T] [--thesis] "
              "[--steps N] [--svg FILE]",
     .summary = "where a part goes as its fish grows, as CSV, the ordinary morph's way beside it",
     .usage =
         "progress,age_days,length_mm,x,y,z,from_chord,ordinary_x,ordinary_y,ordinary_z,\n"
         "ordinary_from_chord\n\n"
-        "  --part PART   body (its back at its deepest), eye (the pupil), tail (the tip of the\n"
-        "                upper lobe), dorsal, anal, pectoral, pelvic, dorsal2, finlets_upper,\n"
-        "                finlets_lower (where the leading ray is rooted)\n"
-        "  --side S      right or left of a pair; right otherwise\n"
-        "  --steps N     rows but one, 1 to 100000; 100 otherwise\n"
-        "  --svg FILE    a picture instead of the table, [--view side|front|top]: the keys'\n"
-        "                outlines with the way across them, the straight line dashed\n"
-        "\nPlaces and distances are in body lengths, whatever size the fish has: x to its right,\n"
+        "Places and distances are in body lengths, whatever size the fish has: x to its right,\n"
         "y up, z backward, the snout at z = -0.5. from_chord is the distance from the straight\n"
         "line between its first place and its last, which the ordinary morph never leaves.\n",
     .run = morph_path_run,

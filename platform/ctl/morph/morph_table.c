@@ -9,6 +9,7 @@
  * lengths for adults. Kingyo uses measured lengths for young fish and blends into the curve of von
  * Bertalanffy. The command prints a table with all three lengths. */
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 
 #include "core/base/panic.h"
@@ -28,40 +29,55 @@ static double von_bertalanffy_mm(const struct growth *growth, double age_days, d
     return 1e3 * (double)growth->length_inf_m * grown;
 }
 
+struct growth_plan {
+    struct morph_options pick;
+    uint32_t steps;
+    double to_days; /* 0 selects the age of about 95 % of the length. */
+    bool thesis;
+};
+
+static const struct option growth_options[] = {
+    { "to-days", "D", "last age in days; the default is the age of 95 % of the length",
+      OPTION_DECIMAL, .offset = offsetof(struct growth_plan, to_days), 1,
+      YEARS_MAX *DAYS_PER_YEAR },
+    { "steps", "N", "number of rows minus one", OPTION_WHOLE,
+      .offset = offsetof(struct growth_plan, steps), 1, 100000, .initial = "200" },
+    { "thesis", NULL, "length_mm is the thesis' own method: shifted_mm", OPTION_FLAG,
+      .offset = offsetof(struct growth_plan, thesis) },
+};
+
+static const struct option_table growth_table = { growth_options,
+                                                  sizeof growth_options / sizeof growth_options[0],
+                                                  &morph_options_table };
+
 static enum exit_code morph_growth_run(int argc, const char *const *argv)
 {
-    static struct morph_options pick;
-    uint32_t steps = 200;
-    double to_days = 0.0;
-    bool thesis = false;
-    const struct morph_option options[] = {
-        { .name = "--steps", .count = &steps, .min = 1, .max = 100000 },
-        { .name = "--to-days", .number = &to_days, .min = 1, .max = YEARS_MAX * DAYS_PER_YEAR },
-        { .name = "--thesis", .flag = &thesis },
-    };
-    const enum exit_code code = morph_options_read(&pick, growth_name, MORPH_REQUIRES_FISH, options,
-                                                   sizeof options / sizeof options[0], argc, argv);
+    static struct growth_plan plan;
+    plan = (struct growth_plan){ .steps = 0 };
+    const enum exit_code code =
+        morph_options_read(&plan.pick, growth_name, MORPH_REQUIRES_FISH, &growth_table, argc, argv);
     if (code != EXIT_OK) {
         return code;
     }
-    CORE_ASSERT(steps >= 1);
-    const struct growth *growth = &pick.fish->card.growth;
+    CORE_ASSERT(plan.steps >= 1);
+    const struct growth *growth = &plan.pick.fish->card.growth;
     /* `t0_year` is the start of the curve for which eq. 3.3 gives the true length at hatching (2005
      * thesis, section 3.2). */
     const double share = (double)growth->points[0].length_m / (double)growth->length_inf_m;
     const double t0_year = log(1.0 - share) / (double)growth->k_per_year;
+    double to_days = plan.to_days;
     if (to_days <= 0.0) {
         /* At this age the fish has about 95 % of its greatest length. */
         const double years = (double)growth->t0_year + 3.0 / (double)growth->k_per_year;
         to_days = DAYS_PER_YEAR * fmin(fmax(years, 1.0), YEARS_MAX);
     }
     puts("age_days,age_years,length_mm,von_bertalanffy_mm,shifted_mm");
-    for (uint32_t i = 0; i <= steps; i++) {
-        const double age_days = to_days * (double)i / (double)steps;
+    for (uint32_t i = 0; i <= plan.steps; i++) {
+        const double age_days = to_days * (double)i / (double)plan.steps;
         const double shifted_mm = von_bertalanffy_mm(growth, age_days, t0_year);
         const double ours_mm = 1e3 * (double)growth_length_m(growth, (float)age_days);
         printf("%.3f,%.5f,%.4f,%.4f,%.4f\n", age_days, age_days / DAYS_PER_YEAR,
-               thesis ? shifted_mm : ours_mm,
+               plan.thesis ? shifted_mm : ours_mm,
                von_bertalanffy_mm(growth, age_days, (double)growth->t0_year), shifted_mm);
     }
     return EXIT_OK;
@@ -69,17 +85,15 @@ static enum exit_code morph_growth_run(int argc, const char *const *argv)
 
 const struct morph_command ctl_morph_growth = {
     .name = growth_name,
+    .options = &growth_table,
+    .groups = MORPH_REQUIRES_FISH,
     .words = "SPECIES|FILE [--to-days D] [--steps N] [--thesis]",
     .summary = "length by age as CSV: ours beside von Bertalanffy's curve, plain and shifted",
-    .usage =
-        "age_days,age_years,length_mm,von_bertalanffy_mm,shifted_mm\n\n"
-        "  length_mm           measured lengths first, which fade into the plain curve\n"
-        "  von_bertalanffy_mm  equation 3.3 of the 2005 thesis as fitted: giants hatch\n"
-        "  shifted_mm          the same, its start moved so that it hatches with the true\n"
-        "                      length (section 3.2): adults become too small\n"
-        "  --to-days D         the last age, 1 to 14610; otherwise that of 95 % of the length\n"
-        "  --steps N           rows but one, 1 to 100000; 200 otherwise\n"
-        "  --thesis            length_mm is the thesis' own method: shifted_mm\n",
+    .usage = "age_days,age_years,length_mm,von_bertalanffy_mm,shifted_mm\n\n"
+             "  length_mm           measured lengths first, which fade into the plain curve\n"
+             "  von_bertalanffy_mm  equation 3.3 of the 2005 thesis as fitted: giants hatch\n"
+             "  shifted_mm          the same, its start moved so that it hatches with the true\n"
+             "                      length (section 3.2): adults become too small\n",
     .run = morph_growth_run,
 };
 
@@ -97,18 +111,27 @@ struct weights_plan {
     uint32_t curve;
 };
 
+static const struct option weights_options[] = {
+    { "steps", "N", "number of rows minus one", OPTION_WHOLE,
+      .offset = offsetof(struct weights_plan, steps), 1, 100000, .initial = "100" },
+    { "curve", "NAME", "curve of a part instead of the curve of the whole fish", OPTION_TEXT,
+      .offset = offsetof(struct weights_plan, curve_name), .expects = "the name of a curve" },
+    { "drawn", NULL,
+      "print the weights of the drawn keys. They may be negative where the shapes are solved so "
+      "that the fish passes through every drawing. The weights of the graph are never negative",
+      OPTION_FLAG, .offset = offsetof(struct weights_plan, drawn) },
+};
+
+static const struct option_table weights_table = {
+    weights_options, sizeof weights_options / sizeof weights_options[0], &morph_options_table
+};
+
 static enum exit_code morph_weights_run(int argc, const char *const *argv)
 {
     static struct weights_plan plan;
-    plan = (struct weights_plan){ .steps = 100 };
-    const struct morph_option options[] = {
-        { .name = "--steps", .count = &plan.steps, .min = 1, .max = 100000 },
-        { .name = "--curve", .text = &plan.curve_name },
-        { .name = "--drawn", .flag = &plan.drawn },
-    };
-    enum exit_code code =
-        morph_options_read(&plan.pick, weights_name, MORPH_REQUIRES_CURVES, options,
-                           sizeof options / sizeof options[0], argc, argv);
+    plan = (struct weights_plan){ .steps = 0 };
+    enum exit_code code = morph_options_read(&plan.pick, weights_name, MORPH_REQUIRES_CURVES,
+                                             &weights_table, argc, argv);
     if (code == EXIT_OK) {
         code = morph_curve_find(&plan.pick.fish->card, weights_name, plan.curve_name, &plan.curve);
     }
@@ -146,15 +169,12 @@ static enum exit_code morph_weights_run(int argc, const char *const *argv)
 
 const struct morph_command ctl_morph_weights = {
     .name = weights_name,
+    .options = &weights_table,
+    .groups = MORPH_REQUIRES_CURVES,
     .words = "SPECIES|FILE [--template T] [--thesis] [--steps N] [--curve NAME] [--drawn]",
     .summary = "the deformation graph as CSV: progress,age_days,length_mm,scale,w_KEY...",
     .usage =
-        "  --steps N     rows but one, 1 to 100000; 100 otherwise\n"
-        "  --curve NAME  a part's own curve instead of the whole fish's\n"
-        "  --drawn       the weights of the drawn keys: where shapes are solved so that the\n"
-        "                fish passes through every drawing, these may be negative; the graph's\n"
-        "                never are\n"
-        "\nThe first key stands at progress 0, the last at 1. scale is the length as a share of\n"
+        "The first key stands at progress 0, the last at 1. scale is the length as a share of\n"
         "the greatest between them: [0, 1]. Each row's weights sum to 1.\n",
     .run = morph_weights_run,
 };

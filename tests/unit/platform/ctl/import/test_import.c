@@ -426,8 +426,9 @@ static void export_glb(const char *id, const char *path)
 {
     static struct morph_options pick;
     const char *const words[] = { id };
-    assert_int_equal(morph_options_read(&pick, "test", MORPH_REQUIRES_CURVES, NULL, 0, 1, words),
-                     EXIT_OK);
+    assert_int_equal(
+        morph_options_read(&pick, "test", MORPH_REQUIRES_CURVES, &morph_options_table, 1, words),
+        EXIT_OK);
     assert_int_equal(morph_glb_write(&pick, path), EXIT_OK);
 }
 
