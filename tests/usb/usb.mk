@@ -27,10 +27,10 @@ $(USB_SAN)/address/%: SANITIZE := -fsanitize=address,undefined
 $(USB_SAN)/thread/%: SANITIZE := -fsanitize=thread
 $(USB_SAN)/address/test_%: $(USB_SAN)/address/tests/unit/drivers/usb/test_%.o $(USB_SAN_SRC:%.c=$(USB_SAN)/address/%.o)
 	$(call step,LINK,$@)
-	$(Q)$(CC) $(SANITIZE) -o $@ $^ -lcmocka -lpthread
+	$(Q)$(CC) $(SANITIZE) -o $@ $^ -lcmocka -lpthread -lm
 $(USB_SAN)/thread/test_%: $(USB_SAN)/thread/tests/unit/drivers/usb/test_%.o $(USB_SAN_SRC:%.c=$(USB_SAN)/thread/%.o)
 	$(call step,LINK,$@)
-	$(Q)$(CC) $(SANITIZE) -o $@ $^ -lcmocka -lpthread
+	$(Q)$(CC) $(SANITIZE) -o $@ $^ -lcmocka -lpthread -lm
 $(USB_SAN)/address/%.o: %.c $(FOUND)
 	@mkdir -p $(@D)
 	$(call step,CC,$< (address))
