@@ -1,7 +1,6 @@
-/* config.c -- copies settings to the configuration of a session, and computes its hash. */
+/* config.c -- copies settings to the configuration of a session. */
 #include "core/config.h"
 
-#include "core/base/hash.h"
 #include "core/tank/preset.h"
 
 /* Limits the fish count to the capacity of the tank. A larger count comes from an SD card or a
@@ -23,24 +22,4 @@ void config_apply_settings(struct core_config *config, const struct settings *se
     config->fish_count = fish_that_fit((uint32_t)value[SET_FISH], config);
     config->players = (uint8_t)value[SET_PLAYERS];
     config->language = (uint8_t)value[SET_LANGUAGE];
-}
-
-uint64_t config_hash(uint64_t hash, const struct core_config *config)
-{
-    hash = hash_u32(hash, config->seed);
-    hash = hash_u32(hash, config->preset);
-    hash = hash_u32(hash, config->fish_count);
-    hash = hash_u32(hash, config->language);
-    hash = hash_u32(hash, config->round_s);
-    hash = hash_u32(hash, config->modes);
-    hash = hash_u32(hash, config->grade);
-    hash = hash_u32(hash, config->players);
-    hash = hash_u32(hash, config->credit_coins);
-    hash = hash_u32(hash, config->ticket_fish);
-    hash = ledger_start_hash(hash, &config->persistent.ledger);
-    hash = audits_hash(hash, &config->persistent.audits);
-    hash = ranking_hash(hash, &config->persistent.ranking);
-    hash = settings_hash(hash, &config->persistent.settings, config->rules_7);
-    hash = session_hash(hash, &config->session, config->rules_7);
-    return lab_book_hash(hash, &config->book);
 }

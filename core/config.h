@@ -8,8 +8,8 @@
 
 #include <stdint.h>
 
-#include "core/game/lab/lab_book.h"
-#include "core/game/session.h"
+#include "core/game/lab/lab_edit.h"
+#include "core/game/session_state.h"
 #include "core/persistent_state.h"
 
 struct core_config {
@@ -47,8 +47,5 @@ struct core_config {
 /* Copies the settings to the fields of `config`. The fish count is limited to the capacity of the
  * preset's tank. */
 void config_apply_settings(struct core_config *config, const struct settings *settings);
-
-/* Returns `hash` continued over the configuration, without `rules_7` and `lanes`. */
-uint64_t config_hash(uint64_t hash, const struct core_config *config);
 
 #endif

@@ -6,10 +6,12 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/base/simd.h"
-#include "core/game/accounting/ledger_range.h"
+#include "core/game/accounting/ledger_writer.h"
 #include "core/game/control/controller.h"
-#include "core/game/control/parking.h"
-#include "core/game/control/release.h"
+#include "core/game/lab/lab.h"
+#include "core/game/menu/menu.h"
+#include "core/game/phases.h"
+#include "core/game/table_setup.h"
 #include "core/poi/bowl/bowl.h"
 #include "core/poi/catch/catch.h"
 #include "core/poi/poi.h"
@@ -222,7 +224,7 @@ static void tick_catch(struct core *core, const uint8_t live[POI_MAX],
         if (live[i] && !parking_is_parked(&core->game, i)) {
             catch_tick(&core->world.poi[i], i, &stall, core->game.tick, output, caught);
         } else {
-            release_tick(&core->world.poi[i], i, &stall, caught);
+            failsafe_release_tick(&core->world.poi[i], i, &stall, caught);
         }
     }
 }
@@ -301,6 +303,27 @@ uint64_t core_hash_quick(const struct core *core)
         hash = hash_u32(hash, core->world.bowl[i].fish_count);
     }
     return tank_hash_quick(hash, &core->world.tank);
+}
+
+/* Returns `hash` continued over the configuration, without `rules_7` and `lanes`. */
+static uint64_t config_hash(uint64_t hash, const struct core_config *config)
+{
+    hash = hash_u32(hash, config->seed);
+    hash = hash_u32(hash, config->preset);
+    hash = hash_u32(hash, config->fish_count);
+    hash = hash_u32(hash, config->language);
+    hash = hash_u32(hash, config->round_s);
+    hash = hash_u32(hash, config->modes);
+    hash = hash_u32(hash, config->grade);
+    hash = hash_u32(hash, config->players);
+    hash = hash_u32(hash, config->credit_coins);
+    hash = hash_u32(hash, config->ticket_fish);
+    hash = ledger_start_hash(hash, &config->persistent.ledger);
+    hash = audits_hash(hash, &config->persistent.audits);
+    hash = ranking_hash(hash, &config->persistent.ranking);
+    hash = settings_hash(hash, &config->persistent.settings, config->rules_7);
+    hash = session_hash(hash, &config->session, config->rules_7);
+    return lab_book_hash(hash, &config->book);
 }
 
 uint64_t core_hash(const struct core *core)

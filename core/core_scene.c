@@ -1,9 +1,14 @@
 /* core_scene.c -- builds the scene from the state. The module has no state of its own. */
 #include "core/base/mem.h"
 #include "core/core.h"
+#include "core/game/accounting/credit.h"
 #include "core/game/control/controller.h"
-#include "core/game/ranking/leaderboard.h"
+#include "core/game/lab/lab.h"
+#include "core/game/menu/menu.h"
+#include "core/game/phases.h"
+#include "core/game/ranking/name.h"
 #include "core/game/rules.h"
+#include "core/game/table_setup.h"
 #include "core/morph/morph.h"
 #include "core/scene_helpers.h"
 #include "core/tank/behavior/surface_breathing.h"
@@ -118,7 +123,7 @@ static void show_players(const struct core *core, struct scene *scene)
         scene->caught[i] = player->caught;
         scene->player[i] = (struct scene_player){
             .plays = player->plays,
-            .lost = in_round && player->plays && !pause_holds(&core->world, i),
+            .lost = in_round && player->plays && !player_has_poi(&core->world, i),
             .fouls = player->fouls,
             .foul = player->foul,
             .foul_s = (float)(core->game.tick - player->foul_tick) * CORE_TICK_S,

@@ -34,7 +34,7 @@ enum game_mode {
 #define CHOICE_LAB ((uint8_t)MODE_COUNT)
 #define CHOICE_COUNT (MODE_COUNT + 1u)
 
-/* Fouls, which the umpire (core/game/fouls.h) detects from the simulation. The third foul ends a
+/* Fouls, which the umpire (core/game/phases.h) detects from the simulation. The third foul ends a
  * player's round. */
 enum foul {
     FOUL_NONE = 0,

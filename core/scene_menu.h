@@ -13,7 +13,7 @@
 /* Capacity for the counters of core/game/accounting/audits.h, with room for more counters. */
 #define SCENE_AUDIT_MAX 96u
 
-/* State of the page "ready for opening" (core/game/menu/self_test.h). */
+/* State of the page "ready for opening" (core/game/menu/menu.h). */
 struct scene_self_test {
     uint8_t heard, moved;     /* Confirmations of the operator for sound and picture. */
     uint8_t present, players; /* Bit masks of the slots with a controller and of the slots in

@@ -10,7 +10,6 @@
 #include <string.h>
 
 #include "core/game/ranking/name_filter.h"
-#include "core/game/ranking/name_normalize.h"
 
 #define EXIT_USAGE 2
 #define EXIT_BAD_DATA 65

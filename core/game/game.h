@@ -1,9 +1,9 @@
-/* game.h -- the game: phases, players, and their results.
+/* game.h -- the state of the game, and the functions of game_tick.c that core.c calls.
  *
  * The phases are attract, mode selection, ready, round, result, name, leaderboard and album, plus
- * the growth lab and the operator's menu. Each phase has its own file (phases.h). Further parts are
- * the umpire (fouls.h), time announcements (announcements.h), pauses for lost controllers
- * (pause.h), table setup (table_setup.h) and scoring (score.h). Differences between modes are data
+ * the growth lab and the operator's menu. Each phase works on `struct game`. phases.h declares the
+ * functions of the phases. game_tick.c runs the steps of a tick and includes every phase, and no
+ * phase includes a header that belongs to game_tick.c alone. Differences between modes are data
  * (rules.h). */
 #ifndef KINGYO_CORE_GAME_GAME_H
 #define KINGYO_CORE_GAME_GAME_H
@@ -11,25 +11,19 @@
 #include <stdint.h>
 
 #include "core/game/accounting/accounts.h"
-#include "core/game/bot/bot.h"
+#include "core/game/bot/bot_state.h"
 #include "core/game/control/input_validation.h"
-#include "core/game/health_log.h"
-#include "core/game/hints.h"
-#include "core/game/lab/album.h"
-#include "core/game/lab/lab.h"
-#include "core/game/language.h"
-#include "core/game/menu/menu.h"
-#include "core/game/menu/settings_edit.h"
-#include "core/game/pause.h"
-#include "core/game/player.h"
-#include "core/game/ranking/name.h"
+#include "core/game/lab/lab_state.h"
+#include "core/game/menu/menu_state.h"
+#include "core/game/ranking/name_keyboard.h"
 #include "core/game/rules.h"
-#include "core/game/score.h"
-#include "core/game/table_setup.h"
+#include "core/game/session_state.h"
 #include "core/input.h"
 #include "core/output.h"
-#include "core/poi/catch/catch.h"
 #include "core/scene.h"
+
+struct world;
+struct core_config;
 
 /* Length of READY in the festival mode and in the practice mode. */
 #define GAME_READY_TICKS (RULES_READY_S * CORE_TICK_HZ)
@@ -59,6 +53,103 @@
 #define GAME_POI_GRADE 6u      /* Default paper grade, which real stalls use most. */
 #define GAME_DIP_Y_M (-0.010f) /* Height that a pose must cross downward to count as a dip. */
 
+/* Distance from the rest position within which a controller counts as resting. */
+#define PLAYER_STIR_M 0.03f
+
+/* Whether a controller has moved since READY began. */
+enum player_stance { STANCE_UNSEEN = 0, STANCE_RESTS, STANCE_MOVED };
+
+struct player {
+    uint8_t plays;      /* 1 if the player has had a poi in use in this round, otherwise 0. */
+    uint8_t out;        /* 1 if the player's round ended before time was up, otherwise 0. */
+    uint8_t handed;     /* 1 if the player has received fresh paper for this round, otherwise 0. */
+    uint8_t points;     /* In the mode selection: section of the tank under the poi, from 1; 0 means
+                           none. */
+    uint8_t fouls;      /* Number of counted fouls, 0 .. FOUL_MAX. */
+    uint8_t foul;       /* Kind of the latest foul (enum foul). */
+    uint32_t foul_tick; /* Tick of the latest counted foul. */
+    uint32_t offence_tick[FOUL_COUNT]; /* Tick at which the player last committed each kind of foul,
+                                          counted or not. */
+    uint32_t caught;
+    uint32_t scoops;          /* Number of dips with the earlier sheets of this round. */
+    uint32_t torn_tick;       /* Tick at which the current sheet became useless; 0 means that the
+                                 sheet is usable. */
+    uint32_t first_torn_tick; /* Tick at which the first sheet became useless, reduced by the
+                                 earlier pauses of the round; 0 means that the sheet is usable. */
+    uint32_t sheets_before;   /* Number of sheets that the player used before the current sheet. */
+    uint32_t lost_ticks;      /* Duration in ticks of the current pause in which other players wait
+                                 for this controller. */
+    uint32_t waited_ticks; /* Total ticks in this round for which other players have waited for this
+                              controller. */
+    uint8_t stance;        /* Motion of the controller since READY began (enum player_stance). */
+    float rest_x_m, rest_z_m; /* Rest position of the controller. In READY: position at which the
+                                 controller was first seen. In the mode selection: position at the
+                                 controller's last motion. */
+};
+
+/* Longest pause without any active player. The round ends after the pause. */
+#define GAME_LOST_TICKS_MAX (60u * CORE_TICK_HZ)
+/* Longest single pause for one lost controller while other players could play. */
+#define GAME_LOST_TICKS_OTHERS (10u * CORE_TICK_HZ)
+/* Longest total pause per round for one lost controller while other players could play. */
+#define GAME_WAIT_TICKS_OTHERS (30u * CORE_TICK_HZ)
+/* Longest total pause per round without any active player. The limit also ends a round if a loose
+ * plug causes many short pauses. */
+#define GAME_WAIT_TICKS_MAX POI_WAIT_TICKS_MAX
+_Static_assert(GAME_LOST_TICKS_MAX <= GAME_WAIT_TICKS_MAX &&
+                   GAME_WAIT_TICKS_OTHERS <= GAME_WAIT_TICKS_MAX,
+               "no wait outlasts the seat that is kept");
+
+/* Shortest time for which a hint is shown: 1.5 s, enough to read a short line. */
+#define HINT_TICKS_MIN 180u
+
+struct hints {
+    uint8_t pupil;        /* Player who receives the hints, < POI_MAX. */
+    uint8_t shown;        /* Hint that is shown (enum scene_hint). */
+    uint32_t shown_tick;  /* Tick at which the hint appeared. */
+    uint32_t learned;     /* Bit mask (1 << enum scene_hint) of the hints whose actions the player
+                             has done. */
+    uint32_t haste_tick;  /* Tick at which fast motion last tore the paper; 0 means never. */
+    uint32_t haste_cells; /* Cells torn by fast motion since the last evaluation. */
+    uint32_t paper_cells; /* Number of paper cells that the player's poi had in the last tick. */
+    uint32_t dips_before; /* Number of dips of the player's poi at the last catch, or 0 for a new
+                             poi. */
+    uint32_t caught;      /* Number of fish that the player had caught at the last evaluation. */
+    float moved_m;        /* Distance that the poi has moved in this round, up to 1 m. */
+};
+
+/* Time without pointing or pressing after which the name entry ends. */
+#define NAME_IDLE_TICKS (20u * CORE_TICK_HZ)
+/* Longest time of one player's name entry, including help from friends. */
+#define NAME_TICKS_MAX (60u * CORE_TICK_HZ)
+/* Delay before a press counts, because an earlier press was meant for the result screen. */
+#define NAME_SEEN_TICKS (CORE_TICK_HZ / 2u)
+/* Time after which a held LEFT or RIGHT button starts to repeat. */
+#define NAME_RUN_TICKS (CORE_TICK_HZ / 2u)
+/* Ticks between two steps while LEFT or RIGHT repeats. */
+#define NAME_STEP_TICKS (CORE_TICK_HZ / 10u)
+/* Number of rejected names after which the player may still try again. */
+#define NAME_REFUSALS_MAX 1u
+
+struct name {
+    uint32_t round_id; /* Ledger id of the last round with a ranked player; 0 means none. */
+    uint8_t ranked;    /* Bit mask of the ranked slots of that round. */
+    uint8_t waits;     /* Bit mask of the ranked slots that still need a name. */
+    uint8_t seat;      /* Slot of the player who enters a name. */
+    uint8_t alphabet;  /* Displayed alphabet (enum name_alphabet). */
+    uint8_t key;       /* Highlighted key: the index of a letter's cell, or an enum name_key. */
+    uint8_t points;    /* Key under the pointer, from 1; 0 means none. */
+    uint8_t upright, has_hand, presses;
+    uint8_t refusals; /* Number of names of the current player that were rejected. */
+    uint8_t letter_count;
+    uint16_t letter[NAME_LETTERS_MAX];
+    uint32_t seat_tick;   /* Tick at which the current player's name entry began. */
+    uint32_t act_tick;    /* Tick of the current player's last activity. */
+    uint32_t held_ticks;  /* Ticks for which LEFT or RIGHT has been held. */
+    float x, y;           /* Pointer position on the canvas. */
+    float rest_x, rest_y; /* Pointer position at its last motion. */
+};
+
 struct game {
     uint32_t tick;       /* Number of the current tick, counted from 0 at the start of the kiosk. */
     uint8_t phase;       /* Current phase (enum scene_phase). */
@@ -84,7 +175,7 @@ struct game {
                                 at which the bot's paper was torn or its bowl was full. */
     uint32_t language_until; /* Tick at which a visitor's choice of language in attract mode ends; 0
                                 means no choice. */
-    uint32_t turn_tick;      /* Tick at which a new session starts (session.h); 0 means that no
+    uint32_t turn_tick;      /* Tick at which a new session starts (session.c); 0 means that no
                                 session was requested. */
     uint32_t round_s;        /* Length of this round in seconds. */
     uint32_t round_count;    /* Number of started rounds; part of the seed of the next paper. */
@@ -120,9 +211,6 @@ struct game {
     struct lab lab;
 };
 
-struct world;
-struct core_config;
-
 /* Initializes `game` from `config` with the state at the start of a session. */
 void game_init(struct game *game, const struct core_config *config);
 
@@ -132,20 +220,6 @@ void game_init(struct game *game, const struct core_config *config);
 void game_tick(struct game *game, struct world *world, struct core_config *config,
                const struct input *input, struct output *output, struct poi_target targets[POI_MAX],
                uint8_t live[POI_MAX]);
-
-/* Returns 1 if player `index` may dip the poi. Dips are allowed in attract mode. In a round, dips
- * are allowed while the clock runs, time is left and the player is not out. Otherwise the poi stays
- * above the water. */
-int game_may_scoop(const struct game *game, uint32_t index);
-
-/* Returns 1 if the tank's pump bubbles at `tick`, otherwise 0. The pump is off during a round, as
- * the rules of the federation require. In attract mode the pump runs at intervals. Visitors
- * therefore see the fish surface for air and dive again. */
-int game_pumps(const struct game *game, uint32_t tick);
-
-/* Returns the seconds left in the round. In READY: seconds until the round begins. In mode
- * selection and name entry: seconds until the timeout. In other phases 0. */
-float game_seconds_left(const struct game *game, uint32_t tick);
 
 uint64_t game_hash(uint64_t hash, const struct game *game);
 

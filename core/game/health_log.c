@@ -1,30 +1,13 @@
 /* health_log.c -- writes the ledger entries for starts, crashes and uptime. */
-#include "core/game/health_log.h"
+#include "core/game/phases.h"
 
 #include "core/base/hash.h"
+#include "core/base/panic.h"
+#include "core/config.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/accounting/ledger_writer.h"
 #include "core/game/game.h"
 #include "core/poi/world.h"
-#include "core/config.h"
-#include "core/game/accounting/coins.h"
-#include "core/game/accounting/round_standing.h"
-#include "core/game/pause.h"
-
-static void tell_boot(struct game *game, const struct core_config *config, struct output *output)
-{
-    struct ledger *ledger = &game->accounts.ledger;
-    const struct ledger_entry entry = { .kind = LEDGER_BOOT,
-                                        .count = ledger->boot,
-                                        .value = (int32_t)ledger->balance.unlogged };
-    coins_convert_pending(&game->accounts.ledger, config);
-    ledger_write(&game->accounts, game->tick, &entry, output);
-    const int counts = (ledger->balance.open & PAYMENT_SPENT) &&
-                       stand_finish(&game->accounts, config, game->tick, output);
-    if (!counts && ledger->balance.open != PAYMENT_NONE) {
-        credit_refund(game, config, REFUND_RESTART, output);
-        game->accounts.credit.came_back =
-            0; /* The refunded round is from an earlier run of the kiosk, so no message is shown. */
-    }
-}
 
 static struct ledger_entry health_of(const struct credit *credit,
                                      const struct health_log *health_log, uint32_t tick,
@@ -74,42 +57,50 @@ void health_log_tick(struct game *game, const struct core_config *config, const 
                      struct output *output)
 {
     struct health_log *health_log = &game->health_log;
-    if (!health_log->is_told) {
-        health_log->is_told = 1;
-        if (game->accounts.ledger.boot > 0) { /* Without a store, kiosk starts are not counted. */
-            tell_boot(game, config, output);
+    struct ledger *ledger = &game->accounts.ledger;
+    const int is_first = !health_log->is_told;
+    health_log->is_told = 1;
+    if (is_first && ledger->boot > 0) { /* Without a store, kiosk starts are not counted. */
+        const struct ledger_entry entry = { .kind = LEDGER_BOOT,
+                                            .count = ledger->boot,
+                                            .value = (int32_t)ledger->balance.unlogged };
+        coins_convert_pending(ledger, config);
+        ledger_write(&game->accounts, game->tick, &entry, output);
+        const int counts = (ledger->balance.open & PAYMENT_SPENT) &&
+                           stand_finish(&game->accounts, config, game->tick, output);
+        if (!counts && ledger->balance.open != PAYMENT_NONE) {
+            credit_refund(game, config, REFUND_RESTART, output);
+            game->accounts.credit.came_back = 0; /* The refunded round is from an earlier run of the
+                                                    kiosk, so no message is shown. */
         }
     }
     const int is_due = game->tick - health_log->told_tick >= HEALTH_LOG_TICKS;
-    if ((is_due || ledger_needs_sync(&game->accounts.ledger)) &&
-        ledger_may_write(&game->accounts.ledger, LEDGER_HEALTH)) {
-        health_log_write(&game->accounts, &game->health_log, game->tick, input, output);
+    if ((is_due || ledger_needs_sync(ledger)) && ledger_may_write(ledger, LEDGER_HEALTH)) {
+        health_log_write(&game->accounts, health_log, game->tick, input, output);
     }
 }
 
 /* ---- Controllers ---------------------------------------------------------------------------- */
 
-static void note_loss(struct accounts *accounts, struct health_log *health_log, uint32_t tick,
-                      uint32_t seat, struct output *output)
-{
-    uint32_t *last_tick = &health_log->loss_tick[seat];
-    const struct ledger_entry entry = { .kind = LEDGER_LOSS, .detail = (uint8_t)seat, .count = 1 };
-    if (*last_tick != 0 && tick - *last_tick < HEALTH_LOG_LOSS_AGAIN_TICKS) {
-        ledger_write(accounts, tick, &entry, output);
-    }
-    *last_tick = tick;
-}
-
 void health_log_note_losses(struct game *game, const struct world *world,
                             const struct core_config *config, struct output *output)
 {
     struct health_log *health_log = &game->health_log;
+    CORE_ASSERT(game->phase == PHASE_ROUND);
     for (uint32_t i = 0; i < POI_MAX && !config->rules_7; i++) {
         const struct player *player = &game->player[i];
-        const int is_away = player->plays && !player->out && !pause_holds(world, i);
+        const uint32_t last_tick = health_log->loss_tick[i];
+        const int is_away = player->plays && !player->out && !player_has_poi(world, i);
         health_log->away_ticks[i] = is_away ? health_log->away_ticks[i] + 1u : 0u;
-        if (health_log->away_ticks[i] == HEALTH_LOG_LOSS_TICKS) {
-            note_loss(&game->accounts, &game->health_log, game->tick, i, output);
+        if (health_log->away_ticks[i] != HEALTH_LOG_LOSS_TICKS) {
+            continue;
+        }
+        health_log->loss_tick[i] = game->tick;
+        if (last_tick != 0 && game->tick - last_tick < HEALTH_LOG_LOSS_AGAIN_TICKS) {
+            const struct ledger_entry entry = { .kind = LEDGER_LOSS,
+                                                .detail = (uint8_t)i,
+                                                .count = 1 };
+            ledger_write(&game->accounts, game->tick, &entry, output);
         }
     }
 }

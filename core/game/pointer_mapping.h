@@ -58,8 +58,4 @@ struct world;
 struct pointer_state pointer_of_player(const struct world *world, const struct input *input,
                                        int upright, uint32_t player);
 
-/* Returns the pointer of the first player who has a bowl at the tank. */
-struct pointer_state pointer_first(const struct world *world, const struct input *input,
-                                   int upright);
-
 #endif

@@ -1,20 +1,98 @@
-/* round.c -- the round: its clock, time announcements, torn paper, and its end. */
-#include "core/game/game.h"
-#include "core/poi/world.h"
-#include "core/config.h"
-#include "core/game/accounting/round_standing.h"
-#include "core/game/announcements.h"
-#include "core/game/control/controller.h"
-#include "core/game/paper.h"
-#include "core/game/pause.h"
+/* round.c -- the phases of a round: READY, the round and RESULT.
+ *
+ * READY takes a few seconds, in which players receive fresh paper and empty bowls, and no shadow
+ * may rest over the fish. The round has a clock, time announcements and torn paper. RESULT shows
+ * the score for a while. A refunded round has no result. Otherwise a player with a full bowl could
+ * pull a plug repeatedly and win the same prize each time. */
 #include "core/game/phases.h"
+
+#include "core/base/panic.h"
+#include "core/config.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/bot/paper_patch.h"
+#include "core/game/control/controller.h"
+#include "core/game/game.h"
+#include "core/game/lab/lab.h"
+#include "core/game/ranking/name.h"
 #include "core/game/rules.h"
 #include "core/game/table_setup.h"
+#include "core/input.h"
+#include "core/poi/world.h"
+
+void ready_begin(struct game *game, struct world *world, const struct core_config *config,
+                 struct output *output)
+{
+    CORE_ASSERT(game->mode < MODE_COUNT);
+    game->round_count++;
+    game->round_s = table_setup_round_s(config, game->mode);
+    game->bot_played = 0;
+    game->played = 0;
+    game->paused = 0;
+    game->gone_tick = 0;
+    game->lost_ticks = game->waited_ticks = 0;
+    game->call = CALL_NONE;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        game->player[i] = (struct player){ 0 };
+    }
+    game->album = (struct album){ 0 };
+    table_setup_empty_bowls(world);
+    table_setup_prepare(game, world, config, table_setup_preset(config, game->mode));
+    game_enter_phase(game, PHASE_READY);
+    output_sound(output, SOUND_START, 1.0f, 0.0f);
+}
+
+void ready_tick(struct game *game, struct world *world, const struct core_config *config,
+                struct output *output)
+{
+    const uint32_t elapsed = game->tick - game->phase_tick;
+    const uint32_t total = rules_of(game->mode)->ready_s * CORE_TICK_HZ;
+    CORE_ASSERT(game->phase == PHASE_READY);
+    /* Each poi's paper is replaced as soon as the poi is out of the water, because a replacement
+     * under water would make the poi jump. */
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const int clear = world->poi[i].immersed <= 0.0f || elapsed >= total / 2u;
+        if (!game->player[i].handed && clear) {
+            table_setup_replace_poi(game, world, config, i, game->round_count, GAME_SERIES_ROUND);
+            game->player[i].handed = 1;
+        }
+    }
+    score_fouls_before_start(game, world, output);
+    if (elapsed >= total) {
+        round_begin(game, world, output);
+    }
+}
+
+#define MINUTE_TICKS (60u * CORE_TICK_HZ)
+#define TEN_TICKS (10u * CORE_TICK_HZ)
+#define LAST_TICKS (5u * CORE_TICK_HZ)
+
+enum time_call round_call_at(uint32_t elapsed_ticks, uint32_t total_ticks)
+{
+    if (elapsed_ticks >= total_ticks) {
+        return elapsed_ticks == total_ticks ? CALL_TIME : CALL_NONE;
+    }
+    const uint32_t left_ticks = total_ticks - elapsed_ticks;
+    if (left_ticks <= LAST_TICKS) {
+        return left_ticks % CORE_TICK_HZ == 0 ? CALL_COUNTDOWN : CALL_NONE;
+    }
+    if (left_ticks <= TEN_TICKS) {
+        return left_ticks == TEN_TICKS ? CALL_TEN_SECONDS : CALL_NONE;
+    }
+    switch (elapsed_ticks) {
+    case MINUTE_TICKS:
+        return CALL_ONE_MINUTE;
+    case 2u * MINUTE_TICKS:
+        return CALL_TWO_MINUTES;
+    default:
+        return CALL_NONE;
+    }
+}
 
 #define RENEW_TICKS CORE_TICK_HZ /* Time to see the hole before the paper is replaced. */
 
 void round_begin(struct game *game, struct world *world, struct output *output)
 {
+    CORE_ASSERT(game->phase == PHASE_READY);
     table_setup_empty_bowls(world); /* Fish that fell off a replaced poi during READY would lie in
                                        the bowls without being counted. */
     game_enter_phase(game, PHASE_ROUND);
@@ -25,28 +103,17 @@ void round_begin(struct game *game, struct world *world, struct output *output)
 
 /* ---- Paper ---------------------------------------------------------------------------------- */
 
-/* Replaces torn paper when the poi is out of the water, because a replacement under water would
- * make the poi jump. */
-static void renew_paper(struct game *game, struct world *world, const struct core_config *config,
-                        uint32_t index)
-{
-    struct player *player = &game->player[index];
-    const int was_seen = game->tick - player->torn_tick >= RENEW_TICKS;
-    if (was_seen && world->poi[index].immersed <= 0.0f) {
-        player->scoops += world->poi[index].dips;
-        player->torn_tick = 0;
-        player->sheets_before++;
-        table_setup_replace_poi(game, world, config, index, game->tick, GAME_SERIES_SPARE);
-    }
-}
-
+/* Handles useless paper. Torn paper is replaced when the poi is out of the water, because a
+ * replacement under water would make the poi jump. */
 static void watch_paper(struct game *game, struct world *world, const struct core_config *config,
                         struct output *output)
 {
+    CORE_ASSERT(game->mode < MODE_COUNT);
     const int renews = rules_of(game->mode)->renews_paper;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         struct player *player = &game->player[i];
-        if (!player->plays || paper_can_hold(&world->poi[i].sheet)) {
+        const struct poi *poi = &world->poi[i];
+        if (!player->plays || paper_can_hold(&poi->sheet)) {
             continue;
         }
         if (player->torn_tick == 0) {
@@ -55,55 +122,24 @@ static void watch_paper(struct game *game, struct world *world, const struct cor
                 player->first_torn_tick ? player->first_torn_tick : game->tick - game->paused_ticks;
             output_sound(output, SOUND_GONE, 1.0f, 0.0f);
         }
-        if (renews) {
-            renew_paper(game, world, config, i);
-        } else {
+        if (!renews) {
             player->out = 1;
+        } else if (game->tick - player->torn_tick >= RENEW_TICKS && poi->immersed <= 0.0f) {
+            player->scoops += poi->dips;
+            player->torn_tick = 0;
+            player->sheets_before++;
+            table_setup_replace_poi(game, world, config, i, game->tick, GAME_SERIES_SPARE);
         }
     }
 }
 
 /* ---- End of the round ------------------------------------------------------------------------ */
 
-static int all_are_out(const struct game *game)
-{
-    int played = 0;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        const struct player *player = &game->player[i];
-        if (player->plays && !player->out) {
-            return 0;
-        }
-        played |= player->plays;
-    }
-    return played;
-}
-
-/* Returns 1 if a fish lies on any poi, otherwise 0. After time is up no fish can be scooped, but
- * fish on the paper may still be carried to the bowl. */
-static int any_carries(const struct world *world)
-{
-    uint32_t carried_fish = 0;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        carried_fish += controller_is_active(world, i) ? world->poi[i].carried_count : 0;
-    }
-    return carried_fish > 0;
-}
-
-static int is_over(const struct game *game, const struct world *world, uint32_t elapsed,
-                   uint32_t total)
-{
-    const uint32_t gone_tick = game->gone_tick;
-    if (gone_tick != 0 && game->tick - gone_tick >= GAME_GONE_TICKS) {
-        return 1;
-    }
-    return elapsed >= total && (!any_carries(world) || elapsed >= total + GAME_CARRY_TICKS);
-}
-
 /* ---- Time ----------------------------------------------------------------------------------- */
 
 static void call_time(struct game *game, uint32_t elapsed, uint32_t total, struct output *output)
 {
-    const enum time_call call = announcements_call_at(elapsed, total);
+    const enum time_call call = round_call_at(elapsed, total);
     if (call == CALL_COUNTDOWN) {
         output_sound(output, SOUND_TICK, 1.0f, 0.0f); /* The sound of the countdown is played in
                                                          every mode. */
@@ -120,23 +156,22 @@ static void call_time(struct game *game, uint32_t elapsed, uint32_t total, struc
 
 /* ---- The tick ------------------------------------------------------------------------------- */
 
-static void note_who_plays(struct game *game, const struct world *world)
-{
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        game->played |= game->player[i].plays;
-        game->bot_played |=
-            (uint8_t)(controller_is_active(world, i) && world->poi[i].link == POI_SOURCE_BOT);
-    }
-}
-
 void round_tick(struct game *game, struct world *world, const struct core_config *config,
                 struct output *output)
 {
-    pause_tick(game, world);
-    note_who_plays(game, world);
+    CORE_ASSERT(game->phase == PHASE_ROUND);
+    player_tick_pause(game, world);
+    uint32_t carried_fish = 0, in_round = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct player *player = &game->player[i];
+        const int is_active = controller_is_active(world, i);
+        game->played |= player->plays;
+        game->bot_played |= (uint8_t)(is_active && world->poi[i].link == POI_SOURCE_BOT);
+        carried_fish += is_active ? world->poi[i].carried_count : 0;
+    }
     health_log_note_losses(game, world, config, output);
     stand_tick(game, config, output);
-    if (pause_is_over(game)) {
+    if (game->lost_ticks > GAME_LOST_TICKS_MAX || game->waited_ticks > GAME_WAIT_TICKS_MAX) {
         credit_refund(game, config, REFUND_NO_POI, output);
         result_begin(game, world, config, output);
         return;
@@ -147,11 +182,65 @@ void round_tick(struct game *game, struct world *world, const struct core_config
     const uint32_t total = game->round_s * CORE_TICK_HZ;
     const uint32_t elapsed = game->tick - game->phase_tick;
     watch_paper(game, world, config, output);
-    if (game->gone_tick == 0 && all_are_out(game)) {
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        in_round += game->player[i].plays && !game->player[i].out;
+    }
+    if (game->gone_tick == 0 && game->played && in_round == 0) {
         game->gone_tick = game->tick;
     }
     call_time(game, elapsed, total, output);
-    if (is_over(game, world, elapsed, total)) {
+    /* After time is up no fish can be scooped, but fish on the paper may still be carried to the
+     * bowl. */
+    const int is_gone = game->gone_tick != 0 && game->tick - game->gone_tick >= GAME_GONE_TICKS;
+    const int is_late =
+        elapsed >= total && (carried_fish == 0 || elapsed >= total + GAME_CARRY_TICKS);
+    if (is_gone || is_late) {
         result_begin(game, world, config, output);
+    }
+}
+
+void result_begin(struct game *game, struct world *world, const struct core_config *config,
+                  struct output *output)
+{
+    game->paused = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        world->poi[i].carried_count = 0; /* The time is up, so the fish return to the water. */
+    }
+    game_enter_phase(game, PHASE_RESULT);
+    name_note_round(game, &config->persistent.settings, 0);
+    if (!game->accounts.credit.came_back) {
+        score_keep(game, world, config, credit_award_tickets(game, config), output);
+    }
+    output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
+}
+
+void result_skip(struct game *game, const struct world *world, const struct core_config *config,
+                 struct output *output)
+{
+    CORE_ASSERT(game->phase == PHASE_ROUND);
+    game->accounts.credit.came_back = 0;
+    score_keep(game, world, config, credit_award_tickets(game, config), output);
+    name_note_round(game, &config->persistent.settings, 0);
+}
+
+/* Starts the next phase after the result. Hints that the players have learned are kept for the next
+ * round. */
+void result_tick(struct game *game, struct world *world, const struct core_config *config,
+                 const struct input *input, struct output *output)
+{
+    CORE_ASSERT(game->phase == PHASE_RESULT);
+    const uint32_t elapsed = game->tick - game->phase_tick;
+    const int dipped = controller_dipped_player(game, world, input) < POI_MAX;
+    const int goes_on = ((input->pressed & INPUT_START) && elapsed >= GAME_AGAIN_TICKS) ||
+                        (dipped && elapsed >= GAME_AGAIN_DIP_TICKS) ||
+                        credit_is_awaited(&game->accounts, config, game->tick);
+    const int is_read = elapsed >= GAME_RESULT_TICKS;
+    if ((goes_on || is_read) && name_begin(game, output)) {
+        return;
+    }
+    if (goes_on) {
+        mode_select_begin(game, world, config, output);
+    } else if (is_read && !album_begin(game)) {
+        attract_begin(game, world, config);
     }
 }

@@ -1,19 +1,86 @@
-/* score.c -- counts the fish of each player, and builds the record of a round. */
-#include "core/game/score.h"
+/* score.c -- detects fouls from shadows and catches, counts the fish of each player, and builds the
+ * record of a round. */
+#include "core/game/phases.h"
 
-#include "core/game/game.h"
-#include "core/poi/world.h"
+#include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/fouls.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/game.h"
+#include "core/game/lab/lab.h"
+#include "core/game/ranking/name.h"
 #include "core/game/rules.h"
 #include "core/game/table_setup.h"
+#include "core/poi/world.h"
 
-/* Returns the number of fish that count. Fish caught by a foul lie in the bowl too, but do not
- * count in modes with an umpire. */
-static uint32_t valid(const struct rules *rules, const struct catch_result *caught)
+/* Records a foul of kind `kind` by player `index`. Counts the foul if the mode's rules judge
+ * fouls. */
+static void commit_foul(struct game *game, uint32_t index, enum foul kind, struct output *output)
 {
-    return rules->judges ? caught->landed : caught->bowled;
+    CORE_ASSERT(index < POI_MAX && kind < FOUL_COUNT);
+    struct player *player = &game->player[index];
+    const uint32_t last_tick = player->offence_tick[kind];
+    player->offence_tick[kind] = game->tick;
+    if (!rules_of(game->mode)->judges || player->fouls >= FOUL_MAX ||
+        (last_tick != 0 && game->tick - last_tick < FOUL_APART_TICKS)) {
+        return;
+    }
+    player->fouls++;
+    player->foul = (uint8_t)kind;
+    player->foul_tick = game->tick;
+    player->out |= player->fouls == FOUL_MAX;
+    output_sound(output, SOUND_FOUL, 1.0f, 0.0f);
 }
+
+/* ---- Before the start ----------------------------------------------------------------------- */
+
+/* Tracks whether the player moved the controller. The function uses the controller's pose and not
+ * the poi's pose, because a new tank or a new source moves the poi without the player. After the
+ * view changes, a pointer refers to a different point of the water, and its pose jumps in the next
+ * frames. The rest position is therefore updated until FOUL_SETTLE_TICKS. */
+static void watch_stance(struct game *game, const struct world *world, uint32_t index)
+{
+    CORE_ASSERT(index < POI_MAX);
+    struct player *player = &game->player[index];
+    const uint8_t link = world->poi[index].link;
+    if (!player_has_poi(world, index)) {
+        player->stance = STANCE_UNSEEN; /* A controller that was disconnected by a broken cable is
+                                           no foul. */
+    } else if (link == POI_SOURCE_LIVE || link == POI_SOURCE_BOT) {
+        const vec3 hand_m = link == POI_SOURCE_LIVE ? game->validation[index].newest.position_m
+                                                    : game->hand_pose[index].position_m;
+        if (player->stance == STANCE_UNSEEN || game->tick - game->phase_tick < FOUL_SETTLE_TICKS) {
+            player->stance = STANCE_RESTS;
+            player_rests(player, hand_m);
+        } else if (player_stirs(player, hand_m)) {
+            player->stance = STANCE_MOVED;
+        }
+    }
+}
+
+/* The time of a shadow that was already present when READY began counts only from the start of
+ * READY. */
+void score_fouls_before_start(struct game *game, const struct world *world, struct output *output)
+{
+    const float ready_s = (float)(game->tick - game->phase_tick) * CORE_TICK_S;
+    const struct tank *tank = &world->tank;
+    CORE_ASSERT(game->phase == PHASE_READY);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct shade *const shades[] = { &tank->shade[i], &tank->shade[SHADE_MAX + i] };
+        int is_foul = 0;
+        watch_stance(game, world, i);
+        /* A fan's shadow is always a foul, a poi's shadow only after its controller moved. */
+        for (uint32_t k = 0; k < (game->player[i].stance == STANCE_MOVED ? 2u : 1u); k++) {
+            is_foul |= shades[k]->cast.present &&
+                       f_min(shades[k]->still_s, ready_s) >= FOUL_SHADE_S &&
+                       tank_shade_count(tank, &shades[k]->cast) > 0;
+        }
+        if (world->bowl[i].present && is_foul) {
+            commit_foul(game, i, FOUL_SHADE, output);
+        }
+    }
+}
+
+/* ---- In the round --------------------------------------------------------------------------- */
 
 void game_score(struct game *game, const struct world *world,
                 const struct catch_result caught[POI_MAX], struct output *output)
@@ -21,24 +88,32 @@ void game_score(struct game *game, const struct world *world,
     if (game->phase != PHASE_ROUND) {
         return;
     }
-    const struct rules *rules = rules_of(game->mode);
+    /* Fish caught by a foul lie in the bowl too, but do not count in modes with an umpire. */
+    const int judges = rules_of(game->mode)->judges;
     for (uint32_t i = 0; i < POI_MAX; i++) {
+        const uint32_t valid = judges ? caught[i].landed : caught[i].bowled;
         if (game->player[i].fouls < FOUL_MAX) {
-            game->player[i].caught += valid(rules, &caught[i]);
-            album_note(&game->album, world, i, valid(rules, &caught[i]));
+            game->player[i].caught += valid;
+            album_note(&game->album, world, i, valid);
         }
     }
-    fouls_of_catch(game, world, caught, output);
-}
-
-static uint32_t hole_area_mm2(const struct sheet *sheet)
-{
-    return (uint32_t)(1e6f * sheet_hole_m2(sheet) + 0.5f);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (!player_has_poi(world, i) || game->paused) {
+            continue; /* Fish that fall off a poi without valid input count for no player. */
+        }
+        if (caught[i].poured > 0) {
+            commit_foul(game, i, FOUL_POURED, output);
+        }
+        if (caught[i].walled > 0) {
+            commit_foul(game, i, FOUL_WALL, output);
+        }
+    }
 }
 
 struct round_record game_record(const struct game *game, const struct world *world,
                                 const struct core_config *config)
 {
+    CORE_ASSERT(game->mode < MODE_COUNT);
     struct round_record record = {
         .seed = config->seed,
         .start_tick = game->round_tick,
@@ -59,7 +134,7 @@ struct round_record game_record(const struct game *game, const struct world *wor
             record.player[i] = (struct player_record){
                 .caught = player->caught,
                 .scoops = player->scoops + world->poi[i].dips,
-                .hole_area_mm2 = hole_area_mm2(&world->poi[i].sheet),
+                .hole_area_mm2 = (uint32_t)(1e6f * sheet_hole_m2(&world->poi[i].sheet) + 0.5f),
                 .torn_tick = player->first_torn_tick,
                 .sheets = 1u + player->sheets_before,
                 .fouls = player->fouls,
@@ -72,6 +147,7 @@ struct round_record game_record(const struct game *game, const struct world *wor
 void score_keep(struct game *game, const struct world *world, const struct core_config *config,
                 uint32_t tickets, struct output *output)
 {
+    CORE_ASSERT(game->mode < MODE_COUNT);
     const int is_scored = rules_of(game->mode)->keeps_score;
     if (!game->played) {
         return;

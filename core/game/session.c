@@ -1,14 +1,20 @@
-/* session.c -- copies the state that continues from one session to the next. */
-#include "core/game/session.h"
+/* session.c -- copies the state that continues from one session to the next, and changes the
+ * display language. */
+#include "core/game/phases.h"
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
+#include "core/base/panic.h"
 #include "core/base/rng.h"
-#include "core/game/game.h"
 #include "core/config.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/game.h"
+#include "core/game/menu/menu.h"
 
 void session_request(struct game *game)
 {
+    CORE_ASSERT(game->phase == PHASE_ATTRACT);
     if (game->turn_tick == 0) {
         game->turn_tick = game->tick + SESSION_FADE_TICKS;
     }
@@ -22,6 +28,8 @@ int session_is_over(const struct game *game)
 
 void session_restart(const struct game *game, struct core_config *config)
 {
+    CORE_ASSERT(game->phase == PHASE_ATTRACT);
+    CORE_ASSERT(game->accounts.ledger.saved_id <= game->accounts.ledger.last_id);
     config->seed = rng_u32((struct rng_key){ config->seed, game->tick, 0, RNG_SESSION });
     config->session = (struct game_session){
         .tick = game->tick,
@@ -32,7 +40,8 @@ void session_restart(const struct game *game, struct core_config *config)
         .credit = game->accounts.credit,
         .health_log = game->health_log,
         .settings_edit = game->settings_edit,
-        .language = language_kept(game),
+        .language = { .chosen = game->language_until ? game->language : 0u,
+                      .until_tick = game->language_until },
     };
     config->persistent.ledger.last_id = game->accounts.ledger.last_id;
     config->persistent.ledger.balance = game->accounts.ledger.balance;
@@ -82,6 +91,36 @@ uint64_t session_hash(uint64_t hash, const struct game_session *session, int rul
     hash = ledger_hash(hash, &session->ledger);
     hash = credit_hash(hash, &session->credit);
     hash = health_log_hash(hash, &session->health_log);
-    return language_hash(settings_edit_hash(hash, &session->settings_edit, rules_7),
-                         &session->language);
+    return session_language_hash(settings_edit_hash(hash, &session->settings_edit, rules_7),
+                                 &session->language);
+}
+
+void session_language_reset(struct game *game, const struct core_config *config)
+{
+    CORE_ASSERT(config->language < LANGUAGE_COUNT);
+    if (!config->rules_7) {
+        game->language = config->language;
+        game->language_until = 0;
+    }
+}
+
+void session_language_tick(struct game *game, const struct core_config *config,
+                           const struct input *input)
+{
+    CORE_ASSERT(game->language < LANGUAGE_COUNT);
+    if (game->phase == PHASE_ATTRACT && game->language_until != 0 &&
+        game->tick >= game->language_until) {
+        session_language_reset(game, config);
+    }
+    if (input->pressed & INPUT_LANGUAGE) {
+        game->language = (uint8_t)((game->language + 1u) % LANGUAGE_COUNT);
+        game->language_until = config->rules_7 ? 0u : game->tick + LANGUAGE_TICKS;
+    }
+}
+
+uint64_t session_language_hash(uint64_t hash, const struct language_choice *choice)
+{
+    return choice->chosen | choice->until_tick
+               ? hash_u32(hash_u32(hash, choice->chosen), choice->until_tick)
+               : hash;
 }

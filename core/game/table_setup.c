@@ -8,12 +8,13 @@
 #include "core/poi/world.h"
 #include "core/config.h"
 #include "core/game/control/controller.h"
-#include "core/game/control/parking.h"
-#include "core/game/control/release.h"
+#include "core/game/control/controller.h"
+#include "core/game/control/controller.h"
 #include "core/game/rules.h"
 
 uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game_series series)
 {
+    CORE_ASSERT(index < POI_MAX && series <= GAME_SERIES_SPARE);
     return rng_u32(
         (struct rng_key){ seed, number, index + POI_MAX * (uint32_t)series, RNG_ROUND_SEED });
 }
@@ -22,6 +23,7 @@ uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game
 
 uint8_t table_setup_modes(const struct core_config *config)
 {
+    CORE_ASSERT(config->modes < 1u << CHOICE_COUNT);
     return config->modes ? config->modes : 1u << MODE_FESTIVAL;
 }
 
@@ -37,6 +39,7 @@ uint8_t table_setup_first_mode(const struct core_config *config)
 
 uint8_t table_setup_preset(const struct core_config *config, uint8_t mode)
 {
+    CORE_ASSERT(mode < MODE_COUNT);
     const uint8_t preset = rules_of(mode)->tank;
     return preset == RULES_STALLS_TANK ? config->preset : preset;
 }
@@ -58,30 +61,21 @@ uint32_t table_setup_round_s(const struct core_config *config, uint8_t mode)
 
 static uint32_t player_count(const struct core_config *config)
 {
+    CORE_ASSERT(config->players <= POI_MAX);
     return config->players ? config->players : 1u;
 }
 
 static uint32_t fish_count(const struct core_config *config, uint8_t preset)
 {
+    CORE_ASSERT(preset < TANK_PRESET_COUNT);
     const int is_own = preset == config->preset && config->fish_count != 0;
     return is_own ? config->fish_count : tank_preset(preset)->fish_count;
-}
-
-/* Returns 1 if the open tank matches the configuration, otherwise 0. The operator may have changed
- * the number of fish or players in the menu. */
-static int is_set_up(const struct world *world, const struct core_config *config, uint8_t preset)
-{
-    int is_so =
-        preset == world->tank.preset && world->tank.fish_count == fish_count(config, preset);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        is_so = is_so && world->bowl[i].present == (i < player_count(config));
-    }
-    return is_so;
 }
 
 static void place_all(struct game *game, struct world *world, const struct core_config *config,
                       const struct tank_preset *preset)
 {
+    CORE_ASSERT(game->mode < MODE_COUNT);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint32_t seed = game_poi_seed(config->seed, i, game->round_count, GAME_SERIES_ROUND);
         const uint8_t link = world->poi[i].link;
@@ -118,19 +112,26 @@ static void open_tank(struct world *world, const struct core_config *config, uin
 
 void table_setup_open(struct game *game, struct world *world, const struct core_config *config)
 {
+    CORE_ASSERT(config->preset < TANK_PRESET_COUNT);
     open_tank(world, config, game->tick, config->preset, config->seed);
     place_all(game, world, config, tank_preset(config->preset));
 }
 
+/* The operator may have changed the number of fish or players in the menu. */
 void table_setup_prepare(struct game *game, struct world *world, const struct core_config *config,
                          uint8_t preset)
 {
-    if (is_set_up(world, config, preset)) {
-        return;
+    CORE_ASSERT(preset < TANK_PRESET_COUNT);
+    int is_set_up =
+        preset == world->tank.preset && world->tank.fish_count == fish_count(config, preset);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        is_set_up = is_set_up && world->bowl[i].present == (i < player_count(config));
     }
-    const struct rng_key key = { config->seed, game->round_count, preset, RNG_TANK_SEED };
-    open_tank(world, config, game->tick, preset, rng_u32(key));
-    place_all(game, world, config, tank_preset(preset));
+    if (!is_set_up) {
+        const struct rng_key key = { config->seed, game->round_count, preset, RNG_TANK_SEED };
+        open_tank(world, config, game->tick, preset, rng_u32(key));
+        place_all(game, world, config, tank_preset(preset));
+    }
 }
 
 /* ---- Paper and fish ------------------------------------------------------------------------- */
@@ -139,12 +140,13 @@ void table_setup_replace_poi(const struct game *game, struct world *world,
                              const struct core_config *config, uint32_t index, uint32_t number,
                              enum game_series series)
 {
+    CORE_ASSERT(index < POI_MAX);
     struct poi *poi = &world->poi[index];
     const uint8_t link = poi->link;
     const struct angles angles = poi->angles;
     const uint32_t carried_count = poi->carried_count;
     struct carried_fish carried_fish[POI_CARRIED_MAX];
-    release_all(poi, &world->tank);
+    failsafe_release_all(poi, &world->tank);
     memcpy(carried_fish, poi->carried_fish, sizeof carried_fish);
     poi_init(poi, table_setup_grade(config, game->mode), poi->position_m,
              game_poi_seed(config->seed, index, number, series));

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
+#include "core/game/phases.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/operator_view.h"
 #include "platform/kiosk/recorder/score_playback.h"

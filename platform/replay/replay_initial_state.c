@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "core/base/panic.h"
-#include "core/game/accounting/ledger_range.h"
+#include "core/game/accounting/ledger_writer.h"
 #include "platform/replay/replay.h"
 #include "platform/replay/replay_format.h"
 

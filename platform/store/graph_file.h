@@ -22,7 +22,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "core/game/lab/lab_book.h"
+#include "core/game/lab/lab_edit.h"
 #include "core/output.h"
 
 #define GRAPH_FILE_VERSION 1u

@@ -55,7 +55,7 @@ for folder in bot menu lab ranking accounting control; do
     refuses internal core/game/round.c core/game/$folder/any_internal.h "the game may not see what is internal to $folder"
     refuses internal core/game/other/any.c core/game/$folder/any_internal.h "nor may another folder of the game"
 done
-allows core/game/menu/menu_pin.c core/game/menu/menu_internal.h 'the menu sees its own internal header'
+allows core/game/menu/menu_upkeep.c core/game/menu/any_internal.h 'the menu sees its own internal header'
 refuses bot core/game/bot/targeting.c core/tank/tank.h 'a bot may not look into the tank'
 refuses bot core/game/bot/bot.c core/game/game.h 'nor into the game'
 allows core/game/bot/vision.c core/tank/tank.h 'but its vision, which reads for it, may'

@@ -6,7 +6,8 @@
 
 #include <sqlite3.h>
 
-#include "core/game/accounting/round_standing.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/accounting/ledger_writer.h"
 #include "tests/power/hour.h"
 
 void books_open(struct books *books)

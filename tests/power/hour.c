@@ -7,7 +7,8 @@
 
 #include "core/base/fmath.h"
 #include "core/base/rng.h"
-#include "core/game/score.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/phases.h"
 #include "platform/cpu.h"
 #include "tests/power/tape.h"
 

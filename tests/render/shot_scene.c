@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/core.h"
+#include "core/game/lab/lab.h"
 #include "tests/render/shot_menu.h"
 
 #define PUSH_M_S 0.80f
@@ -61,7 +62,7 @@ static void open_lab(const struct shot_options *options, struct output *output)
 static void open_album(const struct shot_options *options)
 {
     struct album *album = &core.game.album;
-    album_clear(album);
+    *album = (struct album){ 0 };
     for (uint32_t i = 0; i < options->album; i++) {
         core.world.tank.fish[i].gait = GAIT_BOWL;
         core.world.tank.fish[i].holder = 0;

@@ -20,7 +20,7 @@
 #include <sqlite3.h>
 
 #include "core/base/rng.h"
-#include "core/game/score.h"
+#include "core/game/phases.h"
 #include "drivers/null.h"
 #include "drivers/sim/hal_sim.h"
 #include "platform/kiosk/kiosk.h"

@@ -63,6 +63,7 @@ static void append(char out[AUDIT_NAME_SIZE], const char *text)
 
 static void append_number(char out[AUDIT_NAME_SIZE], uint32_t number)
 {
+    CORE_ASSERT(number < 100u);
     const char digits[3] = { (char)('0' + number / 10u % 10u), (char)('0' + number % 10u), 0 };
     append(out, number < 10u ? digits + 1 : digits);
 }
@@ -99,36 +100,16 @@ enum audit_group audits_group_of(uint32_t id)
 
 static void add_to_audit(struct audits *audits, uint32_t id, uint32_t count)
 {
+    CORE_ASSERT(id < AUDIT_COUNT);
     uint32_t *sum = &audits->count[id];
     *sum = UINT32_MAX - *sum < count ? UINT32_MAX : *sum + count;
 }
 
-/* ---- Money ---------------------------------------------------------------------------------- */
-
-static void note_coins(struct audits *audits, const struct ledger_entry *entry)
-{
-    if (entry->detail < COIN_LINE_COUNT) {
-        add_to_audit(audits, AUDIT_COINS_1 + entry->detail, entry->count);
-    }
-    add_to_audit(audits, AUDIT_UNITS, (uint32_t)entry->value);
-}
-
-static void note_refund(struct audits *audits, const struct ledger_entry *entry)
-{
-    add_to_audit(audits, AUDIT_REFUNDS, entry->count);
-    add_to_audit(audits, AUDIT_CRASHED_ROUNDS, entry->detail == REFUND_RESTART);
-}
-
 /* ---- Games ----------------------------------------------------------------------------------- */
-
-/* Returns the weekday of `day`, from 0 (Monday) to 6 (Sunday). Day 0, 2000-01-01, is a Saturday. */
-static uint32_t weekday_of(uint16_t day)
-{
-    return (day + 5u) % 7u;
-}
 
 static void note_begin(struct audits *audits, const struct ledger_entry *entry)
 {
+    CORE_ASSERT(entry->kind == LEDGER_BEGIN);
     const uint8_t kind = entry->balance.open & PAYMENT_KIND_MASK;
     add_to_audit(audits,
                  kind == PAYMENT_PAID      ? AUDIT_PLAYS_PAID
@@ -142,8 +123,9 @@ static void note_begin(struct audits *audits, const struct ledger_entry *entry)
         add_to_audit(audits, AUDIT_PLAYS_LAB, 1);
     }
     if (entry->day != 0 && entry->minute < 24u * 60u) {
+        /* Day 0, 2000-01-01, is a Saturday. */
         add_to_audit(audits, AUDIT_HOUR + entry->minute / 60u, 1);
-        add_to_audit(audits, AUDIT_WEEKDAY + weekday_of(entry->day), 1);
+        add_to_audit(audits, AUDIT_WEEKDAY + (entry->day + 5u) % 7u, 1);
     }
 }
 
@@ -152,22 +134,11 @@ static uint32_t seconds(uint32_t ticks)
     return (ticks + CORE_TICK_HZ / 2u) / CORE_TICK_HZ;
 }
 
-/* Adds one player's result. The lifetime of paper counts only for the first sheet, because a player
- * receives one sheet in scored modes. */
-static void note_player(struct audits *audits, const struct round_record *round, uint32_t seat)
-{
-    const struct player_record *player = &round->player[seat];
-    add_to_audit(audits, AUDIT_PLAYERS, 1);
-    add_to_audit(audits, AUDIT_PAPERS, player->sheets);
-    add_to_audit(audits, AUDIT_FOULS, player->fouls);
-    if (player->torn_tick != 0) {
-        add_to_audit(audits, AUDIT_PAPERS_TORN, 1);
-        add_to_audit(audits, AUDIT_PAPER_LIFE_S, seconds(player->torn_tick - round->start_tick));
-    }
-}
-
+/* Adds a round. The lifetime of paper counts only for the first sheet, because a player receives
+ * one sheet in scored modes. */
 static void note_round(struct audits *audits, const struct ledger_entry *entry)
 {
+    CORE_ASSERT(entry->kind == LEDGER_ROUND);
     const struct round_record *round = &entry->round;
     add_to_audit(audits, AUDIT_TICKETS, (uint32_t)entry->value);
     add_to_audit(audits, AUDIT_CRASHED_ROUNDS, entry->detail == ROUND_CUT_OFF);
@@ -178,39 +149,25 @@ static void note_round(struct audits *audits, const struct ledger_entry *entry)
     add_to_audit(audits, AUDIT_CAUGHT, round->caught);
     add_to_audit(audits, AUDIT_PLAY_S, seconds(round->end_tick - round->start_tick));
     for (uint32_t seat = 0; seat < POI_MAX; seat++) {
-        if (round->players & 1u << seat) {
-            note_player(audits, round, seat);
+        const struct player_record *player = &round->player[seat];
+        if (!(round->players & 1u << seat)) {
+            continue;
         }
-    }
-}
-
-/* ---- The machine ---------------------------------------------------------------------------- */
-
-static void note_health(struct audits *audits, const struct ledger_entry *entry)
-{
-    uint32_t *longest = &audits->count[AUDIT_UP_S_MAX];
-    add_to_audit(audits, AUDIT_TILTS, entry->count);
-    add_to_audit(audits, AUDIT_UP_S, (uint32_t)entry->value);
-    add_to_audit(audits, AUDIT_DROPPED_TICKS, entry->health.dropped_ticks);
-    add_to_audit(audits, AUDIT_DEVICE_FAULTS, entry->health.device_faults);
-    *longest = *longest < entry->health.up_s ? entry->health.up_s : *longest;
-}
-
-static void note_ticket(struct audits *audits, const struct ledger_entry *entry)
-{
-    add_to_audit(audits, AUDIT_TICKETS_OUT, entry->count);
-}
-
-static void note_loss(struct audits *audits, const struct ledger_entry *entry)
-{
-    if (entry->detail < POI_MAX) {
-        add_to_audit(audits, AUDIT_LOST_AGAIN + entry->detail, entry->count);
+        add_to_audit(audits, AUDIT_PLAYERS, 1);
+        add_to_audit(audits, AUDIT_PAPERS, player->sheets);
+        add_to_audit(audits, AUDIT_FOULS, player->fouls);
+        if (player->torn_tick != 0) {
+            const uint32_t life_s = seconds(player->torn_tick - round->start_tick);
+            add_to_audit(audits, AUDIT_PAPERS_TORN, 1);
+            add_to_audit(audits, AUDIT_PAPER_LIFE_S, life_s);
+        }
     }
 }
 
 /* Resets a group of counters to 0. AUDIT_RESETS is not reset, but incremented. */
 static void note_reset(struct audits *audits, const struct ledger_entry *entry)
 {
+    CORE_ASSERT(entry->kind == LEDGER_RESET);
     for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
         if (id != AUDIT_RESETS && audits_group_of(id) == entry->detail) {
             audits->count[id] = 0;
@@ -219,61 +176,84 @@ static void note_reset(struct audits *audits, const struct ledger_entry *entry)
     add_to_audit(audits, AUDIT_RESETS, 1);
 }
 
-static void note_pin(struct audits *audits, const struct ledger_entry *entry)
+/* ---- Each kind of entry ---------------------------------------------------------------------- */
+
+/* Adds the entry kinds that change one or two counters. */
+static void note_counts(struct audits *audits, const struct ledger_entry *entry)
 {
-    if (entry->detail) {
-        audits->count[AUDIT_WRONG_PINS] = 0;
-    } else {
-        add_to_audit(audits, AUDIT_WRONG_PINS, 1);
+    const uint32_t value = (uint32_t)entry->value;
+    switch (entry->kind) {
+    case LEDGER_BOOT:
+        add_to_audit(audits, AUDIT_BOOTS, 1);
+        add_to_audit(audits, AUDIT_UNITS, value);
+        break;
+    case LEDGER_COINS:
+        if (entry->detail < COIN_LINE_COUNT) {
+            add_to_audit(audits, AUDIT_COINS_1 + entry->detail, entry->count);
+        }
+        add_to_audit(audits, AUDIT_UNITS, value);
+        break;
+    case LEDGER_TEST_COIN:
+        add_to_audit(audits, AUDIT_TEST_COINS, entry->count);
+        break;
+    case LEDGER_CREDITS:
+        add_to_audit(audits, AUDIT_CREDITS_PAID, entry->count);
+        add_to_audit(audits, AUDIT_CREDITS_BONUS, value);
+        break;
+    case LEDGER_SERVICE:
+        add_to_audit(audits, AUDIT_CREDITS_SERVICE, 1);
+        break;
+    case LEDGER_REFUND:
+        add_to_audit(audits, AUDIT_REFUNDS, entry->count);
+        add_to_audit(audits, AUDIT_CRASHED_ROUNDS, entry->detail == REFUND_RESTART);
+        break;
+    case LEDGER_EXPIRED:
+    case LEDGER_FACTORY:
+        add_to_audit(audits, AUDIT_EXPIRED, entry->count);
+        break;
+    case LEDGER_TICKET:
+        add_to_audit(audits, AUDIT_TICKETS_OUT, entry->count);
+        break;
+    case LEDGER_LOSS:
+        if (entry->detail < POI_MAX) {
+            add_to_audit(audits, AUDIT_LOST_AGAIN + entry->detail, entry->count);
+        }
+        break;
+    default:
+        break; /* LEDGER_NAME, LEDGER_SETTING and LEDGER_LEFT change no counter. */
     }
-}
-
-/* ---- Selection of the function for each kind of entry ---------------------------------------- */
-
-static void note_boot(struct audits *audits, const struct ledger_entry *entry)
-{
-    add_to_audit(audits, AUDIT_BOOTS, 1);
-    add_to_audit(audits, AUDIT_UNITS, (uint32_t)entry->value);
-}
-
-static void note_credits(struct audits *audits, const struct ledger_entry *entry)
-{
-    add_to_audit(audits, AUDIT_CREDITS_PAID, entry->count);
-    add_to_audit(audits, AUDIT_CREDITS_BONUS, (uint32_t)entry->value);
-}
-
-static void note_service(struct audits *audits, const struct ledger_entry *entry)
-{
-    (void)entry;
-    add_to_audit(audits, AUDIT_CREDITS_SERVICE, 1);
-}
-
-static void note_expired(struct audits *audits, const struct ledger_entry *entry)
-{
-    add_to_audit(audits, AUDIT_EXPIRED, entry->count);
-}
-
-static void note_test_coin(struct audits *audits, const struct ledger_entry *entry)
-{
-    add_to_audit(audits, AUDIT_TEST_COINS, entry->count);
 }
 
 /* Adds `entry` to the counters. Entries without a row in the table, such as LEDGER_NAME,
  * LEDGER_SETTING and LEDGER_LEFT, change no counter. */
 void audits_note(struct audits *audits, const struct ledger_entry *entry)
 {
-    static void (*const note[LEDGER_KIND_COUNT])(struct audits *, const struct ledger_entry *) = {
-        [LEDGER_BOOT] = note_boot,       [LEDGER_COINS] = note_coins,
-        [LEDGER_CREDITS] = note_credits, [LEDGER_SERVICE] = note_service,
-        [LEDGER_BEGIN] = note_begin,     [LEDGER_ROUND] = note_round,
-        [LEDGER_REFUND] = note_refund,   [LEDGER_EXPIRED] = note_expired,
-        [LEDGER_RESET] = note_reset,     [LEDGER_TEST_COIN] = note_test_coin,
-        [LEDGER_HEALTH] = note_health,   [LEDGER_PIN] = note_pin,
-        [LEDGER_FACTORY] = note_expired, [LEDGER_LOSS] = note_loss,
-        [LEDGER_TICKET] = note_ticket,
-    };
-    if (entry->kind < LEDGER_KIND_COUNT && note[entry->kind]) {
-        note[entry->kind](audits, entry);
+    uint32_t *wrong_pins = &audits->count[AUDIT_WRONG_PINS];
+    uint32_t *longest = &audits->count[AUDIT_UP_S_MAX];
+    switch (entry->kind) {
+    case LEDGER_BEGIN:
+        note_begin(audits, entry);
+        break;
+    case LEDGER_ROUND:
+        note_round(audits, entry);
+        break;
+    case LEDGER_RESET:
+        note_reset(audits, entry);
+        break;
+    case LEDGER_PIN:
+        *wrong_pins = entry->detail ? 0u : *wrong_pins;
+        add_to_audit(audits, AUDIT_WRONG_PINS, !entry->detail);
+        break;
+    case LEDGER_HEALTH:
+        add_to_audit(audits, AUDIT_TILTS, entry->count);
+        add_to_audit(audits, AUDIT_UP_S, (uint32_t)entry->value);
+        add_to_audit(audits, AUDIT_DROPPED_TICKS, entry->health.dropped_ticks);
+        add_to_audit(audits, AUDIT_DEVICE_FAULTS, entry->health.device_faults);
+        *longest = *longest < entry->health.up_s ? entry->health.up_s : *longest;
+        break;
+    default:
+        note_counts(audits, entry);
+        break;
     }
 }
 

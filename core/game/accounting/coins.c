@@ -1,13 +1,17 @@
 /* coins.c -- counts each coin exactly once, even while the ledger is full. */
-#include "core/game/accounting/coins.h"
+#include "core/game/accounting/credit.h"
 
-#include "core/game/game.h"
+#include "core/base/panic.h"
 #include "core/config.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/game.h"
 
 #define TICKS_PER_MIN (60u * CORE_TICK_HZ)
 
 static uint32_t setting(const struct settings *settings, uint32_t id)
 {
+    CORE_ASSERT(id < SETTING_COUNT);
+    CORE_ASSERT(settings->value[id] >= 0);
     return (uint32_t)settings->value[id];
 }
 
@@ -28,34 +32,27 @@ static uint32_t less(uint32_t from, uint32_t what)
 
 /* ---- Pulses to units ------------------------------------------------------------------------ */
 
-static void fall(struct accounts *accounts, const struct core_config *config, uint32_t line,
-                 uint32_t pulses)
-{
-    struct pending_coins *untold = &accounts->credit.pending_coins[line];
-    const uint32_t units =
-        capped((uint64_t)pulses * setting(&config->persistent.settings, SET_COIN_1 + line));
-    const uint32_t owed =
-        credit_price(config) > 0 ? units : 0u; /* In free play a coin adds no units to the
-                                                  balance. */
-    add_saturated(&untold->pulses, pulses);
-    add_saturated(&untold->units, units);
-    add_saturated(&untold->owed, owed);
-    add_saturated(&accounts->ledger.balance.unlogged, owed);
-}
-
 void coins_insert(struct accounts *accounts, const struct core_config *config, uint32_t tick,
                   const struct input *input, struct output *output)
 {
     struct credit *credit = &accounts->credit;
+    const int is_sold = config->credit_coins > 0;
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
-        if (input->coin_count[line] > 0) {
-            fall(accounts, config, line, input->coin_count[line]);
-        }
+        struct pending_coins *pending = &credit->pending_coins[line];
+        const uint32_t pulses = input->coin_count[line];
+        const uint32_t each = setting(&config->persistent.settings, SET_COIN_1 + line);
+        const uint32_t units = capped((uint64_t)pulses * each);
+        const uint32_t owed = is_sold ? units : 0u; /* In free play a coin adds no units to the
+                                                       balance. */
+        add_saturated(&pending->pulses, pulses);
+        add_saturated(&pending->units, units);
+        add_saturated(&pending->owed, owed);
+        add_saturated(&accounts->ledger.balance.unlogged, owed);
     }
     if (input_coin_pulses(input) > 0) {
         credit->metered += input_coin_pulses(input);
         credit->coin_tick = credit->act_tick = tick;
-        if (credit_price(config) > 0) {
+        if (is_sold) {
             output_sound(output, SOUND_COIN, 0.9f, 0.0f);
         }
     }
@@ -87,6 +84,7 @@ static void note_for_bonus(struct ledger *ledger, const struct settings *setting
 /* In recordings of format 7 the units count towards a bonus even if no bonus is configured. */
 void coins_convert_pending(struct ledger *ledger, const struct core_config *config)
 {
+    CORE_ASSERT(ledger->balance.open <= (PAYMENT_SERVICE | PAYMENT_SPENT));
     struct balance *balance = &ledger->balance;
     const uint32_t units = balance->unlogged;
     balance->unlogged = 0;
@@ -98,54 +96,44 @@ void coins_convert_pending(struct ledger *ledger, const struct core_config *conf
     }
 }
 
-static void append_coins_entry(struct accounts *accounts, const struct settings *settings,
-                               uint32_t tick, uint32_t line, struct output *output)
+/* ---- Units to credits ----------------------------------------------------------------------- */
+
+/* Logs the pending coins of `line`, and adds their units to the balance. */
+static void log_coins(struct accounts *accounts, const struct settings *settings, uint32_t tick,
+                      uint32_t line, struct output *output)
 {
-    struct pending_coins *untold = &accounts->credit.pending_coins[line];
+    struct pending_coins *pending = &accounts->credit.pending_coins[line];
     struct balance *balance = &accounts->ledger.balance;
     const struct ledger_entry entry = { .kind = LEDGER_COINS,
                                         .detail = (uint8_t)line,
-                                        .count = untold->pulses,
-                                        .value = (int32_t)untold->units };
-    balance->unlogged = less(balance->unlogged, untold->owed);
-    add_saturated(&balance->units, untold->owed);
-    note_for_bonus(&accounts->ledger, settings, untold->owed);
-    *untold = (struct pending_coins){ 0 };
+                                        .count = pending->pulses,
+                                        .value = (int32_t)pending->units };
+    CORE_ASSERT(line < COIN_LINE_COUNT);
+    balance->unlogged = less(balance->unlogged, pending->owed);
+    add_saturated(&balance->units, pending->owed);
+    note_for_bonus(&accounts->ledger, settings, pending->owed);
+    *pending = (struct pending_coins){ 0 };
     ledger_write(accounts, tick, &entry, output);
 }
 
-/* ---- Units to credits ----------------------------------------------------------------------- */
-
-/* Buys as many credits as the units and SET_CREDIT_MAX permit. Several coins may arrive in one
- * tick, so the number of credits is computed by division. Remaining units stay in the balance. */
-static uint32_t buy(struct ledger *ledger, const struct core_config *config)
+/* Buys as many credits as the units and SET_CREDIT_MAX permit, and adds the bonus credits. Several
+ * coins may arrive in one tick, so the number of credits is computed by division. Remaining units
+ * stay in the balance. */
+static void buy_credits(struct accounts *accounts, const struct core_config *config, uint32_t tick,
+                        struct output *output)
 {
-    struct balance *balance = &ledger->balance;
-    const uint32_t price = credit_price(config);
-    const uint32_t room = less(setting(&config->persistent.settings, SET_CREDIT_MAX),
-                               balance->paid + balance->service);
+    const struct settings *settings = &config->persistent.settings;
+    struct balance *balance = &accounts->ledger.balance;
+    const uint32_t price = config->credit_coins, each = setting(settings, SET_BONUS_UNITS);
+    CORE_ASSERT(price > 0 && price <= CREDIT_COINS_MAX);
+    const uint32_t room = less(setting(settings, SET_CREDIT_MAX), balance->paid + balance->service);
     const uint32_t bought = balance->units / price < room ? balance->units / price : room;
     balance->units -= bought * price;
     add_saturated(&balance->paid, bought);
-    return bought;
-}
-
-static uint32_t give_bonus(struct ledger *ledger, const struct settings *settings)
-{
-    struct balance *balance = &ledger->balance;
-    const uint32_t each = setting(settings, SET_BONUS_UNITS);
     const uint32_t times = each > 0 ? balance->bonus_units / each : 0u;
     const uint32_t bonus = times * setting(settings, SET_BONUS_CREDITS);
     balance->bonus_units -= times * each;
     add_saturated(&balance->paid, bonus);
-    return bonus;
-}
-
-static void change(struct accounts *accounts, const struct core_config *config, uint32_t tick,
-                   struct output *output)
-{
-    const uint32_t bought = buy(&accounts->ledger, config);
-    const uint32_t bonus = give_bonus(&accounts->ledger, &config->persistent.settings);
     if (bought + bonus > 0) {
         const struct ledger_entry entry = { .kind = LEDGER_CREDITS,
                                             .count = bought + bonus,
@@ -154,21 +142,18 @@ static void change(struct accounts *accounts, const struct core_config *config, 
     }
 }
 
-static int may_tell(const struct ledger *ledger)
-{
-    return ledger_may_write(ledger, LEDGER_COINS);
-}
-
 void coins_convert(struct accounts *accounts, const struct core_config *config, uint32_t tick,
                    struct output *output)
 {
+    const struct ledger *ledger = &accounts->ledger;
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
-        if (accounts->credit.pending_coins[line].pulses > 0 && may_tell(&accounts->ledger)) {
-            append_coins_entry(accounts, &config->persistent.settings, tick, line, output);
+        if (accounts->credit.pending_coins[line].pulses > 0 &&
+            ledger_may_write(ledger, LEDGER_COINS)) {
+            log_coins(accounts, &config->persistent.settings, tick, line, output);
         }
     }
-    if (credit_price(config) > 0 && may_tell(&accounts->ledger)) {
-        change(accounts, config, tick, output);
+    if (config->credit_coins > 0 && ledger_may_write(ledger, LEDGER_COINS)) {
+        buy_credits(accounts, config, tick, output);
     }
 }
 
@@ -176,6 +161,7 @@ void coins_convert(struct accounts *accounts, const struct core_config *config, 
 
 void coins_expire(struct game *game, const struct settings *settings, struct output *output)
 {
+    CORE_ASSERT(game->accounts.ledger.saved_id <= game->accounts.ledger.last_id);
     struct balance *balance = &game->accounts.ledger.balance;
     const uint32_t minutes = setting(settings, SET_CREDIT_EXPIRY_MIN);
     const uint32_t credits = balance->paid + balance->service;
@@ -184,7 +170,7 @@ void coins_expire(struct game *game, const struct settings *settings, struct out
     }
     if (minutes == 0 || game->tick - game->accounts.credit.act_tick < minutes * TICKS_PER_MIN ||
         credits + balance->units == 0 || !ledger_is_flushed(&game->accounts.ledger) ||
-        balance->unlogged > 0 || !may_tell(&game->accounts.ledger)) {
+        balance->unlogged > 0 || !ledger_may_write(&game->accounts.ledger, LEDGER_COINS)) {
         return;
     }
     const struct ledger_entry entry = { .kind = LEDGER_EXPIRED, .count = credits };

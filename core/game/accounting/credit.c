@@ -1,31 +1,17 @@
-/* credit.c -- takes and refunds the credits of rounds, and decides when the coin slot is closed. */
+/* credit.c -- takes and refunds the credits of rounds, dispenses tickets, and computes the
+ * warnings that close the coin slot. */
 #include "core/game/accounting/credit.h"
 
 #include "core/base/hash.h"
 #include "core/base/panic.h"
-#include "core/game/game.h"
-#include "core/poi/world.h"
 #include "core/config.h"
-#include "core/game/accounting/coins.h"
-#include "core/game/accounting/round_standing.h"
-#include "core/game/accounting/tickets.h"
+#include "core/game/accounting/accounts.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/game.h"
+#include "core/game/table_setup.h"
+#include "core/poi/world.h"
 
 #define NEVER_S 1e6f /* Time in seconds that stands for never, about eleven days. */
-
-uint32_t credit_price(const struct core_config *config)
-{
-    return config->credit_coins;
-}
-
-static uint32_t credits_max(const struct settings *settings)
-{
-    return (uint32_t)settings->value[SET_CREDIT_MAX];
-}
-
-static uint32_t credits_of(const struct balance *balance)
-{
-    return balance->paid + balance->service;
-}
 
 static uint32_t sure_credits(const struct ledger *ledger)
 {
@@ -35,68 +21,41 @@ static uint32_t sure_credits(const struct ledger *ledger)
 
 uint32_t credit_coming(const struct ledger *ledger)
 {
-    return credits_of(&ledger->balance) - sure_credits(ledger);
+    return ledger->balance.paid + ledger->balance.service - sure_credits(ledger);
 }
 
 /* ---- The tick ------------------------------------------------------------------------------- */
 
-static void take_service(struct accounts *accounts, const struct core_config *config, uint32_t tick,
-                         struct output *output)
-{
-    const struct ledger_entry entry = { .kind = LEDGER_SERVICE };
-    if (credit_price(config) > 0 &&
-        credits_of(&accounts->ledger.balance) < credits_max(&config->persistent.settings) &&
-        ledger_may_write(&accounts->ledger, LEDGER_SERVICE)) {
-        accounts->ledger.balance.service++;
-        accounts->credit.act_tick = tick;
-        ledger_write(accounts, tick, &entry, output);
-        output_sound(output, SOUND_COIN, 0.5f, 0.0f);
-    }
-}
-
-/* Returns 1 if a person could play, because a slot has a connected controller or the bot; otherwise
- * 0. */
-static int has_poi(const struct world *world, const struct input *input)
-{
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        const uint8_t link = input->poi[i].link;
-        if (world->bowl[i].present && (link == POI_SOURCE_LIVE || link == POI_SOURCE_BOT)) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-static void note_tilt(struct credit *credit, uint32_t tick, const struct input *input,
-                      struct output *output)
-{
-    if (!((input->held | input->pressed) & INPUT_TILT)) {
-        return;
-    }
-    if (!(credit->warnings & WARN_TILT)) {
-        credit->shakes++;
-        output_sound(output, SOUND_FOUL, 0.8f, 0.0f);
-    }
-    credit->tilt_tick = tick;
-}
-
+/* Returns the current warnings (bit mask of enum credit_warning). A person could play if a slot has
+ * a connected controller or the bot. */
 static uint8_t warnings(const struct game *game, const struct world *world,
                         const struct core_config *config, const struct input *input)
 {
     const struct credit *credit = &game->accounts.credit;
-    const int is_tilted =
-        credit->tilt_tick != 0 && game->tick - credit->tilt_tick < CREDIT_TILT_TICKS;
-    const int is_open = ((input->held | input->pressed) & INPUT_DOOR) != 0;
-    const int is_unsafe = credit_price(config) > 0 && !ledger_is_safe(&game->accounts.ledger);
-    return (uint8_t)((is_tilted ? (uint32_t)WARN_TILT : 0u) | (is_open ? (uint32_t)WARN_DOOR : 0u) |
-                     (is_unsafe ? (uint32_t)WARN_STORE : 0u) |
-                     (has_poi(world, input) ? 0u : (uint32_t)WARN_NO_POI));
+    uint32_t warnings = WARN_NO_POI;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const uint8_t link = input->poi[i].link;
+        if (world->bowl[i].present && (link == POI_SOURCE_LIVE || link == POI_SOURCE_BOT)) {
+            warnings = 0;
+        }
+    }
+    if (credit->tilt_tick != 0 && game->tick - credit->tilt_tick < CREDIT_TILT_TICKS) {
+        warnings |= WARN_TILT;
+    }
+    if ((input->held | input->pressed) & INPUT_DOOR) {
+        warnings |= WARN_DOOR;
+    }
+    if (config->credit_coins > 0 && !ledger_is_safe(&game->accounts.ledger)) {
+        warnings |= WARN_STORE;
+    }
+    return (uint8_t)warnings;
 }
 
 /* Closes a round or lab visit that ended without a result. A visit to the growth lab has no result,
  * and neither has a round that no player joined. */
 static void close_what_is_over(struct game *game, struct output *output)
 {
+    CORE_ASSERT(game->phase <= PHASE_LEADERBOARD);
     const int runs =
         game->phase == PHASE_READY || game->phase == PHASE_ROUND || game->phase == PHASE_LAB;
     if (game->accounts.ledger.balance.open != PAYMENT_NONE && !runs) {
@@ -106,43 +65,68 @@ static void close_what_is_over(struct game *game, struct output *output)
     }
 }
 
+/* Logs the next ticket, or starts its pulse, if the previous step is complete. */
+static void tick_tickets(struct accounts *accounts, const struct core_config *config, uint32_t tick,
+                         const struct input *input, struct output *output)
+{
+    CORE_ASSERT(accounts->ledger.balance.tickets <= BALANCE_TICKETS_MAX);
+    struct ledger *ledger = &accounts->ledger;
+    struct credit *credit = &accounts->credit;
+    const struct ledger_entry entry = { .kind = LEDGER_TICKET, .count = 1 };
+    const int is_owed_on_disk = ledger->committed.tickets > 0 && ledger->balance.tickets > 0;
+    if (credit->ticket_id != 0) {
+        if (ledger_is_saved(ledger, credit->ticket_id)) {
+            credit->tickets++;
+            credit->ticket_id = 0;
+        }
+    } else if (!config->rules_7 && is_owed_on_disk && input->tickets_done == credit->tickets &&
+               ledger_may_write(ledger, LEDGER_TICKET)) {
+        ledger->balance.tickets--;
+        credit->ticket_id = ledger_write(accounts, tick, &entry, output);
+    }
+}
+
+/* Handles TILT and SERVICE outside the operator's menu. */
+static void take_buttons(struct accounts *accounts, const struct core_config *config, uint32_t tick,
+                         const struct input *input, struct output *output)
+{
+    CORE_ASSERT(config->credit_coins <= CREDIT_COINS_MAX);
+    struct credit *credit = &accounts->credit;
+    if ((input->held | input->pressed) & INPUT_TILT) {
+        if (!(credit->warnings & WARN_TILT)) {
+            credit->shakes++;
+            output_sound(output, SOUND_FOUL, 0.8f, 0.0f);
+        }
+        credit->tilt_tick = tick;
+    }
+    if ((input->pressed & INPUT_SERVICE) && config->credit_coins > 0 &&
+        accounts->ledger.balance.paid + accounts->ledger.balance.service <
+            (uint32_t)config->persistent.settings.value[SET_CREDIT_MAX] &&
+        ledger_may_write(&accounts->ledger, LEDGER_SERVICE)) {
+        const struct ledger_entry entry = { .kind = LEDGER_SERVICE };
+        accounts->ledger.balance.service++;
+        credit->act_tick = tick;
+        ledger_write(accounts, tick, &entry, output);
+        output_sound(output, SOUND_COIN, 0.5f, 0.0f);
+    }
+}
+
 void credit_tick(struct game *game, const struct world *world, const struct core_config *config,
                  const struct input *input, struct output *output)
 {
-    struct credit *credit = &game->accounts.credit;
+    struct accounts *accounts = &game->accounts;
+    CORE_ASSERT(accounts->ledger.saved_id <= accounts->ledger.last_id);
     close_what_is_over(game, output);
     if (game->phase == PHASE_MENU) {
-        coins_test(&game->accounts, game->tick, input, output);
+        coins_test(accounts, game->tick, input, output);
     } else {
-        coins_insert(&game->accounts, config, game->tick, input, output);
-        note_tilt(&game->accounts.credit, game->tick, input, output);
-        if (input->pressed & INPUT_SERVICE) {
-            take_service(&game->accounts, config, game->tick, output);
-        }
+        coins_insert(accounts, config, game->tick, input, output);
+        take_buttons(accounts, config, game->tick, input, output);
     }
-    coins_convert(&game->accounts, config, game->tick, output);
+    coins_convert(accounts, config, game->tick, output);
     coins_expire(game, &config->persistent.settings, output);
-    tickets_tick(&game->accounts, config, game->tick, input, output);
-    credit->warnings = warnings(game, world, config, input);
-}
-
-/* Returns 1 if the coin slot must return coins, otherwise 0. In the menu the slot is open only on
- * the page that tests the input lines, because a visitor cannot see that no game can be bought. */
-static int sends_coins_back(const struct game *game, const struct core_config *config)
-{
-    if (game->phase == PHASE_MENU) {
-        return !menu_tries_lines(game) || self_test_shows(game);
-    }
-    return credit_price(config) == 0 || game->accounts.credit.warnings != 0 ||
-           credits_of(&game->accounts.ledger.balance) >= credits_max(&config->persistent.settings);
-}
-
-void credit_show_outputs(const struct game *game, const struct core_config *config,
-                         struct output *output)
-{
-    output->coin_lockout = (uint8_t)sends_coins_back(game, config);
-    output->coins_counted = game->accounts.credit.metered;
-    output->tickets = game->accounts.credit.tickets;
+    tick_tickets(accounts, config, game->tick, input, output);
+    accounts->credit.warnings = warnings(game, world, config, input);
 }
 
 /* ---- Rounds --------------------------------------------------------------------------------- */
@@ -167,7 +151,7 @@ static uint8_t next_credit(const struct ledger *ledger)
  * logged either. */
 int credit_can_play(const struct ledger *ledger, const struct core_config *config)
 {
-    return credit_price(config) == 0 ||
+    return config->credit_coins == 0 ||
            (next_credit(ledger) != PAYMENT_NONE && ledger_has_room(ledger, LEDGER_COINS));
 }
 
@@ -190,25 +174,11 @@ int credit_is_awaited(const struct accounts *accounts, const struct core_config 
            credit_can_play(&accounts->ledger, config);
 }
 
-static uint8_t pay(struct ledger *ledger, const struct core_config *config)
-{
-    struct balance *balance = &ledger->balance;
-    if (credit_price(config) == 0) {
-        return PAYMENT_FREE;
-    }
-    const uint8_t kind = next_credit(ledger);
-    const uint8_t spent = balance->returned != PAYMENT_NONE ? PAYMENT_SPENT : 0u;
-    balance->bonus_units = 0;
-    balance->service -= kind == PAYMENT_SERVICE;
-    balance->paid -= kind == PAYMENT_PAID;
-    balance->returned = PAYMENT_NONE;
-    return kind | spent;
-}
-
 void credit_take(struct game *game, const struct core_config *config, uint8_t what,
                  struct output *output)
 {
     struct credit *credit = &game->accounts.credit;
+    struct balance *balance = &game->accounts.ledger.balance;
     CORE_ASSERT(credit_can_play(&game->accounts.ledger, config));
     CORE_ASSERT(what < CHOICE_COUNT);
     close_what_is_over(game, output);
@@ -222,7 +192,16 @@ void credit_take(struct game *game, const struct core_config *config, uint8_t wh
     credit->act_tick = game->tick;
     credit->stand_id = 0;
     credit->stand = (struct ledger_stand){ 0 };
-    game->accounts.ledger.balance.open = pay(&game->accounts.ledger, config);
+    balance->open = PAYMENT_FREE;
+    if (config->credit_coins > 0) {
+        const uint8_t kind = next_credit(&game->accounts.ledger);
+        CORE_ASSERT(kind == PAYMENT_PAID || kind == PAYMENT_SERVICE);
+        balance->open = kind | (balance->returned != PAYMENT_NONE ? PAYMENT_SPENT : 0u);
+        balance->bonus_units = 0;
+        balance->service -= kind == PAYMENT_SERVICE;
+        balance->paid -= kind == PAYMENT_PAID;
+        balance->returned = PAYMENT_NONE;
+    }
     ledger_write(&game->accounts, game->tick, &entry, output);
 }
 
@@ -232,6 +211,7 @@ void credit_take(struct game *game, const struct core_config *config, uint8_t wh
 void credit_refund(struct game *game, const struct core_config *config, enum refund_cause cause,
                    struct output *output)
 {
+    CORE_ASSERT(cause < REFUND_CAUSE_COUNT);
     struct balance *balance = &game->accounts.ledger.balance;
     const uint8_t open = balance->open, kind = open & PAYMENT_KIND_MASK;
     const int is_spent = stand_is_spent(game, config);
@@ -254,6 +234,7 @@ void credit_refund(struct game *game, const struct core_config *config, enum ref
 
 uint32_t credit_tickets_won(const struct game *game, const struct core_config *config)
 {
+    CORE_ASSERT(config->ticket_fish <= CREDIT_TICKET_FISH_MAX);
     const uint32_t price = config->ticket_fish;
     uint32_t won = 0;
     if (price == 0 || game->bot_played || !rules_of(game->mode)->keeps_score) {
@@ -267,8 +248,9 @@ uint32_t credit_tickets_won(const struct game *game, const struct core_config *c
 
 uint32_t credit_award_tickets(struct game *game, const struct core_config *config)
 {
+    CORE_ASSERT(game->phase == PHASE_RESULT || game->phase == PHASE_ROUND);
     const uint32_t won = credit_tickets_won(game, config);
-    tickets_owe(&game->accounts, config, won);
+    credit_owe_tickets(&game->accounts, config, won);
     return won;
 }
 
@@ -284,10 +266,10 @@ void credit_show(const struct accounts *accounts, const struct core_config *conf
 {
     const struct credit *credit = &accounts->credit;
     const struct balance *balance = &accounts->ledger.balance;
-    const uint32_t price = credit_price(config);
+    const uint8_t price = config->credit_coins;
     const int is_event = config->persistent.settings.value[SET_PLAY] == PLAY_EVENT;
     *out = (struct scene_credit){
-        .price = (uint8_t)price,
+        .price = price,
         .is_event = (uint8_t)(price == 0 && is_event),
         .unpaid = (uint8_t)(!credit_can_play(&accounts->ledger, config) &&
                             credit_coming(&accounts->ledger) == 0),
@@ -317,4 +299,16 @@ uint64_t credit_hash(uint64_t hash, const struct credit *credit)
     }
     hash = hash_later(hash_later(hash, 1, credit->stand_id), 2, credit->ticket_id);
     return stand_hash(hash, &credit->stand);
+}
+
+void credit_owe_tickets(struct accounts *accounts, const struct core_config *config, uint32_t count)
+{
+    CORE_ASSERT(accounts->ledger.balance.tickets <= BALANCE_TICKETS_MAX);
+    struct balance *balance = &accounts->ledger.balance;
+    if (config->rules_7) {
+        accounts->credit.tickets += count;
+        return;
+    }
+    const uint32_t room = BALANCE_TICKETS_MAX - balance->tickets;
+    balance->tickets = (uint16_t)(balance->tickets + (count < room ? count : room));
 }

@@ -7,87 +7,31 @@
  *
  * After two thirds of a round the credit is not refunded, and a refunded credit is not refunded a
  * second time. A round that is not refunded keeps its score and its tickets
- * (core/game/accounting/round_standing.h). A refunded credit is used before all other credits. One
+ * (round_standing.c). A refunded credit is used before all other credits. One
  * flag in the balance therefore identifies the refunded credit, even after a power cut.
  *
  * The balance is stored in the ledger (core/ledger.h) and survives a power cut. A credit that is
  * not on disk yet is displayed but cannot be played. While the ledger cannot be written, the coin
  * slot is closed. Coins that are inserted into the closed slot are kept in `pending_coins`
- * (coins.h). */
+ * (coins.c). */
 #ifndef KINGYO_CORE_GAME_ACCOUNTING_CREDIT_H
 #define KINGYO_CORE_GAME_ACCOUNTING_CREDIT_H
 
 #include <stdint.h>
 
-#include "core/input.h"
-#include "core/ledger.h"
+#include "core/game/accounting/accounts.h"
 #include "core/output.h"
 #include "core/scene.h"
 
-/* Highest price of a round in units. A more expensive round would be paid with banknotes. */
-#define CREDIT_COINS_MAX 20u
-/* Highest setting for the number of fish per ticket, more fish than most players catch. */
-#define CREDIT_TICKET_FISH_MAX 20u
-/* Time for which the coin slot stays closed after a tilt. */
-#define CREDIT_TILT_TICKS (3u * CORE_TICK_HZ)
-/* Time for which a START press waits for the coin to reach the disk. */
-#define CREDIT_AWAIT_TICKS (3u * CORE_TICK_HZ)
-
-/* Bit flags of conditions that close the coin slot and are displayed as warnings. */
-enum credit_warning {
-    WARN_TILT = 1u << 0,   /* The cabinet was shaken or tilted. The balance does not change. Coins
-                              are returned, because shaking can trigger the coin mechanism. */
-    WARN_DOOR = 1u << 1,   /* The door is open. A running round continues. */
-    WARN_NO_POI = 1u << 2, /* No slot has a controller, so a player who pays could not play. */
-    WARN_STORE = 1u << 3,  /* The store is not safe, so a payment could be lost in a power cut. */
-};
-
-/* Coins that no ledger entry contains yet. */
-struct pending_coins {
-    uint32_t pulses;
-    uint32_t units; /* Value of the pulses in units. */
-    uint32_t owed;  /* Units that must be added to the balance. Coins inserted during free play add
-                       nothing to `owed`. */
-};
-
-struct credit {
-    uint8_t came_back; /* 1 if the credit of the last round was refunded, otherwise 0. */
-    uint8_t warnings;  /* Current warnings (bit mask of enum credit_warning). */
-    struct pending_coins pending_coins[COIN_LINE_COUNT];
-    uint32_t metered;    /* Number of coins counted since the kiosk started. */
-    uint32_t shakes;     /* Number of tilt events since the kiosk started. */
-    uint32_t tickets;    /* Number of pulses requested from the ticket dispenser since the kiosk
-                            started. */
-    uint32_t coin_tick;  /* Tick of the last coin. */
-    uint32_t tilt_tick;  /* Tick of the last tilt; 0 means never. */
-    uint32_t asked_tick; /* Tick of the last start attempt without a credit; 0 means never. */
-    uint32_t await_tick; /* Tick of the last start attempt whose credit was not on disk yet; 0 means
-                            never. */
-    uint32_t act_tick;   /* Tick at which a person last changed the balance. */
-    uint32_t stand_id;   /* Id of the newest LEDGER_STAND of the open round; 0 means none. */
-    struct ledger_stand stand; /* Fields of the newest LEDGER_STAND. */
-    uint32_t ticket_id; /* Id of the LEDGER_TICKET that must reach the disk before its pulse starts;
-                           0 means none. */
-};
-
 struct game;
-struct accounts;
-struct ledger;
 struct world;
 struct core_config;
+struct settings;
 
 /* Handles coins, SERVICE, TILT and DOOR. Call before the tick function of the phase. In the
  * operator's menu a coin is a test, and TILT and SERVICE do not change the balance. */
 void credit_tick(struct game *game, const struct world *world, const struct core_config *config,
                  const struct input *input, struct output *output);
-
-/* Writes the coin lockout and the counts for the coin meter and the ticket dispenser to `output`.
- * Call after the tick function of the phase. */
-void credit_show_outputs(const struct game *game, const struct core_config *config,
-                         struct output *output);
-
-/* Returns the price of a credit in units; 0 means free play. */
-uint32_t credit_price(const struct core_config *config);
 
 /* Returns 1 if a round may start, because play is free or a credit on disk pays for the round;
  * otherwise 0. */
@@ -129,5 +73,88 @@ void credit_show(const struct accounts *accounts, const struct core_config *conf
                  struct scene_credit *out);
 
 uint64_t credit_hash(uint64_t hash, const struct credit *credit);
+
+/* ---- Coins ----------------------------------------------------------------------------------- */
+
+/* Converts coin pulses to units, and units to credits.
+ *
+ * Internal to core/game. Each coin is logged in the ledger immediately, or as soon as the ledger
+ * has room. Until then the coin is counted in credit.pending_coins and in balance.unlogged. */
+
+/* Adds the pulses of each coin line to the account, and logs the pulses. The settings contain the
+ * value of a pulse. */
+void coins_insert(struct accounts *accounts, const struct core_config *config, uint32_t tick,
+                  const struct input *input, struct output *output);
+
+/* Logs coins inserted in the operator's menu. The coin meter counts the coins, but the balance does
+ * not change. */
+void coins_test(struct accounts *accounts, uint32_t tick, const struct input *input,
+                struct output *output);
+
+/* Adds units to the balance that were not logged before the last power cut (`unlogged`). */
+void coins_convert_pending(struct ledger *ledger, const struct core_config *config);
+
+/* Logs pending coins, and converts units to credits while the balance has fewer than SET_CREDIT_MAX
+ * credits. Bonus credits may exceed that limit. */
+void coins_convert(struct accounts *accounts, const struct core_config *config, uint32_t tick,
+                   struct output *output);
+
+/* Removes credits and units after SET_CREDIT_EXPIRY_MIN without activity. Credits expire only in
+ * attract mode and only when the ledger has no entry that is not on disk. */
+void coins_expire(struct game *game, const struct settings *settings, struct output *output);
+
+/* ---- Tickets --------------------------------------------------------------------------------- */
+
+/* Outputs owed tickets to the dispenser, one at a time. Each ticket is logged on disk first.
+ *
+ * A ticket has a value, so owed and dispensed tickets must survive a power cut. The balance in a
+ * round's LEDGER_ROUND contains the round's tickets. The first ticket starts when that entry is on
+ * disk. Each ticket has a LEDGER_TICKET that removes the ticket from the balance. The dispenser's
+ * pulse starts when the LEDGER_TICKET is on disk. The entry of the next ticket waits until the
+ * pulse has ended. After a power cut the balance therefore contains every ticket whose
+ * LEDGER_TICKET is not on disk. An interrupted ticket counts as dispensed, because the dispenser
+ * has no sensor. At most one ticket is lost, and no ticket is dispensed twice.
+ *
+ * Other outputs and power cuts:
+ * - The credit of a round has a value too. A credit can be played only when it is on disk
+ * (ledger_committed_credits()), and is refunded at most once (round_standing.c).
+ * - The pulses of the coin meter have no value for a player. Each coin is counted once, and never
+ * again after a restart. A power cut may lose unfinished pulses of the meter.
+ * - The coin slot opens only while an entry will soon be on disk (ledger_is_safe()).
+ * - The START lamp, sounds and the forces in the poi have no value. */
+
+/* Adds `count` tickets to the balance, up to BALANCE_TICKETS_MAX. The caller writes the entry that
+ * contains the balance. In a recording of format 7 all pulses are requested immediately instead. */
+void credit_owe_tickets(struct accounts *accounts, const struct core_config *config,
+                        uint32_t count);
+
+/* ---- State of an open round ------------------------------------------------------------------ */
+
+/* Logs the state of an open round whose credit is not refundable any more.
+ *
+ * The credit is not refundable after two thirds of a round, or if the round was paid with a
+ * refunded credit. The round then counts, and a power cut must not remove its score or its
+ * tickets. Each change of the score or the tickets is therefore logged while the round runs
+ * (LEDGER_STAND). After a power cut, the next start writes the missing LEDGER_ROUND. Changes are
+ * missing from that LEDGER_ROUND if the store was still writing an earlier entry when they
+ * occurred. */
+
+/* Fraction of the round after which its credit is not refundable. */
+#define STAND_SHARE_NUMERATOR 2u
+#define STAND_SHARE_DENOMINATOR 3u
+
+/* Returns 1 if the credit of the running round is not refundable, otherwise 0. In recordings of
+ * format 7 every credit is refundable. */
+int stand_is_spent(const struct game *game, const struct core_config *config);
+
+/* Logs the state of the round if it changed, the previous entry is on disk, and the ledger has
+ * room. Call once per tick of the round. */
+void stand_tick(struct game *game, const struct core_config *config, struct output *output);
+
+/* Finishes a round that was open at startup and counts. Writes the round's LEDGER_ROUND from
+ * config->persistent.ledger.stand and closes the balance. Returns 1, or 0 without an entry if no
+ * player had joined the round. */
+int stand_finish(struct accounts *accounts, const struct core_config *config, uint32_t tick,
+                 struct output *output);
 
 #endif

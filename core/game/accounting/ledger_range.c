@@ -1,8 +1,11 @@
 /* ledger_range.c -- checks the ranges of each kind of ledger record. */
-#include "core/game/accounting/ledger_range.h"
+#include "core/game/accounting/ledger_writer.h"
 
+#include "core/base/panic.h"
 #include "core/game/accounting/audits.h"
-#include "core/game/accounting/round_standing.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/session_state.h"
+#include "core/persistent_state.h"
 #include "core/poi/paper/sheet.h"
 #include "core/tank/preset.h"
 
@@ -42,19 +45,11 @@ static int name_is_good(const char name[LEDGER_NAME_SIZE])
     return length < LEDGER_NAME_SIZE;
 }
 
-/* Returns 1 if the record is valid, otherwise 0. The grade is 0 in records of an earlier
- * version. */
-static int round_is_good(const struct round_record *round)
-{
-    return round->mode < MODE_COUNT && round->grade <= SHEET_GRADE_MAX &&
-           round->players < 1u << POI_MAX && round->by_bot <= 1u && round->unscored <= 1u &&
-           round->preset < TANK_PRESET_COUNT;
-}
-
 /* Returns the largest valid `detail` of an entry of kind `kind`. For LEDGER_SETTING every value is
  * valid. */
 static uint8_t detail_max(uint8_t kind)
 {
+    CORE_ASSERT(kind < LEDGER_KIND_COUNT);
     switch (kind) {
     case LEDGER_COINS:
     case LEDGER_TEST_COIN:
@@ -77,28 +72,24 @@ static uint8_t detail_max(uint8_t kind)
     }
 }
 
-/* Returns 1 if `value` is valid, otherwise 0. Audits add the value of most kinds as an unsigned
- * number, so the value of those kinds must be >= 0. */
-static int value_is_good(const struct ledger_entry *entry)
-{
-    return entry->kind == LEDGER_SETTING || entry->kind == LEDGER_RESET ||
-           (entry->value >= 0 && (entry->kind != LEDGER_REFUND || open_is_good(entry->value)));
-}
-
+/* The audits add the value of most kinds as an unsigned number, so the value of those kinds must be
+ * >= 0. The grade of a round is 0 in records of an earlier version. */
 int ledger_entry_is_valid(const struct ledger_entry *entry)
 {
+    const struct round_record *round = &entry->round;
+    const struct ledger_stand stand = { entry->count, entry->value, entry->detail };
+    const int value_is_good =
+        entry->kind == LEDGER_SETTING || entry->kind == LEDGER_RESET ||
+        (entry->value >= 0 && (entry->kind != LEDGER_REFUND || open_is_good(entry->value)));
+    const int round_is_good = round->mode < MODE_COUNT && round->grade <= SHEET_GRADE_MAX &&
+                              round->players < 1u << POI_MAX && round->by_bot <= 1u &&
+                              round->unscored <= 1u && round->preset < TANK_PRESET_COUNT;
     return entry->id > 0 && entry->id <= LEDGER_ID_MAX && entry->boot <= LEDGER_BOOTS_MAX &&
            entry->minute < DAY_MINUTES && entry->kind > LEDGER_NOTHING &&
            entry->kind < LEDGER_KIND_COUNT && entry->detail <= detail_max(entry->kind) &&
-           value_is_good(entry) && purse_is_good(&entry->balance) && name_is_good(entry->name) &&
-           (entry->kind != LEDGER_ROUND || round_is_good(&entry->round)) &&
-           (entry->kind != LEDGER_STAND ||
-            stand_is_good(&(struct ledger_stand){ entry->count, entry->value, entry->detail }));
-}
-
-static int row_is_good(const struct rank_row *row)
-{
-    return row->seat < POI_MAX && row->round_id <= LEDGER_ID_MAX && name_is_good(row->name);
+           value_is_good && purse_is_good(&entry->balance) && name_is_good(entry->name) &&
+           (entry->kind != LEDGER_ROUND || round_is_good) &&
+           (entry->kind != LEDGER_STAND || stand_is_good(&stand));
 }
 
 int ledger_state_is_valid(const struct persistent_state *memory)
@@ -108,7 +99,8 @@ int ledger_state_is_valid(const struct persistent_state *memory)
     int is_good = start->last_id <= LEDGER_ID_MAX && start->boots <= LEDGER_BOOTS_MAX &&
                   purse_is_good(&start->balance) && stand_is_good(&start->stand);
     for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
-        is_good = is_good && row_is_good(&rows[i]);
+        is_good = is_good && rows[i].seat < POI_MAX && rows[i].round_id <= LEDGER_ID_MAX &&
+                  name_is_good(rows[i].name);
     }
     return is_good;
 }

@@ -3,11 +3,14 @@
 #include "core/game/accounting/ledger_writer.h"
 
 #include "core/base/hash.h"
+#include "core/base/panic.h"
 #include "core/game/accounting/accounts.h"
-#include "core/game/accounting/round_standing.h"
+#include "core/game/accounting/credit.h"
 
 void ledger_init(struct ledger *ledger, const struct ledger_start *start)
 {
+    CORE_ASSERT(start->last_id <= LEDGER_ID_MAX);
+    CORE_ASSERT(start->boots <= LEDGER_BOOTS_MAX);
     *ledger = (struct ledger){
         .last_id = start->last_id,
         .saved_id = start->last_id,
@@ -19,57 +22,46 @@ void ledger_init(struct ledger *ledger, const struct ledger_start *start)
 
 static uint32_t waiting(const struct ledger *ledger)
 {
+    CORE_ASSERT(ledger->saved_id <= ledger->last_id);
     return ledger->last_id - ledger->saved_id;
 }
 
-/* Updates the store's health. Entries written without a store are lost. A store that becomes
- * available after the start therefore does not wait for the lost entries. health_log.c then logs
- * the current balance, which becomes `committed` when that entry is on disk. */
-static void note_store(struct ledger *ledger, int is_well)
+/* Entries written without a store are lost. A store that becomes available after the start
+ * therefore does not wait for the lost entries. health_log.c then logs the current balance, which
+ * becomes `committed` when that entry is on disk. An older saved id is ignored, because saved
+ * entries stay saved. */
+void ledger_tick(struct ledger *ledger, const struct input *input)
 {
+    const int is_well = input->store_well != 0;
     if (ledger->boot == 0 && is_well && !ledger->is_healthy) {
         ledger->saved_id = ledger->last_id;
         ledger->wait_ticks = 0;
     }
-    ledger->is_healthy = is_well != 0;
-}
-
-/* Accepts a newer saved id from the store. An older id is ignored, because saved entries stay
- * saved. */
-static void note_saved(struct ledger *ledger, uint32_t saved_id)
-{
-    const uint32_t ahead = saved_id - ledger->saved_id;
-    if (ahead == 0 || ahead > waiting(ledger)) {
-        return;
+    ledger->is_healthy = (uint8_t)is_well;
+    const uint32_t ahead = input->record_saved_id - ledger->saved_id;
+    if (ahead != 0 && ahead <= waiting(ledger)) {
+        ledger->saved_id = input->record_saved_id;
+        ledger->wait_ticks = 0;
+        if (waiting(ledger) < LEDGER_RING) {
+            ledger->committed = ledger->after[ledger->saved_id % LEDGER_RING];
+        }
     }
-    ledger->saved_id = saved_id;
-    ledger->wait_ticks = 0;
-    if (waiting(ledger) < LEDGER_RING) {
-        ledger->committed = ledger->after[saved_id % LEDGER_RING];
+    if (ledger_is_flushed(ledger)) {
+        ledger->wait_ticks = 0;
+    } else if (ledger->wait_ticks <= LEDGER_WAIT_TICKS_MAX) {
+        ledger->wait_ticks++;
     }
-}
-
-void ledger_tick(struct ledger *ledger, const struct input *input)
-{
-    note_store(ledger, input->store_well);
-    note_saved(ledger, input->record_saved_id);
-    ledger->wait_ticks = ledger_is_flushed(ledger)                     ? 0u
-                         : ledger->wait_ticks <= LEDGER_WAIT_TICKS_MAX ? ledger->wait_ticks + 1u
-                                                                       : ledger->wait_ticks;
     ledger->day = input->day;
     ledger->minute = input->minute;
 }
 
-static int is_of_a_round(uint8_t kind)
-{
-    return kind == LEDGER_BEGIN || kind == LEDGER_ROUND || kind == LEDGER_REFUND ||
-           kind == LEDGER_LEFT;
-}
-
 int ledger_has_room(const struct ledger *ledger, uint8_t kind)
 {
+    const int is_of_a_round = kind == LEDGER_BEGIN || kind == LEDGER_ROUND ||
+                              kind == LEDGER_REFUND || kind == LEDGER_LEFT;
+    CORE_ASSERT(kind < LEDGER_KIND_COUNT);
     return ledger->last_id < LEDGER_ID_MAX &&
-           waiting(ledger) < LEDGER_RING - (is_of_a_round(kind) ? 0u : LEDGER_RESERVE);
+           waiting(ledger) < LEDGER_RING - (is_of_a_round ? 0u : LEDGER_RESERVE);
 }
 
 /* In a kiosk without a store, no entry was ever reported as safe, so the oldest entry may be
@@ -83,6 +75,7 @@ int ledger_may_write(const struct ledger *ledger, uint8_t kind)
 uint32_t ledger_write(struct accounts *accounts, uint32_t tick, const struct ledger_entry *what,
                       struct output *output)
 {
+    CORE_ASSERT(what->kind > LEDGER_NOTHING && what->kind < LEDGER_KIND_COUNT);
     struct ledger *ledger = &accounts->ledger;
     if (!ledger_may_write(ledger, what->kind)) {
         ledger->uncommitted++;
@@ -119,15 +112,11 @@ int ledger_is_safe(const struct ledger *ledger)
            ledger_has_room(ledger, LEDGER_COINS);
 }
 
-static int same_purse(const struct balance *a, const struct balance *b)
-{
-    return ledger_balance_hash(HASH_START, a) == ledger_balance_hash(HASH_START, b);
-}
-
 int ledger_needs_sync(const struct ledger *ledger)
 {
     return ledger->is_healthy && waiting(ledger) == 0 &&
-           !same_purse(&ledger->balance, &ledger->committed);
+           ledger_balance_hash(HASH_START, &ledger->balance) !=
+               ledger_balance_hash(HASH_START, &ledger->committed);
 }
 
 /* Returns the part of `sure` that is left after a count changed from `before` to `after`. An

@@ -10,32 +10,11 @@
 
 #include <stdint.h>
 
-#include "core/input.h"
-#include "core/ledger.h"
+#include "core/game/accounting/accounts.h"
 #include "core/output.h"
 
-/* Longest wait for a saved entry while the store counts as responding. A working SD card syncs in a
- * tenth of this time; a card that hangs never reports. */
-#define LEDGER_WAIT_TICKS_MAX (2u * CORE_TICK_HZ)
-
-struct ledger {
-    uint32_t last_id;  /* Id of the newest entry. */
-    uint32_t saved_id; /* Id of the newest entry on disk. */
-    uint32_t boot;
-    uint32_t uncommitted; /* Number of entries that were dropped because the ledger had no room.
-                             Payments are never dropped. */
-    uint32_t wait_ticks;  /* Number of ticks for which entries have waited without any of them being
-                             saved. */
-    uint16_t day, minute;
-    uint8_t is_healthy;                /* 1 if the store was healthy according to the last input,
-                                          otherwise 0. */
-    struct balance balance;            /* Current balance. */
-    struct balance committed;          /* Balance after the newest entry on disk. */
-    struct balance after[LEDGER_RING]; /* Balance after each entry that is not on disk. Entry n uses
-                                          index n % LEDGER_RING. */
-};
-
-struct accounts;
+struct persistent_state;
+struct game_session;
 
 /* Initializes `ledger` from the state that the store loaded at startup. */
 void ledger_init(struct ledger *ledger, const struct ledger_start *start);
@@ -81,5 +60,39 @@ struct ledger_credits ledger_committed_credits(const struct ledger *ledger);
 uint64_t ledger_balance_hash(uint64_t hash, const struct balance *balance);
 uint64_t ledger_start_hash(uint64_t hash, const struct ledger_start *start);
 uint64_t ledger_hash(uint64_t hash, const struct ledger *ledger);
+
+/* ---- Open rounds ----------------------------------------------------------------------------- */
+
+/* Returns the state of the open round after `entry`. For a LEDGER_STAND, the result is the content
+ * of `entry`. For another entry of the same round, the result is `before`. Otherwise all fields of
+ * the result are 0. */
+struct ledger_stand stand_after(struct ledger_stand before, const struct ledger_entry *entry);
+
+/* Returns 1 if every packed field of `stand` is in its range, otherwise 0. */
+int stand_is_good(const struct ledger_stand *stand);
+
+/* Returns `hash` continued over `stand`. If all fields of `stand` are 0, `hash` is returned
+ * unchanged. */
+uint64_t stand_hash(uint64_t hash, const struct ledger_stand *stand);
+
+/* ---- Validation of stored records ------------------------------------------------------------ */
+
+/* Validates stored records: each field must be in the range that this core writes.
+ *
+ * A checksum proves only that a record is unchanged, not that Kingyo wrote the record. Out-of-
+ * range values would index beyond tables or wrap counters. Each reader (database, tail, backup,
+ * replay) and core_init() therefore reject out-of-range values. */
+
+/* Returns 1 if every field of `entry` is in its range, otherwise 0. */
+int ledger_entry_is_valid(const struct ledger_entry *entry);
+
+/* Returns 1 if the ledger start, the balance and the leaderboards in `memory` are in their ranges,
+ * otherwise 0. Settings are not checked, because settings_sanitize() corrects invalid settings. Any
+ * value of an audit counter is allowed. */
+int ledger_state_is_valid(const struct persistent_state *memory);
+
+/* Returns 1 if every field of the state carried over from the previous session is in its range,
+ * otherwise 0. */
+int ledger_session_is_valid(const struct game_session *session);
 
 #endif

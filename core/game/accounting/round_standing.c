@@ -1,11 +1,13 @@
 /* round_standing.c -- packs the state of an open round into one ledger entry, and unpacks it. */
-#include "core/game/accounting/round_standing.h"
+#include "core/game/accounting/credit.h"
 
 #include "core/base/hash.h"
-#include "core/game/game.h"
+#include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/accounting/tickets.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/game.h"
 #include "core/game/rules.h"
+#include "core/game/table_setup.h"
 
 #define SEAT_BITS 8u /* Number of bits of `count` that hold the catch of each slot. */
 #define SEAT_MAX 255u
@@ -19,31 +21,19 @@
 _Static_assert(POI_MAX *SEAT_BITS <= 32u && POI_MAX <= 4u, "every seat has its byte and its bit");
 _Static_assert(CHOICE_COUNT <= MODE_MASK + 1u && SHEET_GRADE_MAX <= 15u, "mode and grade fit");
 
-static int is_mostly_played(const struct game *game)
-{
-    const uint32_t total = game->round_s * CORE_TICK_HZ;
-    return game->phase == PHASE_ROUND &&
-           STAND_SHARE_DENOMINATOR * (game->tick - game->phase_tick) >=
-               STAND_SHARE_NUMERATOR * total;
-}
-
 int stand_is_spent(const struct game *game, const struct core_config *config)
 {
+    const uint32_t total = game->round_s * CORE_TICK_HZ;
+    const int is_mostly_played =
+        game->phase == PHASE_ROUND &&
+        STAND_SHARE_DENOMINATOR * (game->tick - game->phase_tick) >= STAND_SHARE_NUMERATOR * total;
     return !config->rules_7 &&
-           ((game->accounts.ledger.balance.open & PAYMENT_SPENT) || is_mostly_played(game));
-}
-
-/* Returns 1 if a power cut could remove something of value, otherwise 0. A free round without
- * tickets has no value and is not logged. */
-static int has_value(const struct ledger *ledger, const struct core_config *config)
-{
-    const uint8_t kind = ledger->balance.open & PAYMENT_KIND_MASK;
-    return kind == PAYMENT_PAID || kind == PAYMENT_SERVICE ||
-           (kind == PAYMENT_FREE && config->ticket_fish > 0);
+           ((game->accounts.ledger.balance.open & PAYMENT_SPENT) || is_mostly_played);
 }
 
 static struct ledger_stand stand_of(const struct game *game, const struct core_config *config)
 {
+    CORE_ASSERT(game->mode < MODE_COUNT);
     const uint32_t won = credit_tickets_won(game, config);
     uint32_t count = 0, value = won < BALANCE_TICKETS_MAX ? won : BALANCE_TICKETS_MAX;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -62,19 +52,19 @@ static struct ledger_stand stand_of(const struct game *game, const struct core_c
     };
 }
 
-static int stands_are_equal(const struct ledger_stand *a, const struct ledger_stand *b)
-{
-    return a->count == b->count && a->value == b->value && a->detail == b->detail;
-}
-
+/* A free round without tickets has no value that a power cut could remove, and is not logged. */
 void stand_tick(struct game *game, const struct core_config *config, struct output *output)
 {
     struct ledger *ledger = &game->accounts.ledger;
     struct credit *credit = &game->accounts.credit;
-    const struct ledger_stand now = stand_of(game, config);
-    const int is_told =
-        (ledger->balance.open & PAYMENT_SPENT) && stands_are_equal(&now, &credit->stand);
-    if (!stand_is_spent(game, config) || !has_value(&game->accounts.ledger, config) || is_told ||
+    const struct ledger_stand now = stand_of(game, config), *last = &credit->stand;
+    const uint8_t kind = ledger->balance.open & PAYMENT_KIND_MASK;
+    const int has_value = kind == PAYMENT_PAID || kind == PAYMENT_SERVICE ||
+                          (kind == PAYMENT_FREE && config->ticket_fish > 0);
+    const int is_logged = (ledger->balance.open & PAYMENT_SPENT) && now.count == last->count &&
+                          now.value == last->value && now.detail == last->detail;
+    CORE_ASSERT(stand_is_good(&now));
+    if (!stand_is_spent(game, config) || !has_value || is_logged ||
         !ledger_is_saved(ledger, credit->stand_id) || !ledger_may_write(ledger, LEDGER_STAND)) {
         return;
     }
@@ -92,6 +82,7 @@ void stand_tick(struct game *game, const struct core_config *config, struct outp
  * records of an earlier Kingyo. */
 static struct round_record record_of(const struct ledger_stand *stand)
 {
+    CORE_ASSERT(stand_is_good(stand));
     const uint32_t value = (uint32_t)stand->value;
     struct round_record record = {
         .mode = stand->detail & MODE_MASK, /* The mode is in range, because the caller has checked
@@ -125,7 +116,7 @@ int stand_finish(struct accounts *accounts, const struct core_config *config, ui
     }
     entry.round.id = ledger->last_id + 1u;
     ledger->balance.open = PAYMENT_NONE;
-    tickets_owe(accounts, config, (uint32_t)entry.value);
+    credit_owe_tickets(accounts, config, (uint32_t)entry.value);
     ledger_write(accounts, tick, &entry, output);
     return 1;
 }

@@ -1,9 +1,12 @@
-/* paper_patch.h -- searches the paper for an undamaged patch that can hold a fish. Patches lie in
- * the middle of the ring and on two circles around the middle. */
+/* paper_patch.h -- searches the paper for an undamaged patch that can hold a fish, and decides
+ * whether torn paper is still usable. Patches lie in the middle of the ring and on two circles
+ * around the middle. */
 #ifndef KINGYO_CORE_GAME_BOT_PAPER_PATCH_H
 #define KINGYO_CORE_GAME_BOT_PAPER_PATCH_H
 
 #include <stdint.h>
+
+#include "core/poi/paper/sheet.h"
 
 /* Radius of the patch that the smallest fish of a stall needs under its body. */
 #define PAPER_PATCH_RADIUS_M 0.010f
@@ -22,5 +25,13 @@ typedef int paper_patch_holds(const void *paper, float x_m, float z_m);
  * unchanged if no patch is undamaged. */
 int paper_patch_find(paper_patch_holds *holds, const void *paper, float radius_m,
                      struct patch *patch);
+
+/* Smallest usable share of the paper area. A smaller remainder is only a fringe along the ring. */
+#define PAPER_LEFT_MIN 0.35f
+
+/* Returns 1 if a fish could lie on the paper: enough area is left, and an undamaged patch exists
+ * (paper_patch.h). A hole alone, even in the middle, does not end a round, because a partly torn
+ * poi may be used. */
+int paper_can_hold(const struct sheet *sheet);
 
 #endif

@@ -1,8 +1,9 @@
 /* targeting.c -- computes paths through the water and their costs. A cost is a time in seconds: the
  * time of the path, plus the expected time of another attempt if the first attempt may fail. */
-#include "core/game/bot/targeting.h"
+#include "core/game/bot/bot.h"
 
 #include "core/base/mem.h"
+#include "core/base/panic.h"
 
 #define WALL_ROOM_M 0.052f  /* Smallest distance from a wall to the ring's centre. */
 #define FLOOR_ROOM_M 0.012f /* Smallest distance from the floor to the ring. */
@@ -52,68 +53,49 @@ vec3 targeting_forward(float yaw_rad)
 
 /* ---- Paths ---------------------------------------------------------------------------------- */
 
-/* Chooses the place of the fish on the paper, in the poi's plane: x to the right, z toward the
- * handle. */
-static void choose_place(const struct technique *technique, const struct snapshot *snapshot,
-                         float length_m, float *x_m, float *z_m)
-{
-    const float radius_m = snapshot->poi.radius_m;
-    const float rim = f_clamp(radius_m + TAIL_OFF_M - TAIL_SHARE * length_m, RIM_MIN * radius_m,
-                              RIM_MAX * radius_m);
-    *x_m = snapshot->paper.middle ? 0.0f : snapshot->paper.x_m;
-    *z_m = snapshot->paper.middle ? 0.0f : snapshot->paper.z_m;
-    if (snapshot->paper.middle && technique->place == PLACE_RIM) {
-        *z_m = -rim;
-    }
-}
-
-/* Returns the angle of the path below the water surface. With level paper the path goes straight
- * down. With more tilt the path follows the paper's plane more closely. */
-static float slope_rad(const struct technique *technique)
-{
-    const float entry_rad = technique->entry_deg * F_DEG;
-    const float share = f_min(entry_rad / STEEP_RAD, 1.0f);
-    return f_lerp(0.5f * F_PI, f_max(entry_rad, STEEP_RAD), share);
-}
-
 static int inside_walls(vec3 tank_m, vec3 point_m)
 {
     return f_abs(point_m.x) < 0.5f * tank_m.x - WALL_ROOM_M &&
            f_abs(point_m.z) < 0.5f * tank_m.z - WALL_ROOM_M;
 }
 
-/* Returns 1 if the ring's path, seen from above, does not touch the bowl, otherwise 0. */
-static int clears_bowl(const struct vision_bowl *bowl, vec3 from_m, vec3 to_m)
-{
-    const float dx = to_m.x - from_m.x, dz = to_m.z - from_m.z;
-    const float bx = bowl->position_m.x - from_m.x, bz = bowl->position_m.z - from_m.z;
-    const float t = f_clamp((bx * dx + bz * dz) / f_max(dx * dx + dz * dz, 1e-9f), 0.0f, 1.0f);
-    const float ex = bx - t * dx, ez = bz - t * dz;
-    const float clear_m = bowl->radius_m + BOWL_ROOM_M;
-    return !bowl->present || ex * ex + ez * ez > clear_m * clear_m;
-}
-
 int targeting_approach(const struct technique *technique, const struct snapshot *snapshot,
                        vec3 fish_m, float length_m, float yaw_rad, struct approach_path *way)
 {
     const vec3 ahead = targeting_forward(yaw_rad), right = v3(-ahead.z, 0.0f, ahead.x);
-    const float slope = slope_rad(technique);
-    float x_m, z_m;
-    choose_place(technique, snapshot, length_m, &x_m, &z_m);
-    const float deepest_m = FLOOR_ROOM_M - snapshot->tank_m.y;
+    const struct snapshot_paper *paper = &snapshot->paper;
+    const struct vision_bowl *bowl = &snapshot->bowl;
+    /* With level paper the path below the water surface goes straight down. With more tilt the path
+     * follows the paper's plane more closely. */
+    const float entry_rad = technique->entry_deg * F_DEG;
+    const float slope =
+        f_lerp(0.5f * F_PI, f_max(entry_rad, STEEP_RAD), f_min(entry_rad / STEEP_RAD, 1.0f));
+    /* Place of the fish on the paper, in the poi's plane: x to the right, z toward the handle. */
+    const float radius_m = snapshot->poi.radius_m;
+    const float rim_m = f_clamp(radius_m + TAIL_OFF_M - TAIL_SHARE * length_m, RIM_MIN * radius_m,
+                                RIM_MAX * radius_m);
+    const float x_m = paper->middle ? 0.0f : paper->x_m;
+    const float z_m = !paper->middle ? paper->z_m : technique->place == PLACE_RIM ? -rim_m : 0.0f;
+    CORE_ASSERT(slope > 0.0f && slope <= 0.5f * F_PI + 0.001f);
     way->yaw_rad = yaw_rad;
     way->under_m = v3_muladd(v3_muladd(fish_m, right, -x_m), ahead, z_m);
-    way->under_m.y = f_max(fish_m.y - TARGETING_UNDER_M, deepest_m);
+    way->under_m.y = f_max(fish_m.y - TARGETING_UNDER_M, FLOOR_ROOM_M - snapshot->tank_m.y);
     const float run_m = TARGETING_RING_M + BESIDE_SHARE * length_m + z_m;
     way->stop_m = v3_muladd(way->under_m, ahead, -run_m);
     way->entry_m = way->stop_m;
     way->entry_m.y = TARGETING_RING_M * f_sin(technique->entry_deg * F_DEG) + CLEAR_M;
     const float back_m = (way->entry_m.y - way->stop_m.y) * f_cos(slope) / f_sin(slope);
     way->entry_m = v3_muladd(way->entry_m, ahead, -back_m);
-    return inside_walls(snapshot->tank_m, way->entry_m) &&
-           inside_walls(snapshot->tank_m, way->under_m) &&
-           clears_bowl(&snapshot->bowl, way->entry_m, way->under_m) &&
-           fish_m.y > way->under_m.y + 0.5f * TARGETING_UNDER_M;
+    /* The ring's path, seen from above, must not touch the bowl. */
+    const vec3 from_m = way->entry_m, to_m = way->under_m;
+    const float dx = to_m.x - from_m.x, dz = to_m.z - from_m.z;
+    const float bx = bowl->position_m.x - from_m.x, bz = bowl->position_m.z - from_m.z;
+    const float t = f_clamp((bx * dx + bz * dz) / f_max(dx * dx + dz * dz, 1e-9f), 0.0f, 1.0f);
+    const float ex = bx - t * dx, ez = bz - t * dz;
+    const float clear_m = bowl->radius_m + BOWL_ROOM_M;
+    const int clears_bowl = !bowl->present || ex * ex + ez * ez > clear_m * clear_m;
+    return inside_walls(snapshot->tank_m, from_m) && inside_walls(snapshot->tank_m, to_m) &&
+           clears_bowl && fish_m.y > to_m.y + 0.5f * TARGETING_UNDER_M;
 }
 
 /* ---- Costs ---------------------------------------------------------------------------------- */
@@ -123,98 +105,58 @@ static float flat_m(vec3 a, vec3 b)
     return v3_length(v3(a.x - b.x, 0.0f, a.z - b.z));
 }
 
-static float company_s(const struct technique *technique, const struct snapshot *snapshot,
-                       const struct snapshot_fish *fish)
-{
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < snapshot->near_count; i++) {
-        const struct snapshot_fish *other = &snapshot->near[i];
-        count += other != fish && flat_m(other->position_m, fish->position_m) < COMPANY_M &&
-                 other->position_m.y > fish->position_m.y - 0.5f * TARGETING_UNDER_M;
-    }
-    const uint32_t wanted = (uint32_t)technique->fish_max - 1u;
-    return -COMPANY_S * (float)(count < wanted ? count : wanted);
-}
-
-static float rivals_s(const struct snapshot *snapshot, vec3 fish_m)
-{
-    float cost_s = 0.0f;
-    for (uint32_t i = 0; i < snapshot->rival_count; i++) {
-        cost_s += flat_m(snapshot->rival_m[i], fish_m) < RIVAL_M ? RIVAL_S : 0.0f;
-    }
-    return cost_s;
-}
-
-/* Returns the cost of a fish's depth and speed, reduced if the fish gulps. HUNT_CHASE ignores this
- * cost. */
-static float hardness_s(const struct snapshot_fish *fish)
-{
-    return -DEPTH_S_M * fish->position_m.y + SPEED_S_PER_M_S * v3_length(fish->velocity_m_s) -
-           (fish->gulps ? GULP_S : 0.0f);
-}
-
+/* Returns the cost of a fish: its depth and speed, reduced if the fish gulps; its size; other pois
+ * nearby; and the fish around it. HUNT_CHASE ignores depth and speed. */
 static float cost_of_fish(const struct technique *technique, const struct snapshot *snapshot,
                           const struct snapshot_fish *fish)
 {
-    return (technique->hunt == HUNT_CHASE ? 0.0f : hardness_s(fish)) +
-           LENGTH_S_M * f_abs(fish->length_m - technique->fish_m) +
-           rivals_s(snapshot, fish->position_m) + company_s(technique, snapshot, fish);
+    const float hardness_s = -DEPTH_S_M * fish->position_m.y +
+                             SPEED_S_PER_M_S * v3_length(fish->velocity_m_s) -
+                             (fish->gulps ? GULP_S : 0.0f);
+    float rivals_s = 0.0f;
+    for (uint32_t i = 0; i < snapshot->rival_count; i++) {
+        rivals_s += flat_m(snapshot->rival_m[i], fish->position_m) < RIVAL_M ? RIVAL_S : 0.0f;
+    }
+    uint32_t company = 0;
+    for (uint32_t i = 0; i < snapshot->near_count; i++) {
+        const struct snapshot_fish *other = &snapshot->near[i];
+        company += other != fish && flat_m(other->position_m, fish->position_m) < COMPANY_M &&
+                   other->position_m.y > fish->position_m.y - 0.5f * TARGETING_UNDER_M;
+    }
+    CORE_ASSERT(technique->fish_max >= 1);
+    const uint32_t wanted = (uint32_t)technique->fish_max - 1u;
+    return (technique->hunt == HUNT_CHASE ? 0.0f : hardness_s) +
+           LENGTH_S_M * f_abs(fish->length_m - technique->fish_m) + rivals_s +
+           -COMPANY_S * (float)(company < wanted ? company : wanted);
 }
 
-/* Returns the cost of handle yaw `yaw_rad`. The yaw determines under which end of the fish the ring
- * passes first. */
-static float cost_of_yaw(const struct technique *technique, const struct snapshot_fish *fish,
-                         float yaw_rad)
+/* Returns the cost of a path with handle yaw `yaw_rad`. The yaw determines under which end of the
+ * fish the ring passes first. */
+static float cost_of_way(const struct technique *technique, const struct snapshot *snapshot,
+                         const struct snapshot_fish *fish, const struct approach_path *way,
+                         vec3 hand_m)
 {
-    const float along = v3_dot(targeting_forward(fish->heading_rad), targeting_forward(yaw_rad));
+    const float along =
+        v3_dot(targeting_forward(fish->heading_rad), targeting_forward(way->yaw_rad));
     const float tail_first = 0.5f * (1.0f + along);
     const float side_s = technique->side == SIDE_HEAD   ? SIDE_S * tail_first
                          : technique->side == SIDE_TAIL ? SIDE_S * (1.0f - tail_first)
                                                         : 0.0f;
-    return side_s + YAW_S_RAD * f_abs(yaw_rad - YAW_EASY_RAD);
-}
-
-static float cost_of_way(const struct technique *technique, const struct snapshot *snapshot,
-                         const struct approach_path *way, vec3 hand_m)
-{
-    return flat_m(way->entry_m, hand_m) / technique->arm_m_s +
-           flat_m(way->under_m, snapshot->bowl.position_m) / technique->carry_m_s;
+    const float yaw_s = side_s + YAW_S_RAD * f_abs(way->yaw_rad - YAW_EASY_RAD);
+    CORE_ASSERT(technique->arm_m_s > 0.0f && technique->carry_m_s > 0.0f);
+    return yaw_s + (flat_m(way->entry_m, hand_m) / technique->arm_m_s +
+                    flat_m(way->under_m, snapshot->bowl.position_m) / technique->carry_m_s);
 }
 
 float targeting_yaw(const struct technique *technique, const struct snapshot_fish *fish,
                     float yaw_rad)
 {
+    CORE_ASSERT(technique->side < SIDE_COUNT);
     const float back_rad = technique->side == SIDE_HEAD ? F_PI : 0.0f;
     const float wanted_rad = f_wrap_angle(fish->heading_rad + back_rad);
     const int fits =
         technique->side != SIDE_ANY && wanted_rad >= YAW_MIN_RAD && wanted_rad <= YAW_MAX_RAD;
     return fits ? wanted_rad : yaw_rad;
-}
-
-/* Finds the handle yaw with the lowest cost for one fish. Returns 1, or 0 if no yaw leaves room for
- * a path. */
-static int choose_yaw(const struct technique *technique, const struct snapshot *snapshot,
-                      vec3 hand_m, const struct snapshot_fish *fish, float age_s, float *yaw_rad,
-                      float *cost_s)
-{
-    const vec3 then_m = snapshot_predict(fish, age_s + START_S);
-    int found = 0;
-    for (uint32_t i = 0; i <= YAW_COUNT; i++) {
-        const float yaw =
-            i < YAW_COUNT ? yaws_rad[i] : targeting_yaw(technique, fish, YAW_EASY_RAD);
-        struct approach_path way;
-        if (!targeting_approach(technique, snapshot, then_m, fish->length_m, yaw, &way)) {
-            continue;
-        }
-        const float price_s =
-            cost_of_yaw(technique, fish, yaw) + cost_of_way(technique, snapshot, &way, hand_m);
-        if (!found || price_s < *cost_s) {
-            found = 1;
-            *cost_s = price_s;
-            *yaw_rad = yaw;
-        }
-    }
-    return found;
 }
 
 const struct snapshot_fish *targeting_choose(const struct technique *technique,
@@ -223,16 +165,31 @@ const struct snapshot_fish *targeting_choose(const struct technique *technique,
 {
     const struct snapshot_fish *best = NULL;
     float best_s = 1e9f;
+    CORE_ASSERT(snapshot->near_count <= SNAPSHOT_NEAR_MAX && snapshot->rival_count < POI_MAX);
     for (uint32_t i = 0; i < snapshot->near_count; i++) {
         const struct snapshot_fish *fish = &snapshot->near[i];
-        float yaw = 0.0f, way_s = 0.0f;
-        if (choose_yaw(technique, snapshot, hand_m, fish, age_s, &yaw, &way_s)) {
-            const float cost_s = way_s + cost_of_fish(technique, snapshot, fish);
-            if (cost_s < best_s) {
-                best_s = cost_s;
-                best = fish;
-                *yaw_rad = yaw;
+        const vec3 then_m = snapshot_predict(fish, age_s + START_S);
+        float way_yaw_rad = 0.0f, way_s = 1e9f; /* Handle yaw with the lowest cost for this fish. */
+        int found = 0;
+        for (uint32_t k = 0; k <= YAW_COUNT; k++) {
+            const float yaw =
+                k < YAW_COUNT ? yaws_rad[k] : targeting_yaw(technique, fish, YAW_EASY_RAD);
+            struct approach_path way;
+            if (!targeting_approach(technique, snapshot, then_m, fish->length_m, yaw, &way)) {
+                continue;
             }
+            const float cost_s = cost_of_way(technique, snapshot, fish, &way, hand_m);
+            if (!found || cost_s < way_s) {
+                found = 1;
+                way_s = cost_s;
+                way_yaw_rad = yaw;
+            }
+        }
+        const float cost_s = way_s + cost_of_fish(technique, snapshot, fish);
+        if (found && cost_s < best_s) {
+            best_s = cost_s;
+            best = fish;
+            *yaw_rad = way_yaw_rad;
         }
     }
     return best;
@@ -241,6 +198,7 @@ const struct snapshot_fish *targeting_choose(const struct technique *technique,
 const struct snapshot_fish *targeting_nearest(const struct snapshot *snapshot, vec3 ring_m,
                                               float reach_m)
 {
+    CORE_ASSERT(reach_m >= 0.0f && snapshot->near_count <= SNAPSHOT_NEAR_MAX);
     const struct snapshot_fish *best = NULL;
     for (uint32_t i = 0; i < snapshot->near_count; i++) {
         const struct snapshot_fish *fish = &snapshot->near[i];

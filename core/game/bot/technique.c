@@ -2,6 +2,7 @@
 #include "core/game/bot/technique.h"
 
 #include "core/base/hash.h"
+#include "core/base/panic.h"
 
 const struct technique technique_novice = {
     .wet = 0.3f,
@@ -51,6 +52,7 @@ const struct technique technique_expert = {
 
 uint64_t technique_hash(uint64_t hash, const struct technique *technique)
 {
+    CORE_ASSERT(technique->side < SIDE_COUNT && technique->hunt < HUNT_COUNT);
     const float figures[] = {
         technique->wet,       technique->entry_deg,      technique->glide_deg,
         technique->fish_m,    technique->arm_m_s,        technique->dip_m_s,

@@ -3,9 +3,10 @@
 #include "core/game/bot/vision.h"
 
 #include "core/base/panic.h"
-#include "core/game/game.h"
-#include "core/poi/world.h"
 #include "core/game/control/controller.h"
+#include "core/game/game.h"
+#include "core/game/phases.h"
+#include "core/poi/world.h"
 #include "core/scene_helpers.h"
 #include "core/tank/behavior/surface_breathing.h"
 
@@ -92,19 +93,14 @@ struct vision_fan vision_fan(const struct vision *vision, uint32_t index)
     };
 }
 
-static const struct sheet *own_paper(const struct vision *vision, uint32_t cell)
-{
-    CORE_ASSERT(cell < SHEET_CELL_COUNT);
-    CORE_ASSERT(vision->player < POI_MAX);
-    return &vision->world->poi[vision->player].sheet;
-}
-
 uint8_t vision_integrity(const struct vision *vision, uint32_t cell)
 {
-    return scene_integrity(own_paper(vision, cell), cell);
+    CORE_ASSERT(cell < SHEET_CELL_COUNT && vision->player < POI_MAX);
+    return scene_integrity(&vision->world->poi[vision->player].sheet, cell);
 }
 
 uint8_t vision_wetness(const struct vision *vision, uint32_t cell)
 {
-    return scene_wetness(own_paper(vision, cell), cell);
+    CORE_ASSERT(cell < SHEET_CELL_COUNT && vision->player < POI_MAX);
+    return scene_wetness(&vision->world->poi[vision->player].sheet, cell);
 }

@@ -9,9 +9,7 @@
 
 #include <stdint.h>
 
-#include "core/base/vec.h"
-#include "core/input.h"
-#include "core/scene.h"
+#include "core/game/bot/bot_state.h"
 
 struct game;
 struct world;
@@ -36,20 +34,6 @@ struct vision_fish {
     float bend_rad;
     float gape, gulp; /* Opening of the mouth and progress of a gulp, as in struct scene_fish. */
     uint8_t place;    /* Place of the fish (enum scene_place). */
-};
-
-struct vision_poi {
-    uint8_t present;
-    vec3 position_m;
-    struct angles angles;
-    float radius_m;
-    float paper_left, water_m;
-};
-
-struct vision_bowl {
-    uint8_t present;
-    vec3 position_m;
-    float radius_m;
 };
 
 struct vision_fan {

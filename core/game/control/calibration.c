@@ -21,8 +21,16 @@ vec3 calibration_mark(vec3 tank_size_m, uint32_t corner)
 
 /* ---- Checks of the corners ------------------------------------------------------------------ */
 
-static int are_near(const vec3 *corner_m)
+/* Sine of three degrees. If the change of direction is smaller, three corners are nearly on one
+ * line, and the map across that line is undetermined. */
+#define STRAIGHT_SIN 0.05f
+
+/* Checks the shape of the measured corners. The sine of the change of direction at each corner is
+ * computed, seen from above. If all four values have the same sign, the corners form a convex
+ * quadrilateral. */
+static enum calibration_fault shape_of(const vec3 *corner_m)
 {
+    uint32_t right = 0, wrong = 0;
     float least_m = 2.0f * CALIBRATE_NEAR_M;
     for (uint32_t a = 0; a < CALIBRATE_CORNERS; a++) {
         for (uint32_t b = a + 1u; b < CALIBRATE_CORNERS; b++) {
@@ -30,33 +38,15 @@ static int are_near(const vec3 *corner_m)
             least_m = f_min(least_m, v3_length(v3(way_m.x, 0.0f, way_m.z)));
         }
     }
-    return least_m < CALIBRATE_NEAR_M;
-}
-
-/* Returns the sine of the change of direction at a corner, seen from above. If all four values have
- * the same sign, the corners form a convex quadrilateral. */
-static float turn_at(const vec3 *corner_m, uint32_t corner)
-{
-    const vec3 here_m = corner_m[corner];
-    const vec3 from_m = v3_sub(here_m, corner_m[(corner + 3u) % CALIBRATE_CORNERS]);
-    const vec3 to_m = v3_sub(corner_m[(corner + 1u) % CALIBRATE_CORNERS], here_m);
-    const float lengths =
-        f_sqrt((from_m.x * from_m.x + from_m.z * from_m.z) * (to_m.x * to_m.x + to_m.z * to_m.z));
-    return (from_m.x * to_m.z - from_m.z * to_m.x) / lengths;
-}
-
-/* Sine of three degrees. If the change of direction is smaller, three corners are nearly on one
- * line, and the map across that line is undetermined. */
-#define STRAIGHT_SIN 0.05f
-
-static enum calibration_fault shape_of(const vec3 *corner_m)
-{
-    uint32_t right = 0, wrong = 0;
-    if (are_near(corner_m)) {
+    if (least_m < CALIBRATE_NEAR_M) {
         return CALIBRATION_NEAR;
     }
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
-        const float turn = turn_at(corner_m, i);
+        const vec3 from_m = v3_sub(corner_m[i], corner_m[(i + 3u) % CALIBRATE_CORNERS]);
+        const vec3 to_m = v3_sub(corner_m[(i + 1u) % CALIBRATE_CORNERS], corner_m[i]);
+        const float lengths = f_sqrt((from_m.x * from_m.x + from_m.z * from_m.z) *
+                                     (to_m.x * to_m.x + to_m.z * to_m.z));
+        const float turn = (from_m.x * to_m.z - from_m.z * to_m.x) / lengths;
         right += turn > STRAIGHT_SIN;
         wrong += turn < -STRAIGHT_SIN;
     }
@@ -65,8 +55,7 @@ static enum calibration_fault shape_of(const vec3 *corner_m)
                                         : CALIBRATION_CROSSED;
 }
 
-/* ---- Affine map
- * ------------------------------------------------------------------------------- */
+/* ---- Affine map ------------------------------------------------------------------------------ */
 
 struct map {
     float xx, xz, x0, zx, zz, z0;
@@ -78,22 +67,19 @@ static vec3 map_point(const struct map *map, vec3 at_m)
               map->zx * at_m.x + map->zz * at_m.z + map->z0);
 }
 
-static vec3 middle_of(const vec3 *corner_m)
-{
-    vec3 sum_m = v3(0.0f, 0.0f, 0.0f);
-    for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
-        sum_m = v3_add(sum_m, corner_m[i]);
-    }
-    return v3_scale(sum_m, 1.0f / (float)CALIBRATE_CORNERS);
-}
-
 /* Fits the map by the normal equations, which have a solution because the corners surround their
  * centre. The sums are relative to the centre, because float sums far from the origin would lose
  * the last millimetre. */
 static struct map fit(const vec3 *said_m, const vec3 *mark_m)
 {
-    const vec3 from_m = middle_of(said_m), to_m = middle_of(mark_m);
+    vec3 from_m = v3(0.0f, 0.0f, 0.0f), to_m = v3(0.0f, 0.0f, 0.0f);
     float pxx = 0.0f, pxz = 0.0f, pzz = 0.0f, qxx = 0.0f, qxz = 0.0f, qzx = 0.0f, qzz = 0.0f;
+    for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
+        from_m = v3_add(from_m, said_m[i]);
+        to_m = v3_add(to_m, mark_m[i]);
+    }
+    from_m = v3_scale(from_m, 1.0f / (float)CALIBRATE_CORNERS);
+    to_m = v3_scale(to_m, 1.0f / (float)CALIBRATE_CORNERS);
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
         const vec3 p = v3_sub(said_m[i], from_m), q = v3_sub(mark_m[i], to_m);
         pxx += p.x * p.x;
@@ -117,31 +103,6 @@ static struct map fit(const vec3 *said_m, const vec3 *mark_m)
     return map;
 }
 
-static float residual_m(const struct map *map, const vec3 *said_m, const vec3 *mark_m)
-{
-    float sum = 0.0f;
-    for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
-        const vec3 off_m = v3_sub(map_point(map, said_m[i]), mark_m[i]);
-        sum += off_m.x * off_m.x + off_m.z * off_m.z;
-    }
-    return f_sqrt(sum / (float)CALIBRATE_CORNERS);
-}
-
-static int32_t millionths(float value)
-{
-    return (int32_t)f_floor(value * MILLION + 0.5f);
-}
-
-static int can_hold(const float value[CALIBRATION_VALUES])
-{
-    const float most = (float)settings_entry(SET_CALIBRATION)->max / MILLION;
-    int good = 1;
-    for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
-        good &= f_is_finite(value[i]) && f_abs(value[i]) <= most;
-    }
-    return good;
-}
-
 enum calibration_fault calibration_solve(const struct calibration_said *said, vec3 tank_size_m,
                                          int32_t out[CALIBRATION_VALUES])
 {
@@ -160,17 +121,25 @@ enum calibration_fault calibration_solve(const struct calibration_said *said, ve
         map.xx - 1.0f, map.xz, map.x0, map.zx, map.zz - 1.0f, map.z0, -said->water.position_m.y,
         pitch,         roll
     };
-    if (!can_hold(value)) {
-        return CALIBRATION_FAR;
+    const float most = (float)settings_entry(SET_CALIBRATION)->max / MILLION;
+    for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
+        if (!f_is_finite(value[i]) || f_abs(value[i]) > most) {
+            return CALIBRATION_FAR;
+        }
     }
-    if (residual_m(&map, said->corner_m, mark_m) > CALIBRATE_RESIDUAL_M) {
+    float sum_m2 = 0.0f; /* Sum of the squared distances of the mapped corners from their marks. */
+    for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
+        const vec3 off_m = v3_sub(map_point(&map, said->corner_m[i]), mark_m[i]);
+        sum_m2 += off_m.x * off_m.x + off_m.z * off_m.z;
+    }
+    if (f_sqrt(sum_m2 / (float)CALIBRATE_CORNERS) > CALIBRATE_RESIDUAL_M) {
         return CALIBRATION_UNEVEN;
     }
     if (f_max(f_abs(pitch), f_abs(roll)) > CALIBRATE_TILT_RAD) {
         return CALIBRATION_TILTED;
     }
     for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
-        out[i] = millionths(value[i]);
+        out[i] = (int32_t)f_floor(value[i] * MILLION + 0.5f);
     }
     return CALIBRATION_GOOD;
 }
@@ -211,16 +180,8 @@ int calibration_is_torn(const struct settings *settings, uint32_t seat)
 
 static float whole(const int32_t *value, enum calibration_value which)
 {
+    CORE_ASSERT(which < CALIBRATION_VALUES);
     return (float)value[which] / MILLION;
-}
-
-/* Returns the yaw of the handle's corrected direction. Yaw 0 points along -z. */
-static float turned_yaw(const struct map *map, float yaw_rad)
-{
-    const vec3 ahead = v3(-f_sin(yaw_rad), 0.0f, -f_cos(yaw_rad));
-    const struct map turn = { map->xx, map->xz, 0.0f, map->zx, map->zz, 0.0f };
-    const vec3 there = map_point(&turn, ahead);
-    return f_atan2(-there.x, -there.z);
 }
 
 void calibration_apply(const struct settings *settings, uint32_t seat, struct poi_input *poi)
@@ -229,6 +190,7 @@ void calibration_apply(const struct settings *settings, uint32_t seat, struct po
         !input_pose_is_finite(&poi->target)) {
         return;
     }
+    struct angles *angles = &poi->target.angles;
     const int32_t *value = &settings->value[calibration_setting(seat)];
     const struct map map = {
         1.0f + whole(value, CALIBRATION_XX), whole(value, CALIBRATION_XZ),
@@ -237,7 +199,11 @@ void calibration_apply(const struct settings *settings, uint32_t seat, struct po
     };
     poi->target.position_m = map_point(&map, poi->target.position_m);
     poi->target.position_m.y += whole(value, CALIBRATION_Y0);
-    poi->target.angles.yaw_rad = turned_yaw(&map, poi->target.angles.yaw_rad);
-    poi->target.angles.pitch_rad += whole(value, CALIBRATION_PITCH);
-    poi->target.angles.roll_rad += whole(value, CALIBRATION_ROLL);
+    /* The handle's direction rotates with x and z. Yaw 0 points along -z. */
+    const vec3 ahead = v3(-f_sin(angles->yaw_rad), 0.0f, -f_cos(angles->yaw_rad));
+    const struct map turn = { map.xx, map.xz, 0.0f, map.zx, map.zz, 0.0f };
+    const vec3 there = map_point(&turn, ahead);
+    angles->yaw_rad = f_atan2(-there.x, -there.z);
+    angles->pitch_rad += whole(value, CALIBRATION_PITCH);
+    angles->roll_rad += whole(value, CALIBRATION_ROLL);
 }

@@ -3,13 +3,13 @@
 #include "core/game/control/controller.h"
 
 #include "core/base/panic.h"
-#include "core/game/game.h"
-#include "core/poi/world.h"
 #include "core/config.h"
+#include "core/game/bot/bot.h"
 #include "core/game/control/calibration.h"
-#include "core/game/control/failsafe.h"
-#include "core/game/control/parking.h"
+#include "core/game/game.h"
+#include "core/game/phases.h"
 #include "core/poi/pose.h"
+#include "core/poi/world.h"
 
 #define CLEAR_Y_M 0.035f /* Lowest height of a poi while dips are not allowed. */
 /* Time for blending after a change of the source, 1.2 s. Across the tank the poi then moves at 1
@@ -31,6 +31,7 @@
 
 int controller_is_active(const struct world *world, uint32_t index)
 {
+    CORE_ASSERT(index < POI_MAX);
     return world->bowl[index].present && world->poi[index].link != POI_SOURCE_ABSENT;
 }
 
@@ -57,24 +58,20 @@ void controller_validate(struct game *game, const struct input *input)
 
 static int is_believed(const struct game *game, uint32_t index)
 {
+    CORE_ASSERT(index < POI_MAX);
     return game->validation[index].verdict == INPUT_VALID;
 }
 
-int controller_dip_pressed(const struct game *game, const struct input *input, uint32_t index)
+uint32_t controller_dipped_player(const struct game *game, const struct world *world,
+                                  const struct input *input)
 {
-    return is_believed(game, index) && game->live_y_m[index] >= GAME_DIP_Y_M &&
-           input->poi[index].target.position_m.y < GAME_DIP_Y_M;
-}
-
-/* Returns the current source of a poi. In attract mode only the bot is a source. A controller with
- * invalid input counts as lost. */
-static uint8_t link_now(const struct game *game, const struct input *input, uint32_t index)
-{
-    if (game->phase == PHASE_ATTRACT) {
-        return index == 0 ? POI_SOURCE_BOT : POI_SOURCE_ABSENT;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (world->bowl[i].present && is_believed(game, i) && game->live_y_m[i] >= GAME_DIP_Y_M &&
+            input->poi[i].target.position_m.y < GAME_DIP_Y_M) {
+            return i;
+        }
     }
-    const int is_lost = game->validation[index].verdict == INPUT_LOST;
-    return is_lost ? (uint8_t)POI_SOURCE_LOST : input->poi[index].link;
+    return POI_MAX;
 }
 
 static float direction(float angle_rad)
@@ -93,6 +90,7 @@ static float lowest_m(const struct game *game, const struct world *world, uint32
 static struct poi_target within_reach(const struct world *world, struct poi_target target,
                                       float low_m)
 {
+    CORE_ASSERT(low_m < REACH_HEIGHT_M);
     const float side_m = 0.5f * world->tank.size_m.x + REACH_SIDE_M;
     const float depth_m = 0.5f * world->tank.size_m.z + REACH_SIDE_M;
     CORE_ASSERT(v3_is_finite(target.position_m));
@@ -107,6 +105,7 @@ static struct poi_target within_reach(const struct world *world, struct poi_targ
 
 void controller_forget_path(struct game *game, uint32_t index)
 {
+    CORE_ASSERT(index < POI_MAX);
     game->return_ticks[index] = game->outlier_ticks[index] = 0;
     game->was_lost[index] = 0;
 }
@@ -114,6 +113,7 @@ void controller_forget_path(struct game *game, uint32_t index)
 static void take_hold(struct game *game, const struct world *world,
                       const struct core_config *config, uint32_t index, uint8_t link)
 {
+    CORE_ASSERT(index < POI_MAX);
     if (game->holder[index] == link) {
         return;
     }
@@ -138,6 +138,7 @@ static void take_hold(struct game *game, const struct world *world,
 static struct poi_target blend_to_holder(struct game *game, const struct world *world,
                                          uint32_t index, struct poi_target wanted)
 {
+    CORE_ASSERT(game->holder[index] != POI_SOURCE_ABSENT);
     const int begins = game->phase == PHASE_ROUND && game->tick == game->phase_tick;
     if (begins && wanted.position_m.y < CLEAR_Y_M) {
         game->grip_tick[index] = game->tick; /* If the player already holds the button when the
@@ -148,50 +149,34 @@ static struct poi_target blend_to_holder(struct game *game, const struct world *
     return age < 1.0f ? pose_between(game->hand_pose[index], wanted, age * age * age) : wanted;
 }
 
-/* Returns 1 if an outlier could damage the paper or lose a fish, otherwise 0. */
-static int is_at_stake(const struct game *game, const struct world *world, uint32_t index,
-                       vec3 next_m)
-{
-    const struct poi *poi = &world->poi[index];
-    const float low_m = f_min(game->hand_pose[index].position_m.y, poi->position_m.y);
-    return f_min(low_m, next_m.y) < WET_BELOW_M || poi->carried_count > 0;
-}
-
-/* Returns the share of the motion that the speed limits permit in one tick, [0, 1]. */
-static float share_in_a_tick(const struct poi_target *from, const struct poi_target *to,
-                             float pace_m_s, float pace_rad_s)
-{
-    const float way_m = v3_length(v3_sub(to->position_m, from->position_m));
-    const float turn_rad = input_turn(from->angles, to->angles);
-    const float pace_m = pace_m_s * CORE_TICK_S, pace_rad = pace_rad_s * CORE_TICK_S;
-    return f_min(way_m > pace_m ? pace_m / way_m : 1.0f,
-                 turn_rad > pace_rad ? pace_rad / turn_rad : 1.0f);
-}
-
-static int is_far(const struct poi_target *from, const struct poi_target *to, int has_wrist)
-{
-    return v3_length(v3_sub(to->position_m, from->position_m)) > FAR_M ||
-           input_turn(from->angles, to->angles) > (has_wrist ? FAR_TURN : FAR_LEAN);
-}
-
 /* Filters outliers. A pose that is farther away than an arm can move in one tick may be a sensor
  * error. The target then stays unchanged until the error ends or has lasted for DOUBT_TICKS. Above
  * the water a fast motion of a mouse is accepted. */
 static struct poi_target steady(struct game *game, const struct world *world, uint32_t index,
                                 struct poi_target next, int has_wrist)
 {
+    const struct poi *poi = &world->poi[index];
     const struct poi_target hand = game->hand_pose[index];
-    const int at_stake = is_at_stake(game, world, index, next.position_m);
+    const float low_m = f_min(f_min(hand.position_m.y, poi->position_m.y), next.position_m.y);
+    /* An outlier could damage the paper or lose a fish. */
+    const int at_stake = low_m < WET_BELOW_M || poi->carried_count > 0;
     const int is_arm = has_wrist || at_stake;
-    const float share =
-        share_in_a_tick(&hand, &next, is_arm ? INPUT_ARM_M_S_MAX : INPUT_POINTER_M_S_MAX,
-                        has_wrist ? INPUT_WRIST_RAD_S_MAX : INPUT_POINTER_RAD_S_MAX);
+    const float way_m = v3_length(v3_sub(next.position_m, hand.position_m));
+    const float turn_rad = input_turn(hand.angles, next.angles);
+    const float pace_m = (is_arm ? INPUT_ARM_M_S_MAX : INPUT_POINTER_M_S_MAX) * CORE_TICK_S;
+    const float pace_rad =
+        (has_wrist ? INPUT_WRIST_RAD_S_MAX : INPUT_POINTER_RAD_S_MAX) * CORE_TICK_S;
+    /* Share of the motion that the speed limits permit in one tick. */
+    const float share = f_min(way_m > pace_m ? pace_m / way_m : 1.0f,
+                              turn_rad > pace_rad ? pace_rad / turn_rad : 1.0f);
     const int is_doubted = share < 1.0f && is_arm && game_may_scoop(game, index);
+    const int is_far = way_m > FAR_M || turn_rad > (has_wrist ? FAR_TURN : FAR_LEAN);
+    CORE_ASSERT(share >= 0.0f && share <= 1.0f);
     game->outlier_ticks[index] = is_doubted ? game->outlier_ticks[index] + 1u : 0u;
     if (is_doubted && game->outlier_ticks[index] <= DOUBT_TICKS) {
         return hand;
     }
-    if (is_doubted && at_stake && is_far(&hand, &next, has_wrist)) {
+    if (is_doubted && at_stake && is_far) {
         game->return_ticks[index] = 1;
         return hand;
     }
@@ -204,6 +189,7 @@ static struct poi_target steady(struct game *game, const struct world *world, ui
 static struct poi_target return_to_hand(struct game *game, struct world *world, uint32_t index,
                                         struct poi_target wanted)
 {
+    CORE_ASSERT(game->return_ticks[index] > 0);
     const uint32_t ticks = game->return_ticks[index];
     wanted = within_reach(world, wanted, lowest_m(game, world, index));
     const struct poi_target hand = failsafe_return(game->hand_pose[index], wanted, ticks);
@@ -218,38 +204,9 @@ static struct poi_target return_to_hand(struct game *game, struct world *world, 
     return hand;
 }
 
-static struct poi_target led_by_a_person(struct game *game, struct world *world,
-                                         const struct input *input, uint32_t index)
-{
-    const struct poi_input *says = &input->poi[index];
-    if (game->return_ticks[index] > 0) {
-        return return_to_hand(game, world, index, says->target);
-    }
-    if (game->tick % REFILL_TICKS == 0 && game->immunity_ticks[index] > 0) {
-        game->immunity_ticks[index]--;
-    }
-    const float share = input_validation_blend(&game->validation[index]);
-    struct poi_target next = blend_to_holder(game, world, index, says->target);
-    next = share < 1.0f ? pose_between(game->hand_pose[index], next, share) : next;
-    return steady(game, world, index, next, says->has_wrist);
-}
-
-/* Moves a poi without input out of the water. The return later starts from the position reached,
- * when the input is restored or the pause ends. */
-static void withdraw_hand(struct game *game, const struct world *world, uint32_t index)
-{
-    const struct poi_target out = failsafe_withdraw(&world->poi[index], game->hand_pose[index]);
-    game->hand_pose[index] = within_reach(world, out, -world->tank.size_m.y);
-    if (world->poi[index].link == POI_SOURCE_BOT) {
-        game->bot[index].hand.pose = game->hand_pose[index];
-    } else {
-        game->return_ticks[index] = game->was_lost[index] = 1;
-    }
-}
-
 /* Parks a poi that is not in use. A bot continues to take snapshots. When a person uses the poi
  * again, its pose is blended gently. */
-static void put_away(struct game *game, struct world *world, uint32_t index)
+static void tick_parked(struct game *game, struct world *world, uint32_t index)
 {
     struct bot *bot = &game->bot[index];
     world->poi[index].damage_immune = 1;
@@ -264,24 +221,48 @@ static void put_away(struct game *game, struct world *world, uint32_t index)
     }
 }
 
+/* Moves a poi without input out of the water. The return later starts from the position reached,
+ * when the input is restored or the pause ends. */
+static void tick_failsafe(struct game *game, const struct world *world, uint32_t index)
+{
+    CORE_ASSERT(world->poi[index].damage_immune);
+    const struct poi_target out = failsafe_withdraw(&world->poi[index], game->hand_pose[index]);
+    game->hand_pose[index] = within_reach(world, out, -world->tank.size_m.y);
+    if (world->poi[index].link == POI_SOURCE_BOT) {
+        game->bot[index].hand.pose = game->hand_pose[index];
+    } else {
+        game->return_ticks[index] = game->was_lost[index] = 1;
+    }
+}
+
 /* Updates one poi. During a pause for a lost controller, every poi of the tank is in failsafe. */
 static void tick_hand(struct game *game, struct world *world, const struct input *input,
                       uint32_t index)
 {
+    const struct poi_input *says = &input->poi[index];
+    struct poi_target *hand = &game->hand_pose[index];
     struct poi *poi = &world->poi[index];
+    CORE_ASSERT(poi->link != POI_SOURCE_ABSENT);
     if (parking_tick(game, world, index)) {
-        put_away(game, world, index);
+        tick_parked(game, world, index);
         return;
     }
     poi->damage_immune = poi->link == POI_SOURCE_LOST || game->paused;
     if (poi->damage_immune) {
-        withdraw_hand(game, world, index);
+        tick_failsafe(game, world, index);
     } else if (poi->link == POI_SOURCE_BOT) {
         const struct vision vision = { game, world, index };
-        game->hand_pose[index] =
-            blend_to_holder(game, world, index, bot_tick(&game->bot[index], &vision));
+        *hand = blend_to_holder(game, world, index, bot_tick(&game->bot[index], &vision));
+    } else if (game->return_ticks[index] > 0) {
+        *hand = return_to_hand(game, world, index, says->target);
     } else {
-        game->hand_pose[index] = led_by_a_person(game, world, input, index);
+        if (game->tick % REFILL_TICKS == 0 && game->immunity_ticks[index] > 0) {
+            game->immunity_ticks[index]--;
+        }
+        const float share = input_validation_blend(&game->validation[index]);
+        struct poi_target next = blend_to_holder(game, world, index, says->target);
+        next = share < 1.0f ? pose_between(*hand, next, share) : next;
+        *hand = steady(game, world, index, next, says->has_wrist);
     }
 }
 
@@ -307,9 +288,15 @@ void controller_tick_all(struct game *game, struct world *world, const struct co
     }
 }
 
+/* A controller with invalid input counts as lost. */
 void controller_assign(const struct game *game, struct world *world, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        world->poi[i].link = link_now(game, input, i);
+        const int is_lost = game->validation[i].verdict == INPUT_LOST;
+        uint8_t link = is_lost ? (uint8_t)POI_SOURCE_LOST : input->poi[i].link;
+        if (game->phase == PHASE_ATTRACT) {
+            link = i == 0 ? POI_SOURCE_BOT : POI_SOURCE_ABSENT;
+        }
+        world->poi[i].link = link;
     }
 }

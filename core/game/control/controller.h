@@ -3,12 +3,13 @@
 #ifndef KINGYO_CORE_GAME_CONTROL_CONTROLLER_H
 #define KINGYO_CORE_GAME_CONTROL_CONTROLLER_H
 
-#include "core/input.h"
+#include <stdint.h>
 
-struct world;
-struct core_config;
+#include "core/game/game.h"
+#include "core/poi/catch/catch.h"
+#include "core/poi/poi.h"
+
 struct settings;
-struct game;
 
 /* Returns 1 if the poi is in use, otherwise 0. A poi is in use if it has a bowl and a source; a
  * lost controller counts as a source. */
@@ -26,9 +27,10 @@ void controller_validate(struct game *game, const struct input *input);
  * waits. */
 int controller_is_lost(const struct world *world, uint32_t index);
 
-/* Returns 1 if the pose of a person's controller moves down through GAME_DIP_Y_M in this tick,
- * otherwise 0. The slot need not have a poi. */
-int controller_dip_pressed(const struct game *game, const struct input *input, uint32_t index);
+/* Returns the player whose poi moves down through GAME_DIP_Y_M in this tick, or POI_MAX if no poi
+ * does. Only a live poi with a bowl counts. A downward crossing is a request to play. */
+uint32_t controller_dipped_player(const struct game *game, const struct world *world,
+                                  const struct input *input);
 
 /* Writes the source of each poi in the current phase. In attract mode the built-in bot controls the
  * first poi, even if controllers are connected, and no other poi is in use. */
@@ -45,5 +47,88 @@ void controller_tick_all(struct game *game, struct world *world, const struct co
 
 /* Cancels the return of a poi that has a new source or a new position. */
 void controller_forget_path(struct game *game, uint32_t index);
+
+/* ---- Failsafe -------------------------------------------------------------------------------- */
+
+/* Failsafe motion: moves a poi without valid input out of the water, and later back to the
+ * controller's pose.
+ *
+ * Both motions are slow enough that wet paper of any grade survives them, even broadside. During
+ * both motions `damage_immune` of the poi is 1, so that a broken cable never damages a player's
+ * paper. */
+
+/* Height at which the poi waits. At this height the poi's lowest edge is above the water. */
+#define FAILSAFE_HOVER_M 0.060f
+/* Shortest duration of the return to the controller's pose, 0.4 s. */
+#define FAILSAFE_RETURN_TICKS_MIN 48u
+/* Longest damage immunity of one return, 3 s. After that time the poi moves faster, because the
+ * controller may keep moving away. */
+#define FAILSAFE_IMMUNITY_TICKS_MAX 360u
+
+/* Returns the target pose for the first tick after an input loss. The target is the ring's actual
+ * position, independent of the last input. */
+struct poi_target failsafe_begin(const struct poi *poi, struct poi_target hand);
+
+/* Returns the next target pose of a poi without input; `hand` is its current target pose. A moving
+ * poi first decelerates to rest. A poi with fish turns level and rises straight up. A poi without
+ * fish tilts and leaves the water along its own plane, toward the middle of the tank. */
+struct poi_target failsafe_withdraw(const struct poi *poi, struct poi_target hand);
+
+/* Returns the next target pose of a poi that returns to the controller's pose `wanted`. `hand` is
+ * the poi's current target pose, and `ticks` is the time since the start of the return. */
+struct poi_target failsafe_return(struct poi_target hand, struct poi_target wanted, uint32_t ticks);
+
+/* Returns 1 if the return is complete, so the controller's pose becomes the target pose; otherwise
+ * 0. */
+int failsafe_is_returned(struct poi_target hand, struct poi_target wanted, uint32_t ticks);
+
+/* ---- Parking --------------------------------------------------------------------------------- */
+
+/* Parking: moves an unused poi to a rest position on the tank's rim, beside its own bowl.
+ *
+ * The pois of players who are out are parked, and so are the bot's pois between games. A parked poi
+ * takes no damage, its shadow fades, and fish on the poi fall. Once out of the water, a parked poi
+ * is no obstacle. When a controller uses the poi again, the poi starts from its rest position. */
+
+/* Delay of one second between the end of a player's round and parking, so that the player sees the
+ * reason. */
+#define PARKING_LINGER_TICKS 120u
+
+/* Returns the rest position of player `index`. The position is on the open tank's rim beside the
+ * player's bowl, and the handle points toward the player. The poi is completely visible there. Each
+ * player has a different rest position. */
+struct poi_target parking_place(const struct world *world, uint32_t index);
+
+/* Counts the ticks for which player `index` has not used the poi. Returns 1 if the poi is now
+ * parked, otherwise 0. */
+int parking_tick(struct game *game, const struct world *world, uint32_t index);
+
+/* Returns 1 if the poi is parked, so no controller moves it; otherwise 0. */
+int parking_is_parked(const struct game *game, uint32_t index);
+
+/* Returns the next target pose of a parked poi; `hand` is its current target pose. The path leads
+ * up out of the water, over all rims, and down to the rest position. */
+struct poi_target parking_path(const struct game *game, const struct world *world, uint32_t index,
+                               struct poi_target hand);
+
+/* parking_collides() returns 1 while fish and other pois collide with poi `index`, otherwise 0.
+ * parking_shade() returns the remaining share of the poi's shadow, [0, 1]. */
+int parking_collides(const struct game *game, const struct world *world, uint32_t index);
+float parking_shade(const struct game *game, uint32_t index);
+
+/* ---- Release of fish ------------------------------------------------------------------------- */
+
+/* Releases fish: fish on a poi that disappears fall into the water or a bowl.
+ *
+ * A poi disappears when its controller is removed during a round, and when the poi is replaced. */
+
+/* Releases every fish on the poi. Each fish falls with its current velocity, limited to the
+ * velocity of a calm arm. */
+void failsafe_release_all(struct poi *poi, const struct tank *tank);
+
+/* Advances the released fish of an unused poi by one tick. Call instead of catch_tick(). Every fish
+ * soon reaches the water or a bowl. Fish that land in a bowl are added to `results`. */
+void failsafe_release_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall,
+                           struct catch_result results[POI_MAX]);
 
 #endif

@@ -83,6 +83,9 @@ float input_validation_blend(const struct input_validation *validation);
 enum input_status input_validation_tick(struct input_validation *validation,
                                         const struct poi_input *input);
 
+/* Returns `hash` continued over the position and the angles of `pose`. */
+uint64_t input_pose_hash(uint64_t hash, const struct poi_target *pose);
+
 uint64_t input_validation_hash(uint64_t hash, const struct input_validation *validation);
 
 #endif

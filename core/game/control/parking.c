@@ -1,7 +1,8 @@
 /* parking.c -- decides which pois are parked, and computes their motion and their remaining effect
  * on fish and other pois. */
-#include "core/game/control/parking.h"
+#include "core/game/control/controller.h"
 
+#include "core/base/panic.h"
 #include "core/game/game.h"
 #include "core/poi/world.h"
 #include "core/tank/preset.h"
@@ -26,34 +27,22 @@
 #define CLEAR_M 0.010f /* Smallest distance between the poi and a bowl. */
 #define FADE_TICKS 60.0f
 
-static float rim_m(const struct world *world)
-{
-    return world->tank.wall_height_m - world->tank.size_m.y;
-}
-
 struct poi_target parking_place(const struct world *world, uint32_t index)
 {
+    CORE_ASSERT(index < POI_MAX);
     const vec3 bowl_m = tank_preset(world->tank.preset)->bowl_m[index];
     const float side = bowl_m.x < 0.0f ? -1.0f : 1.0f;
     const float wall_m = 0.5f * world->tank.size_m.x;
+    const float rim_m = world->tank.wall_height_m - world->tank.size_m.y;
     return (struct poi_target){
-        .position_m = v3(side * (wall_m - INSIDE_M), rim_m(world) + ON_RIM_M, bowl_m.z - ALONG_M),
+        .position_m = v3(side * (wall_m - INSIDE_M), rim_m + ON_RIM_M, bowl_m.z - ALONG_M),
     };
-}
-
-/* Returns 1 if the poi is unused, otherwise 0. A bot uses its poi only during a game. A person uses
- * the poi, also as a pointer, until the person is out. */
-static int is_idle(const struct game *game, const struct world *world, uint32_t index)
-{
-    const int in_play = game->phase == PHASE_ATTRACT || game->phase == PHASE_ROUND;
-    const int is_out =
-        game->player[index].out && game->phase >= PHASE_READY && game->phase <= PHASE_RESULT;
-    return is_out || (!in_play && world->poi[index].link == POI_SOURCE_BOT);
 }
 
 /* Returns the ticks since the poi was parked. */
 static uint32_t held_ticks(const struct game *game, uint32_t index)
 {
+    CORE_ASSERT(index < POI_MAX);
     const uint32_t linger = game->player[index].out ? PARKING_LINGER_TICKS : 0u;
     const uint32_t ticks = game->rest_ticks[index];
     return ticks > linger ? ticks - linger : 0u;
@@ -64,10 +53,17 @@ int parking_is_parked(const struct game *game, uint32_t index)
     return held_ticks(game, index) > 0;
 }
 
+/* A bot uses its poi only during a game. A person uses the poi, also as a pointer, until the person
+ * is out. */
 int parking_tick(struct game *game, const struct world *world, uint32_t index)
 {
+    CORE_ASSERT(index < POI_MAX);
     uint32_t *ticks = &game->rest_ticks[index];
-    *ticks = is_idle(game, world, index) ? *ticks + 1u : 0u;
+    const int in_play = game->phase == PHASE_ATTRACT || game->phase == PHASE_ROUND;
+    const int is_out =
+        game->player[index].out && game->phase >= PHASE_READY && game->phase <= PHASE_RESULT;
+    const int is_idle = is_out || (!in_play && world->poi[index].link == POI_SOURCE_BOT);
+    *ticks = is_idle ? *ticks + 1u : 0u;
     return parking_is_parked(game, index);
 }
 
@@ -79,61 +75,51 @@ static float turn_level(float angle_rad)
     return angle_rad - f_clamp(angle_rad, -step_rad, step_rad);
 }
 
-/* Returns 1 if the ring is below a bowl or between two bowls, where the ring cannot move up;
- * otherwise 0. */
-static int is_under_a_bowl(const struct world *world, vec3 ring_m)
-{
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        const struct bowl *bowl = &world->bowl[i];
-        const float x_m = ring_m.x - bowl->position_m.x, z_m = ring_m.z - bowl->position_m.z;
-        const float clear_m = BOWL_RADIUS_M + POI_OUTER_RADIUS_M + CLEAR_M;
-        if (bowl->present && ring_m.y < bowl->position_m.y &&
-            x_m * x_m + z_m * z_m < clear_m * clear_m) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 static float step_of(float way_m, float pace_m_s)
 {
+    CORE_ASSERT(pace_m_s > 0.0f);
     return f_clamp(way_m, -pace_m_s * CORE_TICK_S, pace_m_s * CORE_TICK_S);
 }
 
-/* Returns the next position of the poi. The motion has four steps: toward the middle of the tank,
- * up, over the rims, and down. The ring's actual position selects the step. */
-static vec3 next_m(const struct world *world, uint32_t index, vec3 at_m, float begun)
-{
-    const vec3 place_m = parking_place(world, index).position_m;
-    const vec3 ring_m = world->poi[index].position_m;
-    const vec3 way_m = v3_sub(place_m, at_m);
-    const vec3 aside_m = v3_scale(v3(way_m.x, 0.0f, way_m.z), AWAY_SHARE);
-    if (is_under_a_bowl(world, ring_m)) {
-        return v3(at_m.x - step_of(at_m.x, LIFT_M_S) * begun, at_m.y, at_m.z);
-    }
-    if (f_min(at_m.y, ring_m.y) < place_m.y - ON_RIM_M) {
-        at_m.y += step_of(place_m.y + OVER_RIM_M - at_m.y, LIFT_M_S) * begun;
-        return at_m;
-    }
-    const int is_over = way_m.x * way_m.x + way_m.z * way_m.z < NEAR_M * NEAR_M;
-    const float high_m = f_max(at_m.y, place_m.y + OVER_RIM_M);
-    at_m.y += is_over ? step_of(way_m.y, DOWN_M_S) : step_of(high_m - at_m.y, LIFT_M_S);
-    return v3_muladd(at_m, v3_limit(aside_m, AWAY_M_S * CORE_TICK_S), begun);
-}
-
+/* The motion has four steps: toward the middle of the tank, up, over the rims, and down. The ring's
+ * actual position selects the step. The first step is taken while the ring is below a bowl or
+ * between two bowls, where the ring cannot move up. */
 struct poi_target parking_path(const struct game *game, const struct world *world, uint32_t index,
                                struct poi_target hand)
 {
     const float begun = f_min((float)held_ticks(game, index) / START_TICKS, 1.0f);
+    const float clear_m = BOWL_RADIUS_M + POI_OUTER_RADIUS_M + CLEAR_M;
+    const vec3 place_m = parking_place(world, index).position_m;
+    const vec3 ring_m = world->poi[index].position_m;
+    const vec3 way_m = v3_sub(place_m, hand.position_m);
+    vec3 at_m = hand.position_m;
+    int is_under = 0;
+    CORE_ASSERT(begun > 0.0f);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct bowl *bowl = &world->bowl[i];
+        const float x_m = ring_m.x - bowl->position_m.x, z_m = ring_m.z - bowl->position_m.z;
+        is_under |= bowl->present && ring_m.y < bowl->position_m.y &&
+                    x_m * x_m + z_m * z_m < clear_m * clear_m;
+    }
+    if (is_under) {
+        at_m.x -= step_of(at_m.x, LIFT_M_S) * begun;
+    } else if (f_min(at_m.y, ring_m.y) < place_m.y - ON_RIM_M) {
+        at_m.y += step_of(place_m.y + OVER_RIM_M - at_m.y, LIFT_M_S) * begun;
+    } else {
+        const vec3 aside_m = v3_scale(v3(way_m.x, 0.0f, way_m.z), AWAY_SHARE);
+        const int is_over = way_m.x * way_m.x + way_m.z * way_m.z < NEAR_M * NEAR_M;
+        const float high_m = f_max(at_m.y, place_m.y + OVER_RIM_M);
+        at_m.y += is_over ? step_of(way_m.y, DOWN_M_S) : step_of(high_m - at_m.y, LIFT_M_S);
+        at_m = v3_muladd(at_m, v3_limit(aside_m, AWAY_M_S * CORE_TICK_S), begun);
+    }
     return (struct poi_target){
-        .position_m = next_m(world, index, hand.position_m, begun),
+        .position_m = at_m,
         .angles = { turn_level(hand.angles.yaw_rad), turn_level(hand.angles.pitch_rad),
                     turn_level(hand.angles.roll_rad) },
     };
 }
 
-/* ---- Effect on fish, pois and light
- * ----------------------------------------------------------- */
+/* ---- Effect on fish, pois and light ---------------------------------------------------------- */
 
 int parking_collides(const struct game *game, const struct world *world, uint32_t index)
 {

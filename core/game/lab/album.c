@@ -1,39 +1,31 @@
 /* album.c -- the album: stores the caught fish, and computes each fish's life from the species'
  * growth curve. */
-#include "core/game/lab/album.h"
+#include "core/game/lab/lab.h"
 
 #include "core/base/hash.h"
-#include "core/game/game.h"
-#include "core/poi/world.h"
+#include "core/base/panic.h"
 #include "core/config.h"
+#include "core/game/control/controller.h"
+#include "core/game/game.h"
 #include "core/game/phases.h"
 #include "core/morph/morph.h"
+#include "core/poi/world.h"
 #include "core/scene_helpers.h"
-
-void album_clear(struct album *album)
-{
-    *album = (struct album){ 0 };
-}
-
-static int is_noted(const struct album *album, uint32_t fish)
-{
-    for (uint32_t i = 0; i < album->fish_count; i++) {
-        if (album->fish[i].fish == fish) {
-            return 1;
-        }
-    }
-    return 0;
-}
 
 void album_note(struct album *album, const struct world *world, uint32_t index, uint32_t count)
 {
+    CORE_ASSERT(index < POI_MAX && album->fish_count <= ALBUM_FISH_MAX);
     album->caught += count;
     for (uint32_t i = 0; i < world->tank.fish_count && count > 0; i++) {
         const struct fish *fish = &world->tank.fish[i];
+        int is_noted = 0;
         if (album->fish_count == ALBUM_FISH_MAX) {
             return;
         }
-        if (fish->gait == GAIT_BOWL && fish->holder == index && !is_noted(album, i)) {
+        for (uint32_t k = 0; k < album->fish_count; k++) {
+            is_noted |= album->fish[k].fish == i;
+        }
+        if (fish->gait == GAIT_BOWL && fish->holder == index && !is_noted) {
             album->fish[album->fish_count++] = (struct album_fish){
                 .fish = i,
                 .look = fish->look,
@@ -48,6 +40,7 @@ void album_note(struct album *album, const struct world *world, uint32_t index, 
 
 uint32_t album_ticks(uint32_t fish_count)
 {
+    CORE_ASSERT(fish_count <= ALBUM_FISH_MAX);
     return fish_count == 0
                ? 0u
                : ALBUM_LIFE_TICKS + (fish_count - 1u) * ALBUM_STAGGER_TICKS + ALBUM_REST_TICKS;
@@ -65,8 +58,9 @@ int album_begin(struct game *game)
 void album_tick(struct game *game, struct world *world, const struct core_config *config,
                 const struct input *input, struct output *output)
 {
+    CORE_ASSERT(game->phase == PHASE_ALBUM && game->album.fish_count > 0);
     const uint32_t elapsed = game->tick - game->phase_tick;
-    const int dipped = game_dipped_player(game, world, input) < POI_MAX;
+    const int dipped = controller_dipped_player(game, world, input) < POI_MAX;
     if (dipped || (input->pressed & INPUT_START)) {
         mode_select_begin(game, world, config, output);
     } else if ((input->pressed & INPUT_OK) || elapsed >= album_ticks(game->album.fish_count)) {
@@ -74,46 +68,11 @@ void album_tick(struct game *game, struct world *world, const struct core_config
     }
 }
 
-/* Returns the progress of fish `index` through its life, [0, 1]. The progress is slow at both ends,
- * where the fish changes most. */
-static float lived(uint32_t elapsed, uint32_t index)
-{
-    const uint32_t begin = index * ALBUM_STAGGER_TICKS;
-    const uint32_t since = elapsed > begin ? elapsed - begin : 0u;
-    return f_smoothstep(0.0f, 1.0f, f_min((float)since / (float)ALBUM_LIFE_TICKS, 1.0f));
-}
-
-/* Returns the length of the fish at `age_days`. The length starts at the species' usual length. At
- * the age of the catch, the fish's length has its own ratio to the usual length. After that age the
- * ratio stays constant. */
-static float own_length_m(const struct species_card *card, const struct album_fish *fish,
-                          float progress, float age_days)
-{
-    const float usual_m = life_length_m(card, life_progress(card, fish->age_days));
-    const float part = f_min(age_days / f_max(fish->age_days, 1.0f), 1.0f);
-    return life_length_m(card, progress) * f_lerp(1.0f, fish->length_m / usual_m, part);
-}
-
-static void show_fish(const struct album_fish *fish, float progress, struct scene_grown *out)
-{
-    const struct species_card *card = &species_wakin.card;
-    const float age_days = life_age_days(card, progress);
-    *out = (struct scene_grown){
-        .owner = (uint8_t)fish->owner,
-        .is_caught = age_days >= fish->age_days,
-        .look = fish->look,
-        .caught_age_days = fish->age_days,
-        .caught_length_m = fish->length_m,
-        .age_days = age_days,
-        .length_m = own_length_m(card, fish, progress, age_days),
-        .progress = progress,
-        .maturity = scene_maturity(age_days),
-    };
-}
-
 void album_show(const struct game *game, struct scene_album *out)
 {
     const struct album *album = &game->album;
+    const struct species_card *card = &species_wakin.card;
+    const uint32_t elapsed = game->tick - game->phase_tick;
     *out = (struct scene_album){ 0 };
     if (game->phase != PHASE_ALBUM) {
         return;
@@ -121,7 +80,29 @@ void album_show(const struct game *game, struct scene_album *out)
     out->caught = album->caught;
     out->fish_count = album->fish_count;
     for (uint32_t i = 0; i < album->fish_count; i++) {
-        show_fish(&album->fish[i], lived(game->tick - game->phase_tick, i), &out->fish[i]);
+        const struct album_fish *fish = &album->fish[i];
+        const uint32_t begin = i * ALBUM_STAGGER_TICKS;
+        const float share =
+            (float)(elapsed > begin ? elapsed - begin : 0u) / (float)ALBUM_LIFE_TICKS;
+        /* The progress is slow at both ends of the life, where the fish changes most. */
+        const float progress = f_smoothstep(0.0f, 1.0f, f_min(share, 1.0f));
+        const float age_days = life_age_days(card, progress);
+        /* The length starts at the species' usual length. At the age of the catch, the fish's
+         * length has its own ratio to the usual length. After that age the ratio stays constant. */
+        const float usual_m = life_length_m(card, life_progress(card, fish->age_days));
+        const float part = f_min(age_days / f_max(fish->age_days, 1.0f), 1.0f);
+        out->fish[i] = (struct scene_grown){
+            .owner = (uint8_t)fish->owner,
+            .is_caught = age_days >= fish->age_days,
+            .look = fish->look,
+            .caught_age_days = fish->age_days,
+            .caught_length_m = fish->length_m,
+            .age_days = age_days,
+            .length_m =
+                life_length_m(card, progress) * f_lerp(1.0f, fish->length_m / usual_m, part),
+            .progress = progress,
+            .maturity = scene_maturity(age_days),
+        };
     }
 }
 

@@ -3,12 +3,12 @@
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
-#include "core/game/game.h"
-#include "core/poi/world.h"
+#include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/lab/lab_press.h"
+#include "core/game/game.h"
 #include "core/game/phases.h"
 #include "core/game/table_setup.h"
+#include "core/poi/world.h"
 
 /* Seconds in which LEFT or RIGHT moves through a whole life while held. */
 #define BUTTON_LIFE_S 9.0f
@@ -24,6 +24,7 @@ void lab_init(struct lab *lab, const struct core_config *config)
 void lab_begin(struct game *game, struct world *world, const struct core_config *config,
                struct output *output)
 {
+    CORE_ASSERT(game->lab.species < lab_book_count(&config->book));
     struct lab *lab = &game->lab;
     table_setup_empty_bowls(world);
     table_setup_prepare(game, world, config, config->preset);
@@ -37,50 +38,46 @@ void lab_begin(struct game *game, struct world *world, const struct core_config 
 
 /* ---- The pointer ---------------------------------------------------------------------------- */
 
-static void note_stir(struct lab *lab, uint32_t tick)
-{
-    const float x = lab->x - lab->stir_x, y = lab->y - lab->stir_y;
-    if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
-        lab->stir_x = lab->x;
-        lab->stir_y = lab->y;
-        lab->stir_tick = tick;
-    }
-}
-
-/* Switches to a different player's pointer. After the switch, nothing is pressed until the new
- * pointer has been above the water. A drag by the previous player therefore does not continue. */
-static void change_hands(struct lab *lab, uint32_t index)
-{
-    if (lab->has_hand && index != lab->hand) {
-        lab->presses = 1;
-        lab->holds = HOLD_BUTTON;
-        lab->held_knot = LAB_NO_KNOT;
-    }
-    lab->hand = (uint8_t)index;
-}
-
-/* Updates the pointer's position and its press state. */
+/* Updates the pointer's position and its press state. The pointer belongs to the first player who
+ * has a bowl at the tank and a valid pose. After a switch to a different player's pointer, nothing
+ * is pressed until the new pointer has been above the water. A drag by the previous player
+ * therefore does not continue. */
 static void track_lab_hand(struct game *game, struct world *world, const struct core_config *config,
                            const struct input *input, struct output *output)
 {
     struct lab *lab = &game->lab;
-    const struct pointer_state hand = pointer_first(world, input, lab->upright);
+    struct pointer_state hand = { 0 };
+    for (uint32_t i = 0; i < POI_MAX && !hand.present; i++) {
+        if (world->bowl[i].present) {
+            hand = pointer_of_player(world, input, lab->upright, i);
+        }
+    }
     if (!hand.present) {
         lab->has_hand = lab->presses = 0;
         lab_release(game, world, config);
         return;
     }
-    change_hands(lab, hand.player);
+    if (lab->has_hand && hand.player != lab->hand) {
+        lab->presses = 1;
+        lab->holds = HOLD_BUTTON;
+        lab->held_knot = LAB_NO_KNOT;
+    }
+    lab->hand = hand.player;
     lab->has_hand = 1;
     lab->x = hand.at.x;
     lab->y = hand.at.y;
-    note_stir(&game->lab, game->tick);
+    const float x = lab->x - lab->stir_x, y = lab->y - lab->stir_y;
+    if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
+        lab->stir_x = lab->x;
+        lab->stir_y = lab->y;
+        lab->stir_tick = game->tick;
+    }
     const int was_down = lab->presses;
     lab->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (lab->presses && !was_down) {
-        lab_press(&game->lab, &config->book, game->tick, output);
+        lab_press(lab, &config->book, game->tick, output);
     } else if (lab->presses) {
-        lab_drag(&game->lab, &config->book);
+        lab_drag(lab, &config->book);
     } else {
         lab_release(game, world, config);
     }
@@ -90,90 +87,67 @@ static void track_lab_hand(struct game *game, struct world *world, const struct 
 
 static void step_life(struct lab *lab, float way)
 {
+    CORE_ASSERT(f_is_finite(way));
     lab->playing = 0;
     lab->rest_ticks = 0;
     lab->progress = f_clamp(lab->progress + way, 0.0f, 1.0f);
 }
 
-/* Returns 1 if START was held long enough to leave the lab, otherwise 0. heed_buttons() handles a
- * short press, which starts or stops the playback. */
-static int ends_by_start(struct lab *lab, const struct input *input)
-{
-    lab->start_ticks = input->held & INPUT_START ? lab->start_ticks + 1u : 0u;
-    return lab->start_ticks >= LAB_END_TICKS;
-}
+/* ---- The tick ------------------------------------------------------------------------------- */
 
-static void heed_buttons(struct lab *lab, const struct lab_book *book, uint32_t tick,
-                         const struct input *input, struct output *output)
+static void take_lab_buttons(struct lab *lab, const struct lab_book *book, uint32_t tick,
+                             const struct input *input, struct output *output)
 {
     const float step = CORE_TICK_S / BUTTON_LIFE_S;
-    if ((input->held | input->pressed) & INPUT_LEFT) {
+    const uint32_t down = input->held | input->pressed;
+    if (down & INPUT_LEFT) {
         step_life(lab, -step);
     }
-    if ((input->held | input->pressed) & INPUT_RIGHT) {
+    if (down & INPUT_RIGHT) {
         step_life(lab, step);
     }
-    if (input->pressed & INPUT_START) {
+    if (input->pressed & INPUT_START) { /* A short press starts or stops the playback. */
         lab_use(lab, book, LAB_PLAY, output);
     }
     if (input->pressed & INPUT_OK) {
         lab_use(lab, book, LAB_NEXT, output);
     }
     const uint32_t guests = ~(uint32_t)INPUT_TEST;
-    if ((input->pressed | input->held) & guests) {
-        lab->stir_tick = tick;
-    }
-    if (input->pressed & guests) { /* Only new presses count as activity, because a button that is
-                                      held for minutes is stuck. */
-        lab->act_tick = tick;
-    }
-}
-
-/* ---- The tick ------------------------------------------------------------------------------- */
-
-static void play_on(struct lab *lab)
-{
-    if (!lab->playing || lab->holds > HOLD_NOTHING) {
-        return;
-    }
-    lab->progress = f_min(lab->progress + 1.0f / (float)LAB_LIFE_TICKS, 1.0f);
-    lab->rest_ticks = lab->progress < 1.0f ? 0u : lab->rest_ticks + 1u;
-    if (lab->rest_ticks > LAB_REST_TICKS) {
-        lab->progress = 0.0f;
-        lab->rest_ticks = 0;
-    }
-}
-
-static int is_deserted(const struct lab *lab, uint32_t tick)
-{
-    return tick - lab->stir_tick >= LAB_IDLE_TICKS || tick - lab->act_tick >= LAB_SWING_TICKS;
+    lab->stir_tick = down & guests ? tick : lab->stir_tick;
+    /* Only new presses count as activity, because a button that is held for minutes is stuck. */
+    lab->act_tick = input->pressed & guests ? tick : lab->act_tick;
 }
 
 void lab_tick(struct game *game, struct world *world, const struct core_config *config,
               const struct input *input, struct output *output)
 {
     struct lab *lab = &game->lab;
+    CORE_ASSERT(game->phase == PHASE_LAB);
+    CORE_ASSERT(lab->species < lab_book_count(&config->book) && lab->layer <= LAB_LAYER_SIZE);
     lab->upright = input->upright != 0;
     lab->edit_refused = input->edit_refused != 0;
     lab->saved_id = input->edit_saved_id > lab->saved_id ? input->edit_saved_id : lab->saved_id;
-    heed_buttons(&game->lab, &config->book, game->tick, input, output);
+    take_lab_buttons(lab, &config->book, game->tick, input, output);
     track_lab_hand(game, world, config, input, output);
-    play_on(lab);
-    if (game->phase == PHASE_LAB &&
-        (ends_by_start(&game->lab, input) || is_deserted(&game->lab, game->tick))) {
-        attract_begin(game, world, config);
+    if (lab->playing && lab->holds == HOLD_NOTHING) {
+        lab->progress = f_min(lab->progress + 1.0f / (float)LAB_LIFE_TICKS, 1.0f);
+        lab->rest_ticks = lab->progress < 1.0f ? 0u : lab->rest_ticks + 1u;
+        if (lab->rest_ticks > LAB_REST_TICKS) {
+            lab->progress = 0.0f;
+            lab->rest_ticks = 0;
+        }
+    }
+    if (game->phase == PHASE_LAB) {
+        const int is_deserted = game->tick - lab->stir_tick >= LAB_IDLE_TICKS ||
+                                game->tick - lab->act_tick >= LAB_SWING_TICKS;
+        lab->start_ticks = input->held & INPUT_START ? lab->start_ticks + 1u : 0u;
+        if (lab->start_ticks >= LAB_END_TICKS || is_deserted) {
+            attract_begin(game, world, config);
+        }
     }
 }
 
 /* ---- Display -------------------------------------------------------------------------------- */
-
-static uint8_t keeping(const struct lab *lab)
-{
-    return lab->asked_id == 0               ? LAB_NOT_SAVED
-           : lab->saved_id >= lab->asked_id ? LAB_SAVED
-           : lab->edit_refused              ? LAB_UNSAVED
-                                            : LAB_SAVING;
-}
 
 void lab_show(const struct lab *lab, const struct lab_book *book, struct scene_lab *out)
 {
@@ -194,7 +168,10 @@ void lab_show(const struct lab *lab, const struct lab_book *book, struct scene_l
     out->holds = lab->holds;
     out->held_knot = lab->held_knot;
     out->upright = lab->upright;
-    out->keeping = keeping(lab);
+    out->keeping = lab->asked_id == 0               ? LAB_NOT_SAVED
+                   : lab->saved_id >= lab->asked_id ? LAB_SAVED
+                   : lab->edit_refused              ? LAB_UNSAVED
+                                                    : LAB_SAVING;
     out->is_own = (uint8_t)lab_is_own(lab, book);
     out->is_kept = (uint8_t)lab_is_kept(lab, book);
     out->x = lab->x;

@@ -8,67 +8,10 @@
 #ifndef KINGYO_CORE_GAME_LAB_LAB_H
 #define KINGYO_CORE_GAME_LAB_LAB_H
 
-#include "core/game/lab/lab_book.h"
-#include "core/game/lab/lab_layout.h"
-#include "core/input.h"
+#include <stdint.h>
+
+#include "core/game/lab/lab_state.h"
 #include "core/output.h"
-#include "core/scene.h"
-
-/* Time without motion after which the kiosk leaves the lab for attract mode. */
-#define LAB_IDLE_TICKS (60u * CORE_TICK_HZ)
-/* Time without a press after which the kiosk also leaves the lab. A poi that swings on its cord
- * moves but never presses. */
-#define LAB_SWING_TICKS (180u * CORE_TICK_HZ)
-#define LAB_LIFE_TICKS (14u * CORE_TICK_HZ) /* Duration of the playback of a life. */
-/* Pause after the playback of a life, before the playback starts again. */
-#define LAB_REST_TICKS (5u * CORE_TICK_HZ / 2u)
-#define LAB_END_TICKS (3u * CORE_TICK_HZ / 2u) /* Time for which START must be held to leave. */
-#define LAB_GRAB 24.0f /* Distance on the canvas within which a press grabs a knot of the graph. */
-
-/* Element that the pointer drags, from the press to the release. */
-enum lab_hold {
-    HOLD_NOTHING = 0,
-    HOLD_AGE,    /* Position on the age axis. */
-    HOLD_CHART,  /* Position on the growth curve. */
-    HOLD_PLOT,   /* Position on the graph. */
-    HOLD_WEIGHT, /* Knot of the weight curve of the key in `layer`. */
-    HOLD_SIZE,   /* Knot of the scale curve. */
-    HOLD_BUTTON,
-    HOLD_LEAVE, /* Leave button, which acts when it is released. */
-};
-
-/* Value of `layer` for the scale curve. A smaller value is the index of a key. */
-#define LAB_LAYER_SIZE MORPH_KEY_MAX
-
-struct lab {
-    uint8_t species; /* Index of the displayed species in the lab book. */
-    uint8_t layer;   /* Curve that is edited: the index of a key, or LAB_LAYER_SIZE. */
-    uint8_t playing, compare, path;
-    uint8_t has_hand, presses;
-    uint8_t hand;   /* Player whose pose points, or pointed last. */
-    uint8_t points; /* Part of the page under the pointer (enum lab_part). */
-    uint8_t holds;  /* Element that is dragged (enum lab_hold). */
-    uint8_t held_knot;
-    uint8_t upright;               /* 1 if the last input reported a portrait screen, otherwise
-                                      0. */
-    uint8_t edit_refused;          /* 1 if the last input reported that the store saves no edits,
-                                      otherwise 0. */
-    uint8_t has_edit[SPECIES_MAX]; /* 1 for each species of which the kiosk has a saved edit,
-                                      otherwise 0. */
-    uint32_t stir_tick, act_tick;  /* Tick of the last motion, and tick of the last press. */
-    uint32_t rest_ticks;           /* Ticks since the playback of the life ended. */
-    uint32_t start_ticks;          /* Ticks for which START has been held. */
-    uint32_t save_id, saved_id;    /* Id of the newest edit sent to the store, and id of the newest
-                                      edit confirmed on disk. */
-    uint32_t asked_id;             /* Id of the save request for the current edit; 0 means that
-                                      saving was not requested. */
-    float x, y;                    /* Pointer position on the canvas. */
-    float stir_x, stir_y;          /* Pointer position at the last motion. */
-    float progress;
-    struct lab_edit edit; /* Edit that is displayed and changed. The edit is saved only on
-                             request. */
-    struct lab_edit edits[SPECIES_MAX];
-};
 
 struct game;
 struct world;
@@ -90,5 +33,51 @@ uint64_t lab_hash_quick(uint64_t hash, const struct lab *lab); /* Returns `hash`
                                                                   lab without the saved edits. */
 uint64_t lab_hash(uint64_t hash, const struct lab *lab);       /* Returns `hash` continued over the
                                                                   saved edits. */
+
+/* ---- Pointer --------------------------------------------------------------------------------- */
+
+/* Shows a species as a larva and starts the playback of its life. Uses the saved edit if one
+ * exists. */
+void lab_take(struct lab *lab, const struct lab_book *book, uint32_t species);
+
+/* Activates `part` as if it was pressed. `part` must not be LAB_LEAVE. */
+void lab_use(struct lab *lab, const struct lab_book *book, enum lab_part part,
+             struct output *output);
+
+/* Handle the pointer's press (lab_press), its motion while pressed (lab_drag), and its release
+ * (lab_release). LAB_LEAVE acts on the release, because a pose that still moves down would count as
+ * a dip and open the lab again. */
+void lab_press(struct lab *lab, const struct lab_book *book, uint32_t tick, struct output *output);
+void lab_drag(struct lab *lab, const struct lab_book *book);
+void lab_release(struct game *game, struct world *world, const struct core_config *config);
+
+/* lab_is_own() returns 1 if the current edit equals the species' original curves, otherwise 0.
+ * lab_is_kept() returns 1 if the current edit equals the saved edit, otherwise 0. */
+int lab_is_own(const struct lab *lab, const struct lab_book *book);
+int lab_is_kept(const struct lab *lab, const struct lab_book *book);
+
+/* ---- Album ----------------------------------------------------------------------------------- */
+
+/* The album after a round: shows the growth of each caught fish from hatching to old age.
+ *
+ * Every goldfish of the tank has its own age and appearance. The album shows the fish's life
+ * before and after the catch. START or a dip starts the next game; OK turns the page. */
+
+/* Records that player `index` caught `count` fish, in the order of the catch. Fish beyond
+ * ALBUM_FISH_MAX are counted but not stored. */
+void album_note(struct album *album, const struct world *world, uint32_t index, uint32_t count);
+
+/* Enters the album phase and returns 1. If the album is empty, changes nothing and returns 0. */
+int album_begin(struct game *game);
+void album_tick(struct game *game, struct world *world, const struct core_config *config,
+                const struct input *input, struct output *output);
+
+/* Returns the duration in ticks of a page with `fish_count` fish. */
+uint32_t album_ticks(uint32_t fish_count);
+
+/* Fills `out` with the visible state of the album. In other phases all fields of `out` are 0. */
+void album_show(const struct game *game, struct scene_album *out);
+
+uint64_t album_hash(uint64_t hash, const struct album *album);
 
 #endif

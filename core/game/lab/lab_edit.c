@@ -6,11 +6,11 @@
 
 #define ROUND_GAP (5.0f * LAB_KNOT_GAP)
 
-/* ---- Complete edits
- * --------------------------------------------------------------------------- */
+/* ---- Complete edits -------------------------------------------------------------------------- */
 
 void lab_edit_own(struct lab_edit *edit, const struct species_card *card)
 {
+    CORE_ASSERT(card->curve_count >= 1);
     *edit = (struct lab_edit){ .template_id = TEMPLATE_OWN,
                                .scale_knot_count = card->scale_knot_count,
                                .graph = card->curves[0] };
@@ -32,6 +32,7 @@ void lab_edit_template(struct lab_edit *edit, const struct species_card *card,
 void lab_edit_apply(const struct lab_edit *edit, const struct species_card *card,
                     struct species_card *out)
 {
+    CORE_ASSERT(out != card);
     *out = *card;
     const uint32_t curves = edit->template_id == TEMPLATE_OWN ? 1u : card->curve_count;
     for (uint32_t i = 0; i < curves; i++) {
@@ -41,70 +42,38 @@ void lab_edit_apply(const struct lab_edit *edit, const struct species_card *card
     memcpy(out->scale_knots, edit->scale_knots, sizeof out->scale_knots);
 }
 
-static bool scale_is_good(const struct lab_edit *edit)
+bool lab_edit_is_valid(const struct lab_edit *edit, const struct species_card *card)
 {
+    const struct scale_knot *knots = edit->scale_knots;
     const uint32_t count = edit->scale_knot_count;
+    bool good = edit->template_id < TEMPLATE_COUNT && edit->graph.line <= GRAPH_SMOOTH &&
+                edit->graph.solved <= 1u &&
+                graph_check(&edit->graph, card->key_count).fault == GRAPH_GOOD;
     if (count == 0) {
-        return true;
+        return good;
     }
-    bool good = count >= 2 && count <= GRAPH_KNOT_MAX && edit->scale_knots[0].progress == 0.0f &&
-                edit->scale_knots[count - 1u].progress == 1.0f;
+    good = good && count >= 2 && count <= GRAPH_KNOT_MAX && knots[0].progress == 0.0f &&
+           knots[count - 1u].progress == 1.0f;
     for (uint32_t i = 0; good && i < count; i++) {
-        const struct scale_knot *knot = &edit->scale_knots[i];
-        good = knot->length_m >= LAB_LENGTH_MIN_M && knot->length_m <= LAB_LENGTH_MAX_M &&
-               (i == 0 || knot->progress > knot[-1].progress);
+        good = knots[i].length_m >= LAB_LENGTH_MIN_M && knots[i].length_m <= LAB_LENGTH_MAX_M &&
+               (i == 0 || knots[i].progress > knots[i - 1u].progress);
     }
     return good;
 }
 
-bool lab_edit_is_valid(const struct lab_edit *edit, const struct species_card *card)
-{
-    return edit->template_id < TEMPLATE_COUNT && edit->graph.line <= GRAPH_SMOOTH &&
-           edit->graph.solved <= 1u &&
-           graph_check(&edit->graph, card->key_count).fault == GRAPH_GOOD && scale_is_good(edit);
-}
-
-static bool same_graph(const struct graph *a, const struct graph *b)
-{
-    if (a->knot_count != b->knot_count || a->line != b->line || a->solved != b->solved) {
-        return false;
-    }
-    return memcmp(a->knots, b->knots, a->knot_count * sizeof a->knots[0]) == 0;
-}
-
 bool lab_edit_same(const struct lab_edit *a, const struct lab_edit *b)
 {
+    const struct graph *ga = &a->graph, *gb = &b->graph;
+    CORE_ASSERT(a->scale_knot_count <= GRAPH_KNOT_MAX && ga->knot_count <= GRAPH_KNOT_MAX);
     return (a->template_id == TEMPLATE_OWN) == (b->template_id == TEMPLATE_OWN) &&
-           a->scale_knot_count == b->scale_knot_count && same_graph(&a->graph, &b->graph) &&
+           a->scale_knot_count == b->scale_knot_count && ga->knot_count == gb->knot_count &&
+           ga->line == gb->line && ga->solved == gb->solved &&
+           memcmp(ga->knots, gb->knots, ga->knot_count * sizeof ga->knots[0]) == 0 &&
            memcmp(a->scale_knots, b->scale_knots, a->scale_knot_count * sizeof a->scale_knots[0]) ==
                0;
 }
 
 /* ---- Weights -------------------------------------------------------------------------------- */
-
-static float sum_of_others(const struct graph_knot *knot, uint32_t key_count, uint32_t key)
-{
-    float sum = 0.0f;
-    for (uint32_t i = 0; i < key_count; i++) {
-        sum += i != key ? knot->weight[i] : 0.0f;
-    }
-    return sum;
-}
-
-/* Gives the remaining weight to the neighbouring keys, because all other keys have weight 0. */
-static void share_among_neighbours(struct graph_knot *knot, uint32_t key_count, uint32_t key,
-                                   float rest)
-{
-    const uint32_t before = key > 0 ? key - 1u : key + 1u;
-    const uint32_t after = key + 1u < key_count ? key + 1u : key - 1u;
-    for (uint32_t i = 0; i < key_count; i++) {
-        if (i != key) {
-            knot->weight[i] = 0.0f;
-        }
-    }
-    knot->weight[before] += 0.5f * rest;
-    knot->weight[after] += 0.5f * rest;
-}
 
 void lab_edit_weigh(struct lab_edit *edit, uint32_t key_count, uint32_t knot, uint32_t key,
                     float weight)
@@ -112,15 +81,20 @@ void lab_edit_weigh(struct lab_edit *edit, uint32_t key_count, uint32_t knot, ui
     CORE_ASSERT(knot < edit->graph.knot_count);
     CORE_ASSERT(key < key_count && key_count >= 2);
     struct graph_knot *at = &edit->graph.knots[knot];
-    const float others = sum_of_others(at, key_count, key);
+    float others = 0.0f;
+    for (uint32_t i = 0; i < key_count; i++) {
+        others += i != key ? at->weight[i] : 0.0f;
+    }
     at->weight[key] = f_clamp(weight, 0.0f, 1.0f);
     const float rest = 1.0f - at->weight[key];
-    if (others > 1e-4f) {
-        for (uint32_t i = 0; i < key_count; i++) {
-            at->weight[i] *= i != key ? rest / others : 1.0f;
+    for (uint32_t i = 0; i < key_count; i++) {
+        if (i != key) {
+            at->weight[i] = others > 1e-4f ? at->weight[i] * (rest / others) : 0.0f;
         }
-    } else {
-        share_among_neighbours(at, key_count, key, rest);
+    }
+    if (!(others > 1e-4f)) { /* All other keys had weight 0, so the neighbours receive the rest. */
+        at->weight[key > 0 ? key - 1u : key + 1u] += 0.5f * rest;
+        at->weight[key + 1u < key_count ? key + 1u : key - 1u] += 0.5f * rest;
     }
 }
 
@@ -139,6 +113,7 @@ void lab_edit_move(struct lab_edit *edit, uint32_t knot, float progress)
 
 uint32_t lab_edit_add(struct lab_edit *edit, uint32_t key_count, float progress)
 {
+    CORE_ASSERT(edit->graph.knot_count <= GRAPH_KNOT_MAX);
     struct graph *graph = &edit->graph;
     struct graph_knot added = { .progress = progress };
     uint32_t place = 0;
@@ -163,6 +138,7 @@ uint32_t lab_edit_add(struct lab_edit *edit, uint32_t key_count, float progress)
 
 bool lab_edit_remove(struct lab_edit *edit, float progress)
 {
+    CORE_ASSERT(edit->graph.knot_count <= GRAPH_KNOT_MAX);
     struct graph *graph = &edit->graph;
     uint32_t nearest = LAB_NO_KNOT;
     float way = 2.0f;
@@ -183,8 +159,7 @@ bool lab_edit_remove(struct lab_edit *edit, float progress)
     return true;
 }
 
-/* ---- Scale curve
- * ------------------------------------------------------------------------------ */
+/* ---- Scale curve ----------------------------------------------------------------------------- */
 
 struct scale_line {
     struct scale_knot *knots;
@@ -195,6 +170,7 @@ struct scale_line {
  * the same progress exists. */
 static void draw_knot(struct scale_line *line, struct scale_knot knot)
 {
+    CORE_ASSERT(line->count <= GRAPH_KNOT_MAX);
     uint32_t place = 0;
     while (place < line->count && line->knots[place].progress < knot.progress) {
         place++;
@@ -213,6 +189,7 @@ static void draw_knot(struct scale_line *line, struct scale_knot knot)
  * of a conger reverses before its eel shape. */
 static bool is_in_a_turn(const struct species_card *card, float age_days)
 {
+    CORE_ASSERT(card->key_count <= MORPH_KEY_MAX);
     const float *age = card->key_age_days;
     for (uint32_t i = 1; i < card->key_count; i++) {
         if (age_days > age[i - 1u] && age_days < age[i]) {
@@ -222,57 +199,41 @@ static bool is_in_a_turn(const struct species_card *card, float age_days)
     return false;
 }
 
-static bool is_turning_point(const struct growth *growth, uint32_t index)
-{
-    const struct growth_point *at = &growth->points[index];
-    return index > 0 && index + 1u < growth->point_count &&
-           (at->length_m > at[-1].length_m) == (at->length_m > at[1].length_m);
-}
-
-/* Draws the points at which the length reverses before all other points, because not all points may
- * fit. */
-static void draw_turns(struct scale_line *line, const struct species_card *card)
-{
-    for (uint32_t turning = 2; turning-- > 0;) {
-        for (uint32_t i = 0; i < card->growth.point_count; i++) {
-            const struct growth_point *point = &card->growth.points[i];
-            if (is_in_a_turn(card, point->age_days) &&
-                is_turning_point(&card->growth, i) == (turning == 1u)) {
-                draw_knot(line, (struct scale_knot){ life_progress(card, point->age_days),
-                                                     point->length_m });
-            }
-        }
-    }
-}
-
-/* Adds a knot in the middle between distant knots, because a straight line would cut off a curved
- * part. */
-static void draw_rounds(struct scale_line *line, const struct species_card *card)
-{
-    for (uint32_t i = 1; i < line->count; i++) {
-        const float from = line->knots[i - 1u].progress, to = line->knots[i].progress;
-        const float middle = 0.5f * (from + to), age_days = life_age_days(card, middle);
-        if (to - from > ROUND_GAP && is_in_a_turn(card, age_days)) {
-            draw_knot(line,
-                      (struct scale_knot){ middle, growth_length_m(&card->growth, age_days) });
-        }
-    }
-}
-
+/* The points at which the length reverses are drawn before all other points, because not all points
+ * may fit. A knot is added in the middle between distant knots, because a straight line would cut
+ * off a curved part. */
 uint32_t lab_edit_scale_knots(const struct lab_edit *edit, const struct species_card *card,
                               struct scale_knot out[GRAPH_KNOT_MAX])
 {
+    const struct growth *growth = &card->growth;
+    struct scale_line line = { .knots = out };
     if (edit->scale_knot_count > 0) {
         memcpy(out, edit->scale_knots, sizeof edit->scale_knots);
         return edit->scale_knot_count;
     }
-    struct scale_line line = { .knots = out };
+    CORE_ASSERT(card->key_count >= 2 && card->key_count <= MORPH_KEY_MAX);
     for (uint32_t i = 0; i < card->key_count; i++) {
         draw_knot(&line, (struct scale_knot){ (float)i / (float)(card->key_count - 1u),
                                               card->key_length_m[i] });
     }
-    draw_turns(&line, card);
-    draw_rounds(&line, card);
+    for (uint32_t turning = 2; turning-- > 0;) {
+        for (uint32_t i = 0; i < growth->point_count; i++) {
+            const struct growth_point *at = &growth->points[i];
+            const int is_turn = i > 0 && i + 1u < growth->point_count &&
+                                (at->length_m > at[-1].length_m) == (at->length_m > at[1].length_m);
+            if (is_in_a_turn(card, at->age_days) && is_turn == (turning == 1u)) {
+                draw_knot(&line,
+                          (struct scale_knot){ life_progress(card, at->age_days), at->length_m });
+            }
+        }
+    }
+    for (uint32_t i = 1; i < line.count; i++) {
+        const float from = out[i - 1u].progress, to = out[i].progress;
+        const float middle = 0.5f * (from + to), age_days = life_age_days(card, middle);
+        if (to - from > ROUND_GAP && is_in_a_turn(card, age_days)) {
+            draw_knot(&line, (struct scale_knot){ middle, growth_length_m(growth, age_days) });
+        }
+    }
     return line.count;
 }
 
@@ -306,6 +267,7 @@ void lab_edit_size_move(struct lab_edit *edit, const struct species_card *card, 
 
 uint32_t lab_edit_size_add(struct lab_edit *edit, const struct species_card *card, float progress)
 {
+    CORE_ASSERT(edit->scale_knot_count <= GRAPH_KNOT_MAX);
     struct species_card as_edited;
     lab_edit_apply(edit, card, &as_edited);
     const struct scale_knot added = { progress, life_length_m(&as_edited, progress) };
@@ -333,6 +295,7 @@ uint32_t lab_edit_size_add(struct lab_edit *edit, const struct species_card *car
 
 bool lab_edit_size_remove(struct lab_edit *edit, const struct species_card *card, float progress)
 {
+    CORE_ASSERT(edit->scale_knot_count <= GRAPH_KNOT_MAX);
     uint32_t nearest = LAB_NO_KNOT;
     float way = 2.0f;
     struct lab_edit drawn = *edit;
@@ -370,6 +333,7 @@ static struct span axis_of(const struct species_card *card)
 
 float lab_length_share(const struct species_card *card, float length_m)
 {
+    CORE_ASSERT(length_m > 0.0f);
     const struct span axis = axis_of(card);
     return f_log(length_m / axis.low_m) / f_log(axis.high_m / axis.low_m);
 }

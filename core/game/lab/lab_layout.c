@@ -62,10 +62,17 @@ static const struct layout_box upright_boxes[LAB_PART_COUNT] = {
     [LAB_RESET] = { 433.0f, 1328.0f, 397.0f, 60.0f },
 };
 
-/* Returns the box of a key's picture. All pictures lie in one row and are as wide as the row
- * permits, but not wider than a picture of a fish needs. */
-static struct layout_box key_box(struct layout_box row, uint32_t key_count, uint32_t key)
+/* All pictures of keys lie in one row and are as wide as the row permits, but not wider than a
+ * picture of a fish needs. */
+struct layout_box lab_box(int upright, uint32_t key_count, enum lab_part part)
 {
+    const struct layout_box *boxes = upright ? upright_boxes : wide, row = boxes[LAB_KEY];
+    CORE_ASSERT(part < LAB_PART_COUNT);
+    CORE_ASSERT(key_count >= 2 && key_count <= MORPH_KEY_MAX);
+    if (part < LAB_KEY || part > LAB_KEY_LAST) {
+        return boxes[part];
+    }
+    const uint32_t key = (uint32_t)part - LAB_KEY;
     if (key >= key_count) {
         return (struct layout_box){ 0.0f, 0.0f, 0.0f, 0.0f };
     }
@@ -74,17 +81,6 @@ static struct layout_box key_box(struct layout_box row, uint32_t key_count, uint
     const float span = row.width - width;
     const float x = row.x + span * (float)key / (float)(key_count - 1u);
     return (struct layout_box){ x, row.y, width, row.height };
-}
-
-struct layout_box lab_box(int upright, uint32_t key_count, enum lab_part part)
-{
-    const struct layout_box *boxes = upright ? upright_boxes : wide;
-    CORE_ASSERT(part < LAB_PART_COUNT);
-    CORE_ASSERT(key_count >= 2 && key_count <= MORPH_KEY_MAX);
-    if (part >= LAB_KEY && part <= LAB_KEY_LAST) {
-        return key_box(boxes[LAB_KEY], key_count, (uint32_t)part - LAB_KEY);
-    }
-    return boxes[part];
 }
 
 enum lab_part lab_part_at(int upright, uint32_t key_count, struct layout_point at)

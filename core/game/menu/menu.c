@@ -1,15 +1,15 @@
 /* menu.c -- runs one tick of the operator's menu: buttons, pointer, and selection. */
-#include "core/game/menu/menu.h"
+#include "core/game/menu/menu_pages.h"
 
 #include "core/base/mem.h"
 #include "core/base/panic.h"
-#include "core/game/game.h"
-#include "core/poi/world.h"
 #include "core/config.h"
-#include "core/game/accounting/round_standing.h"
-#include "core/game/table_setup.h"
-#include "core/game/menu/menu_internal.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/game.h"
+#include "core/game/menu/menu.h"
 #include "core/game/phases.h"
+#include "core/game/table_setup.h"
+#include "core/poi/world.h"
 
 /* Asserts that the controller state from the shell is in range. */
 static void check_controllers(const struct controller_status *desk)
@@ -34,18 +34,12 @@ int menu_is_asking(const struct game *game)
     return is_played(game) && ask_tick != 0 && game->tick - ask_tick < MENU_ASK_TICKS;
 }
 
-/* Records the pointers' positions when the menu opens, so that a pointer at rest highlights
- * nothing. */
-static void note_hands(struct menu *menu, const struct world *world, const struct input *input)
-{
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        menu->rest[i] = pointer_of_player(world, input, menu->upright, i).at;
-    }
-}
-
+/* Opens the menu. The round ends, and its credit is refunded if it is refundable. The pointers'
+ * positions are recorded, so that a pointer at rest highlights nothing. */
 static void open_menu(struct game *game, struct world *world, const struct core_config *config,
                       const struct input *input, struct output *output)
 {
+    CORE_ASSERT(game->phase != PHASE_MENU);
     struct menu *menu = &game->menu;
     *menu = (struct menu){
         .controllers = input->controllers,
@@ -57,7 +51,9 @@ static void open_menu(struct game *game, struct world *world, const struct core_
         .use_tick = game->tick,
     };
     check_controllers(&input->controllers);
-    note_hands(&game->menu, world, input);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        menu->rest[i] = pointer_of_player(world, input, menu->upright, i).at;
+    }
     if (game->phase == PHASE_ROUND && stand_is_spent(game, config)) {
         result_skip(game, world, config, output);
     } else {
@@ -92,27 +88,25 @@ int menu_opens(struct game *game, struct world *world, const struct core_config 
 
 /* ---- Pointing ------------------------------------------------------------------------------- */
 
-static uint8_t first_tag(uint16_t offered)
-{
-    uint8_t tag = 0;
-    while (tag < MENU_TAG_MAX && !(offered >> tag & 1u)) {
-        tag++;
-    }
-    CORE_ASSERT(tag < MENU_TAG_MAX);
-    return tag;
-}
-
 /* Highlights an available item. The previously highlighted item may have become unavailable, for
  * example after a controller was unplugged. */
 static void point_at_something(struct menu *menu)
 {
     const uint16_t offered = menu_enabled(menu);
-    uint8_t *tag = &menu->tag[menu->page];
-    *tag = offered >> *tag & 1u ? *tag : first_tag(offered);
+    uint8_t tag = menu->tag[menu->page];
+    if (!(offered >> tag & 1u)) {
+        tag = 0;
+        while (tag < MENU_TAG_MAX && !(offered >> tag & 1u)) {
+            tag++;
+        }
+    }
+    CORE_ASSERT(tag < MENU_TAG_MAX);
+    menu->tag[menu->page] = tag;
 }
 
 void menu_turn(struct game *game, const struct settings *settings, enum menu_page page)
 {
+    CORE_ASSERT(page < MENU_PAGE_COUNT);
     struct menu *menu = &game->menu;
     menu->page = (uint8_t)page;
     menu->points = 0; /* An item under a pointer at rest does not count as pointed at. */
@@ -124,6 +118,7 @@ void menu_turn(struct game *game, const struct settings *settings, enum menu_pag
 
 static void point_at_tag(struct menu *menu, uint32_t tag, struct output *output)
 {
+    CORE_ASSERT(tag < menu_tag_count(menu->page));
     if (menu->tag[menu->page] != tag) {
         menu->tag[menu->page] = (uint8_t)tag;
         output_sound(output, SOUND_CHOOSE, 0.6f, 0.0f);
@@ -133,6 +128,7 @@ static void point_at_tag(struct menu *menu, uint32_t tag, struct output *output)
 /* Moves the highlight to the next available item, forward or backward, and wraps around. */
 static void point_on(struct menu *menu, int forward, struct output *output)
 {
+    CORE_ASSERT(menu->page < MENU_PAGE_COUNT);
     const uint32_t count = menu_tag_count(menu->page);
     const uint16_t offered = menu_enabled(menu);
     uint32_t tag = menu->tag[menu->page];
@@ -145,6 +141,7 @@ static void point_on(struct menu *menu, int forward, struct output *output)
 static void activate_pointed_tag(struct game *game, struct world *world, struct core_config *config,
                                  struct output *output)
 {
+    CORE_ASSERT(game->phase == PHASE_MENU);
     struct menu *menu = &game->menu;
     if (game->tick - menu->take_tick < MENU_TAKE_TICKS) {
         return;
@@ -159,22 +156,15 @@ static int is_way_back(const struct input *input)
     return (input->pressed & MENU_WAY_BACK) == MENU_WAY_BACK;
 }
 
-static void activate_last_tag(struct game *game, struct world *world, struct core_config *config,
-                              struct output *output)
-{
-    struct menu *menu = &game->menu;
-    menu->tag[menu->page] = (uint8_t)(menu_tag_count(menu->page) - 1u);
-    CORE_ASSERT(menu_enabled(menu) >> menu->tag[menu->page] & 1u);
-    activate_pointed_tag(game, world, config, output);
-}
-
-static void heed_buttons(struct game *game, struct world *world, struct core_config *config,
-                         const struct input *input, struct output *output)
+static void take_menu_buttons(struct game *game, struct world *world, struct core_config *config,
+                              const struct input *input, struct output *output)
 {
     struct menu *menu = &game->menu;
     const uint32_t inside = INPUT_TEST | INPUT_SERVICE;
     if (is_way_back(input)) {
-        activate_last_tag(game, world, config, output);
+        menu->tag[menu->page] = (uint8_t)(menu_tag_count(menu->page) - 1u);
+        CORE_ASSERT(menu_enabled(menu) >> menu->tag[menu->page] & 1u);
+        activate_pointed_tag(game, world, config, output);
         return;
     }
     const uint32_t pressed =
@@ -192,63 +182,44 @@ static void heed_buttons(struct game *game, struct world *world, struct core_con
 
 /* ---- The pointer ---------------------------------------------------------------------------- */
 
-/* Returns 1 while the motion of the controllers is not meant as pointing, otherwise 0. During
- * learning, calibration and the self-test, the motion has a different purpose. */
-static int is_learning(const struct menu *menu)
+/* Returns 1 if the page uses the motion of the controllers for a purpose other than pointing,
+ * otherwise 0. The pages of the learn wizard, the calibration and the self-test do so. */
+static int uses_motion(const struct menu *menu)
 {
-    if (menu->page == MENU_CALIBRATION) {
+    const uint8_t step = menu->controllers.learn_step;
+    switch (menu->page) {
+    case MENU_CALIBRATION:
         return menu_calibrate_is_running(&menu->calibrate);
+    case MENU_SELF_TEST:
+        return 1;
+    case MENU_LEARN:
+        return step != LEARN_TRY && step != LEARN_FAILED && step != LEARN_NOT_SAVED;
+    default:
+        return 0;
     }
-    if (menu->page == MENU_SELF_TEST) {
-        return 1; /* The self-test page tests the pois, so no poi points at items. */
-    }
-    return menu->page == MENU_LEARN && menu->controllers.learn_step != LEARN_TRY &&
-           menu->controllers.learn_step != LEARN_FAILED &&
-           menu->controllers.learn_step != LEARN_NOT_SAVED;
-}
-
-/* Returns the item under the pointer, from 1; 0 means none. */
-static uint8_t tag_under(const struct menu *menu, struct layout_point at)
-{
-    const uint16_t offered = menu_enabled(menu);
-    for (uint32_t tag = 0; tag < menu_tag_count(menu->page); tag++) {
-        if (pointer_is_inside(menu_box(menu->upright, menu->page, offered, tag), 0.0f, at)) {
-            return (uint8_t)(tag + 1u);
-        }
-    }
-    return 0;
-}
-
-/* Returns the pointer of the controller that moved last. The slot need not have a bowl, because the
- * operator may test a controller that was never used in a game. `*stirs` is set to 1 if the pointer
- * has moved in this tick, otherwise to 0. */
-static struct pointer_state leading_hand(struct menu *menu, const struct world *world,
-                                         uint32_t tick, const struct input *input, int *stirs)
-{
-    struct pointer_state lead = pointer_of_player(world, input, menu->upright, menu->hand);
-    *stirs = 0;
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        const struct pointer_state hand = pointer_of_player(world, input, menu->upright, i);
-        const float x = hand.at.x - menu->rest[i].x, y = hand.at.y - menu->rest[i].y;
-        if (hand.present && x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
-            menu->rest[i] = hand.at;
-            menu->act_tick = tick;
-            lead = hand;
-            *stirs = 1;
-        }
-    }
-    return lead;
 }
 
 /* Moves the highlight when the pointer enters an item. While the pointer is at rest, even after a
- * page change, the buttons move the highlight. */
+ * page change, the buttons move the highlight. The pointer of the controller that moved last
+ * counts. Its slot need not have a bowl, because the operator may test a controller that was never
+ * used in a game. */
 static void point_at_tag_by_hand(struct game *game, struct world *world, struct core_config *config,
                                  const struct input *input, struct output *output)
 {
     struct menu *menu = &game->menu;
-    int stirs;
-    const struct pointer_state hand = leading_hand(&game->menu, world, game->tick, input, &stirs);
-    if (!hand.present || is_learning(menu)) {
+    struct pointer_state hand = pointer_of_player(world, input, menu->upright, menu->hand);
+    int stirs = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const struct pointer_state other = pointer_of_player(world, input, menu->upright, i);
+        const float x = other.at.x - menu->rest[i].x, y = other.at.y - menu->rest[i].y;
+        if (other.present && x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
+            menu->rest[i] = other.at;
+            menu->act_tick = game->tick;
+            hand = other;
+            stirs = 1;
+        }
+    }
+    if (!hand.present || uses_motion(menu)) {
         menu->has_hand = menu->points = 0;
         menu->presses = 1; /* When a pointer is present again, it selects nothing until it has been
                               above the water. */
@@ -259,7 +230,12 @@ static void point_at_tag_by_hand(struct game *game, struct world *world, struct 
     menu->hand = hand.player;
     menu->x = hand.at.x;
     menu->y = hand.at.y;
-    const uint8_t points = tag_under(menu, hand.at);
+    const uint16_t offered = menu_enabled(menu);
+    uint8_t points = 0; /* Item under the pointer, from 1; 0 means none. */
+    for (uint32_t tag = 0; tag < menu_tag_count(menu->page) && points == 0; tag++) {
+        const struct layout_box box = menu_box(menu->upright, menu->page, offered, tag);
+        points = pointer_is_inside(box, 0.0f, hand.at) ? (uint8_t)(tag + 1u) : 0u;
+    }
     if (stirs && points != menu->points && points > 0) {
         point_at_tag(menu, points - 1u, output);
     }
@@ -275,25 +251,26 @@ static void point_at_tag_by_hand(struct game *game, struct world *world, struct 
 
 /* ---- The tick ------------------------------------------------------------------------------- */
 
-static void count_presses(struct menu *menu, uint32_t pressed)
+/* Counts the presses of each button and the test coins, on every page. */
+static void count_inputs(struct menu *menu, uint32_t tick, const struct input *input,
+                         struct output *output)
 {
+    const uint32_t pressed = is_way_back(input) ? 0u : input->pressed;
+    const uint32_t coins = input_coin_pulses(input);
+    CORE_ASSERT(menu->test_coins <= MENU_COUNT_MAX);
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
         const int counts = (pressed >> i & 1u) && menu->pressed_count[i] < MENU_COUNT_MAX;
         menu->pressed_count[i] = (uint16_t)(menu->pressed_count[i] + counts);
     }
-}
-
-/* Counts coins inserted in the menu as test coins, on every page. */
-static void count_coins(struct menu *menu, uint32_t tick, uint32_t count, struct output *output)
-{
-    if (count > 0) {
+    if (coins > 0) {
         const uint32_t room = MENU_COUNT_MAX - menu->test_coins;
-        menu->test_coins += count < room ? count : room;
+        menu->test_coins += coins < room ? coins : room;
         menu->coin_tick = tick;
         output_sound(output, SOUND_COIN, 0.5f, 0.0f);
     }
 }
 
+/* Copies the state of the controllers and the buttons from `input`. */
 static void watch_input_test(struct game *game, const struct settings *settings,
                              const struct input *input, struct output *output)
 {
@@ -306,8 +283,7 @@ static void watch_input_test(struct game *game, const struct settings *settings,
     menu->controllers = input->controllers;
     menu->upright = input->upright != 0;
     menu->held = input->held;
-    count_presses(menu, is_way_back(input) ? 0u : input->pressed);
-    count_coins(&game->menu, game->tick, input_coin_pulses(input), output);
+    count_inputs(menu, game->tick, input, output);
     const int is_used = input->pressed != 0 || input_coin_pulses(input) > 0;
     menu->use_tick = is_used ? game->tick : menu->use_tick;
     menu->act_tick = is_used || has_changed ? game->tick : menu->act_tick;
@@ -319,35 +295,29 @@ static void watch_input_test(struct game *game, const struct settings *settings,
     point_at_something(menu);
 }
 
-/* Returns 1 while the selecting button is held, or while the selecting poi is still under water
- * over the item; otherwise 0. */
-static int is_taking(const struct menu *menu)
-{
-    return (menu->held & (INPUT_TEST | INPUT_START | INPUT_OK)) != 0 ||
-           (menu->has_hand && menu->presses && menu->points == menu->tag[menu->page] + 1u);
-}
-
-/* Returns 1 if no activity occurred for the timeout, or if only motion occurred for
- * MENU_SWING_SPANS timeouts; otherwise 0. */
-static int is_deserted(const struct menu *menu, uint32_t tick)
-{
-    const uint32_t span = menu->page == MENU_PIN ? MENU_PIN_IDLE_TICKS : MENU_IDLE_TICKS;
-    return tick - menu->act_tick >= span || tick - menu->use_tick >= MENU_SWING_SPANS * span;
-}
-
+/* The selecting button is held, or the selecting poi is still under water over the item, while a
+ * settings page repeats a change. The menu closes if no activity occurred for the timeout, or if
+ * only motion occurred for MENU_SWING_SPANS timeouts. */
 void menu_tick(struct game *game, struct world *world, struct core_config *config,
                const struct input *input, struct output *output)
 {
+    struct menu *menu = &game->menu;
+    CORE_ASSERT(game->phase == PHASE_MENU && menu->page < MENU_PAGE_COUNT);
     watch_input_test(game, &config->persistent.settings, input, output);
-    heed_buttons(game, world, config, input, output);
+    take_menu_buttons(game, world, config, input, output);
     if (game->phase == PHASE_MENU) {
         point_at_tag_by_hand(game, world, config, input, output);
     }
     if (game->phase == PHASE_MENU) {
-        menu_settings_tick(game, config, is_taking(&game->menu), output);
-    }
-    if (game->phase == PHASE_MENU && is_deserted(&game->menu, game->tick)) {
-        menu_close(game, world, config, output);
+        const int is_taking =
+            (menu->held & (INPUT_TEST | INPUT_START | INPUT_OK)) != 0 ||
+            (menu->has_hand && menu->presses && menu->points == menu->tag[menu->page] + 1u);
+        menu_settings_tick(game, config, is_taking, output);
+        const uint32_t span = menu->page == MENU_PIN ? MENU_PIN_IDLE_TICKS : MENU_IDLE_TICKS;
+        if (game->tick - menu->act_tick >= span ||
+            game->tick - menu->use_tick >= MENU_SWING_SPANS * span) {
+            menu_close(game, world, config, output);
+        }
     }
 }
 
@@ -355,10 +325,4 @@ int menu_tries_lines(const struct game *game)
 {
     const uint8_t page = game->menu.page;
     return game->phase == PHASE_MENU && (page == MENU_LINES || page == MENU_SELF_TEST);
-}
-
-int menu_lights_start(const struct game *game)
-{
-    return self_test_shows(game) ||
-           (menu_tries_lines(game) && (game->menu.held & INPUT_START) != 0);
 }

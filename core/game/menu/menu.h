@@ -20,145 +20,12 @@
 
 #include <stdint.h>
 
-#include "core/game/menu/menu_calibrate.h"
-#include "core/game/menu/self_test.h"
-#include "core/game/pointer_mapping.h"
-#include "core/input.h"
+#include "core/game/menu/menu_state.h"
 #include "core/output.h"
-#include "core/scene.h"
-
-/* Largest number of items on a page: twelve in its body and four at its foot. */
-#define MENU_TAG_MAX 16u
-#define MENU_ASK_TICKS (5u * CORE_TICK_HZ) /* Time in which a second TEST press ends the round. */
-/* Time after a selection in which a second selection is ignored. */
-#define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)
-/* Time without activity after which an open menu closes. */
-#define MENU_IDLE_TICKS (300u * CORE_TICK_HZ)
-/* Time without activity after which the menu closes on the PIN page. */
-#define MENU_PIN_IDLE_TICKS (20u * CORE_TICK_HZ)
-/* Number of timeouts without a press, a selection or a coin after which the menu also closes.
- * Motion that lasts longer without any press comes from a poi that swings on its cord. */
-#define MENU_SWING_SPANS 3u
-#define MENU_PIN_DIGITS 4u
-/* Upper limit of each counter on the page of the input lines. */
-#define MENU_COUNT_MAX 9999u
-
-/* Pages of the menu. Pages with the same parent are listed in the order of the enum. */
-enum menu_page {
-    MENU_TOP = 0,
-    MENU_DEVICES,     /* List of the pages about devices and wiring. */
-    MENU_CONTROLLERS, /* Page of all plugged-in controllers. */
-    MENU_CONTROLLER,  /* Page of one controller. */
-    MENU_LEARN,       /* Page of the learn wizard of a controller. */
-    MENU_LINES,       /* Test of the buttons and the coin lines. */
-    MENU_AXES,        /* Reported pose and report rate of each poi. */
-    MENU_CALIBRATION, /* Calibration: corners of the tank, water level and tilt of each slot. */
-    MENU_MONEY,       /* First of the settings pages, one for each group of settings. */
-    MENU_GAME,
-    MENU_MODES, /* Selection of the modes that players can choose. */
-    MENU_SOUND,
-    MENU_PICTURE,
-    MENU_CARD,  /* Test picture that covers the whole screen. */
-    MENU_BOOKS, /* List of the pages with statistics. */
-    MENU_EARNINGS,
-    MENU_PLAYS,
-    MENU_HOURS,
-    MENU_MACHINE,
-    MENU_RESET,     /* Confirmation of a reset of a group of statistics. */
-    MENU_RANKING,   /* Leaderboard of a mode: today, this week, or all time. */
-    MENU_SCORE,     /* One score, with its replay and the removal of its name. */
-    MENU_SELF_TEST, /* Self-test before the kiosk opens. */
-    MENU_UPKEEP,    /* List of rarely needed pages. */
-    MENU_FILES,     /* List of the files found in the data folder, and of the rejected files. */
-    MENU_ABOUT,     /* Versions of the software and names of the devices. */
-    MENU_NEW_PIN,
-    MENU_RESTART,
-    MENU_FACTORY, /* Factory reset. */
-    MENU_PIN,     /* PIN entry before all other pages, if a PIN is set. */
-    MENU_PAGE_COUNT,
-};
-
-/* Items of the pages that have code of their own. On the page of all
- * controllers, the items of the first enum follow one item for each controller. */
-enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS };
-enum { ROW_CHOOSE = 0, ROW_RELEASE, ROW_LEARN, ROW_BACK, ROW_TAGS };
-enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
-enum { LINES_BACK = 0, LINES_TAGS };
-enum {
-    CALIBRATE_NEXT = 0,
-    CALIBRATE_BEGIN,
-    CALIBRATE_UNDO,
-    CALIBRATE_NONE,
-    CALIBRATE_BACK,
-    CALIBRATE_TAGS
-};
-enum { SELF_YES = 0, SELF_NO, SELF_AGAIN, SELF_BACK, SELF_TAGS };
-enum {
-    RANKING_NEXT = SCENE_LEADERBOARD_ROWS,
-    RANKING_BACK,
-    RANKING_TAGS
-}; /* On the leaderboard page, these items follow one item for each row. */
-enum { SCORE_REPLAY = 0, SCORE_UNNAME, SCORE_CONFIRM, SCORE_BACK, SCORE_TAGS };
-enum { FILES_MORE = 0, FILES_SEEN, FILES_BACK, FILES_TAGS };
-enum { BOOK_RESET = 0, BOOK_BACK, BOOK_TAGS };
-enum {
-    CONFIRM_YES = 0,
-    CONFIRM_BACK,
-    CONFIRM_TAGS
-}; /* Items of a page that requests confirmation. The second item is highlighted first. */
-enum {
-    PIN_ERASE = 10,
-    PIN_BACK,
-    PIN_TAGS
-}; /* On the PIN page, these items follow the digit keys 1, 2 .. 9, 0. */
-
-/* Items at the foot of a settings page. The items follow one item for each setting and each
- * subpage. */
-enum { SETTINGS_DIRECTION = 0, SETTINGS_STANDARD, SETTINGS_BACK, SETTINGS_FEET };
-
-struct menu {
-    uint8_t page;       /* Open page (enum menu_page). */
-    uint8_t chosen;     /* On a settings page: the row that was changed last; MENU_TAG_MAX means
-                           none. */
-    uint8_t turns_down; /* 1 if selecting an item on a settings page lowers its value, 0 if
-                           selecting raises the value. */
-    uint8_t turning;    /* 1 while the button or poi that selected a setting is still pressed, so
-                           the value keeps changing; otherwise 0. */
-    uint8_t from;       /* Page that requested confirmation of a reset. */
-    uint8_t pin_count;  /* Number of PIN digits typed so far. */
-    uint16_t pin;       /* PIN digits typed so far, as a number. */
-    uint8_t turn_count; /* Number of automatic repeats of the current change, up to 255. */
-    uint32_t turn_tick; /* Tick of the last change of a value. */
-    uint8_t row;        /* Row of the selected controller on the controller page. */
-    uint8_t upright;    /* 1 if the last input reported a portrait screen, otherwise 0. */
-    uint8_t file_first; /* First row that the file page shows. */
-    uint8_t board;      /* Selected leaderboard: the mode's number * RANK_PERIOD_COUNT + the
-                           period's number. */
-    uint8_t score;      /* Selected row of the leaderboard. */
-    uint8_t score_is_named, score_asks; /* score_is_named is 1 if the selected row has a name.
-                                           score_asks is 1 while the removal of the name waits for
-                                           confirmation. */
-    uint16_t scores;                    /* Bit mask of the leaderboard rows that have a score. */
-    uint8_t has_hand, hand, presses;
-    uint8_t points;                             /* Item under the pointer, from 1; 0 means none. */
-    uint8_t tag[MENU_PAGE_COUNT];               /* Highlighted item of each page. */
-    struct controller_status controllers;       /* State of the controllers, from the last input. */
-    uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Presses of each button since the menu was
-                                                   opened. */
-    uint32_t held;
-    uint32_t test_coins, coin_tick; /* Number of test coins, and tick of the last one. */
-    uint32_t command_count;
-    uint32_t ask_tick;  /* Tick of a TEST press during a round; 0 means none. */
-    uint32_t take_tick; /* Tick of the last selection. */
-    uint32_t act_tick;  /* Tick of the last activity. */
-    uint32_t use_tick;  /* Tick of the last activity other than pointer motion. */
-    float x, y;         /* Pointer position on the canvas. */
-    struct calibrate calibrate;
-    struct self_test self;
-    struct layout_point rest[POI_MAX]; /* Pointer position of each slot at its last motion. */
-};
+#include "core/settings.h"
 
 struct game;
+struct ledger;
 struct settings_edit;
 struct world;
 struct core_config;
@@ -177,10 +44,6 @@ int menu_is_asking(const struct game *game);
  * and a coin counts as a test. */
 int menu_tries_lines(const struct game *game);
 
-/* Returns 1 if the menu lights the START lamp, otherwise 0. The lamp is lit while
- * self_test_shows() returns 1, and while START is held during the test of the input lines. */
-int menu_lights_start(const struct game *game);
-
 /* Returns the ticks until a PIN can be typed; 0 means immediately. A wrong PIN locks the entry for
  * 5 s. Each further wrong PIN doubles the time, up to 160 s. */
 uint32_t menu_pin_wait_ticks(const struct settings_edit *settings_edit, uint32_t tick);
@@ -193,5 +56,111 @@ uint32_t menu_files_shown(int upright);
 void menu_show(const struct game *game, const struct core_config *config, struct scene_menu *out);
 
 uint64_t menu_hash(uint64_t hash, const struct menu *menu);
+
+/* ---- Calibration ----------------------------------------------------------------------------- */
+
+/* The menu page on which the operator calibrates a slot's poi, one mark after the other, without
+ * buttons.
+ *
+ * The operator needs both hands for the poi, so a pose is accepted when it is held still for 1.5
+ * s. The poi must then move away before the next pose can be accepted. The result takes effect
+ * immediately, and the page shows the corrected position. While the menu is open, the operator can
+ * restore the previous calibration, and can also undo the restoration. */
+
+/* Returns 1 while the operator moves the poi from mark to mark, otherwise 0. During that time the
+ * poi does not point at items. */
+int menu_calibrate_is_running(const struct calibrate *calibrate);
+
+/* Returns the progress of holding the poi still, [0, 1]. */
+float menu_calibrate_progress(const struct calibrate *calibrate);
+
+/* Evaluates the uncorrected poses of the controllers. Call once per tick. The function has an
+ * effect only while the calibration page of the menu is open. */
+void menu_calibrate_tick(struct game *game, const struct world *world, struct core_config *config,
+                         const struct input *said, struct output *output);
+
+uint64_t menu_calibrate_hash(uint64_t hash, const struct calibrate *calibrate);
+
+/* ---- Self-test ------------------------------------------------------------------------------- */
+
+/* The self-test before the kiosk opens: one page that tests everything a player uses, and shows
+ * the state of the machine.
+ *
+ * Automatic checks finish within twenty seconds. The checks cover a ledger entry that the store
+ * confirms, the clock, the frame rate, and files rejected at startup. A check without a result
+ * after twenty seconds is bad. The shell adds the state of the machine (struct scene_machine),
+ * which never becomes part of the core's state. The operator confirms what only a person can
+ * notice: the sound, the lamp and the coin slot. The operator also presses each button, inserts a
+ * coin, and moves each poi in all three directions. An untested part is not ready, unless the
+ * kiosk does not use the part. A kiosk without input lines does not use the lamp and the coin
+ * slot. A kiosk in free play does not use coins. */
+
+/* Runs the checks while the self-test page of the menu is open. Call once per tick. */
+void self_test_tick(struct game *game, const struct input *input, struct output *output);
+
+/* Writes the results of the automatic checks to `out`, for self_test_judge(). */
+void self_test_show(const struct game *game, const struct core_config *config,
+                    struct scene_self_test *out);
+
+/* Returns 1 in the first half of each second while the question about the lamp and the coin slot is
+ * open, otherwise 0. While the function returns 1, the lamp is lit and the coin slot is closed. */
+int self_test_shows(const struct game *game);
+
+/* Evaluates the data of the core and of the devices in `scene`. Writes the state of each check
+ * (enum self_check) to `state`. Returns the check to display next, or SELF_CHECKS if the kiosk is
+ * ready. Checks are displayed in the following order: checks that the operator must perform, bad
+ * checks, checks that need attention, checks without a result. */
+uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS]);
+
+/* Returns the number of checks whose state is not SELF_GOOD. */
+uint32_t self_test_left(const uint8_t state[SELF_CHECKS]);
+
+uint64_t self_test_hash(uint64_t hash, const struct self_test *self);
+
+/* ---- Settings -------------------------------------------------------------------------------- */
+
+/* Changes settings while the kiosk runs. A change takes effect immediately. The ledger entry is
+ * written when the value has not changed for SETTINGS_EDIT_REST_TICKS.
+ *
+ * A caller, such as a page of the operator's menu, only calls settings_edit_set(). A later
+ * settings_edit_tick() logs each changed value. A setting is therefore not lost if the ledger's
+ * ring buffer is full or the menu is closed quickly. A value that is stepped twenty times produces
+ * one entry. */
+
+/* Initializes `settings_edit` with the settings in `config`. Invalid values are replaced by
+ * defaults. The resulting settings count as already logged. */
+void settings_edit_init(struct settings_edit *settings_edit, const struct core_config *config);
+
+/* Returns the highest value that setting `id` can have in this kiosk. The tank's capacity limits
+ * the number of fish. */
+int32_t settings_edit_max(const struct core_config *config, uint32_t id);
+
+/* Sets setting `id` to `value`. settings_allows() must permit the value, which must not exceed
+ * settings_edit_max(). A new number of fish or players takes effect when attract mode next
+ * begins. */
+void settings_edit_set(struct game *game, struct core_config *config, uint32_t id, int32_t value);
+
+/* Moves setting `id` up or down by `step_count` steps, at most to the end of its range. A step
+ * beyond the end continues at the opposite end. Returns 1 if the new value is at the end, otherwise
+ * 0. */
+int settings_edit_step(struct game *game, struct core_config *config, uint32_t id, int is_down,
+                       uint32_t step_count);
+
+/* Resets every setting to its default, empties the balance, and logs both changes in one entry.
+ * Returns 1. If the ledger's ring buffer has no room, changes nothing and returns 0. */
+int settings_edit_factory_reset(struct game *game, struct core_config *config,
+                                struct output *output);
+
+/* Logs changed settings after SETTINGS_EDIT_REST_TICKS without a further change. Call once per tick
+ * in every phase. */
+void settings_edit_tick(struct game *game, struct settings *settings, struct output *output);
+
+/* Returns 1 if every change of a setting is on disk, otherwise 0. */
+int settings_edit_is_saved(const struct ledger *ledger, const struct settings_edit *settings_edit,
+                           const struct settings *settings);
+
+/* Returns `hash` continued over `settings_edit`. The PIN is included only if `rules_7` (struct
+ * core_config) is 1, as in recordings of format 7. */
+uint64_t settings_edit_hash(uint64_t hash, const struct settings_edit *settings_edit, int rules_7);
 
 #endif

@@ -1,41 +1,150 @@
-/* menu_books.c -- resets a group of statistics, and logs the reset in the ledger. */
-#include "core/game/game.h"
+/* menu_books.c -- the pages about statistics: resets a group of counters, browses the leaderboards,
+ * plays back a score, and removes a name. */
+#include "core/game/menu/menu_pages.h"
+
+#include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/menu/menu_internal.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/game.h"
 
 void menu_book_activate(struct game *game, struct core_config *config, uint32_t tag,
                         struct output *output)
 {
+    CORE_ASSERT(tag == BOOK_RESET);
     (void)tag;
     (void)output;
     game->menu.from = game->menu.page;
     menu_turn(game, &config->persistent.settings, MENU_RESET);
 }
 
-/* Returns the sum of the group's counters. The ledger entry stores the sum, so that later reports
- * can show the amount that was removed. */
-static int32_t sum_of(const struct audits *audits, enum audit_group group)
-{
-    uint32_t sum = 0;
-    for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
-        const uint32_t count = audits_group_of(id) == group ? audits->count[id] : 0u;
-        sum = (uint32_t)INT32_MAX - sum < count ? (uint32_t)INT32_MAX : sum + count;
-    }
-    return (int32_t)sum;
-}
-
-/* If the ledger has no room, the page that requests confirmation stays open. */
+/* If the ledger has no room, the page that requests confirmation stays open. The ledger entry
+ * stores the sum of the group's counters, so that later reports can show the amount that was
+ * removed. */
 void menu_reset_activate(struct game *game, struct core_config *config, uint32_t tag,
                          struct output *output)
 {
     const uint8_t from = game->menu.from, group = menu_page_desc_of(from)->about;
-    const struct ledger_entry entry = {
-        .kind = LEDGER_RESET,
-        .detail = group,
-        .value = sum_of(&game->accounts.audits, (enum audit_group)group),
-    };
+    const struct audits *audits = &game->accounts.audits;
+    uint32_t sum = 0;
+    CORE_ASSERT(group < AUDIT_GROUP_COUNT);
+    for (uint32_t id = 0; id < AUDIT_COUNT; id++) {
+        const uint32_t count = audits_group_of(id) == group ? audits->count[id] : 0u;
+        sum = (uint32_t)INT32_MAX - sum < count ? (uint32_t)INT32_MAX : sum + count;
+    }
+    const struct ledger_entry entry = { .kind = LEDGER_RESET,
+                                        .detail = group,
+                                        .value = (int32_t)sum };
     (void)tag;
     if (ledger_write(&game->accounts, game->tick, &entry, output) != 0) {
         menu_turn(game, &config->persistent.settings, (enum menu_page)from);
+    }
+}
+
+/* Number of leaderboards: each mode has one for the day, one for the week, and one for all time. */
+#define BOARD_COUNT (MODE_COUNT * RANK_PERIOD_COUNT)
+
+static struct rank_row *rows_of(struct ranking *ranking, const struct menu *menu)
+{
+    CORE_ASSERT(menu->board < BOARD_COUNT);
+    const uint8_t board = menu->board;
+    return ranking->row[board / RANK_PERIOD_COUNT][board % RANK_PERIOD_COUNT];
+}
+
+static struct rank_row *score(struct ranking *ranking, const struct menu *menu)
+{
+    CORE_ASSERT(menu->score < RANK_ROWS);
+    return &rows_of(ranking, menu)[menu->score];
+}
+
+/* ---- Leaderboards --------------------------------------------------------------------------- */
+
+static void note_rows(struct ranking *ranking, struct menu *menu)
+{
+    CORE_ASSERT(menu->board < BOARD_COUNT);
+    menu->scores = 0;
+    for (uint32_t i = 0; i < RANK_ROWS; i++) {
+        menu->scores |= rows_of(ranking, menu)[i].caught > 0 ? MENU_TAG(i) : 0u;
+    }
+}
+
+uint16_t menu_ranking_enabled(const struct menu *menu)
+{
+    return (uint16_t)(menu->scores | MENU_TAG(RANKING_NEXT) | MENU_TAG(RANKING_BACK));
+}
+
+void menu_ranking_open(struct game *game, const struct settings *settings)
+{
+    (void)settings;
+    note_rows(&game->accounts.ranking, &game->menu);
+}
+
+/* Selects the next leaderboard, or opens the page of the selected score. Modes without a score,
+ * such as practice, are skipped. A new day may have cleared the row of the score. */
+void menu_ranking_activate(struct game *game, struct core_config *config, uint32_t tag,
+                           struct output *output)
+{
+    struct ranking *ranking = &game->accounts.ranking;
+    struct menu *menu = &game->menu;
+    (void)output;
+    if (tag == RANKING_NEXT) {
+        do {
+            menu->board = (uint8_t)((menu->board + 1u) % BOARD_COUNT);
+        } while (!rules_of(menu->board / RANK_PERIOD_COUNT)->keeps_score);
+        note_rows(ranking, menu);
+        return;
+    }
+    CORE_ASSERT(tag < RANK_ROWS);
+    menu->score = (uint8_t)tag;
+    note_rows(ranking, menu);
+    if (score(ranking, menu)->caught > 0) {
+        menu_turn(game, &config->persistent.settings, MENU_SCORE);
+    }
+}
+
+/* ---- One score ------------------------------------------------------------------------------ */
+
+uint16_t menu_score_enabled(const struct menu *menu)
+{
+    const uint16_t unname = menu->score_asks ? MENU_TAG(SCORE_CONFIRM) : MENU_TAG(SCORE_UNNAME);
+    return (uint16_t)(MENU_TAG(SCORE_REPLAY) | (menu->score_is_named ? unname : 0u) |
+                      MENU_TAG(SCORE_BACK));
+}
+
+void menu_score_open(struct game *game, const struct settings *settings)
+{
+    (void)settings;
+    struct menu *menu = &game->menu;
+    menu->score_is_named = score(&game->accounts.ranking, &game->menu)->name[0] != 0;
+    menu->score_asks = 0;
+}
+
+/* Removes the name of a score; the score stays. If the ledger has no room, nothing changes and the
+ * operator must try again. */
+static void unname(struct game *game, const struct settings *settings, struct output *output)
+{
+    const struct rank_row *row = score(&game->accounts.ranking, &game->menu);
+    const struct ledger_entry entry = { .kind = LEDGER_NAME,
+                                        .detail = row->seat,
+                                        .count = row->round_id };
+    CORE_ASSERT(row->seat < POI_MAX);
+    ledger_write(&game->accounts, game->tick, &entry, output);
+    menu_score_open(game, settings);
+}
+
+void menu_score_activate(struct game *game, struct core_config *config, uint32_t tag,
+                         struct output *output)
+{
+    struct menu *menu = &game->menu;
+    const struct rank_row *row = score(&game->accounts.ranking, menu);
+    if (row->caught == 0) {
+        menu_turn(game, &config->persistent.settings, MENU_RANKING);
+    } else if (tag == SCORE_REPLAY) {
+        output->commands[menu->command_count % CONTROLLER_COMMAND_MAX] =
+            (struct controller_command){ .kind = COMMAND_REPLAY, .round_id = row->round_id };
+        output->command_count = ++menu->command_count;
+    } else if (tag == SCORE_UNNAME) {
+        menu->score_asks = 1;
+    } else {
+        unname(game, &config->persistent.settings, output);
     }
 }

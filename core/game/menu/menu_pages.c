@@ -2,11 +2,10 @@
 #include "core/game/menu/menu_pages.h"
 
 #include "core/base/panic.h"
-#include "core/game/game.h"
-#include "core/poi/world.h"
 #include "core/config.h"
-#include "core/game/menu/menu_internal.h"
+#include "core/game/game.h"
 #include "core/game/phases.h"
+#include "core/poi/world.h"
 
 #define PAGES(parent_page) { .parent = (parent_page), .body = MENU_BODY_PAGES, .foot_count = 1 }
 #define BOOK(group)                                                                                \
@@ -110,6 +109,7 @@ const struct menu_page_desc *menu_page_desc_of(uint8_t page)
  * data, such as a controller, is not counted. */
 static uint8_t nth_child(uint8_t parent, uint32_t nth, uint32_t *count)
 {
+    CORE_ASSERT(parent <= MENU_PAGE_COUNT);
     *count = 0;
     for (uint8_t page = 0; page < MENU_PAGE_COUNT; page++) {
         if (sheets[page].parent == parent && (*count)++ == nth) {
@@ -117,13 +117,6 @@ static uint8_t nth_child(uint8_t parent, uint32_t nth, uint32_t *count)
         }
     }
     return MENU_PAGE_COUNT;
-}
-
-static uint32_t child_count(uint8_t parent)
-{
-    uint32_t count;
-    nth_child(parent, MENU_PAGE_COUNT, &count);
-    return count;
 }
 
 /* Returns setting `nth` of a group. Settings of kind KIND_BITS are not counted, because each has a
@@ -140,32 +133,22 @@ static uint32_t nth_setting(uint8_t group, uint32_t nth, uint32_t *count)
     return SETTING_COUNT;
 }
 
-static uint32_t setting_count(uint8_t group)
-{
-    uint32_t count;
-    nth_setting(group, SETTING_COUNT, &count);
-    return count;
-}
-
-static uint32_t bit_count(uint32_t id)
-{
-    uint32_t count = 0;
-    while (settings_entry(id)->max >> count) {
-        count++;
-    }
-    return count;
-}
-
 uint32_t menu_body_count(uint8_t page)
 {
     const struct menu_page_desc *sheet = menu_page_desc_of(page);
+    uint32_t children, settings, bits = 0;
+    nth_child(page, MENU_PAGE_COUNT, &children);
     switch (sheet->body) {
     case MENU_BODY_PAGES:
-        return child_count(page);
+        return children;
     case MENU_BODY_SETTINGS:
-        return setting_count(sheet->about) + child_count(page);
+        nth_setting(sheet->about, SETTING_COUNT, &settings);
+        return settings + children;
     case MENU_BODY_BITS:
-        return bit_count(sheet->about);
+        while (settings_entry(sheet->about)->max >> bits) {
+            bits++;
+        }
+        return bits;
     default:
         return sheet->body_count;
     }
@@ -181,16 +164,18 @@ uint32_t menu_tag_count(uint8_t page)
 uint8_t menu_page_at(uint8_t page, uint32_t tag)
 {
     const struct menu_page_desc *sheet = menu_page_desc_of(page);
-    const uint32_t first = sheet->body == MENU_BODY_SETTINGS ? setting_count(sheet->about) : 0u;
-    uint32_t count;
-    if ((sheet->body != MENU_BODY_PAGES && sheet->body != MENU_BODY_SETTINGS) || tag < first) {
+    uint32_t first = 0, count;
+    if (sheet->body == MENU_BODY_SETTINGS) {
+        nth_setting(sheet->about, SETTING_COUNT, &first);
+    } else if (sheet->body != MENU_BODY_PAGES) {
         return MENU_PAGE_COUNT;
     }
-    return nth_child(page, tag - first, &count);
+    return tag < first ? (uint8_t)MENU_PAGE_COUNT : nth_child(page, tag - first, &count);
 }
 
 uint32_t menu_tag_of(uint8_t page)
 {
+    CORE_ASSERT(page < MENU_PAGE_COUNT);
     const uint8_t parent = menu_page_desc_of(page)->parent;
     uint32_t tag = 0;
     while (parent < MENU_PAGE_COUNT && tag < MENU_TAG_MAX && menu_page_at(parent, tag) != page) {
@@ -222,45 +207,40 @@ uint16_t menu_enabled(const struct menu *menu)
 
 void menu_command(struct menu *menu, struct output *output, enum controller_command_kind kind)
 {
+    CORE_ASSERT(kind > COMMAND_NONE);
     output->commands[menu->command_count % CONTROLLER_COMMAND_MAX] =
         (struct controller_command){ .kind = (uint8_t)kind, .row = menu->row };
     output->command_count = ++menu->command_count;
 }
 
-static void open_parent_page(struct game *game, struct world *world,
-                             const struct core_config *config, struct output *output)
-{
-    const struct menu_page_desc *sheet = menu_page_desc_of(game->menu.page);
-    if (sheet->parent == MENU_PAGE_COUNT) {
-        menu_close(game, world, config, output);
-        return;
-    }
-    if (sheet->leave) {
-        sheet->leave(&game->menu, output);
-    }
-    menu_turn(game, &config->persistent.settings,
-              (enum menu_page)(sheet->returns ? game->menu.from : sheet->parent));
-}
-
 void menu_activate(struct game *game, struct world *world, struct core_config *config,
                    struct output *output)
 {
-    const struct menu *menu = &game->menu;
-    const uint32_t tag = menu->tag[menu->page];
+    struct menu *menu = &game->menu;
+    const struct settings *settings = &config->persistent.settings;
+    const struct menu_page_desc *sheet = menu_page_desc_of(menu->page);
+    const uint32_t tag = menu->tag[menu->page], count = menu_tag_count(menu->page);
     const uint8_t page = menu_page_at(menu->page, tag);
-    if (tag + 1u == menu_tag_count(menu->page)) {
-        open_parent_page(game, world, config, output);
+    CORE_ASSERT(tag < count);
+    if (tag + 1u == count && sheet->parent == MENU_PAGE_COUNT) {
+        menu_close(game, world, config, output);
+    } else if (tag + 1u == count) {
+        if (sheet->leave) {
+            sheet->leave(menu, output);
+        }
+        menu_turn(game, settings, (enum menu_page)(sheet->returns ? menu->from : sheet->parent));
     } else if (page < MENU_PAGE_COUNT) {
-        menu_turn(game, &config->persistent.settings, (enum menu_page)page);
+        menu_turn(game, settings, (enum menu_page)page);
     } else {
-        CORE_ASSERT(menu_page_desc_of(menu->page)->take);
-        menu_page_desc_of(menu->page)->take(game, config, tag, output);
+        CORE_ASSERT(sheet->take);
+        sheet->take(game, config, tag, output);
     }
 }
 
 void menu_close(struct game *game, struct world *world, const struct core_config *config,
                 struct output *output)
 {
+    CORE_ASSERT(game->phase == PHASE_MENU);
     const struct menu_page_desc *sheet = menu_page_desc_of(game->menu.page);
     if (sheet->leave) {
         sheet->leave(&game->menu, output);

@@ -1,10 +1,144 @@
-/* menu_show.c -- writes the visible state of the operator's menu to the scene, and computes the
- * menu's hash. */
+/* menu_show.c -- computes the positions of the items of a page, writes the visible state of the
+ * operator's menu to the scene, and computes the menu's hash. The pointer code and the renderer
+ * share the positions. */
+#include "core/game/menu/menu_pages.h"
+
+#include "core/base/fmath.h"
 #include "core/base/hash.h"
 #include "core/base/mem.h"
-#include "core/game/game.h"
+#include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/menu/menu_pages.h"
+#include "core/game/game.h"
+
+/* Sizes and distances that differ between the wide and the portrait canvas. */
+struct measures {
+    struct layout_box body;
+    uint32_t hung_max;                                  /* Largest number of large items side by
+                                                           side. */
+    float hung_width, hung_height, hung_gap, hung_drop; /* Size and distance of large items.
+                                                           `hung_drop` is the space above the
+                                                           next row for the pole on which its
+                                                           tags hang. */
+    float row_height, row_pitch;
+    float settings_height; /* Height of the settings in the body. A help text is below the
+                              settings. */
+    uint32_t key_columns;
+    float key_top, key_width, key_height, key_gap;
+    float foot_y, foot_width, foot_height, foot_gap;
+};
+
+static const struct measures wide = {
+    .body = { 130.0f, 124.0f, 1020.0f, 464.0f },
+    .hung_max = 4,
+    .hung_width = 282.0f,
+    .hung_height = 172.0f,
+    .hung_gap = 26.0f,
+    .hung_drop = 60.0f,
+    .row_height = 52.0f,
+    .row_pitch = 58.0f,
+    .settings_height = 428.0f,
+    .key_columns = 5,
+    .key_top = 262.0f,
+    .key_width = 150.0f,
+    .key_height = 130.0f,
+    .key_gap = 26.0f,
+    .foot_y = 610.0f,
+    .foot_width = 250.0f,
+    .foot_height = 66.0f,
+    .foot_gap = 24.0f,
+};
+static const struct measures upright_measures = {
+    .body = { 27.0f, 200.0f, 800.0f, 1040.0f },
+    .hung_max = 2,
+    .hung_width = 372.0f,
+    .hung_height = 200.0f,
+    .hung_gap = 30.0f,
+    .hung_drop = 72.0f,
+    .row_height = 112.0f,
+    .row_pitch = 128.0f,
+    .settings_height = 912.0f,
+    .key_columns = 3,
+    .key_top = 420.0f,
+    .key_width = 210.0f,
+    .key_height = 160.0f,
+    .key_gap = 36.0f,
+    .foot_y = 1262.0f,
+    .foot_width = 250.0f,
+    .foot_height = 86.0f,
+    .foot_gap = 20.0f,
+};
+
+/* Returns the number of available items from `first` up to, but not including, `limit`. */
+static uint32_t count_offered(uint16_t offered, uint32_t first, uint32_t limit)
+{
+    CORE_ASSERT(first <= limit && limit <= MENU_TAG_MAX);
+    uint32_t count = 0;
+    for (uint32_t tag = first; tag < limit; tag++) {
+        count += offered >> tag & 1u;
+    }
+    return count;
+}
+
+/* Returns box `nth` of `count` boxes in a grid with `columns` columns and its upper left corner at
+ * height `top`. `size` has the width and the height of a box, and the gaps to the next column and
+ * row. Each row is centred, and the last row may have fewer boxes. */
+static struct layout_box grid_box(const struct measures *m, uint32_t nth, uint32_t count,
+                                  uint32_t columns, float top, struct layout_box size)
+{
+    const uint32_t row = nth / columns, column = nth % columns, left = count - row * columns;
+    const float in_row = (float)(left < columns ? left : columns);
+    const float width = in_row * size.width + (in_row - 1.0f) * size.x;
+    CORE_ASSERT(nth < count && columns > 0);
+    return (struct layout_box){
+        m->body.x + 0.5f * (m->body.width - width) + (float)column * (size.width + size.x),
+        top + (float)row * (size.height + size.y),
+        size.width,
+        size.height,
+    };
+}
+
+/* Items at the foot of a page lie in one row and share its width equally. Large items lie in as few
+ * rows as possible. With many rows each row is lower than normal. */
+struct layout_box menu_box(int upright, uint8_t page, uint16_t offered, uint32_t tag)
+{
+    const struct menu_page_desc *sheet = menu_page_desc_of(page);
+    const struct measures *m = upright ? &upright_measures : &wide;
+    CORE_ASSERT(tag < menu_tag_count(page));
+    if (!(offered >> tag & 1u)) {
+        return (struct layout_box){ 0.0f, 0.0f, 0.0f, 0.0f };
+    }
+    const uint32_t body_count = menu_body_count(page);
+    if (tag >= body_count) {
+        const uint32_t nth = count_offered(offered, body_count, tag);
+        const uint32_t count = count_offered(offered, body_count, menu_tag_count(page));
+        const float gaps = (float)(count - 1u) * m->foot_gap;
+        const float width = f_min(m->foot_width, (m->body.width - gaps) / (float)count);
+        const float row = (float)count * width + gaps;
+        return (struct layout_box){
+            0.5f * (pointer_layout_size(upright).x - row) + (float)nth * (width + m->foot_gap),
+            m->foot_y,
+            width,
+            m->foot_height,
+        };
+    }
+    if (sheet->body == MENU_BODY_TILES || sheet->body == MENU_BODY_PAGES) {
+        const uint32_t count = count_offered(offered, 0, body_count);
+        const uint32_t rows = (count + m->hung_max - 1u) / m->hung_max;
+        const float height = (float)rows * (m->hung_height + m->hung_drop) - m->hung_drop;
+        const struct layout_box size = { m->hung_gap, m->hung_drop, m->hung_width, m->hung_height };
+        return grid_box(m, count_offered(offered, 0, tag), count, m->hung_max,
+                        m->body.y + 0.5f * (m->body.height - height), size);
+    }
+    if (sheet->body == MENU_BODY_KEYS) {
+        const struct layout_box size = { m->key_gap, m->key_gap, m->key_width, m->key_height };
+        return grid_box(m, tag, body_count, m->key_columns, m->key_top, size);
+    }
+    const int is_settings = sheet->body == MENU_BODY_SETTINGS || sheet->body == MENU_BODY_BITS;
+    const float height = is_settings ? m->settings_height : m->body.height;
+    const float pitch = f_min(m->row_pitch, height / (float)body_count);
+    return (struct layout_box){ m->body.x, m->body.y + (float)tag * pitch, m->body.width,
+                                pitch * m->row_height / m->row_pitch };
+}
 
 _Static_assert(AUDIT_COUNT <= SCENE_AUDIT_MAX, "every audit can be shown");
 

@@ -1,21 +1,14 @@
 /* self_test.c -- runs the checks of the self-test page, and evaluates their results. */
-#include "core/game/menu/self_test.h"
+#include "core/game/menu/menu_pages.h"
 
 #include "core/base/hash.h"
-#include "core/game/game.h"
+#include "core/base/panic.h"
 #include "core/config.h"
-#include "core/game/menu/menu_internal.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/game.h"
+#include "core/game/menu/menu.h"
 
 /* ---- Items ---------------------------------------------------------------------------------- */
-
-/* Returns the first unanswered question, or NULL if both are answered. The question about the sound
- * comes first. The question about the lamp and the coin slot comes second. */
-static uint8_t *open_question(struct self_test *self)
-{
-    return self->heard == SELF_UNSAID   ? &self->heard
-           : self->moved == SELF_UNSAID ? &self->moved
-                                        : (uint8_t *)0;
-}
 
 uint16_t menu_self_enabled(const struct menu *menu)
 {
@@ -36,16 +29,21 @@ void menu_self_open(struct game *game, const struct settings *settings)
     }
 }
 
+/* YES and NO answer the first open question. The question about the sound comes before the question
+ * about the lamp and the coin slot. */
 void menu_self_activate(struct game *game, struct core_config *config, uint32_t tag,
                         struct output *output)
 {
     struct self_test *self = &game->menu.self;
-    uint8_t *question = open_question(self);
+    const uint8_t answer = tag == SELF_YES ? SELF_SAYS_YES : SELF_SAYS_NO;
+    CORE_ASSERT(tag < SELF_BACK);
     (void)output;
     if (tag == SELF_AGAIN) {
         menu_self_open(game, &config->persistent.settings);
-    } else if (question) {
-        *question = tag == SELF_YES ? SELF_SAYS_YES : SELF_SAYS_NO;
+    } else if (self->heard == SELF_UNSAID) {
+        self->heard = answer;
+    } else if (self->moved == SELF_UNSAID) {
+        self->moved = answer;
     }
 }
 
@@ -56,52 +54,44 @@ static int self_test_is_open(const struct game *game)
     return game->phase == PHASE_MENU && game->menu.page == MENU_SELF_TEST;
 }
 
-static void watch_poi(struct self_test *self, const struct poi_input *poi, uint32_t seat,
-                      int is_settled)
-{
-    const uint8_t bit = (uint8_t)(1u << seat);
-    if (poi->link != POI_SOURCE_LIVE || !input_pose_is_finite(&poi->target)) {
-        return;
-    }
-    self->present |= bit;
-    if (!(self->knows_first & bit)) {
-        self->knows_first |= bit;
-        self->first_m[seat] = poi->target.position_m;
-    }
-    const vec3 way_m = v3_sub(poi->target.position_m, self->first_m[seat]);
-    self->ways[seat] |= (uint8_t)((f_abs(way_m.x) >= SELF_TEST_WAY_M ? 1u : 0u) |
-                                  (f_abs(way_m.y) >= SELF_TEST_WAY_M ? 2u : 0u) |
-                                  (f_abs(way_m.z) >= SELF_TEST_WAY_M ? 4u : 0u));
-    if (is_settled && poi->age_ticks > self->worst_age[seat]) {
-        self->worst_age[seat] = (uint8_t)(poi->age_ticks < 255u ? poi->age_ticks : 255u);
-    }
-}
-
-/* Logs the unchanged volume as a test entry. The entry changes no setting for any reader. */
-static void write_one(struct game *game, struct output *output)
-{
-    const struct ledger_entry entry = {
-        .kind = LEDGER_SETTING,
-        .detail = SET_VOLUME,
-        .value = game->settings_edit.told.value[SET_VOLUME],
-    };
-    game->menu.self.entry_id = ledger_write(&game->accounts, game->tick, &entry, output);
-}
-
+/* In its second tick the self-test logs the unchanged volume as a test entry. The entry changes no
+ * setting for any reader. */
 void self_test_tick(struct game *game, const struct input *input, struct output *output)
 {
     struct self_test *self = &game->menu.self;
+    const uint32_t age = game->tick - self->begin_tick;
     if (!self_test_is_open(game)) {
         return;
     }
-    if (game->tick == self->begin_tick + 1u) {
-        write_one(game, output);
+    if (age == 1u) {
+        const struct ledger_entry entry = {
+            .kind = LEDGER_SETTING,
+            .detail = SET_VOLUME,
+            .value = game->settings_edit.told.value[SET_VOLUME],
+        };
+        self->entry_id = ledger_write(&game->accounts, game->tick, &entry, output);
     }
-    if ((game->tick - self->begin_tick) % CORE_TICK_HZ == 1u && self->heard == SELF_UNSAID) {
+    if (age % CORE_TICK_HZ == 1u && self->heard == SELF_UNSAID) {
         output_sound(output, SOUND_CALL, 1.0f, 0.0f);
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        watch_poi(self, &input->poi[i], i, game->tick - self->begin_tick > CORE_TICK_HZ);
+        const struct poi_input *poi = &input->poi[i];
+        const uint8_t bit = (uint8_t)(1u << i);
+        if (poi->link != POI_SOURCE_LIVE || !input_pose_is_finite(&poi->target)) {
+            continue;
+        }
+        self->present |= bit;
+        if (!(self->knows_first & bit)) {
+            self->knows_first |= bit;
+            self->first_m[i] = poi->target.position_m;
+        }
+        const vec3 way_m = v3_sub(poi->target.position_m, self->first_m[i]);
+        self->ways[i] |= (uint8_t)((f_abs(way_m.x) >= SELF_TEST_WAY_M ? 1u : 0u) |
+                                   (f_abs(way_m.y) >= SELF_TEST_WAY_M ? 2u : 0u) |
+                                   (f_abs(way_m.z) >= SELF_TEST_WAY_M ? 4u : 0u));
+        if (age > CORE_TICK_HZ && poi->age_ticks > self->worst_age[i]) {
+            self->worst_age[i] = (uint8_t)(poi->age_ticks < 255u ? poi->age_ticks : 255u);
+        }
     }
 }
 
@@ -152,97 +142,62 @@ static uint8_t said(uint8_t answer)
 #define TRIED_BUTTONS                                                                              \
     ((uint32_t)(INPUT_START | INPUT_LEFT | INPUT_RIGHT | INPUT_OK | INPUT_TEST | INPUT_SERVICE))
 
-static uint8_t judge_buttons(const struct scene *scene)
-{
-    uint32_t untried = 0;
-    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
-        const int counts = (TRIED_BUTTONS & ~scene->devices.buttons_missing) >> i & 1u;
-        untried += counts && scene->menu.pressed_count[i] == 0;
-    }
-    return untried == 0 ? SELF_GOOD : SELF_ASKS;
-}
-
-/* Returns the state of the check of the pois. The check is bad if a slot in play has no controller
- * or has late reports. */
-static uint8_t judge_pois(const struct scene_self_test *self)
-{
-    uint8_t state = SELF_GOOD;
-    for (uint32_t i = 0; i < self->players && i < POI_MAX; i++) {
-        if (!(self->present >> i & 1u) || self->worst_age[i] > SELF_TEST_LATE_TICKS) {
-            return SELF_BAD;
-        }
-        state = self->ways[i] != 7u ? (uint8_t)SELF_ASKS : state;
-    }
-    return state;
-}
-
-/* Returns the state of the check of the lamp and the coin slot. A kiosk without input lines has
- * neither a lamp nor a coin slot. The check is then good unless the operator reports a fault. */
-static uint8_t judge_lamp(const struct scene *scene)
-{
-    const int is_wired = scene->devices.lines[0] != '\0';
-    const uint8_t moved = scene->menu.self.moved;
-    return moved == SELF_UNSAID && !is_wired ? (uint8_t)SELF_GOOD : said(moved);
-}
-
-/* Returns the state of the check of the coins. In free play coins are returned, so the check
- * requires no coin. */
-static uint8_t judge_coins(const struct scene *scene)
-{
-    const int is_sold = scene->menu.settings.value[SET_PLAY] == PLAY_PAID;
-    return scene->menu.test_coins > 0 || !is_sold ? SELF_GOOD : SELF_ASKS;
-}
-
-static uint8_t judge_display(uint32_t frames)
-{
-    return frames == 0 ? SELF_WAITS : frames >= SELF_TEST_FRAMES_MIN ? SELF_GOOD : SELF_BAD;
-}
-
-static uint8_t judge_data(uint8_t keeps)
-{
-    return keeps == KEEPS_UNKNOWN                           ? SELF_WAITS
-           : keeps == KEEPS_PROVEN || keeps == KEEPS_FOLDER ? SELF_GOOD
-                                                            : SELF_BAD;
-}
-
-static uint8_t judge_heat(const struct scene_machine *machine)
-{
-    return !machine->has_heat || machine->heat_margin_c >= SELF_HEAT_NEAR_C ? SELF_GOOD
-           : machine->heat_margin_c > 0                                     ? SELF_LOOK
-                                                                            : SELF_BAD;
-}
-
-static uint8_t judge_room(uint32_t room_mib)
-{
-    return room_mib >= SELF_ROOM_LOW_MIB   ? SELF_GOOD
-           : room_mib >= SELF_ROOM_BAD_MIB ? SELF_LOOK
-                                           : SELF_BAD;
-}
-
 /* Evaluates the checks of the machine. A check without data waits for its data, and is bad after
  * the timeout. */
 static void judge_machine(const struct scene_machine *machine, uint8_t state[SELF_CHECKS])
 {
     const int is_fresh = machine->has_backup && machine->backup_min < SELF_BACKUP_OLD_MIN;
+    const int is_kept = machine->keeps == KEEPS_PROVEN || machine->keeps == KEEPS_FOLDER;
     state[SELF_WATCHDOG] = machine->watch == WATCH_FED    ? SELF_GOOD
                            : machine->watch == WATCH_DEAF ? SELF_BAD
                                                           : SELF_LOOK;
     state[SELF_BACKUP] = state[SELF_DATA] = state[SELF_ROOM] = state[SELF_HEAT] = SELF_WAITS;
     if (machine->has_looked) {
         state[SELF_BACKUP] = is_fresh ? SELF_GOOD : SELF_LOOK;
-        state[SELF_DATA] = judge_data(machine->keeps);
-        state[SELF_ROOM] = judge_room(machine->room_mib);
-        state[SELF_HEAT] = judge_heat(machine);
+        state[SELF_DATA] = machine->keeps == KEEPS_UNKNOWN ? SELF_WAITS
+                           : is_kept                       ? SELF_GOOD
+                                                           : SELF_BAD;
+        state[SELF_ROOM] = machine->room_mib >= SELF_ROOM_LOW_MIB   ? SELF_GOOD
+                           : machine->room_mib >= SELF_ROOM_BAD_MIB ? SELF_LOOK
+                                                                    : SELF_BAD;
+        state[SELF_HEAT] = !machine->has_heat || machine->heat_margin_c >= SELF_HEAT_NEAR_C
+                               ? SELF_GOOD
+                           : machine->heat_margin_c > 0 ? SELF_LOOK
+                                                        : SELF_BAD;
     }
 }
 
-static uint32_t first_in(const uint8_t state[SELF_CHECKS], uint8_t wanted)
+/* Evaluates the checks of the parts that a player uses. The check of the pois is bad if a slot in
+ * play has no controller or has late reports. A kiosk without input lines has neither a lamp nor a
+ * coin slot, so the check of the lamp is then good unless the operator reports a fault. In free
+ * play coins are returned, so the check of the coins requires no coin. */
+static void judge_parts(const struct scene *scene, uint8_t state[SELF_CHECKS])
 {
-    uint32_t check = 0;
-    while (check < SELF_CHECKS && state[check] != wanted) {
-        check++;
+    const struct scene_self_test *self = &scene->menu.self;
+    const uint32_t frames = scene->devices.frames_a_second;
+    const int is_wired = scene->devices.lines[0] != '\0';
+    const int is_sold = scene->menu.settings.value[SET_PLAY] == PLAY_PAID;
+    state[SELF_DISPLAY] = frames == 0                      ? SELF_WAITS
+                          : frames >= SELF_TEST_FRAMES_MIN ? SELF_GOOD
+                                                           : SELF_BAD;
+    state[SELF_SOUND] = said(self->heard);
+    state[SELF_LAMP] =
+        self->moved == SELF_UNSAID && !is_wired ? (uint8_t)SELF_GOOD : said(self->moved);
+    state[SELF_COINS] = scene->menu.test_coins > 0 || !is_sold ? SELF_GOOD : SELF_ASKS;
+    state[SELF_BUTTONS] = state[SELF_POIS] = SELF_GOOD;
+    for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
+        const int counts = (TRIED_BUTTONS & ~scene->devices.buttons_missing) >> i & 1u;
+        if (counts && scene->menu.pressed_count[i] == 0) {
+            state[SELF_BUTTONS] = SELF_ASKS;
+        }
     }
-    return check;
+    for (uint32_t i = 0; i < self->players && i < POI_MAX; i++) {
+        if (!(self->present >> i & 1u) || self->worst_age[i] > SELF_TEST_LATE_TICKS) {
+            state[SELF_POIS] = SELF_BAD;
+        } else if (self->ways[i] != 7u && state[SELF_POIS] == SELF_GOOD) {
+            state[SELF_POIS] = SELF_ASKS;
+        }
+    }
 }
 
 uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS])
@@ -251,23 +206,20 @@ uint32_t self_test_judge(const struct scene *scene, uint8_t state[SELF_CHECKS])
     const struct scene_self_test *self = &scene->menu.self;
     const struct scene_machine *machine = &scene->devices.machine;
     judge_machine(machine, state);
+    judge_parts(scene, state);
     state[SELF_STORE] = self->store == SELF_GOOD && machine->aside > 0 ? SELF_LOOK : self->store;
     state[SELF_CLOCK] = machine->is_clock_back ? SELF_LOOK : self->clock;
-    state[SELF_DISPLAY] = judge_display(scene->devices.frames_a_second);
     state[SELF_FILES] = scene->devices.files_refused == 0 ? SELF_GOOD : SELF_BAD;
-    state[SELF_SOUND] = said(self->heard);
-    state[SELF_LAMP] = judge_lamp(scene);
-    state[SELF_BUTTONS] = judge_buttons(scene);
-    state[SELF_COINS] = judge_coins(scene);
-    state[SELF_POIS] = judge_pois(self);
-    uint32_t next = SELF_CHECKS;
     for (uint32_t i = 0; i < SELF_CHECKS; i++) {
         state[i] = state[i] == SELF_WAITS && self->seconds_left == 0 ? (uint8_t)SELF_BAD : state[i];
+        CORE_ASSERT(state[i] < SELF_STATES);
     }
-    for (uint32_t i = 0; i < sizeof order && next == SELF_CHECKS; i++) {
-        next = first_in(state, order[i]);
+    for (uint32_t i = 0; i < sizeof order * SELF_CHECKS; i++) {
+        if (state[i % SELF_CHECKS] == order[i / SELF_CHECKS]) {
+            return i % SELF_CHECKS;
+        }
     }
-    return next;
+    return SELF_CHECKS;
 }
 
 uint32_t self_test_left(const uint8_t state[SELF_CHECKS])

@@ -1,17 +1,16 @@
-/* settings_edit.c -- changes settings and logs the changes in the ledger. */
-#include "core/game/menu/settings_edit.h"
+/* settings_edit.c -- changes settings, logs the changes in the ledger, and runs the settings pages.
+ * On a settings page TEST changes the highlighted value, and the change repeats while TEST is
+ * held. */
+#include "core/game/menu/menu_pages.h"
 
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
-#include "core/game/game.h"
 #include "core/config.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/game.h"
+#include "core/game/menu/menu.h"
 #include "core/tank/preset.h"
-
-static struct settings *live_settings(struct settings *settings)
-{
-    return settings;
-}
 
 void settings_edit_init(struct settings_edit *settings_edit, const struct core_config *config)
 {
@@ -27,6 +26,7 @@ void settings_edit_init(struct settings_edit *settings_edit, const struct core_c
 
 int32_t settings_edit_max(const struct core_config *config, uint32_t id)
 {
+    CORE_ASSERT(id < SETTING_COUNT);
     const struct setting *setting = settings_entry(id);
     if (id != SET_FISH) {
         return setting->max;
@@ -37,7 +37,7 @@ int32_t settings_edit_max(const struct core_config *config, uint32_t id)
 
 static void apply(struct settings_edit *settings_edit, struct core_config *config, uint32_t tick)
 {
-    config_apply_settings(config, live_settings(&config->persistent.settings));
+    config_apply_settings(config, &config->persistent.settings);
     settings_edit->turn_tick = tick;
 }
 
@@ -45,7 +45,7 @@ void settings_edit_set(struct game *game, struct core_config *config, uint32_t i
 {
     CORE_ASSERT(settings_allows(id, value));
     CORE_ASSERT(value <= settings_edit_max(config, id));
-    live_settings(&config->persistent.settings)->value[id] = value;
+    config->persistent.settings.value[id] = value;
     apply(&game->settings_edit, config, game->tick);
     if (id == SET_LANGUAGE) {
         game->language = (uint8_t)value;
@@ -56,6 +56,7 @@ void settings_edit_set(struct game *game, struct core_config *config, uint32_t i
  * skipped. */
 static int32_t step_from(const struct core_config *config, uint32_t id, int32_t value, int is_down)
 {
+    CORE_ASSERT(id < SETTING_COUNT);
     const struct setting *setting = settings_entry(id);
     const int32_t max = settings_edit_max(config, id);
     do {
@@ -74,8 +75,8 @@ static int is_end(const struct core_config *config, uint32_t id, int32_t value, 
 int settings_edit_step(struct game *game, struct core_config *config, uint32_t id, int is_down,
                        uint32_t step_count)
 {
-    int32_t value =
-        step_from(config, id, live_settings(&config->persistent.settings)->value[id], is_down);
+    CORE_ASSERT(id < SETTING_COUNT && step_count > 0);
+    int32_t value = step_from(config, id, config->persistent.settings.value[id], is_down);
     for (uint32_t i = 1; i < step_count && !is_end(config, id, value, is_down); i++) {
         value = step_from(config, id, value, is_down);
     }
@@ -87,6 +88,7 @@ int settings_edit_factory_reset(struct game *game, struct core_config *config,
                                 struct output *output)
 {
     struct ledger *ledger = &game->accounts.ledger;
+    struct settings *settings = &config->persistent.settings;
     const struct balance balance = ledger->balance;
     const struct ledger_entry entry = { .kind = LEDGER_FACTORY,
                                         .count = balance.paid + balance.service,
@@ -96,51 +98,42 @@ int settings_edit_factory_reset(struct game *game, struct core_config *config,
         ledger->balance = balance;
         return 0;
     }
-    settings_reset(live_settings(&config->persistent.settings));
-    game->settings_edit.told = *live_settings(&config->persistent.settings);
+    settings_reset(settings);
+    game->settings_edit.told = *settings;
     game->settings_edit.entry_id = ledger->last_id;
-    game->language = (uint8_t)live_settings(&config->persistent.settings)->value[SET_LANGUAGE];
+    game->language = (uint8_t)settings->value[SET_LANGUAGE];
     apply(&game->settings_edit, config, game->tick);
-    return 1;
-}
-
-/* Logs setting `id` if it changed. Returns 1, or 0 if the ledger had no room. */
-static int append_setting_entry(struct game *game, struct settings *settings, uint32_t id,
-                                struct output *output)
-{
-    struct settings_edit *settings_edit = &game->settings_edit;
-    const int32_t value = live_settings(settings)->value[id];
-    if (value == settings_edit->told.value[id]) {
-        return 1;
-    }
-    if (!ledger_may_write(&game->accounts.ledger, LEDGER_SETTING)) {
-        return 0; /* The next tick tries again, because every change of a setting must be logged. */
-    }
-    const struct ledger_entry entry = {
-        .kind = LEDGER_SETTING, .detail = (uint8_t)(id & 0xffu), .count = id >> 8, .value = value
-    };
-    settings_edit->entry_id = ledger_write(&game->accounts, game->tick, &entry, output);
-    settings_edit->told.value[id] = value;
     return 1;
 }
 
 void settings_edit_tick(struct game *game, struct settings *settings, struct output *output)
 {
-    const struct settings_edit *settings_edit = &game->settings_edit;
+    struct settings_edit *settings_edit = &game->settings_edit;
     if (game->tick - settings_edit->turn_tick < SETTINGS_EDIT_REST_TICKS) {
         return;
     }
-    uint32_t id = 0;
-    while (id < SETTING_COUNT && append_setting_entry(game, settings, id, output)) {
-        id++;
+    for (uint32_t id = 0; id < SETTING_COUNT; id++) {
+        const int32_t value = settings->value[id];
+        if (value == settings_edit->told.value[id]) {
+            continue;
+        }
+        if (!ledger_may_write(&game->accounts.ledger, LEDGER_SETTING)) {
+            return; /* The next tick tries again, because every change of a setting must be
+                       logged. */
+        }
+        const struct ledger_entry entry = { .kind = LEDGER_SETTING,
+                                            .detail = (uint8_t)(id & 0xffu),
+                                            .count = id >> 8,
+                                            .value = value };
+        settings_edit->entry_id = ledger_write(&game->accounts, game->tick, &entry, output);
+        settings_edit->told.value[id] = value;
     }
 }
 
 int settings_edit_is_saved(const struct ledger *ledger, const struct settings_edit *settings_edit,
                            const struct settings *settings)
 {
-    const struct settings *now = settings;
-    return memcmp(now, &settings_edit->told, sizeof *now) == 0 &&
+    return memcmp(settings, &settings_edit->told, sizeof *settings) == 0 &&
            ledger_is_saved(ledger, settings_edit->entry_id);
 }
 
@@ -149,4 +142,119 @@ uint64_t settings_edit_hash(uint64_t hash, const struct settings_edit *settings_
     hash = settings_hash(hash, &settings_edit->told, rules_7);
     hash = hash_u32(hash_u32(hash, settings_edit->turn_tick), settings_edit->entry_id);
     return hash_u32(hash_u32(hash, settings_edit->pin_wrong), settings_edit->pin_tick);
+}
+
+/* HOLD_TICKS is the time before a held button first repeats. AGAIN_TICKS is the time between two
+ * repeats: eight values per second. */
+#define HOLD_TICKS (CORE_TICK_HZ / 2u)
+#define AGAIN_TICKS (CORE_TICK_HZ / 8u)
+
+/* Number of repeats after which a value with a long range changes by ten steps (two seconds), and
+ * by a hundred steps (five seconds). */
+#define HURRY_COUNT 12u
+#define RUSH_COUNT 36u
+#define HURRY_STEPS_MIN 40
+#define RUSH_STEPS_MIN 400
+
+static int is_settings(const struct menu *menu)
+{
+    return menu_page_desc_of(menu->page)->body == MENU_BODY_SETTINGS;
+}
+
+/* Before any change, the item that restores the default applies to the first row whose value
+ * differs from its default. */
+void menu_settings_open(struct game *game, const struct settings *settings)
+{
+    struct menu *menu = &game->menu;
+    menu->chosen = MENU_TAG_MAX;
+    menu->turns_down = menu->turning = 0;
+    menu->tag[menu->page] = 0;
+    if (!is_settings(menu)) {
+        return;
+    }
+    for (uint32_t tag = menu_body_count(menu->page); tag-- > 0;) {
+        const uint32_t id = menu_setting_at(menu->page, tag);
+        if (id < SETTING_COUNT && settings->value[id] != settings_entry(id)->standard) {
+            menu->chosen = (uint8_t)tag;
+        }
+    }
+}
+
+/* Changes a value by one or more steps. While a button is held, the value stops at the end of its
+ * range. A new press continues at the opposite end. */
+static void step_setting(struct game *game, struct core_config *config, uint32_t id)
+{
+    struct menu *menu = &game->menu;
+    CORE_ASSERT(id < SETTING_COUNT);
+    const struct setting *setting = settings_entry(id);
+    const int32_t steps = (settings_edit_max(config, id) - setting->min) / setting->step;
+    const uint32_t stride = menu->turn_count >= RUSH_COUNT && steps >= RUSH_STEPS_MIN     ? 100u
+                            : menu->turn_count >= HURRY_COUNT && steps >= HURRY_STEPS_MIN ? 10u
+                                                                                          : 1u;
+    menu->turning = !settings_edit_step(game, config, id, menu->turns_down, stride);
+    menu->turn_tick = game->tick;
+}
+
+/* Returns the items that can be selected. The item that restores the default applies to the row
+ * that was changed last, because SERVICE has passed other rows to reach that item. Before any
+ * change, the item applies to the first row that differs from its default. */
+uint16_t menu_settings_enabled(const struct menu *menu)
+{
+    CORE_ASSERT(menu->page < MENU_PAGE_COUNT);
+    const uint32_t standard = menu_body_count(menu->page) + SETTINGS_STANDARD;
+    const uint32_t all = (1u << menu_tag_count(menu->page)) - 1u;
+    return (uint16_t)(menu->chosen < MENU_TAG_MAX ? all : all & ~(1u << standard));
+}
+
+void menu_settings_activate(struct game *game, struct core_config *config, uint32_t tag,
+                            struct output *output)
+{
+    CORE_ASSERT(is_settings(&game->menu) && tag < menu_tag_count(game->menu.page));
+    struct menu *menu = &game->menu;
+    const uint32_t body_count = menu_body_count(menu->page);
+    (void)output;
+    if (tag < body_count) {
+        menu->turn_count = 0;
+        menu->chosen = (uint8_t)tag;
+        step_setting(game, config, menu_setting_at(menu->page, tag));
+    } else if (tag == body_count + SETTINGS_DIRECTION) {
+        menu->turns_down = !menu->turns_down;
+    } else {
+        const uint32_t id = menu_setting_at(menu->page, menu->chosen);
+        settings_edit_set(game, config, id, settings_entry(id)->standard);
+        menu->turn_tick = game->tick;
+    }
+}
+
+/* Toggles one bit of a setting. The only bit that is set cannot be cleared. */
+void menu_bits_activate(struct game *game, struct core_config *config, uint32_t tag,
+                        struct output *output)
+{
+    CORE_ASSERT(menu_page_desc_of(game->menu.page)->body == MENU_BODY_BITS);
+    const uint32_t id = menu_page_desc_of(game->menu.page)->about;
+    const int32_t value = config->persistent.settings.value[id] ^ (1 << tag);
+    (void)output;
+    if (settings_allows(id, value)) {
+        settings_edit_set(game, config, id, value);
+        game->menu.turn_tick = game->tick;
+    }
+}
+
+void menu_settings_tick(struct game *game, struct core_config *config, int is_pressed,
+                        struct output *output)
+{
+    CORE_ASSERT(game->phase == PHASE_MENU && game->menu.page < MENU_PAGE_COUNT);
+    struct menu *menu = &game->menu;
+    const uint8_t tag = menu->tag[menu->page];
+    if (!is_settings(menu)) {
+        menu->turning = 0;
+        return;
+    }
+    const uint32_t wait = menu->turn_count == 0 ? HOLD_TICKS : AGAIN_TICKS;
+    menu->turning = menu->turning && is_pressed && tag == menu->chosen;
+    if (menu->turning && game->tick - menu->turn_tick >= wait) {
+        menu->turn_count = (uint8_t)(menu->turn_count + (menu->turn_count < UINT8_MAX));
+        step_setting(game, config, menu_setting_at(menu->page, tag));
+        output_sound(output, SOUND_TICK, 0.4f, 0.0f);
+    }
 }

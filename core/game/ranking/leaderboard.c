@@ -1,19 +1,23 @@
 /* leaderboard.c -- selects the leaderboard to show, and writes its content to the scene. */
-#include "core/game/ranking/leaderboard.h"
+#include "core/game/ranking/name.h"
 
 #include "core/base/mem.h"
-#include "core/game/game.h"
-#include "core/poi/world.h"
+#include "core/base/panic.h"
 #include "core/config.h"
+#include "core/game/control/controller.h"
+#include "core/game/game.h"
+#include "core/game/lab/lab.h"
 #include "core/game/phases.h"
 #include "core/game/rules.h"
 #include "core/game/table_setup.h"
+#include "core/poi/world.h"
 
 _Static_assert(SCENE_LEADERBOARD_ROWS == RANK_ROWS, "every row can be shown");
 
 struct leaderboard_place leaderboard_best_place(const struct ranking *ranking, uint8_t mode,
                                                 uint32_t round_id, uint8_t seat)
 {
+    CORE_ASSERT(mode < MODE_COUNT && seat < POI_MAX);
     struct leaderboard_place best = { 0, 0 };
     for (uint8_t period = 0; period < RANK_PERIOD_COUNT && round_id != 0; period++) {
         const uint32_t place =
@@ -32,80 +36,55 @@ struct pick {
     uint32_t ticks; /* Ticks since the leaderboard appeared. */
 };
 
-static int is_empty(const struct ranking *ranking, uint8_t mode, uint32_t period)
+/* Returns the leaderboard to show in attract mode. Each interval of LEADERBOARD_EVERY_TICKS begins
+ * with the tank, so that passers-by see goldfish first. The leaderboards that have entries take
+ * turns. */
+static struct pick in_attract(const struct game *game, const struct core_config *config)
 {
-    return ranking->row[mode][period][0].caught == 0;
-}
-
-static int is_offered(const struct core_config *config, uint8_t mode)
-{
-    return (table_setup_modes(config) >> mode & 1u) && rules_of(mode)->keeps_score;
-}
-
-/* Returns number `turn` of the leaderboards that have entries. Numbers beyond the last leaderboard
- * wrap around. */
-static struct pick nth_board(const struct ranking *ranking, const struct core_config *config,
-                             uint32_t turn, uint32_t ticks)
-{
-    uint8_t hung[MODE_COUNT * RANK_PERIOD_COUNT];
+    CORE_ASSERT(game->phase == PHASE_ATTRACT);
+    const uint32_t elapsed = game->tick - game->phase_tick;
+    const uint32_t turn = elapsed / LEADERBOARD_EVERY_TICKS;
+    const uint32_t within = elapsed % LEADERBOARD_EVERY_TICKS;
+    const uint8_t modes = table_setup_modes(config);
+    uint8_t filled[MODE_COUNT * RANK_PERIOD_COUNT];
     uint32_t count = 0;
     for (uint8_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT; i++) {
         const uint8_t mode = i / RANK_PERIOD_COUNT, period = i % RANK_PERIOD_COUNT;
-        if (is_offered(config, mode) && !is_empty(ranking, mode, period)) {
-            hung[count++] = i;
+        if ((modes >> mode & 1u) && rules_of(mode)->keeps_score &&
+            game->accounts.ranking.row[mode][period][0].caught != 0) {
+            filled[count++] = i;
         }
     }
-    if (count == 0) {
+    if (count == 0 || within < LEADERBOARD_EVERY_TICKS - LEADERBOARD_TICKS) {
         return (struct pick){ 0 };
     }
-    const uint8_t nth = hung[turn % count];
-    return (struct pick){ 1, nth / RANK_PERIOD_COUNT, nth % RANK_PERIOD_COUNT, ticks };
+    const uint8_t nth = filled[turn % count];
+    return (struct pick){ 1, nth / RANK_PERIOD_COUNT, nth % RANK_PERIOD_COUNT,
+                          within + LEADERBOARD_TICKS - LEADERBOARD_EVERY_TICKS };
 }
 
-/* Returns the leaderboard to show in attract mode. Each interval of LEADERBOARD_EVERY_TICKS begins
- * with the tank, so that passers-by see goldfish first. */
-static struct pick in_attract(const struct game *game, const struct core_config *config)
-{
-    const uint32_t elapsed = game->tick - game->phase_tick;
-    const uint32_t within = elapsed % LEADERBOARD_EVERY_TICKS;
-    if (within < LEADERBOARD_EVERY_TICKS - LEADERBOARD_TICKS) {
-        return (struct pick){ 0 };
-    }
-    return nth_board(&game->accounts.ranking, config, elapsed / LEADERBOARD_EVERY_TICKS,
-                     within + LEADERBOARD_TICKS - LEADERBOARD_EVERY_TICKS);
-}
-
-/* Returns the leaderboard on which a player of the last round has the best place. */
-static struct pick after_round(const struct game *game)
-{
-    struct leaderboard_place best = { 0, 0 };
-    for (uint8_t seat = 0; seat < POI_MAX; seat++) {
-        const struct leaderboard_place place =
-            leaderboard_best_place(&game->accounts.ranking, game->mode, game->name.round_id, seat);
-        if (place.place != 0 && (best.place == 0 || place.place < best.place)) {
-            best = place;
-        }
-    }
-    return (struct pick){ best.place != 0, game->mode, best.period, game->tick - game->phase_tick };
-}
-
-/* Returns the leaderboard selected in the operator's menu. */
-static struct pick in_menu(const struct menu *menu)
-{
-    const int shown = menu->page == MENU_RANKING || menu->page == MENU_SCORE;
-    return (struct pick){ (uint8_t)shown, menu->board / RANK_PERIOD_COUNT,
-                          menu->board % RANK_PERIOD_COUNT, 0 };
-}
-
+/* Returns the leaderboard to show: in the operator's menu the selected one, and after a round the
+ * one on which a player of the round has the best place. */
 static struct pick shown_ranking(const struct game *game, const struct core_config *config)
 {
+    const struct menu *menu = &game->menu;
+    struct leaderboard_place best = { 0, 0 };
     switch (game->phase) {
-    case PHASE_LEADERBOARD:
-        return after_round(game);
     case PHASE_ATTRACT:
         return in_attract(game, config);
     case PHASE_MENU:
-        return in_menu(&game->menu);
+        return (struct pick){ menu->page == MENU_RANKING || menu->page == MENU_SCORE,
+                              menu->board / RANK_PERIOD_COUNT, menu->board % RANK_PERIOD_COUNT, 0 };
+    case PHASE_LEADERBOARD:
+        for (uint8_t seat = 0; seat < POI_MAX; seat++) {
+            const struct leaderboard_place place = leaderboard_best_place(
+                &game->accounts.ranking, game->mode, game->name.round_id, seat);
+            if (place.place != 0 && (best.place == 0 || place.place < best.place)) {
+                best = place;
+            }
+        }
+        return (struct pick){ best.place != 0, game->mode, best.period,
+                              game->tick - game->phase_tick };
     default:
         return (struct pick){ 0 };
     }
@@ -113,15 +92,11 @@ static struct pick shown_ranking(const struct game *game, const struct core_conf
 
 /* ---- The phase ------------------------------------------------------------------------------ */
 
-void leaderboard_begin(struct game *game)
-{
-    game_enter_phase(game, PHASE_LEADERBOARD);
-}
-
 void leaderboard_tick(struct game *game, struct world *world, const struct core_config *config,
                       const struct input *input, struct output *output)
 {
-    const int dipped = game_dipped_player(game, world, input) < POI_MAX;
+    CORE_ASSERT(game->phase == PHASE_LEADERBOARD);
+    const int dipped = controller_dipped_player(game, world, input) < POI_MAX;
     const int is_read = game->tick - game->phase_tick >= LEADERBOARD_TICKS;
     if (dipped || (input->pressed & INPUT_START)) {
         mode_select_begin(game, world, config, output);
@@ -130,8 +105,7 @@ void leaderboard_tick(struct game *game, struct world *world, const struct core_
     }
 }
 
-/* ---- Content of the screen
- * -------------------------------------------------------------------- */
+/* ---- Content of the screen ------------------------------------------------------------------- */
 
 void leaderboard_show(const struct game *game, const struct core_config *config,
                       struct scene_leaderboard *out)

@@ -5,57 +5,35 @@
 #include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
+#include "core/game/accounting/ledger_writer.h"
 #include "core/game/game.h"
-#include "core/poi/world.h"
 #include "core/game/phases.h"
-#include "core/game/ranking/leaderboard.h"
 #include "core/game/ranking/name_filter.h"
+#include "core/poi/world.h"
 
 /* ---- Players -------------------------------------------------------------------------------- */
 
-static int round_is_ranked(const struct game *game, uint32_t round_id, uint8_t seat)
-{
-    for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
-        if (ranking_place(&game->accounts.ranking, game->mode, (enum rank_period)period, round_id,
-                          seat) < RANK_ROWS) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 void name_note_round(struct game *game, const struct settings *settings, uint32_t round_id)
 {
+    CORE_ASSERT(game->mode < MODE_COUNT);
     struct name *name = &game->name;
-    *name = (struct name){ .round_id = round_id };
-    for (uint8_t seat = 0; seat < POI_MAX && round_id != 0; seat++) {
-        name->ranked |= (uint8_t)(round_is_ranked(game, round_id, seat) ? 1u << seat : 0u);
-    }
     const int is_kept = game->accounts.ledger.boot != 0;
     const int is_wanted = settings->value[SET_NAMES] != 0;
-    name->waits = is_kept && is_wanted ? name->ranked : 0u;
-}
-
-static uint8_t best_waiting(const struct game *game)
-{
-    uint8_t best = POI_MAX;
-    for (uint8_t seat = 0; seat < POI_MAX; seat++) {
-        const int waits = game->name.waits >> seat & 1;
-        if (waits && (best == POI_MAX || game->player[seat].caught > game->player[best].caught)) {
-            best = seat;
+    *name = (struct name){ .round_id = round_id };
+    for (uint8_t seat = 0; seat < POI_MAX && round_id != 0; seat++) {
+        for (uint32_t period = 0; period < RANK_PERIOD_COUNT; period++) {
+            const uint32_t place = ranking_place(&game->accounts.ranking, game->mode,
+                                                 (enum rank_period)period, round_id, seat);
+            name->ranked |= (uint8_t)(place < RANK_ROWS ? 1u << seat : 0u);
         }
     }
-    return best;
-}
-
-static uint8_t alphabet_of(uint8_t language)
-{
-    return language == LANGUAGE_JA ? ALPHABET_HIRAGANA : ALPHABET_LATIN;
+    name->waits = is_kept && is_wanted ? name->ranked : 0u;
 }
 
 /* Clears the letters and restarts the timeout for the current player. */
 static void ask_for_name(struct name *name, uint32_t tick)
 {
+    CORE_ASSERT(name->seat < POI_MAX);
     name->key = 0;
     name->letter_count = 0;
     name->points = 0;
@@ -65,24 +43,33 @@ static void ask_for_name(struct name *name, uint32_t tick)
     name->seat_tick = name->act_tick = tick;
 }
 
-/* Starts the name entry of the next player. Returns 1, or 0 if no player still needs a name. */
+/* Starts the name entry of the next player, who has the best score of the players who still need a
+ * name. Returns 1, or 0 if no player still needs a name. */
 static int begin_next_turn(struct game *game)
 {
     struct name *name = &game->name;
-    if (name->waits == 0) {
+    uint8_t best = POI_MAX;
+    for (uint8_t seat = 0; seat < POI_MAX; seat++) {
+        const int waits = name->waits >> seat & 1;
+        if (waits && (best == POI_MAX || game->player[seat].caught > game->player[best].caught)) {
+            best = seat;
+        }
+    }
+    if (best == POI_MAX) {
         return 0;
     }
-    name->seat = best_waiting(game);
-    name->waits &= (uint8_t)~(1u << name->seat);
-    name->alphabet = alphabet_of(game->language);
+    name->seat = best;
+    name->waits &= (uint8_t)~(1u << best);
+    name->alphabet = game->language == LANGUAGE_JA ? ALPHABET_HIRAGANA : ALPHABET_LATIN;
     name->refusals = 0;
     name->has_hand = 0;
-    ask_for_name(&game->name, game->tick);
+    ask_for_name(name, game->tick);
     return 1;
 }
 
 int name_begin(struct game *game, struct output *output)
 {
+    CORE_ASSERT(game->name.letter_count <= NAME_LETTERS_MAX);
     if (!begin_next_turn(game)) {
         return 0;
     }
@@ -95,6 +82,7 @@ int name_begin(struct game *game, struct output *output)
 
 static int stands_refused(const struct name *name)
 {
+    CORE_ASSERT(name->letter_count <= NAME_LETTERS_MAX);
     char words[LEDGER_NAME_SIZE];
     name_spell(name->letter, name->letter_count, words);
     return name_is_refused(words);
@@ -103,6 +91,7 @@ static int stands_refused(const struct name *name)
 void name_keep(struct accounts *accounts, const struct name *name, uint32_t tick,
                struct output *output)
 {
+    CORE_ASSERT(name->seat < POI_MAX);
     if (name->letter_count == 0 || stands_refused(name)) {
         return;
     }
@@ -117,45 +106,15 @@ static void finish(struct game *game, struct output *output)
 {
     name_keep(&game->accounts, &game->name, game->tick, output);
     if (!begin_next_turn(game)) {
-        leaderboard_begin(game);
+        game_enter_phase(game, PHASE_LEADERBOARD);
     }
     output_sound(output, SOUND_CALL, 0.8f, 0.0f);
-}
-
-static void take_done(struct game *game, struct output *output)
-{
-    struct name *name = &game->name;
-    if (stands_refused(name) && name->refusals < NAME_REFUSALS_MAX) {
-        name->refusals++;
-        output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
-        ask_for_name(&game->name, game->tick);
-        return;
-    }
-    finish(game, output);
-}
-
-/* Adds a letter to the name. When the name is full, highlights the Done key. */
-static void add_letter(struct name *name, uint16_t letter)
-{
-    if (name->letter_count < NAME_LETTERS_MAX) {
-        name->letter[name->letter_count++] = letter;
-    }
-    if (name->letter_count == NAME_LETTERS_MAX) {
-        name->key = NAME_DONE;
-    }
-}
-
-static void change_last(struct name *name)
-{
-    if (name->letter_count > 0) {
-        uint16_t *last = &name->letter[name->letter_count - 1u];
-        *last = name_changed(*last);
-    }
 }
 
 static void activate_key(struct game *game, struct output *output)
 {
     struct name *name = &game->name;
+    CORE_ASSERT(name->key < NAME_KEY_COUNT && name->letter_count <= NAME_LETTERS_MAX);
     name->act_tick = game->tick;
     output_sound(output, SOUND_TICK, 0.7f, 0.0f);
     switch (name->key) {
@@ -163,16 +122,28 @@ static void activate_key(struct game *game, struct output *output)
         name->alphabet = (uint8_t)((name->alphabet + 1u) % ALPHABET_COUNT);
         break;
     case NAME_CHANGE:
-        change_last(name);
+        if (name->letter_count > 0) {
+            uint16_t *last = &name->letter[name->letter_count - 1u];
+            *last = name_changed(*last);
+        }
         break;
     case NAME_ERASE:
         name->letter_count = (uint8_t)(name->letter_count - (name->letter_count > 0));
         break;
     case NAME_DONE:
-        take_done(game, output);
+        if (stands_refused(name) && name->refusals < NAME_REFUSALS_MAX) {
+            name->refusals++;
+            output_sound(output, SOUND_FOUL, 0.4f, 0.0f);
+            ask_for_name(name, game->tick);
+        } else {
+            finish(game, output);
+        }
         break;
-    default:
-        add_letter(name, name_letter(name->alphabet, name->key));
+    default: /* A letter. When the name is full, the Done key is highlighted. */
+        if (name->letter_count < NAME_LETTERS_MAX) {
+            name->letter[name->letter_count++] = name_letter(name->alphabet, name->key);
+        }
+        name->key = name->letter_count == NAME_LETTERS_MAX ? (uint8_t)NAME_DONE : name->key;
         break;
     }
 }
@@ -181,6 +152,7 @@ static void activate_key(struct game *game, struct output *output)
 
 static void point_at_key(struct name *name, uint32_t tick, uint32_t key, struct output *output)
 {
+    CORE_ASSERT(key < NAME_KEY_COUNT);
     name->act_tick = tick;
     if (name->key != key) {
         name->key = (uint8_t)key;
@@ -197,6 +169,7 @@ static int is_there(const struct name *name, uint32_t key)
  * empty cells. */
 static void point_on(struct name *name, uint32_t tick, int forward, struct output *output)
 {
+    CORE_ASSERT(name->key < NAME_KEY_COUNT);
     uint32_t key = name->key;
     do {
         key = (key + (forward ? 1u : NAME_KEY_COUNT - 1u)) % NAME_KEY_COUNT;
@@ -204,56 +177,34 @@ static void point_on(struct name *name, uint32_t tick, int forward, struct outpu
     point_at_key(name, tick, key, output);
 }
 
-static int runs_on(struct name *name, uint32_t held)
-{
-    name->held_ticks = held & (INPUT_LEFT | INPUT_RIGHT) ? name->held_ticks + 1u : 0u;
-    return name->held_ticks >= NAME_RUN_TICKS && name->held_ticks % NAME_STEP_TICKS == 0;
-}
-
-static void heed_buttons(struct game *game, const struct input *input, struct output *output)
+/* Moves the highlight when the pointer enters a key. While the pointer is at rest, the buttons move
+ * the highlight. */
+static void take_name_buttons(struct game *game, const struct input *input, struct output *output)
 {
     struct name *name = &game->name;
-    const uint32_t pressed = input->pressed | (runs_on(name, input->held) ? input->held : 0u);
+    name->held_ticks = input->held & (INPUT_LEFT | INPUT_RIGHT) ? name->held_ticks + 1u : 0u;
+    const int repeats =
+        name->held_ticks >= NAME_RUN_TICKS && name->held_ticks % NAME_STEP_TICKS == 0;
+    const uint32_t pressed = input->pressed | (repeats ? input->held : 0u);
     if (pressed & INPUT_RIGHT) {
-        point_on(&game->name, game->tick, 1, output);
+        point_on(name, game->tick, 1, output);
     } else if (pressed & INPUT_LEFT) {
-        point_on(&game->name, game->tick, 0, output);
+        point_on(name, game->tick, 0, output);
     }
     if (input->pressed & (INPUT_OK | INPUT_START)) {
         activate_key(game, output);
     }
 }
 
-/* Returns the key under the pointer, from 1; 0 means none. */
-static uint8_t key_under(const struct name *name, struct layout_point at)
-{
-    for (uint32_t key = 0; key < NAME_KEY_COUNT; key++) {
-        if (pointer_is_inside(name_box(name->upright, name->alphabet, key), 0.0f, at)) {
-            return (uint8_t)(key + 1u);
-        }
-    }
-    return 0;
-}
-
-/* Restarts the timeout when the pointer moves, because the player is searching for a letter. */
-static void note_stir(struct name *name, uint32_t tick, struct layout_point at)
-{
-    const float x = at.x - name->rest_x, y = at.y - name->rest_y;
-    if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
-        name->rest_x = at.x;
-        name->rest_y = at.y;
-        name->act_tick = tick;
-    }
-}
-
 /* Moves the highlight when the pointer enters a key. While the pointer is at rest, the buttons move
- * the highlight. */
+ * the highlight. Motion restarts the timeout, because the player is searching for a letter. */
 static void point_at_key_by_hand(struct game *game, const struct world *world,
                                  const struct input *input, struct output *output)
 {
     struct name *name = &game->name;
     const struct pointer_state hand = pointer_of_player(world, input, name->upright, name->seat);
     const int was_down = name->presses || !name->has_hand;
+    uint8_t points = 0; /* Key under the pointer, from 1; 0 means none. */
     name->has_hand = hand.present;
     if (!hand.present) {
         name->points = 0;
@@ -261,52 +212,47 @@ static void point_at_key_by_hand(struct game *game, const struct world *world,
     }
     name->x = hand.at.x;
     name->y = hand.at.y;
-    note_stir(&game->name, game->tick, hand.at);
-    const uint8_t points = key_under(name, hand.at);
+    const float x = hand.at.x - name->rest_x, y = hand.at.y - name->rest_y;
+    if (x * x + y * y > POINTER_MOVE_MIN * POINTER_MOVE_MIN) {
+        name->rest_x = hand.at.x;
+        name->rest_y = hand.at.y;
+        name->act_tick = game->tick;
+    }
+    for (uint32_t key = 0; key < NAME_KEY_COUNT && points == 0; key++) {
+        const struct layout_box box = name_box(name->upright, name->alphabet, key);
+        points = pointer_is_inside(box, 0.0f, hand.at) ? (uint8_t)(key + 1u) : 0u;
+    }
     if (points != name->points && points > 0) {
-        point_at_key(&game->name, game->tick, points - 1u, output);
+        point_at_key(name, game->tick, points - 1u, output);
     }
     name->points = points;
     name->presses = hand.height_m < (was_down ? POINTER_RELEASE_Y_M : POINTER_PRESS_Y_M);
     if (name->presses && !was_down && points > 0) {
-        point_at_key(&game->name, game->tick, points - 1u,
-                     output); /* A dip presses the key under the pointer, even if a button has moved
-                                 the highlight. */
+        /* A dip presses the key under the pointer, even if a button has moved the highlight. */
+        point_at_key(name, game->tick, points - 1u, output);
         activate_key(game, output);
     }
 }
 
 /* ---- The tick ------------------------------------------------------------------------------- */
 
-/* Highlights the alphabet key if the highlighted letter's cell is empty in the new alphabet. */
-static void point_at_something(struct name *name)
-{
-    name->key = is_there(name, name->key) ? name->key : (uint8_t)NAME_ALPHABET;
-}
-
 void name_tick(struct game *game, const struct world *world, const struct input *input,
                struct output *output)
 {
     struct name *name = &game->name;
     const uint8_t seat = name->seat;
+    CORE_ASSERT(game->phase == PHASE_NAME && seat < POI_MAX);
     name->upright = input->upright != 0;
-    if (name_seconds_left(name, game->tick) <= 0.0f) {
+    if (game_seconds_left(game, game->tick) <= 0.0f) {
         finish(game, output);
     } else if (game->tick - name->seat_tick >= NAME_SEEN_TICKS) {
-        heed_buttons(game, input, output);
+        take_name_buttons(game, input, output);
         if (game->phase == PHASE_NAME && name->seat == seat) {
             point_at_key_by_hand(game, world, input, output);
         }
     }
-    point_at_something(name);
-}
-
-float name_seconds_left(const struct name *name, uint32_t tick)
-{
-    const uint32_t idle = name->act_tick - name->seat_tick + NAME_IDLE_TICKS;
-    const uint32_t total = idle < NAME_TICKS_MAX ? idle : NAME_TICKS_MAX;
-    const uint32_t elapsed = tick - name->seat_tick;
-    return elapsed < total ? (float)(total - elapsed) * CORE_TICK_S : 0.0f;
+    /* The cell of the highlighted letter may be empty in a new alphabet. */
+    name->key = is_there(name, name->key) ? name->key : (uint8_t)NAME_ALPHABET;
 }
 
 void name_show(const struct game *game, struct scene_name *out)

@@ -13,47 +13,9 @@
 
 #include <stdint.h>
 
-#include "core/game/ranking/name_keyboard.h"
-#include "core/input.h"
-#include "core/output.h"
-#include "core/scene.h"
+#include "core/game/game.h"
 
-/* Time without pointing or pressing after which the name entry ends. */
-#define NAME_IDLE_TICKS (20u * CORE_TICK_HZ)
-/* Longest time of one player's name entry, including help from friends. */
-#define NAME_TICKS_MAX (60u * CORE_TICK_HZ)
-/* Delay before a press counts, because an earlier press was meant for the result screen. */
-#define NAME_SEEN_TICKS (CORE_TICK_HZ / 2u)
-/* Time after which a held LEFT or RIGHT button starts to repeat. */
-#define NAME_RUN_TICKS (CORE_TICK_HZ / 2u)
-/* Ticks between two steps while LEFT or RIGHT repeats. */
-#define NAME_STEP_TICKS (CORE_TICK_HZ / 10u)
-/* Number of rejected names after which the player may still try again. */
-#define NAME_REFUSALS_MAX 1u
-
-struct name {
-    uint32_t round_id; /* Ledger id of the last round with a ranked player; 0 means none. */
-    uint8_t ranked;    /* Bit mask of the ranked slots of that round. */
-    uint8_t waits;     /* Bit mask of the ranked slots that still need a name. */
-    uint8_t seat;      /* Slot of the player who enters a name. */
-    uint8_t alphabet;  /* Displayed alphabet (enum name_alphabet). */
-    uint8_t key;       /* Highlighted key: the index of a letter's cell, or an enum name_key. */
-    uint8_t points;    /* Key under the pointer, from 1; 0 means none. */
-    uint8_t upright, has_hand, presses;
-    uint8_t refusals; /* Number of names of the current player that were rejected. */
-    uint8_t letter_count;
-    uint16_t letter[NAME_LETTERS_MAX];
-    uint32_t seat_tick;   /* Tick at which the current player's name entry began. */
-    uint32_t act_tick;    /* Tick of the current player's last activity. */
-    uint32_t held_ticks;  /* Ticks for which LEFT or RIGHT has been held. */
-    float x, y;           /* Pointer position on the canvas. */
-    float rest_x, rest_y; /* Pointer position at its last motion. */
-};
-
-struct accounts;
-struct world;
 struct settings;
-struct game;
 
 /* Determines the ranked players of a finished round. `round_id` is the ledger id of the round, or 0
  * if the round has no ledger entry. */
@@ -69,12 +31,42 @@ void name_tick(struct game *game, const struct world *world, const struct input 
 void name_keep(struct accounts *accounts, const struct name *name, uint32_t tick,
                struct output *output);
 
-/* Returns the seconds until the current player's name entry times out. */
-float name_seconds_left(const struct name *name, uint32_t tick);
-
 /* Fills `out` with the visible state of the name entry. */
 void name_show(const struct game *game, struct scene_name *out);
 
 uint64_t name_hash(uint64_t hash, const struct name *name);
+
+/* ---- Leaderboard screen ---------------------------------------------------------------------- */
+
+/* The leaderboard screen, which is shown after a round with a ranked player, and at intervals in
+ * attract mode. */
+
+/* Duration of the leaderboard screen, long enough to read ten rows. */
+#define LEADERBOARD_TICKS (9u * CORE_TICK_HZ)
+/* Time in attract mode between the starts of two leaderboard screens. The tank is shown between the
+ * screens. */
+#define LEADERBOARD_EVERY_TICKS (30u * CORE_TICK_HZ)
+
+/* A player's best place over the leaderboards of all periods. If the places in two periods are
+ * equal, the longer period counts. */
+struct leaderboard_place {
+    uint8_t period; /* Period of the leaderboard with the best place (enum rank_period). */
+    uint8_t place;  /* Best place, from 1; 0 means not ranked. */
+};
+
+/* Returns the best place of slot `seat` in the round with ledger id `round_id`. The place is 0 if
+ * the slot is not ranked or `round_id` is 0. */
+struct leaderboard_place leaderboard_best_place(const struct ranking *ranking, uint8_t mode,
+                                                uint32_t round_id, uint8_t seat);
+
+/* Runs one tick of the leaderboard phase, which follows the name entry. START or a dip starts a
+ * game; OK turns the page. */
+void leaderboard_tick(struct game *game, struct world *world, const struct core_config *config,
+                      const struct input *input, struct output *output);
+
+/* Fills `out` with the visible leaderboard. The function also works in attract mode and in the
+ * operator's menu. */
+void leaderboard_show(const struct game *game, const struct core_config *config,
+                      struct scene_leaderboard *out);
 
 #endif

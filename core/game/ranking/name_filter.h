@@ -1,7 +1,7 @@
 /* name_filter.h -- the filter for names that must not appear on the leaderboard.
  *
  * The list of words is assets/words/refused.txt. The build converts the list to a table of
- * normalized words (name_normalize.h). The list covers words that are obviously offensive. The
+ * normalized words (name_normalize()). The list covers words that are obviously offensive. The
  * operator's menu can remove any other name. */
 #ifndef KINGYO_CORE_GAME_RANKING_NAME_FILTER_H
 #define KINGYO_CORE_GAME_RANKING_NAME_FILTER_H
@@ -23,5 +23,29 @@ extern const uint32_t refused_word_count;
 /* Returns 1 if the UTF-8 name must be rejected, otherwise 0. A name is rejected if it contains a
  * word of the list, or equals a word with `is_whole` 1. */
 int name_is_refused(const char *utf8);
+
+/* ---- Normalization --------------------------------------------------------------------------- */
+
+/* Name normalization: maps spellings with similar appearance or sound to one form.
+ *
+ * Several characters are mapped to one form: full-width and half-width letters, capitals,
+ * katakana, small kana, and digits or signs used as letters. Spaces, dots and long-vowel marks are
+ * removed. The filter compares normalized names, and the build normalizes its word list with the
+ * same function. */
+
+/* Largest number of letters in a normalized name; further letters are ignored. */
+#define NAME_NORMALIZE_MAX 32u
+
+enum name_ends {
+    NAME_ENDS_KEPT = 0,
+    NAME_ENDS_TRIMMED, /* Digits and signs at both ends are removed as decoration. */
+};
+
+/* Writes the normalized letters of `utf8` to `out` and returns their number. Malformed bytes are
+ * skipped. */
+uint32_t name_normalize(const char *utf8, enum name_ends ends, uint16_t out[NAME_NORMALIZE_MAX]);
+
+/* Replaces successive equal letters by one letter, in place. Returns the number of letters left. */
+uint32_t name_normalize_spaces(uint16_t *letters, uint32_t count);
 
 #endif

@@ -117,29 +117,22 @@ struct layout_box name_box(int upright, uint8_t alphabet, uint32_t key)
                                 m->height };
 }
 
-static uint32_t put_letter(uint16_t letter, char *out)
-{
-    if (letter < 0x80u) {
-        out[0] = (char)letter;
-        return 1u;
-    }
-    if (letter < 0x800u) {
-        out[0] = (char)(0xc0u | letter >> 6);
-        out[1] = (char)(0x80u | (letter & 0x3fu));
-        return 2u;
-    }
-    out[0] = (char)(0xe0u | letter >> 12);
-    out[1] = (char)(0x80u | (letter >> 6 & 0x3fu));
-    out[2] = (char)(0x80u | (letter & 0x3fu));
-    return 3u;
-}
-
 void name_spell(const uint16_t *spelt, uint32_t count, char out[LEDGER_NAME_SIZE])
 {
     CORE_ASSERT(count <= NAME_LETTERS_MAX);
-    uint32_t used = 0;
     memset(out, 0, LEDGER_NAME_SIZE);
     for (uint32_t i = 0; i < count; i++) {
-        used += put_letter(spelt[i], out + used);
+        const uint16_t letter = spelt[i];
+        if (letter < 0x80u) {
+            *out++ = (char)letter;
+            continue;
+        }
+        if (letter < 0x800u) {
+            *out++ = (char)(0xc0u | letter >> 6);
+        } else {
+            *out++ = (char)(0xe0u | letter >> 12);
+            *out++ = (char)(0x80u | (letter >> 6 & 0x3fu));
+        }
+        *out++ = (char)(0x80u | (letter & 0x3fu));
     }
 }

@@ -8,6 +8,9 @@
 
 #include "core/base/panic.h"
 #include "core/core.h"
+#include "core/game/bot/bot.h"
+#include "core/game/phases.h"
+#include "core/game/table_setup.h"
 #include "platform/cpu.h"
 #include "platform/kiosk/recorder/replayer.h"
 

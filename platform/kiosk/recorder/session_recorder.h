@@ -1,4 +1,4 @@
-/* session_recorder.h -- records the running session (core/game/session.h) in memory.
+/* session_recorder.h -- records the running session (core/game/phases.h) in memory.
  *
  * The recorder gives the store the replay of each ranked round. In a panic, the recorder writes the
  * session to a file. Each recording starts with a snapshot, which is the configuration of the

@@ -9,8 +9,8 @@
 
 #include "core/base/hash.h"
 #include "core/base/panic.h"
-#include "core/game/accounting/ledger_range.h"
-#include "core/game/accounting/round_standing.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/accounting/ledger_writer.h"
 #include "platform/store/sqlite/ledger_internal.h"
 #include "platform/store/sqlite/sql.h"
 

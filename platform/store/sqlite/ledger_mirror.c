@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "core/base/hash.h"
-#include "core/game/accounting/ledger_range.h"
+#include "core/game/accounting/ledger_writer.h"
 #include "core/pin.h"
 #include "core/settings.h"
 #include "platform/os/file.h"

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "core/core.h"
+#include "core/game/phases.h"
 
 static struct core core;
 static struct scene scene;

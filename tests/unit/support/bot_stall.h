@@ -5,6 +5,7 @@
 #define KINGYO_TESTS_UNIT_SUPPORT_BOT_STALL_H
 
 #include "core/core.h"
+#include "core/game/bot/bot.h"
 #include "core/game/rules.h"
 
 struct bot_stall {

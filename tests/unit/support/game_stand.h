@@ -15,7 +15,8 @@
 
 #include "core/base/hash.h"
 #include "core/core.h"
-#include "core/game/paper.h"
+#include "core/game/bot/paper_patch.h"
+#include "core/game/phases.h"
 #include "tests/unit/support/purse.h"
 
 #define ROUND_S 20u

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/game/menu/menu_calibrate.h"
+#include "core/game/menu/menu.h"
 #include "platform/render/ui/menu/ui_menu.h"
 
 struct places {

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/game/menu/self_test.h"
+#include "core/game/menu/menu.h"
 #include "platform/render/ui/menu/ui_menu.h"
 
 #define GOOD_PAINT 0x17754effu

@@ -12,7 +12,7 @@
 #include <SDL.h>
 
 #include "core/game/control/controller.h"
-#include "core/game/pause.h"
+#include "core/game/phases.h"
 #include "core/tank/preset.h"
 #include "drivers/null.h"
 #include "drivers/sim/storage_sim.h"
@@ -123,7 +123,7 @@ static int is_in_round(void)
 
 static int is_held(void)
 {
-    return pause_holds(&stall.kiosk.core.world, 0);
+    return player_has_poi(&stall.kiosk.core.world, 0);
 }
 
 static void until(int (*holds)(void))

@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "core/game/announcements.h"
+#include "core/game/phases.h"
 #include "core/input.h"
 
 #define SECONDS(s) ((s) * CORE_TICK_HZ)
@@ -15,7 +15,7 @@ static uint32_t count_calls(enum time_call call, uint32_t round_s)
 {
     uint32_t count = 0;
     for (uint32_t tick = 0; tick <= SECONDS(round_s + 5u); tick++) {
-        count += announcements_call_at(tick, SECONDS(round_s)) == call;
+        count += round_call_at(tick, SECONDS(round_s)) == call;
     }
     return count;
 }
@@ -24,13 +24,13 @@ static void test_three_minutes_have_the_calls_of_the_championship(void **state)
 {
     (void)state;
     const uint32_t total = SECONDS(180u);
-    assert_int_equal(announcements_call_at(SECONDS(60u), total), CALL_ONE_MINUTE);
-    assert_int_equal(announcements_call_at(SECONDS(120u), total), CALL_TWO_MINUTES);
-    assert_int_equal(announcements_call_at(SECONDS(170u), total), CALL_TEN_SECONDS);
+    assert_int_equal(round_call_at(SECONDS(60u), total), CALL_ONE_MINUTE);
+    assert_int_equal(round_call_at(SECONDS(120u), total), CALL_TWO_MINUTES);
+    assert_int_equal(round_call_at(SECONDS(170u), total), CALL_TEN_SECONDS);
     for (uint32_t second = 175; second < 180; second++) {
-        assert_int_equal(announcements_call_at(SECONDS(second), total), CALL_COUNTDOWN);
+        assert_int_equal(round_call_at(SECONDS(second), total), CALL_COUNTDOWN);
     }
-    assert_int_equal(announcements_call_at(total, total), CALL_TIME);
+    assert_int_equal(round_call_at(total, total), CALL_TIME);
 }
 
 static void test_each_is_called_once_and_nothing_in_between(void **state)

@@ -1,5 +1,6 @@
 /* test_fresh_paper.c -- when a poi is handed out, and when a torn one ends a round. */
 #include "tests/unit/support/game_stand.h"
+#include "core/game/phases.h"
 
 static void test_a_round_with_no_paper_left_ends_three_seconds_later(void **state)
 {

@@ -9,6 +9,7 @@
 
 #include "core/base/hash.h"
 #include "core/core.h"
+#include "core/game/phases.h"
 
 static struct core core;
 
@@ -222,7 +223,7 @@ static void test_a_new_player_learns_anew(void **state)
 {
     (void)state;
     learn(HINT_MOVE);
-    hints_init(&core.game.hints);
+    core.game.hints = (struct hints){ 0 };
     assert_int_equal(hint_after(300), HINT_MOVE);
 }
 

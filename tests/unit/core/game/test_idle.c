@@ -4,6 +4,7 @@
  * with a poi that swings on its cord, with a controller whose plug comes and goes, with buttons
  * that are stuck. */
 #include "core/game/menu/menu_pages.h"
+#include "core/game/phases.h"
 #include "tests/unit/support/game_stand.h"
 
 #define LONGEST_TICKS (MENU_SWING_SPANS * MENU_IDLE_TICKS + CORE_TICK_HZ)
@@ -98,7 +99,8 @@ static void finish_round_with_a_catch(void)
     steps(10u * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_ROUND);
     core.game.player[0].caught = 9;
-    core.game.album.fish_count = core.game.album.caught = 9;
+    core.game.album.fish_count = ALBUM_FISH_MAX;
+    core.game.album.caught = 9;
     steps(60u * CORE_TICK_HZ);
     assert_int_equal(core.game.phase, PHASE_RESULT);
 }

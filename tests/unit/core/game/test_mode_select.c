@@ -1,6 +1,7 @@
 /* test_mode_select.c -- a stall that offers several modes: pointing, taking, and the tank that a
  * mode is played in. */
 #include "tests/unit/support/stall_stand.h"
+#include "core/game/table_setup.h"
 
 #define ALL_MODES ((1u << MODE_COUNT) - 1u)
 #define LEFT_M (-0.35f)

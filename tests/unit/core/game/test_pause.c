@@ -1,6 +1,7 @@
 /* test_pause.c -- a hand is lost in the middle of a round: the clock waits, nobody scoops, nobody's
  * paper suffers, and the others go on without it in the end. */
 #include "tests/unit/support/stall_stand.h"
+#include "core/game/phases.h"
 
 #define ROUND_S 20u
 #define MINE 0u

@@ -1,5 +1,7 @@
 /* test_phases.c -- the phases of the stall, each edge on both sides. */
 #include "tests/unit/support/game_stand.h"
+#include "core/game/menu/menu.h"
+#include "core/game/phases.h"
 
 static void test_the_stall_begins_in_attract_and_stays_there_alone(void **state)
 {

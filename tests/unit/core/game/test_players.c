@@ -2,7 +2,7 @@
  * own. */
 #include "tests/unit/support/stall_stand.h"
 
-#include "core/game/paper.h"
+#include "core/game/bot/paper_patch.h"
 
 #define ROUND_S 20u
 

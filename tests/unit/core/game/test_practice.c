@@ -1,6 +1,7 @@
 /* test_practice.c -- practice: the paper shows its stress, a torn one is changed, the keeper
  * coaches, and nothing is kept of it. */
 #include "tests/unit/support/stall_stand.h"
+#include "core/game/phases.h"
 
 #define ROUND_S 30u
 

@@ -1,5 +1,7 @@
 /* test_record.c -- what counts, what a round leaves behind, and that each round is another. */
 #include "tests/unit/support/game_stand.h"
+#include "core/game/phases.h"
+#include "core/game/table_setup.h"
 
 static void land(uint32_t count)
 {

@@ -10,6 +10,8 @@
 
 #include "core/base/rng.h"
 #include "core/core.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/accounting/ledger_writer.h"
 
 static struct core core, twin;
 static struct output output, echo;

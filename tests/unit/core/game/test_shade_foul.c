@@ -2,7 +2,7 @@
  * fans move, nobody declares anything. */
 #include "tests/unit/support/stall_stand.h"
 
-#include "core/game/fouls.h"
+#include "core/game/phases.h"
 
 #define READY_TICKS (5u * CORE_TICK_HZ)
 

@@ -10,7 +10,7 @@
 #include <stdatomic.h>
 #include <sys/stat.h>
 
-#include "core/game/pause.h"
+#include "core/game/phases.h"
 #include "drivers/usb/usb_transport.h"
 #include "tests/unit/support/usb_kinds.h"
 

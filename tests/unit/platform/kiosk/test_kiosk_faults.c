@@ -14,6 +14,7 @@
 #include <cmocka.h>
 
 #include "core/game/control/controller.h"
+#include "core/game/phases.h"
 #include "drivers/null.h"
 #include "drivers/sim/hal_sim.h"
 #include "drivers/sim/pointer_sim.h"

@@ -15,6 +15,7 @@
 #include <sqlite3.h>
 
 #include "drivers/null.h"
+#include "core/game/accounting/ledger_writer.h"
 #include "drivers/sim/hal_sim.h"
 #include "platform/kiosk/kiosk.h"
 #include "platform/store/storage.h"

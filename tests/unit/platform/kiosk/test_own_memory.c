@@ -17,6 +17,7 @@
 #include <cmocka.h>
 
 #include "core/tank/preset.h"
+#include "core/game/lab/lab.h"
 #include "drivers/null.h"
 #include "drivers/sim/hal_sim.h"
 #include "drivers/sim/pointer_sim.h"

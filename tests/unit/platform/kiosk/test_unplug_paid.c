@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-#include "core/game/pause.h"
+#include "core/game/phases.h"
 #include "core/tank/preset.h"
 #include "drivers/hid/poi_report.h"
 #include "drivers/hid/poi_hid.h"

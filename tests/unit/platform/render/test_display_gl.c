@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "core/game/lab/album.h"
+#include "core/game/lab/lab.h"
 #include "core/game/menu/menu.h"
 #include "platform/render/display_gl.h"
 #include "tests/unit/support/display_stand.h"
@@ -195,7 +195,7 @@ static void test_a_turned_picture_is_the_same_picture_turned(void **state)
     static const uint8_t phases[] = { PHASE_ATTRACT, PHASE_ALBUM };
     core.world.tank.fish[0].gait = GAIT_BOWL;
     core.world.tank.fish[0].holder = 0;
-    album_clear(&core.game.album);
+    core.game.album = (struct album){ 0 };
     album_note(&core.game.album, &core.world, 0, 1);
     core.game.phase = PHASE_ALBUM;
     core_scene(&core, &scene);

@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "core/game/lab/album.h"
+#include "core/game/lab/lab.h"
 #include "core/morph/morph.h"
 #include "core/scene_helpers.h"
 #include "platform/render/display_gl.h"
@@ -120,7 +120,7 @@ static float red_in_album(float age_days, float caught_days)
     core.world.tank.fish[0].age_days = caught_days;
     core.world.tank.fish[0].gait = GAIT_BOWL;
     core.world.tank.fish[0].holder = 0;
-    album_clear(&core.game.album);
+    core.game.album = (struct album){ 0 };
     album_note(&core.game.album, &core.world, 0, 1);
     core.game.phase = PHASE_ALBUM;
     core_scene(&core, &scene);

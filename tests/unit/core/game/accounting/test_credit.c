@@ -1,5 +1,5 @@
 /* test_credit.c -- money: no coin is lost, none counts twice, and nobody plays for nothing. */
-#include "core/game/pause.h"
+#include "core/game/phases.h"
 #include "tests/unit/support/paid_stand.h"
 
 /* ---- Coins ---------------------------------------------------------------------------------- */

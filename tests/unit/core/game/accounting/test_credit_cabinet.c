@@ -1,6 +1,7 @@
 /* test_credit_cabinet.c -- what a paid stall does with its cabinet: tickets, the coin lock, the
  * door, a shake, and the hours that it was on. */
 #include "tests/unit/support/paid_stand.h"
+#include "core/game/phases.h"
 
 /* ---- Tickets -------------------------------------------------------------------------------- */
 

@@ -1,6 +1,8 @@
 /* test_full_ring.c -- a store that is full, dead, late or comes at last: no press of a guest ends
  * the stall, nobody plays for nothing, and what was paid is his when the store is back. */
 #include "tests/unit/support/game_stand.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/phases.h"
 
 #define PRICE 1u
 #define COINS_FOR_A_FULL_RING 40u /* Each writes two entries while there is room. */

@@ -13,7 +13,7 @@
 #include <sqlite3.h>
 
 #include "core/core.h"
-#include "core/game/accounting/ledger_range.h"
+#include "core/game/accounting/ledger_writer.h"
 #include "platform/replay/replay.h"
 #include "platform/replay/replay_initial_state.h"
 #include "platform/store/sqlite/ledger_recovery.h"

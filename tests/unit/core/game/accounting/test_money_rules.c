@@ -1,6 +1,8 @@
 /* test_money_rules.c -- each small rule of money alone: what ends a bonus, what no coin buys, what
  * waits for the card, what a start finds again. */
-#include "core/game/session.h"
+#include "core/game/phases.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/accounting/ledger_writer.h"
 #include "tests/unit/support/game_stand.h"
 
 #define PRICE 3u

@@ -1,7 +1,9 @@
 /* test_purse.c -- whatever falls, is played and fails, and wherever the plug is pulled: what was
  * acknowledged is there again, once. The books are kept here a second time, from the coins that the
  * test itself dropped and the entries that a disk of its own still has. */
-#include "core/game/accounting/round_standing.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/phases.h"
 #include "tests/unit/support/game_stand.h"
 
 #define PRICE 3u

@@ -1,7 +1,8 @@
 /* test_refunds.c -- when a credit comes back, that it does so once at most, and what a round keeps
  * whose credit does not: by a lost controller, the operator's menu, and a power cut. */
-#include "core/game/accounting/round_standing.h"
-#include "core/game/pause.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/phases.h"
 #include "tests/unit/support/paid_stand.h"
 
 #define SPENT_TICKS (2u * ROUND_S * CORE_TICK_HZ / 3u)

@@ -1,6 +1,7 @@
 /* test_tickets.c -- each ticket leaves the ledger before the dispenser, whenever the power goes. */
-#include "core/game/accounting/round_standing.h"
-#include "core/game/accounting/tickets.h"
+#include "core/game/accounting/credit.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/phases.h"
 #include "tests/unit/support/paid_stand.h"
 
 #define WON 5u

@@ -8,6 +8,8 @@
 #include <cmocka.h>
 
 #include "core/base/hash.h"
+#include "core/game/bot/bot.h"
+#include "core/game/bot/vision.h"
 #include "tests/unit/support/bot_stall.h"
 
 static struct bot_stall stall;

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "core/game/bot/targeting.h"
+#include "core/game/bot/bot.h"
 
 /* A tank with the bowl far away, whole paper, and `count` fish that were seen. */
 static struct snapshot stall_with(uint32_t count, const struct snapshot_fish *fish)

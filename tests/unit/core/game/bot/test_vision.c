@@ -8,6 +8,8 @@
 #include <cmocka.h>
 
 #include "tests/unit/support/bot_stall.h"
+#include "core/game/bot/bot.h"
+#include "core/game/bot/vision.h"
 
 static struct bot_stall stall;
 static struct scene scene;

@@ -9,6 +9,8 @@
 #include <cmocka.h>
 
 #include "core/base/hash.h"
+#include "core/game/bot/bot.h"
+#include "core/game/bot/vision.h"
 #include "core/scene_helpers.h"
 #include "core/tank/behavior/surface_breathing.h"
 #include "tests/unit/support/bot_stall.h"

@@ -1,5 +1,6 @@
 /* test_controller.c -- who has the poi in hand, and how far and how fast a hand goes. */
 #include "core/game/control/controller.h"
+#include "core/game/phases.h"
 #include "tests/unit/support/game_stand.h"
 
 static void test_the_clock_waits_while_the_poi_is_lost(void **state)

@@ -2,7 +2,7 @@
  * of the weakest grade, spared or not. */
 #include "tests/unit/support/poi_stand.h"
 
-#include "core/game/control/failsafe.h"
+#include "core/game/control/controller.h"
 
 static struct stand stand;
 

@@ -16,7 +16,7 @@
 #include "core/base/rng.h"
 #include "core/core.h"
 #include "core/game/control/controller.h"
-#include "core/game/control/failsafe.h"
+#include "core/game/phases.h"
 
 enum device { SENSOR, POINTER, DEVICE_COUNT };
 enum wetness { DRY, WET, HALF_WET, WETNESS_COUNT };

@@ -2,7 +2,7 @@
  * picture, when nobody plays with it. */
 #include "tests/unit/support/stall_stand.h"
 
-#include "core/game/control/parking.h"
+#include "core/game/control/controller.h"
 #include "core/game/rules.h"
 
 #define HANDLE_END_M 0.152f

@@ -1,6 +1,8 @@
 /* test_album.c -- the catch is noted as it comes, and grows up after the round. */
 #include "tests/unit/support/game_stand.h"
 
+#include "core/game/lab/lab.h"
+#include "core/game/phases.h"
 #include "core/morph/morph.h"
 
 /* As if fish `index` had come into the player's bowl in this tick. */

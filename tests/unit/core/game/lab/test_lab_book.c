@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "core/base/hash.h"
-#include "core/game/lab/lab_book.h"
+#include "core/game/lab/lab_edit.h"
 
 static struct lab_book book;
 

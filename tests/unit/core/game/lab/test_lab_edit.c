@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "core/base/rng.h"
-#include "core/game/lab/lab_book.h"
+#include "core/game/lab/lab_edit.h"
 
 static const struct species_card *card;
 static struct lab_edit edit;

@@ -1,6 +1,7 @@
 /* test_menu.c -- the operator's menu: two buttons or a hand lead everywhere, no round runs behind
  * it, no coin in it is money, and each order is told once. */
 #include "core/game/menu/menu_pages.h"
+#include "core/game/phases.h"
 #include "tests/unit/support/game_stand.h"
 
 static const struct menu *menu(void)

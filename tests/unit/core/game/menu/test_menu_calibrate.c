@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 #include "core/game/menu/menu_pages.h"
+#include "core/game/bot/bot.h"
 #include "tests/unit/support/bot_stall.h"
 #include "tests/unit/support/skewed_twin.h"
 

@@ -1,5 +1,6 @@
 /* The ranking's pages of the operator's menu: by two buttons, to each score and back. */
 #include "core/game/menu/menu_pages.h"
+#include "core/game/phases.h"
 #include "tests/unit/support/game_stand.h"
 
 static int setup_pages(void **state)

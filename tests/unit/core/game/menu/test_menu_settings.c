@@ -1,7 +1,9 @@
 /* test_menu_settings.c -- what an operator sets with two buttons or a poi: it counts at once, is in
  * the ledger once, and none of it is lost or done in haste. */
 #include "core/pin.h"
+#include "core/game/accounting/ledger_writer.h"
 #include "core/game/menu/menu_pages.h"
+#include "core/game/phases.h"
 #include "tests/unit/support/game_stand.h"
 
 #define HELD_S 12u /* Longer than the longest range takes. */

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/game/menu/menu_pages.h"
+#include "core/game/phases.h"
 #include "tests/unit/support/game_stand.h"
 
 static struct scene scene;

@@ -1,6 +1,6 @@
 /* Who is ranked writes a name: by hand, by three buttons, or not at all. */
-#include "core/game/ranking/leaderboard.h"
 #include "core/game/ranking/name.h"
+#include "core/game/phases.h"
 #include "core/game/ranking/name_filter.h"
 #include "core/game/ranking/name_keyboard.h"
 #include "tests/unit/support/game_stand.h"

@@ -8,7 +8,6 @@
 #include <cmocka.h>
 
 #include "core/game/ranking/name_filter.h"
-#include "core/game/ranking/name_normalize.h"
 
 static void expect_all(const char *const *names, size_t count, int refused)
 {

@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 
+#include "core/game/lab/lab.h"
 #include "platform/render/ui/ui_screens.h"
 
 #define ROUNDING_PX 0.6f
@@ -332,7 +333,7 @@ static void test_a_bow_is_told_from_the_endless_line(void **state)
 
 static void catch_fish(uint32_t count)
 {
-    album_clear(&core.game.album);
+    core.game.album = (struct album){ 0 };
     for (uint32_t i = 0; i < 12; i++) {
         core.world.tank.fish[i].gait = i < count ? GAIT_BOWL : GAIT_SWIM;
         core.world.tank.fish[i].holder = 0;

@@ -1,0 +1,86 @@
+/* lab_state.h -- the state of the growth lab, and of the album that is shown after a round. */
+#ifndef KINGYO_CORE_GAME_LAB_LAB_STATE_H
+#define KINGYO_CORE_GAME_LAB_LAB_STATE_H
+
+#include <stdint.h>
+
+#include "core/game/lab/lab_edit.h"
+#include "core/game/lab/lab_layout.h"
+#include "core/input.h"
+#include "core/scene.h"
+
+#define ALBUM_LIFE_TICKS (7u * CORE_TICK_HZ) /* Duration of the display of one fish's life. */
+/* Delay between the starts of two successive fish. */
+#define ALBUM_STAGGER_TICKS (CORE_TICK_HZ * 4u / 5u)
+/* Time for which the grown fish remain on the page after the last fish has grown. */
+#define ALBUM_REST_TICKS (4u * CORE_TICK_HZ)
+
+struct album {
+    uint32_t caught; /* Number of fish caught in this round by all players, including fish that did
+                        not fit on the page. */
+    uint32_t fish_count;
+    struct album_fish {
+        uint32_t fish; /* Index of the fish in the tank. */
+        uint32_t look;
+        uint32_t owner; /* Index of the player who caught the fish. */
+        float age_days, length_m;
+    } fish[ALBUM_FISH_MAX];
+};
+
+/* Time without motion after which the kiosk leaves the lab for attract mode. */
+#define LAB_IDLE_TICKS (60u * CORE_TICK_HZ)
+/* Time without a press after which the kiosk also leaves the lab. A poi that swings on its cord
+ * moves but never presses. */
+#define LAB_SWING_TICKS (180u * CORE_TICK_HZ)
+#define LAB_LIFE_TICKS (14u * CORE_TICK_HZ) /* Duration of the playback of a life. */
+/* Pause after the playback of a life, before the playback starts again. */
+#define LAB_REST_TICKS (5u * CORE_TICK_HZ / 2u)
+#define LAB_END_TICKS (3u * CORE_TICK_HZ / 2u) /* Time for which START must be held to leave. */
+#define LAB_GRAB 24.0f /* Distance on the canvas within which a press grabs a knot of the graph. */
+
+/* Element that the pointer drags, from the press to the release. */
+enum lab_hold {
+    HOLD_NOTHING = 0,
+    HOLD_AGE,    /* Position on the age axis. */
+    HOLD_CHART,  /* Position on the growth curve. */
+    HOLD_PLOT,   /* Position on the graph. */
+    HOLD_WEIGHT, /* Knot of the weight curve of the key in `layer`. */
+    HOLD_SIZE,   /* Knot of the scale curve. */
+    HOLD_BUTTON,
+    HOLD_LEAVE, /* Leave button, which acts when it is released. */
+};
+
+/* Value of `layer` for the scale curve. A smaller value is the index of a key. */
+#define LAB_LAYER_SIZE MORPH_KEY_MAX
+
+struct lab {
+    uint8_t species; /* Index of the displayed species in the lab book. */
+    uint8_t layer;   /* Curve that is edited: the index of a key, or LAB_LAYER_SIZE. */
+    uint8_t playing, compare, path;
+    uint8_t has_hand, presses;
+    uint8_t hand;   /* Player whose pose points, or pointed last. */
+    uint8_t points; /* Part of the page under the pointer (enum lab_part). */
+    uint8_t holds;  /* Element that is dragged (enum lab_hold). */
+    uint8_t held_knot;
+    uint8_t upright;               /* 1 if the last input reported a portrait screen, otherwise
+                                      0. */
+    uint8_t edit_refused;          /* 1 if the last input reported that the store saves no edits,
+                                      otherwise 0. */
+    uint8_t has_edit[SPECIES_MAX]; /* 1 for each species of which the kiosk has a saved edit,
+                                      otherwise 0. */
+    uint32_t stir_tick, act_tick;  /* Tick of the last motion, and tick of the last press. */
+    uint32_t rest_ticks;           /* Ticks since the playback of the life ended. */
+    uint32_t start_ticks;          /* Ticks for which START has been held. */
+    uint32_t save_id, saved_id;    /* Id of the newest edit sent to the store, and id of the newest
+                                      edit confirmed on disk. */
+    uint32_t asked_id;             /* Id of the save request for the current edit; 0 means that
+                                      saving was not requested. */
+    float x, y;                    /* Pointer position on the canvas. */
+    float stir_x, stir_y;          /* Pointer position at the last motion. */
+    float progress;
+    struct lab_edit edit; /* Edit that is displayed and changed. The edit is saved only on
+                             request. */
+    struct lab_edit edits[SPECIES_MAX];
+};
+
+#endif

@@ -1,0 +1,328 @@
+/* menu_devices.c -- the pages about devices: selects controllers, runs the learn wizard for an
+ * unknown controller, and calibrates a slot's poi. */
+#include "core/game/menu/menu_pages.h"
+
+#include "core/base/hash.h"
+#include "core/base/mem.h"
+#include "core/base/panic.h"
+#include "core/config.h"
+#include "core/game/game.h"
+#include "core/game/menu/menu.h"
+#include "core/poi/world.h"
+
+/* ---- All controllers ------------------------------------------------------------------------ */
+
+uint16_t menu_rows_enabled(const struct menu *menu)
+{
+    uint16_t offers = MENU_TAG(ROWS_BACK);
+    for (uint32_t row = 0; row < CONTROLLER_MAX; row++) {
+        offers |= menu->controllers.state[row] != CONTROLLER_NONE ? MENU_TAG(row) : 0;
+    }
+    return offers;
+}
+
+void menu_rows_activate(struct game *game, struct core_config *config, uint32_t tag,
+                        struct output *output)
+{
+    CORE_ASSERT(tag < CONTROLLER_MAX);
+    (void)output;
+    game->menu.row = (uint8_t)tag;
+    menu_turn(game, &config->persistent.settings, MENU_CONTROLLER);
+}
+
+/* ---- One controller ------------------------------------------------------------------------- */
+
+/* Highlights the first item of the open page, because the page now shows a different controller. */
+void menu_reopen(struct game *game, const struct settings *settings)
+{
+    (void)settings;
+    game->menu.tag[game->menu.page] = 0;
+}
+
+uint16_t menu_row_enabled(const struct menu *menu)
+{
+    CORE_ASSERT(menu->row < CONTROLLER_MAX);
+    static const uint16_t by_state[CONTROLLER_STATE_COUNT] = {
+        [CONTROLLER_FREE] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_LEARN),
+        [CONTROLLER_ACTIVE] = MENU_TAG(ROW_RELEASE) | MENU_TAG(ROW_LEARN),
+        [CONTROLLER_LOST] = MENU_TAG(ROW_RELEASE), /* The learn wizard needs a connected
+                                                      controller. */
+        [CONTROLLER_DENIED] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_RELEASE), /* The permission may
+                                                                               have been granted
+                                                                               after the first
+                                                                               attempt. */
+    };
+    return by_state[menu->controllers.state[menu->row]] | MENU_TAG(ROW_BACK);
+}
+
+void menu_row_activate(struct game *game, struct core_config *config, uint32_t tag,
+                       struct output *output)
+{
+    CORE_ASSERT(tag < ROW_BACK);
+    if (tag == ROW_LEARN) {
+        menu_command(&game->menu, output, COMMAND_LEARN);
+        menu_turn(game, &config->persistent.settings, MENU_LEARN);
+        return;
+    }
+    menu_command(&game->menu, output, tag == ROW_CHOOSE ? COMMAND_CHOOSE : COMMAND_RELEASE);
+}
+
+/* ---- Learn wizard --------------------------------------------------------------------------- */
+
+uint16_t menu_learn_enabled(const struct menu *menu)
+{
+    CORE_ASSERT(menu->controllers.learn_step < LEARN_STEP_COUNT);
+    switch (menu->controllers.learn_step) {
+    case LEARN_NONE:
+        return MENU_TAG(LEARNS_END); /* The wizard has not started, or the controller is
+                                        disconnected. */
+    case LEARN_TRY:
+    case LEARN_NOT_SAVED: /* Another attempt to save may succeed, for example after an SD card was
+                             inserted. */
+        return MENU_TAG(LEARNS_KEEP) | MENU_TAG(LEARNS_AGAIN) | MENU_TAG(LEARNS_END);
+    case LEARN_FAILED:
+        return MENU_TAG(LEARNS_AGAIN) | MENU_TAG(LEARNS_END);
+    default:
+        return MENU_TAG(LEARNS_NEXT) | MENU_TAG(LEARNS_END);
+    }
+}
+
+void menu_learn_activate(struct game *game, struct core_config *config, uint32_t tag,
+                         struct output *output)
+{
+    CORE_ASSERT(tag < LEARNS_END);
+    switch (tag) {
+    case LEARNS_NEXT:
+        menu_command(&game->menu, output, COMMAND_LEARN_NEXT);
+        break;
+    case LEARNS_KEEP:
+        menu_command(&game->menu, output, COMMAND_LEARN_KEEP);
+        menu_turn(game, &config->persistent.settings, MENU_CONTROLLERS);
+        break;
+    default:
+        menu_command(&game->menu, output, COMMAND_LEARN);
+        break;
+    }
+}
+
+void menu_learn_close(struct menu *menu, struct output *output)
+{
+    menu_command(menu, output, COMMAND_LEARN_END);
+}
+
+/* ---- Items ---------------------------------------------------------------------------------- */
+
+uint16_t menu_calibrate_enabled(const struct menu *menu)
+{
+    CORE_ASSERT(menu->calibrate.seat < POI_MAX);
+    const struct calibrate *calibrate = &menu->calibrate;
+    const uint32_t seat = 1u << calibrate->seat;
+    return (uint16_t)(((calibrate->present & ~seat) != 0 ? MENU_TAG(CALIBRATE_NEXT) : 0u) |
+                      (calibrate->present & seat ? MENU_TAG(CALIBRATE_BEGIN) : 0u) |
+                      (calibrate->has_before & seat ? MENU_TAG(CALIBRATE_UNDO) : 0u) |
+                      (calibrate->is_set & seat ? MENU_TAG(CALIBRATE_NONE) : 0u) |
+                      MENU_TAG(CALIBRATE_BACK));
+}
+
+static void begin_anew(struct calibrate *calibrate)
+{
+    calibrate->step = CALIBRATE_IDLE;
+    calibrate->has_anchor = 0;
+    calibrate->still_ticks = 0;
+}
+
+static void next_seat(struct calibrate *calibrate)
+{
+    CORE_ASSERT(calibrate->present != 0);
+    do {
+        calibrate->seat = (uint8_t)((calibrate->seat + 1u) % POI_MAX);
+    } while (!(calibrate->present >> calibrate->seat & 1u));
+}
+
+void menu_calibrate_open(struct game *game, const struct settings *settings)
+{
+    CORE_ASSERT(game->menu.page == MENU_CALIBRATION);
+    (void)settings;
+    struct calibrate *calibrate = &game->menu.calibrate;
+    begin_anew(calibrate);
+    if (calibrate->present != 0 && !(calibrate->present >> calibrate->seat & 1u)) {
+        next_seat(calibrate);
+    }
+}
+
+/* Stores `value` as the slot's calibration. A complete previous calibration is kept, so that the
+ * operator can restore it. */
+static void swap_with(struct game *game, struct core_config *config,
+                      int32_t value[CALIBRATION_VALUES])
+{
+    CORE_ASSERT(game->menu.calibrate.seat < POI_MAX);
+    struct calibrate *calibrate = &game->menu.calibrate;
+    const uint32_t first = calibration_setting(calibrate->seat);
+    const struct settings *settings = &config->persistent.settings;
+    int32_t before[CALIBRATION_VALUES] = { 0 };
+    if (calibration_is_set(settings, calibrate->seat)) {
+        memcpy(before, &settings->value[first], sizeof before);
+    }
+    for (uint32_t i = 0; i < CALIBRATION_VALUES; i++) {
+        settings_edit_set(game, config, first + i, value[i]);
+    }
+    settings_edit_set(game, config, calibration_check_setting(calibrate->seat),
+                      calibration_check(value));
+    memcpy(calibrate->before[calibrate->seat], before, sizeof before);
+    calibrate->has_before |= (uint8_t)(1u << calibrate->seat);
+}
+
+void menu_calibrate_activate(struct game *game, struct core_config *config, uint32_t tag,
+                             struct output *output)
+{
+    CORE_ASSERT(tag < CALIBRATE_BACK);
+    struct calibrate *calibrate = &game->menu.calibrate;
+    int32_t value[CALIBRATION_VALUES] = { 0 };
+    (void)output;
+    begin_anew(calibrate);
+    if (tag == CALIBRATE_NEXT) {
+        next_seat(calibrate);
+    } else if (tag == CALIBRATE_BEGIN) {
+        calibrate->step = CALIBRATE_CORNER;
+        calibrate->must_move = 1; /* The poi may still be in its holder, and must move before the
+                                     first pose counts. */
+    } else if (tag == CALIBRATE_UNDO) {
+        memcpy(value, calibrate->before[calibrate->seat], sizeof value);
+        swap_with(game, config, value);
+    } else {
+        swap_with(game, config, value);
+    }
+}
+
+/* ---- Stillness ------------------------------------------------------------------------------ */
+
+int menu_calibrate_is_running(const struct calibrate *calibrate)
+{
+    return calibrate->step >= CALIBRATE_CORNER && calibrate->step <= CALIBRATE_WATER;
+}
+
+float menu_calibrate_progress(const struct calibrate *calibrate)
+{
+    return (float)calibrate->still_ticks / (float)CALIBRATE_STILL_TICKS;
+}
+
+static void rest_at(struct calibrate *calibrate, const struct poi_target *at)
+{
+    calibrate->has_anchor = 1;
+    calibrate->anchor = *at;
+    calibrate->sum = (struct poi_target){ { 0.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, 0.0f } };
+    calibrate->still_ticks = 0;
+}
+
+/* Adds the pose to the sum while the poi is still. Sums the deviations from the anchor, because a
+ * sum of positions would lose precision far from the origin. Returns 1 if the poi has been still
+ * for CALIBRATE_STILL_TICKS, otherwise 0. */
+static int watch_still(struct calibrate *calibrate, const struct poi_input *poi)
+{
+    const struct poi_target *at = &poi->target, *anchor = &calibrate->anchor;
+    struct poi_target *sum = &calibrate->sum;
+    if (!calibrate->has_anchor) {
+        rest_at(calibrate, at);
+        return 0;
+    }
+    const float way_m = v3_length(v3_sub(at->position_m, anchor->position_m));
+    if (calibrate->must_move && way_m <= CALIBRATE_MOVE_M) {
+        return 0;
+    }
+    const float turn = poi->has_wrist ? input_turn(anchor->angles, at->angles) : 0.0f;
+    if (calibrate->must_move || way_m > CALIBRATE_STILL_M || turn > CALIBRATE_STILL_TURN) {
+        calibrate->must_move = 0;
+        rest_at(calibrate, at);
+        return 0;
+    }
+    sum->position_m = v3_add(sum->position_m, v3_sub(at->position_m, anchor->position_m));
+    sum->angles.pitch_rad += f_wrap_angle(at->angles.pitch_rad - anchor->angles.pitch_rad);
+    sum->angles.roll_rad += f_wrap_angle(at->angles.roll_rad - anchor->angles.roll_rad);
+    calibrate->still_ticks++;
+    CORE_ASSERT(calibrate->still_ticks <= CALIBRATE_STILL_TICKS);
+    return calibrate->still_ticks == CALIBRATE_STILL_TICKS;
+}
+
+/* ---- The steps ------------------------------------------------------------------------------ */
+
+/* Stores the mean of the still poses for the current step. The last step computes the
+ * calibration. */
+static void take_pose(struct game *game, const struct world *world, struct core_config *config,
+                      const struct poi_input *poi, struct output *output)
+{
+    struct calibrate *calibrate = &game->menu.calibrate;
+    const float share = 1.0f / (float)CALIBRATE_STILL_TICKS;
+    struct poi_target at = calibrate->anchor;
+    int32_t value[CALIBRATION_VALUES];
+    CORE_ASSERT(menu_calibrate_is_running(calibrate));
+    at.position_m = v3_muladd(at.position_m, calibrate->sum.position_m, share);
+    at.angles.pitch_rad += share * calibrate->sum.angles.pitch_rad;
+    at.angles.roll_rad += share * calibrate->sum.angles.roll_rad;
+    rest_at(calibrate, &poi->target);
+    calibrate->must_move = 1;
+    game->menu.act_tick = game->tick;
+    if (calibrate->step != CALIBRATE_WATER) {
+        calibrate->said.corner_m[calibrate->step - CALIBRATE_CORNER] = at.position_m;
+        calibrate->step++;
+        output_sound(output, SOUND_CATCH, 0.7f, 0.0f);
+        return;
+    }
+    calibrate->said.water = at;
+    calibrate->said.has_wrist = poi->has_wrist != 0;
+    calibrate->fault = (uint8_t)calibration_solve(&calibrate->said, world->tank.size_m, value);
+    const int is_good = calibrate->fault == CALIBRATION_GOOD;
+    if (is_good) {
+        swap_with(game, config, value);
+    }
+    calibrate->step = is_good ? CALIBRATE_DONE : CALIBRATE_REFUSED;
+    output_sound(output, is_good ? SOUND_RESULT : SOUND_FOUL, 0.7f, 0.0f);
+}
+
+void menu_calibrate_tick(struct game *game, const struct world *world, struct core_config *config,
+                         const struct input *said, struct output *output)
+{
+    const struct settings *settings = &config->persistent.settings;
+    struct calibrate *calibrate = &game->menu.calibrate;
+    if (game->phase != PHASE_MENU) {
+        return;
+    }
+    calibrate->present = calibrate->is_set = 0;
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        const int is_there = said->poi[i].link == POI_SOURCE_LIVE;
+        const int is_set = calibration_is_set(settings, i) || calibration_is_torn(settings, i);
+        calibrate->present |= (uint8_t)((uint32_t)is_there << i);
+        calibrate->is_set |= (uint8_t)((uint32_t)is_set << i);
+    }
+    CORE_ASSERT(calibrate->seat < POI_MAX && calibrate->step < CALIBRATE_STEPS);
+    const struct poi_input *poi = &said->poi[calibrate->seat];
+    if (game->menu.page != MENU_CALIBRATION || !menu_calibrate_is_running(calibrate)) {
+        return;
+    }
+    if (poi->link != POI_SOURCE_LIVE || !input_pose_is_finite(&poi->target)) {
+        calibrate->has_anchor = 0;
+        calibrate->still_ticks = 0;
+    } else if (watch_still(calibrate, poi)) {
+        take_pose(game, world, config, poi, output);
+    }
+}
+
+uint64_t menu_calibrate_hash(uint64_t hash, const struct calibrate *calibrate)
+{
+    const uint32_t words[] = { calibrate->seat,        calibrate->step,
+                               calibrate->fault,       calibrate->present,
+                               calibrate->is_set,      calibrate->has_before,
+                               calibrate->has_anchor,  calibrate->must_move,
+                               calibrate->still_ticks, calibrate->said.has_wrist };
+    for (uint32_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        hash = hash_u32(hash, words[i]);
+    }
+    for (uint32_t i = 0; i < POI_MAX * CALIBRATION_VALUES; i++) {
+        const int32_t value = calibrate->before[i / CALIBRATION_VALUES][i % CALIBRATION_VALUES];
+        hash = hash_u32(hash, (uint32_t)value);
+    }
+    for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
+        hash = hash_vec3(hash, calibrate->said.corner_m[i]);
+    }
+    hash = input_pose_hash(input_pose_hash(hash, &calibrate->anchor), &calibrate->sum);
+    return input_pose_hash(hash, &calibrate->said.water);
+}

@@ -1,0 +1,249 @@
+/* menu_state.h -- the state of the operator's menu, of its calibration page and of its self-test
+ * page. The functions are in menu.h. */
+#ifndef KINGYO_CORE_GAME_MENU_MENU_STATE_H
+#define KINGYO_CORE_GAME_MENU_MENU_STATE_H
+
+#include <stdint.h>
+
+#include "core/game/control/calibration.h"
+#include "core/game/pointer_mapping.h"
+#include "core/input.h"
+#include "core/scene.h"
+
+#define CALIBRATE_STILL_TICKS (CORE_TICK_HZ + CORE_TICK_HZ / 2u)
+/* Tolerance for the position of a poi that is held still, for an arm that rests on the tank's
+ * rim. */
+#define CALIBRATE_STILL_M 0.008f
+#define CALIBRATE_STILL_TURN 0.15f
+/* Distance from the last accepted pose that the poi must move before the next pose. */
+#define CALIBRATE_MOVE_M 0.03f
+
+enum calibrate_step {
+    CALIBRATE_IDLE = 0,
+    CALIBRATE_CORNER, /* First of four steps, one for each corner. */
+    CALIBRATE_WATER = CALIBRATE_CORNER + (int)CALIBRATE_CORNERS,
+    CALIBRATE_DONE,
+    CALIBRATE_REFUSED, /* The calibration was rejected and is unchanged. `fault` is the reason. */
+    CALIBRATE_STEPS,
+};
+
+struct calibrate {
+    uint8_t seat;
+    uint8_t step;       /* Current step (enum calibrate_step). */
+    uint8_t fault;      /* Reason for the rejection (enum calibration_fault). */
+    uint8_t present;    /* Bit mask of the slots with a controller. */
+    uint8_t is_set;     /* Bit mask of the slots with a stored calibration, including incomplete
+                           calibrations. */
+    uint8_t has_before; /* Bit mask of the slots whose previous calibration is in `before`. */
+    int32_t before[POI_MAX][CALIBRATION_VALUES];
+    uint8_t has_anchor, must_move;
+    uint16_t still_ticks;
+    struct poi_target anchor; /* Pose at which the poi came to rest. Deviations are measured from
+                                 it. */
+    struct poi_target sum;    /* Sum of the deviations from `anchor` over the ticks in which the poi
+                                 was still. */
+    struct calibration_said said;
+};
+
+#define SELF_TEST_TICKS (20u * CORE_TICK_HZ) /* Time after which a check without a result is bad. */
+/* Longest time for a write to disk. A store on a slower SD card fails the check. */
+#define SELF_TEST_STORE_TICKS (10u * CORE_TICK_HZ)
+/* Distance by which a poi must move along an axis to pass the check of that direction. */
+#define SELF_TEST_WAY_M 0.03f
+/* Report age in ticks that counts as late, which means fewer than 30 reports per second. */
+#define SELF_TEST_LATE_TICKS 4u
+/* Lowest frame rate, in frames per second, at which the display passes the check. */
+#define SELF_TEST_FRAMES_MIN 25u
+
+/* Age of a backup, in minutes, from which the backup is too old. A backup is made at startup and
+ * every hour. */
+#define SELF_BACKUP_OLD_MIN 180u
+/* Free space in MiB below which the check needs attention: twice the size of the database, plus
+ * a replay of each ranked round. */
+#define SELF_ROOM_LOW_MIB 64u
+/* Free space in MiB below which the check is bad. Less space is too little for the entries of
+ * one evening and their backup. */
+#define SELF_ROOM_BAD_MIB 8u
+/* Margin to the throttling temperature, in degrees Celsius, below which the check needs attention.
+ * A hot afternoon can raise the temperature by the same amount. */
+#define SELF_HEAT_NEAR_C 10
+
+/* Checks of the self-test: first the checks of the machine, then the checks of the parts that a
+ * player uses. */
+enum self_check {
+    SELF_STORE = 0, /* The store confirmed a ledger entry on disk, and no database is in
+                       quarantine. */
+    SELF_BACKUP,
+    SELF_DATA, /* Data written to the data folder survives a power cut. */
+    SELF_ROOM,
+    SELF_FILES, /* No file was rejected at startup. */
+    SELF_CLOCK,
+    SELF_HEAT,
+    SELF_WATCHDOG,
+    SELF_DISPLAY,
+    SELF_SOUND,
+    SELF_LAMP,
+    SELF_BUTTONS,
+    SELF_COINS,
+    SELF_POIS,
+    SELF_CHECKS,
+};
+
+enum self_state {
+    SELF_WAITS = 0,
+    SELF_GOOD,
+    SELF_LOOK, /* The kiosk can open, but the part needs attention today. */
+    SELF_BAD,
+    SELF_ASKS,
+    SELF_STATES,
+};
+
+enum { SELF_UNSAID = 0, SELF_SAYS_YES, SELF_SAYS_NO };
+
+struct self_test {
+    uint8_t heard, moved;       /* The operator's answers to the question about the sound
+                                   (`heard`) and to the question about the lamp and the coin slot
+                                   (`moved`). */
+    uint8_t present;            /* Bit mask of the slots with a controller. */
+    uint8_t ways[POI_MAX];      /* Directions in which each poi moved, as a bit mask: one bit each
+                                   for x, y and z. */
+    uint8_t worst_age[POI_MAX]; /* Largest age of a report of each slot, in ticks. */
+    vec3 first_m[POI_MAX];      /* Position at which each poi was first seen. */
+    uint8_t knows_first;        /* Bit mask of the slots with a valid `first_m`. */
+    uint32_t begin_tick;
+    uint32_t entry_id; /* Id of the entry written for the test; 0 means that the ledger had no
+                          room. */
+};
+
+/* Largest number of items on a page: twelve in its body and four at its foot. */
+#define MENU_TAG_MAX 16u
+#define MENU_ASK_TICKS (5u * CORE_TICK_HZ) /* Time in which a second TEST press ends the round. */
+/* Time after a selection in which a second selection is ignored. */
+#define MENU_TAKE_TICKS (CORE_TICK_HZ / 10u)
+/* Time without activity after which an open menu closes. */
+#define MENU_IDLE_TICKS (300u * CORE_TICK_HZ)
+/* Time without activity after which the menu closes on the PIN page. */
+#define MENU_PIN_IDLE_TICKS (20u * CORE_TICK_HZ)
+/* Number of timeouts without a press, a selection or a coin after which the menu also closes.
+ * Motion that lasts longer without any press comes from a poi that swings on its cord. */
+#define MENU_SWING_SPANS 3u
+#define MENU_PIN_DIGITS 4u
+/* Upper limit of each counter on the page of the input lines. */
+#define MENU_COUNT_MAX 9999u
+
+/* Pages of the menu. Pages with the same parent are listed in the order of the enum. */
+enum menu_page {
+    MENU_TOP = 0,
+    MENU_DEVICES,     /* List of the pages about devices and wiring. */
+    MENU_CONTROLLERS, /* Page of all plugged-in controllers. */
+    MENU_CONTROLLER,  /* Page of one controller. */
+    MENU_LEARN,       /* Page of the learn wizard of a controller. */
+    MENU_LINES,       /* Test of the buttons and the coin lines. */
+    MENU_AXES,        /* Reported pose and report rate of each poi. */
+    MENU_CALIBRATION, /* Calibration: corners of the tank, water level and tilt of each slot. */
+    MENU_MONEY,       /* First of the settings pages, one for each group of settings. */
+    MENU_GAME,
+    MENU_MODES, /* Selection of the modes that players can choose. */
+    MENU_SOUND,
+    MENU_PICTURE,
+    MENU_CARD,  /* Test picture that covers the whole screen. */
+    MENU_BOOKS, /* List of the pages with statistics. */
+    MENU_EARNINGS,
+    MENU_PLAYS,
+    MENU_HOURS,
+    MENU_MACHINE,
+    MENU_RESET,     /* Confirmation of a reset of a group of statistics. */
+    MENU_RANKING,   /* Leaderboard of a mode: today, this week, or all time. */
+    MENU_SCORE,     /* One score, with its replay and the removal of its name. */
+    MENU_SELF_TEST, /* Self-test before the kiosk opens. */
+    MENU_UPKEEP,    /* List of rarely needed pages. */
+    MENU_FILES,     /* List of the files found in the data folder, and of the rejected files. */
+    MENU_ABOUT,     /* Versions of the software and names of the devices. */
+    MENU_NEW_PIN,
+    MENU_RESTART,
+    MENU_FACTORY, /* Factory reset. */
+    MENU_PIN,     /* PIN entry before all other pages, if a PIN is set. */
+    MENU_PAGE_COUNT,
+};
+
+/* Items of the pages that have code of their own. On the page of all
+ * controllers, the items of the first enum follow one item for each controller. */
+enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS };
+enum { ROW_CHOOSE = 0, ROW_RELEASE, ROW_LEARN, ROW_BACK, ROW_TAGS };
+enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
+enum { LINES_BACK = 0, LINES_TAGS };
+enum {
+    CALIBRATE_NEXT = 0,
+    CALIBRATE_BEGIN,
+    CALIBRATE_UNDO,
+    CALIBRATE_NONE,
+    CALIBRATE_BACK,
+    CALIBRATE_TAGS
+};
+enum { SELF_YES = 0, SELF_NO, SELF_AGAIN, SELF_BACK, SELF_TAGS };
+enum {
+    RANKING_NEXT = SCENE_LEADERBOARD_ROWS,
+    RANKING_BACK,
+    RANKING_TAGS
+}; /* On the leaderboard page, these items follow one item for each row. */
+enum { SCORE_REPLAY = 0, SCORE_UNNAME, SCORE_CONFIRM, SCORE_BACK, SCORE_TAGS };
+enum { FILES_MORE = 0, FILES_SEEN, FILES_BACK, FILES_TAGS };
+enum { BOOK_RESET = 0, BOOK_BACK, BOOK_TAGS };
+enum {
+    CONFIRM_YES = 0,
+    CONFIRM_BACK,
+    CONFIRM_TAGS
+}; /* Items of a page that requests confirmation. The second item is highlighted first. */
+enum {
+    PIN_ERASE = 10,
+    PIN_BACK,
+    PIN_TAGS
+}; /* On the PIN page, these items follow the digit keys 1, 2 .. 9, 0. */
+
+/* Items at the foot of a settings page. The items follow one item for each setting and each
+ * subpage. */
+enum { SETTINGS_DIRECTION = 0, SETTINGS_STANDARD, SETTINGS_BACK, SETTINGS_FEET };
+
+struct menu {
+    uint8_t page;       /* Open page (enum menu_page). */
+    uint8_t chosen;     /* On a settings page: the row that was changed last; MENU_TAG_MAX means
+                           none. */
+    uint8_t turns_down; /* 1 if selecting an item on a settings page lowers its value, 0 if
+                           selecting raises the value. */
+    uint8_t turning;    /* 1 while the button or poi that selected a setting is still pressed, so
+                           the value keeps changing; otherwise 0. */
+    uint8_t from;       /* Page that requested confirmation of a reset. */
+    uint8_t pin_count;  /* Number of PIN digits typed so far. */
+    uint16_t pin;       /* PIN digits typed so far, as a number. */
+    uint8_t turn_count; /* Number of automatic repeats of the current change, up to 255. */
+    uint32_t turn_tick; /* Tick of the last change of a value. */
+    uint8_t row;        /* Row of the selected controller on the controller page. */
+    uint8_t upright;    /* 1 if the last input reported a portrait screen, otherwise 0. */
+    uint8_t file_first; /* First row that the file page shows. */
+    uint8_t board;      /* Selected leaderboard: the mode's number * RANK_PERIOD_COUNT + the
+                           period's number. */
+    uint8_t score;      /* Selected row of the leaderboard. */
+    uint8_t score_is_named, score_asks; /* score_is_named is 1 if the selected row has a name.
+                                           score_asks is 1 while the removal of the name waits for
+                                           confirmation. */
+    uint16_t scores;                    /* Bit mask of the leaderboard rows that have a score. */
+    uint8_t has_hand, hand, presses;
+    uint8_t points;                             /* Item under the pointer, from 1; 0 means none. */
+    uint8_t tag[MENU_PAGE_COUNT];               /* Highlighted item of each page. */
+    struct controller_status controllers;       /* State of the controllers, from the last input. */
+    uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Presses of each button since the menu was
+                                                   opened. */
+    uint32_t held;
+    uint32_t test_coins, coin_tick; /* Number of test coins, and tick of the last one. */
+    uint32_t command_count;
+    uint32_t ask_tick;  /* Tick of a TEST press during a round; 0 means none. */
+    uint32_t take_tick; /* Tick of the last selection. */
+    uint32_t act_tick;  /* Tick of the last activity. */
+    uint32_t use_tick;  /* Tick of the last activity other than pointer motion. */
+    float x, y;         /* Pointer position on the canvas. */
+    struct calibrate calibrate;
+    struct self_test self;
+    struct layout_point rest[POI_MAX]; /* Pointer position of each slot at its last motion. */
+};
+
+#endif

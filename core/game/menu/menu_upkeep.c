@@ -1,0 +1,156 @@
+/* menu_upkeep.c -- rarely needed pages: the list of files, restart, factory reset, and the entry of
+ * the PIN. */
+#include "core/game/menu/menu_pages.h"
+
+#include "core/base/panic.h"
+#include "core/base/rng.h"
+#include "core/config.h"
+#include "core/game/accounting/ledger_writer.h"
+#include "core/game/game.h"
+#include "core/pin.h"
+
+_Static_assert((int)CONFIRM_BACK == (int)BOOK_BACK, "pages of the books begin there, too");
+
+void menu_confirm_open(struct game *game, const struct settings *settings)
+{
+    (void)settings;
+    game->menu.tag[game->menu.page] = CONFIRM_BACK;
+}
+
+/* Requests a restart. When the store has saved everything, the shell ends the frame loop and starts
+ * the kiosk again. */
+void menu_restart_activate(struct game *game, struct core_config *config, uint32_t tag,
+                           struct output *output)
+{
+    CORE_ASSERT(tag == CONFIRM_YES);
+    (void)config;
+    menu_command(&game->menu, output, COMMAND_RESTART);
+}
+
+void menu_factory_activate(struct game *game, struct core_config *config, uint32_t tag,
+                           struct output *output)
+{
+    CORE_ASSERT(tag == CONFIRM_YES);
+    (void)tag;
+    if (settings_edit_factory_reset(game, config, output)) {
+        /* The restart applies the machine's configuration and the configuration files again. */
+        menu_command(&game->menu, output, COMMAND_RESTART);
+        menu_turn(game, &config->persistent.settings, MENU_UPKEEP);
+    }
+}
+
+#define FILES_SHOWN 5u
+
+uint32_t menu_files_shown(int upright)
+{
+    return upright ? SCENE_FILE_MAX : FILES_SHOWN;
+}
+
+uint16_t menu_files_enabled(const struct menu *menu)
+{
+    const int is_long = menu->controllers.file_count > menu_files_shown(menu->upright);
+    return (uint16_t)((is_long ? MENU_TAG(FILES_MORE) : 0u) | MENU_TAG(FILES_SEEN) |
+                      MENU_TAG(FILES_BACK));
+}
+
+/* Highlights an item that is harmless if it is selected by accident. */
+void menu_files_open(struct game *game, const struct settings *settings)
+{
+    (void)settings;
+    struct menu *menu = &game->menu;
+    menu->file_first = 0;
+    menu->tag[MENU_FILES] =
+        menu_files_enabled(menu) & MENU_TAG(FILES_MORE) ? FILES_MORE : FILES_BACK;
+}
+
+/* Shows the next rows of the list; after the last rows, the first rows follow. The item FILES_SEEN
+ * sends a command to the shell, which acknowledges the quarantined databases. */
+void menu_files_activate(struct game *game, struct core_config *config, uint32_t tag,
+                         struct output *output)
+{
+    CORE_ASSERT(tag < FILES_BACK);
+    (void)config;
+    struct menu *menu = &game->menu;
+    if (tag == FILES_SEEN) {
+        menu_command(&game->menu, output, COMMAND_SEEN);
+        return;
+    }
+    const uint32_t next = menu->file_first + menu_files_shown(menu->upright);
+    menu->file_first = (uint8_t)(next < menu->controllers.file_count ? next : 0u);
+}
+
+#define WAIT_TICKS (5u * CORE_TICK_HZ)
+#define DOUBLINGS_MAX 5u
+
+uint32_t menu_pin_wait_ticks(const struct settings_edit *settings_edit, uint32_t tick)
+{
+    const uint32_t wrong = settings_edit->pin_wrong;
+    if (wrong == 0) {
+        return 0;
+    }
+    const uint32_t wait = WAIT_TICKS << (wrong - 1u < DOUBLINGS_MAX ? wrong - 1u : DOUBLINGS_MAX);
+    const uint32_t gone = tick - settings_edit->pin_tick;
+    return gone < wait ? wait - gone : 0u;
+}
+
+void menu_pin_open(struct game *game, const struct settings *settings)
+{
+    (void)settings;
+    struct menu *menu = &game->menu;
+    menu->pin = 0;
+    menu->pin_count = 0;
+    menu->tag[menu->page] = 0;
+}
+
+/* Adds a digit to menu->pin, or erases all digits. Returns 1 if the last digit was typed, otherwise
+ * 0. After the last digit menu->pin has all digits. */
+static int type(struct menu *menu, uint32_t tag)
+{
+    if (tag == PIN_ERASE) {
+        menu->pin = 0;
+        menu->pin_count = 0;
+        return 0;
+    }
+    CORE_ASSERT(tag < PIN_ERASE && menu->pin_count < MENU_PIN_DIGITS);
+    menu->pin = (uint16_t)(menu->pin * 10u + (tag + 1u) % 10u);
+    return ++menu->pin_count == MENU_PIN_DIGITS;
+}
+
+/* Logs each PIN entry in the ledger, so that the lockout time continues after a power cut. If the
+ * ledger has no room, the lockout ends when the kiosk is switched off. */
+void menu_pin_activate(struct game *game, struct core_config *config, uint32_t tag,
+                       struct output *output)
+{
+    struct settings_edit *edit = &game->settings_edit;
+    if (menu_pin_wait_ticks(edit, game->tick) > 0 || !type(&game->menu, tag)) {
+        return;
+    }
+    const int is_right = pin_matches(config->persistent.settings.value[SET_PIN], game->menu.pin);
+    if (!is_right || edit->pin_wrong > 0) {
+        const struct ledger_entry entry = { .kind = LEDGER_PIN, .detail = (uint8_t)is_right };
+        ledger_write(&game->accounts, game->tick, &entry, output);
+    }
+    edit->pin_wrong = is_right ? 0u : edit->pin_wrong + (edit->pin_wrong < UINT8_MAX);
+    edit->pin_tick = game->tick;
+    if (is_right) {
+        menu_turn(game, &config->persistent.settings, MENU_TOP);
+        return;
+    }
+    output_sound(output, SOUND_FOUL, 0.5f, 0.0f);
+    menu_pin_open(game, &config->persistent.settings);
+}
+
+/* Sets a new PIN. The PIN 0000 means that no PIN is required. Recordings of format 7 stored plain
+ * digits. */
+void menu_new_pin_activate(struct game *game, struct core_config *config, uint32_t tag,
+                           struct output *output)
+{
+    (void)output;
+    if (type(&game->menu, tag)) {
+        const uint32_t salt = rng_u32((struct rng_key){ config->seed, game->tick, 0, RNG_PIN });
+        const uint32_t pin = game->menu.pin;
+        settings_edit_set(game, config, SET_PIN,
+                          config->rules_7 ? (int32_t)pin : pin_hide(pin, salt));
+        menu_turn(game, &config->persistent.settings, MENU_UPKEEP);
+    }
+}

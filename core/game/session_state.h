@@ -1,0 +1,78 @@
+/* session_state.h -- the state that one session passes to the next session. The functions are in
+ * session.c, health_log.c and menu/settings_edit.c. */
+#ifndef KINGYO_CORE_GAME_SESSION_STATE_H
+#define KINGYO_CORE_GAME_SESSION_STATE_H
+
+#include <stdint.h>
+
+#include "core/game/accounting/accounts.h"
+#include "core/input.h"
+#include "core/settings.h"
+
+/* Interval of the LEDGER_HEALTH entries. A power cut removes at most one interval from the
+ * statistics. */
+#define HEALTH_LOG_TICKS (120u * CORE_TICK_HZ)
+
+struct health_log {
+    uint8_t is_told;                       /* 1 if the LEDGER_BOOT of this start is written,
+                                              otherwise 0. */
+    uint32_t told_tick;                    /* Tick of the last LEDGER_HEALTH. */
+    uint32_t dropped_ticks, device_faults; /* Values of `input->dropped_ticks` and
+                                              `input->device_faults` at the last LEDGER_HEALTH. */
+    uint32_t told_shakes;
+    uint32_t away_ticks[POI_MAX]; /* Number of ticks for which each slot in play has been without
+                                     its controller. */
+    uint32_t loss_tick[POI_MAX];  /* Tick at which each slot last lost its controller in a round; 0
+                                     means never. */
+};
+
+/* Time without a controller that counts as a loss. A shorter interruption is treated as a
+ * glitch. */
+#define HEALTH_LOG_LOSS_TICKS CORE_TICK_HZ
+/* A loss within this time after the previous loss of the same slot is logged as a repeated loss
+ * (LEDGER_LOSS). */
+#define HEALTH_LOG_LOSS_AGAIN_TICKS (600u * CORE_TICK_HZ)
+
+/* Ticks without a change after which a setting is logged. */
+#define SETTINGS_EDIT_REST_TICKS (CORE_TICK_HZ / 2u)
+
+struct settings_edit {
+    struct settings told; /* Settings as logged in the ledger. */
+    uint32_t turn_tick;   /* Tick of the last change. */
+    uint32_t entry_id;    /* Id of the newest entry that logged a setting; 0 means none since the
+                             kiosk started. */
+    uint32_t pin_wrong;   /* Number of wrong PINs since the last correct PIN, 0 .. 255. */
+    uint32_t pin_tick;    /* Tick of the last wrong PIN. If the database contained wrong PINs at
+                             startup, the tick of the kiosk's start. The field is not in struct
+                             menu, because that struct is reset when the menu opens. */
+};
+
+/* Length of one loop of attract mode, equal to AUDIO_OUTPUT_SHOW_S. */
+#define LANGUAGE_TICKS (60u * CORE_TICK_HZ)
+
+/* Language chosen by a visitor, carried over to the next session. All fields are 0 if no visitor
+ * chose a language. */
+struct language_choice {
+    uint32_t chosen;     /* Chosen language (enum language); 0 unless `until_tick` is set. */
+    uint32_t until_tick; /* Tick in attract mode at which the choice ends; 0 means no choice. */
+};
+
+/* Longest time in attract mode before a new session starts. A running game is never interrupted. */
+#define SESSION_TICKS_MAX (600u * CORE_TICK_HZ)
+/* Duration of the fade to dark before a session starts, and of the fade back after the start. */
+#define SESSION_FADE_TICKS (CORE_TICK_HZ / 2u)
+
+/* State carried over from the previous session. All fields are 0 if the kiosk has just started. */
+struct game_session {
+    uint32_t tick; /* First tick of this session; 0 at the kiosk's start. */
+    uint32_t command_count, edit_save_id, edit_saved_id; /* Number of commands and ids of graph
+                                                            edits, as in struct menu and struct
+                                                            lab. */
+    struct ledger ledger;
+    struct credit credit;
+    struct health_log health_log;
+    struct settings_edit settings_edit;
+    struct language_choice language;
+};
+
+#endif
