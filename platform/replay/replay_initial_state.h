@@ -10,7 +10,7 @@
 #include <stddef.h>
 
 #include "core/core.h"
-#include "core/game/lab/lab_book.h"
+#include "core/game/lab/lab_edit.h"
 
 /* Maximum size in bytes, twice the size of a full ranking with all audits. */
 #define REPLAY_INITIAL_STATE_MAX (16u * 1024u)
