@@ -1,4 +1,4 @@
-/* phases.c -- functions on which every phase depends: the change of the phase and its clock. */
+/* phases.c -- changes the phase, and computes the time left in a phase and what a phase permits. */
 #include "core/game/phases.h"
 
 #include "core/base/panic.h"

@@ -1,8 +1,8 @@
 /* phases.h -- the phases of the game and the steps of a tick that belong to no phase.
  *
- * Internal to core/game. game_tick.c calls the tick function of the current phase, and a phase
- * begins the next phase. A new phase has its first tick in the following tick. The growth lab, the
- * menu, the name entry and the leaderboard have headers of their own. */
+ * game_tick.c calls the tick function of the current phase, and a phase begins the next phase. A new
+ * phase has its first tick in the following tick. core.c calls the functions of the score and of the
+ * sessions. lab/lab.h, menu/menu.h and ranking/name.h declare the functions of the other phases. */
 #ifndef KINGYO_CORE_GAME_PHASES_H
 #define KINGYO_CORE_GAME_PHASES_H
 
@@ -68,7 +68,7 @@ void result_skip(struct game *game, const struct world *world, const struct core
 void result_tick(struct game *game, struct world *world, const struct core_config *config,
                  const struct input *input, struct output *output);
 
-/* Returns the announcement at `elapsed_ticks` into a round of `total_ticks`, or CALL_NONE. Each
+/* Returns the time announcement at `elapsed_ticks` into a round of `total_ticks`, or CALL_NONE. Each
  * announcement is returned in exactly one tick. A minute announcement is omitted if the round is
  * too short or has ten seconds or less left. */
 enum time_call round_call_at(uint32_t elapsed_ticks, uint32_t total_ticks);

@@ -1,5 +1,5 @@
-/* player.c -- the state of each player in a round, and the pauses for players without a
- * controller. */
+/* player.c -- computes the state of each player in a round, and pauses a round while a player's
+ * controller is lost. */
 #include "core/game/phases.h"
 
 #include "core/base/hash.h"
