@@ -3,7 +3,6 @@
 
 #include "core/base/panic.h"
 #include "core/game/accounting/audits.h"
-#include "core/game/accounting/credit.h"
 #include "core/game/session_state.h"
 #include "core/persistent_state.h"
 #include "core/poi/paper/sheet.h"

@@ -5,7 +5,6 @@
 #include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/game/accounting/accounts.h"
-#include "core/game/accounting/credit.h"
 
 void ledger_init(struct ledger *ledger, const struct ledger_start *start)
 {
