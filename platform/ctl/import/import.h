@@ -10,6 +10,7 @@
 #define KINGYO_PLATFORM_CTL_IMPORT_IMPORT_H
 
 #include <stdbool.h>
+#include <stdio.h>
 
 #include "core/morph/species.h"
 #include "platform/config/options.h"
@@ -56,6 +57,12 @@ struct import_mesh {
     float weights[IMPORT_TIME_MAX][MORPH_KEY_MAX]; /* Weight of each key shape, including key shape
                                                       0, at each keyframe. */
 };
+
+/* Opens a regular file of at most `size_max` bytes. Returns EXIT_OK, and the caller closes `*file`.
+ * After an error, writes "FILE: MESSAGE" to `why` and returns EXIT_BAD_DATA for a file that is too
+ * large, otherwise EXIT_IO. */
+enum exit_code import_open(const char *path, uint32_t size_max, FILE **file,
+                           char why[IMPORT_WHY_SIZE]);
 
 /* Reads an OBJ file as key shape `key` of `mesh`. The file of key shape 0 defines the vertices and
  * the faces. The file of each further key shape must have the same vertices and faces. A polygon

@@ -231,17 +231,27 @@ static bool read_all(struct obj *o, FILE *file)
     return true;
 }
 
+enum exit_code import_open(const char *path, uint32_t size_max, FILE **file,
+                           char why[IMPORT_WHY_SIZE])
+{
+    CORE_ASSERT(path);
+    char cannot[TEXT_FILE_WHY_SIZE];
+    const enum text_file_open opened = text_file_open(path, size_max, file, cannot);
+    if (opened != TEXT_FILE_OPEN) {
+        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, cannot);
+    }
+    return opened == TEXT_FILE_OPEN ? EXIT_OK : opened == TEXT_FILE_LARGE ? EXIT_BAD_DATA : EXIT_IO;
+}
+
 enum exit_code import_obj(struct import_mesh *mesh, uint32_t key, const char *path,
                           char why[IMPORT_WHY_SIZE])
 {
     CORE_ASSERT(key < MORPH_KEY_MAX);
     static struct obj o;
-    char cannot[TEXT_FILE_WHY_SIZE];
     FILE *file;
-    const enum text_file_open opened = text_file_open(path, IMPORT_FILE_MAX, &file, cannot);
-    if (opened != TEXT_FILE_OPEN) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, cannot);
-        return opened == TEXT_FILE_LARGE ? EXIT_BAD_DATA : EXIT_IO;
+    const enum exit_code opened = import_open(path, IMPORT_FILE_MAX, &file, why);
+    if (opened != EXIT_OK) {
+        return opened;
     }
     o = (struct obj){ .mesh = mesh, .key = key, .path = path, .why = why };
     if (key == 0) {

@@ -191,19 +191,17 @@ static enum exit_code import_scene_read_file(struct import_mesh *mesh, struct sh
 enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why[IMPORT_WHY_SIZE])
 {
     CORE_ASSERT(path);
-    char cannot[TEXT_FILE_WHY_SIZE], missing[IMPORT_WHY_SIZE];
+    char missing[IMPORT_WHY_SIZE];
     FILE *file;
-    const enum text_file_open opened = text_file_open(path, IMPORT_FILE_MAX, &file, cannot);
-    if (opened != TEXT_FILE_OPEN) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, cannot);
-        return opened == TEXT_FILE_LARGE ? EXIT_BAD_DATA : EXIT_IO;
+    enum exit_code code = import_open(path, IMPORT_FILE_MAX, &file, why);
+    if (code != EXIT_OK) {
+        return code;
     }
     fclose(file);
     if (!import_can_flatten(missing)) {
         snprintf(why, IMPORT_WHY_SIZE, "%.60s: %.130s", path, missing);
         return EXIT_NOT_SO;
     }
-    enum exit_code code = EXIT_IO;
     struct shared *shared =
         mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     const pid_t child = shared == MAP_FAILED ? -1 : fork();
@@ -212,6 +210,7 @@ enum exit_code import_scene(struct import_mesh *mesh, const char *path, char why
     }
     if (child < 0) {
         snprintf(why, IMPORT_WHY_SIZE, "no process to read with: %s", strerror(errno));
+        code = EXIT_IO;
     } else {
         code = import_scene_read_file(mesh, shared, path, child, why);
     }

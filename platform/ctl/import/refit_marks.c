@@ -101,15 +101,14 @@ static bool refit_marks_read_line(char *text, struct refit_marks *list, const ch
 enum exit_code refit_marks_read(const char *path, struct refit_marks *list,
                                 char why[IMPORT_WHY_SIZE])
 {
-    char text[LINE_SIZE], cannot[TEXT_FILE_WHY_SIZE];
+    char text[LINE_SIZE];
     uint32_t line = 0;
     bool good = true;
     FILE *file;
-    const enum text_file_open opened = text_file_open(path, MARKS_SIZE_MAX, &file, cannot);
+    const enum exit_code opened = import_open(path, MARKS_SIZE_MAX, &file, why);
     list->count = 0;
-    if (opened != TEXT_FILE_OPEN) {
-        snprintf(why, IMPORT_WHY_SIZE, "%.80s: %s", path, cannot);
-        return opened == TEXT_FILE_LARGE ? EXIT_BAD_DATA : EXIT_IO;
+    if (opened != EXIT_OK) {
+        return opened;
     }
     enum text_file_line got = text_file_line(file, text, sizeof text);
     for (; good && got != TEXT_FILE_END; got = text_file_line(file, text, sizeof text)) {
