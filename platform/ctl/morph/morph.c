@@ -9,6 +9,7 @@
 
 #include "core/base/panic.h"
 #include "platform/ctl/morph/morph_options.h"
+#include "platform/os/json.h"
 #include "platform/os/print.h"
 #include "platform/species/part.h"
 
@@ -111,28 +112,41 @@ const struct ctl_command ctl_morph = {
 
 /* `kingyoctl morph list`, which lists the built-in species. */
 
-static void list_json(const struct species *species)
+static void list_json(struct json *json, const struct species *species)
 {
     CORE_ASSERT(species->card.key_count <= MORPH_KEY_MAX);
     const struct species_card *card = &species->card;
-    printf("{\"id\": \"%s\", \"form\": \"%s\", \"motion\": \"%s\", \"measure\": \"%s\", "
-           "\"vertices\": [%u, %u], \"anchors\": %u, \"keys\": [",
-           card->id, species_form_names[card->form], species_motion_names[card->motion],
-           species_measure_names[card->measure], species->lod[0].vertex_count,
-           species->lod[1].vertex_count, species->lod[0].anchor_count);
+    json_open(json, NULL, '{');
+    json_text(json, "id", card->id);
+    json_text(json, "form", species_form_names[card->form]);
+    json_text(json, "motion", species_motion_names[card->motion]);
+    json_text(json, "measure", species_measure_names[card->measure]);
+    json_value(json, "vertices", "[%u, %u]", species->lod[0].vertex_count,
+               species->lod[1].vertex_count);
+    json_value(json, "anchors", "%u", species->lod[0].anchor_count);
+    json_open(json, "keys", '[');
     for (uint32_t i = 0; i < card->key_count; i++) {
-        printf("%s{\"name\": \"%s\", \"age_days\": %.2f, \"length_mm\": %.3f}", i > 0 ? ", " : "",
-               card->key_names[i], (double)card->key_age_days[i],
-               1e3 * (double)card->key_length_m[i]);
+        json_open(json, NULL, '{');
+        json_text(json, "name", card->key_names[i]);
+        json_value(json, "age_days", "%.2f", (double)card->key_age_days[i]);
+        json_value(json, "length_mm", "%.3f", 1e3 * (double)card->key_length_m[i]);
+        json_close(json, '}');
     }
-    fputs("], \"curves\": [", stdout);
+    json_close(json, ']');
+    json_open(json, "curves", '[');
     for (uint32_t i = 0; i < card->curve_count; i++) {
-        printf("%s\"%s\"", i > 0 ? ", " : "", card->curve_names[i]);
+        json_text(json, NULL, card->curve_names[i]);
     }
-    printf("], \"thesis\": {\"template\": \"%s\", \"keys\": [\"%s\", \"%s\", \"%s\"]}}",
-           morph_template_name((enum graph_template)card->thesis_template),
-           card->key_names[card->thesis_key[0]], card->key_names[card->thesis_key[1]],
-           card->key_names[card->thesis_key[2]]);
+    json_close(json, ']');
+    json_open(json, "thesis", '{');
+    json_text(json, "template", morph_template_name((enum graph_template)card->thesis_template));
+    json_open(json, "keys", '[');
+    for (uint32_t i = 0; i < 3; i++) {
+        json_text(json, NULL, card->key_names[card->thesis_key[i]]);
+    }
+    json_close(json, ']');
+    json_close(json, '}');
+    json_close(json, '}');
 }
 
 /* Prints one species. Lengths of a few millimetres are printed with one decimal, and lengths of
@@ -148,23 +162,40 @@ static void list_text(const struct species *species)
     putchar('\n');
 }
 
+static const struct option list_options[] = {
+    { "json", NULL,
+      "print JSON, also with ages, measure (which length is meant), swimming, curves, and the keys "
+      "and the template of chapter 4 of the 2005 thesis",
+      OPTION_FLAG, .offset = 0 },
+};
+
+static const struct option_table list_table = { list_options, 1, NULL };
+
 static enum exit_code morph_list_run(int argc, const char *const *argv)
 {
-    bool as_json = false;
-    for (int i = 0; i < argc; i++) {
-        if (strcmp(argv[i], "--json") != 0) {
-            return morph_usage("list", "'%.100s' is not --json", argv[i]);
-        }
-        as_json = true;
+    struct json json = { .file = stdout };
+    uint8_t as_json = 0;
+    const enum exit_code code = ctl_options("morph list", &list_table, 0, &as_json, argc, argv);
+    if (code != EXIT_OK) {
+        return code;
     }
-    fputs(as_json ? "[" : "", stdout);
+    if (as_json) {
+        json_open(&json, NULL, '[');
+    }
     for (uint32_t i = 0; i < species_table_count; i++) {
-        if (as_json) {
-            fputs(i > 0 ? ",\n " : "", stdout);
+        if (!as_json) {
+            list_text(species_table[i]);
+            continue;
         }
-        (as_json ? list_json : list_text)(species_table[i]);
+        if (i > 0) {
+            json_line(&json, 1);
+        }
+        list_json(&json, species_table[i]);
     }
-    fputs(as_json ? "]\n" : "", stdout);
+    if (as_json) {
+        json_close(&json, ']');
+        json_end(&json);
+    }
     return EXIT_OK;
 }
 
@@ -172,7 +203,7 @@ const struct morph_command ctl_morph_list = {
     .name = "list",
     .words = "[--json]",
     .summary = "the built-in species: body form, key shapes and how long a fish of each is",
-    .usage = "With --json also ages, measure (which length is meant), swimming, curves, and\n"
-             "chapter 4's keys and template of the 2005 thesis.\n",
+    .options = &list_table,
+    .usage = "",
     .run = morph_list_run,
 };

@@ -6,6 +6,7 @@
 #include "core/base/panic.h"
 #include "platform/ctl/morph/morph_options.h"
 #include "platform/ctl/morph/morph_survey.h"
+#include "platform/os/json.h"
 #include "platform/species/part.h"
 
 static const char command[] = "check";
@@ -189,22 +190,29 @@ static enum exit_code morph_check_run(int argc, const char *const *argv)
     morph_survey(plan.ordinary, &plan.ordinary_rig, 0, plan.steps, &plan.survey[ORDINARY]);
     const bool good = is_good(&plan.survey[NEAR]) && is_good(&plan.survey[FAR]);
     if (plan.as_json) {
-        printf("{\"species\": \"%s\", \"moments\": %u, \"good\": %s", plan.pick.fish->card.id,
-               plan.steps + 1u, good ? "true" : "false");
+        struct json json = { .file = stdout };
+        json_open(&json, NULL, '{');
+        json_text(&json, "species", plan.pick.fish->card.id);
+        json_value(&json, "moments", "%u", plan.steps + 1u);
+        json_bool(&json, "good", good);
         for (int column = 0; column < COLUMNS; column++) {
             const struct morph_survey *survey = &plan.survey[column];
-            printf(",\n \"%s\": {\"good\": %s", column_names[column],
-                   is_good(survey) ? "true" : "false");
+            json_line(&json, 1);
+            json_open(&json, column_names[column], '{');
+            json_bool(&json, "good", is_good(survey));
             for (size_t i = 0; i < ROWS; i++) {
-                printf(", \"%s\": %.9g", rows[i].key, (double)value_of(&rows[i], survey));
+                json_value(&json, rows[i].key, "%.9g", (double)value_of(&rows[i], survey));
                 const struct finding *at = field_of(&rows[i], survey);
                 if (rows[i].type == IS_FINDING && at->value > 0.0f) {
-                    printf(", \"%s_at\": %.6f", rows[i].key, (double)at->progress);
+                    char key[64];
+                    snprintf(key, sizeof key, "%s_at", rows[i].key);
+                    json_value(&json, key, "%.6f", (double)at->progress);
                 }
             }
-            putchar('}');
+            json_close(&json, '}');
         }
-        puts("}");
+        json_close(&json, '}');
+        json_end(&json);
     } else {
         morph_check_print_text(&plan);
     }

@@ -65,8 +65,8 @@ static const struct option options[] = {
       OPTION_TEXT, AT(wishes.obj) },
     { "glb", "FILE.glb",
       "glTF 2.0 of the whole life: key shapes as morph targets (solved shapes where the graph is "
-      "solved), weights, size and the parts on the skin animated over 10 s, one mesh for each part, "
-      "coloured vertices",
+      "solved), weights, size and the parts on the skin animated over 10 s, one mesh for each "
+      "part, coloured vertices",
       OPTION_TEXT, AT(wishes.glb) },
 };
 
