@@ -268,6 +268,8 @@ static void test_all_that_is_kept_of_a_bare_state_can_be_seen(void **state)
     begin(8);
     stall.core.world.tank.fish[3].age_days = 80.0f; /* It still reddens. */
     stall.core.config.modes = 1u << MODE_FESTIVAL | 1u << MODE_PRACTICE;
+    /* A sheet asserts that it has no more cells than when it was new, also after change(). */
+    stall.core.world.poi[0].sheet.paper_cells_new = 0x7f0000u;
     for (size_t i = 0; i < sizeof phases; i++) {
         stall.core.game.phase = phases[i];
         bare_of(&bare, &stall.core);
