@@ -39,6 +39,7 @@ static void buttons_mux_merge(struct button_sample *sum, const struct button_sam
 static int join_poll(void *self, struct button_sample *out)
 {
     const struct buttons_mux *join = self;
+    CORE_ASSERT(out && join->part_count <= BUTTONS_MUX_MAX);
     int result = HAL_ERR_ABSENT;
     *out = (struct button_sample){ 0 };
     for (uint32_t i = 0; i < join->part_count; i++) {
@@ -73,6 +74,7 @@ static const char *join_describe(void *self)
 
 struct hal_buttons buttons_mux_device(struct buttons_mux *join)
 {
+    CORE_ASSERT(join->part_count <= BUTTONS_MUX_MAX);
     static const struct hal_buttons_ops ops = { .poll = join_poll, .describe = join_describe };
     return (struct hal_buttons){ .ops = &ops, .self = join };
 }

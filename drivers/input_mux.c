@@ -11,6 +11,7 @@
 static uint32_t invited(const uint8_t seat[POI_MAX], const uint8_t *kind, uint32_t count,
                         uint32_t there)
 {
+    CORE_ASSERT(count <= INPUT_SOURCE_MAX && there >> count == 0);
     uint32_t attachment = 0;
     uint32_t guests = 0;
     uint32_t guest_count = 0;
@@ -34,6 +35,7 @@ static uint32_t invited(const uint8_t seat[POI_MAX], const uint8_t *kind, uint32
 /* Returns the best kind among the selected sources that are not assigned to a slot yet. */
 static uint8_t best_kind(const uint8_t *kind, uint32_t count, uint32_t guests)
 {
+    CORE_ASSERT(guests != 0 && count <= INPUT_SOURCE_MAX);
     uint8_t best = INPUT_KIND_POINTER;
     for (uint32_t i = 0; i < count; i++) {
         best = (guests & (1u << i)) && kind[i] < best ? kind[i] : best;
@@ -43,6 +45,7 @@ static uint8_t best_kind(const uint8_t *kind, uint32_t count, uint32_t guests)
 
 static uint8_t first_of(const uint8_t *kind, uint32_t count, uint32_t guests, uint8_t wanted)
 {
+    CORE_ASSERT(count <= INPUT_SOURCE_MAX);
     for (uint8_t i = 0; i < count; i++) {
         if ((guests & (1u << i)) && kind[i] == wanted) {
             return i;
@@ -55,6 +58,7 @@ static uint8_t first_of(const uint8_t *kind, uint32_t count, uint32_t guests, ui
  * the slot keeps the kind. */
 void input_mux_assign(uint8_t seat[POI_MAX], const uint8_t *kind, uint32_t count, uint32_t there)
 {
+    CORE_ASSERT(count <= INPUT_SOURCE_MAX);
     const uint32_t guests = invited(seat, kind, count, there);
     uint8_t wanted[POI_MAX];
     uint32_t standing = guests;
@@ -80,6 +84,7 @@ void input_mux_assign(uint8_t seat[POI_MAX], const uint8_t *kind, uint32_t count
 
 void input_mux_init(struct input_mux *mux, const char *empty_line)
 {
+    CORE_ASSERT(empty_line);
     *mux = (struct input_mux){ .empty_line = empty_line };
     for (uint8_t i = 0; i < POI_MAX; i++) {
         mux->seat[i] = (struct seat){ .mux = mux, .index = i, .source = SLOT_NONE };
@@ -98,6 +103,7 @@ int input_mux_add(struct input_mux *mux, const struct input_source *source)
 
 static const struct input_source *source_of(const struct seat *seat)
 {
+    CORE_ASSERT(seat->source == SLOT_NONE || seat->source < seat->mux->source_count);
     return seat->source == SLOT_NONE ? NULL : &seat->mux->source[seat->source];
 }
 
@@ -112,6 +118,7 @@ static void stand_up(const struct input_source *source)
 
 static uint32_t who_is_there(const struct input_mux *mux, uint8_t kind[INPUT_SOURCE_MAX])
 {
+    CORE_ASSERT(mux->source_count <= INPUT_SOURCE_MAX);
     uint32_t there = 0;
     uint32_t stand_ins = 0;
     for (uint32_t i = 0; i < mux->source_count; i++) {
@@ -127,6 +134,7 @@ static uint32_t who_is_there(const struct input_mux *mux, uint8_t kind[INPUT_SOU
  * called during games too. */
 static uint32_t who_came_back(const struct input_mux *mux, uint32_t there)
 {
+    CORE_ASSERT(there >> mux->source_count == 0);
     uint32_t back = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint8_t source = mux->seat[i].source;
@@ -139,6 +147,7 @@ static uint32_t who_came_back(const struct input_mux *mux, uint32_t there)
 static uint32_t move_seats(struct input_mux *mux, const uint8_t kind[INPUT_SOURCE_MAX],
                            uint32_t there)
 {
+    CORE_ASSERT(there >> mux->source_count == 0);
     uint8_t sits[POI_MAX];
     uint32_t moved = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -171,6 +180,7 @@ static uint32_t who_sits(const struct input_mux *mux)
 static uint32_t take_up_others(struct input_mux *mux, const uint8_t kind[INPUT_SOURCE_MAX],
                                uint32_t there)
 {
+    CORE_ASSERT(there >> mux->source_count == 0);
     uint32_t moved = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const uint8_t away = mux->seat[i].source;
@@ -190,6 +200,7 @@ static uint32_t take_up_others(struct input_mux *mux, const uint8_t kind[INPUT_S
 static void listen(struct input_mux *mux, uint32_t index)
 {
     const struct hal_poi *poi = &mux->source[index].poi;
+    CORE_ASSERT(index < mux->source_count);
     const uint32_t bit = 1u << index;
     struct poi_sample unheard[HAL_POI_SAMPLES_MAX];
     if (!(mux->idle & bit)) {
@@ -203,6 +214,7 @@ static void listen(struct input_mux *mux, uint32_t index)
  * because its motion shows that a person uses it. */
 static void listen_to_idle(struct input_mux *mux, uint32_t there)
 {
+    CORE_ASSERT(there >> mux->source_count == 0);
     uint32_t heard = there;
     for (uint32_t i = 0; i < mux->source_count; i++) {
         heard |= mux->source[i].stands_in ? 1u << i : 0u;
@@ -244,12 +256,14 @@ static int seat_open(void *self)
 
 static int seat_poll(void *self, struct poi_sample *out, uint32_t max)
 {
+    CORE_ASSERT(out || max == 0);
     const struct input_source *source = source_of(self);
     return source ? source->poi.ops->poll(source->poi.self, out, max) : (int)HAL_ERR_ABSENT;
 }
 
 static int seat_set_force(void *self, const struct poi_force *force)
 {
+    CORE_ASSERT(force);
     const struct input_source *source = source_of(self);
     return source ? source->poi.ops->set_force(source->poi.self, force) : (int)HAL_ERR_ABSENT;
 }
@@ -258,6 +272,7 @@ static void seat_set_view(void *self, const struct view *view,
                           const struct display_settings *display_settings)
 {
     const struct seat *seat = self;
+    CORE_ASSERT(view && display_settings);
     const struct input_source *source = source_of(seat);
     seat->mux->view = *view;
     seat->mux->display_settings = *display_settings;
@@ -326,6 +341,7 @@ struct hal_fan input_mux_fan(struct input_mux *mux, uint32_t seat)
 
 struct hal_seats input_mux_device(struct input_mux *mux)
 {
+    CORE_ASSERT(mux);
     static const struct hal_seats_ops ops = { .arrange = seats_arrange };
     return (struct hal_seats){ .ops = &ops, .self = mux };
 }

@@ -1,6 +1,8 @@
 /* null.c -- implements the null drivers, which do nothing and report HAL_ERR_ABSENT. */
 #include "drivers/null.h"
 
+#include "core/base/panic.h"
+
 /* A null driver ignores the arguments of most of its functions. */
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
@@ -8,6 +10,7 @@
  * written. */
 static const char *null_describe(void *self)
 {
+    CORE_ASSERT(self);
     return self;
 }
 
@@ -27,6 +30,7 @@ static void null_close(void *self)
 
 static int null_display_poll(void *self, struct display_events *out)
 {
+    CORE_ASSERT(out);
     *out = (struct display_events){ 0 };
     return HAL_ERR_ABSENT;
 }
@@ -115,6 +119,7 @@ struct hal_seats null_seats(void)
 
 static int null_buttons_poll(void *self, struct button_sample *out)
 {
+    CORE_ASSERT(out);
     *out = (struct button_sample){ 0 };
     return HAL_ERR_ABSENT;
 }
@@ -156,6 +161,7 @@ struct hal_switches null_switches(const char *line)
 
 static int null_desk(void *self, struct controller_status *out)
 {
+    CORE_ASSERT(out);
     *out = (struct controller_status){ 0 };
     return HAL_ERR_ABSENT;
 }

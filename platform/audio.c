@@ -8,11 +8,13 @@
 
 #include <SDL.h>
 
+#include "core/base/panic.h"
 #include "platform/os/clock.h"
 
 /* Renders one buffer of samples. SDL calls this function on its audio thread. */
 static void render(void *context, Uint8 *bytes, int size)
 {
+    CORE_ASSERT(size >= 0);
     struct audio *audio = context;
     unsigned taken = atomic_load(&audio->taken);
     while (taken != atomic_load(&audio->pushed)) {
@@ -128,6 +130,7 @@ static void audio_close(void *self)
 static int audio_play(void *self, const struct sound_event *event)
 {
     struct audio *audio = self;
+    CORE_ASSERT(event);
     if (!audio->device) {
         return HAL_ERR_ABSENT;
     }
@@ -153,6 +156,7 @@ static const char *audio_describe(void *self)
 
 struct hal_audio audio_device(struct audio *audio)
 {
+    CORE_ASSERT(audio);
     static const struct hal_audio_ops ops = {
         .open = audio_open,
         .play = audio_play,

@@ -5,10 +5,13 @@
 #include <stdint.h>
 #include <sys/mman.h>
 
+#include "core/base/panic.h"
+
 #define HUGE_PAGE ((size_t)1 << 21)
 
 static size_t whole_pages(size_t size)
 {
+    CORE_ASSERT(size > 0);
     return (size + HUGE_PAGE - 1u) / HUGE_PAGE * HUGE_PAGE;
 }
 

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "core/base/hash.h"
+#include "core/base/panic.h"
 #include "platform/os/log.h"
 #include "platform/os/file.h"
 #include "platform/os/panic.h"
@@ -55,6 +56,7 @@ uint32_t panics_up_s(void)
 
 void panics_add(struct panics *panics, uint64_t boot, uint32_t up_s, uint32_t run_s, int had_frame)
 {
+    CORE_ASSERT(panics->count <= PANICS_RECENT);
     if (had_frame && (panics->left_boot != boot || run_s >= PANICS_WITHIN_S)) {
         panics->left = LEFT_NOTHING;
     }
@@ -70,6 +72,7 @@ void panics_add(struct panics *panics, uint64_t boot, uint32_t up_s, uint32_t ru
 
 int panics_is_due(const struct panics *panics)
 {
+    CORE_ASSERT(panics->count <= PANICS_RECENT);
     int is_due = panics->count == PANICS_RECENT;
     for (uint32_t i = 0; i < panics->count; i++) {
         is_due &= panics->recent[i].boot == panics->recent[0].boot &&
@@ -80,6 +83,7 @@ int panics_is_due(const struct panics *panics)
 
 enum panics_left panics_try(struct panics *panics)
 {
+    CORE_ASSERT(panics->left < LEFT_COUNT);
     panics->attempt = panics->left + (panics->left < LEFT_NAMES);
     return (enum panics_left)panics->attempt;
 }
@@ -170,6 +174,7 @@ const char *panics_error(int error)
 
 int panics_read(struct panics *panics, int folder)
 {
+    CORE_ASSERT(folder >= 0);
     uint8_t bytes[PANICS_SIZE + 1u];
     *panics = (struct panics){ 0 };
     const int file = open_file(folder, O_RDONLY);
@@ -188,6 +193,7 @@ int panics_read(struct panics *panics, int folder)
 
 int panics_write(const struct panics *panics, int folder)
 {
+    CORE_ASSERT(panics->count <= PANICS_RECENT && panics->left < LEFT_COUNT && folder >= 0);
     uint8_t bytes[PANICS_SIZE] = { 0 };
     memcpy(bytes, MAGIC, 8);
     replay_put_u32(bytes + AT_TOTAL, panics->total);

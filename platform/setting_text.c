@@ -43,6 +43,7 @@ static struct words modes(void)
 
 static struct words words_of(uint32_t id)
 {
+    assert(id < SETTING_COUNT);
     switch (id) {
     case SET_PLAY:
         return play;
@@ -62,6 +63,7 @@ static struct words words_of(uint32_t id)
 /* Returns the index of the matching word, or -1 if no word matches. */
 static int32_t find_word(const struct words *words, const char *text, size_t length)
 {
+    assert(words->count <= 8);
     for (uint32_t i = 0; i < words->count; i++) {
         if (length > 0 && strlen(words->word[i]) == length &&
             memcmp(words->word[i], text, length) == 0) {
@@ -154,6 +156,7 @@ int setting_parse(uint32_t id, const char *text, int32_t *out)
 __attribute__((format(printf, 3, 4))) static void setting_text_put(char *out, size_t size,
                                                                    const char *format, ...)
 {
+    assert(strlen(out) < size);
     const size_t length = strlen(out);
     va_list arguments;
     va_start(arguments, format);

@@ -14,6 +14,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
 #include "platform/os/file.h"
 #include "platform/os/panic.h"
 #include "platform/panic_count.h"
@@ -32,6 +33,7 @@ static bool has_folder(const struct system_health *machine)
 
 static bool path_in(const struct system_health *machine, const char *name, char out[PATH_SIZE])
 {
+    CORE_ASSERT(name);
     const int length = snprintf(out, PATH_SIZE, "%s/%s", machine->data, name);
     return length > 0 && (unsigned)length < PATH_SIZE;
 }
@@ -130,6 +132,7 @@ static int64_t newest_file_s(const struct system_health *machine)
 
 enum system_health_quarantine system_health_quarantine_of(const char *file)
 {
+    CORE_ASSERT(file);
     static const struct {
         const char *start;
         enum system_health_quarantine aside;
@@ -223,6 +226,7 @@ static void look_at_panics(const struct system_health *machine, struct scene_mac
 
 void system_health_sample(struct system_health *machine, struct scene_machine *out)
 {
+    CORE_ASSERT(out);
     const char *heat = machine->heat ? machine->heat : "/sys/class/thermal";
     int ignored = 0;
     if (!machine->has_begun) {
@@ -324,6 +328,7 @@ void system_health_stop(struct system_health *machine)
 
 void system_health_read(struct system_health *machine, struct scene_machine *out)
 {
+    CORE_ASSERT(out);
     if (machine->runs && pthread_mutex_trylock(&machine->lock) == 0) {
         const struct scene_machine before = *out;
         *out = machine->newest;

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "core/base/panic.h"
 #include "platform/os/file.h"
 
 #define PATH_SIZE 512
@@ -21,6 +22,7 @@
 static void thermal_read_line(char *line, size_t line_size, const char *root, const char *zone,
                               const char *name)
 {
+    CORE_ASSERT(line_size >= 2);
     char path[PATH_SIZE];
     const int length = snprintf(path, sizeof path, "%s/%s/%s", root, zone, name);
     line[0] = '\0';

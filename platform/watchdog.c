@@ -8,6 +8,8 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include "core/base/panic.h"
+
 #define PERIOD_DEFAULT_NS 1000000000u
 /* Notifications sent per time limit. Three of four notifications may be lost or late. */
 #define KICKS_PER_DEADLINE 4u
@@ -31,6 +33,7 @@ static int notify_address(struct sockaddr_un *address, socklen_t *size, const ch
 int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char *notify_socket,
                   uint64_t usec)
 {
+    CORE_ASSERT(clock.ops);
     struct sockaddr_un address;
     socklen_t size;
     *watchdog = (struct watchdog){ .clock = clock, .socket_fd = -1 };
@@ -57,6 +60,7 @@ int watchdog_init(struct watchdog *watchdog, struct hal_clock clock, const char 
  * The caller retries with the next kick. */
 static int watchdog_say(const struct watchdog *watchdog, const char *line)
 {
+    CORE_ASSERT(line);
     const size_t size = strlen(line);
     return send(watchdog->socket_fd, line, size, MSG_NOSIGNAL) == (ssize_t)size;
 }
@@ -92,6 +96,7 @@ static const char *watchdog_describe(void *self)
 
 struct hal_watchdog watchdog_device(struct watchdog *watchdog)
 {
+    CORE_ASSERT(watchdog);
     static const struct hal_watchdog_ops ops = {
         .kick = watchdog_kick,
         .watches = watchdog_watches,

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "board/desktop/parts.h"
+#include "core/base/panic.h"
 #include "drivers/null.h"
 #include "platform/audio.h"
 #include "platform/kiosk/recorder/pin_sweep.h"
@@ -52,6 +53,7 @@ static void store_open_watchdog(struct hal *hal)
 
 void board_open(struct hal *hal, const struct board_options *options)
 {
+    CORE_ASSERT(hal && options);
     *hal = null_hal();
     hal->clock = clock_device();
     screen_open(hal, options);

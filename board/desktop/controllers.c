@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "board/desktop/parts.h"
+#include "core/base/panic.h"
 #include "drivers/hid/controller_manager.h"
 #include "drivers/hid/hid_mapping_store.h"
 #include "drivers/hid/poi_hid.h"
@@ -55,6 +56,7 @@ static void complain_of_file(void *self, const char *line)
 
 static void open_desk(struct hal *hal, const struct board_options *options)
 {
+    CORE_ASSERT(hal->clock.ops);
     struct poi_hid *seats[POI_MAX];
     for (uint32_t i = 0; i < POI_MAX; i++) {
         seats[i] = &usb.poi[i];
@@ -112,6 +114,7 @@ static int is_there(void *self)
 
 static void usb_add_seats(struct input_mux *seats)
 {
+    CORE_ASSERT(seats);
     for (uint32_t i = 0; usb.seats && i < POI_MAX; i++) {
         const struct input_source source = {
             .poi = poi_hid_device(&usb.poi[i]),
@@ -175,6 +178,7 @@ static int wants(const struct board_options *options, enum board_poi kind)
 
 static void add_pointer(struct hal *hal, const struct board_options *options, uint32_t heeds)
 {
+    CORE_ASSERT(heeds != 0);
     const uint32_t width = options->width ? options->width : 1280;
     const uint32_t height = options->height ? options->height : 720;
     mouse_poi_init(&hands.mouse, hal->clock, &options->view, width, height, heeds);
@@ -211,6 +215,7 @@ static int pad_is_there(void *self)
  * know. */
 static void add_pads(struct hal *hal, const struct board_options *options)
 {
+    CORE_ASSERT(hal->clock.ops);
     char database[1100] = "";
     if (options->data_dir) {
         snprintf(database, sizeof database, "%.1024s/gamecontrollerdb.txt", options->data_dir);
@@ -240,6 +245,7 @@ static const char *missing_poi(uint8_t poi)
 
 void controllers_open(struct hal *hal, const struct board_options *options)
 {
+    CORE_ASSERT(hal->clock.ops && options);
     /* Pointer devices in use, as bits of enum pointer_filter. Mouse and touch screen control the same
      * poi; the device that moved last sets the position. */
     const uint32_t heeds = (wants(options, BOARD_POI_MOUSE) ? (uint32_t)POINTER_FILTER_MOUSE : 0u) |

@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "board/desktop/parts.h"
+#include "core/base/panic.h"
 #include "drivers/gpio/buttons_gpio.h"
 #include "drivers/gpio/gpio_config.h"
 #include "drivers/null.h"
@@ -54,6 +55,7 @@ static void tell_missing(const struct gpio_wire wires[GPIO_ROLE_COUNT])
 
 static void open_lines(struct hal *hal, const struct board_options *options)
 {
+    CORE_ASSERT(hal->clock.ops);
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
     char why[HAL_TEXT_SIZE];
     if (options->line_count == 0 || read_wires(wires, options->line, options->line_count, why)) {
@@ -90,6 +92,7 @@ static void add_keys(const struct board_options *options)
 
 void panel_open(struct hal *hal, const struct board_options *options)
 {
+    CORE_ASSERT(options);
     devices.join = (struct buttons_mux){ 0 };
     add_keys(options);
     controllers_add_buttons(&devices.join);

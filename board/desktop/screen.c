@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "board/desktop/parts.h"
+#include "core/base/panic.h"
 #include "drivers/null.h"
 #include "platform/render/display_gl.h"
 #include "platform/render/screen.h"
@@ -17,6 +18,7 @@ static struct {
 
 void screen_ignore(const uint32_t *types, size_t count)
 {
+    CORE_ASSERT(types);
     for (size_t i = 0; i < count; i++) {
         SDL_EventState(types[i], SDL_IGNORE);
     }
@@ -39,6 +41,7 @@ static void ignore_foreign_events(void)
 
 void screen_open(struct hal *hal, const struct board_options *options)
 {
+    CORE_ASSERT(hal && options);
     struct display_gl *display = &devices.display;
     display->config = (struct display_gl_config){
         .width = options->width,

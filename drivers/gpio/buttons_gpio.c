@@ -24,6 +24,7 @@ static const uint32_t button_of[GPIO_INPUT_COUNT] = {
 
 static uint32_t buttons_of(uint32_t roles)
 {
+    CORE_ASSERT(roles >> GPIO_INPUT_COUNT == 0);
     uint32_t buttons = 0;
     for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
         buttons |= roles & 1u << i ? button_of[i] : 0u;
@@ -147,6 +148,7 @@ static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
 int buttons_gpio_start(struct buttons_gpio *gpio, struct gpio_lines lines,
                        const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock)
 {
+    CORE_ASSERT(gpio && lines.ops && clock.ops);
     struct gpio_thread *reader = &gpio->reader;
     sigset_t all, before;
     gpio_thread_open(reader, lines, wires, clock);
@@ -193,6 +195,7 @@ void buttons_gpio_stop(struct buttons_gpio *gpio)
 
 struct hal_buttons buttons_gpio_device(struct buttons_gpio *gpio)
 {
+    CORE_ASSERT(gpio);
     static const struct hal_buttons_ops ops = {
         .poll = buttons_gpio_poll,
         .describe = buttons_gpio_describe,
@@ -202,6 +205,7 @@ struct hal_buttons buttons_gpio_device(struct buttons_gpio *gpio)
 
 struct hal_switches buttons_gpio_switches(struct buttons_gpio *gpio)
 {
+    CORE_ASSERT(gpio);
     static const struct hal_switches_ops ops = {
         .set = buttons_gpio_set,
         .pulse = buttons_gpio_pulse,

@@ -31,6 +31,7 @@ static bool gpio_backend_find(const struct gpio_backend *backend, const struct g
                               enum gpio_role role, char why[HAL_TEXT_SIZE])
 {
     const struct gpio_backend_ops *ops = backend->ops;
+    CORE_ASSERT(wire->wired);
     struct gpio_dev_walk walk = { 0 };
     char denied[sizeof walk.path] = "";
     while (gpio_dev_next(&walk)) {
@@ -153,6 +154,7 @@ static uint32_t gpio_backend_read_edges(struct gpio_backend *backend,
                                         const struct gpio_dev_ready *ready, enum gpio_role role,
                                         struct gpio_edge *out, uint32_t max)
 {
+    CORE_ASSERT(gpio_role_is_input(role) && (out || max == 0));
     if (backend->looks.roles & bit_of(role) && max > 0) {
         const int level = backend_level(backend, role);
         backend->went |= level == HAL_ERR_GONE;
@@ -173,6 +175,7 @@ static uint32_t gpio_backend_read_edges(struct gpio_backend *backend,
 static int backend_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms)
 {
     struct gpio_backend *backend = self;
+    CORE_ASSERT(out && max > 0);
     const struct gpio_dev_ready ready = gpio_dev_wait(
         backend->fds, backend->went ? 0 : gpio_dev_poll_ms(&backend->looks, timeout_ms));
     uint32_t count = 0;
@@ -194,6 +197,7 @@ static int backend_list(void *self, void (*tell)(void *context, const struct gpi
                         void *context)
 {
     const struct gpio_backend *backend = self;
+    CORE_ASSERT(tell);
     struct gpio_dev_walk walk = { 0 };
     uint32_t count = 0;
     while (gpio_dev_next(&walk)) {

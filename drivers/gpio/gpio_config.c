@@ -62,6 +62,7 @@ const char *gpio_role_name(enum gpio_role role)
 
 enum gpio_role gpio_role_find(const char *name, size_t length)
 {
+    CORE_ASSERT(name || length == 0);
     enum gpio_role role = 0;
     for (; role < GPIO_ROLE_COUNT; role++) {
         const char *own = roles[role].name;
@@ -88,6 +89,7 @@ struct token {
 /* Returns true if `word` equals `text`. */
 static bool token_is(struct token word, const char *text)
 {
+    CORE_ASSERT(text);
     return word.length == strlen(text) && memcmp(word.at, text, word.length) == 0;
 }
 
@@ -159,6 +161,7 @@ static bool parse_time(struct token word, uint32_t *out_us)
  * GPIO_TIME_US_MAX. */
 static bool parse_times(struct token word, char mark, uint32_t *first_us, uint32_t *second_us)
 {
+    CORE_ASSERT(first_us && second_us);
     const struct token first = token_split(&word, mark);
     return parse_time(first, first_us) && parse_time(word, second_us);
 }
@@ -179,6 +182,7 @@ static bool copies_name(struct token word, char out[GPIO_TEXT_SIZE])
  * false if the text is empty or too long. */
 static bool reads_line(struct token word, struct gpio_wire *wire)
 {
+    CORE_ASSERT(wire->offset == 0);
     const char *colon = word.length ? memrchr(word.at, ':', word.length) : NULL;
     if (colon) {
         const size_t length = (size_t)(colon - word.at);
@@ -233,6 +237,7 @@ static bool reads_timing(struct token word, enum gpio_role role, struct gpio_wir
 /* Writes why a word is invalid. Returns false. */
 static bool refuse_word(struct token word, enum gpio_role role, char why[HAL_TEXT_SIZE])
 {
+    CORE_ASSERT(role < GPIO_ROLE_COUNT);
     const char *name = roles[role].name, *at = word.at;
     const int length = (int)(word.length < 30 ? word.length : 30);
     if (gpio_role_is_coin(role) && token_strip(&word, "window=")) {
@@ -255,6 +260,7 @@ static bool refuse_word(struct token word, enum gpio_role role, char why[HAL_TEX
 bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
                     char why[HAL_TEXT_SIZE])
 {
+    CORE_ASSERT(text && why);
     struct token rest = { text, strlen(text) };
     if (!memchr(text, '=', rest.length)) {
         return gpio_config_error(why, "ROLE=LINE is wanted, as in start=BTN_START");

@@ -51,11 +51,13 @@ void gpio_dev_end(struct gpio_dev_walk *walk)
 
 void gpio_dev_text(char out[GPIO_TEXT_SIZE], const char *text)
 {
+    CORE_ASSERT(out);
     snprintf(out, GPIO_TEXT_SIZE, "%s", text ? text : "");
 }
 
 struct gpio_dev_ready gpio_dev_wait(const int fds[GPIO_INPUT_COUNT], uint32_t timeout_ms)
 {
+    CORE_ASSERT(timeout_ms <= INT32_MAX);
     struct gpio_dev_ready ready = { 0 };
     struct pollfd polled[GPIO_INPUT_COUNT];
     for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
@@ -87,6 +89,7 @@ void gpio_dev_poll_begin(struct gpio_dev_poll_state *looks, enum gpio_role role,
 
 uint32_t gpio_dev_poll_ms(const struct gpio_dev_poll_state *looks, uint32_t timeout_ms)
 {
+    CORE_ASSERT(looks->roles >> GPIO_INPUT_COUNT == 0);
     return looks->roles && timeout_ms > GPIO_POLL_MS ? GPIO_POLL_MS : timeout_ms;
 }
 
@@ -128,6 +131,7 @@ void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire,
 void gpio_dev_why_missing(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, const char *denied,
                           uint32_t chip_count)
 {
+    CORE_ASSERT(wire->wired);
     char line[GPIO_WIRE_TEXT_SIZE];
     gpio_wire_text(wire, line);
     if (denied[0]) {

@@ -32,6 +32,7 @@ bool gpio_debounce_settle(struct debounce *debounce, uint64_t now_ns,
 bool gpio_debounce_edge(struct debounce *debounce, uint64_t time_ns, bool active,
                         struct debounce_edge_time *out)
 {
+    CORE_ASSERT(out);
     const bool turned = gpio_debounce_settle(debounce, time_ns, out);
     if (active != debounce->raw) {
         debounce->raw = active;
@@ -160,6 +161,7 @@ bool gpio_edge_filter_edge(struct gpio_edge_filter *input, const struct gpio_edg
 bool gpio_edge_filter_level(struct gpio_edge_filter *input, uint64_t now_ns, bool active,
                             struct debounce_edge_time *out)
 {
+    CORE_ASSERT(out);
     struct gpio_poll_edges *other = &input->other;
     bool turned = false;
     if (active != input->debounce.raw) {
@@ -275,6 +277,7 @@ void gpio_coin_edge(struct coin_mech *mech, uint64_t time_ns, bool active)
 
 void gpio_coin_lose(struct coin_mech *mech)
 {
+    CORE_ASSERT(mech->state <= COIN_FELL);
     if (mech->state == COIN_FELL) {
         classify_pulse(mech);
         return;
@@ -294,6 +297,7 @@ void gpio_pulses_add(struct pulse_train *train, uint32_t count)
 
 uint64_t gpio_pulses_due_ns(const struct pulse_train *train)
 {
+    CORE_ASSERT(train);
     return train->on || train->left > 0 ? train->until_ns : UINT64_MAX;
 }
 

@@ -18,6 +18,7 @@ _Static_assert((int)GPIO_OUTPUT_COUNT == (int)HAL_SWITCH_COUNT, "outputs are the
 
 static uint64_t now_ns(const struct gpio_thread *reader)
 {
+    CORE_ASSERT(reader->clock.ops);
     return reader->clock.ops->now_ns(reader->clock.self);
 }
 
@@ -73,6 +74,7 @@ static void begin_input(struct gpio_thread *reader, enum gpio_role role)
  * if the end was not debounced yet. A pulse that had not ended is counted as cut. */
 static void lose_line(struct gpio_thread *reader, enum gpio_role role)
 {
+    CORE_ASSERT(reader->had & role_bit(role));
     reader->had &= ~role_bit(role);
     reader->levels &= ~role_bit(role);
     if (gpio_role_is_coin(role)) {
@@ -110,6 +112,7 @@ static void lose_lines(struct gpio_thread *reader)
 static void say_missing(uint32_t missing, char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE],
                         char out[HAL_TEXT_SIZE])
 {
+    CORE_ASSERT(missing >> GPIO_ROLE_COUNT == 0);
     const char *first = "";
     size_t length = 0;
     out[0] = 0;
@@ -160,6 +163,7 @@ static int request_lines(struct gpio_thread *reader)
 static void take_turn(struct gpio_thread *reader, enum gpio_role role,
                       struct debounce_edge_time turn)
 {
+    CORE_ASSERT(gpio_role_is_input(role) && reader->had & role_bit(role));
     if (gpio_role_is_coin(role)) {
         gpio_coin_edge(&reader->coin[role - GPIO_COIN], turn.time_ns, turn.active);
         return;
@@ -213,6 +217,7 @@ static void earlier(uint64_t *due_ns, uint64_t other_ns)
 
 static uint64_t input_due_ns(const struct gpio_thread *reader, enum gpio_role role)
 {
+    CORE_ASSERT(gpio_role_is_input(role));
     uint64_t due_ns = gpio_edge_filter_due_ns(&reader->inputs[role]);
     if (gpio_role_is_coin(role)) {
         const uint32_t line = role - GPIO_COIN;
@@ -383,6 +388,7 @@ int gpio_thread_open(struct gpio_thread *reader, struct gpio_lines lines,
 void gpio_thread_close(struct gpio_thread *reader)
 {
     const struct gpio_lines *lines = &reader->lines;
+    CORE_ASSERT(reader->lines.ops);
     for (enum gpio_role role = GPIO_INPUT_COUNT; role < GPIO_ROLE_COUNT; role++) {
         if (reader->had & role_bit(role)) {
             lines->ops->set(lines->self, role, gpio_role_begins_active(role));

@@ -1,10 +1,13 @@
 /* gamepad_sim.c -- implements the simulated game pad, which replaces SDL's game pads in tests. */
 #include "drivers/sim/gamepad_sim.h"
 
+#include "core/base/panic.h"
+
 #define GAMEPAD_STREAM 83u
 
 void gamepad_sim_init(struct gamepad_sim *sim, struct hal_clock clock, const struct view *view)
 {
+    CORE_ASSERT(view);
     *sim = (struct gamepad_sim){ .feed = report_feed_begin(clock) };
     gamepad_queue_init(&sim->track, view, report_feed_now_ns(&sim->feed));
 }
@@ -33,6 +36,7 @@ static vec3 random_vec3(uint32_t index, uint32_t what)
 static struct gamepad_report faulty_pad_report(const struct gamepad_sim *sim,
                                                const struct report_fault *fault)
 {
+    CORE_ASSERT(fault->index < sim->feed.count);
     struct gamepad_report report = sim->reports[fault->index];
     if (fault->jumps) {
         report.axis[GAMEPAD_LEAD_X] = report.axis[GAMEPAD_TILT_X] = INT16_MAX;
@@ -54,6 +58,7 @@ static struct gamepad_report faulty_pad_report(const struct gamepad_sim *sim,
  * game pad was unplugged. */
 static int queue_reports(struct gamepad_sim *sim)
 {
+    CORE_ASSERT(sim->feed.next <= sim->feed.count && (sim->reports || sim->feed.count == 0));
     struct report_feed *feed = &sim->feed;
     const uint64_t now_ns = report_feed_now_ns(feed);
     if (feed->gone || report_feed_is_silent(feed, now_ns)) {
@@ -75,6 +80,7 @@ static int queue_reports(struct gamepad_sim *sim)
 static int gamepad_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct gamepad_sim *sim = self;
+    CORE_ASSERT(out || max == 0);
     const int result = queue_reports(sim);
     return result == HAL_OK
                ? (int)gamepad_queue_pop(&sim->track, report_feed_now_ns(&sim->feed), out, max)
@@ -84,6 +90,7 @@ static int gamepad_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 static int gamepad_sim_set_force(void *self, const struct poi_force *force)
 {
     struct gamepad_sim *sim = self;
+    CORE_ASSERT(force);
     sim->felt = gamepad_decoder_rumble(force);
     return sim->feed.gone ? HAL_ERR_GONE : HAL_OK;
 }
@@ -92,6 +99,7 @@ static void gamepad_sim_set_view(void *self, const struct view *view,
                                  const struct display_settings *display_settings)
 {
     struct gamepad_sim *sim = self;
+    CORE_ASSERT(view);
     (void)display_settings; /* Unused, because a stick moves relative to the water and not to the
                                screen. */
     gamepad_decoder_set_view(&sim->track.hand, view);
@@ -126,6 +134,7 @@ static int gamepad_buttons_sim_poll(void *self, struct button_sample *out)
 
 struct hal_poi gamepad_sim_device(struct gamepad_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hal_poi_ops ops = {
         .open = gamepad_sim_open,
         .poll = gamepad_sim_poll,
@@ -138,6 +147,7 @@ struct hal_poi gamepad_sim_device(struct gamepad_sim *sim)
 
 struct hal_fan gamepad_sim_fan(struct gamepad_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hal_fan_ops ops = {
         .open = report_feed_fan_open,
         .poll = gamepad_fan_sim_poll,
@@ -148,6 +158,7 @@ struct hal_fan gamepad_sim_fan(struct gamepad_sim *sim)
 
 struct hal_buttons gamepad_sim_buttons(struct gamepad_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hal_buttons_ops ops = {
         .poll = gamepad_buttons_sim_poll,
         .describe = gamepad_sim_describe,

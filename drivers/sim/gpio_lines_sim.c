@@ -77,6 +77,7 @@ static void move_wire(struct gpio_lines_sim *sim, const struct gpio_sim_event *e
 
 static void pull_chip(struct gpio_lines_sim *sim)
 {
+    CORE_ASSERT(!sim->chip_is_away);
     sim->chip_is_away = true;
     sim->went |= sim->held != 0;
     for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
@@ -156,6 +157,7 @@ static bool has_edges(const struct gpio_lines_sim *sim)
 static void open_line(struct gpio_lines_sim *sim, const struct gpio_wire *wire, enum gpio_role role,
                       char why[HAL_TEXT_SIZE])
 {
+    CORE_ASSERT(role < GPIO_ROLE_COUNT && !(sim->held & 1u << role));
     if (sim->chip_is_away) {
         snprintf(why, HAL_TEXT_SIZE, "%u: the chip is away", role);
     } else if (sim->held_by_others & 1u << role) {
@@ -209,6 +211,7 @@ static struct gpio_edge take_edge(struct gpio_lines_sim *sim, enum gpio_role rol
 static uint32_t take_all(struct gpio_lines_sim *sim, enum gpio_role role, struct gpio_edge *out,
                          uint32_t max)
 {
+    CORE_ASSERT(role < GPIO_INPUT_COUNT && sim->lines[role].count <= sim->queue_size);
     struct gpio_sim_line *line = &sim->lines[role];
     const bool is_full = line->count == sim->queue_size;
     uint32_t count = 0;
@@ -280,6 +283,7 @@ static int sim_list(void *self, void (*tell)(void *context, const struct gpio_li
                     void *context)
 {
     const struct gpio_lines_sim *sim = self;
+    CORE_ASSERT(tell);
     for (uint32_t i = 0; i < GPIO_ROLE_COUNT; i++) {
         struct gpio_line_info info = {
             .device = "gpiochip0",
@@ -313,6 +317,7 @@ static const char *sim_describe(void *self)
 
 struct gpio_lines gpio_lines_sim_device(struct gpio_lines_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct gpio_lines_ops ops = {
         .open = sim_open,
         .wait = sim_wait,
@@ -334,6 +339,7 @@ static uint64_t gpio_lines_sim_now_ns(void *self)
 
 struct hal_clock gpio_lines_sim_clock(struct gpio_lines_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hal_clock_ops ops = { .now_ns = gpio_lines_sim_now_ns };
     return (struct hal_clock){ .ops = &ops, .self = sim };
 }
@@ -353,6 +359,7 @@ static bool next_of_events(void *self, struct gpio_sim_event *out)
 
 struct gpio_sim_script gpio_lines_sim_events_script(struct gpio_sim_events *events)
 {
+    CORE_ASSERT(events && (events->events || events->count == 0));
     return (struct gpio_sim_script){ .next = next_of_events, .self = events };
 }
 

@@ -15,6 +15,7 @@ static uint64_t clock_sim_now_ns(void *self)
 
 struct hal_clock sim_clock_device(struct clock_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hal_clock_ops ops = { .now_ns = clock_sim_now_ns };
     return (struct hal_clock){ .ops = &ops, .self = sim };
 }
@@ -49,6 +50,7 @@ static const char *buttons_sim_describe(void *self)
 
 struct hal_buttons sim_buttons_device(struct buttons_sim *sim)
 {
+    CORE_ASSERT(sim && sim->clock.ops && (sim->events || sim->event_count == 0));
     static const struct hal_buttons_ops ops = {
         .poll = buttons_sim_poll,
         .describe = buttons_sim_describe,
@@ -75,6 +77,7 @@ static int display_sim_is_gone(const struct display_sim *sim)
 static int display_sim_poll(void *self, struct display_events *out)
 {
     struct display_sim *sim = self;
+    CORE_ASSERT(out);
     *out = (struct display_events){
         .quit = sim->quit,
         .lost = display_sim_is_gone(sim) ? 1 : 0,
@@ -102,6 +105,7 @@ static int display_sim_present(void *self, const struct scene *scene)
 static void display_sim_set_transform(void *self, const struct display_settings *display_settings)
 {
     struct display_sim *sim = self;
+    CORE_ASSERT(display_settings);
     sim->display_settings = *display_settings;
 }
 
@@ -116,6 +120,7 @@ static int display_sim_toggle(void *self)
 static int display_sim_capture(void *self, struct hal_image *image)
 {
     const struct display_sim *sim = self;
+    CORE_ASSERT(image && (image->rgb || image->size < 3));
     image->width = 1;
     image->height = 1;
     if (image->size < 3) {
@@ -139,6 +144,7 @@ static const char *display_sim_describe(void *self)
 
 struct hal_display sim_display_device(struct display_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hal_display_ops ops = {
         .open = display_sim_open,
         .poll = display_sim_poll,
@@ -164,6 +170,7 @@ static int audio_sim_open(void *self)
 static int audio_sim_play(void *self, const struct sound_event *event)
 {
     struct audio_sim *sim = self;
+    CORE_ASSERT(event);
     if (sim->gone) {
         return HAL_ERR_GONE;
     }
@@ -188,6 +195,7 @@ static void audio_sim_close(void *self)
 
 struct hal_audio sim_audio_device(struct audio_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hal_audio_ops ops = {
         .open = audio_sim_open,
         .play = audio_sim_play,

@@ -30,6 +30,7 @@ static uint32_t any(uint32_t number, uint32_t what)
 
 static void scramble(struct hid_raw *raw, uint32_t number, uint32_t from)
 {
+    CORE_ASSERT(raw->size <= HID_REPORT_MAX);
     for (uint32_t i = from; i < raw->size; i++) {
         raw->bytes[i] = (uint8_t)any(number, i);
     }
@@ -72,6 +73,7 @@ static void suffer(const struct hid_port_sim *sim, uint8_t kind, uint32_t number
 
 static int has_fault(const struct hid_port_sim *sim, uint8_t kind, uint32_t number)
 {
+    CORE_ASSERT(kind < HID_SIM_KIND_COUNT && (sim->faults || sim->fault_count == 0));
     for (uint32_t i = 0; i < sim->fault_count; i++) {
         const struct hid_sim_fault *fault = &sim->faults[i];
         if (fault->kind == kind && number >= fault->from && number < fault->to) {
@@ -133,6 +135,7 @@ void hid_port_sim_report(struct hid_port_sim *sim, const uint8_t *bytes, uint32_
 
 static void say_script(struct hid_port_sim *sim)
 {
+    CORE_ASSERT(sim->script_next <= sim->script_count);
     const uint64_t now_ns = hid_port_sim_now_ns(sim);
     while (sim->script_next < sim->script_count &&
            sim->script[sim->script_next].time_ns <= now_ns) {
@@ -146,6 +149,7 @@ static void say_script(struct hid_port_sim *sim)
 static int hid_port_sim_open(void *self, struct hid_device_info *out)
 {
     struct hid_port_sim *sim = self;
+    CORE_ASSERT(out);
     sim->open_count++;
     if (!sim->face) {
         return HAL_ERR_ABSENT;
@@ -168,6 +172,7 @@ static int hid_port_sim_open(void *self, struct hid_device_info *out)
 static int hid_port_sim_take(void *self, struct hid_raw *out)
 {
     struct hid_port_sim *sim = self;
+    CORE_ASSERT(out && sim->ring_count <= HID_REPORTS_MAX);
     say_script(sim);
     if (sim->ring_count > 0) {
         *out = sim->ring[sim->ring_first];
@@ -186,6 +191,7 @@ static int hid_port_sim_take(void *self, struct hid_raw *out)
 static int hid_port_sim_send(void *self, const uint8_t *bytes, uint32_t size)
 {
     struct hid_port_sim *sim = self;
+    CORE_ASSERT(bytes || size == 0);
     if (!sim->is_open || sim->gone) {
         return HAL_ERR_GONE;
     }
@@ -212,6 +218,7 @@ static const char *hid_port_sim_describe(void *self)
 
 struct hid_port hid_port_sim_port(struct hid_port_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hid_port_ops ops = {
         .open = hid_port_sim_open,
         .take = hid_port_sim_take,
@@ -323,6 +330,7 @@ static const char *describe(void *self)
 
 struct hid_device_list hid_device_list_sim_device(struct hid_device_list_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hid_device_list_ops ops = { .rows = rows,
                                                     .choose = hid_device_list_sim_select,
                                                     .release = hid_device_list_sim_release,

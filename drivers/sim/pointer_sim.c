@@ -17,6 +17,7 @@ static struct poi_sample pointer_sample(struct pointer_poi *pointer, uint64_t ti
 
 void pointer_sim_init(struct pointer_sim *sim, struct hal_clock clock, const struct view *view)
 {
+    CORE_ASSERT(view);
     *sim = (struct pointer_sim){ .feed = report_feed_begin(clock) };
     pointer_poi_init(&sim->pointer, view);
     pointer_fan_init(&sim->fan, view);
@@ -32,6 +33,7 @@ static int pointer_sim_open(void *self)
 static struct pointer_report faulty_report(struct pointer_sim *sim,
                                            const struct report_fault *fault)
 {
+    CORE_ASSERT(fault->index < sim->feed.count);
     struct pointer_report report = sim->reports[fault->index];
     if (fault->jumps) {
         report.x_px = (float)report.width_px;
@@ -53,6 +55,7 @@ static struct pointer_report faulty_report(struct pointer_sim *sim,
 static int pointer_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct pointer_sim *sim = self;
+    CORE_ASSERT(sim->feed.next <= sim->feed.count && (sim->reports || sim->feed.count == 0));
     struct report_feed *feed = &sim->feed;
     const uint64_t now_ns = report_feed_now_ns(feed);
     uint32_t count = 0;
@@ -82,6 +85,7 @@ static void pointer_sim_set_view(void *self, const struct view *view,
                                  const struct display_settings *display_settings)
 {
     struct pointer_sim *sim = self;
+    CORE_ASSERT(view);
     (void)display_settings; /* Unused, because the simulated image fills the window. */
     sim->pointer.view = sim->fan.view = *view;
 }
@@ -89,6 +93,7 @@ static void pointer_sim_set_view(void *self, const struct view *view,
 static int pointer_sim_set_force(void *self, const struct poi_force *force)
 {
     struct pointer_sim *sim = self;
+    CORE_ASSERT(force);
     sim->felt = *force;
     return sim->feed.gone ? HAL_ERR_GONE : HAL_OK;
 }
@@ -101,6 +106,7 @@ static const char *pointer_sim_describe(void *self)
 
 struct hal_poi pointer_sim_device(struct pointer_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hal_poi_ops ops = {
         .open = pointer_sim_open,
         .poll = pointer_sim_poll,
@@ -129,6 +135,7 @@ static const char *pointer_fan_sim_describe(void *self)
 
 struct hal_fan pointer_sim_fan(struct pointer_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hal_fan_ops ops = {
         .open = report_feed_fan_open,
         .poll = pointer_fan_sim_poll,
@@ -168,6 +175,7 @@ static int touch_sim_open(void *self)
 /* Passes an event with its faults to the decoder. */
 static void play_event(struct touch_sim *sim, const struct report_fault *fault)
 {
+    CORE_ASSERT(fault->index < sim->feed.count && fault->copies <= 2u);
     struct touch_event event = sim->events[fault->index];
     const bool is_mute =
         sim->mute_every > 0 && fault->index % sim->mute_every == 0 && event.kind == TOUCH_UP;
@@ -192,6 +200,7 @@ static void play_event(struct touch_sim *sim, const struct report_fault *fault)
 static int touch_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct touch_sim *sim = self;
+    CORE_ASSERT(sim->feed.next <= sim->feed.count && (sim->events || sim->feed.count == 0));
     struct report_feed *feed = &sim->feed;
     const uint64_t now_ns = report_feed_now_ns(feed);
     uint32_t count = 0;
@@ -218,6 +227,7 @@ static void touch_sim_set_view(void *self, const struct view *view,
                                const struct display_settings *display_settings)
 {
     struct touch_sim *sim = self;
+    CORE_ASSERT(view);
     (void)display_settings; /* Unused, because the simulated image fills the window. */
     sim->pointer.view = *view;
 }
@@ -237,6 +247,7 @@ static const char *touch_sim_describe(void *self)
 
 struct hal_poi sim_touch_device(struct touch_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hal_poi_ops ops = {
         .open = touch_sim_open,
         .poll = touch_sim_poll,

@@ -18,6 +18,7 @@ struct report_feed report_feed_begin(struct hal_clock clock)
 
 uint64_t report_feed_now_ns(const struct report_feed *feed)
 {
+    CORE_ASSERT(feed->clock.ops);
     return feed->clock.ops->now_ns(feed->clock.self);
 }
 
@@ -37,6 +38,7 @@ int report_feed_open(struct report_feed *feed)
 
 bool report_feed_is_silent(const struct report_feed *feed, uint64_t now_ns)
 {
+    CORE_ASSERT(feed->silent_from_ns <= feed->silent_to_ns);
     return now_ns >= feed->silent_from_ns && now_ns < feed->silent_to_ns;
 }
 

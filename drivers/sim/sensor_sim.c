@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/base/rng.h"
 
 #define NS_PER_S 1000000000ull
@@ -17,12 +18,14 @@ static uint64_t sensor_sim_now_ns(const struct sensor_sim *sim)
 
 void sensor_sim_init(struct sensor_sim *sim, struct hal_clock clock, uint32_t rate_hz)
 {
+    CORE_ASSERT(clock.ops && rate_hz > 0);
     *sim = (struct sensor_sim){ .clock = clock, .period_ns = NS_PER_S / rate_hz };
     sim->next_ns = sensor_sim_now_ns(sim);
 }
 
 static int fails_at(const struct sensor_sim *sim, enum sensor_fault fault, uint64_t time_ns)
 {
+    CORE_ASSERT(fault < SENSOR_FAULT_COUNT);
     return sim->fault == (uint8_t)fault && time_ns >= sim->from_ns && time_ns < sim->to_ns;
 }
 
@@ -54,6 +57,7 @@ static void spoil_bits(const struct sensor_sim *sim, struct poi_target *target)
 
 static void spoil_one(const struct sensor_sim *sim, struct poi_target *target)
 {
+    CORE_ASSERT(target);
     static const uint32_t none[] = { 0x7fc00000u, 0x7f800000u, 0xff800000u, 0x7f800001u };
     uint8_t *bytes = (uint8_t *)target;
     memcpy(bytes + sim->count % 6u * sizeof(float), &none[sim->count / 6u % 4u], sizeof(float));
@@ -61,6 +65,7 @@ static void spoil_one(const struct sensor_sim *sim, struct poi_target *target)
 
 static struct poi_target sensor_sim_reading(struct sensor_sim *sim, uint64_t time_ns)
 {
+    CORE_ASSERT(sim->fault < SENSOR_FAULT_COUNT);
     struct poi_target target = true_target(sim);
     if (fails_at(sim, SENSOR_STUCK, time_ns)) {
         target = sim->last;
@@ -81,6 +86,7 @@ static struct poi_target sensor_sim_reading(struct sensor_sim *sim, uint64_t tim
 /* Delays a report. When the buffer is full, the oldest report is lost. */
 static void hold_back(struct sensor_sim *sim, struct poi_target target)
 {
+    CORE_ASSERT(sim->held_count <= SENSOR_SIM_HELD_MAX);
     if (sim->held_count == SENSOR_SIM_HELD_MAX) {
         memmove(sim->held, sim->held + 1, (SENSOR_SIM_HELD_MAX - 1u) * sizeof sim->held[0]);
         sim->held_count--;
@@ -101,6 +107,7 @@ static struct poi_sample sample_of(struct poi_target target, uint64_t time_ns)
 static uint32_t let_go(struct sensor_sim *sim, struct poi_sample *out, uint32_t max,
                        uint64_t now_ns)
 {
+    CORE_ASSERT(sim->held_count <= SENSOR_SIM_HELD_MAX && (out || max == 0));
     uint32_t count = 0;
     while (count < sim->held_count && count < max) {
         out[count] = sample_of(sim->held[count], now_ns);
@@ -113,6 +120,7 @@ static uint32_t let_go(struct sensor_sim *sim, struct poi_sample *out, uint32_t 
 static int sensor_sim_poll(void *self, struct poi_sample *out, uint32_t max)
 {
     struct sensor_sim *sim = self;
+    CORE_ASSERT(sim->period_ns > 0);
     const uint64_t now_ns = sensor_sim_now_ns(sim);
     if (fails_at(sim, SENSOR_GONE, now_ns)) {
         return HAL_ERR_GONE;
@@ -149,6 +157,7 @@ static int sensor_sim_open(void *self)
 static int sensor_sim_set_force(void *self, const struct poi_force *force)
 {
     struct sensor_sim *sim = self;
+    CORE_ASSERT(force);
     sim->felt = *force;
     return fails_at(sim, SENSOR_GONE, sensor_sim_now_ns(sim)) ? HAL_ERR_GONE : HAL_OK;
 }
@@ -157,6 +166,7 @@ static void sensor_sim_set_view(void *self, const struct view *view,
                                 const struct display_settings *display_settings)
 {
     struct sensor_sim *sim = self;
+    CORE_ASSERT(view);
     (void)display_settings; /* Unused, because the pose refers to the water and not to the
                                screen. */
     sim->view = *view;
@@ -170,6 +180,7 @@ static const char *sensor_sim_describe(void *self)
 
 struct hal_poi sensor_sim_device(struct sensor_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hal_poi_ops ops = {
         .open = sensor_sim_open,
         .poll = sensor_sim_poll,

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "core/base/panic.h"
+
 static int storage_sim_open(void *self)
 {
     (void)self;
@@ -12,6 +14,7 @@ static int storage_sim_open(void *self)
 static int storage_sim_load(void *self, struct persistent_state *out)
 {
     const struct storage_sim *sim = self;
+    CORE_ASSERT(out);
     *out = sim->memory;
     return HAL_OK;
 }
@@ -20,6 +23,7 @@ static int storage_sim_store_replay(void *self, uint32_t round_id, const uint8_t
                                     size_t size)
 {
     struct storage_sim *sim = self;
+    CORE_ASSERT(bytes || size == 0);
     if (sim->replay == NULL) {
         return HAL_ERR_ABSENT;
     }
@@ -48,6 +52,7 @@ static int storage_sim_fetch_replay(void *self, uint32_t round_id, uint8_t *byte
                                     struct ledger_entry *round)
 {
     struct storage_sim *sim = self;
+    CORE_ASSERT(bytes && round);
     if (sim->replay == NULL) {
         return HAL_ERR_ABSENT;
     }
@@ -62,6 +67,7 @@ static int storage_sim_fetch_replay(void *self, uint32_t round_id, uint8_t *byte
 static int storage_sim_replay_fetched(void *self)
 {
     struct storage_sim *sim = self;
+    CORE_ASSERT(sim->replay_size <= sim->replay_room || !sim->replay);
     const int is_there = sim->replay_id != 0 && sim->replay_asked_id == sim->replay_id;
     return !is_replay_done(sim) ? HAL_ERR_BUSY : is_there ? (int)sim->replay_size : HAL_ERR_ABSENT;
 }
@@ -69,6 +75,7 @@ static int storage_sim_replay_fetched(void *self)
 static int storage_sim_append(void *self, const struct ledger_entry *entry)
 {
     struct storage_sim *sim = self;
+    CORE_ASSERT(entry);
     if (sim->busy_left > 0) {
         sim->busy_left--;
         sim->refused_count++;
@@ -100,6 +107,7 @@ static uint32_t storage_sim_committed_id(void *self)
 static int storage_sim_store_edit(void *self, const struct graph_edit_record *edit)
 {
     struct storage_sim *sim = self;
+    CORE_ASSERT(edit);
     if (sim->busy_left > 0) {
         sim->busy_left--;
         return HAL_ERR_BUSY;
@@ -165,6 +173,7 @@ static int storage_sim_merge_offline(void *self, const struct balance_change *st
                                      const struct ledger_entry *entries, uint32_t count)
 {
     struct storage_sim *sim = self;
+    CORE_ASSERT(step && (entries || count == 0));
     if (sim->late_polls_left > 0) {
         return HAL_ERR_BUSY;
     }
@@ -189,6 +198,7 @@ static int storage_sim_offline_merged(void *self)
 
 struct hal_storage storage_sim_device(struct storage_sim *sim)
 {
+    CORE_ASSERT(sim);
     static const struct hal_ledger_ops ledger = {
         .open = storage_sim_open,
         .load = storage_sim_load,

@@ -1,6 +1,7 @@
 /* config_file.c -- parses the sections and keys of kingyo.conf and reports errors. */
 #include "platform/config/config_file.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
@@ -89,6 +90,7 @@ static int begin_section(struct reading *reading, char *text)
  * every key is accepted. Otherwise returns 0 and writes the reason. */
 static int is_here(struct reading *reading, const char *key, const char *section)
 {
+    assert(key && section);
     if (reading->section[0] == '\0' || strcmp(reading->section, section) == 0) {
         return 1;
     }
@@ -106,6 +108,7 @@ static int is_here(struct reading *reading, const char *key, const char *section
 
 static int read_setting(struct reading *reading, uint32_t id, const char *key, const char *value)
 {
+    assert(id < SETTING_COUNT);
     char range[SETTING_RANGE_MAX];
     struct options_query_result *file = &reading->options->file;
     if (!is_here(reading, key, setting_section(settings_entry(id)->group))) {

@@ -1,6 +1,7 @@
 /* clock.c -- reads CLOCK_MONOTONIC and the local date and time; see clock.h. */
 #include "platform/os/clock.h"
 
+#include <assert.h>
 #include <time.h>
 
 /* Days from 2000-01-01 to 2000-03-01: January and a February with a leap day. */
@@ -19,6 +20,7 @@ static uint64_t clock_now_ns(void *self)
  * where m is 0 for March. */
 static int32_t days_since_2000(const struct tm *date)
 {
+    assert(date->tm_mon >= 0 && date->tm_mon < 12);
     const int32_t is_early = date->tm_mon < 2;
     const int32_t year = date->tm_year - 100 - is_early;    /* Years since March 2000. */
     const int32_t month = date->tm_mon - 2 + 12 * is_early; /* Month of the shifted year. 0 is
@@ -29,6 +31,7 @@ static int32_t days_since_2000(const struct tm *date)
 
 void clock_civil(const struct tm *date, uint16_t *day, uint16_t *minute)
 {
+    assert(day && minute);
     *day = *minute = 0;
     if (date->tm_year + 1900 >= CLOCK_FIRST_YEAR && date->tm_year + 1900 <= CLOCK_LAST_YEAR) {
         *day = (uint16_t)days_since_2000(date);

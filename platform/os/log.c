@@ -2,6 +2,7 @@
  * see log.h. */
 #include "platform/os/log.h"
 
+#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -49,6 +50,7 @@ void log_print_raw(enum log_level level, const char *words)
 
 void log_print(enum log_level level, const char *format, ...)
 {
+    assert(format);
     char line[LOG_LINE_MAX], words[LOG_LINE_MAX - 32u];
     va_list arguments;
     va_start(arguments, format);

@@ -2,6 +2,7 @@
  * mean octal. */
 #include "platform/os/number.h"
 
+#include <assert.h>
 #include <string.h>
 
 #define DECIMAL_MAX 40u
@@ -9,6 +10,7 @@
 
 int number_parse(const char *text, uint32_t min, uint32_t max, uint32_t *out)
 {
+    assert(min <= max && out);
     uint64_t value = 0;
     if (!text || *text == '\0') {
         return 0;
@@ -38,6 +40,7 @@ static int is_digit(char c)
 
 static double power_of_ten(int exponent)
 {
+    assert(exponent >= -200 && exponent <= 200);
     double power = 1.0;
     for (int i = 0; i < (exponent < 0 ? -exponent : exponent); i++) {
         power *= 10.0;
@@ -72,6 +75,7 @@ static const char *take_exponent(const char *text, int *exponent)
 
 int number_parse_decimal(const char *text, double min, double max, double *out)
 {
+    assert(min <= max && out);
     double mantissa = 0.0;
     int whole = 0, fraction = 0, exponent = 0;
     if (!text || strlen(text) > DECIMAL_MAX) {
@@ -101,6 +105,7 @@ int number_parse_decimal(const char *text, double min, double max, double *out)
 
 uint32_t number_print_fixed(char out[NUMBER_FIXED_MAX], double value, uint32_t decimals)
 {
+    assert(decimals <= 6 && value > -1e12 && value < 1e12);
     char digits[NUMBER_FIXED_MAX];
     const double scaled = (value < 0.0 ? -value : value) * power_of_ten((int)decimals) + 0.5;
     uint64_t rest = (uint64_t)scaled;

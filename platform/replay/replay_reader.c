@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "core/base/hash.h"
+#include "core/base/panic.h"
 #include "platform/os/file.h"
 #include "platform/replay/replay_format.h"
 
@@ -46,6 +47,7 @@ static ssize_t read_some(const struct replay_reader *reader, uint8_t *out, size_
 static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, uint64_t ahead,
                       const char *what)
 {
+    CORE_ASSERT(out && what);
     const uint64_t begin = reader->offset + ahead;
     size_t done = 0;
     while (done < size) {
@@ -86,6 +88,7 @@ static int is_program_name(const uint8_t *bytes)
 /* Reads a part with its checksum into reader->bytes. Returns 0, or -1 if the checksum is wrong. */
 static int read_part_of_header(struct replay_reader *reader, size_t size, const char *what)
 {
+    CORE_ASSERT(size + REPLAY_SUM_SIZE <= sizeof reader->bytes);
     if (read_bytes(reader, reader->bytes, size + REPLAY_SUM_SIZE, 0, what)) {
         return -1;
     }
@@ -174,6 +177,7 @@ static int read_header(struct replay_reader *reader)
 
 int replay_open(struct replay_reader *reader, const char *path)
 {
+    CORE_ASSERT(path);
     struct stat status;
     memset(reader, 0, sizeof *reader);
     reader->fd = file_user_handle(path, O_RDONLY, 0);
@@ -195,6 +199,7 @@ int replay_open(struct replay_reader *reader, const char *path)
 
 int replay_open_in(struct replay_reader *reader, const uint8_t *memory, size_t size)
 {
+    CORE_ASSERT(memory || size == 0);
     memset(reader, 0, sizeof *reader);
     reader->fd = -1;
     reader->memory = memory;
@@ -299,6 +304,7 @@ static int read_part(struct replay_reader *reader)
 
 int replay_next(struct replay_reader *reader, struct input *input)
 {
+    CORE_ASSERT(input);
     if (reader->fd < 0 && reader->memory == NULL) {
         return -1;
     }

@@ -32,6 +32,7 @@ static int write_file(int fd, const uint8_t *bytes, size_t size, uint64_t offset
 static int write_at(const struct replay_writer *writer, const uint8_t *bytes, size_t size,
                     uint64_t offset)
 {
+    CORE_ASSERT((writer->memory == NULL) != (writer->fd < 0));
     if (writer->memory == NULL) {
         return write_file(writer->fd, bytes, size, offset);
     }
@@ -63,6 +64,7 @@ static void put_end(uint8_t *out, const struct replay_totals *totals, uint64_t s
  * the size of the part with its checksum. */
 static size_t put_sum(uint8_t *part, size_t size, uint64_t *sum)
 {
+    CORE_ASSERT(size + REPLAY_SUM_SIZE <= REPLAY_HEADER_MAX);
     if (size == 0) {
         return 0;
     }
@@ -100,6 +102,7 @@ _Static_assert(sizeof KINGYO_VERSION <= REPLAY_PROGRAM_SIZE, "the version must f
 
 static void give_up(struct replay_writer *writer, int error)
 {
+    CORE_ASSERT(error < 0);
     if (writer->fd >= 0) {
         close(writer->fd);
     }
@@ -150,6 +153,7 @@ static int replay_writer_begin(struct replay_writer *writer, const struct core_c
 int replay_create(struct replay_writer *writer, const char *path, const struct core_config *config,
                   uint64_t first_hash)
 {
+    CORE_ASSERT(path && config);
     memset(writer, 0, sizeof *writer);
     writer->digest_ticks = 1;
     writer->fd = open_empty(path);
@@ -159,6 +163,7 @@ int replay_create(struct replay_writer *writer, const char *path, const struct c
 int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
                      const struct core_config *config, uint64_t first_hash)
 {
+    CORE_ASSERT(memory && config);
     memset(writer, 0, sizeof *writer);
     writer->digest_ticks = REPLAY_CHUNK_TICKS;
     writer->fd = -1;
@@ -188,6 +193,7 @@ static void restore(struct replay_writer *writer)
 static size_t close_chunk(uint8_t *chunk, size_t payload_size, uint32_t ticks,
                           const struct replay_totals *totals, uint64_t *sum)
 {
+    CORE_ASSERT(ticks > 0 && ticks <= REPLAY_CHUNK_TICKS && payload_size <= REPLAY_PAYLOAD_MAX);
     memcpy(chunk, REPLAY_CHUNK_TAG, 4);
     replay_put_u32(chunk + CHUNK_PAYLOAD_SIZE, (uint32_t)payload_size);
     replay_put_u32(chunk + CHUNK_FIRST_TICK, totals->ticks - ticks);
@@ -204,6 +210,7 @@ static size_t close_chunk(uint8_t *chunk, size_t payload_size, uint32_t ticks,
 
 static void write_chunk(struct replay_writer *writer)
 {
+    CORE_ASSERT(writer->chunk_ticks > 0 && writer->chunk_ticks <= REPLAY_CHUNK_TICKS);
     uint64_t sum = writer->sum;
     const size_t size = close_chunk(writer->bytes, writer->payload_size, writer->chunk_ticks,
                                     &writer->totals, &sum);
@@ -233,6 +240,7 @@ int replay_wants_digest(const struct replay_writer *writer)
 void replay_add(struct replay_writer *writer, const struct input *input, uint32_t digest,
                 const struct replay_totals *totals)
 {
+    CORE_ASSERT(input);
     if (!replay_is_open(writer)) {
         return;
     }
