@@ -24,7 +24,7 @@ static const uint32_t button_of[GPIO_INPUT_COUNT] = {
 
 static uint32_t buttons_of(uint32_t roles)
 {
-    CORE_ASSERT(roles >> GPIO_INPUT_COUNT == 0);
+    CORE_ASSERT(roles >> GPIO_ROLE_COUNT == 0);
     uint32_t buttons = 0;
     for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
         buttons |= roles & 1u << i ? button_of[i] : 0u;

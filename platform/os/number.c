@@ -10,7 +10,7 @@
 
 int number_parse(const char *text, uint32_t min, uint32_t max, uint32_t *out)
 {
-    assert(min <= max && out);
+    assert(out || !text);
     uint64_t value = 0;
     if (!text || *text == '\0') {
         return 0;
@@ -75,7 +75,7 @@ static const char *take_exponent(const char *text, int *exponent)
 
 int number_parse_decimal(const char *text, double min, double max, double *out)
 {
-    assert(min <= max && out);
+    assert(out || !text);
     double mantissa = 0.0;
     int whole = 0, fraction = 0, exponent = 0;
     if (!text || strlen(text) > DECIMAL_MAX) {
