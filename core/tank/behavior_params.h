@@ -10,6 +10,7 @@
 
 #include <stdint.h>
 
+#include "core/base/rng.h"
 #include "core/base/vec.h"
 
 struct behavior_params {
@@ -100,5 +101,13 @@ struct perception {
                                    absent (cast.present is 0). */
     uint32_t shade_count;
 };
+
+/* Returns the key of a random number for one decision of fish `index`. `purpose` distinguishes the random
+ * numbers of one decision. */
+static inline struct rng_key perception_key(const struct perception *around, uint32_t index,
+                                            enum rng_purpose purpose)
+{
+    return (struct rng_key){ around->seed, around->tick, index, purpose };
+}
 
 #endif

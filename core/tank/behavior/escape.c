@@ -53,11 +53,6 @@
 #define COST 0.010f
 #define REFRACTORY_S 0.5f /* Time after a dash in which the fish cannot begin another C-start. */
 
-static struct rng_key key(uint32_t index, const struct perception *around, enum rng_purpose purpose)
-{
-    return (struct rng_key){ around->seed, around->tick, index, purpose };
-}
-
 static vec3 escape_direction(float yaw_rad)
 {
     return v3(-f_sin(yaw_rad), 0.0f, -f_cos(yaw_rad));
@@ -131,7 +126,8 @@ static void enter(struct fish *fish, uint32_t index, const struct perception *ar
     fish->gait = GAIT_ESCAPE;
     fish->air = AIR_ENOUGH;
     fish->gait_left_s =
-        DASH_BEAT_MIN_S + rng_range(key(index, around, RNG_ESCAPE_DURATION), 0.0f, DASH_SPREAD_S);
+        DASH_BEAT_MIN_S +
+        rng_range(perception_key(around, index, RNG_ESCAPE_DURATION), 0.0f, DASH_SPREAD_S);
     fish->refractory_s = fish->gait_left_s + REFRACTORY_S;
     fish->avoiding = AVOID_NONE;
     fish->avoid_left_s = 0.0f;
@@ -155,11 +151,12 @@ void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct p
                              room_m(fish->position_m.z, course.z, 0.5f * around->size_m.z)) /
                        (WALL_FELT_LENGTHS * fish->length_m);
     const float chance = f_lerp(AWAY_CHANCE_WALL, AWAY_CHANCE, f_clamp(open, 0.0f, 1.0f));
-    const int toward = rng_unit(key(index, around, RNG_FISH_ESCAPE)) >= chance;
+    const int toward = rng_unit(perception_key(around, index, RNG_FISH_ESCAPE)) >= chance;
     const float side = (away_rad < 0.0f ? -1.0f : 1.0f) * (toward ? -1.0f : 1.0f);
-    const float turn_rad =
-        side * rng_range(key(index, around, RNG_ESCAPE_TURN), TURN_MIN_RAD, TURN_MAX_RAD);
-    const float stray_rad = rng_range(key(index, around, RNG_ESCAPE_STRAY), -STRAY_RAD, STRAY_RAD);
+    const float turn_rad = side * rng_range(perception_key(around, index, RNG_ESCAPE_TURN),
+                                            TURN_MIN_RAD, TURN_MAX_RAD);
+    const float stray_rad =
+        rng_range(perception_key(around, index, RNG_ESCAPE_STRAY), -STRAY_RAD, STRAY_RAD);
     const float goal_rad =
         toward ? nearer(turn_rad, away_rad + PAST_RAD, away_rad - PAST_RAD) : away_rad + stray_rad;
     const float course_rad = unbarred_rad(fish, yaw_rad + goal_rad, around->size_m) - yaw_rad;

@@ -51,21 +51,6 @@ struct gait_chance gait_shares(float stamina)
     return (struct gait_chance){ burst_s / all_s, swim_s / all_s, rest_s / all_s };
 }
 
-/* Key of a fish's random numbers: seed, tick and index of the fish. */
-struct luck {
-    uint32_t seed, tick, fish;
-};
-
-static struct luck luck_of(uint32_t index, const struct perception *around)
-{
-    return (struct luck){ around->seed, around->tick, index };
-}
-
-static struct rng_key key(struct luck luck, enum rng_purpose purpose)
-{
-    return (struct rng_key){ luck.seed, luck.tick, luck.fish, purpose };
-}
-
 float gait_depth_m(float stamina, float water_depth_m)
 {
     CORE_ASSERT(water_depth_m > 0.0f);
@@ -80,11 +65,13 @@ float gait_depth_m(float stamina, float water_depth_m)
 /* Returns the random change of heading at a change of gait. The 2013 thesis gives no angle. Real
  * fish rarely turn far, so the angle has a normal distribution, with a standard deviation of 45
  * degrees for a swim. A burst begins with a sharp turn of 60 to 120 degrees. */
-static float turn_rad(enum fish_gait gait, struct luck luck, const struct behavior_params *params)
+static float turn_rad(enum fish_gait gait, uint32_t index, const struct perception *around)
 {
-    const float bell = rng_normal(key(luck, RNG_FISH_TURN));
+    const struct behavior_params *params = around->params;
+    const float bell = rng_normal(perception_key(around, index, RNG_FISH_TURN));
     if (gait == GAIT_BURST) {
-        const float sharp = rng_range(key(luck, RNG_FISH_SHARP_TURN), 60.0f, 120.0f) * F_DEG;
+        const float sharp =
+            rng_range(perception_key(around, index, RNG_FISH_SHARP_TURN), 60.0f, 120.0f) * F_DEG;
         return bell < 0.0f ? -sharp : sharp;
     }
     return bell * (gait == GAIT_SWIM ? params->turn_swim_rad : params->turn_rest_rad);
@@ -102,13 +89,13 @@ void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
                 const struct perception *around)
 {
     CORE_ASSERT(gait <= GAIT_BURST);
-    const struct luck luck = luck_of(index, around);
-    const struct rng_key time = key(luck, RNG_FISH_DURATION);
+    const struct rng_key time = perception_key(around, index, RNG_FISH_DURATION);
     fish->gait = (uint8_t)gait;
     fish->gait_left_s = gait == GAIT_BURST ? rng_range(time, BURST_MIN_S, BURST_MAX_S)
                                            : rng_range(time, STEADY_MIN_S, STEADY_MAX_S);
-    fish->heading_rad = f_wrap_angle(fish->heading_rad + turn_rad(gait, luck, around->params));
-    fish->depth_stray = around->params->depth_stray * rng_normal(key(luck, RNG_FISH_DEPTH));
+    fish->heading_rad = f_wrap_angle(fish->heading_rad + turn_rad(gait, index, around));
+    fish->depth_stray =
+        around->params->depth_stray * rng_normal(perception_key(around, index, RNG_FISH_DEPTH));
     fish->depth_goal_m = depth_goal_m(fish, around->size_m.y);
 }
 
@@ -119,9 +106,8 @@ static void choose_gait(struct fish *fish, uint32_t index, const struct percepti
         surface_rise(fish, index, around);
         return;
     }
-    const struct luck luck = luck_of(index, around);
     const struct gait_chance chance = gait_chance(fish->stamina);
-    const float draw = rng_unit(key(luck, RNG_FISH_GAIT));
+    const float draw = rng_unit(perception_key(around, index, RNG_FISH_GAIT));
     const enum fish_gait gait = draw < chance.burst                 ? GAIT_BURST
                                 : draw < chance.burst + chance.swim ? GAIT_SWIM
                                                                     : GAIT_REST;
@@ -140,7 +126,8 @@ void gait_tick(struct fish *fish, uint32_t index, const struct perception *aroun
         if (fish->gait == GAIT_ESCAPE) {
             /* After an escape the fish swims for 1 to 3 s instead of stopping immediately. */
             gait_enter(fish, GAIT_SWIM, index, around);
-            fish->gait_left_s = rng_range(key(luck_of(index, around), RNG_ESCAPE_CALM), 1.0f, 3.0f);
+            fish->gait_left_s =
+                rng_range(perception_key(around, index, RNG_ESCAPE_CALM), 1.0f, 3.0f);
         } else {
             choose_gait(fish, index, around);
         }

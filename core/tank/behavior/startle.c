@@ -124,7 +124,7 @@ static void startle(struct fish *fish, enum startle_cause cause, vec3 from_m, ui
                     const struct perception *around)
 {
     CORE_ASSERT(cause > STARTLE_NONE && cause <= STARTLE_SHADOW);
-    const struct rng_key key = { around->seed, around->tick, index, RNG_STARTLE_LATENCY };
+    const struct rng_key key = perception_key(around, index, RNG_STARTLE_LATENCY);
     const float late = fish->gait == GAIT_SURFACE ? GULPING_LATE : 1.0f;
     const float wait_s = late * rng_range(key, nerves[cause].min_s, nerves[cause].max_s);
     if (fish->startle == STARTLE_NONE || wait_s < fish->startle_s) {

@@ -58,14 +58,9 @@ float surface_chance(float oxygen_mg_l, float stamina)
     return 1.0f / (1.0f + f_exp((oxygen_mg_l - half_mg_l) / CHANCE_WIDTH_MG_L));
 }
 
-static float draw_surface(uint32_t index, const struct perception *around, enum rng_purpose purpose)
-{
-    return rng_unit((struct rng_key){ around->seed, around->tick, index, purpose });
-}
-
 int surface_calls(const struct fish *fish, uint32_t index, const struct perception *around)
 {
-    return around->params->air_by_oxygen && draw_surface(index, around, RNG_FISH_AIR) <
+    return around->params->air_by_oxygen && rng_unit(perception_key(around, index, RNG_FISH_AIR)) <
                                                 surface_chance(around->oxygen_mg_l, fish->stamina);
 }
 
@@ -124,8 +119,8 @@ static void begin_bout(struct fish *fish, uint32_t index, const struct perceptio
 {
     CORE_ASSERT(around->params->gulp_min_s <= around->params->gulp_max_s);
     const struct behavior_params *params = around->params;
-    fish->gait_left_s =
-        f_lerp(params->gulp_min_s, params->gulp_max_s, draw_surface(index, around, RNG_FISH_GULP));
+    fish->gait_left_s = f_lerp(params->gulp_min_s, params->gulp_max_s,
+                               rng_unit(perception_key(around, index, RNG_FISH_GULP)));
 }
 
 void surface_rise(struct fish *fish, uint32_t index, const struct perception *around)

@@ -123,6 +123,14 @@ static inline struct box body_box(const struct body *body)
     };
 }
 
+/* Returns box_gap() of two bodies whose boxes are enlarged by the margins. */
+static inline struct box_gap body_gap(const struct body *a, float margin_a_m, const struct body *b,
+                                      float margin_b_m)
+{
+    const struct box box_a = body_box(a), box_b = body_box(b);
+    return box_gap(&box_a, margin_a_m, &box_b, margin_b_m);
+}
+
 /* Returns half the size of the smallest axis-aligned box that contains the body. */
 static inline vec3 body_extent_m(const struct body *body)
 {

@@ -128,8 +128,7 @@ static void meet_again(struct broad_phase *broad_phase, uint32_t fish, uint32_t 
     if (v3_dot(d, d) > near_m * near_m) {
         return;
     }
-    const struct box box_a = body_box(a), box_b = body_box(b);
-    const struct box_gap gap = box_gap(&box_a, broad_phase->reach_m[fish], &box_b, left_m);
+    const struct box_gap gap = body_gap(a, broad_phase->reach_m[fish], b, left_m);
     if (gap.space_m <= 0.0f && gap.body_m < broad_phase->reach_m[fish] + left_m) {
         CORE_ASSERT(broad_phase->near_count < broad_phase_contact_max(broad_phase));
         broad_phase->contact[broad_phase->near_count++] =

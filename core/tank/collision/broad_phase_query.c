@@ -174,8 +174,7 @@ static void meet_balls(const struct snapshot *look)
             const float both_m = ball_m(a) + ball_m(b);
             if ((broad_phase->flags[i] & broad_phase->flags[j] & BODY_SWIMMING) &&
                 v3_dot(way, way) < both_m * both_m) {
-                const struct box box_a = body_box(a), box_b = body_box(b);
-                const struct box_gap gap = box_gap(&box_a, 1.0f, &box_b, 1.0f);
+                const struct box_gap gap = body_gap(a, 1.0f, b, 1.0f);
                 const struct narrow_phase_pair found = {
                     .a = j,
                     .b = i,

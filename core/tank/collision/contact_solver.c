@@ -108,8 +108,7 @@ static int part_pair(const struct solver_step *all, struct contact *contact, int
     CORE_ASSERT(contact->a != contact->b);
     const struct body *a = &all->broad_phase->body[contact->a],
                       *b = &all->broad_phase->body[contact->b];
-    const struct box box_a = body_box(a), box_b = body_box(b);
-    struct box_gap gap = box_gap(&box_a, 0.0f, &box_b, 0.0f);
+    struct box_gap gap = body_gap(a, 0.0f, b, 0.0f);
     if (gap.body_m >= 0.0f) {
         know_apart(all, contact, gap.body_m);
         return 0;

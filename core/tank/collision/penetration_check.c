@@ -18,8 +18,7 @@ static int is_inside(const struct solver_step *all, uint32_t index, const struct
 
 static float pair_depth_m(const struct body *a, const struct body *b)
 {
-    const struct box box_a = body_box(a), box_b = body_box(b);
-    return box_depth_m(&box_a, &box_b);
+    return f_max(0.0f, -body_gap(a, 0.0f, b, 0.0f).body_m);
 }
 
 /* Records that a fish returns to its previous angles. Only the first substep rotates fish; in a
