@@ -36,6 +36,7 @@ morph graph wakin --svg DIR/graph.svg
 morph check hirame --steps 2
 morph export wakin --age-days 90 --obj DIR/wakin.obj
 morph import DIR/wakin.kfish assets/species/wakin.txt
+morph refit DIR/refit.kfish wakin nowhere.obj nowhere.obj nowhere.obj nowhere.obj nowhere.obj
 replay info $work/rounds/round-00001.kgr
 replay verify $work/rounds/round-00001.kgr
 hid describe $keys
