@@ -102,8 +102,8 @@ struct perception {
     uint32_t shade_count;
 };
 
-/* Returns the key of a random number for one decision of fish `index`. `purpose` distinguishes the random
- * numbers of one decision. */
+/* Returns the key of a random number for one decision of fish `index`. `purpose` distinguishes the
+ * random numbers of one decision. */
 static inline struct rng_key perception_key(const struct perception *around, uint32_t index,
                                             enum rng_purpose purpose)
 {
