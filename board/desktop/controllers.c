@@ -16,7 +16,7 @@
 #include "drivers/usb/usb_transport.h"
 #include "platform/os/log.h"
 
-/* ---- USB -------------------------------------------------------------------------------------- */
+/* ---- USB ------------------------------------------------------------------------------------- */
 
 #define PATH_SIZE 1100u /* Size of a path; large enough for a data folder and a file name. */
 
@@ -162,7 +162,7 @@ static uint32_t usb_exclusions(struct gamepad_exclusion out[GAMEPADS_EXCLUSION_M
     return count;
 }
 
-/* ---- Game pads and pointers ------------------------------------------------------------------- */
+/* ---- Game pads and pointers ------------------------------------------------------------------ */
 
 static struct {
     struct input_mux seats;
@@ -246,8 +246,8 @@ static const char *missing_poi(uint8_t poi)
 void controllers_open(struct hal *hal, const struct board_options *options)
 {
     CORE_ASSERT(hal->clock.ops && options);
-    /* Pointer devices in use, as bits of enum pointer_filter. Mouse and touch screen control the same
-     * poi; the device that moved last sets the position. */
+    /* Pointer devices in use, as bits of enum pointer_filter. Mouse and touch screen control the
+     * same poi; the device that moved last sets the position. */
     const uint32_t heeds = (wants(options, BOARD_POI_MOUSE) ? (uint32_t)POINTER_FILTER_MOUSE : 0u) |
                            (wants(options, BOARD_POI_TOUCH) ? (uint32_t)POINTER_FILTER_TOUCH : 0u);
     usb_open(hal, options);

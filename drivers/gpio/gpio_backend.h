@@ -10,7 +10,7 @@
 
 #include "drivers/gpio/gpio_lines.h"
 
-/* ---- Devices in /dev, waiting and messages (gpio_dev.c) --------------------------------------- */
+/* ---- Devices in /dev, waiting and messages (gpio_dev.c) -------------------------------------- */
 
 /* Iteration over the device files of all chips, in directory order. Symbolic links are skipped,
  * because Raspberry Pi OS has links that name chips by their former numbers.
@@ -74,7 +74,7 @@ void gpio_dev_why_refused(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire,
 void gpio_dev_why_missing(char why[HAL_TEXT_SIZE], const struct gpio_wire *wire, const char *denied,
                           uint32_t chip_count);
 
-/* ---- The backend (gpio_backend.c) ------------------------------------------------------------- */
+/* ---- The backend (gpio_backend.c) ------------------------------------------------------------ */
 
 /* Operations of one libgpiod release. Each call handles the line of one role. The members are
  * listed in the order of the calls. A failed call sets errno. */

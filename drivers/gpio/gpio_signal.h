@@ -1,5 +1,5 @@
-/* gpio_signal.h -- processes the signals of single GPIO lines: debouncing, a filter for the edges of
- * the kernel, coin detection, and pulses of an output.
+/* gpio_signal.h -- processes the signals of single GPIO lines: debouncing, a filter for the edges
+ * of the kernel, coin detection, and pulses of an output.
  *
  * All functions are pure: they use no device and no clock. Times are in ns on CLOCK_MONOTONIC, and
  * the caller passes them in non-decreasing order. The GPIO thread (gpio_thread.h) owns the states
@@ -42,8 +42,8 @@ bool gpio_debounce_edge(struct debounce *debounce, uint64_t time_ns, bool active
 bool gpio_debounce_settle(struct debounce *debounce, uint64_t now_ns,
                           struct debounce_edge_time *out);
 
-/* Returns the time at which gpio_debounce_settle() must be called, or UINT64_MAX if the state cannot
- * change without an edge. */
+/* Returns the time at which gpio_debounce_settle() must be called, or UINT64_MAX if the state
+ * cannot change without an edge. */
 uint64_t gpio_debounce_due_ns(const struct debounce *debounce);
 
 /* ---- Edge filter ------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 /* gamepad_sim.h -- a simulated game pad that passes raw reports through the real decoder.
  *
- * report_feed.h defines the faults: unplugging, doubled reports, sticks that jump to a corner, random
- * bits, and silence followed by a burst. The caller owns the state and the reports. */
+ * report_feed.h defines the faults: unplugging, doubled reports, sticks that jump to a corner,
+ * random bits, and silence followed by a burst. The caller owns the state and the reports. */
 #ifndef KINGYO_DRIVERS_SIM_GAMEPAD_SIM_H
 #define KINGYO_DRIVERS_SIM_GAMEPAD_SIM_H
 

@@ -1,5 +1,5 @@
-/* gpio_lines_sim.c -- models the wires, the kernel's delayed interrupt thread, the queues of edges, the
- * GPIO backend and its clock. */
+/* gpio_lines_sim.c -- models the wires, the kernel's delayed interrupt thread, the queues of edges,
+ * the GPIO backend and its clock. */
 #include "drivers/sim/gpio_lines_sim.h"
 
 #include <stdio.h>

@@ -8,7 +8,7 @@
 
 #include "platform/hal.h"
 
-/* ---- Clock: a test or the demonstration advances the time ------------------------------------- */
+/* ---- Clock: a test or the demonstration advances the time ------------------------------------ */
 
 struct clock_sim {
     uint64_t now_ns; /* Current time. The owner may increase it and must not decrease it. */
@@ -17,7 +17,7 @@ struct clock_sim {
 /* Returns the simulated clock. */
 struct hal_clock sim_clock_device(struct clock_sim *sim);
 
-/* ---- Buttons: buttons and coins follow a script of events ------------------------------------- */
+/* ---- Buttons: buttons and coins follow a script of events ------------------------------------ */
 
 /* An event of the script. The events are sorted by time. */
 struct button_event {
@@ -39,7 +39,7 @@ struct buttons_sim {
 /* Returns the simulated button device. */
 struct hal_buttons sim_buttons_device(struct buttons_sim *sim);
 
-/* ---- Display: stores the last scene (the input of the renderer) and can fail ------------------ */
+/* ---- Display: stores the last scene (the input of the renderer) and can fail ----------------- */
 
 struct display_sim {
     struct scene scene;                       /* Scene of the last successful present(). */
@@ -62,7 +62,7 @@ struct display_sim {
 /* Returns the simulated display. */
 struct hal_display sim_display_device(struct display_sim *sim);
 
-/* ---- Audio: counts the played sounds ---------------------------------------------------------- */
+/* ---- Audio: counts the played sounds --------------------------------------------------------- */
 
 struct audio_sim {
     uint32_t played[SOUND_COUNT];

@@ -1,5 +1,5 @@
-/* hid_sim.h -- a simulated HID transport: ports, which deliver raw reports to slots, and the list of
- * the connected devices.
+/* hid_sim.h -- a simulated HID transport: ports, which deliver raw reports to slots, and the list
+ * of the connected devices.
  *
  * A test sends reports with hid_port_sim_report(), or by a script of reports with time stamps.
  * Faults are selected by report number: unplugging, garbage, duplicates, jumps, silence, and

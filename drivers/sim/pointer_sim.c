@@ -11,7 +11,7 @@ static struct poi_sample pointer_sample(struct pointer_poi *pointer, uint64_t ti
     };
 }
 
-/* ---- Mouse ------------------------------------------------------------------------------------ */
+/* ---- Mouse ----------------------------------------------------------------------------------- */
 
 #define POINTER_STREAM 79u
 
@@ -144,7 +144,7 @@ struct hal_fan pointer_sim_fan(struct pointer_sim *sim)
     return (struct hal_fan){ .ops = &ops, .self = sim };
 }
 
-/* ---- Touch screen ----------------------------------------------------------------------------- */
+/* ---- Touch screen ---------------------------------------------------------------------------- */
 
 #define TOUCH_STREAM 89u
 

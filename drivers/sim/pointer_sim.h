@@ -10,7 +10,7 @@
 #include "drivers/pointer/touch_fingers.h"
 #include "drivers/sim/report_feed.h"
 
-/* ---- Mouse ------------------------------------------------------------------------------------ */
+/* ---- Mouse ----------------------------------------------------------------------------------- */
 
 struct pointer_sim {
     struct report_feed feed;
@@ -31,7 +31,7 @@ struct hal_poi pointer_sim_device(struct pointer_sim *sim);
  * mouse. */
 struct hal_fan pointer_sim_fan(struct pointer_sim *sim);
 
-/* ---- Touch screen ----------------------------------------------------------------------------- */
+/* ---- Touch screen ---------------------------------------------------------------------------- */
 
 struct touch_sim {
     struct report_feed feed;

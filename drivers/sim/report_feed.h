@@ -13,8 +13,8 @@
 /* Index of a report that does not exist. A fault at this index never occurs. */
 #define REPORT_FEED_NEVER UINT32_MAX
 
-/* Position of a device in its reports, and the faults of the device. The caller sets `count` and the
- * faults after the initialization of the device. */
+/* Position of a device in its reports, and the faults of the device. The caller sets `count` and
+ * the faults after the initialization of the device. */
 struct report_feed {
     struct hal_clock clock;
     uint32_t count;        /* Number of reports. */

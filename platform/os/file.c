@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* ---- Regular files ---------------------------------------------------------------------------- */
+/* ---- Regular files --------------------------------------------------------------------------- */
 
 /* Flags that every open of a regular file gets. */
 #define ADDED_FLAGS (O_NONBLOCK | O_CLOEXEC | O_NOCTTY)
@@ -123,7 +123,7 @@ const char *file_error(int error)
                               : strerror(error);
 }
 
-/* ---- Lines ------------------------------------------------------------------------------------ */
+/* ---- Lines ----------------------------------------------------------------------------------- */
 
 enum file_line file_read_line(FILE *file, char *line, size_t size)
 {
@@ -157,7 +157,7 @@ void file_first_line(const char *path, char *line, size_t size)
     }
 }
 
-/* ---- Writing and renaming --------------------------------------------------------------------- */
+/* ---- Writing and renaming -------------------------------------------------------------------- */
 
 int file_write(int fd, const void *bytes, size_t size)
 {
@@ -249,7 +249,7 @@ int file_replace(const char *path, const void *bytes, size_t size, int flags)
     return finish_part(part, path, error, (flags & FILE_REPLACE_DURABLE) != 0);
 }
 
-/* ---- Atomic streams --------------------------------------------------------------------------- */
+/* ---- Atomic streams -------------------------------------------------------------------------- */
 
 /* Resolves `path` to the absolute path `place`. Returns 0 or a negative errno. Sets `*mode` to the
  * mode of the file, or to 0 if the file does not exist. */
@@ -326,8 +326,8 @@ int file_atomic_open_durable(struct atomic_file *out, const char *path)
     return open_any(out, path, true);
 }
 
-/* Closes the stream. Returns 0, or the negative errno of the stream's first error. The first error is
- * stored and returned at the close, because a disk may be full at any byte. */
+/* Closes the stream. Returns 0, or the negative errno of the stream's first error. The first error
+ * is stored and returned at the close, because a disk may be full at any byte. */
 int file_atomic_close(struct atomic_file *out)
 {
     assert(out->file);
@@ -346,7 +346,7 @@ int file_atomic_close(struct atomic_file *out)
     return out->is_stream ? -why : finish_part(out->part, out->place, -why, out->lasts);
 }
 
-/* ---- Folders ---------------------------------------------------------------------------------- */
+/* ---- Folders --------------------------------------------------------------------------------- */
 
 int file_make_folder(const char *path)
 {

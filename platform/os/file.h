@@ -2,8 +2,8 @@
  *
  * Regular files are opened without blocking, because a FIFO or a device could block the caller
  * forever. A file is replaced atomically: a reader finds either the old content or the complete new
- * content. Functions with an int result return 0 or a positive value on success and a negative errno
- * on an error, unless their comment says otherwise. */
+ * content. Functions with an int result return 0 or a positive value on success and a negative
+ * errno on an error, unless their comment says otherwise. */
 #ifndef KINGYO_PLATFORM_OS_FILE_H
 #define KINGYO_PLATFORM_OS_FILE_H
 
@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <sys/types.h>
 
-/* ---- Regular files ---------------------------------------------------------------------------- */
+/* ---- Regular files --------------------------------------------------------------------------- */
 
 /* Read limit in bytes for kernel files in /proc and /sys, which have a size of a few pages. */
 #define FILE_KERNEL_SIZE_MAX (1u << 20)
@@ -46,7 +46,7 @@ int file_is_other(const char *path);
 /* Returns strerror(`error`), or a more specific text for ELOOP, ENOTSUP and EFBIG. */
 const char *file_error(int error);
 
-/* ---- Lines ------------------------------------------------------------------------------------ */
+/* ---- Lines ----------------------------------------------------------------------------------- */
 
 /* Result of file_read_line(). */
 enum file_line {
@@ -64,7 +64,7 @@ enum file_line file_read_line(FILE *file, char *line, size_t size);
  * file cannot be opened or is empty. A longer line is cut to `size` - 1 bytes. */
 void file_first_line(const char *path, char *line, size_t size);
 
-/* ---- Atomic replacement ----------------------------------------------------------------------- */
+/* ---- Atomic replacement ---------------------------------------------------------------------- */
 
 #define FILE_ATOMIC_PART ".part"
 
@@ -99,9 +99,9 @@ enum file_replace_flag {
     FILE_REPLACE_PUBLIC = 2,  /* All users can read the file, independent of the umask. */
 };
 
-/* Replaces the file `path`, or a symbolic link of this name, by a file with `size` bytes of content.
- * Writes the temporary file PATH.part first. `flags` is a combination of enum file_replace_flag.
- * Returns 0 or a negative errno. After an error the old file is unchanged. */
+/* Replaces the file `path`, or a symbolic link of this name, by a file with `size` bytes of
+ * content. Writes the temporary file PATH.part first. `flags` is a combination of enum
+ * file_replace_flag. Returns 0 or a negative errno. After an error the old file is unchanged. */
 int file_replace(const char *path, const void *bytes, size_t size, int flags);
 
 /* Renames a file, and blocks until the new name is on disk. Returns 0 or a negative errno. */
@@ -115,7 +115,7 @@ int file_sync_parent(const char *path);
  * Returns 0 or a negative errno. Async-signal-safe. */
 int file_write(int fd, const void *bytes, size_t size);
 
-/* ---- Folders ---------------------------------------------------------------------------------- */
+/* ---- Folders --------------------------------------------------------------------------------- */
 
 #define FILE_FOLDER_MAX 1024u
 

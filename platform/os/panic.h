@@ -25,7 +25,7 @@ void panic_report(const char *reason);
  * blocked fatal signal would end the process without a report. */
 void panic_leave_open(sigset_t *set);
 
-/* ---- Text: async-signal-safe ------------------------------------------------------------------- */
+/* ---- Text: async-signal-safe ----------------------------------------------------------------- */
 
 #define PANIC_TEXT_MAX 1536u /* Size of a line in bytes. Longer text is cut. */
 

@@ -23,7 +23,7 @@ __attribute__((format(printf, 2, 3))) void print_line(FILE *file, const char *fo
 /* Writes one line and a line end to standard error. */
 __attribute__((format(printf, 1, 2))) void print_error(const char *format, ...);
 
-/* ---- Standard streams ------------------------------------------------------------------------- */
+/* ---- Standard streams ------------------------------------------------------------------------ */
 
 /* Opens those of the descriptors 0, 1 and 2 that the parent process left closed. No data file can
  * then get one of these numbers. Reads and writes on a descriptor opened here fail with EBADF. Must

@@ -9,7 +9,8 @@
  *            zero-filled), u32 ticks per digest, u32 start size, u32 book size, u64 sum of the 44
  *            bytes before it
  *   start    start size bytes (replay_initial_state.h), u64 sum
- *   book     book size bytes, the catalog (replay_initial_state.h), u64 sum; absent if the size is 0
+ *   book     book size bytes, the catalog (replay_initial_state.h), u64 sum; absent if the size is
+ *            0
  *   chunk    "SECS", u32 payload size, u32 first tick, u32 tick count, u32 rounds begun, u32 fish
  *            caught, u32 fouls, u16 modes played, u16 players, u64 core_hash after the last tick,
  *            payload, u64 sum

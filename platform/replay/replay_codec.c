@@ -1,22 +1,22 @@
 /* replay_codec.c -- encodes and decodes one input as the difference from the previous input. One
  * list of fields serves both directions.
  *
- * A group of fields is a mask and the fields that changed, in the order of the bits. The mask of the
- * whole input is the first byte. Each bit states whether one of these parts follows: held buttons,
- * pressed buttons, coins, machine state, controllers, poses. Held buttons, pressed buttons and the
- * coins of each line are u32. Pressed buttons and coins are values and not differences.
+ * A group of fields is a mask and the fields that changed, in the order of the bits. The mask of
+ * the whole input is the first byte. Each bit states whether one of these parts follows: held
+ * buttons, pressed buttons, coins, machine state, controllers, poses. Held buttons, pressed buttons
+ * and the coins of each line are u32. Pressed buttons and coins are values and not differences.
  *
  * The machine state is a group. The id of the saved ledger entry and the id of the saved edit are
  * u32. One byte has the level bits: portrait screen, store rejects edits, store healthy. Day and
  * minute are u16. Dropped ticks, faults and completed tickets are u32.
  *
- * The controllers are a group with a u16 mask and bytes. The bytes are the state of each controller,
- * then the step, row and progress of the learn wizard, then the number of files.
+ * The controllers are a group with a u16 mask and bytes. The bytes are the state of each
+ * controller, then the step, row and progress of the learn wizard, then the number of files.
  *
  * The poses are a mask of the pois (low half) and fans (high half) that changed. One group for each
  * changed device follows: one byte, the floats, and a poi's age as u16. The byte contains a poi's
- * link, wrist and tremble flags, or a fan's presence. Floats are stored with all their bits, because
- * a replay must be identical even for invalid poses. */
+ * link, wrist and tremble flags, or a fan's presence. Floats are stored with all their bits,
+ * because a replay must be identical even for invalid poses. */
 #include <string.h>
 
 #include "core/base/panic.h"
@@ -76,7 +76,7 @@ enum {
 _Static_assert(sizeof(struct poi_target) == POI_FLOATS * sizeof(float), "a target is six floats");
 _Static_assert(POI_MAX + SHADE_MAX <= 8, "all that hands hold has its bit in one byte");
 
-/* ---- Groups of fields ------------------------------------------------------------------------- */
+/* ---- Groups of fields ------------------------------------------------------------------------ */
 
 /* A group that is written or read. */
 struct group {
@@ -156,7 +156,7 @@ static bool group_end(struct group *group, uint32_t known)
     return group->mask != 0;
 }
 
-/* ---- Machine state and controllers ------------------------------------------------------------ */
+/* ---- Machine state and controllers ----------------------------------------------------------- */
 
 static uint8_t levels_of(const struct input *input)
 {
@@ -220,7 +220,7 @@ static bool walk_desk(struct replay_serializer *walk, const struct input *before
     return group_end(&group, (1u << DESK_BYTES) - 1u);
 }
 
-/* ---- Poses ------------------------------------------------------------------------------------ */
+/* ---- Poses ----------------------------------------------------------------------------------- */
 
 /* Stored form of a poi or a fan: one byte, floats and an age. */
 struct stored_pose {
@@ -315,7 +315,7 @@ static bool walk_poses(struct replay_serializer *walk, const struct input *befor
     return group_end(&group, 0xffu);
 }
 
-/* ---- One input -------------------------------------------------------------------------------- */
+/* ---- One input ------------------------------------------------------------------------------- */
 
 /* Writes `input` as the difference from `before`, or reads the difference. A reader passes the
  * previous input as `input` and as `before`. */

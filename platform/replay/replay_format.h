@@ -40,7 +40,7 @@ enum {
     END_SUM = 32,
 };
 
-/* ---- Numbers (replay_serializer.c), pure functions --------------------------------------------- */
+/* ---- Numbers (replay_serializer.c), pure functions ------------------------------------------- */
 
 /* The get functions return the number in the first 4 or 8 bytes. The put functions write `value` to
  * 4 or 8 bytes. */

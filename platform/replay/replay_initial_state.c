@@ -1,5 +1,5 @@
-/* replay_initial_state.c -- serializes the initial state and the growth lab's catalog, and compresses
- * runs of zeros. One function per structure both reads and writes.
+/* replay_initial_state.c -- serializes the initial state and the growth lab's catalog, and
+ * compresses runs of zeros. One function per structure both reads and writes.
  *
  * In the compressed form, a byte n < 128 is followed by n + 1 literal bytes. A byte n >= 128
  * represents n - 126 zeros. */

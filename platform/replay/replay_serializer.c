@@ -1,5 +1,5 @@
-/* replay_serializer.c -- reads and writes little-endian numbers, and serializes one field at a time;
- * see replay_format.h. */
+/* replay_serializer.c -- reads and writes little-endian numbers, and serializes one field at a
+ * time; see replay_format.h. */
 #include <string.h>
 
 #include "core/base/panic.h"
