@@ -18,8 +18,8 @@ layout(std140) uniform Frame {
                      // surface slope in x and in z. z: number of fans in `shades`. w: number of all
                      // entries.
     vec4 placed;     // Columns of the matrix that rotates the picture on the screen.
-    vec4 shades[8];  // Shadow ellipses: centre x, z, radius and darkness. The fans come first, then
-                     // the dry pois.
+    vec4 shades[8];  // Circular shadows: centre x and z in m, radius in m, and darkness. The fans
+                     // come first, then the dry pois.
 };
 
 const vec3 WATER_COLOR = vec3(0.09, 0.42, 0.53);

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "core/base/panic.h"
 #include "core/game/lab/lab_layout.h"
 #include "platform/os/clock.h"
 #include "platform/render/screen.h"
@@ -21,6 +22,7 @@
 
 static int display_gl_fail(struct display_gl *display, const char *what, const char *why)
 {
+    CORE_ASSERT(what && why);
     snprintf(display->text, sizeof display->text, "no picture: %s: %s", what, why);
     return HAL_ERR_GONE;
 }
@@ -375,6 +377,7 @@ static const char *display_describe(void *self)
 
 struct hal_display display_gl_device(struct display_gl *display)
 {
+    CORE_ASSERT(display);
     static const struct hal_display_ops ops = {
         .open = display_open,
         .poll = display_poll,
@@ -390,6 +393,7 @@ struct hal_display display_gl_device(struct display_gl *display)
 
 void display_gl_on_lost(struct display_gl *display, void (*hook)(void *context), void *context)
 {
+    CORE_ASSERT(hook);
     display->on_lost = hook;
     display->on_lost_context = context;
 }

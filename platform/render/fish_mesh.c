@@ -30,6 +30,7 @@ static uint16_t fraction(float x)
 static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_t key_count,
                         uint32_t index)
 {
+    CORE_ASSERT(index < source->vertex_count && key_count <= MORPH_KEY_MAX);
     for (uint32_t key = 0; key < key_count; key++, out += KEY_SIZE) {
         memcpy(out, &source->points[key][index], KEY_SIZE);
     }
@@ -101,6 +102,7 @@ void fish_mesh_reserve(struct fish_mesh *mesh)
 void fish_mesh_fill(struct fish_mesh *mesh, struct fish_mesh_memory *memory,
                     const struct species_mesh *source, uint32_t key_count)
 {
+    CORE_ASSERT(key_count > 0);
     const size_t stride = key_count * KEY_SIZE + REST_SIZE;
     CORE_ASSERT(key_count <= MORPH_KEY_MAX);
     CORE_ASSERT(source->vertex_count <= MESH_VERTEX_MAX && source->index_count <= MESH_INDEX_MAX);
@@ -133,6 +135,7 @@ void fish_mesh_close(struct fish_mesh *mesh)
 
 void fish_mesh_draw(const struct fish_mesh *mesh, bool fins, GLsizei instance_count)
 {
+    CORE_ASSERT(instance_count > 0);
     const size_t first = fins ? (size_t)mesh->body_index_count * sizeof(uint16_t) : 0u;
     glDrawElementsInstanced(GL_TRIANGLES, fins ? mesh->fin_index_count : mesh->body_index_count,
                             GL_UNSIGNED_SHORT, (const void *)first, instance_count);
@@ -176,6 +179,7 @@ static uint32_t riding(const struct species_mesh *mesh, bool fins)
 
 void fish_poses_defines(char *out, size_t size, const struct species *species, bool fins)
 {
+    CORE_ASSERT(size > 0);
     const uint32_t near = riding(&species->lod[0], fins), far = riding(&species->lod[1], fins);
     snprintf(out, size,
              "#define POSE_ROWS\n#define KEYS %u\n#define CURVES %u\n#define ANCHORS %u\n",
@@ -188,6 +192,8 @@ _Static_assert(SCENE_FISH_MAX <= GL_TEXTURE_SURE && POSE_TEXELS_MAX <= GL_TEXTUR
 void fish_poses_open(struct gl_status *status, struct fish_poses *poses,
                      const struct species *species, uint32_t lod)
 {
+    CORE_ASSERT(species->card.curve_count <= MORPH_CURVE_MAX);
+    CORE_ASSERT(lod < SPECIES_LOD_COUNT);
     poses->mesh = &species->lod[lod];
     poses->curve_count = species->card.curve_count;
     poses->width = 2u * poses->curve_count + 2u * poses->mesh->anchor_count;
@@ -208,6 +214,7 @@ void fish_poses_close(struct fish_poses *poses)
 
 static void send_run(struct fish_poses *poses)
 {
+    CORE_ASSERT(poses->run_count <= POSE_RUN);
     if (poses->run_count > 0) {
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, (GLint)poses->run_first, (GLsizei)poses->width,
                         (GLsizei)poses->run_count, GL_RGBA, GL_FLOAT, poses->run);
@@ -225,6 +232,7 @@ void fish_poses_begin(struct fish_poses *poses)
 void fish_poses_set(struct fish_poses *poses, const struct morph_rig *rig, uint32_t row,
                     float progress)
 {
+    CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
     CORE_ASSERT(row < SCENE_FISH_MAX);
     if (poses->progress[row] == progress) {
         return;

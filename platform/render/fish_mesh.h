@@ -1,5 +1,6 @@
 /* fish_mesh.h -- uploads a species' key shapes (modelled growth stages) as the vertex attributes
- * that the shader morph.glsl reads.
+ * that the shader morph.glsl reads, and stores the poses of many fish of one mesh in a texture for
+ * this shader.
  *
  * Each key shape stores eight bytes per vertex, as in species.h: the position as three 16-bit
  * fractions of the mesh's reach, and the normal as a 16-bit octahedral code. OpenGL ES 3.0
@@ -54,6 +55,11 @@ void fish_mesh_close(struct fish_mesh *mesh);
 /* Draws `instance_count` fish. Draws only the fins if `fins` is true, otherwise only the body and
  * the eyes. The caller has bound the shader program and the instance attributes. */
 void fish_mesh_draw(const struct fish_mesh *mesh, bool fins, GLsizei instance_count);
+
+/* ---- Poses: one texture row for each fish ---------------------------------------------------
+ *
+ * A row is uploaded again only if the fish has grown. Otherwise the row costs one comparison in
+ * each frame. */
 
 /* Maximum number of texels of one pose. A texel holds four floats. */
 #define POSE_TEXELS_MAX (2u * MORPH_CURVE_MAX + 2u * ANCHOR_MAX)

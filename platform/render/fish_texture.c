@@ -47,36 +47,27 @@ float fish_texture_scales(const struct fish_texture *skin)
     return bare ? 0.0f : along[card->form];
 }
 
-/* Removes dot marks that stand for fish scales from the painting if the shader draws the scales
+/* Removes from the painting the marks that the shader draws: the lines round the body, whose copies
+ * are stored in skin->lined, and the dots that stand for fish scales if the shader draws the scales
  * with rims. The marks keep their place in the array, because marks of two key shapes correspond to
  * each other by their index. */
-static void leave_out_dots(struct fish_texture *skin)
+static void leave_out_marks(struct fish_texture *skin)
 {
-    for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
-        struct species_coat *const coat = &skin->species.coats[key];
-        for (uint32_t i = 0; i < coat->mark_count; i++) {
-            struct species_mark *const mark = &coat->marks[i];
-            if (mark->kind == MARK_ROWS && mark->part == PART_BODY &&
-                mark->seed >= SCALE_ROWS_MIN) {
-                mark->part = PART_COUNT; /* The value PART_COUNT matches no body part. Therefore the
-                                            mark is not painted. */
-            }
-        }
-    }
-}
-
-/* Removes the marks that the shader draws as lines from the painting. Copies of these marks are
- * stored in skin->lined. */
-static void leave_out_lines(struct fish_texture *skin)
-{
+    const bool has_scales = fish_texture_scales(skin) > 0.0f;
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
         struct species_coat *const coat = &skin->species.coats[key];
         skin->lined[key].count = 0;
         for (uint32_t i = 0; i < coat->mark_count; i++) {
-            if (coat->marks[i].kind == MARK_BANDS && coat->marks[i].part == PART_BODY &&
-                coat->marks[i].count >= LINES_MIN) {
-                skin->lined[key] = coat->marks[i];
-                coat->marks[i].part = PART_COUNT;
+            struct species_mark *const mark = &coat->marks[i];
+            const bool on_body = mark->part == PART_BODY;
+            const bool is_line = on_body && mark->kind == MARK_BANDS && mark->count >= LINES_MIN;
+            const bool is_dot = on_body && mark->kind == MARK_ROWS && mark->seed >= SCALE_ROWS_MIN;
+            if (is_line) {
+                skin->lined[key] = *mark;
+            }
+            if (is_line || (is_dot && has_scales)) {
+                mark->part = PART_COUNT; /* The value PART_COUNT matches no body part. Therefore the
+                                            mark is not painted. */
             }
         }
     }
@@ -92,15 +83,13 @@ void fish_texture_bind(struct fish_texture *skin, const struct species *species)
     skin->shown = skin->shown_px = 0.0f;
     memset(skin->bands_done, 0, sizeof skin->bands_done);
     memset(skin->is_coarse, 0, sizeof skin->is_coarse);
-    leave_out_lines(skin);
-    if (fish_texture_scales(skin) > 0.0f) {
-        leave_out_dots(skin);
-    }
+    leave_out_marks(skin);
 }
 
 static struct painting painting_of(const struct fish_texture *skin, struct paint_brush *brush,
                                    uint32_t sheet)
 {
+    CORE_ASSERT(sheet < skin->sheet_count);
     struct painting painting = { .species = &skin->species, .brush = brush };
     const uint32_t key = sheet / skin->per_key;
     const float part = (float)(sheet % skin->per_key) / (float)skin->per_key;
@@ -114,6 +103,7 @@ static struct painting painting_of(const struct fish_texture *skin, struct paint
 static void send(const struct fish_texture *skin, const struct paint_brush *brush, uint32_t sheet,
                  uint32_t first)
 {
+    CORE_ASSERT(sheet < FISH_TEXTURE_SHEETS && first < PAINT_SIZE);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, skin->paints);
     glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, (GLint)first, (GLint)sheet, PAINT_SIZE, PAINT_BAND,
@@ -126,6 +116,7 @@ static void send(const struct fish_texture *skin, const struct paint_brush *brus
 void fish_texture_request(struct fish_texture *skin, struct paint_brush *brush,
                           const float weights[MORPH_KEY_MAX], float length_px, float out[3])
 {
+    CORE_ASSERT(length_px >= 0.0f && skin->sheet_count > 0);
     float mean = 0.0f, sum = 0.0f;
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
         const float weight = f_max(weights[key], 0.0f); /* paint_at() clamps the weights in the same
@@ -221,6 +212,7 @@ static struct fish_texture_lines lines_of(const struct species_mark *mark, float
 void fish_texture_lines(const struct fish_texture *skin, const float weights[MORPH_KEY_MAX],
                         struct fish_texture_lines lines[FISH_TEXTURE_LINES])
 {
+    CORE_ASSERT(skin->species.card.key_count <= MORPH_KEY_MAX);
     float sum = 0.0f;
     memset(lines, 0, FISH_TEXTURE_LINES * sizeof *lines);
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
@@ -238,6 +230,7 @@ void fish_texture_lines(const struct fish_texture *skin, const float weights[MOR
 
 float fish_texture_opacity(const struct fish_texture *skin, const float weights[MORPH_KEY_MAX])
 {
+    CORE_ASSERT(skin->species.card.key_count <= MORPH_KEY_MAX);
     float clear = 0.0f, sum = 0.0f;
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
         const float weight = f_max(weights[key], 0.0f);

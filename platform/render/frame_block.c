@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "assets.h"
+#include "core/base/panic.h"
 
 #define NEAR_M 0.05f
 #define FAR_M 8.0f
@@ -86,6 +87,7 @@ void frame_close(struct frame *frame)
 static void set_camera(struct frame *frame, const struct view *view,
                        const struct display_transform *transform)
 {
+    CORE_ASSERT(transform->width > 0.0f && transform->height > 0.0f);
     const float aspect = transform->width / transform->height;
     float rotation[16];
     float projection[16];
@@ -120,6 +122,7 @@ static void set_camera(struct frame *frame, const struct view *view,
 void frame_begin(struct frame *frame, const struct scene *scene,
                  const struct display_transform *transform)
 {
+    CORE_ASSERT(scene->tank_size_m.y > 0.0f);
     struct frame_block *const block = &frame->block;
     const float aspect = transform->width / transform->height;
     const float seconds = (float)(scene->tick % SECONDS_WRAP_TICKS) * CORE_TICK_S;
@@ -173,6 +176,7 @@ void frame_begin(struct frame *frame, const struct scene *scene,
 
 void frame_pose(float out[16], vec3 position_m, struct angles angles, float scale)
 {
+    CORE_ASSERT(scale > 0.0f);
     const struct basis axes = vec_basis_from_angles(angles);
     const vec3 columns[3] = { axes.right, axes.up, axes.back };
     for (int i = 0; i < 3; i++) {

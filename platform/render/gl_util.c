@@ -1,15 +1,17 @@
-/* gl_util.c -- implementation of gl_util.h: failure status, textures, buffers and render
- * targets. */
+/* gl_util.c -- implementation of gl_util.h: failure status, textures, buffers, render
+ * targets and shader programs. */
 #include "platform/render/gl_util.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "shaders.h"
 
 void gl_fail(struct gl_status *status, const char *format, ...)
 {
+    CORE_ASSERT(status && format);
     if (!gl_is_well(status)) {
         return;
     }
@@ -61,6 +63,8 @@ static bool fits(struct gl_status *status, const char *name, const struct gl_tex
 
 GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_texture_desc *desc)
 {
+    CORE_ASSERT(!desc->pixels || desc->format != 0);
+    CORE_ASSERT(desc->width > 0 && desc->height > 0);
     const GLenum kind = desc->layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
     GLuint texture = 0;
     if (!fits(status, name, desc)) {
@@ -104,6 +108,7 @@ GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_te
 
 GLuint gl_buffer(GLenum target, const void *data, size_t size)
 {
+    CORE_ASSERT(size > 0);
     GLuint buffer = 0;
     glGenBuffers(1, &buffer);
     glBindBuffer(target, buffer);
@@ -139,6 +144,7 @@ GLuint gl_ring_turn(struct gl_ring *ring)
 
 GLuint gl_ring_texture(const struct gl_ring *ring)
 {
+    CORE_ASSERT(ring->now < GL_RING);
     return ring->textures[ring->now];
 }
 
@@ -166,6 +172,7 @@ static void check_complete(struct gl_status *status, const char *name,
 void gl_target_open(struct gl_status *status, const char *name, struct gl_target *target,
                     const struct gl_target_desc *desc)
 {
+    CORE_ASSERT(desc->width > 0 && desc->height > 0);
     *target = (struct gl_target){ .width = desc->width, .height = desc->height };
     target->texture =
         gl_texture(status, name,
@@ -206,6 +213,7 @@ void gl_target_close(struct gl_target *target)
 
 void gl_target_bind(const struct gl_target *target)
 {
+    CORE_ASSERT(target->width > 0 && target->height > 0);
     glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
     glViewport(0, 0, (GLsizei)target->width, (GLsizei)target->height);
 }
@@ -232,6 +240,7 @@ void gl_bind_texture(uint32_t unit, GLenum kind, GLuint texture)
 
 void gl_attribute_floats(GLuint location, GLint count, size_t stride, size_t offset)
 {
+    CORE_ASSERT(count >= 1 && count <= 4);
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, count, GL_FLOAT, GL_FALSE, (GLsizei)stride,
                           (const void *)offset);
@@ -243,6 +252,8 @@ void gl_attribute_floats(GLuint location, GLint count, size_t stride, size_t off
 GLuint gl_compile(struct gl_status *status, const char *name, GLenum stage,
                   const char *const *parts, GLsizei count)
 {
+    CORE_ASSERT(count > 0);
+    CORE_ASSERT(stage == GL_VERTEX_SHADER || stage == GL_FRAGMENT_SHADER);
     const GLuint shader = glCreateShader(stage);
     glShaderSource(shader, count, parts, NULL);
     glCompileShader(shader);
@@ -290,6 +301,7 @@ static void bind_block(GLuint program, const char *name, GLuint point)
 
 void gl_program_bind(GLuint program, const char *samplers)
 {
+    CORE_ASSERT(program != 0 && samplers);
     bind_block(program, "Frame", 0);
     bind_block(program, "Pose", 1);
     char name[NAME_SIZE];

@@ -1,5 +1,5 @@
-/* gl_util.h -- OpenGL ES 3 helper functions that all passes share, and one common way to report
- * failures.
+/* gl_util.h -- OpenGL ES 3 helper functions that all passes share, for textures, buffers, render
+ * targets and shader programs, and one common way to report failures.
  *
  * Functions that create objects never stop at an error. They store the first failure in `struct
  * gl_status` and return the name 0, which OpenGL ignores. The caller checks the status once, after

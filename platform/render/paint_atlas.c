@@ -34,6 +34,7 @@ static const struct place body_place = { 0, 0, PAINT_SIZE, PAINT_BODY_HEIGHT };
 
 static struct place place_of_cell(uint32_t cell)
 {
+    CORE_ASSERT(cell < CELL_COUNT);
     return (struct place){ cell % CELLS_A_ROW * PAINT_CELL_WIDTH,
                            PAINT_BODY_HEIGHT + cell / CELLS_A_ROW * PAINT_CELL_HEIGHT,
                            PAINT_CELL_WIDTH, PAINT_CELL_HEIGHT };
@@ -114,6 +115,7 @@ static bool paint_point(const struct painting *painting, float x, float y, struc
 
 static void put_texel(const struct painting *painting, uint32_t index, const struct paint *paint)
 {
+    CORE_ASSERT(index < BAND_TEXELS);
     const uint8_t texel[4] = { byte(paint->colour.x), byte(paint->colour.y), byte(paint->colour.z),
                                byte(paint->clear) };
     memcpy(painting->brush->paint[index], texel, sizeof texel);
@@ -141,6 +143,7 @@ void paint_atlas_coarse_points(const struct painting *painting)
  * second point. */
 static float beside(uint32_t at, uint32_t size, uint32_t points[2])
 {
+    CORE_ASSERT(size >= PAINT_COARSE && size % PAINT_COARSE == 0);
     const float first = (float)(at - at % size) / (float)PAINT_COARSE;
     const float last = first + (float)(size / PAINT_COARSE) - 1.0f;
     const float x = f_clamp(((float)at + 0.5f) / (float)PAINT_COARSE - 0.5f, first, last);

@@ -1,5 +1,6 @@
-/* quality.c -- implementation of quality.h: the choice of the quality, and the governor. The cost of a frame is estimated from its number of
- * pixels only, because the vertices of 300 fish cost little time. */
+/* quality.c -- implementation of quality.h: the choice of the quality, and the governor. The cost
+ * of a frame is estimated from its number of pixels only, because the vertices of 300 fish cost
+ * little time. */
 #include "platform/render/quality.h"
 
 #include <string.h>
@@ -113,6 +114,7 @@ struct quality quality_lower(const struct quality *best, uint32_t step)
 
 void quality_governor_begin(struct governor *governor, uint32_t refresh_hz)
 {
+    CORE_ASSERT(governor);
     const uint32_t hz = refresh_hz == 0 || refresh_hz > HZ ? HZ : refresh_hz;
     *governor = (struct governor){ .turn_ns = NS_PER_S / hz, .patience_s = GOVERNOR_PATIENCE_S };
 }

@@ -1,5 +1,14 @@
-/* quality.h -- chooses the drawing quality, which is the amount of drawing work in a frame. The
- * initial quality is chosen once from the graphics hardware. */
+/* quality.h -- chooses the drawing quality, which is the amount of drawing work in a frame, and
+ * adapts the quality to the speed of the machine.
+ *
+ * The initial quality is chosen once from the graphics hardware. The quality governor lowers the
+ * quality if frames are late or the machine is hot, so that the game never waits for a picture. The
+ * governor raises the quality again when frames are on time.
+ *
+ * A finished frame waits for the next refresh of the screen. The duration of a frame therefore
+ * shows whether drawing was too slow, but not how much time was left. For that reason the governor
+ * tries a finer quality step between two games. After each failed trial the governor waits longer
+ * before the next trial. */
 #ifndef KINGYO_PLATFORM_RENDER_QUALITY_H
 #define KINGYO_PLATFORM_RENDER_QUALITY_H
 

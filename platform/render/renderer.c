@@ -1,22 +1,14 @@
 /* renderer.c -- defines the order of the render passes in a frame. */
 #include "platform/render/renderer.h"
 
+#include "core/base/panic.h"
+
 static void step_done(const struct renderer *renderer, enum render_step step)
 {
+    CORE_ASSERT(step < STEP_COUNT);
     if (renderer->on_step) {
         renderer->on_step(renderer->on_step_context, step);
     }
-}
-
-static void draw_ground(const struct renderer *renderer)
-{
-    gl_target_bind(&renderer->ground);
-    glClearColor(0.05f, 0.24f, 0.30f, 1.0f); /* The clear colour is visible where the refracted
-                                                picture is sampled beyond the walls. */
-    glClear(GL_COLOR_BUFFER_BIT);
-    basin_pass_ground(&renderer->basin, renderer->light.caustics.texture,
-                      renderer->light.shadows.texture);
-    step_done(renderer, STEP_GROUND);
 }
 
 /* Draws all objects below the surface except the tank. Opaque bodies are drawn first, then
@@ -33,7 +25,7 @@ static void draw_life(const struct renderer *renderer, const struct scene *scene
     }
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
-            bowl_pass_hull(&renderer->bowl, &scene->bowl[i], caustics);
+            bowl_pass_shell(&renderer->bowl, &scene->bowl[i], caustics, true);
         }
         if (poi_is_below(&scene->poi[i])) {
             poi_pass_frame(&renderer->poi, &scene->poi[i]);
@@ -63,23 +55,6 @@ static void bind_screen(const struct renderer *renderer)
     }
 }
 
-/* Draws the water surface and its depth, so that objects drawn later are visible only above the
- * surface. Then removes the surface's depth inside the mouth of each bowl. */
-static void draw_surface(const struct renderer *renderer, const struct scene *scene)
-{
-    bind_screen(renderer);
-    glClearColor(0.02f, 0.015f, 0.02f, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    basin_pass_water(&renderer->basin, &renderer->textures, renderer->ground.texture,
-                     renderer->life.texture);
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (scene->bowl[i].present) {
-            bowl_pass_hole(&renderer->bowl, &scene->bowl[i]);
-        }
-    }
-    step_done(renderer, STEP_SURFACE);
-}
-
 /* Draws the objects above the water. The rim may hide a bowl. A poi always hides the rim. A fan
  * hides all other objects. */
 static void draw_above(const struct renderer *renderer, const struct scene *scene)
@@ -91,7 +66,7 @@ static void draw_above(const struct renderer *renderer, const struct scene *scen
     fish_pass_snouts(&renderer->fish, &renderer->textures, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         if (scene->bowl[i].present) {
-            bowl_pass_shell(&renderer->bowl, &scene->bowl[i], caustics);
+            bowl_pass_shell(&renderer->bowl, &scene->bowl[i], caustics, false);
         }
     }
     fish_pass_bodies(&renderer->fish, FISH_IN_BOWL, &renderer->textures, caustics);
@@ -148,9 +123,27 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     light_pass_caustics(&renderer->light, &renderer->textures);
     light_pass_shadows(&renderer->light, scene, &renderer->fish, &renderer->poi);
     step_done(renderer, STEP_LIGHT);
-    draw_ground(renderer);
+    gl_target_bind(&renderer->ground);
+    glClearColor(0.05f, 0.24f, 0.30f, 1.0f); /* The clear colour is visible where the refracted
+                                                picture is sampled beyond the walls. */
+    glClear(GL_COLOR_BUFFER_BIT);
+    basin_pass_ground(&renderer->basin, renderer->light.caustics.texture,
+                      renderer->light.shadows.texture);
+    step_done(renderer, STEP_GROUND);
     draw_life(renderer, scene);
-    draw_surface(renderer, scene);
+    /* The water surface is drawn with depth, so that objects drawn later are visible only above the
+     * surface. Inside the mouth of each bowl, the surface's depth is removed again. */
+    bind_screen(renderer);
+    glClearColor(0.02f, 0.015f, 0.02f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    basin_pass_water(&renderer->basin, &renderer->textures, renderer->ground.texture,
+                     renderer->life.texture);
+    for (uint32_t i = 0; i < POI_MAX; i++) {
+        if (scene->bowl[i].present) {
+            bowl_pass_hole(&renderer->bowl, &scene->bowl[i]);
+        }
+    }
+    step_done(renderer, STEP_SURFACE);
     draw_above(renderer, scene);
 }
 
@@ -166,8 +159,9 @@ static void draw_ui(struct renderer *renderer, const struct scene *scene)
 
 void renderer_draw(struct renderer *renderer, const struct scene *scene)
 {
-    /* The OpenGL state is set in each frame, because the user interface and other users of the context change
-     * the state. */
+    CORE_ASSERT(scene->fish_count <= SCENE_FISH_MAX);
+    /* The OpenGL state is set in each frame, because the user interface and other users of the
+     * context change the state. */
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);

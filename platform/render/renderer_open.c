@@ -1,5 +1,6 @@
 /* renderer_open.c -- opens and closes a renderer with its render targets and passes, and describes
  * the OpenGL context. */
+#include "core/base/panic.h"
 #include "platform/render/renderer.h"
 
 #include <stdio.h>
@@ -25,6 +26,7 @@ static uint32_t scaled(uint32_t size, float scale)
 
 static void open_targets(struct renderer *renderer)
 {
+    CORE_ASSERT(renderer->samples_max > 0 && renderer->side_max > 0);
     const uint32_t width = renderer->config.width;
     const uint32_t height = renderer->config.height;
     const struct quality best = quality_choose(&(struct quality_wish){
@@ -67,6 +69,7 @@ static void close_targets(struct renderer *renderer)
 
 int renderer_open(struct renderer *renderer, const struct renderer_config *config)
 {
+    CORE_ASSERT(config->width > 0 && config->height > 0);
     GLint samples_max = 1, side_max = GL_TEXTURE_SURE;
     memset(renderer, 0, sizeof *renderer);
     renderer->config = *config;
@@ -131,6 +134,7 @@ void renderer_place(struct renderer *renderer, const struct display_settings *di
 
 int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height)
 {
+    CORE_ASSERT(width > 0 && height > 0);
     if (width == renderer->config.width && height == renderer->config.height) {
         return HAL_OK;
     }
@@ -144,6 +148,7 @@ int renderer_resize(struct renderer *renderer, uint32_t width, uint32_t height)
 
 int renderer_lower(struct renderer *renderer, uint32_t step)
 {
+    CORE_ASSERT(step <= QUALITY_STEP_MAX);
     if (step == renderer->step) {
         return HAL_OK;
     }
@@ -155,6 +160,7 @@ int renderer_lower(struct renderer *renderer, uint32_t step)
 
 int renderer_read(struct renderer *renderer, struct hal_image *image)
 {
+    CORE_ASSERT(image->rgb);
     const uint32_t width = renderer->config.width;
     const uint32_t height = renderer->config.height;
     const size_t row = (size_t)width * 3u;
@@ -194,6 +200,7 @@ const char *renderer_error(const struct renderer *renderer)
 
 void renderer_describe(const struct renderer *renderer, char *out, size_t size)
 {
+    CORE_ASSERT(size > 0);
     const struct quality *const quality = &renderer->quality;
     const int length = snprintf(out, size, "%s, %ux%u, scene %.2gx, floor %.2gx", renderer->gl_name,
                                 renderer->config.width, renderer->config.height,

@@ -52,6 +52,7 @@ static enum connector_state connector_state(const char *folder, const char *name
 
 int screen_card_find(const char *root)
 {
+    CORE_ASSERT(root);
     char path[PATH_MAX / 2];
     enum connector_state best[SCREEN_CARD_MAX] = { CONNECTOR_NONE };
     const struct dirent *entry;
@@ -92,6 +93,7 @@ void screen_card_prefer(void)
  * order of the names, which may differ each time that the kernel lists the directory. */
 struct connectors screen_connectors(const char *root)
 {
+    CORE_ASSERT(root);
     struct connectors found = { 0 };
     DIR *const folder = opendir(root);
     if (!folder) {
@@ -147,6 +149,7 @@ static void connection_broken(Display *display, void *context)
 
 void screen_guard_x11(SDL_Window *window, void (*on_broken)(void *context), void *context)
 {
+    CORE_ASSERT(window && on_broken);
     SDL_SysWMinfo info;
     SDL_VERSION(&info.version);
     if (!SDL_GetWindowWMInfo(window, &info) || info.subsystem != SDL_SYSWM_X11) {

@@ -8,6 +8,7 @@
 void shape_grid(struct shape *shape, uint32_t columns, uint32_t rows, shape_point point,
                 const void *context)
 {
+    CORE_ASSERT(columns >= 2 && rows >= 2);
     CORE_ASSERT(shape->vertex_count + columns * rows <= SHAPE_VERTEX_MAX);
     CORE_ASSERT(shape->index_count + (columns - 1u) * (rows - 1u) * 6u <= SHAPE_INDEX_MAX);
     const uint32_t first = shape->vertex_count;
@@ -42,6 +43,7 @@ void shape_grid(struct shape *shape, uint32_t columns, uint32_t rows, shape_poin
 
 void shape_upload(const struct shape *shape, struct shape_buffers *buffers)
 {
+    CORE_ASSERT(shape->vertex_count > 0 && shape->index_count > 0);
     const size_t stride = sizeof(struct shape_vertex);
     glGenVertexArrays(1, &buffers->vertex_array);
     glBindVertexArray(buffers->vertex_array);
@@ -71,6 +73,7 @@ void shape_draw(const struct shape_buffers *buffers)
 
 void shape_draw_part(const struct shape_buffers *buffers, uint32_t first, uint32_t count)
 {
+    CORE_ASSERT((GLsizei)(first + count) <= buffers->index_count);
     glBindVertexArray(buffers->vertex_array);
     glDrawElements(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_SHORT,
                    (const void *)(first * sizeof(uint16_t)));

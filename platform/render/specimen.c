@@ -3,6 +3,8 @@
 
 #include <stddef.h>
 
+#include "core/base/panic.h"
+
 /* Angle by which the portrait of a fish turns toward the viewer, which makes its depth visible. */
 #define THREE_QUARTER_RAD (14.0f * F_DEG)
 
@@ -34,6 +36,7 @@ void specimen_project(const struct specimen *specimen, vec3 point, float *x_px, 
 
 struct specimen_bounds specimen_bounds(const struct specimen *specimen)
 {
+    CORE_ASSERT(specimen->species);
     vec3 positions[MESH_VERTEX_MAX];
     struct morph_pose pose;
     struct morph_rig rig;
@@ -60,6 +63,7 @@ struct specimen_bounds specimen_bounds(const struct specimen *specimen)
 void specimen_fit(struct specimen *specimen, float x_px, float y_px, float width_px,
                   float height_px)
 {
+    CORE_ASSERT(width_px > 0.0f && height_px > 0.0f);
     const struct specimen_bounds bounds = specimen_bounds(specimen);
     const float length_px =
         f_min(width_px / (bounds.left + bounds.right), height_px / (bounds.up + bounds.down));

@@ -70,6 +70,7 @@ static const uint8_t part_faces[PART_END + 1] = { 0, 1, 5, 6, 10, 14, FACE_COUNT
 
 static void draw_part(const struct basin_pass *pass, enum contact_solver part)
 {
+    CORE_ASSERT(part < PART_END);
     const GLint first = part_faces[part] * (GLint)VERTICES_PER_FACE;
     const GLint end = part_faces[part + 1] * (GLint)VERTICES_PER_FACE;
     glBindVertexArray(pass->vertex_array);
@@ -191,6 +192,7 @@ static void put_slope(float texel[4], float x, float z)
 
 void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene)
 {
+    CORE_ASSERT(scene->tank_size_m.x > 0.0f && scene->tank_size_m.z > 0.0f);
     const float time_s = (float)(scene->tick % WIND_WRAP_TICKS) * CORE_TICK_S;
     memset(pass->waves, 0, sizeof pass->waves);
     for (size_t i = 0; i < sizeof wind / sizeof *wind; i++) {

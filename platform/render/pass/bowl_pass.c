@@ -2,6 +2,7 @@
  * Horizontal lengths are in mouth radii, and vertical lengths in bowl depths. */
 #include "platform/render/pass/bowl_pass.h"
 
+#include "core/base/panic.h"
 #include "platform/render/gl_util.h"
 #include "platform/render/pass/poi_pass.h"
 #include "shaders.h"
@@ -105,6 +106,7 @@ void bowl_pass_close(struct bowl_pass *pass)
 
 static void use(const struct bowl_part *part, const struct scene_bowl *bowl)
 {
+    CORE_ASSERT(bowl->radius_m > 0.0f && bowl->depth_m > 0.0f);
     const vec3 at = bowl->position_m;
     const struct basis axes = vec_basis_from_angles(bowl->angles);
     const float heel[9] = { axes.right.x, axes.right.y, axes.right.z, axes.up.x,  axes.up.y,
@@ -142,26 +144,17 @@ void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl)
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-static void draw_enamel(const struct bowl_pass *pass, const struct scene_bowl *bowl,
-                        GLuint caustics, uint32_t first, uint32_t count)
+void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics,
+                     bool is_hull)
 {
+    const uint32_t count = is_hull ? pass->hull_count : (uint32_t)pass->shell.index_count;
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     use(&pass->shell_part, bowl);
     glEnable(GL_BLEND);
     glEnable(GL_CULL_FACE);
-    shape_draw_part(&pass->shell, first, count);
+    shape_draw_part(&pass->shell, is_hull ? pass->hull_first : 0u, count);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-}
-
-void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics)
-{
-    draw_enamel(pass, bowl, caustics, pass->hull_first, pass->hull_count);
-}
-
-void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics)
-{
-    draw_enamel(pass, bowl, caustics, 0, (uint32_t)pass->shell.index_count);
 }
 
 void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl)

@@ -23,10 +23,11 @@ void bowl_pass_close(struct bowl_pass *pass);
 
 /* Removes the tank's water surface from the depth buffer inside the bowl's mouth. */
 void bowl_pass_hole(const struct bowl_pass *pass, const struct scene_bowl *bowl);
-/* Draws the part of the bowl's outside that is below the water surface. */
-void bowl_pass_hull(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);
-/* Draws the bowl's inside and the part of its outside above the water surface. */
-void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics);
+/* Draws the bowl's enamelled shell. If `is_hull` is true, draws only the outside and the lip, for
+ * the picture of the objects below the water surface. Otherwise also draws the inside, for the
+ * picture of the objects above the surface. */
+void bowl_pass_shell(const struct bowl_pass *pass, const struct scene_bowl *bowl, GLuint caustics,
+                     bool is_hull);
 /* Draws the surface of the water in the bowl. */
 void bowl_pass_water(const struct bowl_pass *pass, const struct scene_bowl *bowl);
 

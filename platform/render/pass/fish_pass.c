@@ -64,6 +64,7 @@ void fish_pass_close(struct fish_pass *pass)
  * in the scene, so that equal scenes produce equal pictures. */
 static void sort_by_height(struct fish_pass *pass, const struct scene *scene)
 {
+    CORE_ASSERT(scene->fish_count <= SCENE_FISH_MAX && scene->tank_size_m.y > 0.0f);
     uint16_t start[SORT_LEVELS + 1u] = { 0 };
     uint8_t level[SCENE_FISH_MAX];
     const float bottom = -scene->tank_size_m.y;
@@ -84,6 +85,7 @@ static void sort_by_height(struct fish_pass *pass, const struct scene *scene)
 static enum fish_group group_of(const struct scene_fish *fish, const struct frame_view *view,
                                 float near_px)
 {
+    CORE_ASSERT(near_px >= 0.0f);
     if (fish->place == SCENE_ON_POI) {
         return FISH_ON_POI;
     }
@@ -156,6 +158,7 @@ void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
  * base instance. */
 static void point_instances(uint32_t first)
 {
+    CORE_ASSERT(first < SCENE_FISH_MAX);
     static const struct instance_attribute {
         GLuint location;
         GLint count;
@@ -180,6 +183,8 @@ static void point_instances(uint32_t first)
 static void draw_group(const struct fish_pass *pass, const struct fish_program *program,
                        enum fish_group group, bool fins)
 {
+    CORE_ASSERT(pass->first[group] + pass->count[group] <= SCENE_FISH_MAX);
+    CORE_ASSERT(group < FISH_GROUP_COUNT);
     const uint32_t lod = is_far(group) ? 1 : 0;
     const struct fish_mesh *const mesh = &pass->mesh[lod];
     if (pass->count[group] == 0) {
@@ -193,18 +198,19 @@ static void draw_group(const struct fish_pass *pass, const struct fish_program *
     fish_mesh_draw(mesh, fins, (GLsizei)pass->count[group]);
 }
 
-static void begin_bodies(const struct fish_program *program, const struct textures *textures,
-                         GLuint caustics)
+/* Draws the bodies of the groups from `first` to `last`. */
+static void draw_bodies(const struct fish_pass *pass, const struct fish_program *program,
+                        enum fish_group first, enum fish_group last,
+                        const struct textures *textures, GLuint caustics)
 {
     glUseProgram(program->name);
     gl_bind_texture(0, GL_TEXTURE_2D, caustics);
     gl_bind_texture(1, GL_TEXTURE_2D_ARRAY, textures->patterns);
     glEnable(GL_CULL_FACE);
     glEnable(GL_BLEND);
-}
-
-static void end_bodies(void)
-{
+    for (enum fish_group group = first; group <= last; group++) {
+        draw_group(pass, program, group, false);
+    }
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
 }
@@ -212,20 +218,14 @@ static void end_bodies(void)
 void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
                       const struct textures *textures, GLuint caustics)
 {
-    const struct fish_program *const program =
-        (group == FISH_GULPING_FAR || group == FISH_GULPING) ? &pass->sunk : &pass->body;
-    begin_bodies(program, textures, caustics);
-    draw_group(pass, program, group, false);
-    end_bodies();
+    const bool gulps = group == FISH_GULPING_FAR || group == FISH_GULPING;
+    draw_bodies(pass, gulps ? &pass->sunk : &pass->body, group, group, textures, caustics);
 }
 
 void fish_pass_snouts(const struct fish_pass *pass, const struct textures *textures,
                       GLuint caustics)
 {
-    begin_bodies(&pass->snout, textures, caustics);
-    draw_group(pass, &pass->snout, FISH_GULPING_FAR, false);
-    draw_group(pass, &pass->snout, FISH_GULPING, false);
-    end_bodies();
+    draw_bodies(pass, &pass->snout, FISH_GULPING_FAR, FISH_GULPING, textures, caustics);
 }
 
 void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint caustics)

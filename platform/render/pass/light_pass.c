@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "assets.h"
+#include "core/base/panic.h"
 #include "platform/render/gl_util.h"
 #include "shaders.h"
 
@@ -61,23 +62,13 @@ void light_pass_caustics(const struct light_pass *pass, const struct textures *t
 static void disc_shadow(const struct light_pass *pass, const float pose[16], float height_m,
                         float radius_m, const float shape[3])
 {
+    CORE_ASSERT(radius_m > 0.0f);
     /* The width of a shadow's soft edge increases with the height of the object above the floor, as
      * for the shadows of fish. */
     const float blur = (0.004f + f_max(height_m, 0.0f) * 0.10f) / radius_m;
     glUniformMatrix4fv(pass->disc_pose, 1, GL_FALSE, pose);
     glUniform4f(pass->disc_softness, f_clamp(blur, 0.08f, 0.9f), shape[0], shape[1], shape[2]);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-}
-
-static void poi_shadow(const struct light_pass *pass, const struct scene *scene, uint32_t index)
-{
-    const struct scene_poi *const poi = &scene->poi[index];
-    float pose[16];
-    frame_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
-    glUniform1f(pass->disc_slant, 0.0f); /* The shadow of a poi is drawn vertically below the poi,
-                                            because the fish react to a shadow at this place. */
-    disc_shadow(pass, pose, poi->position_m.y + scene->tank_size_m.y, poi->ring_radius_m,
-                (const float[3]){ 3.7f, 0.34f, (float)index });
 }
 
 void light_pass_shadows(const struct light_pass *pass, const struct scene *scene,
@@ -100,11 +91,18 @@ void light_pass_shadows(const struct light_pass *pass, const struct scene *scene
     gl_bind_texture(0, GL_TEXTURE_2D_ARRAY, gl_ring_texture(&poi->sheet_ring));
     glBindVertexArray(pass->no_attributes);
     for (uint32_t i = 0; i < POI_MAX; i++) {
+        float pose[16];
         if (scene->poi[i].present) {
-            poi_shadow(pass, scene, i);
+            CORE_ASSERT(i < POI_MAX);
+            const struct scene_poi *const caster = &scene->poi[i];
+            /* The shadow of a poi is drawn vertically below the poi, because the fish react to a
+             * shadow at this place. */
+            frame_pose(pose, caster->position_m, caster->angles, caster->ring_radius_m);
+            glUniform1f(pass->disc_slant, 0.0f);
+            disc_shadow(pass, pose, caster->position_m.y + scene->tank_size_m.y,
+                        caster->ring_radius_m, (const float[3]){ 3.7f, 0.34f, (float)i });
         }
         if (scene->bowl[i].present) {
-            float pose[16];
             const vec3 bottom =
                 v3_sub(scene->bowl[i].position_m, v3(0.0f, scene->bowl[i].depth_m * 0.6f, 0.0f));
             frame_pose(pose, bottom, (struct angles){ 0 }, scene->bowl[i].radius_m);

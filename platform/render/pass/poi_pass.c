@@ -35,6 +35,7 @@ static float mean_depth(const struct relief *relief, float level_m)
 
 struct poi_pool poi_pool_of(const struct scene_poi *poi)
 {
+    CORE_ASSERT(poi->ring_radius_m > 0.0f);
     struct poi_pool pool = { POI_NO_POOL_M, f_clamp(poi->water_m, 0.0f, POI_FILM_M) };
     const float depth_m = poi->water_m - pool.film_m;
     if (!(depth_m > 1e-5f)) {
@@ -206,6 +207,7 @@ bool poi_is_above(const struct scene_poi *poi)
 
 void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi)
 {
+    CORE_ASSERT(poi->ring_radius_m > 0.0f);
     float pose[16];
     frame_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);
     glUseProgram(pass->frame_program);
@@ -223,6 +225,7 @@ void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi)
 static void set_rests(const struct poi_pass *pass, const struct scene *scene,
                       const struct scene_poi *poi)
 {
+    CORE_ASSERT(scene->fish_count <= SCENE_FISH_MAX);
     float rests[RESTS_MAX][4] = { 0 };
     float spines[RESTS_MAX][3] = { 0 };
     uint32_t count = 0;
@@ -246,6 +249,7 @@ static void set_rests(const struct poi_pass *pass, const struct scene *scene,
 void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint32_t index,
                     const struct textures *textures)
 {
+    CORE_ASSERT(index < POI_MAX);
     const struct scene_poi *const poi = &scene->poi[index];
     float pose[16];
     frame_pose(pose, poi->position_m, poi->angles, poi->ring_radius_m);

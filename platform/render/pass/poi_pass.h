@@ -1,5 +1,6 @@
 /* poi_pass.h -- draws the pois (paper scoops): the ring, the handle, and the paper with the wet
- * cells and holes that the simulation computes. */
+ * cells and holes that the simulation computes. Also computes where the water lies that a poi
+ * carries. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_POI_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_POI_PASS_H
 

@@ -154,6 +154,7 @@ static struct specimen_slot *other_of(struct specimen_pass *pass, const struct s
 
 static struct specimen_slot *slot_of(struct specimen_pass *pass, const struct specimen *specimen)
 {
+    CORE_ASSERT(specimen->species);
     struct specimen_slot *const home = home_of(pass, specimen->species);
     struct specimen_slot *const slot = home ? home : other_of(pass, specimen);
     if (slot->species != specimen->species || (!home && slot->edition != specimen->edition)) {
@@ -287,6 +288,7 @@ static void draw_part(const struct specimen_program *program, const struct fish_
 static void draw_behind(const struct specimen_pass *pass, const struct fish_mesh *mesh, bool clear,
                         const float look[4])
 {
+    CORE_ASSERT(look[0] >= 0.0f && look[0] <= 1.0f);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     draw_part(&pass->body, mesh, false);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -303,6 +305,7 @@ static void draw_behind(const struct specimen_pass *pass, const struct fish_mesh
 void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *specimen,
                         const struct display_transform *transform)
 {
+    CORE_ASSERT(specimen->progress >= 0.0f && specimen->progress <= 1.0f);
     CORE_ASSERT(specimen->length_px > 0.0f);
     struct specimen_slot *const slot = slot_of(pass, specimen);
     const uint32_t lod = specimen->length_px < NEAR_PX ? 1 : 0;

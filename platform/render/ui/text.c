@@ -4,16 +4,20 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "core/base/panic.h"
+
 _Static_assert(sizeof text_table / sizeof *text_table == LANGUAGE_COUNT,
                "assets/text has one file for each enum language, in its order");
 
 const char *text_words(uint8_t language, enum text_key key)
 {
+    CORE_ASSERT((uint32_t)key < TEXT_COUNT);
     return text_table[language < LANGUAGE_COUNT ? language : LANGUAGE_JA][key];
 }
 
 const struct font_glyph *text_glyph(enum font_id font, uint32_t code)
 {
+    CORE_ASSERT((uint32_t)font < FONT_COUNT);
     const struct font *face = &asset_fonts[font];
     uint32_t low = 0, high = face->glyph_count;
     while (low < high) {
@@ -66,6 +70,7 @@ static size_t put_number(char *out, size_t room, uint32_t number)
 
 void text_number(char *out, size_t out_size, const char *words, uint32_t number)
 {
+    CORE_ASSERT(out_size > 0);
     size_t used = 0;
     int placed = 0;
     while (*words != 0) {
@@ -106,6 +111,7 @@ struct sink {
  * character, so that no character of a pattern is cut in the middle. */
 static void sink_put(struct sink *sink, const char *at, size_t size)
 {
+    CORE_ASSERT(sink->used < sink->size);
     size_t room = sink->size - 1u - sink->used;
     if (size > room) {
         size = printable_fit(at, (uint32_t)room);
@@ -217,6 +223,7 @@ static void write(struct sink *sink, uint8_t language, struct span line, uint32_
 
 void text_translate(char *out, size_t out_size, uint8_t language, const char *line)
 {
+    CORE_ASSERT(out_size > 0);
     struct sink sink = { .out = out, .size = out_size };
     out[0] = '\0';
     write(&sink, language, (struct span){ line, strlen(line) }, 0);

@@ -1,5 +1,5 @@
-/* text.h -- the user interface's text: UTF-8 decoding, translations, glyphs and their widths. Uses
- * no OpenGL.
+/* text.h -- the user interface's text: translations, glyphs and their widths. Also translates the
+ * status lines of devices into the operator's language. Uses no OpenGL.
  *
  * The texts are in assets/text and are selected by key and language. A new text in assets/text
  * needs no change in this module. */
@@ -39,7 +39,13 @@ float text_width_em(enum font_id font, const char *words, float spacing_em);
 /* Maximum size of a translated line in bytes. A Japanese character needs up to three bytes. */
 #define TEXT_TRANSLATE_SIZE (3u * SCENE_LINE_SIZE)
 
-/* Writes the translation of `line` into `language` (enum language) to `out`. If `out` is too small,
+/* Translates a status line of a device. A driver reports each line only in English, for the log and
+ * for the screen. assets/text has a pattern for each of these lines, from TEXT_SAYS_NO_PICTURE to
+ * TEXT_SAYS_NO_ROOM. The pattern in en.txt is the driver's line with {} in place of each name or
+ * number. The pattern in ja.txt is the Japanese translation. A line without a pattern is shown in
+ * English.
+ *
+ * Writes the translation of `line` into `language` (enum language) to `out`. If `out` is too small,
  * the translation is cut after a whole character. Parts of `line` that "; " separates are
  * translated separately. */
 void text_translate(char *out, size_t out_size, uint8_t language, const char *line);

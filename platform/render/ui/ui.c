@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "assets.h"
+#include "core/base/panic.h"
 #include "fonts.h"
 #include "platform/render/gl_util.h"
 
@@ -48,6 +49,7 @@ static void make_buffers(struct ui *ui)
 
 int ui_init(struct ui *ui, char *why, size_t why_size)
 {
+    CORE_ASSERT(why_size > 0);
     *ui = (struct ui){ 0 };
     struct gl_status status = { 0 };
     const GLuint vertex = gl_compile(&status, "words", GL_VERTEX_SHADER, &ui_vertex_source, 1);
@@ -113,12 +115,13 @@ static void set_state(const struct ui *ui, const struct display_transform *trans
 static void draw_quads(const struct ui *ui, uint32_t first, uint32_t limit,
                        const struct display_transform *transform)
 {
+    CORE_ASSERT(limit <= ui->batch.quad_count);
     if (first < limit) {
         set_state(ui, transform);
     }
     while (first < limit) {
-        /* Consecutive quads of one kind, with the indices from `first` to `end` - 1, are drawn in one
-         * draw call. */
+        /* Consecutive quads of one kind, with the indices from `first` to `end` - 1, are drawn in
+         * one draw call. */
         const uint8_t kind = ui->batch.kinds[first];
         float turn[4], move[2];
         uint32_t end = first + 1u;

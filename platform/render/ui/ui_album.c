@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/base/panic.h"
 #include "platform/render/ui/lab/ui_lab.h"
 #include "platform/render/ui/ui_widgets.h"
 
@@ -20,6 +21,7 @@ struct spatial_grid {
 
 static struct spatial_grid grid_of(const struct ui_frame *frame, uint32_t count)
 {
+    CORE_ASSERT(count > 0);
     const float u = frame->unit;
     const int upright = frame->height > 1.2f * frame->width;
     struct spatial_grid grid = { .columns = upright      ? (count > 3u ? 2u : 1u)
@@ -80,6 +82,7 @@ static void met_seal(const struct ui_frame *frame, struct ui_box water,
 static void picture(const struct ui_frame *frame, const struct scene *scene, uint32_t index,
                     struct ui_box box)
 {
+    CORE_ASSERT(index < scene->album.fish_count);
     const float u = frame->unit;
     const struct scene_grown *fish = &scene->album.fish[index];
     char age[TEXT_LINE_MAX], length[32], words[2u * TEXT_LINE_MAX];
@@ -114,11 +117,8 @@ static void picture(const struct ui_frame *frame, const struct scene *scene, uin
     lab_age_words(frame->language, fish->age_days, age, sizeof age);
     lab_length_words(fish->length_m, length, sizeof length);
     snprintf(words, sizeof words, "%s   %s", age, length);
-    const struct ui_text style = { .font = FONT_STALL,
-                                   .size_px = 27.0f * u,
-                                   .align = 0.5f,
-                                   .fill = LAB_INK,
-                                   .fit_px = box.width - 28.0f * u };
+    const struct ui_text style =
+        ui_style(frame, FONT_STALL, 27.0f, 0.5f, LAB_INK, box.width - 28.0f * u);
     ui_text(frame->batch, &style, box.x + 0.5f * box.width, box.y + box.height - 40.0f * u, words);
     /* The fish's lifeline is a time axis with a mark on the day of the catch. */
     const struct ui_box line = { box.x + 22.0f * u, box.y + box.height - 28.0f * u,
@@ -156,11 +156,8 @@ void ui_album(const struct ui_frame *frame, const struct scene *scene)
                                    .line = 0x0a0c24e0u,
                                    .fit_px = frame->width - 60.0f * u };
     ui_text_at(frame, &title, 0.5f * frame->width, 48.0f * u, ui_words(frame, TEXT_ALBUM));
-    const struct ui_text small = { .font = FONT_BODY,
-                                   .size_px = 22.0f * u,
-                                   .align = 0.5f,
-                                   .fill = 0xd6dcf2ffu,
-                                   .fit_px = frame->width - 60.0f * u };
+    const struct ui_text small =
+        ui_style(frame, FONT_BODY, 22.0f, 0.5f, 0xd6dcf2ffu, frame->width - 60.0f * u);
     const int all = scene->album.caught <= scene->album.fish_count;
     text_number(words, sizeof words, ui_words(frame, all ? TEXT_ALBUM_ALL : TEXT_ALBUM_FIRST),
                 all ? scene->album.caught : scene->album.fish_count);

@@ -1,8 +1,10 @@
 /* ui_attract.c -- draws the screens before a round: attract mode (the demonstration between
- * rounds), then the countdown. */
+ * rounds), the mode selection with wooden tags that hang side by side from a pole, and the
+ * countdown. */
 #include <math.h>
 #include <stdio.h>
 
+#include "core/base/panic.h"
 #include "core/game/game.h"
 #include "platform/render/ui/ui_widgets.h"
 
@@ -129,6 +131,7 @@ const char *ui_mode_name(uint8_t language, uint8_t mode)
 static void tag_words(const struct ui_frame *frame, const struct scene *scene, uint8_t mode,
                       struct ui_box box)
 {
+    CORE_ASSERT(mode < CHOICE_COUNT);
     const float u = frame->unit, x = box.x + 0.5f * box.width, room = box.width - 28.0f * u;
     const int brush = frame->language == LANGUAGE_JA;
     const struct ui_text name = { .font = brush ? FONT_BRUSH : FONT_STALL,
@@ -138,9 +141,7 @@ static void tag_words(const struct ui_frame *frame, const struct scene *scene, u
                                   .spacing_em = brush ? -0.08f : 0.0f,
                                   .fill = UI_INK,
                                   .fit_px = room };
-    const struct ui_text line = {
-        .font = FONT_BODY, .size_px = 26.0f * u, .align = 0.5f, .fill = 0x3a2418ffu, .fit_px = room
-    };
+    const struct ui_text line = ui_style(frame, FONT_BODY, 26.0f, 0.5f, 0x3a2418ffu, room);
     char words[TEXT_LINE_MAX];
     ui_text_at(frame, &name, x, box.y + 84.0f * u, ui_mode_name(frame->language, mode));
     const struct ui_box rule = { box.x + 34.0f * u, box.y + 148.0f * u, box.width - 68.0f * u,
@@ -179,11 +180,7 @@ static void seconds_ring(const struct ui_frame *frame, const struct scene *scene
                                                .fill = UI_GOLD,
                                                .line = 0xffffff28u,
                                                .shape = { radius, 6.0f * u, part } });
-    const struct ui_text digits = { .font = FONT_STALL,
-                                    .size_px = 34.0f * u,
-                                    .align = 0.5f,
-                                    .fill = 0xfff8eaffu,
-                                    .fit_px = 52.0f * u };
+    const struct ui_text digits = ui_style(frame, FONT_STALL, 34.0f, 0.5f, 0xfff8eaffu, 52.0f * u);
     ui_text_at(frame, &digits, x, y, number);
 }
 

@@ -2,6 +2,7 @@
 #include "platform/render/ui/ui_batch.h"
 
 #include "assets.h"
+#include "core/base/panic.h"
 
 /* Maximum width of an outline in atlas pixels. Beyond this width the distance field of the font is
  * constant. The font atlas leaves a margin of this width around each letter. */
@@ -28,6 +29,7 @@ static void unpack(uint8_t out[4], uint32_t colour, float opacity)
  * if the batch is full or its opacity is 0. */
 static struct ui_vertex *add_quad(struct ui_batch *batch, const struct ui_shape *shape)
 {
+    CORE_ASSERT((uint32_t)shape->kind < UI_KIND_COUNT && batch->quad_count <= UI_QUADS_MAX);
     if (batch->opacity <= 0.0f) {
         return NULL;
     }
@@ -54,6 +56,7 @@ static struct ui_vertex *add_quad(struct ui_batch *batch, const struct ui_shape 
 
 void ui_shape(struct ui_batch *batch, const struct ui_shape *shape)
 {
+    CORE_ASSERT(shape->kind != UI_GLYPH);
     struct ui_shape whole = *shape;
     if (shape->kind != UI_RING && shape->kind != UI_POI) {
         whole.shape[0] = 0.5f * shape->box.width;
@@ -65,6 +68,7 @@ void ui_shape(struct ui_batch *batch, const struct ui_shape *shape)
 void ui_segment(struct ui_batch *batch, const float from[2], const float to[2], float width_px,
                 uint32_t colour)
 {
+    CORE_ASSERT(width_px > 0.0f);
     const float x = to[0] - from[0], y = to[1] - from[1];
     const float length = f_sqrt(x * x + y * y);
     const float c = length > 0.0f ? x / length : 1.0f, s = length > 0.0f ? y / length : 0.0f;
@@ -82,6 +86,7 @@ void ui_segment(struct ui_batch *batch, const float from[2], const float to[2], 
 
 void ui_specimen(struct ui_batch *batch, const struct specimen *specimen)
 {
+    CORE_ASSERT(batch->specimen_count <= SPECIMEN_MAX);
     if (batch->opacity <= 0.0f) {
         return;
     }
@@ -102,6 +107,7 @@ float ui_text_width(const struct ui_text *style, const char *words)
 
 float ui_text_size(const struct ui_text *style, const char *words)
 {
+    CORE_ASSERT(style->size_px >= 0.0f);
     const float width_px = text_width_em(style->font, words, style->spacing_em) * style->size_px;
     const int too_wide = style->fit_px > 0.0f && width_px > style->fit_px;
     return too_wide ? style->size_px * style->fit_px / width_px : style->size_px;
@@ -163,6 +169,7 @@ static void add_line(struct ui_batch *batch, const struct ui_text *style, float 
 float ui_text(struct ui_batch *batch, const struct ui_text *style, float x, float y,
               const char *words)
 {
+    CORE_ASSERT(style->align >= 0.0f && style->align <= 1.0f);
     const float size_px = ui_text_size(style, words), width_px = ui_text_width(style, words);
     const float left = x - style->align * width_px;
     /* The outlines of all letters are added before the letters, so that no outline covers a

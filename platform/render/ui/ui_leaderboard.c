@@ -1,5 +1,6 @@
 /* ui_leaderboard.c -- draws the leaderboard on a sheet of paper, in the style of a sumo ranking
  * list with the best player first. */
+#include "core/base/panic.h"
 #include "platform/render/ui/ui_widgets.h"
 
 #include <math.h>
@@ -49,19 +50,15 @@ void ui_genuine_seal(const struct ui_frame *frame, float x, float y, float size)
 static void row_at(const struct ui_frame *frame, const struct scene_row *row, uint32_t place,
                    struct ui_box box)
 {
+    CORE_ASSERT(place < SCENE_LEADERBOARD_ROWS);
     static const uint32_t medals[] = { 0xe2a92fffu, 0xa9b0baffu, 0xb9794affu };
     const float u = frame->unit, y = box.y + 0.5f * box.height;
     const float right = box.x + box.width - 18.0f * u;
-    const struct ui_text name = { .font = FONT_STALL,
-                                  .size_px = 31.0f * u,
-                                  .fill = row->name[0] ? UI_INK : 0x5a464880u,
-                                  .fit_px = box.width - 300.0f * u };
-    const struct ui_text digits = {
-        .font = FONT_STALL, .size_px = 33.0f * u, .align = 1.0f, .fill = UI_INK, .fit_px = 90.0f * u
-    };
-    const struct ui_text unit = {
-        .font = FONT_STALL, .size_px = 20.0f * u, .align = 1.0f, .fill = UI_INK_SOFT
-    };
+    const struct ui_text name =
+        ui_style(frame, FONT_STALL, 31.0f, 0.0f, row->name[0] ? UI_INK : 0x5a464880u,
+                 box.width - 300.0f * u);
+    const struct ui_text digits = ui_style(frame, FONT_STALL, 33.0f, 1.0f, UI_INK, 90.0f * u);
+    const struct ui_text unit = ui_style(frame, FONT_STALL, 20.0f, 1.0f, UI_INK_SOFT, 0.0f);
     char number[12];
     if (row->is_new) {
         /* The background of a newly added row has the colour of the player's ring. */
@@ -77,11 +74,8 @@ static void row_at(const struct ui_frame *frame, const struct scene_row *row, ui
     if (has_medal) {
         ui_disc(frame, x, y, radius, 1.5f * u, medals[place], 0x5a3a20ffu);
     }
-    const struct ui_text place_style = { .font = FONT_STALL,
-                                         .size_px = 26.0f * u,
-                                         .align = 0.5f,
-                                         .fill = has_medal ? UI_INK : UI_INK_SOFT,
-                                         .fit_px = 1.8f * radius };
+    const struct ui_text place_style =
+        ui_style(frame, FONT_STALL, 26.0f, 0.5f, has_medal ? UI_INK : UI_INK_SOFT, 1.8f * radius);
     ui_text_at(frame, &place_style, x, y, place_number);
     ui_text_at(frame, &name, box.x + 74.0f * u, y, row->name[0] ? row->name : "---");
     text_number(number, sizeof number, "{}", row->caught);
@@ -121,14 +115,10 @@ void ui_leaderboard(const struct ui_frame *frame, const struct scene_leaderboard
     const float inset = 12.0f * u;
     const struct ui_box band = { box.x + inset, box.y + inset, box.width - 2.0f * inset,
                                  62.0f * u };
-    const struct ui_text mode = {
-        .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_GOLD, .fit_px = 0.38f * band.width
-    };
-    const struct ui_text title = { .font = FONT_STALL,
-                                   .size_px = 36.0f * u,
-                                   .align = 1.0f,
-                                   .fill = 0xfff6e2ffu,
-                                   .fit_px = 0.52f * band.width };
+    const struct ui_text mode =
+        ui_style(frame, FONT_STALL, 27.0f, 0.0f, UI_GOLD, 0.38f * band.width);
+    const struct ui_text title =
+        ui_style(frame, FONT_STALL, 36.0f, 1.0f, 0xfff6e2ffu, 0.52f * band.width);
     const float y = band.y + 0.5f * band.height;
     ui_panel(frame, UI_WAVES, band, 9.0f * u, 1.5f * u, UI_INDIGO, 0x0b1030ffu);
     ui_text_at(frame, &mode, band.x + 20.0f * u, y, ui_mode_name(frame->language, board->mode));

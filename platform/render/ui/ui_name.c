@@ -19,19 +19,6 @@ struct slate {
     uint32_t colour;
 };
 
-static struct slate open_slate(const struct ui_frame *frame, const struct scene *scene)
-{
-    const struct layout_point canvas = pointer_layout_size(scene->name.upright);
-    struct slate slate = { .frame = *frame, .name = &scene->name };
-    slate.frame.unit = scene->name.upright
-                           ? frame->width / canvas.x
-                           : fminf(frame->width / canvas.x, frame->height / canvas.y);
-    slate.x = 0.5f * (frame->width - canvas.x * slate.frame.unit);
-    slate.y = 0.5f * (frame->height - canvas.y * slate.frame.unit);
-    slate.colour = ui_player_colours[scene->name.seat < POI_MAX ? scene->name.seat : 0];
-    return slate;
-}
-
 static struct ui_box place(const struct slate *slate, struct layout_box box)
 {
     const float u = slate->frame.unit;
@@ -51,8 +38,9 @@ static void title(const struct slate *slate, const struct scene *scene)
     const struct ui_box line =
         place(slate, upright ? (struct layout_box){ 60.0f, 150.0f, 734.0f, 70.0f }
                              : (struct layout_box){ 300.0f, 62.0f, 680.0f, 44.0f });
-    const struct ui_text proud = { .font = FONT_STALL, .size_px = 44.0f * u, .fill = UI_GOLD };
-    const struct ui_text words = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = 0xfff6e2ffu };
+    const struct ui_text proud = ui_style(&slate->frame, FONT_STALL, 44.0f, 0.0f, UI_GOLD, 0.0f);
+    const struct ui_text words =
+        ui_style(&slate->frame, FONT_STALL, 34.0f, 0.0f, 0xfff6e2ffu, 0.0f);
     char where[TEXT_LINE_MAX];
     const struct scene_player *player = &scene->player[slate->name->seat];
     text_number(where, sizeof where, ui_words(&slate->frame, ui_place_key(player->period)),
@@ -94,9 +82,8 @@ static void seconds(const struct slate *slate, const struct scene *scene)
     text_number(number, sizeof number, "{}", (uint32_t)whole);
     ui_ring(&slate->frame, at.x, at.y, radius, 6.0f * u, scene->seconds_left / 15.0f, UI_VERMILION,
             0xffffff26u);
-    const struct ui_text digits = {
-        .font = FONT_STALL, .size_px = 30.0f * u, .align = 0.5f, .fill = 0xfff8eaffu
-    };
+    const struct ui_text digits =
+        ui_style(&slate->frame, FONT_STALL, 30.0f, 0.5f, 0xfff8eaffu, 0.0f);
     ui_text_at(&slate->frame, &digits, at.x, at.y, number);
 }
 
@@ -106,9 +93,7 @@ static void one_letter(const struct slate *slate, struct ui_box box, uint16_t le
                        uint32_t ink)
 {
     char words[LEDGER_NAME_SIZE];
-    const struct ui_text style = { .font = FONT_STALL,
-                                   .size_px = size * slate->frame.unit,
-                                   .fill = ink };
+    const struct ui_text style = ui_style(&slate->frame, FONT_STALL, size, 0.0f, ink, 0.0f);
     name_spell(&letter, 1u, words);
     ui_words_in(&slate->frame, box, &style, words);
 }
@@ -184,7 +169,8 @@ static void board(const struct slate *slate)
             one_letter(slate, key_paper(slate, cell), letter, 46.0f, 0x2a160cffu);
         }
     }
-    const struct ui_text style = { .font = FONT_STALL, .size_px = 36.0f * u, .fill = 0x2a160cffu };
+    const struct ui_text style =
+        ui_style(&slate->frame, FONT_STALL, 36.0f, 0.0f, 0x2a160cffu, 0.0f);
     for (uint32_t key = NAME_CELLS; key < NAME_KEY_COUNT; key++) {
         const struct ui_box box = key_paper(slate, key);
         ui_words_in(&slate->frame,
@@ -195,9 +181,17 @@ static void board(const struct slate *slate)
 
 void ui_name(const struct ui_frame *frame, const struct scene *scene)
 {
-    const struct slate slate = open_slate(frame, scene);
+    const struct layout_point canvas = pointer_layout_size(scene->name.upright);
+    struct slate slate = { .frame = *frame, .name = &scene->name };
+    slate.frame.unit = scene->name.upright
+                           ? frame->width / canvas.x
+                           : fminf(frame->width / canvas.x, frame->height / canvas.y);
+    slate.x = 0.5f * (frame->width - canvas.x * slate.frame.unit);
+    slate.y = 0.5f * (frame->height - canvas.y * slate.frame.unit);
+    slate.colour = ui_player_colours[scene->name.seat < POI_MAX ? scene->name.seat : 0];
     frame->batch->opacity = ui_smooth(0.0f, 0.25f, scene->phase_s);
-    /* A veil darkens the tank, so that the letters are readable over the bright lights of the tank. */
+    /* A veil darkens the tank, so that the letters are readable over the bright lights of the
+     * tank. */
     const struct ui_box box = { 0.0f, 0.0f, slate.frame.width, slate.frame.height };
     ui_panel(&slate.frame, UI_PANEL, box, 0.0f, 0.0f, 0x090d24b4u, 0);
     title(&slate, scene);
@@ -205,9 +199,7 @@ void ui_name(const struct ui_frame *frame, const struct scene *scene)
     line(&slate);
     board(&slate);
     const int upright = slate.name->upright;
-    const struct ui_text style = { .font = FONT_BODY,
-                                   .size_px = 24.0f * slate.frame.unit,
-                                   .fill = 0xc9d2eeffu };
+    const struct ui_text style = ui_style(&slate.frame, FONT_BODY, 24.0f, 0.0f, 0xc9d2eeffu, 0.0f);
     ui_words_in(&slate.frame,
                 place(&slate, upright ? (struct layout_box){ 27.0f, 1190.0f, 800.0f, 40.0f }
                                       : (struct layout_box){ 60.0f, 678.0f, 1160.0f, 34.0f }),

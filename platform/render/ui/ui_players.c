@@ -1,6 +1,7 @@
 /* ui_players.c -- draws the player numbers, the foul lamps, and the plates of several players. */
 #include <math.h>
 
+#include "core/base/panic.h"
 #include "core/view.h"
 #include "platform/render/ui/ui_widgets.h"
 
@@ -39,6 +40,7 @@ uint32_t ui_first_player(const struct scene *scene)
 
 void ui_player_mark(const struct ui_frame *frame, float x, float y, float radius, uint32_t player)
 {
+    CORE_ASSERT(player < POI_MAX);
     const struct ui_box box = { x - radius, y - radius, 2.0f * radius, 2.0f * radius };
     char number[12];
     text_number(number, sizeof number, "{}", player + 1u);
@@ -59,10 +61,7 @@ void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius,
                                      4.4f * radius };
         const struct ui_box lamp = { at - radius, y - radius, 2.0f * radius, 2.0f * radius };
         if (lit) {
-            ui_shape(frame->batch, &(struct ui_shape){ .box = halo,
-                                                       .kind = UI_GLOW,
-                                                       .fill = 0xff5a30a0u,
-                                                       .shape = { 0, 0, 1.0f } });
+            ui_glow(frame, halo, 0xff5a30a0u);
         }
         ui_panel(frame, UI_PANEL, lamp, radius, 0.2f * radius, lit ? 0xff5236ffu : 0x120c18c0u,
                  lit ? 0xffd9a0ffu : 0xe8b85ca0u);
@@ -79,18 +78,13 @@ static void player_state(const struct ui_frame *frame, const struct scene *scene
     if (state->out) {
         /* `out` is also set for a player whose waiting time has expired, besides a player who is
          * out of the round. */
-        const struct ui_text stamp = { .font = FONT_STALL,
-                                       .size_px = 28.0f * u,
-                                       .align = 0.5f,
-                                       .fill = 0xff9a80ffu,
-                                       .fit_px = 46.0f * u };
+        const struct ui_text stamp =
+            ui_style(frame, FONT_STALL, 28.0f, 0.5f, 0xff9a80ffu, 46.0f * u);
         ui_text_at(frame, &stamp, x, y, ui_words(frame, TEXT_OUT));
     } else if (state->lost) {
-        const struct ui_text ask = { .font = FONT_STALL,
-                                     .size_px = 40.0f * u,
-                                     .align = 0.5f,
-                                     .fill = ui_fade(0xff9a80ffu,
-                                                     0.4f + 0.6f * ui_pulse(frame->time_s, 1.0f)) };
+        const struct ui_text ask =
+            ui_style(frame, FONT_STALL, 40.0f, 0.5f,
+                     ui_fade(0xff9a80ffu, 0.4f + 0.6f * ui_pulse(frame->time_s, 1.0f)), 0.0f);
         ui_text_at(frame, &ask, x, y, "?");
     } else {
         ui_poi_sign(frame, x, y - 5.0f * u, 14.0f * u, scene->poi[player].paper_left,
@@ -101,15 +95,14 @@ static void player_state(const struct ui_frame *frame, const struct scene *scene
 static void plate(const struct ui_frame *frame, const struct scene *scene,
                   const struct ui_memory *memory, uint32_t player, struct ui_box box)
 {
+    CORE_ASSERT(player < POI_MAX);
     const float u = frame->unit;
     const int judged = rules_of(scene->mode)->judges;
     const float y = box.y + (judged ? 27.0f * u : 0.5f * box.height);
     const float since_s = (float)(scene->tick - memory->caught_tick[player]) * CORE_TICK_S;
     const float pop = memory->caught[player] > 0 ? 1.0f - ui_smooth(0.0f, POP_S, since_s) : 0.0f;
-    const struct ui_text digits = { .font = FONT_STALL,
-                                    .size_px = (38.0f + 8.0f * pop) * u,
-                                    .fill = 0xfff8eaffu,
-                                    .fit_px = box.width - 112.0f * u };
+    const struct ui_text digits =
+        ui_style(frame, FONT_STALL, 38.0f + 8.0f * pop, 0.0f, 0xfff8eaffu, box.width - 112.0f * u);
     char number[12];
     text_number(number, sizeof number, "{}", scene->caught[player]);
     ui_plate(frame, box);

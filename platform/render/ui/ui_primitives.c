@@ -35,6 +35,14 @@ const char *ui_words(const struct ui_frame *frame, enum text_key key)
     return text_words(frame->language, key);
 }
 
+struct ui_text ui_style(const struct ui_frame *frame, enum font_id font, float size, float align,
+                        uint32_t fill, float fit_px)
+{
+    return (struct ui_text){
+        .font = font, .size_px = size * frame->unit, .align = align, .fill = fill, .fit_px = fit_px
+    };
+}
+
 void ui_panel(const struct ui_frame *frame, enum ui_kind kind, struct ui_box box, float radius_px,
               float border_px, uint32_t fill, uint32_t line)
 {
@@ -57,12 +65,20 @@ void ui_disc(const struct ui_frame *frame, float x, float y, float radius_px, fl
 void ui_ring(const struct ui_frame *frame, float x, float y, float radius_px, float width_px,
              float part, uint32_t fill, uint32_t line)
 {
+    CORE_ASSERT(radius_px >= width_px);
     const struct ui_box box = { x - radius_px, y - radius_px, 2.0f * radius_px, 2.0f * radius_px };
     ui_shape(frame->batch, &(struct ui_shape){ .box = box,
                                                .kind = UI_RING,
                                                .fill = fill,
                                                .line = line,
                                                .shape = { radius_px, width_px, part } });
+}
+
+void ui_glow(const struct ui_frame *frame, struct ui_box box, uint32_t fill)
+{
+    ui_shape(
+        frame->batch,
+        &(struct ui_shape){ .box = box, .kind = UI_GLOW, .fill = fill, .shape = { 0, 0, 1.0f } });
 }
 
 float ui_text_at(const struct ui_frame *frame, const struct ui_text *style, float x, float y,
@@ -73,15 +89,14 @@ float ui_text_at(const struct ui_frame *frame, const struct ui_text *style, floa
 
 void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size, float phase)
 {
+    CORE_ASSERT(size > 0.0f);
     const float sway = sinf(frame->time_s * 1.1f + phase) * size * 0.035f;
     const float flicker = 0.86f + 0.08f * sinf(frame->time_s * 2.3f + phase * 3.0f) +
                           0.06f * sinf(frame->time_s * 5.9f + phase * 7.0f);
     const float width = size * 0.80f, cord = size * 0.30f, cap = size * 0.085f;
     const float middle_x = x + sway, top = y + cord;
     const struct ui_box halo = { middle_x - size, top - size * 0.45f, size * 2.0f, size * 1.9f };
-    ui_shape(frame->batch,
-             &(struct ui_shape){
-                 .box = halo, .kind = UI_GLOW, .fill = 0xff9a3c50u, .shape = { 0, 0, 1.0f } });
+    ui_glow(frame, halo, 0xff9a3c50u);
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = { x - size * 0.012f, y, size * 0.024f, cord + cap },
                                  .kind = UI_PANEL,
@@ -241,12 +256,7 @@ void ui_wooden_tag(const struct ui_frame *frame, struct ui_box box, int pointed)
     if (pointed) {
         const struct ui_box halo = { box.x - 60.0f * u, box.y - 50.0f * u, box.width + 120.0f * u,
                                      box.height + 110.0f * u };
-        ui_shape(frame->batch,
-                 &(struct ui_shape){
-                     .box = halo,
-                     .kind = UI_GLOW,
-                     .shape = { 0, 0, 1.0f },
-                     .fill = ui_fade(0xffb050ffu, 0.75f + 0.25f * ui_pulse(frame->time_s, 2.4f)) });
+        ui_glow(frame, halo, ui_fade(0xffb050ffu, 0.75f + 0.25f * ui_pulse(frame->time_s, 2.4f)));
     }
     const struct ui_box shade = { box.x + 5.0f * u, box.y + 12.0f * u, box.width, box.height };
     ui_panel(frame, UI_PANEL, shade, 12.0f * u, 0.0f, 0x05061c70u, 0);

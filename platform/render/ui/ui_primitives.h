@@ -34,6 +34,12 @@ float ui_pulse(float time_s, float period_s);
 /* Returns the text with the key `key` in the language of the screen. */
 const char *ui_words(const struct ui_frame *frame, enum text_key key);
 
+/* Returns a plain text style. `size` is in layout units. `align` is 0 for text that begins at x,
+ * 0.5 for text that is centred at x, and 1 for text that ends at x. A text that is longer than
+ * `fit_px` is shrunk, unless `fit_px` is 0. */
+struct ui_text ui_style(const struct ui_frame *frame, enum font_id font, float size, float align,
+                        uint32_t fill, float fit_px);
+
 /* Draws a box with rounded corners. `kind` is UI_PANEL, UI_WASHI, UI_WAVES, UI_WOOD or UI_HEAT. A
  * border of 0 px means no border. `fill` is the colour of the surface, and `line` is the colour of
  * the border. */
@@ -46,6 +52,8 @@ void ui_disc(const struct ui_frame *frame, float x, float y, float radius_px, fl
  * `fill`, clockwise from the top. The rest of the ring has the colour `line`. */
 void ui_ring(const struct ui_frame *frame, float x, float y, float radius_px, float width_px,
              float part, uint32_t fill, uint32_t line);
+/* Draws a glow that adds light to the picture. `fill` is the colour in the middle of the box. */
+void ui_glow(const struct ui_frame *frame, struct ui_box box, uint32_t fill);
 /* Adds one line of text as ui_text() does, vertically centred on `y`. Returns the width of the text
  * in pixels. */
 float ui_text_at(const struct ui_frame *frame, const struct ui_text *style, float x, float y,

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/base/panic.h"
 #include "core/game/ranking/ranking.h"
 #include "platform/render/ui/ui_widgets.h"
 
@@ -39,6 +40,7 @@ static const struct grade *grade_of(uint8_t mode, uint32_t caught)
 
 static uint32_t counted_up(const struct scene *scene, uint32_t player)
 {
+    CORE_ASSERT(player < POI_MAX);
     const float share = ui_smooth(0.2f, 0.2f + COUNT_UP_S, scene->phase_s);
     const uint32_t caught = scene->caught[player];
     return share < 1.0f ? (uint32_t)((double)share * (double)caught) : caught;
@@ -50,10 +52,8 @@ static void result_count(const struct ui_frame *frame, const struct scene *scene
     const float u = frame->unit;
     char number[12];
     text_number(number, sizeof number, "{}", counted_up(scene, player));
-    const struct ui_text digits = {
-        .font = FONT_STALL, .size_px = 116.0f * u, .fill = UI_INK, .fit_px = 320.0f * u
-    };
-    const struct ui_text unit = { .font = FONT_STALL, .size_px = 48.0f * u, .fill = UI_INK_SOFT };
+    const struct ui_text digits = ui_style(frame, FONT_STALL, 116.0f, 0.0f, UI_INK, 320.0f * u);
+    const struct ui_text unit = ui_style(frame, FONT_STALL, 48.0f, 0.0f, UI_INK_SOFT, 0.0f);
     const char *words = ui_words(frame, TEXT_UNIT);
     const float fish = 164.0f * u, gap = 20.0f * u;
     const float number_width = ui_text_width(&digits, number);
@@ -77,11 +77,8 @@ static void praise(const struct ui_frame *frame, const struct scene *scene, uint
                                   .spacing_em = brush ? -0.10f : 0.0f,
                                   .fill = 0xc8301effu,
                                   .fit_px = box.width - 60.0f * u };
-    const struct ui_text words = { .font = FONT_BODY,
-                                   .size_px = 27.0f * u,
-                                   .align = 0.5f,
-                                   .fill = UI_INK,
-                                   .fit_px = box.width - 60.0f * u };
+    const struct ui_text words =
+        ui_style(frame, FONT_BODY, 27.0f, 0.5f, UI_INK, box.width - 60.0f * u);
     frame->batch->opacity = ui_smooth(1.1f, 1.5f, scene->phase_s);
     ui_text_at(frame, &word, x, box.y + 252.0f * u, ui_words(frame, grade->praise));
     ui_text(frame->batch, &words, x, box.y + 338.0f * u, ui_words(frame, grade->words));
@@ -96,9 +93,7 @@ static void one_players_result(const struct ui_frame *frame, const struct scene 
     result_count(frame, scene, player, box.x + 0.5f * box.width, box.y + 128.0f * u);
     praise(frame, scene, player, box);
     if (rules_of(scene->mode)->judges) {
-        const struct ui_text label = { .font = FONT_STALL,
-                                       .size_px = 24.0f * u,
-                                       .fill = UI_INK_SOFT };
+        const struct ui_text label = ui_style(frame, FONT_STALL, 24.0f, 0.0f, UI_INK_SOFT, 0.0f);
         const float x = box.x + 26.0f * u, y = box.y + box.height - 37.0f * u;
         const float width = ui_text_at(frame, &label, x, y, ui_words(frame, TEXT_FOUL));
         ui_foul_lamps(frame, x + width + 22.0f * u, y, 9.5f * u, 25.0f * u,
@@ -110,6 +105,7 @@ static void one_players_result(const struct ui_frame *frame, const struct scene 
  * an equal place. */
 static uint32_t ui_result_place_of(const struct scene *scene, uint32_t player)
 {
+    CORE_ASSERT(player < POI_MAX);
     uint32_t ahead = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
         ahead += scene->player[i].plays && scene->caught[i] > scene->caught[player];
@@ -128,13 +124,9 @@ static void ranked(const struct ui_frame *frame, const struct scene *scene, uint
     ui_panel(frame, UI_PANEL, row, 10.0f * u, 2.0f * u,
              ui_fade(ui_player_colours[player], place == 0 ? 0.42f : 0.20f),
              ui_fade(ui_player_colours[player], place == 0 ? 1.0f : 0.5f));
-    const struct ui_text rank = { .font = FONT_STALL, .size_px = 36.0f * u, .fill = UI_INK };
-    const struct ui_text digits = { .font = FONT_STALL,
-                                    .size_px = 44.0f * u,
-                                    .align = 1.0f,
-                                    .fill = UI_INK,
-                                    .fit_px = 150.0f * u };
-    const struct ui_text unit = { .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_INK_SOFT };
+    const struct ui_text rank = ui_style(frame, FONT_STALL, 36.0f, 0.0f, UI_INK, 0.0f);
+    const struct ui_text digits = ui_style(frame, FONT_STALL, 44.0f, 1.0f, UI_INK, 150.0f * u);
+    const struct ui_text unit = ui_style(frame, FONT_STALL, 27.0f, 0.0f, UI_INK_SOFT, 0.0f);
     ui_text_at(frame, &rank, row.x + 24.0f * u, y, words);
     ui_player_mark(frame, row.x + 148.0f * u, y, 22.0f * u, player);
     ui_fish_sign(frame, row.x + 226.0f * u, y, 74.0f * u);
@@ -170,16 +162,13 @@ static float after_call(const struct scene *scene)
                                     : 1.0f;
 }
 
-/* Draws the result card of a refunded round. A refunded round does not count, so that the card shows
- * no score, place or seal. */
+/* Draws the result card of a refunded round. A refunded round does not count, so that the card
+ * shows no score, place or seal. */
 static void given_back(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit, x = box.x + 0.5f * box.width;
-    struct ui_text style = { .font = FONT_STALL,
-                             .size_px = 64.0f * u,
-                             .align = 0.5f,
-                             .fill = 0xc8301effu,
-                             .fit_px = box.width - 60.0f * u };
+    struct ui_text style =
+        ui_style(frame, FONT_STALL, 64.0f, 0.5f, 0xc8301effu, box.width - 60.0f * u);
     ui_fish_sign(frame, x, box.y + 138.0f * u, 124.0f * u);
     ui_text_at(frame, &style, x, box.y + 238.0f * u, ui_words(frame, TEXT_GIVEN_BACK));
     style.font = FONT_BODY;
@@ -194,19 +183,16 @@ static void last_line(const struct ui_frame *frame, const struct scene *scene, s
 {
     const float u = frame->unit;
     const int scored = rules_of(scene->mode)->keeps_score;
-    const struct ui_text small = { .font = scored ? FONT_STALL : FONT_BODY,
-                                   .align = 0.5f,
-                                   .size_px = 25.0f * u,
-                                   .fill = 0x8a5a1cffu,
-                                   .fit_px = box.width - 60.0f * u };
+    const struct ui_text small = ui_style(frame, scored ? FONT_STALL : FONT_BODY, 25.0f, 0.5f,
+                                          0x8a5a1cffu, box.width - 60.0f * u);
     char best[TEXT_LINE_MAX];
     ui_best_words(scene, best, sizeof best);
     ui_text(frame->batch, &small, box.x + 0.5f * box.width, box.y + box.height - 28.0f * u,
             scored ? best : ui_words(frame, TEXT_PRACTICE_WORDS));
 }
 
-/* Draws a seal such as "Best of the day!" or "No. 3 this week" for the player with the best place on
- * the leaderboard. Draws nothing if no player has a place. */
+/* Draws a seal such as "Best of the day!" or "No. 3 this week" for the player with the best place
+ * on the leaderboard. Draws nothing if no player has a place. */
 static void place_seal(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
 {
     const float u = frame->unit, in = ui_smooth(1.6f, 1.8f, scene->phase_s);
@@ -245,11 +231,8 @@ void ui_result(const struct ui_frame *frame, const struct scene *scene,
     const struct ui_box box = { 0.5f * (frame->width - width),
                                 0.45f * frame->height - 0.5f * height + 40.0f * u * (1.0f - in),
                                 width, height };
-    const struct ui_text heading = { .font = FONT_STALL,
-                                     .size_px = 30.0f * u,
-                                     .align = 0.5f,
-                                     .fill = UI_INK_SOFT,
-                                     .fit_px = box.width - 60.0f * u };
+    const struct ui_text heading =
+        ui_style(frame, FONT_STALL, 30.0f, 0.5f, UI_INK_SOFT, box.width - 60.0f * u);
     char words[2u * TEXT_LINE_MAX];
     ui_umpire(frame, scene);
     if (after_call(scene) <= 0.0f) {

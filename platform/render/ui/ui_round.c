@@ -1,8 +1,10 @@
 /* ui_round.c -- draws the screen during a round: the catch, the paper, the remaining time and the
- * hint. */
+ * hint. Also draws the announcements over the tank: the countdown of the last seconds, a foul, and
+ * the pause. */
 #include <math.h>
 #include <stdio.h>
 
+#include "core/base/panic.h"
 #include "platform/render/ui/ui_widgets.h"
 
 /* Time in seconds for which an announcement is shown, which is longer than reading it takes. */
@@ -34,6 +36,7 @@ static void countdown(const struct ui_frame *frame, const struct scene *scene)
 static float foul_flag(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                        float y)
 {
+    CORE_ASSERT(player < POI_MAX);
     static const uint16_t keys[FOUL_COUNT] = {
         [FOUL_POURED] = TEXT_FOUL_POURED,
         [FOUL_WALL] = TEXT_FOUL_WALL,
@@ -46,8 +49,8 @@ static float foul_flag(const struct ui_frame *frame, const struct scene *scene, 
     }
     const char *foul = ui_words(frame, TEXT_FOUL);
     const char *name = ui_words(frame, (enum text_key)keys[state->foul]);
-    const struct ui_text head = { .font = FONT_STALL, .size_px = 32.0f * u, .fill = 0xffd9a0ffu };
-    const struct ui_text body = { .font = FONT_STALL, .size_px = 42.0f * u, .fill = 0xfff8eaffu };
+    const struct ui_text head = ui_style(frame, FONT_STALL, 32.0f, 0.0f, 0xffd9a0ffu, 0.0f);
+    const struct ui_text body = ui_style(frame, FONT_STALL, 42.0f, 0.0f, 0xfff8eaffu, 0.0f);
     const float mark = ui_seat_count(scene) > 1u ? 58.0f * u : 0.0f;
     const float head_width = ui_text_width(&head, foul), gap = 20.0f * u, lamps = 112.0f * u;
     const float width =
@@ -88,11 +91,8 @@ void ui_umpire(const struct ui_frame *frame, const struct scene *scene)
         const float u = frame->unit, y = 0.46f * frame->height, height = 220.0f * u;
         const int is_brush = frame->language == LANGUAGE_JA;
         const struct ui_box band = { 0.0f, y - 0.5f * height, frame->width, height };
-        const struct ui_text words = { .font = FONT_BODY,
-                                       .size_px = 30.0f * u,
-                                       .align = 0.5f,
-                                       .fill = 0xfff8eaffu,
-                                       .fit_px = frame->width - 60.0f * u };
+        const struct ui_text words =
+            ui_style(frame, FONT_BODY, 30.0f, 0.5f, 0xfff8eaffu, frame->width - 60.0f * u);
         ui_panel(frame, UI_PANEL, band, 0.0f, 0.0f, 0x0a0c24c8u, 0);
         ui_big_word(frame, is_brush ? FONT_BRUSH : FONT_STALL, y - 30.0f * u,
                     (is_brush ? 132.0f : 96.0f) * u, 1.0f, ui_words(frame, TEXT_PAUSED));
@@ -136,11 +136,12 @@ void ui_umpire(const struct ui_frame *frame, const struct scene *scene)
 static void caught_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                          float pop)
 {
+    CORE_ASSERT(player < POI_MAX);
     const float u = frame->unit, left = 18.0f * u, top = 16.0f * u, height = 88.0f * u;
     char number[12];
     text_number(number, sizeof number, "{}", scene->caught[player]);
-    const struct ui_text digits = { .font = FONT_STALL, .size_px = 68.0f * u, .fill = 0xfff8eaffu };
-    const struct ui_text unit = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = UI_GOLD };
+    const struct ui_text digits = ui_style(frame, FONT_STALL, 68.0f, 0.0f, 0xfff8eaffu, 0.0f);
+    const struct ui_text unit = ui_style(frame, FONT_STALL, 34.0f, 0.0f, UI_GOLD, 0.0f);
     const char *words = ui_words(frame, TEXT_UNIT);
     const float number_x = left + 108.0f * u;
     const float unit_x = number_x + ui_text_width(&digits, number) + 12.0f * u;
@@ -161,8 +162,8 @@ static int is_long(const struct scene *scene)
     return scene->phase_s + scene->seconds_left > LONG_ROUND_S;
 }
 
-/* Draws the remaining time, centred at (x, y): in minutes and seconds for a long round, otherwise in
- * seconds inside a ring. */
+/* Draws the remaining time, centred at (x, y): in minutes and seconds for a long round, otherwise
+ * in seconds inside a ring. */
 static void clock_at(const struct ui_frame *frame, const struct scene *scene, float x, float y)
 {
     const float u = frame->unit, radius = 37.0f * u;
@@ -170,11 +171,9 @@ static void clock_at(const struct ui_frame *frame, const struct scene *scene, fl
     const float beat = hurry ? ui_pulse(scene->seconds_left, 1.0f) : 0.0f;
     const uint32_t left_s = (uint32_t)ceilf(fmaxf(scene->seconds_left, 0.0f));
     const float total_s = scene->phase_s + scene->seconds_left;
-    const struct ui_text digits = { .font = FONT_STALL,
-                                    .size_px = ((wide ? 58.0f : 36.0f) + 5.0f * beat) * u,
-                                    .align = 0.5f,
-                                    .fit_px = (wide ? TIME_WIDTH : 56.0f) * u,
-                                    .fill = hurry ? 0xff9a80ffu : 0xfff8eaffu };
+    const struct ui_text digits =
+        ui_style(frame, FONT_STALL, (wide ? 58.0f : 36.0f) + 5.0f * beat, 0.5f,
+                 hurry ? 0xff9a80ffu : 0xfff8eaffu, (wide ? TIME_WIDTH : 56.0f) * u);
     struct ui_text fitted = digits;
     char words[16], number[12];
     text_number(number, sizeof number, wide ? "{}:" : "{}", wide ? left_s / 60u : left_s);
@@ -194,10 +193,9 @@ static void clock_at(const struct ui_frame *frame, const struct scene *scene, fl
 static float state_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                          int alone)
 {
+    CORE_ASSERT(player < POI_MAX);
     const float u = frame->unit, height = 88.0f * u, top = 16.0f * u, y = top + 0.5f * height;
-    const struct ui_text label = {
-        .font = FONT_STALL, .size_px = 27.0f * u, .fill = UI_GOLD, .fit_px = 88.0f * u
-    };
+    const struct ui_text label = ui_style(frame, FONT_STALL, 27.0f, 0.0f, UI_GOLD, 88.0f * u);
     char grade[TEXT_LINE_MAX];
     text_number(grade, sizeof grade, ui_words(frame, TEXT_GRADE), scene->grade);
     const int names_time = alone && !is_long(scene);
@@ -232,10 +230,8 @@ static void stress_legend(const struct ui_frame *frame, float top)
 {
     const float u = frame->unit, width = 256.0f * u, height = 92.0f * u;
     const float left = frame->width - 18.0f * u - width, room = width - 28.0f * u;
-    const struct ui_text title = {
-        .font = FONT_BODY, .size_px = 23.0f * u, .align = 0.5f, .fill = 0xfff8eaffu, .fit_px = room
-    };
-    struct ui_text end = { .font = FONT_BODY, .size_px = 22.0f * u, .fill = UI_GOLD };
+    const struct ui_text title = ui_style(frame, FONT_BODY, 23.0f, 0.5f, 0xfff8eaffu, room);
+    struct ui_text end = ui_style(frame, FONT_BODY, 22.0f, 0.0f, UI_GOLD, 0.0f);
     ui_plate(frame, (struct ui_box){ left, top, width, height });
     ui_text_at(frame, &title, left + 0.5f * width, top + 21.0f * u, ui_words(frame, TEXT_STRESS));
     ui_panel(frame, UI_HEAT, (struct ui_box){ left + 14.0f * u, top + 39.0f * u, room, 17.0f * u },
@@ -262,9 +258,7 @@ void ui_round(const struct ui_frame *frame, const struct scene *scene,
         if (rules_of(scene->mode)->judges) {
             /* The plate shows the word "Fouls" and three lamps. One lamp is lit for each foul. */
             const float u = frame->unit, left = 18.0f * u, top = 112.0f * u, height = 46.0f * u;
-            const struct ui_text label = { .font = FONT_STALL,
-                                           .size_px = 26.0f * u,
-                                           .fill = UI_GOLD };
+            const struct ui_text label = ui_style(frame, FONT_STALL, 26.0f, 0.0f, UI_GOLD, 0.0f);
             const char *words = ui_words(frame, TEXT_FOUL);
             const float lamps_x = left + 16.0f * u + ui_text_width(&label, words) + 28.0f * u;
             ui_plate(frame, (struct ui_box){ left, top, lamps_x + 72.0f * u - left, height });

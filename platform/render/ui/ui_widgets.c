@@ -1,13 +1,18 @@
-/* ui_widgets.c -- drawing functions that several screens share: plates, hints and small signs. */
+/* ui_widgets.c -- drawing functions that several screens share: plates, hints, small signs, credits
+ * and warnings. */
 #include "platform/render/ui/ui_widgets.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/game/accounting/credit.h"
 
 #define HINT_FADE_S 0.35f
+/* Time in seconds for which the coin request is emphasized after a player tried to start without
+ * credit. */
+#define ASK_S 1.2f
 
 /* These colours equal the colours of the players' pois in the tank. */
 const uint32_t ui_player_colours[POI_MAX] = { 0xf74c75ffu, 0x3385f2ffu, 0x40c25cffu, 0xfabd29ffu };
@@ -26,6 +31,7 @@ void ui_fish_sign(const struct ui_frame *frame, float x, float y, float width)
 void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, float paper_left,
                  uint32_t ring)
 {
+    CORE_ASSERT(radius > 0.0f);
     const float reach = 1.5f * radius; /* The box is larger than the ring because the poi's handle
                                           extends to the lower right. */
     ui_shape(frame->batch,
@@ -104,23 +110,24 @@ void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, fl
                      enum text_key key)
 {
     const float u = frame->unit, pulse = ui_pulse(frame->time_s, 2.4f);
-    const float asking = ui_credit_prompt(scene);
+    const struct scene_credit *credit = &scene->credit;
+    const int lacks_poi = ui_lacks_poi(scene);
+    /* The strength of the emphasis is 1 when a player tries to start without credit, and then
+     * decreases to 0. */
+    const float asking = credit->unpaid ? 1.0f - ui_smooth(0.0f, ASK_S, credit->asked_s) : 0.0f;
     const struct ui_box halo = { 0.5f * frame->width - 400.0f * u, y - 64.0f * u, 800.0f * u,
                                  128.0f * u };
     char coins[TEXT_LINE_MAX];
-    if (ui_refuses_coins(scene)) {
-        return;
+    if (credit->unpaid && credit->warnings != 0 && !lacks_poi) {
+        return; /* An inserted coin would be returned. The screen shows only the reason. */
     }
-    ui_coin_words(scene, coins, sizeof coins);
-    const enum text_key asks = ui_lacks_poi(scene) ? TEXT_START_NO_POI : key;
-    const int is_coin = scene->credit.unpaid && !ui_lacks_poi(scene);
-    const char *const words = is_coin ? coins : ui_words(frame, asks);
-    ui_shape(
-        frame->batch,
-        &(struct ui_shape){ .box = halo,
-                            .kind = UI_GLOW,
-                            .shape = { 0, 0, 1.0f },
-                            .fill = ui_fade(0xff7a30b0u, fmaxf(0.25f + 0.55f * pulse, asking)) });
+    const uint32_t worth = credit->coin_units > 0 ? credit->coin_units : 1u;
+    const uint32_t missing = credit->price > credit->units ? credit->price - credit->units : 0u;
+    text_number(coins, sizeof coins, ui_words(frame, TEXT_COIN), (missing + worth - 1u) / worth);
+    const int is_coin = credit->unpaid && !lacks_poi;
+    const char *const words =
+        is_coin ? coins : ui_words(frame, lacks_poi ? TEXT_START_NO_POI : key);
+    ui_glow(frame, halo, ui_fade(0xff7a30b0u, fmaxf(0.25f + 0.55f * pulse, asking)));
     const struct ui_ribbon ribbon = {
         .y = y,
         .size_px = (35.0f + 6.0f * asking) * u,
@@ -134,6 +141,7 @@ void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, fl
 
 void ui_best_words(const struct scene *scene, char *out, size_t out_size)
 {
+    CORE_ASSERT(out_size > 0);
     const enum text_key key = scene->best_today > 0 ? TEXT_BEST_TODAY : TEXT_NO_BEST;
     text_number(out, out_size, text_words(scene->language, key), scene->best_today);
 }
@@ -141,6 +149,7 @@ void ui_best_words(const struct scene *scene, char *out, size_t out_size)
 void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float size_px,
                  float alpha, const char *words)
 {
+    CORE_ASSERT(alpha >= 0.0f && alpha <= 1.0f);
     const struct ui_text text = { .font = font,
                                   .size_px = size_px,
                                   .align = 0.5f,
@@ -161,9 +170,6 @@ void ui_big_word(const struct ui_frame *frame, enum font_id font, float y, float
 /* Time in seconds for which the credit plate is enlarged after a coin was inserted. */
 #define CLINK_S 0.5f
 #define COMING_WIDTH 84.0f /* Width of the text "+99" with its margins, in layout units. */
-/* Time in seconds for which the coin request is emphasized after a player tried to start without
- * credit. */
-#define ASK_S 1.2f
 
 /* Width and lower edge, in layout units, of the plates at the sides of the screen during a round.
  * The stress legend of ui_round.c is the widest and the lowest plate. */
@@ -230,25 +236,6 @@ void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x
 int ui_lacks_poi(const struct scene *scene)
 {
     return (scene->credit.warnings & WARN_NO_POI) != 0;
-}
-
-int ui_refuses_coins(const struct scene *scene)
-{
-    return scene->credit.unpaid && scene->credit.warnings != 0 && !ui_lacks_poi(scene);
-}
-
-float ui_credit_prompt(const struct scene *scene)
-{
-    return scene->credit.unpaid ? 1.0f - ui_smooth(0.0f, ASK_S, scene->credit.asked_s) : 0.0f;
-}
-
-void ui_coin_words(const struct scene *scene, char *out, size_t out_size)
-{
-    const struct scene_credit *credit = &scene->credit;
-    const uint32_t worth = credit->coin_units > 0 ? credit->coin_units : 1u;
-    const uint32_t missing = credit->price > credit->units ? credit->price - credit->units : 0u;
-    text_number(out, out_size, text_words(scene->language, TEXT_COIN),
-                (missing + worth - 1u) / worth);
 }
 
 static void warning(const struct ui_frame *frame, float y, float room_px, enum text_key key)

@@ -1,5 +1,5 @@
 /* ui_widgets.h -- drawing functions that several screens share, such as plates, hints, signs and
- * player marks, and one function for each whole screen. */
+ * player marks, the leaderboard, and one function for each whole screen. */
 #ifndef KINGYO_PLATFORM_RENDER_UI_UI_WIDGETS_H
 #define KINGYO_PLATFORM_RENDER_UI_UI_WIDGETS_H
 
@@ -31,7 +31,7 @@ void ui_hint_ribbon(const struct ui_frame *frame, const struct scene *scene,
 
 /* Draws the glowing ribbon with the request to start (text `key`), centred at height `y`.
  * Without credit, the ribbon requests coins. If no slot has a controller, the ribbon requests a
- * controller. */
+ * controller. Draws nothing if no round is paid and an inserted coin would be returned. */
 void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, float y,
                      enum text_key key);
 
@@ -40,17 +40,6 @@ void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x
 
 /* Returns 1 if no player can play because no slot has a controller, otherwise 0. */
 int ui_lacks_poi(const struct scene *scene);
-
-/* Returns 1 if no round is paid and an inserted coin would be returned, otherwise 0. If 1, the
- * screen shows only the reason and does not request coins. */
-int ui_refuses_coins(const struct scene *scene);
-
-/* Writes how many coins are missing for a round, as a text. */
-void ui_coin_words(const struct scene *scene, char *out, size_t out_size);
-
-/* Returns the strength, from 1 down to 0, with which the coin request is emphasized. The value is 1
- * when a player tries to start without credit, and then decreases to 0. */
-float ui_credit_prompt(const struct scene *scene);
 
 /* Draws the active warnings over all other drawings, for example that the cabinet is shaken, that
  * its door is open, or that no controller is present. */

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/game/lab/lab.h"
 #include "platform/key_colour.h"
 #include "platform/render/ui/ui_widgets.h"
@@ -42,6 +43,7 @@ struct ui_box lab_place(const struct lab_page *page, enum lab_part part)
 
 uint32_t lab_key_colour(uint32_t key_count, uint32_t key)
 {
+    CORE_ASSERT(key < key_count && key_count <= MORPH_KEY_MAX);
     return key_colour(key_count, key) << 8 | 0xffu;
 }
 
@@ -53,12 +55,6 @@ int lab_is_pointed(const struct lab_page *page, enum lab_part part)
 struct ui_text lab_text(const struct lab_page *page, float size, uint32_t fill)
 {
     return (struct ui_text){ .font = FONT_BODY, .size_px = size * page->frame.unit, .fill = fill };
-}
-
-void lab_words_in(const struct lab_page *page, struct ui_box box, const struct ui_text *style,
-                  const char *words)
-{
-    ui_words_in(&page->frame, box, style, words);
 }
 
 /* ---- Buttons -------------------------------------------------------------------------------- */
@@ -98,15 +94,15 @@ static void word_button(const struct lab_page *page, const struct button *button
     const struct ui_text style = lab_text(
         page, is_small ? 20.0f : 23.0f, button->is_idle ? ui_fade(BUTTON_INK, 0.45f) : BUTTON_INK);
     const float margin = (is_small ? 3.0f : 10.0f) * u;
-    lab_words_in(page,
-                 (struct ui_box){ box.x + margin, box.y, box.width - 2.0f * margin, box.height },
-                 &style, button->words);
+    ui_words_in(&page->frame,
+                (struct ui_box){ box.x + margin, box.y, box.width - 2.0f * margin, box.height },
+                &style, button->words);
 }
 
 static void sign(const struct lab_page *page, struct ui_box box, enum text_key key)
 {
     const struct ui_text style = lab_text(page, 30.0f, BUTTON_INK);
-    lab_words_in(page, box, &style, ui_words(&page->frame, key));
+    ui_words_in(&page->frame, box, &style, ui_words(&page->frame, key));
 }
 
 static void arrow_button(const struct lab_page *page, enum lab_part part, enum text_key key)
@@ -150,7 +146,8 @@ static void buttons(const struct lab_page *page)
     }
     const struct ui_text style = lab_text(page, 23.0f, BUTTON_INK);
     const struct ui_box room = { box.x + 64.0f * u, box.y, box.width - 76.0f * u, box.height };
-    lab_words_in(page, room, &style, ui_words(&page->frame, plays ? TEXT_LAB_STOP : TEXT_LAB_PLAY));
+    ui_words_in(&page->frame, room, &style,
+                ui_words(&page->frame, plays ? TEXT_LAB_STOP : TEXT_LAB_PLAY));
     const enum text_key save_words = !lab->is_kept                 ? TEXT_LAB_SAVE
                                      : lab->keeping == LAB_SAVED   ? TEXT_LAB_SAVED
                                      : lab->keeping == LAB_SAVING  ? TEXT_LAB_SAVING
@@ -172,10 +169,10 @@ static void name_plate(const struct lab_page *page)
     char of[24];
     snprintf(of, sizeof of, "%u / %u", lab->species + 1u, lab->species_count);
     ui_panel(&page->frame, UI_WASHI, box, 10.0f * u, 2.0f * u, LAB_PAPER, LAB_PAPER_LINE);
-    const struct ui_text name = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = LAB_INK };
+    const struct ui_text name = ui_style(&page->frame, FONT_STALL, 34.0f, 0.0f, LAB_INK, 0.0f);
     struct ui_text small = lab_text(page, 20.0f, LAB_INK_SOFT);
     const struct ui_box room = { box.x + 16.0f * u, box.y, box.width - 120.0f * u, box.height };
-    lab_words_in(page, room, &name, lab_species_name(language, lab->card.id));
+    ui_words_in(&page->frame, room, &name, lab_name(language, lab->card.id));
     small.align = 1.0f;
     ui_text_at(&page->frame, &small, box.x + box.width - 18.0f * u, box.y + 0.5f * box.height, of);
 }
@@ -207,13 +204,13 @@ static void help_line(const struct lab_page *page)
     }
     if (turn == 0) {
         const struct ui_text style = lab_text(page, 20.0f, 0xc9d2eeffu);
-        lab_words_in(page, room, &style, ui_words(&page->frame, TEXT_LAB_HELP));
+        ui_words_in(&page->frame, room, &style, ui_words(&page->frame, TEXT_LAB_HELP));
     } else if (turn <= counted) {
         char words[TEXT_LINE_MAX];
         const struct ui_text refused_style = lab_text(page, 20.0f, REFUSED);
         text_number(words, sizeof words, ui_words(&page->frame, TEXT_LAB_REFUSED),
                     page->lab->refused);
-        lab_words_in(page, room, &refused_style, words);
+        ui_words_in(&page->frame, room, &refused_style, words);
     } else {
         const struct library_line fault = library_fault(page->library, turn - 1u - counted);
         /* The reason is below the name of the rejected file. */
@@ -222,8 +219,8 @@ static void help_line(const struct lab_page *page)
         const struct ui_box lower = { room.x, room.y + half, room.width, half };
         struct ui_text fault_style = lab_text(page, 18.0f, REFUSED);
         fault_style.size_px = fminf(fault_style.size_px, 0.9f * half);
-        lab_words_in(page, upper, &fault_style, fault.file);
-        lab_words_in(page, lower, &fault_style, fault.why);
+        ui_words_in(&page->frame, upper, &fault_style, fault.file);
+        ui_words_in(&page->frame, lower, &fault_style, fault.why);
     }
 }
 
@@ -277,9 +274,6 @@ void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_m
     const float radius = (lab->presses ? 12.0f : 16.0f) * u;
     const struct ui_box glow = { x - 2.2f * radius, y - 2.2f * radius, 4.4f * radius,
                                  4.4f * radius };
-    ui_shape(page.frame.batch, &(struct ui_shape){ .box = glow,
-                                                   .kind = UI_GLOW,
-                                                   .fill = lab->presses ? 0xff9a50a0u : 0xffffff38u,
-                                                   .shape = { 0, 0, 1.0f } });
+    ui_glow(&page.frame, glow, lab->presses ? 0xff9a50a0u : 0xffffff38u);
     ui_poi_sign(&page.frame, x, y, radius, 0.0f, ui_player_colours[0]);
 }

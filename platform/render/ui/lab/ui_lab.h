@@ -47,21 +47,14 @@ int lab_is_pointed(const struct lab_page *page, enum lab_part part);
  * 22. */
 struct ui_text lab_text(const struct lab_page *page, float size, uint32_t fill);
 
-/* Draws a line of text that is centred in a box and shrunk to the width of the box. */
-void lab_words_in(const struct lab_page *page, struct ui_box box, const struct ui_text *style,
-                  const char *words);
-
 /* Writes an age such as "45 days" or "3.2 years". */
 void lab_age_words(uint8_t language, float age_days, char *out, size_t out_size);
 /* Writes a length such as "23.4 mm" or "12.3 cm". */
 void lab_length_words(float length_m, char *out, size_t out_size);
 
-/* Returns the name of a species in the screen's language. If there is no translation, returns `id`,
- * the identifier in the species file. */
-const char *lab_species_name(uint8_t language, const char *id);
-/* Returns the name of a key (modelled growth stage) in the screen's language. If there is no
- * translation, returns `name`, the identifier in the species file. */
-const char *lab_key_name(uint8_t language, const char *name);
+/* Returns the name of a species or of a key (modelled growth stage) in the screen's language. If
+ * there is no translation, returns `id`, the identifier in the species file. */
+const char *lab_name(uint8_t language, const char *id);
 
 /* Draws the aquarium with the fish. */
 void lab_stage(const struct lab_page *page);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/base/panic.h"
 #include "core/game/lab/lab.h"
 #include "platform/render/ui/lab/ui_lab.h"
 
@@ -96,6 +97,7 @@ static void length_axis(const struct lab_page *page, struct ui_box field)
 static void weight_curve(const struct lab_page *page, struct ui_box field, uint32_t key,
                          float width)
 {
+    CORE_ASSERT(key < page->lab->card.key_count);
     const struct graph *graph = &page->lab->card.curves[0];
     const uint32_t count = page->lab->card.key_count;
     const int straight = graph->line == GRAPH_STRAIGHT;
@@ -133,6 +135,7 @@ static void size_curve(const struct lab_page *page, struct ui_box field, float w
 
 static void weight_knots(const struct lab_page *page, struct ui_box field, uint32_t key)
 {
+    CORE_ASSERT(key < MORPH_KEY_MAX);
     const struct scene_lab *lab = page->lab;
     const struct graph *graph = &lab->card.curves[0];
     const int in_hand = lab->layer == key;
@@ -193,7 +196,7 @@ static void tool(const struct lab_page *page, enum lab_part part, enum text_key 
              colour);
     const struct ui_text style = lab_text(page, 19.5f, is_on ? 0xffffffffu : colour);
     const struct ui_box room = { box.x + 6.0f * u, box.y, box.width - 12.0f * u, box.height };
-    lab_words_in(page, room, &style, ui_words(&page->frame, key));
+    ui_words_in(&page->frame, room, &style, ui_words(&page->frame, key));
 }
 
 void lab_graph(const struct lab_page *page)
@@ -205,7 +208,7 @@ void lab_graph(const struct lab_page *page)
     const struct ui_text style = lab_text(page, 22.0f, LAB_INK);
     const struct ui_box room = { card.x + 16.0f * u, card.y + 4.0f * u, card.width - 32.0f * u,
                                  plot.y - card.y - 8.0f * u };
-    lab_words_in(page, room, &style, ui_words(&page->frame, TEXT_LAB_TITLE));
+    ui_words_in(&page->frame, room, &style, ui_words(&page->frame, TEXT_LAB_TITLE));
     const uint32_t count = page->lab->card.key_count;
     for (uint32_t key = 0; key < count; key++) {
         const float key_x = (float)key / (float)(count - 1u);
@@ -233,23 +236,6 @@ static struct moment moment_at(const struct species_card *card, float progress, 
 {
     return (struct moment){ life_age_days(card, progress) / most_days,
                             life_length_m(card, progress) / most_m };
-}
-
-/* Draws the growth curve in equal steps of age. Equal steps of progress through life would put most
- * points in the first weeks. */
-static void chart_curve(const struct lab_page *page, struct ui_box field, float most_days,
-                        float most_m)
-{
-    const struct species_card *card = &page->lab->card;
-    struct moment before = moment_at(card, 0.0f, most_days, most_m);
-    for (uint32_t i = 1; i <= CHART_STEPS; i++) {
-        const float share = (float)i / (float)CHART_STEPS;
-        const float progress = life_progress(card, share * share * most_days);
-        const struct moment after = moment_at(card, progress, most_days, most_m);
-        line_in(page, field, (const float[4]){ before.x, before.y, after.x, after.y }, 3.0f,
-                LAB_PURPLE);
-        before = after;
-    }
 }
 
 void lab_chart(const struct lab_page *page)
@@ -280,7 +266,17 @@ void lab_chart(const struct lab_page *page)
     style.align = 0.0f;
     ui_text(page->frame.batch, &style, field.x, field.y + field.height + 20.0f * u,
             ui_words(&page->frame, TEXT_LAB_CHART));
-    chart_curve(page, field, most_days, most_m);
+    /* The growth curve has equal steps of the square root of age. Equal steps of progress through
+     * life would put most points in the first weeks. */
+    struct moment before = moment_at(card, 0.0f, most_days, most_m);
+    for (uint32_t i = 1; i <= CHART_STEPS; i++) {
+        const float share = (float)i / (float)CHART_STEPS;
+        const float progress = life_progress(card, share * share * most_days);
+        const struct moment after = moment_at(card, progress, most_days, most_m);
+        line_in(page, field, (const float[4]){ before.x, before.y, after.x, after.y }, 3.0f,
+                LAB_PURPLE);
+        before = after;
+    }
     for (uint32_t key = 0; key <= last; key++) {
         const struct moment at = moment_at(card, (float)key / (float)last, most_days, most_m);
         dot_in(page, field, at.x, at.y, 5.0f, lab_key_colour(card->key_count, key), 0xffffffffu);

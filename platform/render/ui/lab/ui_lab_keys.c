@@ -1,9 +1,11 @@
 /* ui_lab_keys.c -- draws the key shapes (modelled growth stages) as their maker drew them, the
- * weight of each key at the current age, and the lifeline. */
+ * weight of each key at the current age, and the lifeline. Also returns the growth lab's names and
+ * figures in both languages. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/game/lab/lab.h"
 #include "platform/render/ui/lab/ui_lab.h"
 #include "platform/render/ui/text.h"
@@ -11,15 +13,29 @@
 #define DAYS_PER_YEAR 365.25f
 #define DAYS_TO_TELL 700.0f /* Minimum age in days that is written in years. */
 
-struct known {
-    const char *id;
-    enum text_key words;
-};
-
-static const char *look_up(uint8_t language, const struct known *known, size_t count,
-                           const char *id)
+const char *lab_name(uint8_t language, const char *id)
 {
-    for (size_t i = 0; i < count; i++) {
+    /* clang-format off */
+    static const struct {
+        const char *id;
+        enum text_key words;
+    } known[] = {
+        { "wakin", TEXT_FISH_WAKIN },          { "kurodai", TEXT_FISH_KURODAI },
+        { "shimafugu", TEXT_FISH_SHIMAFUGU },  { "kuroanago", TEXT_FISH_KUROANAGO },
+        { "hirame", TEXT_FISH_HIRAME },        { "ray", TEXT_FISH_RAY },
+        { "mebachi", TEXT_FISH_MEBACHI },
+        { "hatchling", TEXT_KEY_HATCHLING },   { "larva", TEXT_KEY_LARVA },
+        { "juvenile", TEXT_KEY_JUVENILE },     { "juvenile_b", TEXT_KEY_JUVENILE_B },
+        { "juvenile_c", TEXT_KEY_JUVENILE_C }, { "young", TEXT_KEY_YOUNG },
+        { "adult", TEXT_KEY_ADULT },           { "aoko", TEXT_KEY_AOKO },
+        { "kuroko", TEXT_KEY_KUROKO },         { "koaka", TEXT_KEY_KOAKA },
+        { "upright", TEXT_KEY_UPRIGHT },       { "crossing", TEXT_KEY_CROSSING },
+        { "settling", TEXT_KEY_SETTLING },     { "settled", TEXT_KEY_SETTLED },
+        { "leaf", TEXT_KEY_LEAF },             { "long_leaf", TEXT_KEY_LONG_LEAF },
+        { "shrinking", TEXT_KEY_SHRINKING },   { "newborn", TEXT_KEY_NEWBORN },
+    };
+    /* clang-format on */
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         if (strcmp(known[i].id, id) == 0) {
             return text_words(language, known[i].words);
         }
@@ -27,37 +43,9 @@ static const char *look_up(uint8_t language, const struct known *known, size_t c
     return id;
 }
 
-const char *lab_species_name(uint8_t language, const char *id)
-{
-    static const struct known known[] = {
-        { "wakin", TEXT_FISH_WAKIN },         { "kurodai", TEXT_FISH_KURODAI },
-        { "shimafugu", TEXT_FISH_SHIMAFUGU }, { "kuroanago", TEXT_FISH_KUROANAGO },
-        { "hirame", TEXT_FISH_HIRAME },       { "ray", TEXT_FISH_RAY },
-        { "mebachi", TEXT_FISH_MEBACHI },
-    };
-    return look_up(language, known, sizeof known / sizeof *known, id);
-}
-
-const char *lab_key_name(uint8_t language, const char *name)
-{
-    /* clang-format off */
-    static const struct known known[] = {
-        { "hatchling", TEXT_KEY_HATCHLING }, { "larva", TEXT_KEY_LARVA },
-        { "juvenile", TEXT_KEY_JUVENILE },   { "juvenile_b", TEXT_KEY_JUVENILE_B },
-        { "juvenile_c", TEXT_KEY_JUVENILE_C }, { "young", TEXT_KEY_YOUNG },
-        { "adult", TEXT_KEY_ADULT },         { "aoko", TEXT_KEY_AOKO },
-        { "kuroko", TEXT_KEY_KUROKO },       { "koaka", TEXT_KEY_KOAKA },
-        { "upright", TEXT_KEY_UPRIGHT },     { "crossing", TEXT_KEY_CROSSING },
-        { "settling", TEXT_KEY_SETTLING },   { "settled", TEXT_KEY_SETTLED },
-        { "leaf", TEXT_KEY_LEAF },           { "long_leaf", TEXT_KEY_LONG_LEAF },
-        { "shrinking", TEXT_KEY_SHRINKING }, { "newborn", TEXT_KEY_NEWBORN },
-    };
-    /* clang-format on */
-    return look_up(language, known, sizeof known / sizeof *known, name);
-}
-
 void lab_age_words(uint8_t language, float age_days, char *out, size_t out_size)
 {
+    CORE_ASSERT(out_size > 0);
     char number[16];
     const int in_days = age_days < DAYS_TO_TELL;
     const float value = in_days ? age_days : age_days / DAYS_PER_YEAR;
@@ -73,6 +61,7 @@ void lab_age_words(uint8_t language, float age_days, char *out, size_t out_size)
 
 void lab_length_words(float length_m, char *out, size_t out_size)
 {
+    CORE_ASSERT(out_size > 0);
     const float mm = 1000.0f * length_m;
     if (mm < 9.95f) {
         snprintf(out, out_size, "%.1f mm", (double)mm);
@@ -105,6 +94,7 @@ static void weight_bar(const struct lab_page *page, struct ui_box box, uint32_t 
 
 static void key_card(const struct lab_page *page, uint32_t key)
 {
+    CORE_ASSERT(key < page->lab->card.key_count);
     const float u = page->frame.unit;
     const struct scene_lab *lab = page->lab;
     const struct ui_box box = lab_place(page, part_of_key(key));
@@ -140,12 +130,13 @@ static void key_card(const struct lab_page *page, uint32_t key)
     const struct ui_text name = lab_text(page, 18.5f, LAB_INK);
     const struct ui_box title = { box.x + 8.0f * u, box.y + 6.0f * u, box.width - 16.0f * u,
                                   20.0f * u };
-    lab_words_in(page, title, &name, lab_key_name(page->frame.language, lab->card.key_names[key]));
+    ui_words_in(&page->frame, title, &name,
+                lab_name(page->frame.language, lab->card.key_names[key]));
     snprintf(percent, sizeof percent, "%.0f %%", (double)(100.0f * lab->weight[key]));
     const struct ui_text number = lab_text(page, 20.0f, colour);
     const struct ui_box amount = { box.x + 8.0f * u, box.y + box.height - 40.0f * u,
                                    box.width - 16.0f * u, 20.0f * u };
-    lab_words_in(page, amount, &number, percent);
+    ui_words_in(&page->frame, amount, &number, percent);
     weight_bar(page,
                (struct ui_box){ box.x + 10.0f * u, box.y + box.height - 17.0f * u,
                                 box.width - 20.0f * u, 8.0f * u },
@@ -153,21 +144,6 @@ static void key_card(const struct lab_page *page, uint32_t key)
 }
 
 /* ---- Lifeline: axis of progress from hatching to adult -------------------------------------- */
-
-static void handle(const struct lab_page *page, float y)
-{
-    const float u = page->frame.unit;
-    const struct scene_lab *lab = page->lab;
-    const float x = lab_px_x(page, lab_age_x(lab->upright, lab->card.key_count, lab->progress));
-    const int lit = lab->holds == HOLD_AGE || lab_is_pointed(page, LAB_AGE);
-    const float r = (lit ? 17.0f : 14.5f) * u;
-    const struct ui_box glow = { x - 2.4f * r, y - 2.4f * r, 4.8f * r, 4.8f * r };
-    ui_shape(page->frame.batch, &(struct ui_shape){ .box = glow,
-                                                    .kind = UI_GLOW,
-                                                    .fill = lit ? 0xffb050b0u : 0xffb05060u,
-                                                    .shape = { 0, 0, 1.0f } });
-    ui_disc(&page->frame, x, y, r, 3.0f * u, UI_VERMILION, 0xfff4deffu);
-}
 
 void lab_keys(const struct lab_page *page)
 {
@@ -198,5 +174,12 @@ void lab_keys(const struct lab_page *page)
         style.fit_px = 130.0f * u;
         ui_text(page->frame.batch, &style, x, y + 32.0f * u, words);
     }
-    handle(page, y);
+    const float handle_x =
+        lab_px_x(page, lab_age_x(lab->upright, lab->card.key_count, lab->progress));
+    const int lit = lab->holds == HOLD_AGE || lab_is_pointed(page, LAB_AGE);
+    const float handle_r = (lit ? 17.0f : 14.5f) * u;
+    const struct ui_box glow = { handle_x - 2.4f * handle_r, y - 2.4f * handle_r, 4.8f * handle_r,
+                                 4.8f * handle_r };
+    ui_glow(&page->frame, glow, lit ? 0xffb050b0u : 0xffb05060u);
+    ui_disc(&page->frame, handle_x, y, handle_r, 3.0f * u, UI_VERMILION, 0xfff4deffu);
 }

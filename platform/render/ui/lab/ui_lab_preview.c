@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/species/part.h"
 
 /* ---- Trajectories --------------------------------------------------------------------------- */
@@ -13,6 +14,7 @@
 static vec3 ui_lab_preview_point_at(struct ui_lab_preview *bench, const struct species *species,
                                     const struct morph_rig *rig, uint32_t vertex, float progress)
 {
+    CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
     struct species_mesh one = species->lod[0];
     vec3 position;
     morph_pose(rig, &one, progress, &bench->pose);
@@ -46,6 +48,7 @@ static void walk(struct ui_lab_preview *bench, uint32_t vertex, struct lab_previ
 void ui_lab_preview_set(struct ui_lab_preview *bench, const struct species *species,
                         const struct species_card *card)
 {
+    CORE_ASSERT(card->key_count == species->card.key_count);
     const bool is_new = species != bench->species;
     if (is_new) {
         bench->species = species;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/base/panic.h"
 #include "platform/render/ui/lab/ui_lab.h"
 
 #define TAU 6.28318531f
@@ -35,6 +36,7 @@ struct tank_room {
 
 static struct tank_room room_of(const struct lab_page *page, uint32_t half)
 {
+    CORE_ASSERT(half < 2u);
     const float u = page->frame.unit;
     struct ui_box box = lab_place(page, LAB_STAGE);
     if (page->lab->compare && page->lab->upright) {
@@ -104,6 +106,7 @@ static struct specimen fish_in(const struct lab_page *page, const struct tank_ro
  * power of ten, and at least `least_px` pixels on the screen. */
 static float step_m(float px_per_m, float least_px)
 {
+    CORE_ASSERT(px_per_m > 0.0f);
     static const float steps[3] = { 1.0f, 2.0f, 5.0f };
     float power = 1e-5f;
     for (uint32_t i = 0; i < 24u; i++) {
@@ -158,8 +161,8 @@ static void ruler(const struct lab_page *page, const struct tank_room *room,
         }
     }
     if (page->lab->card.measure == MEASURE_DISC) {
-        return; /* The width of a disc-shaped body is measured, and a ruler below the fish cannot show
-                   the width. */
+        return; /* A disc-shaped body is measured by its width, which a ruler below the fish cannot
+                   show. */
     }
     /* A bracket marks the measured length. */
     const float left[2] = { zero, rule.y + 1.5f * u };

@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "core/base/panic.h"
+
 /* ---- Functions that all pages share: positions and texts ------------------------------------ */
 
 struct ui_box menu_place(const struct menu_view *view, struct layout_box box)
@@ -42,6 +44,7 @@ struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fil
 void menu_words_at(const struct menu_view *view, float x, float y, float room, float align,
                    const struct ui_text *style, const char *words)
 {
+    CORE_ASSERT(align >= 0.0f && align <= 1.0f);
     struct ui_text fitted = *style;
     fitted.fit_px = room;
     fitted.size_px = ui_text_size(&fitted, words);
@@ -127,7 +130,7 @@ static void foot_tag(const struct menu_view *view, uint32_t tag, enum text_key k
 {
     const float u = view->frame.unit;
     const struct ui_box box = menu_tag_board(view, tag);
-    const struct ui_text name = { .font = FONT_STALL, .size_px = 34.0f * u, .fill = MENU_INK };
+    const struct ui_text name = ui_style(&view->frame, FONT_STALL, 34.0f, 0.0f, MENU_INK, 0.0f);
     const int turns_down = key == TEXT_FOOT_UP && view->menu->turns_down;
     ui_words_in(&view->frame,
                 (struct ui_box){ box.x + 12.0f * u, box.y, box.width - 24.0f * u, box.height },
@@ -201,7 +204,8 @@ static void body(const struct menu_view *view)
 
 static void page(const struct menu_view *view)
 {
-    /* A veil darkens the tank, so that the menu's text is readable over the bright lights of the tank. */
+    /* A veil darkens the tank, so that the menu's text is readable over the bright lights of the
+     * tank. */
     const struct ui_box box = { 0.0f, 0.0f, view->frame.width, view->frame.height };
     ui_panel(&view->frame, UI_PANEL, box, 0.0f, 0.0f, 0x090d24dcu, 0);
     title(view);
@@ -274,39 +278,30 @@ void menu_confirm(const struct menu_view *view)
 
 /* ---- PIN page: ten number keys, and a place for each digit ----------------------------------- */
 
-static struct ui_box pin_slot(const struct menu_view *view, uint32_t index)
-{
-    const int upright = view->menu->upright;
-    const float size = upright ? 120.0f : 92.0f, gap = upright ? 36.0f : 28.0f;
-    const float width = (float)MENU_PIN_DIGITS * (size + gap) - gap;
-    const float left = 0.5f * (pointer_layout_size(upright).x - width);
-    return menu_place(view, (struct layout_box){ left + (float)index * (size + gap),
-                                                 upright ? 260.0f : 124.0f, size, size });
-}
-
-static char digit_at(const struct scene_menu *menu, uint32_t index)
-{
-    uint32_t pin = menu->pin;
-    for (uint32_t i = index + 1u; i < menu->pin_count; i++) {
-        pin /= 10u;
-    }
-    return (char)('0' + pin % 10u);
-}
-
 /* Draws one place for each digit. The digits of a new PIN are visible. When an existing PIN is
  * entered, a fish replaces each digit. */
 static void pin_slots(const struct menu_view *view)
 {
     const struct scene_menu *menu = view->menu;
     const float u = view->frame.unit;
-    const struct ui_text style = { .font = FONT_STALL, .size_px = 56.0f * u, .fill = UI_INK };
+    const int upright = menu->upright;
+    const float size = upright ? 120.0f : 92.0f, gap = upright ? 36.0f : 28.0f, pitch = size + gap;
+    const float width = (float)MENU_PIN_DIGITS * pitch - gap;
+    const float left = 0.5f * (pointer_layout_size(upright).x - width);
+    const struct ui_text style = ui_style(&view->frame, FONT_STALL, 56.0f, 0.0f, UI_INK, 0.0f);
     for (uint32_t i = 0; i < MENU_PIN_DIGITS; i++) {
-        const struct ui_box box = pin_slot(view, i);
         const int is_typed = i < menu->pin_count;
+        const struct ui_box box =
+            menu_place(view, (struct layout_box){ left + (float)i * pitch,
+                                                  upright ? 260.0f : 124.0f, size, size });
         ui_panel(&view->frame, UI_WASHI, box, 10.0f * u, 2.0f * u,
                  is_typed ? UI_WASHI_WHITE : 0xfbf2dd60u, 0xb5762fffu);
         if (is_typed && menu->page == MENU_NEW_PIN) {
-            const char digit[2] = { digit_at(menu, i), 0 };
+            uint32_t pin = menu->pin;
+            for (uint32_t k = i + 1u; k < menu->pin_count; k++) {
+                pin /= 10u;
+            }
+            const char digit[2] = { (char)('0' + pin % 10u), 0 };
             ui_words_in(&view->frame, box, &style, digit);
         } else if (is_typed) {
             ui_fish_sign(&view->frame, box.x + 0.5f * box.width, box.y + 0.5f * box.height,
@@ -317,9 +312,7 @@ static void pin_slots(const struct menu_view *view)
 
 static void pin_keys(const struct menu_view *view)
 {
-    const struct ui_text style = { .font = FONT_STALL,
-                                   .size_px = 70.0f * view->frame.unit,
-                                   .fill = MENU_INK };
+    const struct ui_text style = ui_style(&view->frame, FONT_STALL, 70.0f, 0.0f, MENU_INK, 0.0f);
     for (uint32_t tag = 0; tag < PIN_ERASE; tag++) {
         if (view->menu->tags >> tag & 1u) {
             const struct ui_box box = menu_tag_board(view, tag);

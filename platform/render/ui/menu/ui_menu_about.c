@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/core.h"
 #include "platform/render/ui/menu/ui_menu.h"
 #include "platform/render/ui/text.h"
@@ -34,6 +35,7 @@ static const struct places upright_places = {
 static void device(const struct menu_view *view, const struct places *places, struct ui_box box,
                    uint32_t index)
 {
+    CORE_ASSERT(index < ABOUT_COUNT);
     static const enum text_key names[ABOUT_COUNT] = {
         TEXT_DEVICE_DISPLAY, TEXT_DEVICE_SOUND,    TEXT_DEVICE_STORE,    TEXT_DEVICE_CONTROLLERS,
         TEXT_DEVICE_BUTTONS, TEXT_DEVICE_SWITCHES, TEXT_DEVICE_WATCHDOG,
@@ -139,6 +141,7 @@ static const struct state_look looks[FILE_STATE_COUNT] = {
 
 size_t menu_fill_line(const struct ui_text *style, const char *words, float room_px)
 {
+    CORE_ASSERT(style && words);
     const char *at = words, *fits = words, *gap = NULL;
     float width_em = 0.0f;
     for (uint32_t code = printable_next(&at); code != 0; code = printable_next(&at)) {
@@ -156,6 +159,7 @@ size_t menu_fill_line(const struct ui_text *style, const char *words, float room
 void menu_take_line(const struct ui_text *style, const char **words, float room_px, int is_last,
                     char *out, size_t out_size)
 {
+    CORE_ASSERT(out_size > 0);
     const size_t size = is_last ? strlen(*words) : menu_fill_line(style, *words, room_px);
     snprintf(out, out_size, "%.*s", (int)size, *words);
     *words += size;
@@ -165,6 +169,7 @@ void menu_take_line(const struct ui_text *style, const char **words, float room_
 
 static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t state)
 {
+    CORE_ASSERT(state < FILE_STATE_COUNT);
     const float u = view->frame.unit;
     const struct ui_text style = menu_style(view, 22.0f, MENU_CREAM);
     ui_panel(&view->frame, UI_PANEL, box, 7.0f * u, 0.0f, looks[state].paint, 0);
@@ -201,8 +206,8 @@ static void slip(const struct menu_view *view, const struct file_places *places,
                                    box.width - 32.0f * u, box.height };
     struct ui_text name = menu_style(view, 26.0f, UI_INK);
     char words[SCENE_NAME_SIZE + SCENE_FILE_SIZE], said[WORDS_SIZE];
-    /* Row 0 is the store, whose name is a text of the menu. If the name of a file is unknown, as in a
-     * recording, the number of the row replaces the name. */
+    /* Row 0 is the store, whose name is a text of the menu. If the name of a file is unknown, as in
+     * a recording, the number of the row replaces the name. */
     if (row == 0) {
         snprintf(words, sizeof words, "%s", menu_text(view, TEXT_FILE_STORE));
     } else if (file->state == FILE_UNKNOWN) {

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/base/panic.h"
 #include "core/game/accounting/audits.h"
 #include "core/game/ranking/ranking.h"
 #include "platform/render/ui/menu/ui_menu.h"
@@ -60,6 +61,7 @@ static void write_count(char out[NUMBER_SIZE], uint32_t count)
 static void lines(const struct menu_view *view, struct ui_box box, uint32_t columns,
                   const struct book_line *line, uint32_t count)
 {
+    CORE_ASSERT(columns > 0 && count > 0);
     const float u = view->frame.unit;
     const uint32_t rows = (count + columns - 1u) / columns;
     const float pitch = fminf((box.height - 24.0f * u) / (float)rows, 76.0f * u);
@@ -211,6 +213,7 @@ static void bars(const struct menu_view *view, struct ui_box box, enum text_key 
                  void (*name)(const struct menu_view *view, uint32_t index, char *out,
                               size_t out_size))
 {
+    CORE_ASSERT(count > 0);
     const float u = view->frame.unit, left = box.x + 24.0f * u;
     const float pitch = (box.width - 48.0f * u) / (float)count;
     const float base = box.y + box.height - 44.0f * u, room = box.height - 124.0f * u;
@@ -287,12 +290,8 @@ static void board_words(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
     const struct scene_leaderboard *board = &view->scene->leaderboard;
-    const struct ui_text mode = { .font = FONT_STALL,
-                                  .size_px = 27.0f * view->frame.unit,
-                                  .fill = UI_GOLD };
-    const struct ui_text period = { .font = FONT_STALL,
-                                    .size_px = 31.0f * view->frame.unit,
-                                    .fill = MENU_CREAM };
+    const struct ui_text mode = ui_style(&view->frame, FONT_STALL, 27.0f, 0.0f, UI_GOLD, 0.0f);
+    const struct ui_text period = ui_style(&view->frame, FONT_STALL, 31.0f, 0.0f, MENU_CREAM, 0.0f);
     ui_words_in(&view->frame,
                 menu_place(view, upright ? (struct layout_box){ 127.0f, 152.0f, 250.0f, 44.0f }
                                          : (struct layout_box){ 60.0f, 30.0f, 250.0f, 36.0f }),
@@ -306,20 +305,16 @@ static void board_words(const struct menu_view *view)
 /* Draws a score such as "3.  きんぎょ  12 fish" on a wooden board. */
 static void score_words(const struct menu_view *view, uint32_t index, struct ui_box box)
 {
+    CORE_ASSERT(index < SCENE_LEADERBOARD_ROWS);
     const struct scene_row *row = &view->scene->leaderboard.row[index];
     const float u = view->frame.unit, y = box.y + 0.5f * box.height;
-    const struct ui_text place = {
-        .font = FONT_STALL, .size_px = 28.0f * u, .align = 1.0f, .fill = MENU_INK_SOFT
-    };
-    const struct ui_text name = {
-        .font = FONT_STALL, .size_px = 32.0f * u, .fill = MENU_INK, .fit_px = box.width - 320.0f * u
-    };
-    const struct ui_text count = {
-        .font = FONT_STALL, .size_px = 32.0f * u, .align = 1.0f, .fill = MENU_INK
-    };
-    const struct ui_text unit = {
-        .font = FONT_STALL, .size_px = 22.0f * u, .align = 1.0f, .fill = MENU_INK_SOFT
-    };
+    const struct ui_text place =
+        ui_style(&view->frame, FONT_STALL, 28.0f, 1.0f, MENU_INK_SOFT, 0.0f);
+    const struct ui_text name =
+        ui_style(&view->frame, FONT_STALL, 32.0f, 0.0f, MENU_INK, box.width - 320.0f * u);
+    const struct ui_text count = ui_style(&view->frame, FONT_STALL, 32.0f, 1.0f, MENU_INK, 0.0f);
+    const struct ui_text unit =
+        ui_style(&view->frame, FONT_STALL, 22.0f, 1.0f, MENU_INK_SOFT, 0.0f);
     char number[12];
     text_number(number, sizeof number, "{}", index + 1u);
     ui_text_at(&view->frame, &place, box.x + 70.0f * u, y, number);

@@ -1,12 +1,13 @@
 /* ui_menu_calibrate.c -- draws the calibration page and the learning page.
  *
  * The calibration page first shows the tank from above with four marks and the next instruction. In
- * the last step, the page shows the water from the side, and the operator lays the poi on the water.
- * On the learning page, the operator teaches the program the axes of a controller. An animated poi
- * in a basin demonstrates the motion that the operator must make. */
+ * the last step, the page shows the water from the side, and the operator lays the poi on the
+ * water. On the learning page, the operator teaches the program the axes of a controller. An
+ * animated poi in a basin demonstrates the motion that the operator must make. */
 #include <math.h>
 #include <stdio.h>
 
+#include "core/base/panic.h"
 #include "core/game/menu/menu.h"
 #include "platform/render/ui/menu/ui_menu.h"
 
@@ -75,8 +76,8 @@ static void paragraph(const struct menu_view *view, struct ui_box box, const str
 /* ---- Tank seen from above ------------------------------------------------------------------- */
 
 /* Draws the water of the basin from above, inside a wooden frame that is `margin` pixels wide. If
- * `from_the_side` is 1, draws the water from the side instead, with its surface in the middle of the
- * basin. Returns the box inside the frame. */
+ * `from_the_side` is 1, draws the water from the side instead, with its surface in the middle of
+ * the basin. Returns the box inside the frame. */
 static struct ui_box basin(const struct menu_view *view, struct ui_box box, float margin,
                            float radius, int from_the_side)
 {
@@ -172,6 +173,7 @@ static void state_line(const struct menu_view *view, struct ui_box box)
 
 void menu_calibration(const struct menu_view *view)
 {
+    CORE_ASSERT(view->menu->seat < POI_MAX);
     static const enum text_key names[CALIBRATE_STEPS] = {
         [CALIBRATE_IDLE] = TEXT_CALIBRATE_IDLE,
         [CALIBRATE_CORNER] = TEXT_CALIBRATE_CORNER_1,
@@ -308,6 +310,7 @@ static void dots(const struct menu_view *view, struct ui_box box, uint8_t step)
 
 void menu_learning(const struct menu_view *view)
 {
+    CORE_ASSERT(view->menu->controllers.learn_step < LEARN_STEP_COUNT);
     const struct learn_places *places = view->menu->upright ? &learn_upright : &learn_wide;
     const uint8_t step = view->menu->controllers.learn_step;
     const struct ui_box box = menu_place(view, places->basin);

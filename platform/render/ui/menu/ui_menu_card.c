@@ -7,6 +7,7 @@
  * middle and in the corners. The smallest letters are sharp only if the screen shows every pixel
  * separately. Four amber lines enclose the safe area for text. The distance of each amber line from
  * the picture's edge is 5 % of the picture's size. */
+#include "core/base/panic.h"
 #include "platform/render/ui/menu/ui_menu.h"
 
 #include <math.h>
@@ -29,6 +30,7 @@
 
 static void ui_menu_card_fill_box(const struct menu_view *view, struct ui_box box, uint32_t colour)
 {
+    CORE_ASSERT(box.width >= 0.0f && box.height >= 0.0f);
     ui_panel(&view->frame, UI_PANEL, box, 0.0f, 0.0f, colour, 0);
 }
 
@@ -63,23 +65,9 @@ static void outline(const struct menu_view *view, struct ui_box box, float px, u
  * square. The maximum is GRID_LINES_MAX. */
 static uint32_t grid_lines(float length, float side)
 {
+    CORE_ASSERT(side > 0.0f);
     const float lines = ceilf(0.5f * length / side);
     return lines < (float)GRID_LINES_MAX ? (uint32_t)lines : GRID_LINES_MAX;
-}
-
-static void colours(const struct menu_view *view, struct ui_box band)
-{
-    static const uint32_t bars[COLOUR_COUNT] = {
-        0xc0c0c0ffu, 0xc0c000ffu, 0x00c0c0ffu, 0x00c000ffu,
-        0xc000c0ffu, 0xc00000ffu, 0x0000c0ffu, 0x000000ffu
-    };
-    const float width = band.width / (float)COLOUR_COUNT;
-    for (uint32_t i = 0; i < COLOUR_COUNT; i++) {
-        const float from = floorf(band.x + (float)i * width);
-        const float to = floorf(band.x + (float)(i + 1u) * width);
-        ui_menu_card_fill_box(view, (struct ui_box){ from, band.y, to - from, band.height },
-                              bars[i]);
-    }
 }
 
 static uint32_t grey_of(uint32_t level)
@@ -159,7 +147,19 @@ void menu_card(const struct menu_view *view)
                                  .fill = CARD_WHITE });
     line_across(view, y, x - radius, x + radius, 1.0f, CARD_WHITE);
     line_down(view, x, y - radius, y + radius, 1.0f, CARD_WHITE);
-    colours(view, (struct ui_box){ left, middle - 2.5f * side, 6.0f * side, 1.5f * side });
+    const struct ui_box band =
+        (struct ui_box){ left, middle - 2.5f * side, 6.0f * side, 1.5f * side };
+    static const uint32_t bars[COLOUR_COUNT] = {
+        0xc0c0c0ffu, 0xc0c000ffu, 0x00c0c0ffu, 0x00c000ffu,
+        0xc000c0ffu, 0xc00000ffu, 0x0000c0ffu, 0x000000ffu
+    };
+    const float bar_width = band.width / (float)COLOUR_COUNT;
+    for (uint32_t i = 0; i < COLOUR_COUNT; i++) {
+        const float from = floorf(band.x + (float)i * bar_width);
+        const float to = floorf(band.x + (float)(i + 1u) * bar_width);
+        ui_menu_card_fill_box(view, (struct ui_box){ from, band.y, to - from, band.height },
+                              bars[i]);
+    }
     greys(view, (struct ui_box){ left, middle + 1.0f * side, 6.0f * side, 1.5f * side });
     letters(view, 0.5f * width, middle);
     all_letters(view);

@@ -1,11 +1,12 @@
 /* ui_menu_controllers.c -- draws the list of controllers, the page of one controller, and the page
- * of axes. For the controller of each slot (place of one of up to four controllers), the page of axes
- * shows the position over the tank, the rotation, the report rate and the longest time between two
- * reports. */
+ * of axes. For the controller of each slot (place of one of up to four controllers), the page of
+ * axes shows the position over the tank, the rotation, the report rate and the longest time between
+ * two reports. */
 #include <math.h>
 #include <stdio.h>
 
 #include "core/base/fmath.h"
+#include "core/base/panic.h"
 #include "platform/render/ui/menu/ui_menu.h"
 #include "platform/render/ui/text.h"
 
@@ -27,6 +28,7 @@ static const struct state_words states[CONTROLLER_STATE_COUNT] = {
  * as in a recording, writes the number of the row. */
 static void name_of(const struct menu_view *view, uint32_t row, char *out, size_t out_size)
 {
+    CORE_ASSERT(row < CONTROLLER_MAX);
     const char *name = view->devices->controller[row];
     if (name[0] != 0) {
         snprintf(out, out_size, "%.*s", (int)SCENE_NAME_SIZE, name);
@@ -38,6 +40,7 @@ static void name_of(const struct menu_view *view, uint32_t row, char *out, size_
 /* Draws a paper slip with the controller's state as a word. */
 static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t state)
 {
+    CORE_ASSERT(state < CONTROLLER_STATE_COUNT);
     const float u = view->frame.unit;
     const struct ui_text style = menu_style(view, 24.0f, MENU_CREAM);
     ui_panel(&view->frame, UI_PANEL, box, 8.0f * u, 1.5f * u, states[state].paint, 0xffe7b0a0u);
@@ -159,6 +162,7 @@ static const struct axis axes[AXIS_COUNT] = {
 static void ui_menu_axes_bar(const struct menu_view *view, const struct scene_axes *seat,
                              struct ui_box box, uint32_t axis)
 {
+    CORE_ASSERT(axis < AXIS_COUNT);
     const float values[AXIS_COUNT] = { seat->position_m.x,     seat->position_m.y,
                                        seat->position_m.z,     seat->angles.yaw_rad,
                                        seat->angles.pitch_rad, seat->angles.roll_rad };
@@ -212,6 +216,7 @@ static void ui_menu_axes_heading(const struct menu_view *view, const struct scen
 
 static void seat_sheet(const struct menu_view *view, uint32_t index)
 {
+    CORE_ASSERT(index < POI_MAX);
     const struct scene_axes *seat = &view->devices->axes[index];
     const float u = view->frame.unit;
     const int upright = view->menu->upright;

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/render/ui/menu/ui_menu.h"
 #include "platform/render/ui/text.h"
 
@@ -52,6 +53,7 @@ static void not_there(const struct menu_view *view, struct ui_box box)
  * for the level, the number of changes, and in red the number of invalid changes. */
 static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box box)
 {
+    CORE_ASSERT(index <= COIN);
     const float u = view->frame.unit, size = 16.0f * u;
     const struct scene_devices *devices = view->devices;
     struct scene_line line = devices->line[index];
@@ -82,13 +84,13 @@ static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box
  * the lamp is beside the name and the count. */
 static void line(const struct menu_view *view, uint32_t index, float lit, uint32_t count)
 {
+    CORE_ASSERT(index <= COIN);
     const struct ui_box box = cell(view, index);
     const float u = view->frame.unit;
     const int upright = view->menu->upright;
     const struct ui_text name = menu_style(view, 27.0f, MENU_INK);
-    const struct ui_text number = { .font = FONT_STALL,
-                                    .size_px = 36.0f * u,
-                                    .fill = MENU_INK_SOFT };
+    const struct ui_text number =
+        ui_style(&view->frame, FONT_STALL, 36.0f, 0.0f, MENU_INK_SOFT, 0.0f);
     char digits[12];
     snprintf(digits, sizeof digits, "%u", count);
     ui_wooden_tag(&view->frame, box, 0);
@@ -104,11 +106,8 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
         const float radius = (upright ? 36.0f : 29.0f) * u;
         const float glow = 3.2f * radius;
         if (lit > 0.0f) {
-            ui_shape(view->frame.batch,
-                     &(struct ui_shape){ .box = { x - glow, y - glow, 2.0f * glow, 2.0f * glow },
-                                         .kind = UI_GLOW,
-                                         .shape = { 0, 0, 1.0f },
-                                         .fill = ui_fade(0xff8a30ffu, 0.9f * lit) });
+            ui_glow(&view->frame, (struct ui_box){ x - glow, y - glow, 2.0f * glow, 2.0f * glow },
+                    ui_fade(0xff8a30ffu, 0.9f * lit));
         }
         ui_disc(&view->frame, x, y, radius, 3.0f * u, lit > 0.5f ? 0xffd070ffu : 0x3a2a30ffu,
                 lit > 0.5f ? 0xfff4deffu : 0x6b5a50ffu);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "core/game/menu/menu.h"
 #include "platform/render/ui/menu/ui_menu.h"
 
@@ -144,6 +145,7 @@ static struct said figures_say(const struct menu_view *view, uint32_t self_test_
 static void row_words(const struct menu_view *view, uint32_t self_test_check_row, uint8_t state,
                       char *out, size_t out_size)
 {
+    CORE_ASSERT(self_test_check_row < SELF_CHECKS && state < SELF_STATES);
     const enum text_key key = plain[self_test_check_row][state];
     const int is_asked_of_the_machine =
         self_test_check_row >= SELF_BACKUP && self_test_check_row <= SELF_HEAT &&
@@ -257,6 +259,7 @@ static void wrap(const struct menu_view *view, struct ui_box box, const struct u
 static void self_test_check_row(const struct menu_view *view, const struct places *places,
                                 uint32_t index, uint8_t state)
 {
+    CORE_ASSERT(index < SELF_CHECKS && state < SELF_STATES);
     const float u = view->frame.unit;
     const float x = places->x + (float)(index / places->rows) * (places->width + places->gap);
     const float y = places->y + (float)(index % places->rows) * places->pitch;

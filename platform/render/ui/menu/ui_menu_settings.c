@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/panic.h"
 #include "platform/render/ui/menu/ui_menu.h"
 
 /* Colour of a value that differs from its default, dark enough to be readable on wood. */
@@ -62,6 +63,7 @@ static int count_bits(int32_t value)
 void menu_value_words(const struct menu_view *view, uint32_t id, int32_t value, char *out,
                       size_t out_size)
 {
+    CORE_ASSERT(id < SETTING_COUNT && out_size > 0);
     const struct setting_words *words = menu_setting_words_of(id);
     switch (settings_entry(id)->kind) {
     case KIND_CHOICE:
@@ -163,6 +165,7 @@ void menu_seal(const struct menu_view *view, float x, float y)
 static void setting_board(const struct menu_view *view, const struct places *places,
                           struct ui_box box, uint32_t id)
 {
+    CORE_ASSERT(id < SETTING_COUNT);
     const float u = view->frame.unit;
     const int32_t value = view->menu->settings.value[id];
     const int is_changed = value != settings_entry(id)->standard;
