@@ -66,18 +66,6 @@ static uint64_t display_gl_now_ns(void)
     return clock.ops->now_ns(clock.self);
 }
 
-/* Returns true if no window system runs and no connector has a screen. The caller then does not
- * initialize SDL, because SDL takes long to detect that no screen is connected. */
-static int has_nothing_plugged(struct display_gl *display)
-{
-    const char *driver = SDL_getenv("SDL_VIDEODRIVER");
-    display->is_bare = !display->config.off_screen && driver && strcasecmp(driver, "kmsdrm") == 0;
-    display->plugged = screen_connectors(sockets_of(display));
-    display->looked_ns = display_gl_now_ns();
-    display->changed_looks = 0;
-    return display->is_bare && display->plugged.count > 0 && display->plugged.connected == 0;
-}
-
 static int create_window(struct display_gl *display)
 {
     const struct display_gl_config *const config = &display->config;
@@ -186,8 +174,14 @@ static int display_open(void *self)
     struct display_gl *const display = self;
     display_gl_release(display);
     display->lost = display->broken = false;
-    if (has_nothing_plugged(display)) {
-        display->lost = true;
+    const char *const asked = SDL_getenv("SDL_VIDEODRIVER");
+    display->is_bare = !display->config.off_screen && asked && strcasecmp(asked, "kmsdrm") == 0;
+    display->plugged = screen_connectors(sockets_of(display));
+    display->looked_ns = display_gl_now_ns();
+    display->changed_looks = 0;
+    if (display->is_bare && display->plugged.count > 0 && display->plugged.connected == 0) {
+        display->lost = true; /* SDL is not initialized, because SDL takes long to detect that no
+                                 screen is connected. */
         return display_gl_fail(display, "screen",
                                "none is plugged in; it is looked for each second");
     }

@@ -32,17 +32,6 @@ bool gl_is_well(const struct gl_status *status)
     return status->text[0] == '\0';
 }
 
-static uint32_t mipmap_levels(uint32_t width, uint32_t height)
-{
-    uint32_t levels = 1;
-    while (width > 1 || height > 1) {
-        width /= 2;
-        height /= 2;
-        levels++;
-    }
-    return levels;
-}
-
 static bool fits(struct gl_status *status, const char *name, const struct gl_texture_desc *desc)
 {
     GLint side_max = 0, layers_max = 0;
@@ -76,7 +65,11 @@ GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_te
     const GLsizei width = (GLsizei)desc->width;
     const GLsizei height = (GLsizei)desc->height;
     const GLsizei layers = (GLsizei)desc->layers;
-    const GLsizei levels = desc->mipmaps ? (GLsizei)mipmap_levels(desc->width, desc->height) : 1;
+    GLsizei levels = 1;
+    for (uint32_t side = desc->width > desc->height ? desc->width : desc->height;
+         desc->mipmaps && side > 1; side /= 2) {
+        levels++;
+    }
     if (layers) {
         glTexStorage3D(kind, levels, desc->internal_format, width, height, layers);
     } else {

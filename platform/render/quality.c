@@ -41,20 +41,14 @@ static const struct {
     { "Panfrost", &board }, { "Lima", &board },
 };
 
-static const struct machine *machine_of(const char *renderer)
-{
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        if (strstr(renderer, known[i].name)) {
-            return known[i].machine;
-        }
-    }
-    return &desktop;
-}
-
 struct quality quality_choose(const struct quality_wish *wish)
 {
     CORE_ASSERT(wish->width > 0 && wish->height > 0 && wish->side_max > 0);
-    const struct machine *const machine = machine_of(wish->renderer);
+    const struct machine *machine = NULL;
+    for (size_t i = 0; i < sizeof known / sizeof *known && !machine; i++) {
+        machine = strstr(wish->renderer, known[i].name) ? known[i].machine : NULL;
+    }
+    machine = machine ? machine : &desktop;
     const float share = machine->pixels / ((float)wish->width * (float)wish->height);
     struct quality quality = {
         .software = machine->software,

@@ -181,15 +181,6 @@ static void add_wind(struct basin_pass *pass, const struct wind_wave *wave, vec3
  * tank of the 2013 thesis. */
 #define SEEN_SLOPE_MAX 0.05f
 
-static void put_slope(float texel[4], float x, float z)
-{
-    const float seen = SEEN_SLOPE_MAX / f_sqrt(SEEN_SLOPE_MAX * SEEN_SLOPE_MAX + x * x + z * z);
-    texel[0] = x;
-    texel[1] = z;
-    texel[2] = x * seen;
-    texel[3] = z * seen;
-}
-
 void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene)
 {
     CORE_ASSERT(scene->tank_size_m.x > 0.0f && scene->tank_size_m.z > 0.0f);
@@ -200,9 +191,15 @@ void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene)
     }
     for (uint32_t z = 0; z < RIPPLE_Z; z++) {
         for (uint32_t x = 0; x < RIPPLE_X; x++) {
-            put_slope(pass->slopes[z][x],
-                      SLOPE_UNIT * ((float)scene->slope[z][x][0] + pass->waves[z][x][0]),
-                      SLOPE_UNIT * ((float)scene->slope[z][x][1] + pass->waves[z][x][1]));
+            float *const texel = pass->slopes[z][x];
+            const float along_x = (float)scene->slope[z][x][0] + pass->waves[z][x][0];
+            const float along_z = (float)scene->slope[z][x][1] + pass->waves[z][x][1];
+            texel[0] = SLOPE_UNIT * along_x;
+            texel[1] = SLOPE_UNIT * along_z;
+            const float seen = SEEN_SLOPE_MAX / f_sqrt(SEEN_SLOPE_MAX * SEEN_SLOPE_MAX +
+                                                       texel[0] * texel[0] + texel[1] * texel[1]);
+            texel[2] = texel[0] * seen;
+            texel[3] = texel[1] * seen;
         }
     }
     gl_bind_texture(0, GL_TEXTURE_2D, gl_ring_turn(&pass->slope_ring));

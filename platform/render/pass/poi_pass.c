@@ -22,17 +22,6 @@ struct relief {
     float low_m, high_m;
 };
 
-/* Returns the mean depth of the water, over the whole paper, if the water's surface is at
- * `level_m`. */
-static float mean_depth(const struct relief *relief, float level_m)
-{
-    float sum = 0.0f;
-    for (uint32_t i = 0; i < relief->count; i++) {
-        sum += f_max(level_m - relief->height_m[i], 0.0f);
-    }
-    return sum / (float)relief->count;
-}
-
 struct poi_pool poi_pool_of(const struct scene_poi *poi)
 {
     CORE_ASSERT(poi->ring_radius_m > 0.0f);
@@ -60,7 +49,13 @@ struct poi_pool poi_pool_of(const struct scene_poi *poi)
     float low_m = relief.low_m, high_m = relief.high_m + depth_m;
     for (int i = 0; i < HALVINGS; i++) {
         const float middle_m = 0.5f * (low_m + high_m);
-        if (mean_depth(&relief, middle_m) < depth_m) {
+        float sum_m = 0.0f;
+        for (uint32_t k = 0; k < relief.count; k++) {
+            sum_m += f_max(middle_m - relief.height_m[k], 0.0f);
+        }
+        /* The quotient is the mean depth of the water, over the whole paper, if the water's surface
+         * is at `middle_m`. */
+        if (sum_m / (float)relief.count < depth_m) {
             low_m = middle_m;
         } else {
             high_m = middle_m;

@@ -66,12 +66,6 @@ struct button {
                            currently has no effect. */
 };
 
-static uint32_t button_fill(const struct lab_page *page, const struct button *button)
-{
-    const int pointed = lab_is_pointed(page, button->part);
-    return button->is_on ? BUTTON_ON : pointed && !button->is_idle ? BUTTON_LIT : BUTTON;
-}
-
 /* Returns the box of a button. The box is slightly lower while the button is pressed. */
 static struct ui_box tag(const struct lab_page *page, const struct button *button)
 {
@@ -82,7 +76,10 @@ static struct ui_box tag(const struct lab_page *page, const struct button *butto
         box.y += 2.0f * u;
     }
     ui_panel(&page->frame, UI_PANEL, box, 10.0f * u, (pointed ? 2.5f : 1.5f) * u,
-             button_fill(page, button), pointed ? UI_GOLD : UI_GOLD_DIM);
+             button->is_on ? BUTTON_ON
+             : pointed     ? BUTTON_LIT
+                           : BUTTON,
+             pointed ? UI_GOLD : UI_GOLD_DIM);
     return box;
 }
 

@@ -81,17 +81,6 @@ static enum lab_part part_of_key(uint32_t key)
 
 /* ---- Pictures of the key shapes ------------------------------------------------------------- */
 
-static void weight_bar(const struct lab_page *page, struct ui_box box, uint32_t key)
-{
-    const float weight = page->lab->weight[key];
-    const uint32_t colour = lab_key_colour(page->lab->card.key_count, key);
-    const struct ui_box full = { box.x, box.y, box.width * weight, box.height };
-    ui_panel(&page->frame, UI_PANEL, box, 0.5f * box.height, 0.0f, ui_fade(colour, 0.22f), 0);
-    if (full.width > box.height) {
-        ui_panel(&page->frame, UI_PANEL, full, 0.5f * box.height, 0.0f, colour, 0);
-    }
-}
-
 static void key_card(const struct lab_page *page, uint32_t key)
 {
     CORE_ASSERT(key < page->lab->card.key_count);
@@ -137,10 +126,13 @@ static void key_card(const struct lab_page *page, uint32_t key)
     const struct ui_box amount = { box.x + 8.0f * u, box.y + box.height - 40.0f * u,
                                    box.width - 16.0f * u, 20.0f * u };
     ui_words_in(&page->frame, amount, &number, percent);
-    weight_bar(page,
-               (struct ui_box){ box.x + 10.0f * u, box.y + box.height - 17.0f * u,
-                                box.width - 20.0f * u, 8.0f * u },
-               key);
+    struct ui_box bar = { box.x + 10.0f * u, box.y + box.height - 17.0f * u, box.width - 20.0f * u,
+                          8.0f * u };
+    ui_panel(&page->frame, UI_PANEL, bar, 0.5f * bar.height, 0.0f, ui_fade(colour, 0.22f), 0);
+    bar.width *= lab->weight[key];
+    if (bar.width > bar.height) {
+        ui_panel(&page->frame, UI_PANEL, bar, 0.5f * bar.height, 0.0f, colour, 0);
+    }
 }
 
 /* ---- Lifeline: axis of progress from hatching to adult -------------------------------------- */

@@ -296,18 +296,6 @@ static void ways(const struct lab_page *page, const struct specimen *fish)
 
 /* ---- Whole stage ---------------------------------------------------------------------------- */
 
-static void water(const struct lab_page *page)
-{
-    const float u = page->frame.unit;
-    const struct ui_box box = lab_place(page, LAB_STAGE);
-    ui_shape(page->frame.batch,
-             &(struct ui_shape){ .box = box,
-                                 .kind = UI_WATER,
-                                 .fill = 0x1d7a86ffu,
-                                 .line = 0x06243cffu,
-                                 .shape = { 0, 0, 16.0f * u, page->frame.time_s } });
-}
-
 /* Draws the comparison fish, which is the ordinary morph (2005 thesis, eq. 3.1) between the first
  * and the last key. */
 static void rival(const struct lab_page *page)
@@ -374,11 +362,16 @@ static void fish_and_figures(const struct lab_page *page)
 
 void lab_stage(const struct lab_page *page)
 {
-    water(page);
+    const float u = page->frame.unit;
+    const struct ui_box box = lab_place(page, LAB_STAGE);
+    ui_shape(page->frame.batch,
+             &(struct ui_shape){ .box = box,
+                                 .kind = UI_WATER,
+                                 .fill = 0x1d7a86ffu,
+                                 .line = 0x06243cffu,
+                                 .shape = { 0, 0, 16.0f * u, page->frame.time_s } });
     if (page->bench != NULL) {
         fish_and_figures(page);
     }
-    const float u = page->frame.unit;
-    ui_panel(&page->frame, UI_PANEL, lab_place(page, LAB_STAGE), 16.0f * u, 2.0f * u, 0,
-             UI_GOLD_DIM);
+    ui_panel(&page->frame, UI_PANEL, box, 16.0f * u, 2.0f * u, 0, UI_GOLD_DIM);
 }

@@ -167,17 +167,6 @@ void menu_take_line(const struct ui_text *style, const char **words, float room_
 
 /* ---- Paper slips, one for each file --------------------------------------------------------- */
 
-static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t state)
-{
-    CORE_ASSERT(state < FILE_STATE_COUNT);
-    const float u = view->frame.unit;
-    const struct ui_text style = menu_style(view, 22.0f, MENU_CREAM);
-    ui_panel(&view->frame, UI_PANEL, box, 7.0f * u, 0.0f, looks[state].paint, 0);
-    ui_words_in(&view->frame,
-                (struct ui_box){ box.x + 6.0f * u, box.y, box.width - 12.0f * u, box.height },
-                &style, menu_text(view, looks[state].name));
-}
-
 /* Writes the text beside a file's state to `out` and returns `out`. The store's text begins with
  * the number of lost scores. */
 static const char *words_of(const struct menu_view *view, uint32_t row,
@@ -234,10 +223,15 @@ static void slip(const struct menu_view *view, const struct file_places *places,
                 ui_text_middle(&style, reason.y + ((float)i + 0.5f) * pitch), line);
     }
     if (file->state != FILE_UNKNOWN) {
-        state_slip(view,
-                   (struct ui_box){ box.x + box.width - slip_width - 10.0f * u, box.y + 5.0f * u,
-                                    slip_width, slip_height },
-                   file->state);
+        CORE_ASSERT(file->state < FILE_STATE_COUNT);
+        const struct state_look *const look = &looks[file->state];
+        const struct ui_text state = menu_style(view, 22.0f, MENU_CREAM);
+        struct ui_box tag = { box.x + box.width - slip_width - 10.0f * u, box.y + 5.0f * u,
+                              slip_width, slip_height };
+        ui_panel(&view->frame, UI_PANEL, tag, 7.0f * u, 0.0f, look->paint, 0);
+        tag.x += 6.0f * u;
+        tag.width -= 12.0f * u;
+        ui_words_in(&view->frame, tag, &state, menu_text(view, look->name));
     }
 }
 

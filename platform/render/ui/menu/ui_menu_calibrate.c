@@ -61,18 +61,6 @@ static enum text_key words_of(const struct menu_view *view)
                                                      : TEXT_CALIBRATE_IDLE_WORDS;
 }
 
-/* Draws a paragraph in as many lines as needed, from the top of the box downward. */
-static void paragraph(const struct menu_view *view, struct ui_box box, const struct ui_text *style,
-                      const char *words)
-{
-    char row[TEXT_LINE_MAX];
-    for (float y = box.y; *words && y < box.y + box.height; y += 1.4f * style->size_px) {
-        menu_take_line(style, &words, box.width, 0, row, sizeof row);
-        menu_words_at(view, box.x + 0.5f * box.width, y + 0.7f * style->size_px, box.width, 0.5f,
-                      style, row);
-    }
-}
-
 /* ---- Tank seen from above ------------------------------------------------------------------- */
 
 /* Draws the water of the basin from above, inside a wooden frame that is `margin` pixels wide. If
@@ -208,7 +196,15 @@ void menu_calibration(const struct menu_view *view)
     state_line(view, menu_place(view, places->state));
     ui_words_in(&view->frame, menu_place(view, places->name), &name,
                 menu_text(view, names[step < CALIBRATE_STEPS ? step : 0u]));
-    paragraph(view, menu_place(view, places->words), &words, menu_text(view, words_of(view)));
+    /* The explanation has as many lines as needed, from the top of its box downward. */
+    const struct ui_box area = menu_place(view, places->words);
+    const char *rest = menu_text(view, words_of(view));
+    char row[TEXT_LINE_MAX];
+    for (float y = area.y; *rest && y < area.y + area.height; y += 1.4f * words.size_px) {
+        menu_take_line(&words, &rest, area.width, 0, row, sizeof row);
+        menu_words_at(view, area.x + 0.5f * area.width, y + 0.7f * words.size_px, area.width, 0.5f,
+                      &words, row);
+    }
 }
 
 /* ---- Learning page: the axes of a controller ------------------------------------------------- */

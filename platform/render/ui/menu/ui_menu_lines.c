@@ -38,17 +38,6 @@ static struct ui_box cell(const struct menu_view *view, uint32_t index)
                       });
 }
 
-/* Draws a red slip instead of a lamp if a configured input line is missing. */
-static void not_there(const struct menu_view *view, struct ui_box box)
-{
-    const float u = view->frame.unit;
-    const struct ui_text style = menu_style(view, 22.0f, MENU_CREAM);
-    ui_panel(&view->frame, UI_PANEL, box, 8.0f * u, 1.5f * u, MISSING_PAINT, 0xffe7b0a0u);
-    ui_words_in(&view->frame,
-                (struct ui_box){ box.x + 6.0f * u, box.y, box.width - 12.0f * u, box.height },
-                &style, menu_text(view, TEXT_LINE_MISSING));
-}
-
 /* Draws the state of the input line before debouncing in the lower corners of `box`: a square lamp
  * for the level, the number of changes, and in red the number of invalid changes. */
 static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box box)
@@ -96,10 +85,15 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
     ui_wooden_tag(&view->frame, box, 0);
     const int is_missing = (view->devices->buttons_missing >> index & 1u) != 0;
     if (is_missing) {
-        not_there(view, upright ? (struct ui_box){ box.x + 12.0f * u, box.y + 54.0f * u, 134.0f * u,
-                                                   42.0f * u }
-                                : (struct ui_box){ box.x + 24.0f * u, box.y + 26.0f * u,
-                                                   box.width - 48.0f * u, 42.0f * u });
+        /* A red slip replaces the lamp if a configured input line is missing. */
+        struct ui_box slip = { box.x + (upright ? 12.0f : 24.0f) * u,
+                               box.y + (upright ? 54.0f : 26.0f) * u,
+                               upright ? 134.0f * u : box.width - 48.0f * u, 42.0f * u };
+        const struct ui_text style = menu_style(view, 22.0f, MENU_CREAM);
+        ui_panel(&view->frame, UI_PANEL, slip, 8.0f * u, 1.5f * u, MISSING_PAINT, 0xffe7b0a0u);
+        slip.x += 6.0f * u;
+        slip.width -= 12.0f * u;
+        ui_words_in(&view->frame, slip, &style, menu_text(view, TEXT_LINE_MISSING));
     } else {
         const float x = box.x + (upright ? 74.0f * u : 0.5f * box.width);
         const float y = box.y + (upright ? 0.5f * box.height : 46.0f * u);
