@@ -18,7 +18,7 @@ struct face {
     float normal[3];
 };
 
-enum contact_solver {
+enum basin_part {
     PART_FLOOR,
     PART_WALLS,
     PART_SURFACE,
@@ -68,7 +68,7 @@ static const struct face faces[] = {
 
 static const uint8_t part_faces[PART_END + 1] = { 0, 1, 5, 6, 10, 14, FACE_COUNT };
 
-static void draw_part(const struct basin_pass *pass, enum contact_solver part)
+static void draw_part(const struct basin_pass *pass, enum basin_part part)
 {
     CORE_ASSERT(part < PART_END);
     const GLint first = part_faces[part] * (GLint)VERTICES_PER_FACE;

@@ -14,20 +14,20 @@
 
 /* ---- Layout of the pictures ----------------------------------------------------------------- */
 
-struct spatial_grid {
+struct album_grid {
     uint32_t columns, rows;
     float left, top, width, height, gap;
 };
 
-static struct spatial_grid grid_of(const struct ui_frame *frame, uint32_t count)
+static struct album_grid grid_of(const struct ui_frame *frame, uint32_t count)
 {
     CORE_ASSERT(count > 0);
     const float u = frame->unit;
     const int upright = frame->height > 1.2f * frame->width;
-    struct spatial_grid grid = { .columns = upright      ? (count > 3u ? 2u : 1u)
-                                            : count > 3u ? 3u
-                                                         : count,
-                                 .gap = 18.0f * u };
+    struct album_grid grid = { .columns = upright      ? (count > 3u ? 2u : 1u)
+                                          : count > 3u ? 3u
+                                                       : count,
+                               .gap = 18.0f * u };
     grid.rows = (count + grid.columns - 1u) / grid.columns;
     const float top = 118.0f * u, foot = 108.0f * u;
     const float wide = frame->width - 48.0f * u, high = frame->height - top - foot;
@@ -141,7 +141,7 @@ static void picture(const struct ui_frame *frame, const struct scene *scene, uin
 void ui_album(const struct ui_frame *frame, const struct scene *scene)
 {
     const struct scene_album *album = &scene->album;
-    const struct spatial_grid grid = grid_of(frame, album->fish_count > 0 ? album->fish_count : 1u);
+    const struct album_grid grid = grid_of(frame, album->fish_count > 0 ? album->fish_count : 1u);
     const struct ui_box cloth = { 0.0f, 0.0f, frame->width, frame->height };
     ui_panel(frame, UI_PANEL, cloth, 0.0f, 0.0f, 0x171d42ffu, 0);
     ui_panel(frame, UI_WAVES, cloth, 36.0f * frame->unit, 0.0f, 0x141a3cffu, 0);

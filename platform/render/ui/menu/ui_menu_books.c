@@ -14,7 +14,7 @@
 #define BAR_PAINT 0x2b4c8cffu
 #define NUMBER_SIZE 24u
 
-/* One line of an account book: a name, and a counter or the quotient of two counters. */
+/* A line of an account book shows a name, and a counter or the quotient of two counters. */
 struct book_line {
     enum text_key name;
     uint8_t audit, by; /* Index of the shown counter, and index of the counter by which it is

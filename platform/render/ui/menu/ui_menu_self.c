@@ -90,11 +90,10 @@ static const enum text_key plain[SELF_CHECKS][SELF_STATES] = {
 };
 
 /* Returns the text of a check whose text contains a number. */
-static struct said figures_say(const struct menu_view *view, uint32_t self_test_check_row,
-                               uint8_t state)
+static struct said figures_say(const struct menu_view *view, uint32_t check, uint8_t state)
 {
     const struct scene_machine *machine = &view->devices->machine;
-    switch (self_test_check_row) {
+    switch (check) {
     case SELF_BACKUP: {
         const uint32_t minutes = machine->backup_min;
         return state == SELF_GOOD    ? (struct said){ TEXT_CHECK_BACKUP_GOOD, minutes }
@@ -142,19 +141,18 @@ static struct said figures_say(const struct menu_view *view, uint32_t self_test_
     }
 }
 
-static void row_words(const struct menu_view *view, uint32_t self_test_check_row, uint8_t state,
-                      char *out, size_t out_size)
+static void row_words(const struct menu_view *view, uint32_t check, uint8_t state, char *out,
+                      size_t out_size)
 {
-    CORE_ASSERT(self_test_check_row < SELF_CHECKS && state < SELF_STATES);
-    const enum text_key key = plain[self_test_check_row][state];
+    CORE_ASSERT(check < SELF_CHECKS && state < SELF_STATES);
+    const enum text_key key = plain[check][state];
     const int is_asked_of_the_machine =
-        self_test_check_row >= SELF_BACKUP && self_test_check_row <= SELF_HEAT &&
-        self_test_check_row != SELF_FILES && self_test_check_row != SELF_CLOCK;
+        check >= SELF_BACKUP && check <= SELF_HEAT && check != SELF_FILES && check != SELF_CLOCK;
     const int is_silent = is_asked_of_the_machine && !view->devices->machine.has_looked;
     if (state == SELF_WAITS || is_silent) {
         snprintf(out, out_size, "%s",
                  menu_text(view, state == SELF_WAITS ? TEXT_CHECK_WAITS : TEXT_CHECK_SILENT));
-    } else if (self_test_check_row == SELF_CLOCK && state == SELF_GOOD) {
+    } else if (check == SELF_CLOCK && state == SELF_GOOD) {
         /* The row shows the date and the time of the clock, such as "2026-08-15 18:30", so that the
          * operator can compare the clock with the true time. */
         static const uint8_t months[12] = { 31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
@@ -174,7 +172,7 @@ static void row_words(const struct menu_view *view, uint32_t self_test_check_row
     } else if (key) {
         snprintf(out, out_size, "%s", menu_text(view, key));
     } else {
-        const struct said said = figures_say(view, self_test_check_row, state);
+        const struct said said = figures_say(view, check, state);
         text_number(out, out_size, menu_text(view, said.key), said.number);
     }
 }

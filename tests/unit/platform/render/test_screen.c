@@ -1,4 +1,4 @@
-/* test_drm_card.c -- the card with the monitor, whatever its number. */
+/* test_screen.c -- the card with the monitor, whatever its number. */
 #include <SDL.h>
 #include <ftw.h>
 #include <setjmp.h>

@@ -1,4 +1,4 @@
-/* test_message_translate.c -- every line of a device is known in Japanese, with its names and
+/* test_text_translate.c -- every line of a device is known in Japanese, with its names and
  * figures in it; and nothing is lost of one that is not. */
 #include <errno.h>
 #include <setjmp.h>

@@ -202,7 +202,7 @@ static void test_only_the_recorded_species_itself_is_shown(void **state)
     static struct library library;
     config = (struct core_config){ .seed = 5, .fish_count = 12, .modes = 1u << CHOICE_LAB };
     config.book.card_count = 1;
-    library.species_count = 1;
+    library.species_count = library.line_count = 1;
     config.book.cards[0] = species_table[0]->card;
     config.book.cards[0].id[0] = 'x';
     open_stall(&config);
