@@ -98,7 +98,7 @@ struct output {
                             first tick, which is PHASE_ATTRACT. */
     uint8_t is_idle;     /* 1 after a tick in attract mode without an open payment. The program may
                             then restart. Otherwise 0. */
-    uint8_t start_lamp;     /* 1 if the START button's lamp is lit, otherwise 0. */
+    uint8_t start_lamp;  /* 1 if the START button's lamp is lit, otherwise 0. */
     uint8_t coin_lockout;   /* 1 if coins fall through to the return tray, otherwise 0. */
     uint32_t coins_counted; /* Number of coins counted since the kiosk started. The coin meter in
                                the cabinet receives one pulse for each coin. */

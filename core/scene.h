@@ -19,7 +19,8 @@
 #include "core/scene_tank.h"
 #include "core/view.h"
 
-/* State of the score playback, which is drawn over every page (platform/kiosk/recorder/score_playback.h). */
+/* State of the score playback, which is drawn over every page
+ * (platform/kiosk/recorder/score_playback.h). */
 enum scene_encore {
     ENCORE_OFF = 0,
     ENCORE_SEEKS, /* The replay is loaded, and is played fast until the round of the score

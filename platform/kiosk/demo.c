@@ -251,7 +251,7 @@ enum exit_code demo_run(struct run_common *session)
     return code;
 }
 
-/* ---- Contact sheet --------------------------------------------------------------------------- */
+/* ---- Contact sheet ------------------------------------------------------------------------- */
 
 size_t demo_sheet_plan(struct contact_sheet *sheet, uint32_t width, uint32_t height)
 {

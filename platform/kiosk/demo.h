@@ -17,7 +17,7 @@
 /* Runs the demonstration. Returns an exit code. Reports all errors before it returns. */
 enum exit_code demo_run(struct run_common *session);
 
-/* ---- Contact sheet --------------------------------------------------------------------------- */
+/* ---- Contact sheet ------------------------------------------------------------------------- */
 
 /* Arranges small pictures in rows on one large picture, the contact sheet. The caller owns the
  * pixels. Pure functions. */

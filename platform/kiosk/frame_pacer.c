@@ -83,7 +83,7 @@ uint64_t frame_pacer_sleep_ns(struct frame_pacer_sleep *rest, uint64_t took_ns)
     return rest->mean_ns < WAITS_NS && took_ns < FRAME_NS ? FRAME_NS - took_ns : 0;
 }
 
-/* ---- Histogram of durations ------------------------------------------------------------------ */
+/* ---- Histogram of durations ---------------------------------------------------------------- */
 
 #define FINE_END_NS ((uint64_t)TIMING_BIN_NS * TIMING_BIN_COUNT)
 #define LAST (TIMING_BIN_COUNT + TIMING_SLOW_COUNT - 1u)

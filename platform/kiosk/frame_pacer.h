@@ -1,5 +1,5 @@
-/* frame_pacer.h -- computes how many ticks (1/120 s) the frame loop must run in each frame, and counts
- * the durations of frames in a histogram. Pure functions. */
+/* frame_pacer.h -- computes how many ticks (1/120 s) the frame loop must run in each frame, and
+ * counts the durations of frames in a histogram. Pure functions. */
 #ifndef KINGYO_PLATFORM_KIOSK_FRAME_PACER_H
 #define KINGYO_PLATFORM_KIOSK_FRAME_PACER_H
 
@@ -39,7 +39,7 @@ struct frame_pacer_sleep {
  * vertical synchronization already limits the frame rate. */
 uint64_t frame_pacer_sleep_ns(struct frame_pacer_sleep *rest, uint64_t took_ns);
 
-/* ---- Histogram of durations ------------------------------------------------------------------ */
+/* ---- Histogram of durations ---------------------------------------------------------------- */
 
 /* A histogram of durations in fixed memory, which gives the median and the 99th percentile of a
  * whole day. Pure functions. */

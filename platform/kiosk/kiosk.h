@@ -34,15 +34,15 @@ struct kiosk_config {
                                    the core. */
     const struct operator_notes *notes; /* Messages for the operator's menu. Must outlive the
                                            kiosk. Null means no messages. */
-    struct system_health *machine; /* System health monitor. Must outlive the kiosk. Null means
+    struct system_health *machine;      /* System health monitor. Must outlive the kiosk. Null means
                                       no monitor. */
-    struct session_recorder *chapters; /* Session recorder. Must outlive the kiosk. Null means no
+    struct session_recorder *chapters;  /* Session recorder. Must outlive the kiosk. Null means no
                                           recording. */
-    struct score_playback *playback;   /* Score playback. Must outlive the kiosk. Null means no
+    struct score_playback *playback;    /* Score playback. Must outlive the kiosk. Null means no
                                           playback. */
-    struct kiosk_tap tap;              /* Callbacks of a recorder. Null functions mean no
+    struct kiosk_tap tap;               /* Callbacks of a recorder. Null functions mean no
                                           callbacks. */
-    struct kiosk_source source;        /* Source of the input of each tick. If the function is null,
+    struct kiosk_source source; /* Source of the input of each tick. If the function is null,
                                           the devices provide the input. */
 };
 

@@ -118,7 +118,7 @@ void kiosk_sample_devices(struct kiosk *kiosk, const struct hal *hal)
     kiosk->input.device_faults = kiosk_fault_count(&kiosk->faults);
 }
 
-/* ---- Presenting ------------------------------------------------------------------------------ */
+/* ---- Presenting ---------------------------------------------------------------------------- */
 
 /* Maximum time that a restart waits for the store. A slower card is assumed to be full. */
 #define RESTART_WAIT_NS 5000000000ull

@@ -148,7 +148,7 @@ void operator_view_fill(struct scene *scene, const struct hal *hal,
     }
 }
 
-/* ---- Messages about files -------------------------------------------------------------------- */
+/* ---- Messages about files ------------------------------------------------------------------ */
 
 /* The notes are in one array: first the files that were not used, then the files that were used. */
 

@@ -9,7 +9,7 @@
 #include "platform/hal.h"
 #include "platform/kiosk/sampler.h"
 
-/* ---- Messages about files -------------------------------------------------------------------- */
+/* ---- Messages about files ------------------------------------------------------------------ */
 
 /* Collects messages about the files that were read at program start. Pure functions.
  *
@@ -39,12 +39,12 @@ void operator_notes_refused(struct operator_notes *notes, const char *data, cons
 void operator_notes_add(struct operator_notes *notes, enum scene_file_state state, const char *name,
                         const char *words);
 
-/* operator_notes_rows() returns the number of rows. operator_notes_row() returns one row; its state is
- * FILE_UNKNOWN if `row` is beyond the end. */
+/* operator_notes_rows() returns the number of rows. operator_notes_row() returns one row; its state
+ * is FILE_UNKNOWN if `row` is beyond the end. */
 uint32_t operator_notes_rows(const struct operator_notes *notes);
 struct scene_file operator_notes_row(const struct operator_notes *notes, uint32_t row);
 
-/* ---- Names and texts of the devices ---------------------------------------------------------- */
+/* ---- Names and texts of the devices -------------------------------------------------------- */
 
 /* Returns the number of rows on the menu page of files: one row for the store, and the rows of
  * `notes`. `notes` may be null. */

@@ -1,4 +1,5 @@
-/* output_devices.c -- plays sounds, sets output lines and dims the picture; see output_devices.h. */
+/* output_devices.c -- plays sounds, sets output lines and dims the picture; see
+ * output_devices.h. */
 #include "platform/kiosk/output_devices.h"
 
 #include "core/base/panic.h"
@@ -71,7 +72,7 @@ uint32_t output_audio_play(struct output_audio *voice, const struct hal_audio *a
     return faults;
 }
 
-/* ---- Lamp, lockout, counter and tickets ------------------------------------------------------ */
+/* ---- Lamp, lockout, counter and tickets ---------------------------------------------------- */
 
 /* Sends changed outputs to the driver. A busy driver is retried in the next frame, and a failed
  * driver after one second. An output that the cabinet does not have counts as set. */
@@ -136,7 +137,7 @@ uint32_t output_lines_are_done(const struct output_lines *switches,
     return switches->given[which] - device->ops->pending(device->self, which);
 }
 
-/* ---- Brightness and position of the picture -------------------------------------------------- */
+/* ---- Brightness and position of the picture ------------------------------------------------ */
 
 #define NS_PER_MS 1000000ull
 #define FADE_DOWN_S 4.0f /* Duration of dimming in seconds, slow enough to be unnoticed. */

@@ -42,7 +42,7 @@ uint32_t output_audio_play(struct output_audio *voice, const struct hal_audio *a
                            const struct output *output, const struct settings *settings,
                            int is_attract, uint64_t now_ns);
 
-/* ---- Lamp, lockout, counter and tickets ------------------------------------------------------ */
+/* ---- Lamp, lockout, counter and tickets ---------------------------------------------------- */
 
 /* Sends the core's outputs (start lamp, coin lockout, coin counter, tickets) to a driver that may
  * fail.
@@ -67,7 +67,7 @@ uint32_t output_lines_put(struct output_lines *switches, const struct hal_switch
 uint32_t output_lines_are_done(const struct output_lines *switches,
                                const struct hal_switches *device, enum hal_switch which);
 
-/* ---- Brightness and position of the picture -------------------------------------------------- */
+/* ---- Brightness and position of the picture ------------------------------------------------ */
 
 /* Dims the picture and moves it slowly to prevent burn-in.
  *

@@ -117,8 +117,8 @@ int run_interactive_open(struct run_common *session)
     if (!options->data[0]) {
         file_default_data(options->data);
     }
-    file_make_folder(options->data); /* The data folder must exist before evidence_open(). If
-                                      file_make_folder() fails, the store later reports the reason. */
+    file_make_folder(options->data); /* The data folder must exist before evidence_open(). If the
+                                        function fails, the store later reports the reason. */
     evidence_open(&session->evidence, options->data, &session->chapters, &session->kiosk.core);
     /* Keys act as buttons and coins by default on a desktop but not in a service, because a
      * stranger may plug a keyboard into a cabinet. */

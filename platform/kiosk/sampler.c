@@ -147,7 +147,7 @@ void sampler_poi_end(struct poi_sampler *hand)
     sampler_path_end(&hand->path);
 }
 
-/* ---- Resampling ------------------------------------------------------------------------------ */
+/* ---- Resampling ---------------------------------------------------------------------------- */
 
 void sampler_path_reset(struct sampler_path *resampler)
 {
@@ -225,7 +225,7 @@ void sampler_path_end(struct sampler_path *resampler)
     }
 }
 
-/* ---- Fans ------------------------------------------------------------------------------------ */
+/* ---- Fans ---------------------------------------------------------------------------------- */
 
 #define RANGE_MAX_M 1000.0f
 

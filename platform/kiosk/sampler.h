@@ -1,5 +1,5 @@
-/* sampler.h -- samples the controllers of the pois and the fans for the frame loop, and computes one
- * position per tick.
+/* sampler.h -- samples the controllers of the pois and the fans for the frame loop, and computes
+ * one position per tick.
  *
  * Devices are polled once per frame, but a frame may run several ticks. Each tick of the frame gets
  * its own pose on the path between the reports. Device values are passed on without validation
@@ -13,7 +13,7 @@
 #include "platform/hal.h"
 #include "platform/kiosk/frame_pacer.h"
 
-/* ---- Resampling ------------------------------------------------------------------------------ */
+/* ---- Resampling ---------------------------------------------------------------------------- */
 
 /* Computes exactly one pose per tick from time-stamped reports. Pure functions.
  *
@@ -54,7 +54,7 @@ struct poi_target sampler_path_at(const struct sampler_path *resampler, uint32_t
  * frame. */
 void sampler_path_end(struct sampler_path *resampler);
 
-/* ---- Pois ------------------------------------------------------------------------------------ */
+/* ---- Pois ---------------------------------------------------------------------------------- */
 
 /* Report statistics of a controller, measured over one second and shown during the next second. */
 struct report_pace {
@@ -108,7 +108,7 @@ void sampler_poi_time(struct poi_sampler *hand, uint64_t now_ns, struct frame_ti
  * frame. */
 void sampler_poi_end(struct poi_sampler *hand);
 
-/* ---- Fans ------------------------------------------------------------------------------------ */
+/* ---- Fans ---------------------------------------------------------------------------------- */
 
 /* Samples the fans for the frame loop. A fan is a device that a player holds above the water and
  * that casts a shadow on the water.

@@ -54,7 +54,7 @@ uint32_t saving_refused(struct saving *saving, const struct hal_ledger *store)
     return fresh;
 }
 
-/* ---- Offline credits ------------------------------------------------------------------------- */
+/* ---- Offline credits ----------------------------------------------------------------------- */
 
 /* Maximum number of entries in one call of merge_offline(). Additional entries follow in the next
  * transaction. */

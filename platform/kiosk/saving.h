@@ -42,7 +42,7 @@ static inline int saving_is_done(const struct saving *saving, const struct outpu
     return saving->accepted_id == output->entry_id;
 }
 
-/* ---- Offline credits ------------------------------------------------------------------------- */
+/* ---- Offline credits ----------------------------------------------------------------------- */
 
 /* Transfers offline credits to the store. Offline credits are coins and credits that the kiosk
  * received while it had no store.

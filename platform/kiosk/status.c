@@ -1,5 +1,5 @@
-/* status.c -- collects the status report, formats it as JSON and writes it on a separate thread; see
- * status.h. */
+/* status.c -- collects the status report, formats it as JSON and writes it on a separate thread;
+ * see status.h. */
 #include "platform/kiosk/status.h"
 
 #include <assert.h>
@@ -154,7 +154,7 @@ void status_end(struct status *status)
     status->runs = 0;
 }
 
-/* ---- JSON text ------------------------------------------------------------------------------- */
+/* ---- JSON text ----------------------------------------------------------------------------- */
 
 static const char *const phase_names[] = {
     [PHASE_ATTRACT] = "attract",   [PHASE_READY] = "ready",        [PHASE_ROUND] = "round",

@@ -1,5 +1,5 @@
-/* storage.c -- the functions of the store that the frame loop calls, and the status text of the store.
- * Only open() and close() may block. */
+/* storage.c -- the functions of the store that the frame loop calls, and the status text of the
+ * store. Only open() and close() may block. */
 #include "platform/store/storage.h"
 
 #include <signal.h>
@@ -294,7 +294,7 @@ struct hal_storage storage_device(struct storage *storage)
     };
 }
 
-/* ---- Status text ----------------------------------------------------------------------------- */
+/* ---- Status text --------------------------------------------------------------------------- */
 
 /* Describes the state of the store in one line for the operator's menu, the status file and the
  * log. */

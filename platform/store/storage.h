@@ -4,10 +4,10 @@
  *
  * The frame loop never blocks on the card, which contains the database's folder. append() copies an
  * entry into a queue of STORAGE_QUEUE_MAX entries and returns. The store's thread writes and syncs
- * all queued entries in one transaction. Afterwards committed_id() returns the id of the newest entry.
- * After a failed sync, an entry counts as saved only when its bytes were written again and synced,
- * in the database (platform/store/sqlite/ledger_file.c) and in the ledger mirror. The ledger mirror
- * is a second copy of the newest entries.
+ * all queued entries in one transaction. Afterwards committed_id() returns the id of the newest
+ * entry. After a failed sync, an entry counts as saved only when its bytes were written again and
+ * synced, in the database (platform/store/sqlite/ledger_file.c) and in the ledger mirror. The
+ * ledger mirror is a second copy of the newest entries.
  *
  * A card that is slow, full, busy, read-only or absent is retried once per second while the queue
  * fills. A file that must be read completely to detect a change is retried less often

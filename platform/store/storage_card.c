@@ -225,7 +225,7 @@ bool storage_has_card(struct storage *storage)
     return code == SQLITE_OK;
 }
 
-/* ---- Moved database -------------------------------------------------------------------------- */
+/* ---- Moved database ------------------------------------------------------------------------ */
 
 /* Detects that the open database is no longer at its path.
  *

@@ -1,5 +1,5 @@
-/* storage_requests.c -- writes and reads replays of ranked rounds, and writes offline credits. At most
- * one request of each kind is pending at a time. */
+/* storage_requests.c -- writes and reads replays of ranked rounds, and writes offline credits. At
+ * most one request of each kind is pending at a time. */
 #include <string.h>
 
 #include <sqlite3.h>
@@ -151,7 +151,7 @@ void storage_get_replay(struct storage *storage)
     atomic_store(&get->state, STORAGE_REPLAY_IDLE);
 }
 
-/* ---- Offline credits ------------------------------------------------------------------------- */
+/* ---- Offline credits ----------------------------------------------------------------------- */
 
 /* Writes offline credits to a database that appears after program start. Offline credits are coins
  * and credits that the kiosk received before a database was available.

@@ -235,7 +235,7 @@ void *storage_thread(void *context)
     return NULL;
 }
 
-/* ---- Ledger mirror --------------------------------------------------------------------------- */
+/* ---- Ledger mirror ------------------------------------------------------------------------- */
 
 /* Writes each new entry to the ledger mirror before the entry is acknowledged. The ledger mirror
  * is a second copy of the newest entries.

@@ -50,21 +50,6 @@ static void *outlive_refused(void *self)
     return NULL;
 }
 
-/* Starts the thread that clears the recent panics after ten minutes. If no thread can be created,
- * the next start leaves out the same part again. */
-static void wait_for_good_run(struct evidence *evidence)
-{
-    sigset_t all, before;
-    pthread_t thread;
-    sigfillset(&all);
-    panic_leave_open(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
-    if (pthread_create(&thread, NULL, outlive_refused, evidence) == 0) {
-        pthread_detach(thread);
-    }
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-}
-
 /* Leaves out a part of the stored data (ledger_leave_out()). The function first notes the attempt
  * on disk, because the attempt itself may panic. */
 static void leave_out(struct evidence *evidence)
@@ -83,7 +68,17 @@ static void leave_out(struct evidence *evidence)
     panics->attempt = LEFT_NOTHING;
     write_count(evidence);
     if (panics_is_due(panics)) {
-        wait_for_good_run(evidence);
+        /* Start the thread that clears the recent panics after ten minutes. If no thread can be
+         * created, the next start leaves out the same part again. */
+        sigset_t all, before;
+        pthread_t thread;
+        sigfillset(&all);
+        panic_leave_open(&all);
+        pthread_sigmask(SIG_SETMASK, &all, &before);
+        if (pthread_create(&thread, NULL, outlive_refused, evidence) == 0) {
+            pthread_detach(thread);
+        }
+        pthread_sigmask(SIG_SETMASK, &before, NULL);
     }
     log_print(LOG_LEVEL_ERROR, "after %s this start %s %s: %s", cause,
               result == 0 ? "leaves out" : "cannot leave out", panics_left_name(left), words);

@@ -1,5 +1,5 @@
-/* replayer.c -- records the ticks of the frame loop, and provides recorded inputs to the frame loop;
- * see replayer.h. */
+/* replayer.c -- records the ticks of the frame loop, and provides recorded inputs to the frame
+ * loop; see replayer.h. */
 #include "platform/kiosk/recorder/replayer.h"
 
 #include <errno.h>
@@ -102,7 +102,7 @@ enum exit_code replayer_print_problem(const char *speaker, const char *path,
     return problem->is_io ? EXIT_IO : EXIT_BAD_DATA;
 }
 
-/* ---- Recording to a file --------------------------------------------------------------------- */
+/* ---- Recording to a file ------------------------------------------------------------------- */
 
 /* Returns the increase of `now` over `*before`, and sets `*before` to `now`. Returns 0 after a
  * decrease. */

@@ -11,7 +11,7 @@
 #include "platform/config/options.h"
 #include "platform/replay/replay.h"
 
-/* ---- Callbacks of the frame loop ------------------------------------------------------------- */
+/* ---- Callbacks of the frame loop ----------------------------------------------------------- */
 
 /* Callbacks for a recorder. `before` gets the input before each tick; `tick` gets the input and the
  * core's state after each tick. The callbacks must not change their arguments. */
@@ -30,7 +30,7 @@ struct kiosk_source {
     void *self;
 };
 
-/* ---- Recording to a file --------------------------------------------------------------------- */
+/* ---- Recording to a file ------------------------------------------------------------------- */
 
 /* Writes the core's inputs and checksums of the core's states to a file while the game runs.
  *
@@ -74,7 +74,7 @@ int recorder_end(struct recorder *recorder);
  * complete second. Otherwise returns 0 or a negative errno as recorder_end() does. */
 int recorder_end_in_panic(struct recorder *recorder);
 
-/* ---- Playing a recording --------------------------------------------------------------------- */
+/* ---- Playing a recording ------------------------------------------------------------------- */
 
 /* First difference between the simulation and the recording. */
 struct replay_difference {

@@ -1,5 +1,5 @@
-/* ledger_aggregates.c -- updates, writes and reads the aggregates of the ledger's entries (settings,
- * audits and ranking) and their checksums.
+/* ledger_aggregates.c -- updates, writes and reads the aggregates of the ledger's entries
+ * (settings, audits and ranking) and their checksums.
  *
  * The aggregates have rows of their own, so that the kiosk starts without reading the entries of
  * years. */
@@ -244,7 +244,7 @@ int ledger_aggregates_read(struct ledger_file *file, struct ledger_content *out)
     return code == SQLITE_OK && !ledger_state_is_valid(&out->memory) ? SQLITE_CORRUPT : code;
 }
 
-/* ---- Checksums of the tables ----------------------------------------------------------------- */
+/* ---- Checksums of the tables --------------------------------------------------------------- */
 
 /* Writes and verifies a checksum of each aggregate table.
  *

@@ -1,5 +1,5 @@
-/* ledger_backup.c -- copies the database with SQLite's backup API, validates the copy and renames it.
- * Also copies the database before a part of its data is deleted; see ledger_backup.h. */
+/* ledger_backup.c -- copies the database with SQLite's backup API, validates the copy and renames
+ * it. Also copies the database before a part of its data is deleted; see ledger_backup.h. */
 #include "platform/store/sqlite/ledger_backup.h"
 
 #include <errno.h>
@@ -119,7 +119,7 @@ int ledger_backup_make(struct ledger_file *from, const char *path, bool is_marke
     return code == SQLITE_DONE ? SQLITE_OK : code;
 }
 
-/* ---- Leaving out data after panics ----------------------------------------------------------- */
+/* ---- Leaving out data after panics --------------------------------------------------------- */
 
 static int ledger_leave_delete_rows(struct ledger_file *file, enum panics_left left)
 {
@@ -130,7 +130,8 @@ static int ledger_leave_delete_rows(struct ledger_file *file, enum panics_left l
             sqlite3_prepare_v2(file->db, "DELETE FROM settings WHERE name = ?1", -1, &forget, NULL);
         for (uint32_t id = 0; code == SQLITE_OK && id < SETTING_COUNT; id++) {
             /* The PIN and the money settings must stay, and they do not affect a round. Without a
-             * PIN everyone could open the menu, and without money settings the game would be free. */
+             * PIN everyone could open the menu, and without money settings the game would be
+             * free. */
             if (settings_entry(id)->group != GROUP_MONEY && id != SET_PIN) {
                 sqlite3_bind_text(forget, 1, settings_entry(id)->name, -1, SQLITE_STATIC);
                 code = sqlite3_step(forget) == SQLITE_DONE ? SQLITE_OK : sqlite3_errcode(file->db);

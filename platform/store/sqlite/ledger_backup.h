@@ -55,7 +55,7 @@ int ledger_backup_make(struct ledger_file *from, const char *path, bool is_marke
 bool ledger_is_marked(struct ledger_file *file);
 int ledger_unmark(struct ledger_file *file);
 
-/* ---- Leaving out data after panics ----------------------------------------------------------- */
+/* ---- Leaving out data after panics --------------------------------------------------------- */
 
 /* Deletes a part of the stored data after panics, because the data may have caused the panics.
  *

@@ -1,5 +1,5 @@
-/* ledger_file.c -- writes entries and replays to the open database in transactions, deletes old data,
- * and makes the write-ahead log durable; ledger_open.c opens the database. */
+/* ledger_file.c -- writes entries and replays to the open database in transactions, deletes old
+ * data, and makes the write-ahead log durable; ledger_open.c opens the database. */
 #include "platform/store/sqlite/ledger_file.h"
 
 #include <stdint.h>
@@ -96,7 +96,7 @@ const char *ledger_file_error(int code)
                                          : sqlite3_errstr(code);
 }
 
-/* ---- Write-ahead log ------------------------------------------------------------------------- */
+/* ---- Write-ahead log ----------------------------------------------------------------------- */
 
 /* Makes the write-ahead log durable before its content is used, and copies the log into the
  * database.
@@ -184,7 +184,7 @@ int ledger_log_result(const struct ledger_file *file, int code)
     return code == SQLITE_OK && file->is_suspect ? SQLITE_IOERR : code;
 }
 
-/* ---- Replays and old data -------------------------------------------------------------------- */
+/* ---- Replays and old data ------------------------------------------------------------------ */
 
 /* Stores the replays of ranked rounds and deletes old data. */
 

@@ -255,7 +255,7 @@ int ledger_file_inspect(struct ledger_file *file, const char *path)
     return code;
 }
 
-/* ---- Hiding a PIN ---------------------------------------------------------------------------- */
+/* ---- Hiding a PIN -------------------------------------------------------------------------- */
 
 /* Hides a PIN that an older version stored as plain digits.
  *

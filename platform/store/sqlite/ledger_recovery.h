@@ -5,7 +5,7 @@
 
 #include "platform/store/sqlite/ledger_file.h"
 
-/* ---- Ledger mirror --------------------------------------------------------------------------- */
+/* ---- Ledger mirror ------------------------------------------------------------------------- */
 
 /* The ledger mirror is a second copy of the newest ledger entries, in a file beside the database.
  *
@@ -54,7 +54,7 @@ bool ledger_mirror_entry(const struct ledger_mirror *tail, uint32_t id, struct l
 /* Returns the newest id in the mirror, or 0 if the mirror is empty. Reads the whole file. */
 uint32_t ledger_mirror_last_id(const struct ledger_mirror *tail);
 
-/* ---- Recovery -------------------------------------------------------------------------------- */
+/* ---- Recovery ------------------------------------------------------------------------------ */
 
 /* Relation of two ledgers, determined from their newest common entry. */
 enum ledger_relation {

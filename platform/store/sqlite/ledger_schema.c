@@ -198,7 +198,7 @@ int ledger_schema_raise(struct ledger_file *file, int version)
     return code == SQLITE_OK ? sql_run(file->db, forget_unknown) : code;
 }
 
-/* ---- Tables ---------------------------------------------------------------------------------- */
+/* ---- Tables -------------------------------------------------------------------------------- */
 
 /* The exact SQL text of every table in every version of the file.
  *

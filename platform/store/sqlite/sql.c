@@ -1,5 +1,5 @@
-/* sql.c -- SQL helper functions, and the opening of a database that an attacker may have written, as
- * https://sqlite.org/security.html recommends; see sql.h. */
+/* sql.c -- SQL helper functions, and the opening of a database that an attacker may have written,
+ * as https://sqlite.org/security.html recommends; see sql.h. */
 #include "platform/store/sqlite/sql.h"
 
 #include <errno.h>
@@ -80,7 +80,7 @@ int sql_end(sqlite3_stmt *statement, int code)
     return code == SQLITE_DONE ? SQLITE_OK : code;
 }
 
-/* ---- Opening --------------------------------------------------------------------------------- */
+/* ---- Opening ------------------------------------------------------------------------------- */
 
 /* Limits of SQLite that are well above the needs of Kingyo's own statements. */
 static const struct {
@@ -216,7 +216,7 @@ int sql_open_unwritable(const char *path, sqlite3 **out)
                       out);
 }
 
-/* ---- Days and dates -------------------------------------------------------------------------- */
+/* ---- Days and dates ------------------------------------------------------------------------ */
 
 /* Converts between day numbers and dates; see day.h. The calculation starts the year in March, so
  * that the leap day is the last day of a year. */

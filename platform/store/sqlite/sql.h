@@ -44,7 +44,7 @@ void sql_text(struct sqlite3_stmt *statement, int column, char *out, int size);
  * Returns SQLITE_OK if `code` is SQLITE_DONE, otherwise `code`. */
 int sql_end(struct sqlite3_stmt *statement, int code);
 
-/* ---- Days and dates -------------------------------------------------------------------------- */
+/* ---- Days and dates ------------------------------------------------------------------------ */
 
 /* Converts between the days and minutes of the ledger and the calendar. */
 
