@@ -17,7 +17,7 @@
 #include "core/base/panic.h"
 #include "platform/os/file.h"
 #include "platform/os/panic.h"
-#include "platform/panic_count.h"
+#include "platform/panics.h"
 #include "platform/store/storage.h"
 #include "platform/thermal.h"
 

@@ -16,7 +16,7 @@
 #include "platform/os/file.h"
 #include "platform/os/json.h"
 #include "platform/os/log.h"
-#include "platform/panic_count.h"
+#include "platform/panics.h"
 
 #define NS_PER_MS 1000000ull
 

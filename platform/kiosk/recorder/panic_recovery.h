@@ -6,7 +6,7 @@
  * after a file was written replaces that file. `kingyoctl replay verify` replays the file. If the
  * panic occurred inside the core, the replay panics at the same tick. After any other panic, the
  * replay ends in the state that the core had at the panic. The file's mode is 0600 because inputs
- * and settings may contain the operator's PIN. panic_count.h counts the panics. */
+ * and settings may contain the operator's PIN. panics.h counts the panics. */
 #ifndef KINGYO_PLATFORM_KIOSK_RECORDER_PANIC_RECOVERY_H
 #define KINGYO_PLATFORM_KIOSK_RECORDER_PANIC_RECOVERY_H
 
@@ -15,7 +15,7 @@
 #include <sys/types.h>
 
 #include "platform/kiosk/recorder/session_recorder.h"
-#include "platform/panic_count.h"
+#include "platform/panics.h"
 
 /* State of the panic handler. The caller owns the structure and initializes it to zero. The address
  * must not change. */
@@ -30,7 +30,7 @@ struct evidence {
     uint64_t boot;
     uint32_t begun_s;          /* Time of the program start in seconds since the machine's boot
                                   (panics_up_s()). */
-    struct panics panics;      /* Count of panics. The file of panic_count.h stores the same
+    struct panics panics;      /* Count of panics. The file of panics.h stores the same
                                   count. */
     atomic_uchar has_frame;    /* 1 if the first frame was shown, otherwise 0. */
     atomic_uchar has_panicked; /* 1 if evidence_write() has started. Afterwards only

@@ -5,7 +5,7 @@
 #ifndef KINGYO_PLATFORM_STORE_SQLITE_LEDGER_BACKUP_H
 #define KINGYO_PLATFORM_STORE_SQLITE_LEDGER_BACKUP_H
 
-#include "platform/panic_count.h"
+#include "platform/panics.h"
 #include "platform/store/sqlite/ledger_file.h"
 
 /* Name of the database in its folder. */

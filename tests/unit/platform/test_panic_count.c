@@ -15,7 +15,7 @@
 
 #include <cmocka.h>
 
-#include "platform/panic_count.h"
+#include "platform/panics.h"
 
 #define BOOT 77u
 

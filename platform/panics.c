@@ -1,6 +1,6 @@
-/* panic_count.c -- stores the count of panics in fixed little-endian fields, followed by a
+/* panics.c -- stores the count of panics in fixed little-endian fields, followed by a
  * checksum. */
-#include "platform/panic_count.h"
+#include "platform/panics.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-/* panic_count.h -- counts panics in a small file in the data folder, and selects the stored data
+/* panics.h -- counts panics in a small file in the data folder, and selects the stored data
  * that the next program start leaves out (deletes after making a copy).
  *
  * A panic is a failed assertion or a fatal signal. After three panics within ten minutes, or after
@@ -11,8 +11,8 @@
  * only if it came before the first frame.
  *
  * The module has no side effects except that it reads and writes the file. */
-#ifndef KINGYO_PLATFORM_PANIC_COUNT_H
-#define KINGYO_PLATFORM_PANIC_COUNT_H
+#ifndef KINGYO_PLATFORM_PANICS_H
+#define KINGYO_PLATFORM_PANICS_H
 
 #include <stdint.h>
 
