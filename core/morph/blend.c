@@ -14,6 +14,7 @@
 
 vec3 morph_position(const struct species_mesh *mesh, uint32_t key, uint32_t vertex)
 {
+    CORE_ASSERT(key < MORPH_KEY_MAX && vertex < mesh->vertex_count);
     const struct species_point *p = &mesh->points[key][vertex];
     const float step = mesh->reach / COUNTS;
     return v3((float)p->x * step, (float)p->y * step, (float)p->z * step);
@@ -39,6 +40,7 @@ vec3 morph_normal(int16_t folded)
 
 int16_t morph_count(float x, float reach)
 {
+    CORE_ASSERT(reach > 0.0f);
     const float counts = f_clamp(x / reach * COUNTS, -COUNTS, COUNTS);
     return (int16_t)(counts + (counts < 0.0f ? -0.5f : 0.5f));
 }
@@ -107,23 +109,18 @@ struct morph_point morph_point(const struct species_mesh *mesh, uint32_t key_cou
     return (struct morph_point){ position, v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f)) };
 }
 
-static struct morph_point carried(const struct anchor_pose *anchor, struct morph_point point)
-{
-    return (struct morph_point){
-        .position = v3_add(anchor->position, pose_rotate(anchor->turn, point.position)),
-        .normal = pose_rotate(anchor->turn, point.normal),
-    };
-}
-
 void blend_each(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
                 uint32_t first, vec3 *positions, vec3 *normals)
 {
+    CORE_ASSERT(first <= mesh->vertex_count && mesh->anchor_count <= ANCHOR_MAX);
     for (uint32_t i = first; i < mesh->vertex_count; i++) {
         const uint8_t anchor = mesh->vertices[i].anchor;
         struct morph_point point = morph_point(mesh, key_count, pose, i);
         if (anchor != ANCHOR_NONE) {
             CORE_ASSERT(anchor < mesh->anchor_count);
-            point = carried(&pose->anchor[anchor], point);
+            const struct anchor_pose *at = &pose->anchor[anchor];
+            point.position = v3_add(at->position, pose_rotate(at->turn, point.position));
+            point.normal = pose_rotate(at->turn, point.normal);
         }
         if (positions) {
             positions[i] = point.position;
@@ -138,6 +135,7 @@ void morph_shape(const struct species_mesh *mesh, uint32_t key_count, const stru
                  vec3 *positions, vec3 *normals)
 {
     CORE_ASSERT(key_count >= 1 && key_count <= MORPH_KEY_MAX);
+    CORE_ASSERT(mesh->vertex_count <= MESH_VERTEX_MAX && mesh->reach > 0.0f);
     const uint32_t done = blend_blocks_4(mesh, key_count, pose, positions, normals);
     blend_each(mesh, key_count, pose, done, positions, normals);
 }

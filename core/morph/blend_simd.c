@@ -65,11 +65,6 @@ static inline flanes low_half(ilanes words)
     return __builtin_convertvector((ilanes)((words << 16) >> 16), flanes);
 }
 
-static inline flanes high_half(ilanes words)
-{
-    return __builtin_convertvector((ilanes)(words >> 16), flanes);
-}
-
 /* Returns `t` with the sign of `x`. The caller guarantees that t >= 0. */
 static inline flanes signed_as(flanes t, flanes x)
 {
@@ -154,7 +149,8 @@ static inline struct point_lanes blend_points(const struct blending *b, const st
         const ilanes low = load_words(points), high = load_words(points + SIMD_LANES / 2);
         const ilanes xy = FIRST(low, high), zn = SECOND(low, high);
         const flanes weight = weigh(b, block, at);
-        const struct simd_v3 counts = simd_v3(low_half(xy), high_half(xy), low_half(zn));
+        const struct simd_v3 counts = simd_v3(
+            low_half(xy), __builtin_convertvector((ilanes)(xy >> 16), flanes), low_half(zn));
         const struct simd_v3 facing = unfold_down(zn);
         p.position = simd_v3_muladd(p.position, counts, weight);
         p.normal.x = p.normal.x + facing.x * weight;
@@ -181,16 +177,6 @@ static inline struct simd_v3 rotate_axis(struct simd_v3 axis, flanes w, struct s
 
 static const struct anchor_pose at_rest = { .turn = { 0.0f, 0.0f, 0.0f, 1.0f } };
 
-static inline const struct anchor_pose *anchor_of(const struct blending *b, uint32_t vertex)
-{
-    const uint8_t anchor = b->mesh->vertices[vertex].anchor;
-    if (anchor == ANCHOR_NONE) {
-        return &at_rest;
-    }
-    CORE_ASSERT(anchor < b->mesh->anchor_count);
-    return &b->pose->anchor[anchor];
-}
-
 /* Rotates and moves each point by its anchor. A point without an anchor keeps its bits, because
  * adding 0 changes only the value -0, and no blended coordinate is -0. */
 static inline struct point_lanes carry(const struct blending *b, uint32_t first,
@@ -199,7 +185,9 @@ static inline struct point_lanes carry(const struct blending *b, uint32_t first,
     const struct anchor_pose *anchor[SIMD_LANES];
     flanes place[4], quat[4], row[2][4];
     for (uint32_t lane = 0; lane < SIMD_LANES; lane++) {
-        anchor[lane] = anchor_of(b, first + lane_vertex[lane]);
+        const uint8_t index = b->mesh->vertices[first + lane_vertex[lane]].anchor;
+        CORE_ASSERT(index == ANCHOR_NONE || index < b->mesh->anchor_count);
+        anchor[lane] = index == ANCHOR_NONE ? &at_rest : &b->pose->anchor[index];
     }
     for (uint32_t i = 0; i < 4; i++) {
         const struct anchor_pose *beside = anchor[i + (SIMD_LANES - 4)];
@@ -248,6 +236,8 @@ static inline void store(vec3 *to, struct simd_v3 a)
     }
 }
 
+/* Returns the values that are common to all blocks, and prefetches the first AHEAD vertices of every
+ * table. blend_points() and load_block() prefetch only vertices at a distance of AHEAD or more. */
 static struct blending begin_blending(const struct species_mesh *mesh, uint32_t key_count,
                                       const struct morph_pose *pose)
 {
@@ -262,21 +252,15 @@ static struct blending begin_blending(const struct species_mesh *mesh, uint32_t 
             b.key[b.key_count++] = (uint8_t)key;
         }
     }
-    return b;
-}
-
-/* Prefetches the first AHEAD vertices of every table. blend_points() and load_block() prefetch only
- * vertices at a distance of AHEAD or more. */
-static void foresee(const struct blending *b)
-{
-    const uint32_t count = b->mesh->vertex_count < AHEAD ? b->mesh->vertex_count : AHEAD;
+    const uint32_t count = mesh->vertex_count < AHEAD ? mesh->vertex_count : AHEAD;
     for (uint32_t first = 0; first < count; first += LINE / sizeof(struct species_point)) {
-        __builtin_prefetch(&b->mesh->vertices[first]);
-        __builtin_prefetch(&b->mesh->vertices[first + LINE / sizeof(struct species_vertex)]);
-        for (uint32_t at = 0; at < b->key_count; at++) {
-            __builtin_prefetch(&b->mesh->points[b->key[at]][first]);
+        __builtin_prefetch(&mesh->vertices[first]);
+        __builtin_prefetch(&mesh->vertices[first + LINE / sizeof(struct species_vertex)]);
+        for (uint32_t at = 0; at < b.key_count; at++) {
+            __builtin_prefetch(&mesh->points[b.key[at]][first]);
         }
     }
+    return b;
 }
 
 uint32_t SIMD_NAME(blend_blocks)(const struct species_mesh *mesh, uint32_t key_count,
@@ -284,7 +268,6 @@ uint32_t SIMD_NAME(blend_blocks)(const struct species_mesh *mesh, uint32_t key_c
 {
     const struct blending b = begin_blending(mesh, key_count, pose);
     uint32_t first = 0;
-    foresee(&b);
     for (; first + SIMD_LANES < mesh->vertex_count; first += SIMD_LANES) {
         const struct block block = load_block(&mesh->vertices[first]);
         struct point_lanes p = blend_points(&b, &block, first);

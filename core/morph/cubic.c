@@ -9,18 +9,6 @@ static float rise(const struct cubic_point *from)
     return (from[1].value - from->value) / (from[1].at - from->at);
 }
 
-/* Returns the slope at an inner point: the weighted harmonic mean of the slopes on both sides. h0
- * and d0 are the width and the slope of the interval before the point. h1 and d1 are those of the
- * interval after the point. */
-static float inner_slope(float h0, float d0, float h1, float d1)
-{
-    if (!(d0 * d1 > 0.0f)) {
-        return 0.0f; /* At a peak, at a trough and beside a level interval, the slope is 0. */
-    }
-    const float near = 2.0f * h1 + h0, far = h1 + 2.0f * h0;
-    return (near + far) / (near / d0 + far / d1);
-}
-
 /* Returns the slope at the first or the last point. h0 and d0 are the width and the slope of the
  * interval at that point. h1 and d1 are those of the next interval toward the middle. */
 static float end_slope(float h0, float d0, float h1, float d1)
@@ -40,12 +28,22 @@ float cubic_slope(const struct cubic_point *points, uint32_t count, uint32_t ind
     }
     const uint32_t last = count - 1u;
     const struct cubic_point *middle = &points[index == 0 ? 1u : index == last ? last - 1u : index];
+    /* h0 and d0 are the width and the slope of the interval before `middle`, and h1 and d1 are those
+     * of the interval after it. */
     const float h0 = middle->at - middle[-1].at, d0 = rise(middle - 1);
     const float h1 = middle[1].at - middle->at, d1 = rise(middle);
     if (index == 0) {
         return end_slope(h0, d0, h1, d1);
     }
-    return index == last ? end_slope(h1, d1, h0, d0) : inner_slope(h0, d0, h1, d1);
+    if (index == last) {
+        return end_slope(h1, d1, h0, d0);
+    }
+    if (!(d0 * d1 > 0.0f)) {
+        return 0.0f; /* At a peak, at a trough and beside a level interval, the slope is 0. */
+    }
+    /* The slope at an inner point is the weighted harmonic mean of the slopes on both sides. */
+    const float near = 2.0f * h1 + h0, far = h1 + 2.0f * h0;
+    return (near + far) / (near / d0 + far / d1);
 }
 
 float cubic_between(const struct cubic_point *from, float slope_from, const struct cubic_point *to,
@@ -59,6 +57,7 @@ float cubic_between(const struct cubic_point *from, float slope_from, const stru
 float cubic_curve(const struct cubic_point *points, uint32_t count, float at)
 {
     uint32_t next = 1;
+    CORE_ASSERT(count >= 2);
     while (next + 1u < count && at > points[next].at) {
         next++;
     }

@@ -1,11 +1,14 @@
-/* graph.c -- evaluates deformation graphs, which give the weight of each key shape (modelled growth
- * stage) as a fish grows. */
+/* graph.c -- checks, evaluates, solves and writes deformation graphs, which give the weight of each
+ * key shape (modelled growth stage) as a fish grows. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
 #include "core/morph/cubic.h"
 
 #define SUM_ERROR_MAX 1e-6f
+/* Smallest pivot of the elimination. A smaller pivot would cause an exaggeration of more than ten
+ * times, which is an error in the graph. */
+#define PIVOT_MIN 0.1f
 
 static struct graph_verdict check_knot(const struct graph *graph, uint32_t key_count,
                                        uint32_t index)
@@ -47,34 +50,10 @@ struct graph_verdict graph_check(const struct graph *graph, uint32_t key_count)
     }
     float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
     uint32_t stuck = 0;
-    if (graph->solved && !solve_graph(graph, key_count, solution, &stuck)) {
+    if (graph->solved && !graph_solve(graph, key_count, solution, &stuck)) {
         return (struct graph_verdict){ GRAPH_UNSOLVABLE, 0, (uint8_t)stuck, 0.0f };
     }
     return (struct graph_verdict){ GRAPH_GOOD, 0, 0, 0.0f };
-}
-
-static float smooth_weight(const struct graph *graph, uint32_t key, float progress)
-{
-    struct cubic_point points[GRAPH_KNOT_MAX];
-    for (uint32_t i = 0; i < graph->knot_count; i++) {
-        points[i] = (struct cubic_point){ graph->knots[i].progress, graph->knots[i].weight[key] };
-    }
-    /* A monotone cubic curve through weights is never negative except by rounding errors, which the
-     * clamp removes. */
-    return f_max(cubic_curve(points, graph->knot_count, progress), 0.0f);
-}
-
-static void smooth_weights(const struct graph *graph, uint32_t key_count, float progress,
-                           float weights[MORPH_KEY_MAX])
-{
-    float sum = 0.0f;
-    for (uint32_t i = 0; i < key_count; i++) {
-        weights[i] = smooth_weight(graph, i, progress);
-        sum += weights[i];
-    }
-    for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
-        weights[i] = i < key_count ? weights[i] / sum : 0.0f;
-    }
 }
 
 static void straight_weights(const struct graph *graph, uint32_t key_count, float progress,
@@ -99,9 +78,159 @@ void graph_weights(const struct graph *graph, uint32_t key_count, float progress
 {
     CORE_ASSERT(progress >= 0.0f && progress <= 1.0f);
     CORE_ASSERT(graph->knot_count >= 2 && graph->knot_count <= GRAPH_KNOT_MAX);
-    if (graph->line == GRAPH_SMOOTH) {
-        smooth_weights(graph, key_count, progress, weights);
-    } else {
+    CORE_ASSERT(key_count >= 1 && key_count <= MORPH_KEY_MAX);
+    if (graph->line != GRAPH_SMOOTH) {
         straight_weights(graph, key_count, progress, weights);
+        return;
+    }
+    float sum = 0.0f;
+    for (uint32_t key = 0; key < key_count; key++) {
+        struct cubic_point points[GRAPH_KNOT_MAX];
+        for (uint32_t i = 0; i < graph->knot_count; i++) {
+            const struct graph_knot *knot = &graph->knots[i];
+            points[i] = (struct cubic_point){ knot->progress, knot->weight[key] };
+        }
+        /* A monotone cubic curve through weights is never negative except by rounding errors, which
+         * the lower limit removes. */
+        weights[key] = f_max(cubic_curve(points, graph->knot_count, progress), 0.0f);
+        sum += weights[key];
+    }
+    for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
+        weights[i] = i < key_count ? weights[i] / sum : 0.0f;
+    }
+}
+
+/* ---- Exaggerated key shapes ----------------------------------------------------------------- */
+
+/* A solved graph exaggerates its key shapes, so that the blended fish passes through every drawn
+ * shape. If a graph never gives key i the weight 1, the fish never has exactly the drawn shape of
+ * key i. For example, TEMPLATE_SIMULTANEOUS gives an inner key a weight of at most 0.7. In the 2005
+ * thesis, the drawing is exaggerated by hand until the blend is right. In this code, the drawn
+ * shape K_i is the true growth stage, and the exaggerated shapes C_j, which are blended, are
+ * computed. M is the matrix of the graph's weights at the progress of each key, and therefore K = M
+ * * C and C = M^-1 * K. For three keys S, T and U, the exaggerated middle shape is T' = (T - 0.15 *
+ * (S + U)) / 0.7. The shapes C are never stored, because blending C with the weights V equals
+ * blending K with the weights V * M^-1. */
+struct system {
+    float left[MORPH_KEY_MAX][MORPH_KEY_MAX];
+    float (*right)[MORPH_KEY_MAX];
+};
+
+static void swap_rows(float *a, float *b, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        const float kept = a[i];
+        a[i] = b[i];
+        b[i] = kept;
+    }
+}
+
+/* Subtracts `factor` times the row `from` from the row `row`. */
+static void subtract_row(float *row, const float *from, float factor, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        row[i] -= factor * from[i];
+    }
+}
+
+/* Performs one Gauss-Jordan step on a column, with its largest remaining value as the pivot.
+ * Returns false if the pivot is below PIVOT_MIN. */
+static bool clear_column(struct system *s, uint32_t column, uint32_t count)
+{
+    uint32_t pivot = column;
+    CORE_ASSERT(column < count && count <= MORPH_KEY_MAX);
+    for (uint32_t row = column + 1; row < count; row++) {
+        pivot = f_abs(s->left[row][column]) > f_abs(s->left[pivot][column]) ? row : pivot;
+    }
+    if (!(f_abs(s->left[pivot][column]) >= PIVOT_MIN)) {
+        return false;
+    }
+    swap_rows(s->left[pivot], s->left[column], count);
+    swap_rows(s->right[pivot], s->right[column], count);
+    const float scale = s->left[column][column];
+    for (uint32_t i = 0; i < count; i++) {
+        s->left[column][i] /= scale;
+        s->right[column][i] /= scale;
+    }
+    for (uint32_t row = 0; row < count; row++) {
+        if (row != column) {
+            const float factor = s->left[row][column];
+            subtract_row(s->left[row], s->left[column], factor, count);
+            subtract_row(s->right[row], s->right[column], factor, count);
+        }
+    }
+    return true;
+}
+
+bool graph_solve(const struct graph *graph, uint32_t key_count,
+                 float solution[MORPH_KEY_MAX][MORPH_KEY_MAX], uint32_t *stuck)
+{
+    struct system system = { .right = solution };
+    CORE_ASSERT(key_count >= 2 && key_count <= MORPH_KEY_MAX);
+    for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
+        for (uint32_t j = 0; j < MORPH_KEY_MAX; j++) {
+            solution[i][j] = i == j && i < key_count ? 1.0f : 0.0f;
+        }
+        if (i < key_count) {
+            graph_weights(graph, key_count, (float)i / (float)(key_count - 1), system.left[i]);
+        }
+    }
+    for (uint32_t column = 0; column < key_count; column++) {
+        if (!clear_column(&system, column, key_count)) {
+            *stuck = column;
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- Standard graphs (2005 thesis, figures 3.8 and 3.9) ------------------------------------- */
+
+/* Adds one knot for each key. At its own knot, an inner key has the weight `peak`, and each of its
+ * two neighbours has the weight (1 - peak) / 2. The first and the last key have the weight 1 at
+ * their own knots. */
+static void hats(struct graph *graph, uint32_t key_count, float peak)
+{
+    graph->knot_count = (uint8_t)key_count;
+    for (uint32_t i = 0; i < key_count; i++) {
+        struct graph_knot *knot = &graph->knots[i];
+        const bool inner = i > 0 && i < key_count - 1;
+        knot->progress = (float)i / (float)(key_count - 1);
+        knot->weight[i] = inner ? peak : 1.0f;
+        if (inner) {
+            knot->weight[i - 1] = 0.5f * (1.0f - peak);
+            knot->weight[i + 1] = 0.5f * (1.0f - peak);
+        }
+    }
+}
+
+void graph_from_template(struct graph *graph, enum graph_template template_id, uint32_t key_count,
+                         float peak)
+{
+    CORE_ASSERT(key_count >= 2 && key_count <= MORPH_KEY_MAX);
+    CORE_ASSERT(template_id > TEMPLATE_OWN && template_id < TEMPLATE_COUNT);
+    CORE_ASSERT(peak > 0.5f && peak <= 1.0f);
+    *graph = (struct graph){ 0 };
+    switch (template_id) {
+    case TEMPLATE_ORDINARY:
+        graph->knot_count = 2;
+        graph->knots[0].weight[0] = 1.0f;
+        graph->knots[1].progress = 1.0f;
+        graph->knots[1].weight[key_count - 1] = 1.0f;
+        break;
+    case TEMPLATE_PAIRWISE:
+        hats(graph, key_count, 1.0f);
+        break;
+    case TEMPLATE_SIMULTANEOUS:
+        hats(graph, key_count, peak);
+        graph->line = GRAPH_SMOOTH;
+        graph->solved = 1;
+        break;
+    default:
+        hats(graph, key_count, 2.0f / 3.0f); /* The weights at an inner knot are 1/6, 4/6 and 1/6,
+                                                as for a cubic B-spline. */
+        graph->line = GRAPH_SMOOTH;
+        graph->solved = 1;
+        break;
     }
 }

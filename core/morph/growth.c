@@ -33,14 +33,6 @@ static float curve_lead_m(const struct growth *growth, float age_days)
     return f_max(growth->length_inf_m * grown - last->length_m, 0.0f);
 }
 
-static float beyond_points_m(const struct growth *growth, float age_days)
-{
-    const struct growth_point *last = &growth->points[growth->point_count - 1];
-    const float since_years = (f_min(age_days, AGE_MAX_DAYS) - last->age_days) / DAYS_PER_YEAR;
-    const float young = f_exp(-f_max(since_years, 0.0f) / growth->fade_year);
-    return last->length_m + curve_lead_m(growth, age_days) * (1.0f - young);
-}
-
 /* Returns the growth rate at a measured point, in metres per day. At the last point, the growth
  * rate equals the initial growth rate of the following curve, limited so that the table stays
  * monotone. */
@@ -48,6 +40,7 @@ static float point_slope(const struct growth *growth, const struct cubic_point *
                          uint32_t index)
 {
     const uint32_t count = growth->point_count;
+    CORE_ASSERT(count >= 2 && index < count);
     if (index + 1u < count) {
         return cubic_slope(points, count, index);
     }
@@ -78,13 +71,18 @@ float growth_length_m(const struct growth *growth, float age_days)
     CORE_ASSERT(age_days >= 0.0f);
     CORE_ASSERT(growth->fade_year > 0.0f);
     CORE_ASSERT(growth->point_count >= 1 && growth->point_count <= GROWTH_POINT_MAX);
-    return age_days < growth->points[growth->point_count - 1].age_days
-               ? among_points_m(growth, age_days)
-               : beyond_points_m(growth, age_days);
+    const struct growth_point *last = &growth->points[growth->point_count - 1];
+    if (age_days < last->age_days) {
+        return among_points_m(growth, age_days);
+    }
+    const float since_years = (f_min(age_days, AGE_MAX_DAYS) - last->age_days) / DAYS_PER_YEAR;
+    const float young = f_exp(-f_max(since_years, 0.0f) / growth->fade_year);
+    return last->length_m + curve_lead_m(growth, age_days) * (1.0f - young);
 }
 
 struct growth growth_shifted(const struct growth *growth)
 {
+    CORE_ASSERT(growth->point_count >= 1 && growth->length_inf_m > 0.0f);
     const struct growth_point hatching = growth->points[0];
     const float share = f_clamp(hatching.length_m / growth->length_inf_m, 0.0f, 0.999f);
     return (struct growth){
@@ -118,6 +116,7 @@ static float age_in_span(const struct growth *growth, float from_days, float to_
 float growth_age_between(const struct growth *growth, float from_days, float to_days,
                          float length_m)
 {
+    CORE_ASSERT(from_days >= 0.0f && from_days <= to_days);
     float from = from_days, at_m = growth_length_m(growth, from);
     if (at_m == length_m) {
         return from;
@@ -146,6 +145,7 @@ float growth_age_days(const struct growth *growth, float length_m)
 
 bool growth_is_one_way(const struct growth *growth, float from_days, float to_days)
 {
+    CORE_ASSERT(from_days <= to_days);
     const float end_m = growth_length_m(growth, to_days);
     float at_m = growth_length_m(growth, from_days);
     const bool rises = end_m > at_m;

@@ -35,11 +35,13 @@ static bool goes_by_length(const struct species_card *card, uint32_t key)
  * at `to_m`. */
 static float part_between(float from_m, float to_m, float length_m)
 {
+    CORE_ASSERT(from_m > 0.0f && to_m > 0.0f);
     return f_clamp(f_log(length_m / from_m) / f_log(to_m / from_m), 0.0f, 1.0f);
 }
 
 static float length_between(float from_m, float to_m, float part)
 {
+    CORE_ASSERT(from_m > 0.0f && to_m > 0.0f && part >= 0.0f && part <= 1.0f);
     const float length_m = from_m * f_exp(f_log(to_m / from_m) * part);
     return f_clamp(length_m, f_min(from_m, to_m), f_max(from_m, to_m));
 }
@@ -51,30 +53,9 @@ static float part_of_age(const struct species_card *card, uint32_t key, float ag
     return f_clamp((age_days - age[0]) / (age[1] - age[0]), 0.0f, 1.0f);
 }
 
-/* Returns the position of an age between two keys: 0 at the age of `key`, 1 at the age of the next
- * key. The position is computed from the lengths of the growth curve, on a logarithmic scale. */
-static float part_of_growth(const struct species_card *card, uint32_t key, float age_days)
-{
-    const float *age = &card->key_age_days[key];
-    return part_between(growth_length_m(&card->growth, age[0]),
-                        growth_length_m(&card->growth, age[1]),
-                        growth_length_m(&card->growth, age_days));
-}
-
-/* Returns the age at the position `part` in [0, 1] between `key` and the next key. The function is
- * the inverse of part_of_growth(). */
-static float age_of_growth(const struct species_card *card, uint32_t key, float part)
-{
-    const float *age = &card->key_age_days[key];
-    const float length_m = length_between(growth_length_m(&card->growth, age[0]),
-                                          growth_length_m(&card->growth, age[1]), part);
-    const float days = growth_age_between(&card->growth, age[0], age[1], length_m);
-    CORE_ASSERT(days >= age[0]);
-    return days;
-}
-
 static float progress_of(const struct species_card *card, uint32_t key, float part)
 {
+    CORE_ASSERT(key < last_key(card) && part >= 0.0f && part <= 1.0f);
     return ((float)key + part) / (float)last_key(card);
 }
 
@@ -95,7 +76,11 @@ float life_progress(const struct species_card *card, float age_days)
             if (!goes_by_length(card, key)) {
                 return progress_of(card, key, part_of_age(card, key, age_days));
             }
-            return progress_of(card, key, part_of_growth(card, key, age_days));
+            const float *age = &card->key_age_days[key];
+            return progress_of(card, key,
+                               part_between(growth_length_m(&card->growth, age[0]),
+                                            growth_length_m(&card->growth, age[1]),
+                                            growth_length_m(&card->growth, age_days)));
         }
     }
     return 1.0f;
@@ -118,15 +103,6 @@ static uint32_t key_before(const struct species_card *card, float progress, floa
     return key;
 }
 
-static float length_at(const struct species_card *card, uint32_t key, float part)
-{
-    const float *length = &card->key_length_m[key];
-    if (part <= 0.0f || part >= 1.0f) {
-        return length[part >= 1.0f];
-    }
-    return length_between(length[0], length[1], part);
-}
-
 float life_age_days(const struct species_card *card, float progress)
 {
     float part;
@@ -135,10 +111,14 @@ float life_age_days(const struct species_card *card, float progress)
     if (part <= 0.0f || part >= 1.0f) {
         return age[part >= 1.0f];
     }
-    if (goes_by_length(card, key)) {
-        return age_of_growth(card, key, part);
+    if (!goes_by_length(card, key)) {
+        return f_lerp(age[0], age[1], part);
     }
-    return f_lerp(age[0], age[1], part);
+    const float length_m = length_between(growth_length_m(&card->growth, age[0]),
+                                          growth_length_m(&card->growth, age[1]), part);
+    const float days = growth_age_between(&card->growth, age[0], age[1], length_m);
+    CORE_ASSERT(days >= age[0]);
+    return days;
 }
 
 /* Returns the length by the hand-drawn size curve (the purple curve of the 2005 thesis). The curve
@@ -166,10 +146,13 @@ float life_length_m(const struct species_card *card, float progress)
     if (card->scale_knot_count > 0) {
         return scale_by_hand_m(card, progress);
     }
-    if (part > 0.0f && part < 1.0f && !goes_by_length(card, key)) {
-        return growth_length_m(&card->growth, life_age_days(card, progress));
+    const float *length = &card->key_length_m[key];
+    if (part <= 0.0f || part >= 1.0f) {
+        return length[part >= 1.0f];
     }
-    return length_at(card, key, part);
+    return goes_by_length(card, key)
+               ? length_between(length[0], length[1], part)
+               : growth_length_m(&card->growth, life_age_days(card, progress));
 }
 
 /* Returns the earliest progress at which the hand-drawn size curve has the length `length_m`.

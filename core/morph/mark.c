@@ -8,6 +8,7 @@
 #include "core/morph/mark.h"
 
 #include "core/base/fmath.h"
+#include "core/base/panic.h"
 #include "core/morph/morph.h"
 
 #define PI 3.14159265f
@@ -42,6 +43,7 @@ static const struct {
 
 struct mark_point mark_point_of(const struct species_vertex *at, enum body_form form)
 {
+    CORE_ASSERT(at->part < PART_COUNT && at->side <= SIDE_LEFT && form <= FORM_PUFFER);
     struct mark_point point = { .part = at->part, .side = at->side, .u = at->u };
     if (at->part >= PART_TAIL) {
         point.height = at->v;
@@ -162,66 +164,28 @@ static float rows(const struct species_mark *m, const struct mark_point *at)
     return disc(f_sqrt(dx * dx + dy * dy * lower * lower), m->width * thinner);
 }
 
-static float bands(const struct species_mark *m, const struct mark_point *at)
+/* Returns the cover of equally spaced lines. `offset` is the distance of the point from the first
+ * limit of the mark, across the lines, and `extent` is the distance between both limits. */
+static float lines(const struct species_mark *m, float offset, float extent)
 {
     const float count = f_max((float)m->count, 1.0f);
-    const float step = f_max(m->to - m->from, 1e-3f) / count;
-    const float x = (at->u - m->slant * (at->height - 0.5f) - m->from) / step;
-    const float bar = f_clamp(f_floor(x), 0.0f, count - 1.0f);
-    return disc(f_abs(bar + 0.5f - x) * step, 0.5f * m->width) *
-           soft_interval(at->height, m->low, m->high, SOFT_HEIGHT);
-}
-
-static float stripes(const struct species_mark *m, const struct mark_point *at)
-{
-    const float count = f_max((float)m->count, 1.0f);
-    const float step = f_max(m->high - m->low, 1e-3f) / count;
-    const float y = (at->height - m->slant * (at->u - m->from) - m->low) / step;
-    const float line = f_clamp(f_floor(y), 0.0f, count - 1.0f);
-    return disc(f_abs(line + 0.5f - y) * step, 0.5f * m->width) *
-           soft_interval(at->u, m->from, m->to, 4.0f * SOFT_U);
-}
-
-static float edge(const struct species_mark *m, const struct mark_point *at)
-{
-    const float inner = 1.0f - m->width, soft = 0.25f * m->width + 0.005f;
-    return f_smoothstep(inner - soft, inner + soft, at->height) *
-           soft_interval(at->u, m->from, m->to, SOFT_HEIGHT);
-}
-
-static float side(const struct species_mark *m, const struct mark_point *at)
-{
-    const float toward = m->count == SIDE_RIGHT ? at->right : -at->right;
-    const float soft = f_max(m->width, 0.02f);
-    return f_smoothstep(SIDE_RIM, SIDE_RIM + 2.0f * soft, toward) *
-           soft_interval(at->u, m->from, m->to, SOFT_HEIGHT);
-}
-
-/* Returns the cover of the mouth's slit. The slit runs from the snout at the height `high` to the
- * corner of the mouth at u = `to` and height `low`, and narrows toward the corner. */
-static float mouth(const struct species_mark *m, const struct mark_point *at)
-{
-    const float along = at->u / f_max(m->to, 1e-3f);
-    const float line = f_lerp(m->high, m->low, f_clamp(along, 0.0f, 1.0f));
-    const float width = 0.5f * m->width * SLIT_HEIGHT * (1.0f - 0.5f * f_clamp(along, 0.0f, 1.0f));
-    return disc(f_abs(at->height - line), width) * (1.0f - f_smoothstep(0.92f, 1.06f, along));
-}
-
-/* Returns the cover of the gill's slit, which is an arc whose middle is farthest back. */
-static float gill(const struct species_mark *m, const struct mark_point *at)
-{
-    const float half = f_max(0.5f * (m->high - m->low), 1e-3f);
-    const float t = (at->height - 0.5f * (m->low + m->high)) / half;
-    const float bow = m->slant * 2.0f * half * BOW_HEIGHT;
-    const float ends = 1.0f - f_smoothstep(0.7f, 1.0f, f_abs(t));
-    return disc(f_abs(at->u - m->to + bow * t * t), 0.5f * m->width) * ends;
+    const float step = f_max(extent, 1e-3f) / count;
+    const float x = offset / step;
+    const float line = f_clamp(f_floor(x), 0.0f, count - 1.0f);
+    return disc(f_abs(line + 0.5f - x) * step, 0.5f * m->width);
 }
 
 float mark_cover(const struct species_mark *m, const struct mark_point *at)
 {
+    CORE_ASSERT(at->part < PART_COUNT && at->side <= SIDE_LEFT);
     if (m->kind == MARK_SIDE) { /* A one-sided mark also covers the paired fins on its side. */
         const bool paired = at->part == PART_PECTORAL || at->part == PART_PELVIC;
-        return at->part == PART_BODY || paired ? side(m, at) : 0.0f;
+        const float toward = m->count == SIDE_RIGHT ? at->right : -at->right;
+        const float soft = f_max(m->width, 0.02f);
+        return at->part != PART_BODY && !paired
+                   ? 0.0f
+                   : f_smoothstep(SIDE_RIM, SIDE_RIM + 2.0f * soft, toward) *
+                         soft_interval(at->u, m->from, m->to, SOFT_HEIGHT);
     }
     if (m->part != at->part) {
         return 0.0f;
@@ -232,18 +196,33 @@ float mark_cover(const struct species_mark *m, const struct mark_point *at)
     case MARK_ROWS:
         return rows(m, at);
     case MARK_BANDS:
-        return bands(m, at);
+        return lines(m, at->u - m->slant * (at->height - 0.5f) - m->from, m->to - m->from) *
+               soft_interval(at->height, m->low, m->high, SOFT_HEIGHT);
     case MARK_STRIPES:
-        return stripes(m, at);
-    case MARK_EDGE:
-        return edge(m, at);
+        return lines(m, at->height - m->slant * (at->u - m->from) - m->low, m->high - m->low) *
+               soft_interval(at->u, m->from, m->to, 4.0f * SOFT_U);
+    case MARK_EDGE: {
+        const float inner = 1.0f - m->width, soft = 0.25f * m->width + 0.005f;
+        return f_smoothstep(inner - soft, inner + soft, at->height) *
+               soft_interval(at->u, m->from, m->to, SOFT_HEIGHT);
+    }
     case MARK_PATCH:
         return soft_interval(at->u, m->from, m->to, m->width) *
                soft_interval(at->height, m->low, m->high, m->width);
-    case MARK_MOUTH:
-        return mouth(m, at);
-    case MARK_GILL:
-        return gill(m, at);
+    case MARK_MOUTH: { /* The slit runs from the snout at the height `high` to the corner of the
+                          mouth at u = `to` and height `low`, and narrows toward the corner. */
+        const float along = at->u / f_max(m->to, 1e-3f), part = f_clamp(along, 0.0f, 1.0f);
+        const float width = 0.5f * m->width * SLIT_HEIGHT * (1.0f - 0.5f * part);
+        return disc(f_abs(at->height - f_lerp(m->high, m->low, part)), width) *
+               (1.0f - f_smoothstep(0.92f, 1.06f, along));
+    }
+    case MARK_GILL: { /* The slit is an arc whose middle is farthest back. */
+        const float half = f_max(0.5f * (m->high - m->low), 1e-3f);
+        const float t = (at->height - 0.5f * (m->low + m->high)) / half;
+        const float bow = m->slant * 2.0f * half * BOW_HEIGHT;
+        return disc(f_abs(at->u - m->to + bow * t * t), 0.5f * m->width) *
+               (1.0f - f_smoothstep(0.7f, 1.0f, f_abs(t)));
+    }
     default:
         return 0.0f;
     }

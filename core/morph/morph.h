@@ -70,7 +70,7 @@ enum graph_fault {
     GRAPH_NEGATIVE,   /* The weight of key `key` at knot `knot` is negative or NaN. */
     GRAPH_SUM,        /* The weights of knot `knot` sum to `value`, which differs from 1 by more
                          than 1e-6. */
-    GRAPH_UNSOLVABLE, /* The graph requests exaggerated shapes (`solved`), but solve_graph() fails:
+    GRAPH_UNSOLVABLE, /* The graph requests exaggerated shapes (`solved`), but graph_solve() fails:
                          key `key` has too little weight at its own progress. */
 };
 
@@ -90,15 +90,15 @@ struct graph_verdict graph_check(const struct graph *graph, uint32_t key_count);
 void graph_weights(const struct graph *graph, uint32_t key_count, float progress,
                    float weights[MORPH_KEY_MAX]);
 
-/* Computes exaggerated key shapes for a graph that never gives a single key the weight 1 (solve.c).
+/* Computes exaggerated key shapes for a graph that never gives a single key the weight 1.
  * `solution[i][j]` receives the weight of drawn key j in the exaggerated shape for key i, and each
  * row sums to 1. A fish that is blended from the exaggerated shapes has exactly the drawn shape of
  * key i at progress i / (n - 1), where n is `key_count`. Returns false if an exaggeration of more
  * than ten times would be necessary, and then writes the index of the key that fails to `stuck`. */
-bool solve_graph(const struct graph *graph, uint32_t key_count,
+bool graph_solve(const struct graph *graph, uint32_t key_count,
                  float solution[MORPH_KEY_MAX][MORPH_KEY_MAX], uint32_t *stuck);
 
-/* Standard graphs (template.c), which a caller can use in place of the graphs of a species. */
+/* Standard graphs, which a caller can use in place of the graphs of a species. */
 
 enum graph_template {
     TEMPLATE_OWN = 0,      /* The species keeps its own graphs. */
@@ -119,10 +119,10 @@ enum graph_template {
 
 /* Writes a standard graph to `graph`. Asserts that `template_id` is not TEMPLATE_OWN and that
  * `peak` is in (0.5, 1]. Only TEMPLATE_SIMULTANEOUS uses `peak`. */
-void template_graph(struct graph *graph, enum graph_template template_id, uint32_t key_count,
-                    float peak);
+void graph_from_template(struct graph *graph, enum graph_template template_id, uint32_t key_count,
+                         float peak);
 
-/* Deformation graphs of one fish (one per curve), prepared for repeated evaluation (rig.c). */
+/* Deformation graphs of one fish (one per curve), prepared for repeated evaluation (pose.c). */
 
 struct morph_rig {
     uint32_t key_count, curve_count;
@@ -133,7 +133,7 @@ struct morph_rig {
 };
 
 /* Initializes a rig. TEMPLATE_OWN uses the graphs of the card, and any other template replaces the
- * graphs of all curves. If solve_graph() fails for a graph, the drawn shapes are blended directly.
+ * graphs of all curves. If graph_solve() fails for a graph, the drawn shapes are blended directly.
  * In this case, graph_check() returns the fault of the graph. */
 void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
                     enum graph_template template_id);
@@ -267,7 +267,7 @@ void straight_species(const struct species *from, struct straight_memory *memory
 
 /* Writes to `out` the result of straight_species(), reduced to the three keys and the template
  * that the 2005 thesis, chapter 4, uses for the species. With TEMPLATE_SIMULTANEOUS, the middle
- * key is exaggerated by solve_graph(). The keys keep their ages, and the lengths follow
+ * key is exaggerated by graph_solve(). The keys keep their ages, and the lengths follow
  * growth_shifted(). */
 void straight_thesis(const struct species *from, struct straight_memory *memory,
                      struct species *out);

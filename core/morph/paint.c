@@ -30,42 +30,33 @@ static vec3 rgb(uint32_t colour)
               (float)(colour & 255u) * scale);
 }
 
-/* Returns the paint of an eye at the coordinate `u` (0 is the centre of the pupil, 1 is the visible
- * edge). The pupil is black, the iris is darker toward its edge, and the lining behind the visible
- * edge is black. The lining is visible where a larva's eye protrudes, and through the larva's
- * transparent head. */
-static struct paint eye_paint(const struct species_coat *coat, float u)
-{
-    const vec3 black = v3(0.015f, 0.015f, 0.02f);
-    const float rim = f_smoothstep(0.75f, 1.1f, u);
-    const vec3 iris = v3_scale(rgb(coat->iris), 1.0f - 0.55f * rim);
-    const float outside = f_smoothstep(PUPIL - 0.06f, PUPIL + 0.06f, u);
-    const float lining = f_smoothstep(1.0f, 1.3f, u);
-    return (struct paint){ .colour = v3_lerp(black, iris, outside * (1.0f - 0.9f * lining)),
-                           .shine = IRIS_SHINE * outside * (1.0f - rim) };
-}
-
-/* Returns the paint of the skin without marks at the position `down`, where 0 is the back and 1 is
- * the belly. */
-static struct paint skin_paint(const struct species_coat *coat, float down)
-{
-    const float flank = f_smoothstep(0.1f, 0.5f, down), belly = f_smoothstep(0.6f, 0.95f, down);
-    const vec3 upper = v3_lerp(rgb(coat->back), rgb(coat->flank), flank);
-    const float shine = (float)coat->shine / 255.0f;
-    return (struct paint){ .colour = v3_lerp(upper, rgb(coat->belly), belly),
-                           .shine = shine * f_lerp(BACK_SHINE, 1.0f, flank),
-                           .clear = (float)coat->clear / 255.0f };
-}
-
+/* Returns the paint of a coat without marks.
+ *
+ * The pupil of an eye is black, the iris is darker toward its edge, and the lining behind the
+ * visible edge is black. The lining is visible where a larva's eye protrudes, and through the
+ * larva's transparent head. */
 static struct paint bare_paint(const struct species_coat *coat, const struct mark_point *at)
 {
+    const float clear = (float)coat->clear / 255.0f;
     if (at->part == PART_EYE) {
-        return eye_paint(coat, at->u);
+        const vec3 black = v3(0.015f, 0.015f, 0.02f);
+        const float rim = f_smoothstep(0.75f, 1.1f, at->u);
+        const vec3 iris = v3_scale(rgb(coat->iris), 1.0f - 0.55f * rim);
+        const float outside = f_smoothstep(PUPIL - 0.06f, PUPIL + 0.06f, at->u);
+        const float lining = f_smoothstep(1.0f, 1.3f, at->u);
+        return (struct paint){ .colour = v3_lerp(black, iris, outside * (1.0f - 0.9f * lining)),
+                               .shine = IRIS_SHINE * outside * (1.0f - rim) };
     }
     if (at->part == PART_BODY) {
-        return skin_paint(coat, at->down);
+        const float flank = f_smoothstep(0.1f, 0.5f, at->down);
+        const float belly = f_smoothstep(0.6f, 0.95f, at->down);
+        const vec3 upper = v3_lerp(rgb(coat->back), rgb(coat->flank), flank);
+        const float shine = (float)coat->shine / 255.0f;
+        return (struct paint){ .colour = v3_lerp(upper, rgb(coat->belly), belly),
+                               .shine = shine * f_lerp(BACK_SHINE, 1.0f, flank),
+                               .clear = clear };
     }
-    return (struct paint){ .colour = rgb(coat->fin), .clear = (float)coat->clear / 255.0f };
+    return (struct paint){ .colour = rgb(coat->fin), .clear = clear };
 }
 
 /* Returns the weighted mean of the keys' paints without marks. share[i] is the weight of key i, and
@@ -105,6 +96,7 @@ struct mark_mean {
 
 static void mix_mark(struct mark_mean *mean, const struct species_mark *m, float share)
 {
+    CORE_ASSERT(share > 0.0f);
     mean->share += share;
     const float t = share / mean->share;
     mean->colour = v3_lerp(mean->colour, rgb(m->colour), t);
@@ -148,21 +140,13 @@ static void lay_marks(const struct species *species, const float *share, uint32_
 static struct paint paint_of_marks(const struct species *species, const float *share,
                                    uint32_t slots, const struct species_vertex *at)
 {
+    CORE_ASSERT(slots <= MARK_MAX);
     const struct mark_point point = mark_point_of(at, (enum body_form)species->card.form);
     struct paint paint = mean_paint(species, share, &point);
     for (uint32_t slot = 0; slot < slots; slot++) {
         lay_marks(species, share, slot, &point, &paint);
     }
     return paint;
-}
-
-/* Blends the paint of the skin into the paint of the tail fin near the tail root, so that the skin
- * does not end in a visible edge on the fin. */
-static void run_out(struct paint *skin, const struct paint *fin, float u)
-{
-    const float share = STALK_FIN * f_smoothstep(STALK_FROM, 1.0f, u);
-    skin->colour = v3_lerp(skin->colour, fin->colour, share);
-    skin->shine *= 1.0f - share;
 }
 
 struct paint paint_at(const struct species *species, const float weights[MORPH_KEY_MAX],
@@ -187,10 +171,14 @@ struct paint paint_at(const struct species *species, const float weights[MORPH_K
     }
     struct paint paint = paint_of_marks(species, share, slots, at);
     if (at->part == PART_BODY && at->u > STALK_FROM && species->card.motion != MOTION_WING) {
+        /* The skin's paint is blended into the tail fin's paint near the tail root, so that the skin
+         * does not end in a visible edge on the fin. */
         const float down = 1.0f - f_abs(at->v * 2.0f - 1.0f);
         const struct species_vertex root = { .u = down, .part = PART_TAIL };
         const struct paint fin = paint_of_marks(species, share, slots, &root);
-        run_out(&paint, &fin, at->u);
+        const float fin_share = STALK_FIN * f_smoothstep(STALK_FROM, 1.0f, at->u);
+        paint.colour = v3_lerp(paint.colour, fin.colour, fin_share);
+        paint.shine *= 1.0f - fin_share;
     }
     return paint;
 }

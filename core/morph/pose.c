@@ -1,5 +1,5 @@
-/* pose.c -- places the anchors of a blended fish: fins slide on its skin, and eyes move around its
- * head.
+/* pose.c -- computes the pose of a fish: the weights of its drawn keys from its deformation graphs,
+ * and the places of its anchors. Fins slide on the skin, and eyes move around the head.
  *
  * The body coordinates of an anchor are blended, and the anchor is then placed on the blended skin.
  * A blend of the anchor's positions would move the anchor in a straight line. A fin that slides
@@ -21,28 +21,23 @@ vec3 pose_rotate_inverse(struct quat q, vec3 a)
     return pose_rotate((struct quat){ -q.x, -q.y, -q.z, q.w }, a);
 }
 
-/* Returns the quaternion that rotates the body's axes to the axes x, y and z. The three axes are
- * orthogonal unit vectors with y = z cross x. The caller guarantees that the backward component z.z
- * is not negative. The larger of the quaternion's components w and z is then at least 0.5. The code
- * divides only by the larger component. */
-static struct quat quat_of_axes(vec3 x, vec3 y, vec3 z)
+/* Returns the rotation at a point of the skin with the given normal. The x axis points along the
+ * normal, the z axis points backward along the skin, and y = z cross x. The result is the quaternion
+ * that rotates the body's axes to these axes. The backward component z.z is never negative. The
+ * larger of the quaternion's components w and z is therefore at least 0.5, and the code divides only
+ * by the larger component. */
+static struct quat skin_turn(vec3 normal)
 {
+    const vec3 x = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f));
+    const vec3 back = v3(0.0f, 0.0f, 1.0f);
+    const vec3 z = v3_normalize_or(v3_muladd(back, x, -x.z), v3(0.0f, -1.0f, 0.0f));
+    const vec3 y = v3_cross(z, x);
     const float w4 = 1.0f + x.x + y.y + z.z, z4 = 1.0f - x.x - y.y + z.z;
     const float k = 0.5f / f_sqrt(f_max(w4, z4));
     if (w4 >= z4) {
         return (struct quat){ (y.z - z.y) * k, (z.x - x.z) * k, (x.y - y.x) * k, w4 * k };
     }
     return (struct quat){ (z.x + x.z) * k, (y.z + z.y) * k, z4 * k, (x.y - y.x) * k };
-}
-
-/* Returns the rotation at a point of the skin with the given normal. The x axis points along the
- * normal, the z axis points backward along the skin, and y = z cross x. */
-static struct quat skin_turn(vec3 normal)
-{
-    const vec3 x = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f));
-    const vec3 back = v3(0.0f, 0.0f, 1.0f);
-    const vec3 z = v3_normalize_or(v3_muladd(back, x, -x.z), v3(0.0f, -1.0f, 0.0f));
-    return quat_of_axes(x, v3_cross(z, x), z);
 }
 
 struct cell {
@@ -58,6 +53,7 @@ struct cell {
 static struct cell skin_cell(const struct species_mesh *mesh, float u, float v)
 {
     const uint32_t row = mesh->grid_spokes + 1u, first = mesh->grid_first;
+    CORE_ASSERT(first + mesh->grid_rings * row <= mesh->vertex_count);
     uint32_t ring = 0, behind = mesh->grid_rings - 1u;
     while (behind - ring > 1u) {
         const uint32_t middle = (ring + behind) / 2u;
@@ -77,19 +73,6 @@ static struct cell skin_cell(const struct species_mesh *mesh, float u, float v)
                           .round = turn - (float)spoke };
 }
 
-/* Writes the weight of each corner of the cell for the point at (`along`, `round`). Two triangles
- * make up the cell, and their common diagonal joins corner 1 and corner 2. Interpolation with these
- * weights gives a point exactly on the drawn surface. */
-static void corner_shares(const struct cell *cell, float shares[4])
-{
-    const float along = cell->along, round = cell->round;
-    const bool far = along + round > 1.0f;
-    shares[0] = far ? 0.0f : 1.0f - along - round;
-    shares[1] = far ? 1.0f - along : round;
-    shares[2] = far ? 1.0f - round : along;
-    shares[3] = far ? along + round - 1.0f : 0.0f;
-}
-
 struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_count,
                               const struct morph_pose *pose, float u, float v, bool turns)
 {
@@ -97,8 +80,12 @@ struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_coun
     const struct cell cell = skin_cell(mesh, u, v);
     struct anchor_pose at = { .turn = { 0.0f, 0.0f, 0.0f, 1.0f } };
     vec3 normal = { 0.0f, 0.0f, 0.0f };
-    float shares[4];
-    corner_shares(&cell, shares);
+    /* Two triangles make up the cell, and their common diagonal joins corner 1 and corner 2. The
+     * interpolation with these weights of the corners gives a point exactly on the drawn surface. */
+    const float along = cell.along, round = cell.round;
+    const bool far = along + round > 1.0f;
+    const float shares[4] = { far ? 0.0f : 1.0f - along - round, far ? 1.0f - along : round,
+                              far ? 1.0f - round : along, far ? along + round - 1.0f : 0.0f };
     for (uint32_t i = 0; i < 4; i++) {
         if (shares[i] > 0.0f) {
             const vec3 corner = morph_place(mesh, key_count, pose, cell.corner[i]);
@@ -118,6 +105,7 @@ struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_coun
 void morph_ride_all(const struct species_mesh *mesh, uint32_t key_count, struct morph_pose *pose)
 {
     CORE_ASSERT(mesh->anchor_count <= ANCHOR_MAX);
+    CORE_ASSERT(key_count >= 1 && key_count <= MORPH_KEY_MAX);
     for (uint32_t i = 0; i < mesh->anchor_count; i++) {
         const struct species_anchor *anchor = &mesh->anchors[i];
         CORE_ASSERT(anchor->curve < MORPH_CURVE_MAX);
@@ -128,6 +116,69 @@ void morph_ride_all(const struct species_mesh *mesh, uint32_t key_count, struct 
             v += weight[key] * anchor->v[key];
         }
         pose->anchor[i] = morph_ride(mesh, key_count, pose, u, v, anchor->turns != 0);
+    }
+}
+
+void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
+                    enum graph_template template_id)
+{
+    CORE_ASSERT(template_id < TEMPLATE_COUNT);
+    CORE_ASSERT(card->key_count >= 2 && card->key_count <= MORPH_KEY_MAX);
+    CORE_ASSERT(card->curve_count >= 1 && card->curve_count <= MORPH_CURVE_MAX);
+    *rig = (struct morph_rig){ .key_count = card->key_count, .curve_count = card->curve_count };
+    for (uint32_t curve = 0; curve < card->curve_count; curve++) {
+        struct graph *graph = &rig->curves[curve];
+        uint32_t stuck;
+        *graph = card->curves[curve];
+        if (template_id != TEMPLATE_OWN) {
+            graph_from_template(graph, template_id, card->key_count, SIMULTANEOUS_PEAK);
+        }
+        if (!graph->solved || !graph_solve(graph, card->key_count, rig->solution[curve], &stuck)) {
+            for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
+                for (uint32_t j = 0; j < MORPH_KEY_MAX; j++) {
+                    rig->solution[curve][i][j] = i == j ? 1.0f : 0.0f;
+                }
+            }
+            graph->solved = 0;
+        }
+    }
+}
+
+/* Converts the weights of the exaggerated key shapes to weights of the drawn keys by multiplication
+ * with the matrix `solution` (M^-1 in graph.c). At the progress of key i, key i gets exactly the
+ * weight 1, without rounding errors. */
+static void weights_of_drawn(const struct morph_rig *rig, uint32_t curve, float progress,
+                             float weights[MORPH_KEY_MAX])
+{
+    const float last = (float)(rig->key_count - 1u);
+    float drawn[MORPH_KEY_MAX] = { 0 };
+    for (uint32_t j = 0; j < rig->key_count; j++) {
+        for (uint32_t i = 0; i < rig->key_count; i++) {
+            drawn[j] += weights[i] * rig->solution[curve][i][j];
+        }
+    }
+    for (uint32_t key = 0; key < rig->key_count; key++) {
+        if (progress == (float)key / last) {
+            for (uint32_t j = 0; j < rig->key_count; j++) {
+                drawn[j] = j == key ? 1.0f : 0.0f;
+            }
+        }
+    }
+    for (uint32_t j = 0; j < rig->key_count; j++) {
+        weights[j] = drawn[j];
+    }
+}
+
+void morph_weights(const struct morph_rig *rig, float progress,
+                   float weights[MORPH_CURVE_MAX][MORPH_KEY_MAX])
+{
+    CORE_ASSERT(rig->curve_count >= 1 && rig->curve_count <= MORPH_CURVE_MAX);
+    for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
+        const uint32_t from = curve < rig->curve_count ? curve : 0;
+        graph_weights(&rig->curves[from], rig->key_count, progress, weights[curve]);
+        if (rig->curves[from].solved) {
+            weights_of_drawn(rig, from, progress, weights[curve]);
+        }
     }
 }
 

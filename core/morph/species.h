@@ -136,7 +136,7 @@ enum graph_line {
 struct graph {
     uint8_t knot_count; /* Number of knots, 2 .. GRAPH_KNOT_MAX. */
     uint8_t line;       /* Interpolation between knots (enum graph_line). */
-    uint8_t solved;     /* 1 if solve_graph() exaggerates the key shapes before they are blended, so
+    uint8_t solved;     /* 1 if graph_solve() exaggerates the key shapes before they are blended, so
                            that the fish passes through every drawn key. 0 if the drawn key shapes
                            are blended directly. */
     struct graph_knot knots[GRAPH_KNOT_MAX];

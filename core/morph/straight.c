@@ -6,30 +6,6 @@
 
 #define REACH_MAX 4.0f
 
-static const struct species_vertex *straight_vertices(const struct species_mesh *mesh,
-                                                      struct species_vertex *out)
-{
-    CORE_ASSERT(mesh->vertex_count <= MESH_VERTEX_MAX);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        out[i] = mesh->vertices[i];
-        out[i].anchor = ANCHOR_NONE;
-        for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
-            out[i].mask[curve] = curve == 0 ? 255 : 0;
-        }
-    }
-    return out;
-}
-
-static float farthest(const vec3 *positions, uint32_t count)
-{
-    float most = 0.0f;
-    for (uint32_t i = 0; i < count; i++) {
-        const vec3 p = positions[i];
-        most = f_max(most, f_max(f_abs(p.x), f_max(f_abs(p.y), f_abs(p.z))));
-    }
-    return most;
-}
-
 /* Writes the shape of key `key` without other keys to memory->positions and memory->normals. */
 static void key_shape(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
                       struct straight_memory *memory)
@@ -46,7 +22,12 @@ static float straight_reach(const struct species_mesh *mesh, uint32_t key_count,
     float reach = mesh->reach;
     for (uint32_t key = 0; key < key_count; key++) {
         key_shape(mesh, key_count, key, memory);
-        while (reach < REACH_MAX && farthest(memory->positions, mesh->vertex_count) > reach) {
+        float farthest = 0.0f;
+        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+            const vec3 p = memory->positions[i];
+            farthest = f_max(farthest, f_max(f_abs(p.x), f_max(f_abs(p.y), f_abs(p.z))));
+        }
+        while (reach < REACH_MAX && farthest > reach) {
             reach *= 2.0f;
         }
     }
@@ -76,13 +57,22 @@ static void bake_key(const struct species_mesh *mesh, uint32_t key_count, uint32
 static void straighten_mesh(const struct species_mesh *from, uint32_t key_count, uint32_t lod,
                             struct straight_memory *memory, struct species_mesh *out)
 {
+    CORE_ASSERT(lod < SPECIES_LOD_COUNT && from->vertex_count <= MESH_VERTEX_MAX);
     const float reach =
         from->anchor_count > 0 ? straight_reach(from, key_count, memory) : from->reach;
     for (uint32_t key = 0; key < key_count && from->anchor_count > 0; key++) {
         bake_key(from, key_count, key, reach, memory, memory->points[lod][key]);
         out->points[key] = memory->points[lod][key];
     }
-    out->vertices = straight_vertices(from, memory->vertices[lod]);
+    for (uint32_t i = 0; i < from->vertex_count; i++) {
+        struct species_vertex *vertex = &memory->vertices[lod][i];
+        *vertex = from->vertices[i];
+        vertex->anchor = ANCHOR_NONE;
+        for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
+            vertex->mask[curve] = curve == 0 ? 255 : 0;
+        }
+    }
+    out->vertices = memory->vertices[lod];
     out->anchor_count = 0;
     out->reach = reach;
 }
@@ -90,20 +80,11 @@ static void straighten_mesh(const struct species_mesh *from, uint32_t key_count,
 void straight_species(const struct species *from, struct straight_memory *memory,
                       struct species *out)
 {
+    CORE_ASSERT(out != from && from->card.key_count <= MORPH_KEY_MAX);
     *out = *from;
     out->card.curve_count = 1;
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         straighten_mesh(&from->lod[lod], from->card.key_count, lod, memory, &out->lod[lod]);
-    }
-}
-
-static void take_key(const struct species *from, uint32_t key, struct species *out, uint32_t to)
-{
-    out->card.key_age_days[to] = from->card.key_age_days[key];
-    out->card.key_length_m[to] = growth_length_m(&out->card.growth, from->card.key_age_days[key]);
-    out->coats[to] = from->coats[key];
-    for (uint32_t c = 0; c < SPECIES_NAME_SIZE; c++) {
-        out->card.key_names[to][c] = from->card.key_names[key][c];
     }
 }
 
@@ -118,7 +99,12 @@ void straight_thesis(const struct species *from, struct straight_memory *memory,
     for (uint32_t i = 0; i < 3; i++) {
         const uint32_t key = from->card.thesis_key[i];
         CORE_ASSERT(key < from->card.key_count);
-        take_key(from, key, out, i);
+        card->key_age_days[i] = from->card.key_age_days[key];
+        card->key_length_m[i] = growth_length_m(&card->growth, from->card.key_age_days[key]);
+        out->coats[i] = from->coats[key];
+        for (uint32_t c = 0; c < SPECIES_NAME_SIZE; c++) {
+            card->key_names[i][c] = from->card.key_names[key][c];
+        }
         for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
             out->lod[lod].points[i] = straight[lod].points[key];
         }
@@ -126,6 +112,6 @@ void straight_thesis(const struct species *from, struct straight_memory *memory,
     }
     card->scale_knot_count = 0; /* The knots are removed, because their progress refers to all keys
                                    of the species, and the progress of three keys differs. */
-    template_graph(&card->curves[0], (enum graph_template)card->thesis_template, 3,
-                   SIMULTANEOUS_PEAK);
+    graph_from_template(&card->curves[0], (enum graph_template)card->thesis_template, 3,
+                        SIMULTANEOUS_PEAK);
 }

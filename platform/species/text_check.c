@@ -139,11 +139,11 @@ static bool check_curves(struct species_reader *r)
         if (i > 0 && curve->parts == 0 && curve->area_count == 0) {
             return species_reader_error(r, "curve %s moves no part and no area", curve->name);
         }
-        /* solve_graph() must succeed for a graph of the line kind "solved". */
+        /* graph_solve() must succeed for a graph of the line kind "solved". */
         float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
         uint32_t stuck = 0;
         if (curve->graph.solved &&
-            !solve_graph(&curve->graph, r->species->key_count, solution, &stuck)) {
+            !graph_solve(&curve->graph, r->species->key_count, solution, &stuck)) {
             return species_reader_error(
                 r, "the graph of %s shows too little of key %s to be solved for it", curve->name,
                 r->species->keys[stuck].name);

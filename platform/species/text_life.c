@@ -330,7 +330,7 @@ bool text_read_template(struct species_reader *r)
     if (newest(r)->graph.line != GRAPH_STRAIGHT || newest(r)->graph.solved) {
         return species_reader_error(r, "a line's kind stands below the template that it bends");
     }
-    template_graph(&newest(r)->graph, (enum graph_template)template_id, r->species->key_count,
-                   peak);
+    graph_from_template(&newest(r)->graph, (enum graph_template)template_id, r->species->key_count,
+                        peak);
     return true;
 }

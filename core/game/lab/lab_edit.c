@@ -25,7 +25,7 @@ void lab_edit_template(struct lab_edit *edit, const struct species_card *card,
     if (template_id == TEMPLATE_OWN) {
         edit->graph = card->curves[0];
     } else {
-        template_graph(&edit->graph, template_id, card->key_count, SIMULTANEOUS_PEAK);
+        graph_from_template(&edit->graph, template_id, card->key_count, SIMULTANEOUS_PEAK);
     }
 }
 

@@ -359,12 +359,13 @@ enum exit_code import_life(const struct import_mesh *mesh, const struct import_o
     memset(card->curve_names, 0, sizeof card->curve_names);
     memcpy(card->curve_names[0], "whole", sizeof "whole");
     if (plan->template_id != TEMPLATE_OWN) {
-        template_graph(&card->curves[0], (enum graph_template)plan->template_id, card->key_count,
-                       SIMULTANEOUS_PEAK);
+        graph_from_template(&card->curves[0], (enum graph_template)plan->template_id,
+                            card->key_count, SIMULTANEOUS_PEAK);
     } else if (mesh->time_count >= 2) {
         draw_graph(mesh, &card->curves[0], report);
     } else if (!plan->like) {
-        template_graph(&card->curves[0], TEMPLATE_PAIRWISE, card->key_count, SIMULTANEOUS_PEAK);
+        graph_from_template(&card->curves[0], TEMPLATE_PAIRWISE, card->key_count,
+                            SIMULTANEOUS_PEAK);
     }
     set_coats(mesh, plan, &slot->species);
     return EXIT_OK;

@@ -77,7 +77,7 @@ static void barrel_init(struct barrel *b)
         .key_length_m = { 0.01f, 0.02f, 0.08f },
         .growth = { 0.2f, 1.0f, -0.5f, 0.1f, 2, { { 0.0f, 0.01f }, { 10.0f, 0.02f } } }
     };
-    template_graph(&s->card.curves[0], TEMPLATE_PAIRWISE, 3, SIMULTANEOUS_PEAK);
+    graph_from_template(&s->card.curves[0], TEMPLATE_PAIRWISE, 3, SIMULTANEOUS_PEAK);
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         s->lod[lod] = (struct species_mesh){ .vertex_count = BARREL_VERTICES,
                                              .anchor_count = 2,

@@ -18,7 +18,7 @@ static const enum graph_template templates[] = { TEMPLATE_ORDINARY, TEMPLATE_PAI
 static struct graph graph_of(enum graph_template template_id, uint32_t key_count)
 {
     struct graph graph;
-    template_graph(&graph, template_id, key_count, SIMULTANEOUS_PEAK);
+    graph_from_template(&graph, template_id, key_count, SIMULTANEOUS_PEAK);
     return graph;
 }
 
@@ -249,7 +249,7 @@ static void test_shapes_are_solved_whatever_key_is_seen_most(void **state)
                                             { 1.0f, { 0.7f, 0.2f, 0.1f } } } };
     float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
     uint32_t stuck;
-    assert_true(solve_graph(&graph, 3, solution, &stuck));
+    assert_true(graph_solve(&graph, 3, solution, &stuck));
     for (uint32_t key = 0; key < 3; key++) {
         for (uint32_t j = 0; j < 3; j++) {
             float drawn = 0.0f;
@@ -332,12 +332,12 @@ static void test_a_template_outside_its_ranges_is_a_bug(void **state)
 {
     (void)state;
     struct graph graph;
-    expect_assert_failure(template_graph(&graph, TEMPLATE_OWN, 3, SIMULTANEOUS_PEAK));
-    expect_assert_failure(template_graph(&graph, TEMPLATE_COUNT, 3, SIMULTANEOUS_PEAK));
-    expect_assert_failure(template_graph(&graph, TEMPLATE_SIMULTANEOUS, 3, 0.5f));
-    expect_assert_failure(template_graph(&graph, TEMPLATE_SIMULTANEOUS, 3, 1.01f));
-    expect_assert_failure(template_graph(&graph, TEMPLATE_SMOOTH, 1, SIMULTANEOUS_PEAK));
-    expect_assert_failure(template_graph(&graph, TEMPLATE_SMOOTH, 9, SIMULTANEOUS_PEAK));
+    expect_assert_failure(graph_from_template(&graph, TEMPLATE_OWN, 3, SIMULTANEOUS_PEAK));
+    expect_assert_failure(graph_from_template(&graph, TEMPLATE_COUNT, 3, SIMULTANEOUS_PEAK));
+    expect_assert_failure(graph_from_template(&graph, TEMPLATE_SIMULTANEOUS, 3, 0.5f));
+    expect_assert_failure(graph_from_template(&graph, TEMPLATE_SIMULTANEOUS, 3, 1.01f));
+    expect_assert_failure(graph_from_template(&graph, TEMPLATE_SMOOTH, 1, SIMULTANEOUS_PEAK));
+    expect_assert_failure(graph_from_template(&graph, TEMPLATE_SMOOTH, 9, SIMULTANEOUS_PEAK));
 }
 
 int main(void)

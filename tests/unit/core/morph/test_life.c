@@ -33,7 +33,7 @@ static struct species_card conger_card(void)
         .curve_count = 1,
     };
     card.key_length_m[3] = growth_length_m(&card.growth, card.key_age_days[3]);
-    template_graph(&card.curves[0], TEMPLATE_PAIRWISE, card.key_count, SIMULTANEOUS_PEAK);
+    graph_from_template(&card.curves[0], TEMPLATE_PAIRWISE, card.key_count, SIMULTANEOUS_PEAK);
     return card;
 }
 

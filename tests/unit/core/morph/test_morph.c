@@ -21,7 +21,7 @@ static void weights_at(const struct species *species, float progress, float weig
 static void ordinary_at(const struct species *species, float progress, float weights[MORPH_KEY_MAX])
 {
     struct graph graph;
-    template_graph(&graph, TEMPLATE_ORDINARY, species->card.key_count, SIMULTANEOUS_PEAK);
+    graph_from_template(&graph, TEMPLATE_ORDINARY, species->card.key_count, SIMULTANEOUS_PEAK);
     graph_weights(&graph, species->card.key_count, progress, weights);
 }
 

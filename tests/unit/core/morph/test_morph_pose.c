@@ -204,7 +204,7 @@ static void test_an_anchor_follows_its_own_curve(void **state)
     (void)state;
     struct species_card *card = &barrel.species.card;
     card->curve_count = 2;
-    template_graph(&card->curves[1], TEMPLATE_ORDINARY, 3, SIMULTANEOUS_PEAK);
+    graph_from_template(&card->curves[1], TEMPLATE_ORDINARY, 3, SIMULTANEOUS_PEAK);
     barrel.anchors[1].u[1] = 0.75f;
     morph_rig_init(&rig, card, TEMPLATE_OWN);
     shape_at(0.25f); /* By the whole fish's curve it rests between the first two keys ... */

@@ -123,7 +123,7 @@ static void test_the_thesis_takes_its_three_keys_and_its_template(void **state)
     card->key_length_m[3] = 0.2f;
     card->key_names[3][0] = 'd';
     card->scale_knot_count = 2;
-    template_graph(&card->curves[0], TEMPLATE_PAIRWISE, 4, SIMULTANEOUS_PEAK);
+    graph_from_template(&card->curves[0], TEMPLATE_PAIRWISE, 4, SIMULTANEOUS_PEAK);
     for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
         barrel.species.lod[lod].points[3] = barrel.points[0];
         barrel.anchors[0].v[3] = 0.25f;

@@ -196,7 +196,7 @@ static void harm_negative(struct species_slot *s)
 static void harm_solved(struct species_slot *s)
 {
     struct graph *graph = &card_of(s)->curves[0]; /* The first and the last key at all times. */
-    template_graph(graph, TEMPLATE_ORDINARY, card_of(s)->key_count, SIMULTANEOUS_PEAK);
+    graph_from_template(graph, TEMPLATE_ORDINARY, card_of(s)->key_count, SIMULTANEOUS_PEAK);
     graph->solved = 1;
 }
 static void harm_colour(struct species_slot *s)

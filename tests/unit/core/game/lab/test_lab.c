@@ -464,7 +464,8 @@ static void test_templates_take_the_places_of_the_graph(void **state)
         struct graph expected = card()->curves[0];
         tap((enum lab_part)(LAB_OWN + i));
         if (i != TEMPLATE_OWN) {
-            template_graph(&expected, (enum graph_template)i, card()->key_count, SIMULTANEOUS_PEAK);
+            graph_from_template(&expected, (enum graph_template)i, card()->key_count,
+                                SIMULTANEOUS_PEAK);
         }
         assert_memory_equal(&core.game.lab.edit.graph, &expected, sizeof expected);
         assert_int_equal(look()->lab.template_id, i);

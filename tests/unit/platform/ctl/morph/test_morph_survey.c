@@ -96,7 +96,7 @@ static void test_a_key_that_is_not_quite_alone_is_seen(void **state)
 static void test_a_key_that_is_never_alone_is_not_counted(void **state)
 {
     (void)state;
-    template_graph(&rig.curves[0], TEMPLATE_ORDINARY, rig.key_count, SIMULTANEOUS_PEAK);
+    graph_from_template(&rig.curves[0], TEMPLATE_ORDINARY, rig.key_count, SIMULTANEOUS_PEAK);
     measure();
     assert_int_equal(survey.keys_alone, 2);
 }
