@@ -17,7 +17,7 @@
 #define REST_SIZE (BYTES_SIZE + PAINT_SIZE_BYTES)
 _Static_assert(MORPH_KEY_MAX *KEY_SIZE + REST_SIZE == FISH_VERTEX_SIZE_MAX, "as fish_mesh.h");
 
-static uint8_t byte(float x)
+static uint8_t vertex_byte_of(float x)
 {
     return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
@@ -36,8 +36,16 @@ static void pack_vertex(uint8_t *out, const struct species_mesh *source, uint32_
     }
     const struct species_vertex *const vertex = &source->vertices[index];
     const uint8_t rest[BYTES_SIZE] = {
-        byte(vertex->u), byte(vertex->v), vertex->part,    vertex->flex,   vertex->mask[0],
-        vertex->mask[1], vertex->mask[2], vertex->mask[3], vertex->anchor, vertex->side,
+        vertex_byte_of(vertex->u),
+        vertex_byte_of(vertex->v),
+        vertex->part,
+        vertex->flex,
+        vertex->mask[0],
+        vertex->mask[1],
+        vertex->mask[2],
+        vertex->mask[3],
+        vertex->anchor,
+        vertex->side,
     };
     float uv[2];
     paint_atlas_find(vertex, uv);

@@ -11,7 +11,7 @@
  * bands are too fine for a painted sheet. */
 #define LINES_MIN 40u
 
-static GLuint sheets(struct gl_status *status, GLenum internal_format, GLenum format)
+static GLuint make_sheet_array(struct gl_status *status, GLenum internal_format, GLenum format)
 {
     return gl_texture(status, "skin",
                       &(struct gl_texture_desc){ .internal_format = internal_format,
@@ -23,8 +23,8 @@ static GLuint sheets(struct gl_status *status, GLenum internal_format, GLenum fo
 
 void fish_texture_open(struct gl_status *status, struct fish_texture *skin)
 {
-    skin->paints = sheets(status, GL_RGBA8, GL_RGBA);
-    skin->shines = sheets(status, GL_R8, GL_RED);
+    skin->paints = make_sheet_array(status, GL_RGBA8, GL_RGBA);
+    skin->shines = make_sheet_array(status, GL_R8, GL_RED);
 }
 
 void fish_texture_close(struct fish_texture *skin)
@@ -100,8 +100,8 @@ static struct painting painting_of(const struct fish_texture *skin, struct paint
     return painting;
 }
 
-static void send(const struct fish_texture *skin, const struct paint_brush *brush, uint32_t sheet,
-                 uint32_t first)
+static void upload_paint_band(const struct fish_texture *skin, const struct paint_brush *brush,
+                              uint32_t sheet, uint32_t first)
 {
     CORE_ASSERT(sheet < FISH_TEXTURE_SHEETS && first < PAINT_SIZE);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -139,7 +139,7 @@ void fish_texture_request(struct fish_texture *skin, struct paint_brush *brush,
         paint_atlas_coarse_points(&painting);
         for (uint32_t row = 0; row < PAINT_SIZE; row += PAINT_BAND) {
             paint_atlas_coarse_band(&painting, row);
-            send(skin, brush, sheet, row);
+            upload_paint_band(skin, brush, sheet, row);
         }
         skin->is_coarse[sheet] = true;
     }
@@ -174,7 +174,7 @@ uint32_t fish_texture_work(struct fish_texture *skin, struct paint_brush *brush,
         const struct painting painting = painting_of(skin, brush, sheet);
         const uint32_t first = skin->bands_done[sheet] * PAINT_BAND;
         paint_atlas_fine_band(&painting, first);
-        send(skin, brush, sheet, first);
+        upload_paint_band(skin, brush, sheet, first);
         skin->bands_done[sheet]++;
         skin->is_coarse[sheet] |= skin->bands_done[sheet] == FISH_TEXTURE_BANDS;
         bands--;

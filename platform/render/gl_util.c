@@ -32,7 +32,8 @@ bool gl_is_well(const struct gl_status *status)
     return status->text[0] == '\0';
 }
 
-static bool fits(struct gl_status *status, const char *name, const struct gl_texture_desc *desc)
+static bool check_texture_size(struct gl_status *status, const char *name,
+                               const struct gl_texture_desc *desc)
 {
     GLint side_max = 0, layers_max = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side_max);
@@ -56,7 +57,7 @@ GLuint gl_texture(struct gl_status *status, const char *name, const struct gl_te
     CORE_ASSERT(desc->width > 0 && desc->height > 0);
     const GLenum kind = desc->layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
     GLuint texture = 0;
-    if (!fits(status, name, desc)) {
+    if (!check_texture_size(status, name, desc)) {
         return 0;
     }
     glGenTextures(1, &texture);

@@ -42,7 +42,7 @@ static struct place place_of_cell(uint32_t cell)
 
 /* Returns the centre of a texel row or column, as a fraction of the atlas. `t` in [0, 1] selects
  * one of the `count` rows or columns that begin at number `first`. */
-static float middle(uint32_t first, uint32_t count, float t)
+static float texel_centre(uint32_t first, uint32_t count, float t)
 {
     const float at = (float)first + 0.5f + f_clamp(t, 0.0f, 1.0f) * (float)(count - 1u);
     return at / (float)PAINT_SIZE;
@@ -62,8 +62,8 @@ void paint_atlas_find(const struct species_vertex *vertex, float uv[2])
     }
     CORE_ASSERT(found < CELL_COUNT || vertex->part == PART_BODY);
     const struct place place = vertex->part == PART_BODY ? body_place : place_of_cell(found);
-    uv[0] = middle(place.x, place.width, vertex->u);
-    uv[1] = middle(place.y, place.height, vertex->v);
+    uv[0] = texel_centre(place.x, place.width, vertex->u);
+    uv[1] = texel_centre(place.y, place.height, vertex->v);
 }
 
 /* Returns the share of a row or column of `count` texels that lies before texel position `at`. */
@@ -97,7 +97,7 @@ bool paint_atlas_at(float x, float y, struct species_vertex *vertex)
 /* ---- Painting of a band of texels
  * ------------------------------------------------------------- */
 
-static uint8_t byte(float x)
+static uint8_t paint_byte_of(float x)
 {
     return (uint8_t)(f_clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
@@ -116,10 +116,10 @@ static bool paint_point(const struct painting *painting, float x, float y, struc
 static void put_texel(const struct painting *painting, uint32_t index, const struct paint *paint)
 {
     CORE_ASSERT(index < BAND_TEXELS);
-    const uint8_t texel[4] = { byte(paint->colour.x), byte(paint->colour.y), byte(paint->colour.z),
-                               byte(paint->clear) };
+    const uint8_t texel[4] = { paint_byte_of(paint->colour.x), paint_byte_of(paint->colour.y),
+                               paint_byte_of(paint->colour.z), paint_byte_of(paint->clear) };
     memcpy(painting->brush->paint[index], texel, sizeof texel);
-    painting->brush->shine[index] = byte(paint->shine);
+    painting->brush->shine[index] = paint_byte_of(paint->shine);
 }
 
 void paint_atlas_coarse_points(const struct painting *painting)
@@ -141,7 +141,7 @@ void paint_atlas_coarse_points(const struct painting *painting)
 /* Writes the indices of the two coarse points between which texel `at` lies. Both points are within
  * the texel's atlas cell, which is `size` texels wide. Returns the interpolation weight of the
  * second point. */
-static float beside(uint32_t at, uint32_t size, uint32_t points[2])
+static float find_coarse_points(uint32_t at, uint32_t size, uint32_t points[2])
 {
     CORE_ASSERT(size >= PAINT_COARSE && size % PAINT_COARSE == 0);
     const float first = (float)(at - at % size) / (float)PAINT_COARSE;
@@ -160,8 +160,9 @@ void paint_atlas_coarse_band(const struct painting *painting, uint32_t first)
         const bool body = y < PAINT_BODY_HEIGHT;
         uint32_t columns[2], rows[2];
         float value[5];
-        const float right = beside(x, body ? PAINT_SIZE : PAINT_CELL_WIDTH, columns);
-        const float down = beside(y, body ? PAINT_BODY_HEIGHT : PAINT_CELL_HEIGHT, rows);
+        const float right = find_coarse_points(x, body ? PAINT_SIZE : PAINT_CELL_WIDTH, columns);
+        const float down =
+            find_coarse_points(y, body ? PAINT_BODY_HEIGHT : PAINT_CELL_HEIGHT, rows);
         for (uint32_t i = 0; i < 5; i++) {
             float line[2];
             for (uint32_t k = 0; k < 2; k++) {

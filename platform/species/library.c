@@ -38,7 +38,7 @@ static void insert(struct listing *l, const char *name)
 
 /* Lists the names of the files in `folder`. Returns 0 on success or if the folder does not exist,
  * and an errno value if the folder cannot be read. */
-static int list(const char *folder, struct listing *l)
+static int list_pack_files(const char *folder, struct listing *l)
 {
     DIR *directory = opendir(folder);
     if (!directory) {
@@ -90,7 +90,7 @@ void library_fill(struct library *library, const char *data)
     if (!data || !data[0] || length < 0 || (size_t)length >= sizeof folder) {
         return;
     }
-    const int error = list(folder, &listing);
+    const int error = list_pack_files(folder, &listing);
     if (error != 0) {
         struct library_line *line = &library->lines[library->line_count++];
         *line = (struct library_line){ .file = LIBRARY_FOLDER, .slot = LIBRARY_SLOT_NONE };

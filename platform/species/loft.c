@@ -205,7 +205,7 @@ void species_loft(const struct species_text *species, const struct detail *detai
 /* Writes the outlines of a key at body coordinate `u` to `out`: height of the back, height of
  * the belly, and distance of the flank from the middle. The values are fractions of the key's
  * length. */
-static void outline(const struct key_text *key, double u, double out[3])
+static void body_outline_at(const struct key_text *key, double u, double out[3])
 {
     const struct station s = shape_section(key, shape_body_x(key, u));
     out[0] = (double)s.offset + 0.5 * (double)s.depth;
@@ -224,9 +224,9 @@ void loft_place_rings(const struct species_text *species, uint32_t count, double
         double most = 0.0;
         for (uint32_t key = 0; key < species->key_count; key++) {
             double before[3], here[3], after[3];
-            outline(&species->keys[key], at - d, before);
-            outline(&species->keys[key], at, here);
-            outline(&species->keys[key], at + d, after);
+            body_outline_at(&species->keys[key], at - d, before);
+            body_outline_at(&species->keys[key], at, here);
+            body_outline_at(&species->keys[key], at + d, after);
             for (int k = 0; k < 3; k++) {
                 most = fmax(most, fabs(before[k] - 2.0 * here[k] + after[k]) / (d * d));
             }

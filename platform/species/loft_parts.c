@@ -58,7 +58,7 @@ static uint8_t add_root(struct lofting *l, enum species_part part, int side, dou
 
 /* Sets the position of the newest vertex to point `p` of the drawing. If the vertex has an anchor,
  * the stored position is relative to the anchor. */
-static void ride(struct lofting *l, uint32_t key, v3d p, v3d normal)
+static void place_newest_vertex(struct lofting *l, uint32_t key, v3d p, v3d normal)
 {
     const uint8_t index = l->loft->vertices[l->loft->vertex_count - 1].anchor;
     if (index == ANCHOR_NONE) {
@@ -89,7 +89,7 @@ static void add_fin_vertex(struct lofting *l, enum species_part part, int side, 
         v3d p = shape_fin_point(text, part, at, along), n = shape_fin_normal(text, part, at, along);
         p.x *= side;
         n.x *= side;
-        ride(l, key, p, n);
+        place_newest_vertex(l, key, p, n);
     }
 }
 
@@ -156,7 +156,7 @@ void loft_add_fins(struct lofting *l)
                 loft_next_vertex(l, vertex);
                 for (uint32_t key = 0; key < l->species->key_count; key++) {
                     const v3d p = shape_finlet_point(&l->species->keys[key], row, at, corner);
-                    ride(l, key, p, (v3d){ 1.0, 0.0, 0.0 });
+                    place_newest_vertex(l, key, p, (v3d){ 1.0, 0.0, 0.0 });
                 }
             }
             loft_triangle(l, first, first + 1, first + 2);

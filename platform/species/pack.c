@@ -67,7 +67,7 @@ static void signed16(struct tape *t, int16_t *x)
     memcpy(x, &bits, sizeof bits);
 }
 
-static void number(struct tape *t, float *x)
+static void transfer_float(struct tape *t, float *x)
 {
     uint32_t bits;
     memcpy(&bits, x, sizeof bits);
@@ -75,7 +75,7 @@ static void number(struct tape *t, float *x)
     memcpy(x, &bits, sizeof bits);
 }
 
-static void name(struct tape *t, char x[SPECIES_NAME_SIZE])
+static void transfer_name(struct tape *t, char x[SPECIES_NAME_SIZE])
 {
     for (uint32_t i = 0; i < SPECIES_NAME_SIZE; i++) {
         uint8_t byte = (uint8_t)x[i];
@@ -86,7 +86,8 @@ static void name(struct tape *t, char x[SPECIES_NAME_SIZE])
 
 /* Returns `count`, which was read from the file, or 0 if `count` exceeds the size of its table.
  * Records the name `what` of the first count that was too large. */
-static uint32_t hold(struct tape *t, uint32_t count, uint32_t count_max, const char *what)
+static uint32_t limit_table_count(struct tape *t, uint32_t count, uint32_t count_max,
+                                  const char *what)
 {
     if (count > count_max && !t->too_many) {
         t->too_many = what;
@@ -97,18 +98,18 @@ static uint32_t hold(struct tape *t, uint32_t count, uint32_t count_max, const c
 static void count8(struct tape *t, uint8_t *x, uint32_t count_max, const char *what)
 {
     word8(t, x);
-    *x = (uint8_t)hold(t, *x, count_max, what);
+    *x = (uint8_t)limit_table_count(t, *x, count_max, what);
 }
 
 static void count32(struct tape *t, uint32_t *x, uint32_t count_max, const char *what)
 {
     word32(t, x);
-    *x = hold(t, *x, count_max, what);
+    *x = limit_table_count(t, *x, count_max, what);
 }
 
 static void walk_card(struct tape *t, struct species_card *card)
 {
-    name(t, card->id);
+    transfer_name(t, card->id);
     count8(t, &card->key_count, MORPH_KEY_MAX, "keys");
     word8(t, &card->measure);
     word8(t, &card->motion);
@@ -118,35 +119,35 @@ static void walk_card(struct tape *t, struct species_card *card)
     }
     word8(t, &card->thesis_template);
     for (uint32_t key = 0; key < card->key_count; key++) {
-        name(t, card->key_names[key]);
-        number(t, &card->key_age_days[key]);
-        number(t, &card->key_length_m[key]);
+        transfer_name(t, card->key_names[key]);
+        transfer_float(t, &card->key_age_days[key]);
+        transfer_float(t, &card->key_length_m[key]);
     }
-    number(t, &card->growth.length_inf_m);
-    number(t, &card->growth.k_per_year);
-    number(t, &card->growth.t0_year);
-    number(t, &card->growth.fade_year);
+    transfer_float(t, &card->growth.length_inf_m);
+    transfer_float(t, &card->growth.k_per_year);
+    transfer_float(t, &card->growth.t0_year);
+    transfer_float(t, &card->growth.fade_year);
     count32(t, &card->growth.point_count, GROWTH_POINT_MAX, "growth points");
     for (uint32_t i = 0; i < card->growth.point_count; i++) {
-        number(t, &card->growth.points[i].age_days);
-        number(t, &card->growth.points[i].length_m);
+        transfer_float(t, &card->growth.points[i].age_days);
+        transfer_float(t, &card->growth.points[i].length_m);
     }
     count8(t, &card->scale_knot_count, GRAPH_KNOT_MAX, "scale knots");
     for (uint32_t i = 0; i < card->scale_knot_count; i++) {
-        number(t, &card->scale_knots[i].progress);
-        number(t, &card->scale_knots[i].length_m);
+        transfer_float(t, &card->scale_knots[i].progress);
+        transfer_float(t, &card->scale_knots[i].length_m);
     }
     count8(t, &card->curve_count, MORPH_CURVE_MAX, "curves");
     for (uint32_t i = 0; i < card->curve_count; i++) {
-        name(t, card->curve_names[i]);
+        transfer_name(t, card->curve_names[i]);
         struct graph *graph = &card->curves[i];
         count8(t, &graph->knot_count, GRAPH_KNOT_MAX, "knots");
         word8(t, &graph->line);
         word8(t, &graph->solved);
         for (uint32_t k = 0; k < graph->knot_count; k++) {
-            number(t, &graph->knots[k].progress);
+            transfer_float(t, &graph->knots[k].progress);
             for (uint32_t key = 0; key < card->key_count; key++) {
-                number(t, &graph->knots[k].weight[key]);
+                transfer_float(t, &graph->knots[k].weight[key]);
             }
         }
     }
@@ -161,11 +162,11 @@ static void walk_mesh(struct tape *t, struct species_mesh *mesh, struct mesh_tab
     word16(t, &mesh->grid_first);
     word16(t, &mesh->grid_rings);
     word16(t, &mesh->grid_spokes);
-    number(t, &mesh->reach);
+    transfer_float(t, &mesh->reach);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         struct species_vertex *vertex = &tables->vertices[i];
-        number(t, &vertex->u);
-        number(t, &vertex->v);
+        transfer_float(t, &vertex->u);
+        transfer_float(t, &vertex->v);
         word8(t, &vertex->part);
         word8(t, &vertex->side);
         word8(t, &vertex->flex);
@@ -188,8 +189,8 @@ static void walk_mesh(struct tape *t, struct species_mesh *mesh, struct mesh_tab
         word8(t, &anchor->curve);
         word8(t, &anchor->turns);
         for (uint32_t key = 0; key < key_count; key++) {
-            number(t, &anchor->u[key]);
-            number(t, &anchor->v[key]);
+            transfer_float(t, &anchor->u[key]);
+            transfer_float(t, &anchor->v[key]);
         }
     }
     for (uint32_t i = 0; i < mesh->index_count; i++) {
@@ -221,7 +222,7 @@ static void walk_species(struct tape *t, struct species_slot *slot)
             float *const numbers[] = { &mark->from,  &mark->to,  &mark->width,
                                        &mark->slant, &mark->low, &mark->high };
             for (uint32_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
-                number(t, numbers[k]);
+                transfer_float(t, numbers[k]);
             }
         }
     }
@@ -253,8 +254,8 @@ static uint32_t little32(const uint8_t *bytes)
     return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
-__attribute__((format(printf, 2, 3))) static enum pack_result bad(char why[VALIDATE_WHY_SIZE],
-                                                                  const char *format, ...)
+__attribute__((format(printf, 2, 3))) static enum pack_result
+refuse_pack(char why[VALIDATE_WHY_SIZE], const char *format, ...)
 {
     va_list values;
     va_start(values, format);
@@ -266,17 +267,17 @@ __attribute__((format(printf, 2, 3))) static enum pack_result bad(char why[VALID
 static enum pack_result check_head(const uint8_t *bytes, size_t size, char why[VALIDATE_WHY_SIZE])
 {
     if (size < HEAD_SIZE || memcmp(bytes, magic, sizeof magic) != 0) {
-        return bad(why, "magic: this is no packed species");
+        return refuse_pack(why, "magic: this is no packed species");
     }
     const uint32_t version = little32(bytes + 8), body = little32(bytes + 12);
     if (version != PACK_VERSION) {
-        return bad(why, "version: %u, and this program reads %u", version, PACK_VERSION);
+        return refuse_pack(why, "version: %u, and this program reads %u", version, PACK_VERSION);
     }
     if (body != size - HEAD_SIZE) {
-        return bad(why, "size: %u bytes are announced, %zu follow", body, size - HEAD_SIZE);
+        return refuse_pack(why, "size: %u bytes are announced, %zu follow", body, size - HEAD_SIZE);
     }
     if (crc32(bytes + HEAD_SIZE, body) != little32(bytes + 16)) {
-        return bad(why, "crc: the bytes are not those that were written");
+        return refuse_pack(why, "crc: the bytes are not those that were written");
     }
     return PACK_OK;
 }
@@ -299,7 +300,7 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
                              char why[VALIDATE_WHY_SIZE])
 {
     if (size > PACK_SIZE_MAX) {
-        return bad(why, "size: more than %u bytes", PACK_SIZE_MAX);
+        return refuse_pack(why, "size: more than %u bytes", PACK_SIZE_MAX);
     }
     if (check_head(bytes, size, why) != PACK_OK) {
         return PACK_BAD;
@@ -309,11 +310,11 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
     memset(slot, 0, sizeof *slot);
     walk_species(&tape, slot);
     if (tape.too_many) {
-        return bad(why, "%s: more than a species may have", tape.too_many);
+        return refuse_pack(why, "%s: more than a species may have", tape.too_many);
     }
     if (tape.at != size) {
-        return bad(why, "size: the tables end %s the file does",
-                   tape.at > size ? "after" : "before");
+        return refuse_pack(why, "size: the tables end %s the file does",
+                           tape.at > size ? "after" : "before");
     }
     point_at_tables(slot);
     return species_validate(&slot->species, why) ? PACK_OK : PACK_BAD;

@@ -12,7 +12,7 @@
 
 /* Returns the slope of the curve at point `i`. The method of Fritsch and Carlson chooses the slopes
  * so that the curve does not overshoot between the points. */
-static double slope(const double *x, const double *y, uint32_t count, uint32_t i)
+static double monotone_slope(const double *x, const double *y, uint32_t count, uint32_t i)
 {
     if (i == 0 || i == count - 1) {
         const uint32_t j = i == 0 ? 0 : count - 2;
@@ -36,7 +36,8 @@ double shape_curve_through(const double *x, const double *y, uint32_t count, dou
     }
     const double h = x[i + 1] - x[i];
     const double t = fmin(fmax((at - x[i]) / h, 0.0), 1.0);
-    const double m0 = slope(x, y, count, i) * h, m1 = slope(x, y, count, i + 1) * h;
+    const double m0 = monotone_slope(x, y, count, i) * h,
+                 m1 = monotone_slope(x, y, count, i + 1) * h;
     const double t2 = t * t, t3 = t2 * t;
     return (2 * t3 - 3 * t2 + 1) * y[i] + (t3 - 2 * t2 + t) * m0 + (3 * t2 - 2 * t3) * y[i + 1] +
            (t3 - t2) * m1;

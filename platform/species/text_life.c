@@ -169,7 +169,7 @@ bool text_read_thesis(struct species_reader *r)
 /* This section parses the lines of the deformation graphs: first the graph of the whole fish,
  * then the graphs of parts. */
 
-static struct curve_text *newest(const struct species_reader *r)
+static struct curve_text *newest_curve(const struct species_reader *r)
 {
     return &r->species->curves[r->species->curve_count - 1];
 }
@@ -183,7 +183,7 @@ bool text_read_curve(struct species_reader *r)
         return species_reader_error(
             r, "write: curve NAME PART .. (then its knots or template, and areas)");
     }
-    if (s->key_count < 3 || newest(r)->graph.knot_count == 0) {
+    if (s->key_count < 3 || newest_curve(r)->graph.knot_count == 0) {
         return species_reader_error(
             r, "a curve stands below the keys and the graph of the whole fish");
     }
@@ -218,7 +218,7 @@ bool text_read_curve(struct species_reader *r)
  * recent `curve` line moves the area. */
 bool text_read_area(struct species_reader *r)
 {
-    struct curve_text *curve = newest(r);
+    struct curve_text *curve = newest_curve(r);
     if (r->species->curve_count == 1) {
         return species_reader_error(r, "an area stands under a curve");
     }
@@ -240,7 +240,7 @@ bool text_read_area(struct species_reader *r)
  * defined after all keys, because a knot has one weight for each key. */
 static bool graph_open(const struct species_reader *r, bool from_knot)
 {
-    const struct graph *graph = &newest(r)->graph;
+    const struct graph *graph = &newest_curve(r)->graph;
     if (r->species->key_count < 3) {
         return species_reader_error(r, "'%s' stands below the keys, three or more", r->words[0]);
     }
@@ -254,7 +254,7 @@ static bool graph_open(const struct species_reader *r, bool from_knot)
  * life [0, 1]. */
 bool text_read_knot(struct species_reader *r)
 {
-    struct graph *graph = &newest(r)->graph;
+    struct graph *graph = &newest_curve(r)->graph;
     const uint32_t key_count = r->species->key_count;
     if (!graph_open(r, true)) {
         return false;
@@ -291,7 +291,7 @@ bool text_read_knot(struct species_reader *r)
 bool text_read_line_kind(struct species_reader *r)
 {
     static const char *const kinds[] = { "straight", "smooth", "solved" };
-    struct graph *graph = &newest(r)->graph;
+    struct graph *graph = &newest_curve(r)->graph;
     uint32_t kind = 0;
     if (!species_reader_expect(r, 1, "straight|smooth|solved") ||
         !species_reader_choice(r, 1, "line", kinds, 3, &kind)) {
@@ -327,10 +327,10 @@ bool text_read_template(struct species_reader *r)
             return false;
         }
     }
-    if (newest(r)->graph.line != GRAPH_STRAIGHT || newest(r)->graph.solved) {
+    if (newest_curve(r)->graph.line != GRAPH_STRAIGHT || newest_curve(r)->graph.solved) {
         return species_reader_error(r, "a line's kind stands below the template that it bends");
     }
-    graph_from_template(&newest(r)->graph, (enum graph_template)template_id, r->species->key_count,
-                        peak);
+    graph_from_template(&newest_curve(r)->graph, (enum graph_template)template_id,
+                        r->species->key_count, peak);
     return true;
 }

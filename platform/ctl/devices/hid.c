@@ -63,7 +63,7 @@ static uint64_t hid_watch_now_ns(void)
 
 /* ---- List of devices ------------------------------------------------------------------------- */
 
-static enum exit_code list(void)
+static enum exit_code print_hid_nodes(void)
 {
     static struct hid_node nodes[HID_NODES_MAX];
     const uint32_t count = hid_nodes_list("", nodes);
@@ -82,7 +82,7 @@ static enum exit_code list(void)
 
 /* ---- Reports of one device ------------------------------------------------------------------- */
 
-static char *picture(const struct watch *watch)
+static char *format_hid_picture(const struct watch *watch)
 {
     static char text[HID_LIVE_TEXT];
     struct winsize size = { .ws_row = 24, .ws_col = 80 };
@@ -119,7 +119,8 @@ static enum exit_code hid_watch_loop(struct watch *watch, uint32_t seconds)
         if (watch->on_terminal && time_ns - watch->picture_ns >= PICTURE_NS) {
             watch->picture_ns = time_ns;
             fputs(SCREEN_HOME, stdout);
-            for (char *rest = picture(watch), *line; (line = strsep(&rest, "\n")) && rest;) {
+            for (char *rest = format_hid_picture(watch), *line;
+                 (line = strsep(&rest, "\n")) && rest;) {
                 printf("%s" LINE_REST "\n", line);
             }
             fputs(SCREEN_REST, stdout);
@@ -148,19 +149,19 @@ static enum exit_code watch_one(const struct hid_watch_options *options)
     const enum exit_code end = hid_watch_loop(&watch, options->seconds);
     if (watch.on_terminal) { /* The last view is printed once more on the normal screen, where the
                                 view stays visible. */
-        printf(SCREEN_END "%s", picture(&watch));
+        printf(SCREEN_END "%s", format_hid_picture(&watch));
     }
     fflush(stdout);
     hid_source_close(&watch.source);
     return end;
 }
 
-static enum exit_code hid_watch(const struct hid_watch_options *options)
+static enum exit_code run_hid_watch(const struct hid_watch_options *options)
 {
     if (!options->path) {
         return options->descriptor_path || options->seconds
                    ? ctl_usage("hid", "watch: a DEVICE is missing; without options it lists them")
-                   : list();
+                   : print_hid_nodes();
     }
     return watch_one(options);
 }
@@ -194,7 +195,7 @@ static enum exit_code decode(const char *descriptor_path, const char *reports_pa
 
 /* Prints the controller mapping that the kiosk would use for the descriptor. `ids` is "VVVV:PPPP",
  * the vendor and product in hex. Null means a device of an unknown vendor. */
-static enum exit_code map(const char *path, const char *ids)
+static enum exit_code print_hid_mapping(const char *path, const char *ids)
 {
     struct hid_identity who = { 0 };
     struct usb_key key = { 0 };
@@ -253,10 +254,11 @@ static enum exit_code hid_run(int argc, const char *const *argv)
     if (argc > 0 && group <= GROUP_WATCH) {
         const enum exit_code code = ctl_options(name, &table, group, &request, argc - 1, argv + 1);
         if (code != EXIT_OK || group == GROUP_WATCH) {
-            return code != EXIT_OK ? code : hid_watch(&request.watch);
+            return code != EXIT_OK ? code : run_hid_watch(&request.watch);
         }
         if (request.watch.path && (request.second || group != GROUP_DECODE)) {
-            return (group == GROUP_MAP ? map : decode)(request.watch.path, request.second);
+            return (group == GROUP_MAP ? print_hid_mapping : decode)(request.watch.path,
+                                                                     request.second);
         }
     }
     return ctl_usage(name, "expected describe FILE, decode DESCRIPTOR REPORTS.tsv, map FILE, or "

@@ -244,7 +244,8 @@ static enum hid_pull hid_source_error(const struct hid_source *source, const cha
 
 /* Returns the next report from the buffered bytes. The descriptor declares the length of the
  * report. */
-static enum hid_pull cut(struct hid_source *source, struct hid_report *out, enum exit_code *code)
+static enum hid_pull cut_next_report(struct hid_source *source, struct hid_report *out,
+                                     enum exit_code *code)
 {
     const struct hid_descriptor *descriptor = source->descriptor;
     const int id = hid_report_id(descriptor, (struct hid_report){ source->bytes, source->size });
@@ -302,10 +303,10 @@ enum hid_pull hid_source_pull(struct hid_source *source, int timeout_ms, struct 
     source->taken += source->given;
     memmove(source->bytes, source->bytes + source->given, source->size);
     source->given = 0;
-    enum hid_pull pull = cut(source, out, code);
+    enum hid_pull pull = cut_next_report(source, out, code);
     if (pull == HID_PULL_NOTHING && !source->at_end) {
         pull = hid_source_wait_bytes(source, timeout_ms, code);
-        return pull == HID_PULL_NOTHING ? cut(source, out, code) : pull;
+        return pull == HID_PULL_NOTHING ? cut_next_report(source, out, code) : pull;
     }
     if (pull == HID_PULL_NOTHING) {
         return source->size > 0 ? hid_source_error(source, "ends within a report", code)

@@ -115,7 +115,7 @@ static enum exit_code run_list(const struct request *request)
     return lines_list(gpio_lines_device(), stdout);
 }
 
-static enum exit_code run_watch(const struct request *request)
+static enum exit_code run_lines_watch(const struct request *request)
 {
     if (gpio_config_count(request->wires) == 0 || request->word) {
         return ctl_usage(name, "watch needs ROLE=LINE, once or more");
@@ -205,14 +205,14 @@ static enum exit_code run_pulse(const struct request *request)
     return owed == 0 ? EXIT_OK : EXIT_NOT_SO;
 }
 
-static enum exit_code run(int argc, const char *const *argv)
+static enum exit_code run_lines_command(int argc, const char *const *argv)
 {
     static const struct {
         const char *word;
         enum exit_code (*run)(const struct request *request);
     } subcommands[] = {
         { "list", run_list },
-        { "watch", run_watch },
+        { "watch", run_lines_watch },
         { "set", run_set },
         { "pulse", run_pulse },
     };
@@ -246,5 +246,5 @@ const struct ctl_command ctl_lines = {
         "window=15ms-250ms pulse=100ms/100ms. N: 1 to 86400.\n"
         "Exit code 74: a line could not be opened. A line that the kiosk uses belongs to the\n"
         "kiosk: stop the kiosk first.\n",
-    .run = run,
+    .run = run_lines_command,
 };

@@ -83,7 +83,7 @@ static void measure_parts(struct builder *b)
     }
 }
 
-static float share(float x, float low, float high)
+static float share_of_range(float x, float low, float high)
 {
     return high > low ? f_clamp((x - low) / (high - low), 0.0f, 1.0f) : 0.0f;
 }
@@ -110,7 +110,7 @@ static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
         const enum species_side side = (enum species_side)corner.side;
         const struct part_box *box = &b->boxes[part][side];
         const vec3 middle = v3_scale(v3_add(box->low, box->high), 0.5f);
-        const float along = share(m->positions[b->key][vertex].z, box->low.z, box->high.z);
+        const float along = share_of_range(m->positions[b->key][vertex].z, box->low.z, box->high.z);
         if (part == PART_BODY) {
             const float turn = atan2f(m->positions[b->key][vertex].x - middle.x,
                                       m->positions[b->key][vertex].y - middle.y) /
@@ -123,7 +123,8 @@ static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
             corner.u = acosf(f_clamp(v3_dot(from, out_of), -1.0f, 1.0f)) / (0.5f * PI);
             corner.v = side == SIDE_RIGHT ? 0.25f : 0.75f;
         } else if (part == PART_TAIL) {
-            corner.u = 1.0f - share(m->positions[b->key][vertex].y, box->low.y, box->high.y);
+            corner.u =
+                1.0f - share_of_range(m->positions[b->key][vertex].y, box->low.y, box->high.y);
             corner.v = along;
         } else {
             const float reach = fmaxf(fabsf(box->low.y), fabsf(box->high.y));
@@ -131,9 +132,9 @@ static struct corner corner_of(const struct builder *b, uint32_t t, uint32_t k)
             const bool paired = side != SIDE_MIDDLE;
             const float far = fmaxf(fabsf(box->low.x), fabsf(box->high.x));
             corner.u = along;
-            corner.v = paired ? share(fabsf(m->positions[b->key][vertex].x),
-                                      fminf(fabsf(box->low.x), fabsf(box->high.x)), far)
-                              : share(fabsf(m->positions[b->key][vertex].y), root, reach);
+            corner.v = paired ? share_of_range(fabsf(m->positions[b->key][vertex].x),
+                                               fminf(fabsf(box->low.x), fabsf(box->high.x)), far)
+                              : share_of_range(fabsf(m->positions[b->key][vertex].y), root, reach);
         }
     }
     return corner;

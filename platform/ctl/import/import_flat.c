@@ -36,7 +36,7 @@ static bool import_flat_load_symbol(void *library, const char *name, void *funct
     return symbol != NULL;
 }
 
-static bool load(struct assimp *assimp)
+static bool load_assimp(struct assimp *assimp)
 {
     void *library = NULL;
     for (size_t i = 0; !library && i < sizeof libraries / sizeof libraries[0]; i++) {
@@ -60,7 +60,7 @@ bool import_flat_is_available(void)
 bool import_can_flatten(char why[IMPORT_WHY_SIZE])
 {
     struct assimp assimp;
-    if (!load(&assimp)) {
+    if (!load_assimp(&assimp)) {
         snprintf(why, IMPORT_WHY_SIZE,
                  "libassimp is not here, and it reads all but .obj and .txt "
                  "(on Debian: apt install libassimp-dev)");
@@ -213,7 +213,7 @@ bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_
     memset(&f, 0, sizeof f);
     f.mesh = mesh;
     f.why = why;
-    if (!load(&assimp)) {
+    if (!load_assimp(&assimp)) {
         return import_flat_error(&f, "libassimp is gone");
     }
     char dropped = 0;

@@ -140,7 +140,8 @@ static bool has_own_life(const struct import_mesh *mesh, const struct import_opt
 
 /* Returns the greatest difference between the animated weights and a straight line between the
  * keyframes `from` and `to`. Sets `*at` to the keyframe with the greatest difference. */
-static float farthest(const struct import_mesh *mesh, uint32_t from, uint32_t to, uint32_t *at)
+static float worst_line_deviation(const struct import_mesh *mesh, uint32_t from, uint32_t to,
+                                  uint32_t *at)
 {
     float worst = 0.0f;
     const float span = mesh->times[to] - mesh->times[from];
@@ -171,7 +172,7 @@ static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
         worst = 0.0f;
         for (uint32_t i = 0; i + 1 < count; i++) {
             uint32_t at = chosen[i];
-            const float off = farthest(mesh, chosen[i], chosen[i + 1], &at);
+            const float off = worst_line_deviation(mesh, chosen[i], chosen[i + 1], &at);
             if (off > worst) {
                 worst = off;
                 gap = i;
@@ -202,8 +203,8 @@ static void draw_graph(const struct import_mesh *mesh, struct graph *graph,
             knot->weight[key] = (float)((double)from[key] / sum);
         }
         if (i + 1 < count) {
-            report->graph_error =
-                fmaxf(report->graph_error, farthest(mesh, chosen[i], chosen[i + 1], &unused));
+            report->graph_error = fmaxf(
+                report->graph_error, worst_line_deviation(mesh, chosen[i], chosen[i + 1], &unused));
         }
     }
     report->knot_count = count;

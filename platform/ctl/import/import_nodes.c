@@ -79,7 +79,8 @@ double import_nodes_time(const struct import_nodes *s, uint32_t key)
 
 /* Returns the transform of an animated node at a key shape. An animated uniform scale represents
  * the growth of the fish. The scale is stored as the size of the key shape and is not applied. */
-static struct place moved(struct import_nodes *s, const struct aiNodeAnim *motion, uint32_t key)
+static struct place animated_node_place(struct import_nodes *s, const struct aiNodeAnim *motion,
+                                        uint32_t key)
 {
     const double time = import_nodes_time(s, key);
     const vec3 at = vector_at(motion->mPositionKeys, motion->mNumPositionKeys, time);
@@ -113,8 +114,8 @@ static struct place moved(struct import_nodes *s, const struct aiNodeAnim *motio
                                (1 - 2 * (x * x + y * y)) * scale.z, at.z } } };
 }
 
-static void stand(struct import_nodes *s, const struct aiScene *scene, const struct aiNode *node,
-                  const struct import_nodes_node *parent)
+static void add_scene_node(struct import_nodes *s, const struct aiScene *scene,
+                           const struct aiNode *node, const struct import_nodes_node *parent)
 {
     const struct aiAnimation *animation =
         s->end > s->begin && scene->mNumAnimations > 0 ? scene->mAnimations[0] : NULL;
@@ -131,8 +132,8 @@ static void stand(struct import_nodes *s, const struct aiScene *scene, const str
     struct import_nodes_node *out = &s->nodes[s->node_count++];
     out->node = node;
     for (uint32_t key = 0; key < s->key_count; key++) {
-        const struct place own =
-            motion ? moved(s, motion, key) : import_nodes_place_of(&node->mTransformation);
+        const struct place own = motion ? animated_node_place(s, motion, key)
+                                        : import_nodes_place_of(&node->mTransformation);
         out->at[key] = parent ? import_nodes_place_within(&parent->at[key], &own) : own;
     }
 }
@@ -146,13 +147,13 @@ bool import_nodes_fill(struct import_nodes *s, const struct aiScene *scene)
     for (uint32_t key = 0; key < MORPH_KEY_MAX; key++) {
         s->scales[key] = 1.0f;
     }
-    stand(s, scene, scene->mRootNode, NULL);
+    add_scene_node(s, scene, scene->mRootNode, NULL);
     for (uint32_t i = 0; i < s->node_count; i++) {
         for (uint32_t child = 0; child < s->nodes[i].node->mNumChildren; child++) {
             if (s->node_count == NODE_MAX) {
                 return false;
             }
-            stand(s, scene, s->nodes[i].node->mChildren[child], &s->nodes[i]);
+            add_scene_node(s, scene, s->nodes[i].node->mChildren[child], &s->nodes[i]);
         }
     }
     return true;

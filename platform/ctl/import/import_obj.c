@@ -45,7 +45,7 @@ __attribute__((format(printf, 2, 3))) static bool import_obj_error(struct obj *o
 
 /* Parses up to `count` numbers in `text`. Returns the number of parsed numbers, or -1 after
  * import_obj_error(). */
-static int numbers(struct obj *o, const char *text, float *out, int count)
+static int parse_obj_numbers(struct obj *o, const char *text, float *out, int count)
 {
     for (int i = 0; i < count; i++) {
         char *end = NULL;
@@ -71,7 +71,7 @@ static bool read_vertex(struct obj *o, const char *text)
 {
     CORE_ASSERT(o->vertex_count <= IMPORT_VERTEX_MAX);
     float x[6];
-    const int count = numbers(o, text, x, 6);
+    const int count = parse_obj_numbers(o, text, x, 6);
     if (count < 3) {
         return count < 0 ? false : import_obj_error(o, "a vertex has three numbers");
     }
@@ -163,7 +163,7 @@ static bool import_obj_read_line(struct obj *o, char *text)
         if (o->uv_count == IMPORT_VERTEX_MAX) {
             return import_obj_error(o, "more than %u texture coordinates", IMPORT_VERTEX_MAX);
         }
-        const int count = numbers(o, word + 3, o->uv[o->uv_count], 2);
+        const int count = parse_obj_numbers(o, word + 3, o->uv[o->uv_count], 2);
         if (count < 2) {
             return count < 0 ? false : import_obj_error(o, "a texture coordinate has two numbers");
         }

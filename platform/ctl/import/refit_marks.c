@@ -204,7 +204,7 @@ bool refit_marks_of_template(const struct species_mesh *mesh, const vec3 *positi
  * the difference between their displacements as an error. */
 #define SLACK 1e-4
 
-static double gap(vec3 a, vec3 b)
+static double point_distance(vec3 a, vec3 b)
 {
     return (double)v3_length(v3_sub(a, b));
 }
@@ -277,7 +277,7 @@ static void fit_bumps(const vec3 *from, const vec3 *to, uint32_t n,
     for (uint32_t i = 0; i < n; i++) {
         const vec3 way = v3_sub(to[i], from[i]);
         for (uint32_t j = 0; j < n; j++) {
-            m[i][j] = bump(gap(from[i], from[j])) + (i == j ? SLACK : 0.0);
+            m[i][j] = bump(point_distance(from[i], from[j])) + (i == j ? SLACK : 0.0);
         }
         m[i][n] = (double)way.x;
         m[i][n + 1] = (double)way.y;
@@ -324,7 +324,7 @@ void refit_marks_warp(const vec3 *from, const vec3 *to, uint32_t n, vec3 *points
     for (uint32_t i = 0; i < count; i++) {
         double way[3] = { 0.0, 0.0, 0.0 };
         for (uint32_t j = 0; j < n; j++) {
-            const double share = bump(gap(points[i], at[j])) / m[j][j];
+            const double share = bump(point_distance(points[i], at[j])) / m[j][j];
             for (uint32_t k = 0; k < 3; k++) {
                 way[k] += share * m[j][n + k];
             }

@@ -16,7 +16,7 @@ void refit_tree_add(struct refit_tree *tree, vec3 a, vec3 b, vec3 c, uint8_t par
     tree->triangles[tree->triangle_count++] = (struct refit_tree_triangle){ { a, b, c }, part };
 }
 
-static float middle(const struct refit_tree_triangle *t, int axis)
+static float corner_sum_on_axis(const struct refit_tree_triangle *t, int axis)
 {
     const float *a = &t->corner[0].x, *b = &t->corner[1].x, *c = &t->corner[2].x;
     return a[axis] + b[axis] + c[axis];
@@ -24,28 +24,28 @@ static float middle(const struct refit_tree_triangle *t, int axis)
 
 static int by_x(const void *a, const void *b)
 {
-    const float x = middle(a, 0), y = middle(b, 0);
+    const float x = corner_sum_on_axis(a, 0), y = corner_sum_on_axis(b, 0);
     return (x > y) - (x < y);
 }
 
 static int by_y(const void *a, const void *b)
 {
-    const float x = middle(a, 1), y = middle(b, 1);
+    const float x = corner_sum_on_axis(a, 1), y = corner_sum_on_axis(b, 1);
     return (x > y) - (x < y);
 }
 
 static int by_z(const void *a, const void *b)
 {
-    const float x = middle(a, 2), y = middle(b, 2);
+    const float x = corner_sum_on_axis(a, 2), y = corner_sum_on_axis(b, 2);
     return (x > y) - (x < y);
 }
 
-static vec3 least(vec3 a, vec3 b)
+static vec3 componentwise_min(vec3 a, vec3 b)
 {
     return v3(fminf(a.x, b.x), fminf(a.y, b.y), fminf(a.z, b.z));
 }
 
-static vec3 most(vec3 a, vec3 b)
+static vec3 componentwise_max(vec3 a, vec3 b)
 {
     return v3(fmaxf(a.x, b.x), fmaxf(a.y, b.y), fmaxf(a.z, b.z));
 }
@@ -74,8 +74,8 @@ void refit_tree_build(struct refit_tree *tree)
         node->high = v3(-INFINITY, -INFINITY, -INFINITY);
         for (uint32_t i = node->first; i < node->first + node->count; i++) {
             for (uint32_t k = 0; k < 3; k++) {
-                node->low = least(node->low, tree->triangles[i].corner[k]);
-                node->high = most(node->high, tree->triangles[i].corner[k]);
+                node->low = componentwise_min(node->low, tree->triangles[i].corner[k]);
+                node->high = componentwise_max(node->high, tree->triangles[i].corner[k]);
             }
         }
         if (range.count <= LEAF_MAX) {
@@ -135,7 +135,7 @@ static float distance2(vec3 a, vec3 b)
 
 static float to_box2(const struct refit_tree_node *node, vec3 p)
 {
-    return distance2(p, least(most(p, node->low), node->high));
+    return distance2(p, componentwise_min(componentwise_max(p, node->low), node->high));
 }
 
 float refit_tree_nearest(const struct refit_tree *tree, vec3 from, uint8_t part, vec3 *place)

@@ -66,7 +66,7 @@ struct span {
                             than the last such pixel. */
 };
 
-static struct span touched(float from, float size, uint32_t limit)
+static struct span touched_pixels(float from, float size, uint32_t limit)
 {
     const float first = f_clamp(floorf(from), 0.0f, (float)limit);
     const float end = f_clamp(ceilf(from + size), first, (float)limit);
@@ -84,8 +84,8 @@ static float covered(float from, float size, uint32_t index)
 
 void canvas_fill(struct canvas *canvas, struct canvas_box box, uint32_t above, uint32_t below)
 {
-    const struct span rows = touched(box.top, box.height, canvas->height);
-    const struct span columns = touched(box.left, box.width, canvas->width);
+    const struct span rows = touched_pixels(box.top, box.height, canvas->height);
+    const struct span columns = touched_pixels(box.left, box.width, canvas->width);
     const vec3 top = canvas_colour(above), bottom = canvas_colour(below);
     for (uint32_t y = rows.first; y < rows.end; y++) {
         const float part = f_clamp(((float)y + 0.5f - box.top) / box.height, 0.0f, 1.0f);
@@ -100,8 +100,8 @@ void canvas_fill(struct canvas *canvas, struct canvas_box box, uint32_t above, u
 
 void canvas_shade(struct canvas *canvas, struct canvas_box box, float strength)
 {
-    const struct span rows = touched(box.top, box.height, canvas->height);
-    const struct span columns = touched(box.left, box.width, canvas->width);
+    const struct span rows = touched_pixels(box.top, box.height, canvas->height);
+    const struct span columns = touched_pixels(box.left, box.width, canvas->width);
     for (uint32_t y = rows.first; y < rows.end; y++) {
         const float down = ((float)y + 0.5f - box.top) / box.height * 2.0f - 1.0f;
         for (uint32_t x = columns.first; x < columns.end; x++) {
@@ -115,7 +115,7 @@ void canvas_shade(struct canvas *canvas, struct canvas_box box, float strength)
 
 /* ---- Text ------------------------------------------------------------------------------------ */
 
-static float atlas(const struct font_glyph *glyph, int x, int y)
+static float glyph_texel(const struct font_glyph *glyph, int x, int y)
 {
     if (x < 0 || y < 0 || x >= glyph->width || y >= glyph->height) {
         return 0.0f;
@@ -130,8 +130,8 @@ static float distance_at(const struct font_glyph *glyph, float x, float y)
     const float left = floorf(x - 0.5f), top = floorf(y - 0.5f);
     const float tx = x - 0.5f - left, ty = y - 0.5f - top;
     const int i = (int)left, j = (int)top;
-    return f_lerp(f_lerp(atlas(glyph, i, j), atlas(glyph, i + 1, j), tx),
-                  f_lerp(atlas(glyph, i, j + 1), atlas(glyph, i + 1, j + 1), tx), ty);
+    return f_lerp(f_lerp(glyph_texel(glyph, i, j), glyph_texel(glyph, i + 1, j), tx),
+                  f_lerp(glyph_texel(glyph, i, j + 1), glyph_texel(glyph, i + 1, j + 1), tx), ty);
 }
 
 static void draw_glyph(struct canvas *canvas, const struct font_glyph *glyph, float pen_x,
@@ -142,8 +142,8 @@ static void draw_glyph(struct canvas *canvas, const struct font_glyph *glyph, fl
     const struct canvas_box box = { pen_x + glyph->left_em * size_px,
                                     pen_y + glyph->top_em * size_px, (float)glyph->width / fine,
                                     (float)glyph->height / fine };
-    const struct span rows = touched(box.top, box.height, canvas->height);
-    const struct span columns = touched(box.left, box.width, canvas->width);
+    const struct span rows = touched_pixels(box.top, box.height, canvas->height);
+    const struct span columns = touched_pixels(box.left, box.width, canvas->width);
     const float edge = f_max(fine, FONT_PIXEL_MIN) * (float)ASSET_FONT_STEP;
     for (uint32_t y = rows.first; y < rows.end; y++) {
         for (uint32_t x = columns.first; x < columns.end; x++) {

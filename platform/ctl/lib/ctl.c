@@ -34,7 +34,7 @@ enum exit_code ctl_options(const char *command, const struct option_table *table
 
 static volatile sig_atomic_t *stop_flag;
 
-static void stop(int signal_number)
+static void set_stop_flag(int signal_number)
 {
     (void)signal_number;
     *stop_flag = 1;
@@ -42,7 +42,7 @@ static void stop(int signal_number)
 
 void ctl_stop_at_signals(volatile sig_atomic_t *flag)
 {
-    const struct sigaction action = { .sa_handler = stop };
+    const struct sigaction action = { .sa_handler = set_stop_flag };
     CORE_ASSERT(flag);
     stop_flag = flag;
     sigaction(SIGINT, &action, NULL);

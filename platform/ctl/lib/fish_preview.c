@@ -74,7 +74,7 @@ struct corners {
     vec3 normals[3]; /* Normals of the three corners, in the axes of the camera. */
 };
 
-static struct species_vertex place(const struct corners *c, const float part[3])
+static struct species_vertex interpolated_vertex(const struct corners *c, const float part[3])
 {
     const struct species_vertex *vertices = c->preview->mesh->vertices;
     struct species_vertex at = vertices[c->at[0]];
@@ -100,7 +100,7 @@ static float light_on(vec3 n, bool is_fin)
 static struct raster_colour fish_preview_colour_at(const void *triangle, const float part[3])
 {
     const struct corners *c = triangle;
-    const struct species_vertex at = place(c, part);
+    const struct species_vertex at = interpolated_vertex(c, part);
     const bool is_fin = at.part >= PART_TAIL;
     vec3 n = v3_scale(c->normals[0], part[0]);
     n = v3_muladd(v3_muladd(n, c->normals[1], part[1]), c->normals[2], part[2]);

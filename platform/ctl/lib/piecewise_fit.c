@@ -33,7 +33,8 @@ static void samples_free(struct samples *s)
     free(s->values);
 }
 
-static float *append(struct samples *s, float progress, bool settled, const float *values)
+static float *append_fit_sample(struct samples *s, float progress, bool settled,
+                                const float *values)
 {
     CORE_ASSERT(s->count < s->room);
     float *place = &s->values[(size_t)s->count * s->width];
@@ -54,12 +55,12 @@ static uint32_t refine(const struct samples *from, struct samples *to,
         const float *values = &from->values[(size_t)i * from->width];
         const struct sample *at = &from->at[i];
         const uint32_t place = to->count;
-        append(to, at->progress, at->settled, values);
+        append_fit_sample(to, at->progress, at->settled, values);
         if (at->settled) {
             continue;
         }
         const float middle = 0.5f * (at->progress + at[1].progress);
-        float *exact = append(to, middle, false, NULL);
+        float *exact = append_fit_sample(to, middle, false, NULL);
         f->ask(f->self, middle, exact);
         if (f->error(f->self, values, values + from->width, exact) <= tolerance) {
             to->count--;
@@ -80,7 +81,8 @@ bool piecewise_fit_fit(struct piecewise_fit *track, const struct piecewise_fit_f
     bool good = samples_open(&s, mark_count, function->width);
     for (uint32_t i = 0; good && i < mark_count; i++) {
         CORE_ASSERT(i == 0 || marks[i] > marks[i - 1]);
-        function->ask(function->self, marks[i], append(&s, marks[i], i + 1 == mark_count, NULL));
+        function->ask(function->self, marks[i],
+                      append_fit_sample(&s, marks[i], i + 1 == mark_count, NULL));
     }
     for (uint32_t pass = 0; good && halved > 0 && pass < PIECEWISE_FIT_HALVINGS; pass++) {
         struct samples finer;

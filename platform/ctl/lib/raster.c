@@ -125,7 +125,7 @@ static bool triangle_of(const vec3 c[3], struct triangle *t)
 
 /* Returns the bit mask of the samples of the pixel at (x, y) that lie inside the triangle. Sets
  * `*mean` to the mean position of these samples. */
-static uint16_t cover(const struct triangle *t, float x, float y, vec3 *mean)
+static uint16_t covered_samples(const struct triangle *t, float x, float y, vec3 *mean)
 {
     uint16_t samples = 0;
     float count = 0.0f;
@@ -152,7 +152,7 @@ static void draw_pixel(struct raster *raster, const struct triangle *t, uint32_t
 {
     const float centre_x = (float)x + 0.5f, centre_y = (float)y + 0.5f;
     vec3 at;
-    const uint16_t samples = cover(t, centre_x, centre_y, &at);
+    const uint16_t samples = covered_samples(t, centre_x, centre_y, &at);
     if (samples == 0) {
         return;
     }

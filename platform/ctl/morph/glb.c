@@ -36,7 +36,7 @@ uint32_t glb_next(struct glb *glb, enum glb_list list)
     return glb->counts[list]++;
 }
 
-static void pad(struct byte_buffer *bytes, char with)
+static void pad_to_four_bytes(struct byte_buffer *bytes, char with)
 {
     while (bytes->size % 4u != 0 && !bytes->failed) {
         byte_buffer_add(bytes, &with, 1);
@@ -48,7 +48,7 @@ static uint32_t add_view(struct glb *glb, const void *data, size_t size, enum ta
     const size_t offset = glb->buffer.size;
     const uint32_t view = glb_next(glb, GLB_VIEWS);
     byte_buffer_add(&glb->buffer, data, size);
-    pad(&glb->buffer, '\0');
+    pad_to_four_bytes(&glb->buffer, '\0');
     byte_buffer_print(&glb->lists[GLB_VIEWS], "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu",
                       offset, size);
     if (target != NO_TARGET) {
@@ -156,7 +156,7 @@ int glb_write(struct glb *glb, const char *path, const char *animation, const ch
     add_list(&json, glb, "accessors", GLB_ACCESSORS);
     add_list(&json, glb, "bufferViews", GLB_VIEWS);
     byte_buffer_print(&json, ",\n\"buffers\":[{\"byteLength\":%zu}]}", glb->buffer.size);
-    pad(&json, ' ');
+    pad_to_four_bytes(&json, ' ');
     bool whole = !json.failed && !glb->buffer.failed;
     for (uint32_t i = 0; i < GLB_LIST_COUNT; i++) {
         whole = whole && !glb->lists[i].failed;

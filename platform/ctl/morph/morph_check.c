@@ -84,19 +84,19 @@ static float value_of(const struct row *row, const struct morph_survey *survey)
                                      : *(const float *)field;
 }
 
-static double told(const struct row *row, const struct morph_survey *survey)
+static double scaled_row_value(const struct row *row, const struct morph_survey *survey)
 {
     return (double)value_of(row, survey) * row->scale;
 }
 
 static bool is_so(const struct row *row, const struct morph_survey *survey)
 {
-    const double value = told(row, survey);
+    const double value = scaled_row_value(row, survey);
     return row->rule == TOLD_ONLY ||
            (row->rule == AT_MOST ? value <= row->limit : value >= row->limit);
 }
 
-static bool is_good(const struct morph_survey *survey)
+static bool is_survey_good(const struct morph_survey *survey)
 {
     bool good = true;
     for (size_t i = 0; i < ROWS; i++) {
@@ -108,7 +108,7 @@ static bool is_good(const struct morph_survey *survey)
 static void print_number(const struct row *row, const struct morph_survey *survey)
 {
     char text[32];
-    snprintf(text, sizeof text, row->format, told(row, survey));
+    snprintf(text, sizeof text, row->format, scaled_row_value(row, survey));
     printf(" %10s", text);
 }
 
@@ -188,7 +188,7 @@ static enum exit_code morph_check_run(int argc, const char *const *argv)
         morph_survey(plan.pick.fish, &plan.pick.rig, lod, plan.steps, &plan.survey[lod]);
     }
     morph_survey(plan.ordinary, &plan.ordinary_rig, 0, plan.steps, &plan.survey[ORDINARY]);
-    const bool good = is_good(&plan.survey[NEAR]) && is_good(&plan.survey[FAR]);
+    const bool good = is_survey_good(&plan.survey[NEAR]) && is_survey_good(&plan.survey[FAR]);
     if (plan.as_json) {
         struct json json = { .file = stdout };
         json_open(&json, NULL, '{');
@@ -199,7 +199,7 @@ static enum exit_code morph_check_run(int argc, const char *const *argv)
             const struct morph_survey *survey = &plan.survey[column];
             json_line(&json, 1);
             json_open(&json, column_names[column], '{');
-            json_bool(&json, "good", is_good(survey));
+            json_bool(&json, "good", is_survey_good(survey));
             for (size_t i = 0; i < ROWS; i++) {
                 json_value(&json, rows[i].key, "%.9g", (double)value_of(&rows[i], survey));
                 const struct finding *at = field_of(&rows[i], survey);

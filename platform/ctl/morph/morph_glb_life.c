@@ -25,7 +25,8 @@ static void ask_size(const void *self, float progress, float *values)
     values[0] = values[1] = values[2] = life_length_m(&fish->pick->fish->card, progress);
 }
 
-static float size_error(const void *self, const float *from, const float *to, const float *exact)
+static float relative_size_error(const void *self, const float *from, const float *to,
+                                 const float *exact)
 {
     (void)self;
     return f_abs(0.5f * (from[0] + to[0]) / exact[0] - 1.0f);
@@ -111,8 +112,8 @@ static float anchor_error(const void *self, const float *from, const float *to, 
     return error;
 }
 
-static bool fit(const struct morph_glb *fish, struct piecewise_fit *track,
-                struct piecewise_fit_function function)
+static bool fit_life_track(const struct morph_glb *fish, struct piecewise_fit *track,
+                           struct piecewise_fit_function function)
 {
     float marks[MARK_ROOM];
     /* The first samples are evenly spaced. Every knot of the graph is added in rising order. */
@@ -190,9 +191,9 @@ static bool animate_anchors(struct morph_glb *fish)
     if (fish->mesh->anchor_count == 0) {
         return true;
     }
-    if (!fit(fish, &track,
-             (struct piecewise_fit_function){ ANCHOR_WIDTH * fish->mesh->anchor_count, ask_anchors,
-                                              anchor_error, fish })) {
+    if (!fit_life_track(fish, &track,
+                        (struct piecewise_fit_function){ ANCHOR_WIDTH * fish->mesh->anchor_count,
+                                                         ask_anchors, anchor_error, fish })) {
         return false;
     }
     const uint32_t times = add_times(fish, &track);
@@ -219,7 +220,9 @@ bool morph_glb_animate(struct morph_glb *fish)
     CORE_ASSERT(fish->mesh->anchor_count <= ANCHOR_MAX);
     CORE_ASSERT(fish->cut.piece_count <= PIECE_MAX);
     struct piecewise_fit track;
-    if (!fit(fish, &track, (struct piecewise_fit_function){ 3, ask_size, size_error, fish })) {
+    if (!fit_life_track(
+            fish, &track,
+            (struct piecewise_fit_function){ 3, ask_size, relative_size_error, fish })) {
         return false;
     }
     const uint32_t size_sampler =
@@ -233,9 +236,9 @@ bool morph_glb_animate(struct morph_glb *fish)
         const struct weight_list list = { &fish->pick->rig, &fish->targets[piece] };
         uint32_t *sampler = &samplers[list.targets->curves];
         if (*sampler == 0) {
-            if (!fit(fish, &track,
-                     (struct piecewise_fit_function){ list.targets->count, ask_weights,
-                                                      weight_error, &list })) {
+            if (!fit_life_track(fish, &track,
+                                (struct piecewise_fit_function){ list.targets->count, ask_weights,
+                                                                 weight_error, &list })) {
                 return false;
             }
             const uint32_t times = add_times(fish, &track);

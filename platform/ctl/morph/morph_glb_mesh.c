@@ -237,8 +237,8 @@ static void add_look(struct aspect *sum, const struct aspect *look, float weight
 }
 
 /* Returns C_ck (see the start of this file) for one vertex. */
-static struct aspect solved(const struct morph_glb *fish, uint32_t vertex, uint32_t curve,
-                            uint32_t key)
+static struct aspect solved_aspect(const struct morph_glb *fish, uint32_t vertex, uint32_t curve,
+                                   uint32_t key)
 {
     CORE_ASSERT(key < fish->pick->rig.key_count);
     struct aspect sum = { .hides = 0.0f };
@@ -279,10 +279,10 @@ struct aspect morph_glb_base_appearance(const struct morph_glb *fish, uint32_t v
 {
     const uint32_t last = fish->pick->rig.key_count - 1u;
     /* The colours follow the curve of the whole fish, which has index 0. */
-    const struct aspect painted = solved(fish, vertex, 0, last);
+    const struct aspect painted = solved_aspect(fish, vertex, 0, last);
     struct aspect sum = { .hides = 0.0f };
     for (uint32_t curve = 0; curve < fish->pick->rig.curve_count; curve++) {
-        const struct aspect one = solved(fish, vertex, curve, last);
+        const struct aspect one = solved_aspect(fish, vertex, curve, last);
         add_look(&sum, &one, morph_glb_share_of(fish, vertex, curve));
     }
     sum.colour = v3(f_clamp(painted.colour.x, 0.0f, 1.0f), f_clamp(painted.colour.y, 0.0f, 1.0f),
@@ -296,9 +296,9 @@ struct aspect morph_glb_target_appearance(const struct morph_glb *fish, uint32_t
                                           uint32_t curve, uint32_t key)
 {
     const float share = morph_glb_share_of(fish, vertex, curve);
-    const struct aspect to = solved(fish, vertex, curve, key);
+    const struct aspect to = solved_aspect(fish, vertex, curve, key);
     struct aspect way = to;
-    const struct aspect from = solved(fish, vertex, curve, fish->pick->rig.key_count - 1u);
+    const struct aspect from = solved_aspect(fish, vertex, curve, fish->pick->rig.key_count - 1u);
     add_look(&way, &from, -1.0f);
     way.position = v3_scale(way.position, share);
     way.normal = v3_scale(way.normal, share);

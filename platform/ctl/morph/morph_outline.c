@@ -48,7 +48,7 @@ enum morph_outline_view morph_outline_view_of(const struct species_card *card)
 }
 
 /* Converts a body point to the axes of the view: right, up and toward the viewer. */
-static vec3 seen(enum morph_outline_view view, vec3 p)
+static vec3 point_in_view_axes(enum morph_outline_view view, vec3 p)
 {
     switch (view) {
     case MORPH_OUTLINE_SIDE:
@@ -62,7 +62,7 @@ static vec3 seen(enum morph_outline_view view, vec3 p)
 
 void morph_outline_project(const struct morph_outline *outline, vec3 p, double *x, double *y)
 {
-    const vec3 s = seen(outline->view, p);
+    const vec3 s = point_in_view_axes(outline->view, p);
     *x = outline->x + outline->length_px * (double)s.x;
     *y = outline->y - outline->length_px * (double)s.y;
 }
@@ -94,13 +94,13 @@ static bool is_hidden(const struct morph_outline *outline, enum layer layer, flo
 }
 
 /* Returns true if the triangle at `corner` belongs to the layer and faces the viewer. */
-static bool is_seen(const struct morph_outline *outline, const vec3 *positions,
-                    const uint16_t *corner, enum layer layer)
+static bool is_triangle_visible(const struct morph_outline *outline, const vec3 *positions,
+                                const uint16_t *corner, enum layer layer)
 {
     const struct species_mesh *mesh = &outline->species->lod[0];
-    const vec3 a = seen(outline->view, positions[corner[0]]);
-    const vec3 b = seen(outline->view, positions[corner[1]]);
-    const vec3 c = seen(outline->view, positions[corner[2]]);
+    const vec3 a = point_in_view_axes(outline->view, positions[corner[0]]);
+    const vec3 b = point_in_view_axes(outline->view, positions[corner[1]]);
+    const vec3 c = point_in_view_axes(outline->view, positions[corner[2]]);
     const float toward = a.z + b.z + c.z;
     const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     return area > 0.0f && layer_of(mesh->vertices[corner[0]].part, toward) == layer &&
@@ -125,7 +125,7 @@ static void draw_contour(struct svg *svg, const struct morph_outline *outline,
     const uint16_t *at = mesh->indices;
     memset(has, 0, sizeof has);
     for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
-        for (uint32_t j = 0; is_seen(outline, positions, &at[i], layer) && j < 3; j++) {
+        for (uint32_t j = 0; is_triangle_visible(outline, positions, &at[i], layer) && j < 3; j++) {
             has[joined[at[i + j]]][joined[at[i + (j + 1) % 3]]] = 1;
         }
     }
@@ -189,7 +189,7 @@ void morph_outline_draw(struct svg *svg, const struct morph_outline *outline)
         svg_put(svg, "<path fill=\"%s\" fill-opacity=\"%.2f\" d=\"",
                 dark ? SVG_INK : outline->colour, outline->opacity * (fins ? 0.55 : 1.0));
         for (uint32_t i = 0; i + 2 < mesh->index_count; i += 3) {
-            if (is_seen(outline, positions, &mesh->indices[i], layer)) {
+            if (is_triangle_visible(outline, positions, &mesh->indices[i], layer)) {
                 for (uint32_t j = 0; j < 3; j++) {
                     put_point(svg, outline, j == 0 ? 'M' : 'L', positions[mesh->indices[i + j]]);
                 }

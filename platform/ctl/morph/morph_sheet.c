@@ -78,14 +78,14 @@ static void sheet_measure(const struct morph_options *pick,
     }
 }
 
-static float middle(float a, float b)
+static float midpoint_of(float a, float b)
 {
     return 0.5f * (a + b);
 }
 
 /* ---- Layout of the page ---------------------------------------------------------------------- */
 
-static struct layout plan(const struct page *page, uint32_t columns, float words_px)
+static struct layout plan_sheet_layout(const struct page *page, uint32_t columns, float words_px)
 {
     struct layout layout = { .columns = columns,
                              .cell_width = (PAGE_WIDTH - 2.0f * MARGIN) / (float)columns,
@@ -117,8 +117,8 @@ static void draw_view(struct page *page, enum fish_preview_view view, struct can
     if (!raster_open(&raster, (uint32_t)box.width, (uint32_t)box.height)) {
         page->failed = true;
     } else {
-        fish_preview_draw(&portrait, view, middle(b->left, b->right), middle(b->low, b->high),
-                          scale_px, &raster);
+        fish_preview_draw(&portrait, view, midpoint_of(b->left, b->right),
+                          midpoint_of(b->low, b->high), scale_px, &raster);
         page->failed |=
             !raster_finish(&raster, &page->canvas, (uint32_t)box.left, (uint32_t)box.top);
     }
@@ -202,8 +202,9 @@ enum exit_code morph_sheet_write(const struct morph_options *pick, const char *p
     struct page page = { .pick = pick };
     const uint32_t strips = pick->fish->card.key_count - 1u, rows = key_rows(pick);
     sheet_measure(pick, page.bounds);
-    page.keys = plan(&page, (pick->fish->card.key_count + rows - 1u) / rows, KEY_WORDS_PX);
-    page.betweens = plan(&page, MORPH_SHEET_BETWEEN, BETWEEN_WORDS_PX);
+    page.keys =
+        plan_sheet_layout(&page, (pick->fish->card.key_count + rows - 1u) / rows, KEY_WORDS_PX);
+    page.betweens = plan_sheet_layout(&page, MORPH_SHEET_BETWEEN, BETWEEN_WORDS_PX);
     const float height = HEAD_HEIGHT + (float)rows * page.keys.height +
                          (float)strips * (page.betweens.height + MARGIN) + MARGIN;
     if (!canvas_open(&page.canvas, (uint32_t)PAGE_WIDTH, (uint32_t)height)) {
@@ -267,8 +268,8 @@ static bool draw_frame(const struct morph_options *pick, struct canvas *canvas,
     char words[4 * CAPTION_WORDS_SIZE];
     fish_preview_pose(&portrait, pick->fish, &pick->rig, progress);
     canvas_fill(canvas, (struct canvas_box){ 0.0f, 0.0f, width, height }, WATER_ABOVE, WATER_BELOW);
-    fish_preview_draw(&portrait, view, middle(b->left, b->right), middle(b->low, b->high), scale_px,
-                      raster);
+    fish_preview_draw(&portrait, view, midpoint_of(b->left, b->right), midpoint_of(b->low, b->high),
+                      scale_px, raster);
     const bool whole = raster_finish(raster, canvas, 0, 0);
     caption_age(age, life_age_days(card, progress));
     caption_length(length, length_m);

@@ -86,7 +86,7 @@ void morph_skin_build(struct morph_skin *skin, const struct species_mesh *mesh,
     walk_bins(skin, true);
 }
 
-static vec3 area(const vec3 corner[3])
+static vec3 triangle_area_vector(const vec3 corner[3])
 {
     return v3_scale(v3_cross(v3_sub(corner[1], corner[0]), v3_sub(corner[2], corner[0])), 0.5f);
 }
@@ -96,7 +96,7 @@ bool morph_skin_is_closed(const struct morph_skin *skin)
     vec3 sum = { 0.0f, 0.0f, 0.0f };
     float whole = 0.0f;
     for (uint32_t i = 0; i < skin->triangle_count; i++) {
-        const vec3 a = area(skin->corner[i]);
+        const vec3 a = triangle_area_vector(skin->corner[i]);
         sum = v3_add(sum, a);
         whole += v3_length(a);
     }
@@ -159,7 +159,7 @@ bool morph_skin_has(const struct morph_skin *skin, vec3 p)
 
 static float to_triangle(vec3 p, const vec3 c[3])
 {
-    const vec3 normal = v3_normalize_or(area(c), v3(0.0f, 0.0f, 0.0f));
+    const vec3 normal = v3_normalize_or(triangle_area_vector(c), v3(0.0f, 0.0f, 0.0f));
     bool above = v3_dot(normal, normal) > 0.0f;
     float nearest = FLT_MAX;
     for (int k = 0; k < 3; k++) {

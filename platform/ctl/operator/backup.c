@@ -49,7 +49,7 @@ static enum exit_code fails(const char *path, const char *why)
     return EXIT_IO;
 }
 
-static void join(char out[LEDGER_PATH_SIZE], const char *path, const char *suffix)
+static void join_path_suffix(char out[LEDGER_PATH_SIZE], const char *path, const char *suffix)
 {
     CORE_ASSERT(strlen(suffix) < 40u);
     snprintf(out, LEDGER_PATH_SIZE, "%.560s%.39s", path, suffix);
@@ -80,7 +80,7 @@ static void folder_of(const struct swap *swap, char folder[BOOKS_PATH_SIZE])
 /* Returns 1 if a kiosk runs with the data folder of the database, or if a process has the database
  * open, otherwise 0. A kiosk locks its data folder for its whole run, even while its database is
  * closed. */
-static int is_held(const struct swap *swap)
+static int is_database_held(const struct swap *swap)
 {
     char shared[LEDGER_PATH_SIZE], folder[BOOKS_PATH_SIZE];
     folder_of(swap, folder);
@@ -88,7 +88,7 @@ static int is_held(const struct swap *swap)
     if (handle >= 0) {
         close(handle);
     }
-    join(shared, swap->own, "-shm");
+    join_path_suffix(shared, swap->own, "-shm");
     return handle == -EWOULDBLOCK || is_locked(swap->own) || is_locked(shared);
 }
 
@@ -148,8 +148,8 @@ static int name_before(struct swap *swap)
     char suffix[40], backup[LEDGER_PATH_SIZE];
     for (unsigned number = 1; number <= BEFORE_MAX; number++) {
         snprintf(suffix, sizeof suffix, STORAGE_REPLACED_SUFFIX "%u", number);
-        join(swap->before, swap->own, suffix);
-        join(backup, swap->before, STORAGE_BACKUP_SUFFIX);
+        join_path_suffix(swap->before, swap->own, suffix);
+        join_path_suffix(backup, swap->before, STORAGE_BACKUP_SUFFIX);
         if (access(swap->before, F_OK) != 0 && access(backup, F_OK) != 0) {
             return 1;
         }
@@ -162,8 +162,8 @@ static int name_before(struct swap *swap)
 static int move_one(const struct swap *swap, const char *suffix)
 {
     char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE];
-    join(from, swap->own, suffix);
-    join(to, swap->before, suffix);
+    join_path_suffix(from, swap->own, suffix);
+    join_path_suffix(to, swap->before, suffix);
     return rename(from, to) == 0 || errno == ENOENT ? 0 : -1;
 }
 
@@ -211,15 +211,15 @@ static enum exit_code restore_backup(const struct books_words *words, const char
     if (books_is_same(from, swap.own)) {
         return ctl_usage(name, "%.200s: is the stall's own file", from);
     }
-    join(swap.fresh, swap.own, STORAGE_NEW_SUFFIX);
-    if (is_held(&swap)) {
+    join_path_suffix(swap.fresh, swap.own, STORAGE_NEW_SUFFIX);
+    if (is_database_held(&swap)) {
         return fails(swap.own, "the stall runs, or another program reads it: stop it first");
     }
     const enum exit_code code = make_copy(&swap, from);
     if (code != EXIT_OK) {
         return code;
     }
-    if (is_held(&swap) || !name_before(&swap)) {
+    if (is_database_held(&swap) || !name_before(&swap)) {
         unlink(swap.fresh);
         return fails(swap.own, "the stall was started, or too many files lie beside it");
     }
@@ -267,8 +267,8 @@ static const char *why_not(const struct books_words *words, const char *path)
                : "is there, and is no copy of a stall's file";
 }
 
-static enum exit_code copy(struct ledger_file *file, const char *path,
-                           const struct books_words *words)
+static enum exit_code write_backup_copy(struct ledger_file *file, const char *path,
+                                        const struct books_words *words)
 {
     const char *why = why_not(words, path);
     if (why) {
@@ -322,7 +322,7 @@ static enum exit_code backup_run(int argc, const char *const *argv)
     }
     code = books_open(name, &request.books, &file);
     if (code == EXIT_OK) {
-        code = copy(&file, request.path, &request.books);
+        code = write_backup_copy(&file, request.path, &request.books);
         ledger_file_close(&file);
     }
     return code;

@@ -46,7 +46,7 @@ struct finding {
     double play_s, took_s;
 };
 
-static double now_s(void)
+static double scores_clock_s(void)
 {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
@@ -56,7 +56,7 @@ static double now_s(void)
 static struct finding look_into(struct ledger_file *file, uint32_t round_id)
 {
     struct finding found = { .round_id = round_id, .verdict = REPLAY_VERDICT_DAMAGED };
-    const double begin_s = now_s();
+    const double begin_s = scores_clock_s();
     struct ledger_entry kept;
     found.has_replay =
         ledger_file_get_replay(file, round_id, bytes, sizeof bytes, &found.size) == 0;
@@ -70,7 +70,7 @@ static struct finding look_into(struct ledger_file *file, uint32_t round_id)
     }
     ledger_file_round(file, round_id, &kept);
     found.verdict = replay_verifier_result(&judge, &file->content.memory.ranking, round_id, &kept);
-    found.took_s = now_s() - begin_s;
+    found.took_s = scores_clock_s() - begin_s;
     return found;
 }
 

@@ -191,7 +191,7 @@ static double strength_n_m(const struct paper_options *plan, double weight_kg)
     return (double)tension_n_m * pow(longer, 1.0 / SHEET_DAMAGE_EXPONENT);
 }
 
-static void calibrate(const struct paper_options *plan)
+static void print_paper_calibration(const struct paper_options *plan)
 {
     CORE_ASSERT(plan->weight_count >= 1 && plan->weight_count <= PAPER_WEIGHTS_MAX);
     const struct paper_grade *grade = sheet_grade(plan->grade);
@@ -247,7 +247,7 @@ static enum exit_code paper_run(int argc, const char *const *argv)
     plan.tick_count = (uint32_t)ceil(plan.seconds * CORE_TICK_HZ - 1e-6);
     plan.footprint_m = 1e-3 * words.footprint_mm;
     if (plan.weight_count > 0) {
-        calibrate(&plan);
+        print_paper_calibration(&plan);
         return EXIT_OK;
     }
     paper_lab_open(&lab, &plan);

@@ -100,7 +100,7 @@ void paper_lab_open(struct paper_lab *lab, const struct paper_options *plan)
 /* Returns the force on the paper in N. `whole` is the share of the paper without holes. The force
  * perpendicular to the paper is the load on the sheet, and the force in the plane is the friction
  * of the water. */
-static float force_n(const struct poi *poi, const struct basis *axes, float whole)
+static float paper_force_n(const struct poi *poi, const struct basis *axes, float whole)
 {
     const float area_m2 = whole * F_PI * POI_RADIUS_M * POI_RADIUS_M;
     const vec3 v = vec_basis_to_body(axes, poi->velocity_m_s);
@@ -141,7 +141,7 @@ void paper_lab_tick(struct paper_lab *lab)
     const float whole = poi_whole(poi);
     const struct obstacle ring = poi_obstacle(poi);
     poi_apply_reaction(poi, &ring);
-    lab->force_n = f_max(lab->force_n, force_n(poi, &axes, whole));
+    lab->force_n = f_max(lab->force_n, paper_force_n(poi, &axes, whole));
     lab->tension_n_m = f_max(lab->tension_n_m, poi->strain.tension_max_n_m);
     lab->water_kg = f_max(lab->water_kg, poi->water_kg);
     if (lab->tore_tick == 0 && poi->strain.cells_torn > 0) {

@@ -84,7 +84,7 @@ static void info_text(const struct replay_header *header, const struct replay_to
            totals->caught, totals->fouls, (unsigned long long)totals->hash);
 }
 
-static enum exit_code info(const char *path, int as_json)
+static enum exit_code print_replay_info(const char *path, int as_json)
 {
     static struct replay_reader reader;
     struct replay_totals totals;
@@ -177,7 +177,7 @@ static enum exit_code tell_verdict(const char *path, const struct replayer *repl
     return EXIT_OK;
 }
 
-static double now_s(void)
+static double replay_clock_s(void)
 {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
@@ -191,7 +191,7 @@ static enum exit_code verify(const char *path)
     CORE_ASSERT(path);
     struct core_config config;
     struct replay_totals totals;
-    const double begin_s = now_s();
+    const double begin_s = replay_clock_s();
     if (scan(&replayer.reader, path, &totals) || replayer_begin(&replayer, path, &config)) {
         return replayer_print_problem(speaker, path, &replayer.reader.problem);
     }
@@ -217,7 +217,7 @@ static enum exit_code verify(const char *path)
     if (refused != CORE_OK) {
         return ctl_float(name);
     }
-    return tell_verdict(path, &replayer, now_s() - begin_s);
+    return tell_verdict(path, &replayer, replay_clock_s() - begin_s);
 }
 
 struct request {
@@ -248,7 +248,7 @@ static enum exit_code replay_run(int argc, const char *const *argv)
         return ctl_usage(name, "%s: a FILE is missing", argv[0]);
     }
     return code != EXIT_OK ? code
-           : is_info       ? info(request.path, request.as_json)
+           : is_info       ? print_replay_info(request.path, request.as_json)
                            : verify(request.path);
 }
 

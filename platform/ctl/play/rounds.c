@@ -71,7 +71,7 @@ static void act(struct seat *seat)
 }
 
 /* Advances the core by one tick and records the tick. Returns the result of core_tick(). */
-static enum core_error tick(struct seat *seat)
+static enum core_error tick_and_record(struct seat *seat)
 {
     seat->output.sound_count = 0;
     act(seat);
@@ -82,7 +82,7 @@ static enum core_error tick(struct seat *seat)
     return error;
 }
 
-static double seconds(uint32_t ticks)
+static double ticks_to_seconds(uint32_t ticks)
 {
     return (double)ticks / CORE_TICK_HZ;
 }
@@ -100,8 +100,9 @@ static void read_result(const struct seat *seat, struct round_result *result)
     result->hole_area_mm2 = player->hole_area_mm2;
     result->sheets = player->sheets;
     result->torn = player->torn_tick != 0;
-    result->torn_at_s = result->torn ? seconds(player->torn_tick - record.start_tick) : 0.0;
-    result->length_s = seconds(record.end_tick - record.start_tick);
+    result->torn_at_s =
+        result->torn ? ticks_to_seconds(player->torn_tick - record.start_tick) : 0.0;
+    result->length_s = ticks_to_seconds(record.end_tick - record.start_tick);
     result->state_hash = core_hash(&seat->core);
 }
 
@@ -109,7 +110,7 @@ static enum exit_code play_through(struct seat *seat, struct round_result *resul
 {
     for (uint32_t i = 0; i < ROUND_TICKS_MAX; i++) {
         const uint8_t before = seat->core.game.phase;
-        if (tick(seat) != CORE_OK) {
+        if (tick_and_record(seat) != CORE_OK) {
             result->is_refused = 1;
             return EXIT_NOT_SO;
         }

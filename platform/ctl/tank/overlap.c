@@ -12,7 +12,7 @@
  * axis. */
 #define PARALLEL 1e-6
 
-static double dot(const double a[3], const double b[3])
+static double double3_dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -36,15 +36,15 @@ struct overlap_box overlap_box_of(const struct fish *fish)
         box.axis[0][i] = cr * across[i] - sr * over[i];
         box.axis[1][i] = cr * over[i] + sr * across[i];
     }
-    box.reach_m = sqrt(dot(box.half_m, box.half_m));
+    box.reach_m = sqrt(double3_dot(box.half_m, box.half_m));
     return box;
 }
 
 static double shadow_m(const struct overlap_box *box, const double axis[3])
 {
-    return box->half_m[0] * fabs(dot(box->axis[0], axis)) +
-           box->half_m[1] * fabs(dot(box->axis[1], axis)) +
-           box->half_m[2] * fabs(dot(box->axis[2], axis));
+    return box->half_m[0] * fabs(double3_dot(box->axis[0], axis)) +
+           box->half_m[1] * fabs(double3_dot(box->axis[1], axis)) +
+           box->half_m[2] * fabs(double3_dot(box->axis[2], axis));
 }
 
 /* Projects the two boxes onto the unit vector `axis`. Sets `*least_m` to the overlap of the
@@ -53,7 +53,7 @@ static double shadow_m(const struct overlap_box *box, const double axis[3])
 static int parted_along(const struct overlap_box *a, const struct overlap_box *b, const double d[3],
                         const double axis[3], double *least_m)
 {
-    const double overlap_m = shadow_m(a, axis) + shadow_m(b, axis) - fabs(dot(d, axis));
+    const double overlap_m = shadow_m(a, axis) + shadow_m(b, axis) - fabs(double3_dot(d, axis));
     *least_m = fmin(*least_m, overlap_m);
     return overlap_m <= 0.0;
 }
@@ -66,7 +66,7 @@ static int parted_by_edges(const struct overlap_box *a, const struct overlap_box
             const double *u = a->axis[i], *v = b->axis[j];
             double edge[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
                                u[0] * v[1] - u[1] * v[0] };
-            const double length = sqrt(dot(edge, edge));
+            const double length = sqrt(double3_dot(edge, edge));
             if (length < PARALLEL) {
                 continue;
             }

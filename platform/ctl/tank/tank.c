@@ -17,7 +17,7 @@
 /* Runs the whole simulation. Once per second, checks that the floating-point settings are still
  * suitable for the core. Returns EXIT_OK, or prints one line to standard error and returns
  * EXIT_NOT_SO if the settings have changed. */
-static enum exit_code swim(struct tank_lab *lab, struct tank_trace *trace)
+static enum exit_code run_tank_simulation(struct tank_lab *lab, struct tank_trace *trace)
 {
     const struct tank_options *plan = lab->plan;
     if (trace->file) {
@@ -48,7 +48,7 @@ static enum exit_code tank_measure_lab(struct tank_lab *lab)
     if (code != EXIT_OK) {
         return code;
     }
-    const enum exit_code swum = swim(lab, &trace);
+    const enum exit_code swum = run_tank_simulation(lab, &trace);
     code = trace.file ? tank_trace_close(&trace) : EXIT_OK;
     code = swum != EXIT_OK ? swum : code;
     if (code != EXIT_OK) {

@@ -13,8 +13,8 @@
 #define DEFINES_SIZE 96
 #define SAMPLERS "caustics patterns poses"
 
-static struct fish_program program(struct gl_status *status, const char *name, const char *variant,
-                                   bool fins)
+static struct fish_program link_fish_program(struct gl_status *status, const char *name,
+                                             const char *variant, bool fins)
 {
     char defines[DEFINES_SIZE];
     fish_poses_defines(defines, sizeof defines, &species_wakin, fins);
@@ -29,10 +29,10 @@ void fish_pass_open(struct gl_status *status, struct fish_pass *pass,
                     struct fish_mesh_memory *memory)
 {
     const struct species *const species = &species_wakin;
-    pass->body = program(status, "fish body", "", false);
-    pass->sunk = program(status, "sunk fish body", "#define SUNK\n", false);
-    pass->snout = program(status, "snouts", "#define SNOUT\n", false);
-    pass->fin = program(status, "fish fin", "#define FIN\n", true);
+    pass->body = link_fish_program(status, "fish body", "", false);
+    pass->sunk = link_fish_program(status, "sunk fish body", "#define SUNK\n", false);
+    pass->snout = link_fish_program(status, "snouts", "#define SNOUT\n", false);
+    pass->fin = link_fish_program(status, "fish fin", "#define FIN\n", true);
     pass->ring_program =
         gl_program(status, "gulp rings", "", shader_gulp_ring_vert, shader_gulp_ring_frag, "");
     glGenVertexArrays(1, &pass->rings);

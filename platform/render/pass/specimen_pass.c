@@ -29,8 +29,8 @@ static struct specimen_screen screen_of(GLuint program)
     };
 }
 
-static struct specimen_program program(struct gl_status *status, const char *name,
-                                       const char *defines)
+static struct specimen_program link_specimen_program(struct gl_status *status, const char *name,
+                                                     const char *defines)
 {
     const GLuint made = gl_morph_program(status, name, defines, shader_specimen_vert,
                                          shader_specimen_frag, SAMPLERS);
@@ -55,8 +55,8 @@ void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass,
                         const struct textures *textures)
 {
     pass->patterns = textures->patterns;
-    pass->body = program(status, "specimen", DEFINES);
-    pass->fin = program(status, "specimen's fins", DEFINES "#define FIN\n");
+    pass->body = link_specimen_program(status, "specimen", DEFINES);
+    pass->fin = link_specimen_program(status, "specimen's fins", DEFINES "#define FIN\n");
     pass->shadow.name = gl_program(status, "specimen's shadow", "", shader_specimen_shadow_vert,
                                    shader_specimen_shadow_frag, "");
     pass->shadow.place = glGetUniformLocation(pass->shadow.name, "place");
@@ -247,8 +247,9 @@ static void send_screen(const struct specimen_screen *screen,
     glUniform2fv(screen->move, 1, move);
 }
 
-static void send(const struct specimen_program *program, const struct specimen *specimen,
-                 const struct specimen_slot *slot, const struct told *told)
+static void send_specimen_uniforms(const struct specimen_program *program,
+                                   const struct specimen *specimen,
+                                   const struct specimen_slot *slot, const struct told *told)
 {
     const struct species_card *const card = &slot->species->card;
     const struct specimen_axes axes = specimen_axes(specimen);
@@ -333,8 +334,8 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }
     told.look[2] = fish_texture_opacity(slot->worn, pass->pose.weight[0]);
-    send(&pass->body, specimen, slot, &told);
-    send(&pass->fin, specimen, slot, &told);
+    send_specimen_uniforms(&pass->body, specimen, slot, &told);
+    send_specimen_uniforms(&pass->fin, specimen, slot, &told);
     /* The depth is cleared around the specimen. The depth of earlier specimens is not needed
      * because specimens do not overlap on a page. */
     const float reach = (mesh->reach + SWAY_LENGTHS) * specimen->length_px;

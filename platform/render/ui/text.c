@@ -178,7 +178,8 @@ static enum text_key pattern_of(struct span line, struct span gap[GAPS_MAX])
     return TEXT_COUNT;
 }
 
-static void write(struct sink *sink, uint8_t language, struct span line, uint32_t depth);
+static void write_translated_line(struct sink *sink, uint8_t language, struct span line,
+                                  uint32_t depth);
 
 /* Writes the translation of `key` with the gaps filled in. The text of a gap is translated too if
  * it is a message, such as the reason of a failure. */
@@ -189,7 +190,7 @@ static void write_pattern(struct sink *sink, uint8_t language, enum text_key key
     uint32_t next = 0;
     for (const char *brace; (brace = strstr(words, "{}")) != NULL && next < GAPS_MAX; next++) {
         sink_put(sink, words, (size_t)(brace - words));
-        write(sink, language, gap[next], depth + 1u);
+        write_translated_line(sink, language, gap[next], depth + 1u);
         words = brace + 2;
     }
     sink_put(sink, words, strlen(words));
@@ -197,7 +198,8 @@ static void write_pattern(struct sink *sink, uint8_t language, enum text_key key
 
 /* Translates the whole line if its pattern is known. Otherwise translates each part that "; "
  * separates. The recursion depth is at most DEPTH_MAX. */
-static void write(struct sink *sink, uint8_t language, struct span line, uint32_t depth)
+static void write_translated_line(struct sink *sink, uint8_t language, struct span line,
+                                  uint32_t depth)
 {
     struct span gap[GAPS_MAX] = { { NULL, 0 } };
     enum text_key key = depth < DEPTH_MAX ? pattern_of(line, gap) : TEXT_COUNT;
@@ -226,5 +228,5 @@ void text_translate(char *out, size_t out_size, uint8_t language, const char *li
     CORE_ASSERT(out_size > 0);
     struct sink sink = { .out = out, .size = out_size };
     out[0] = '\0';
-    write(&sink, language, (struct span){ line, strlen(line) }, 0);
+    write_translated_line(&sink, language, (struct span){ line, strlen(line) }, 0);
 }

@@ -79,8 +79,8 @@ static void met_seal(const struct ui_frame *frame, struct ui_box water,
     ui_ribbon(frame, &seal, words);
 }
 
-static void picture(const struct ui_frame *frame, const struct scene *scene, uint32_t index,
-                    struct ui_box box)
+static void draw_album_picture(const struct ui_frame *frame, const struct scene *scene,
+                               uint32_t index, struct ui_box box)
 {
     CORE_ASSERT(index < scene->album.fish_count);
     const float u = frame->unit;
@@ -174,7 +174,7 @@ void ui_album(const struct ui_frame *frame, const struct scene *scene)
                               grid.height };
         box.y += 30.0f * frame->unit * (1.0f - in);
         frame->batch->opacity = in;
-        picture(frame, scene, i, box);
+        draw_album_picture(frame, scene, i, box);
         frame->batch->opacity = 1.0f;
     }
     ui_start_ribbon(frame, scene, frame->height - 56.0f * frame->unit, TEXT_AGAIN);

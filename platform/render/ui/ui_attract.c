@@ -184,7 +184,7 @@ static void seconds_ring(const struct ui_frame *frame, const struct scene *scene
     ui_text_at(frame, &digits, x, y, number);
 }
 
-static void foot(const struct ui_frame *frame, const struct scene *scene)
+static void draw_attract_foot(const struct ui_frame *frame, const struct scene *scene)
 {
     const float u = frame->unit;
     char words[TEXT_LINE_MAX];
@@ -256,7 +256,7 @@ void ui_choose(const struct ui_frame *frame, const struct scene *scene,
         tag_words(frame, scene, mode, hung);
         box.x += width + gap;
     }
-    foot(frame, scene);
+    draw_attract_foot(frame, scene);
     seconds_ring(frame, scene, frame->width - 66.0f * u, 62.0f * u);
     ui_credits(frame, scene, 128.0f * u, 62.0f * u);
     frame->batch->opacity = 1.0f;

@@ -19,7 +19,7 @@ struct slate {
     uint32_t colour;
 };
 
-static struct ui_box place(const struct slate *slate, struct layout_box box)
+static struct ui_box slate_box(const struct slate *slate, struct layout_box box)
 {
     const float u = slate->frame.unit;
     return (struct ui_box){ slate->x + box.x * u, slate->y + box.y * u, box.width * u,
@@ -28,16 +28,16 @@ static struct ui_box place(const struct slate *slate, struct layout_box box)
 
 /* ---- Player, leaderboard place and remaining time ------------------------------------------- */
 
-static void title(const struct slate *slate, const struct scene *scene)
+static void draw_name_title(const struct slate *slate, const struct scene *scene)
 {
     const int upright = slate->name->upright;
     const float u = slate->frame.unit;
     const struct ui_box box =
-        place(slate, upright ? (struct layout_box){ 150.0f, 70.0f, 554.0f, 70.0f }
-                             : (struct layout_box){ 300.0f, 12.0f, 680.0f, 52.0f });
+        slate_box(slate, upright ? (struct layout_box){ 150.0f, 70.0f, 554.0f, 70.0f }
+                                 : (struct layout_box){ 300.0f, 12.0f, 680.0f, 52.0f });
     const struct ui_box line =
-        place(slate, upright ? (struct layout_box){ 60.0f, 150.0f, 734.0f, 70.0f }
-                             : (struct layout_box){ 300.0f, 62.0f, 680.0f, 44.0f });
+        slate_box(slate, upright ? (struct layout_box){ 60.0f, 150.0f, 734.0f, 70.0f }
+                                 : (struct layout_box){ 300.0f, 62.0f, 680.0f, 44.0f });
     const struct ui_text proud = ui_style(&slate->frame, FONT_STALL, 44.0f, 0.0f, UI_GOLD, 0.0f);
     const struct ui_text words =
         ui_style(&slate->frame, FONT_STALL, 34.0f, 0.0f, 0xfff6e2ffu, 0.0f);
@@ -60,20 +60,20 @@ static void title(const struct slate *slate, const struct scene *scene)
     }
     if (ui_player_count(scene) > 1u) {
         const struct ui_box mark =
-            place(slate, upright ? (struct layout_box){ 90.0f, 105.0f, 0.0f, 0.0f }
-                                 : (struct layout_box){ 250.0f, 58.0f, 0.0f, 0.0f });
+            slate_box(slate, upright ? (struct layout_box){ 90.0f, 105.0f, 0.0f, 0.0f }
+                                     : (struct layout_box){ 250.0f, 58.0f, 0.0f, 0.0f });
         ui_player_mark(&slate->frame, mark.x, mark.y, 30.0f * u, slate->name->seat);
     }
 }
 
 /* Draws the remaining seconds. Only the last few seconds are shown, because a longer countdown
  * makes players nervous. */
-static void seconds(const struct slate *slate, const struct scene *scene)
+static void draw_name_countdown(const struct slate *slate, const struct scene *scene)
 {
     const float u = slate->frame.unit, radius = 34.0f * u;
     const struct ui_box at =
-        place(slate, slate->name->upright ? (struct layout_box){ 764.0f, 105.0f, 0.0f, 0.0f }
-                                          : (struct layout_box){ 1210.0f, 62.0f, 0.0f, 0.0f });
+        slate_box(slate, slate->name->upright ? (struct layout_box){ 764.0f, 105.0f, 0.0f, 0.0f }
+                                              : (struct layout_box){ 1210.0f, 62.0f, 0.0f, 0.0f });
     const float whole = ceilf(scene->seconds_left);
     char number[12];
     if (scene->seconds_left > 15.0f) {
@@ -99,7 +99,7 @@ static void one_letter(const struct slate *slate, struct ui_box box, uint16_t le
 }
 
 /* Draws eight places for letters. The place of the next letter has the player's colour. */
-static void line(const struct slate *slate)
+static void draw_letter_places(const struct slate *slate)
 {
     const int upright = slate->name->upright;
     const float u = slate->frame.unit;
@@ -109,7 +109,7 @@ static void line(const struct slate *slate)
     const float left = 0.5f * (pointer_layout_size(upright).x - row);
     for (uint32_t i = 0; i < NAME_LETTERS_MAX; i++) {
         const struct ui_box box =
-            place(slate, (struct layout_box){ left + pitch * (float)i, y, width, height });
+            slate_box(slate, (struct layout_box){ left + pitch * (float)i, y, width, height });
         const int is_next = i == slate->name->letter_count;
         const float pulse = 0.45f + 0.55f * ui_pulse(slate->frame.time_s, 1.0f);
         ui_panel(&slate->frame, UI_WASHI, box, 8.0f * u, (is_next ? 5.0f : 1.5f) * u,
@@ -129,7 +129,7 @@ static struct ui_box key_paper(const struct slate *slate, uint32_t key)
     const struct scene_name *name = slate->name;
     const float u = slate->frame.unit;
     const int is_lit = name->key == key;
-    struct ui_box box = place(slate, name_box(name->upright, name->alphabet, key));
+    struct ui_box box = slate_box(slate, name_box(name->upright, name->alphabet, key));
     box.y += is_lit && name->presses ? 3.0f * u : 0.0f;
     ui_shape(slate->frame.batch,
              &(struct ui_shape){ .box = box,
@@ -159,7 +159,7 @@ static enum text_key key_words(const struct scene_name *name, uint32_t key)
     }
 }
 
-static void board(const struct slate *slate)
+static void draw_name_keys(const struct slate *slate)
 {
     const struct scene_name *name = slate->name;
     const float u = slate->frame.unit;
@@ -194,15 +194,15 @@ void ui_name(const struct ui_frame *frame, const struct scene *scene)
      * tank. */
     const struct ui_box box = { 0.0f, 0.0f, slate.frame.width, slate.frame.height };
     ui_panel(&slate.frame, UI_PANEL, box, 0.0f, 0.0f, 0x090d24b4u, 0);
-    title(&slate, scene);
-    seconds(&slate, scene);
-    line(&slate);
-    board(&slate);
+    draw_name_title(&slate, scene);
+    draw_name_countdown(&slate, scene);
+    draw_letter_places(&slate);
+    draw_name_keys(&slate);
     const int upright = slate.name->upright;
     const struct ui_text style = ui_style(&slate.frame, FONT_BODY, 24.0f, 0.0f, 0xc9d2eeffu, 0.0f);
     ui_words_in(&slate.frame,
-                place(&slate, upright ? (struct layout_box){ 27.0f, 1190.0f, 800.0f, 40.0f }
-                                      : (struct layout_box){ 60.0f, 678.0f, 1160.0f, 34.0f }),
+                slate_box(&slate, upright ? (struct layout_box){ 27.0f, 1190.0f, 800.0f, 40.0f }
+                                          : (struct layout_box){ 60.0f, 678.0f, 1160.0f, 34.0f }),
                 &style, ui_words(&slate.frame, TEXT_NAME_KEYS));
     const struct scene_name *name = slate.name;
     const float u = slate.frame.unit;

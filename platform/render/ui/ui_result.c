@@ -139,7 +139,8 @@ static void ranked(const struct ui_frame *frame, const struct scene *scene, uint
     }
 }
 
-static void ranking(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
+static void draw_result_ranking(const struct ui_frame *frame, const struct scene *scene,
+                                struct ui_box box)
 {
     const float u = frame->unit, pitch = 70.0f * u, first = box.y + 76.0f * u;
     uint32_t shown = 0;
@@ -249,7 +250,7 @@ void ui_result(const struct ui_frame *frame, const struct scene *scene,
         given_back(frame, box);
     } else {
         if (ui_player_count(scene) > 1u) {
-            ranking(frame, scene, box);
+            draw_result_ranking(frame, scene, box);
         } else {
             one_players_result(frame, scene, box);
         }

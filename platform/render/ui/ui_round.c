@@ -12,7 +12,7 @@
 #define FOUL_S 2.6f
 #define COUNTDOWN_S 5.0f
 
-static float shown(float age_s, float length_s)
+static float announcement_opacity(float age_s, float length_s)
 {
     return ui_smooth(0.0f, 0.12f, age_s) * (1.0f - ui_smooth(length_s - 0.5f, length_s, age_s));
 }
@@ -56,7 +56,7 @@ static float foul_flag(const struct ui_frame *frame, const struct scene *scene, 
     const float width =
         2.0f * 26.0f * u + mark + head_width + gap + ui_text_width(&body, name) + lamps;
     float x = 0.5f * (frame->width - width);
-    frame->batch->opacity = shown(state->foul_s, FOUL_S);
+    frame->batch->opacity = announcement_opacity(state->foul_s, FOUL_S);
     ui_panel(frame, UI_WASHI, (struct ui_box){ x, y, width, height }, 10.0f * u, 2.5f * u,
              0xb3261ef2u, 0xfff1ddd0u);
     x += 26.0f * u;
@@ -72,7 +72,7 @@ static float foul_flag(const struct ui_frame *frame, const struct scene *scene, 
     return height + 8.0f * u;
 }
 
-static void fouls(const struct ui_frame *frame, const struct scene *scene)
+static void draw_foul_flags(const struct ui_frame *frame, const struct scene *scene)
 {
     /* During the countdown the first flag is below the digits, and further flags are above the
      * first flag. */
@@ -120,10 +120,11 @@ void ui_umpire(const struct ui_frame *frame, const struct scene *scene)
         const int brush = frame->language == LANGUAGE_JA;
         const float grow = 1.0f + 0.10f * ui_smooth(0.0f, CALL_S, scene->call_s);
         ui_big_word(frame, brush ? FONT_BRUSH : FONT_STALL, 0.33f * frame->height,
-                    (brush ? 122.0f : 84.0f) * frame->unit * grow, shown(scene->call_s, CALL_S),
+                    (brush ? 122.0f : 84.0f) * frame->unit * grow,
+                    announcement_opacity(scene->call_s, CALL_S),
                     ui_words(frame, (enum text_key)keys[scene->call]));
     }
-    fouls(frame, scene);
+    draw_foul_flags(frame, scene);
 }
 
 #define HURRY_S 10.0f /* Remaining time in seconds below which the clock is red. */

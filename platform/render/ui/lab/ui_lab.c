@@ -67,7 +67,7 @@ struct button {
 };
 
 /* Returns the box of a button. The box is slightly lower while the button is pressed. */
-static struct ui_box tag(const struct lab_page *page, const struct button *button)
+static struct ui_box draw_lab_tag(const struct lab_page *page, const struct button *button)
 {
     const float u = page->frame.unit;
     struct ui_box box = lab_place(page, button->part);
@@ -87,7 +87,7 @@ static void word_button(const struct lab_page *page, const struct button *button
 {
     const float u = page->frame.unit;
     const int is_small = button->part >= LAB_OWN && button->part <= LAB_SMOOTH;
-    const struct ui_box box = tag(page, button);
+    const struct ui_box box = draw_lab_tag(page, button);
     const struct ui_text style = lab_text(
         page, is_small ? 20.0f : 23.0f, button->is_idle ? ui_fade(BUTTON_INK, 0.45f) : BUTTON_INK);
     const float margin = (is_small ? 3.0f : 10.0f) * u;
@@ -96,7 +96,7 @@ static void word_button(const struct lab_page *page, const struct button *button
                 &style, button->words);
 }
 
-static void sign(const struct lab_page *page, struct ui_box box, enum text_key key)
+static void draw_lab_sign(const struct lab_page *page, struct ui_box box, enum text_key key)
 {
     const struct ui_text style = lab_text(page, 30.0f, BUTTON_INK);
     ui_words_in(&page->frame, box, &style, ui_words(&page->frame, key));
@@ -104,10 +104,10 @@ static void sign(const struct lab_page *page, struct ui_box box, enum text_key k
 
 static void arrow_button(const struct lab_page *page, enum lab_part part, enum text_key key)
 {
-    sign(page, tag(page, &(struct button){ .part = part }), key);
+    draw_lab_sign(page, draw_lab_tag(page, &(struct button){ .part = part }), key);
 }
 
-static void buttons(const struct lab_page *page)
+static void draw_lab_buttons(const struct lab_page *page)
 {
     static const enum text_key templates[] = { TEXT_LAB_OWN, TEXT_LAB_ORDINARY, TEXT_LAB_PAIRWISE,
                                                TEXT_LAB_SIMULTANEOUS, TEXT_LAB_SMOOTH };
@@ -129,7 +129,8 @@ static void buttons(const struct lab_page *page)
     }
     const float u = page->frame.unit;
     const int plays = lab->playing;
-    const struct ui_box box = tag(page, &(struct button){ .part = LAB_PLAY, .is_on = plays });
+    const struct ui_box box =
+        draw_lab_tag(page, &(struct button){ .part = LAB_PLAY, .is_on = plays });
     const float x = box.x + 40.0f * u, y = box.y + 0.5f * box.height;
     if (plays) {
         for (uint32_t i = 0; i < 2u; i++) {
@@ -139,7 +140,7 @@ static void buttons(const struct lab_page *page)
         }
     } else {
         const struct ui_box place = { x - 20.0f * u, box.y, 40.0f * u, box.height };
-        sign(page, place, TEXT_SIGN_ON);
+        draw_lab_sign(page, place, TEXT_SIGN_ON);
     }
     const struct ui_text style = lab_text(page, 23.0f, BUTTON_INK);
     const struct ui_box room = { box.x + 64.0f * u, box.y, box.width - 76.0f * u, box.height };
@@ -261,7 +262,7 @@ void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_m
     arrow_button(&page, LAB_BACK, TEXT_SIGN_BACK);
     arrow_button(&page, LAB_NEXT, TEXT_SIGN_ON);
     help_line(&page);
-    buttons(&page);
+    draw_lab_buttons(&page);
     const struct scene_lab *lab = page.lab;
     const float u = page.frame.unit;
     if (!lab->has_hand) {

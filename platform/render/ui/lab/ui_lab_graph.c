@@ -13,7 +13,7 @@
 
 /* ---- Paper background ----------------------------------------------------------------------- */
 
-static void paper(const struct lab_page *page, enum lab_part part)
+static void draw_graph_paper(const struct lab_page *page, enum lab_part part)
 {
     const float u = page->frame.unit;
     const struct ui_box box = lab_place(page, part);
@@ -150,7 +150,7 @@ static void weight_knots(const struct lab_page *page, struct ui_box field, uint3
 }
 
 /* Draws all curves. The curve that the player drags is drawn last. */
-static void curves(const struct lab_page *page, struct ui_box field)
+static void draw_graph_curves(const struct lab_page *page, struct ui_box field)
 {
     const struct scene_lab *lab = page->lab;
     const uint32_t count = lab->card.key_count;
@@ -202,7 +202,7 @@ static void tool(const struct lab_page *page, enum lab_part part, enum text_key 
 void lab_graph(const struct lab_page *page)
 {
     const struct ui_box field = lab_place(page, LAB_PLOT);
-    paper(page, LAB_CARD);
+    draw_graph_paper(page, LAB_CARD);
     const float u = page->frame.unit;
     const struct ui_box card = lab_place(page, LAB_CARD), plot = lab_place(page, LAB_PLOT);
     const struct ui_text style = lab_text(page, 22.0f, LAB_INK);
@@ -218,7 +218,7 @@ void lab_graph(const struct lab_page *page)
     length_axis(page, field);
     const float x = page->lab->progress;
     line_in(page, field, (const float[4]){ x, -0.03f, x, 1.03f }, 2.2f, UI_VERMILION);
-    curves(page, field);
+    draw_graph_curves(page, field);
     tool(page, LAB_SIZE, TEXT_LAB_SIZE, page->lab->layer >= MORPH_KEY_MAX, LAB_PURPLE);
     tool(page, LAB_ADD, TEXT_LAB_ADD, 0, LAB_INK_SOFT);
     tool(page, LAB_REMOVE, TEXT_LAB_REMOVE, 0, LAB_INK_SOFT);
@@ -249,7 +249,7 @@ void lab_chart(const struct lab_page *page)
         most_m = fmaxf(most_m, life_length_m(card, (float)i / (float)CHART_STEPS));
     }
     const float most_days = card->key_age_days[last];
-    paper(page, LAB_CHART_CARD);
+    draw_graph_paper(page, LAB_CHART_CARD);
     const float u = page->frame.unit;
     char words[TEXT_LINE_MAX];
     struct ui_text style = lab_text(page, 16.0f, LAB_INK_SOFT);

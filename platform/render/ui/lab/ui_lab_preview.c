@@ -27,7 +27,8 @@ static vec3 ui_lab_preview_point_at(struct ui_lab_preview *bench, const struct s
     return position;
 }
 
-static void walk(struct ui_lab_preview *bench, uint32_t vertex, struct lab_preview_path *way)
+static void trace_vertex_path(struct ui_lab_preview *bench, uint32_t vertex,
+                              struct lab_preview_path *way)
 {
     way->is_there = vertex < bench->species->lod[0].vertex_count;
     way->bow = 0.0f;
@@ -63,17 +64,17 @@ void ui_lab_preview_set(struct ui_lab_preview *bench, const struct species *spec
     if (is_new || memcmp(card, &bench->card, sizeof *card) != 0) {
         bench->card = *card;
         morph_rig_init(&bench->rig, card, TEMPLATE_OWN);
-        walk(bench, part_vertex_range(&species->lod[0], PART_DORSAL, SIDE_MIDDLE),
-             &bench->ways[LAB_PREVIEW_DORSAL]);
+        trace_vertex_path(bench, part_vertex_range(&species->lod[0], PART_DORSAL, SIDE_MIDDLE),
+                          &bench->ways[LAB_PREVIEW_DORSAL]);
         /* If the right eye migrates to the left side, the right eye is traced. Otherwise the left
          * eye is traced, because a side view shows the left eye. */
         const struct species_mesh *mesh = &bench->species->lod[0];
         struct lab_preview_path *way = &bench->ways[LAB_PREVIEW_EYE];
-        walk(bench, part_vertex_range(mesh, PART_EYE, SIDE_RIGHT), way);
+        trace_vertex_path(bench, part_vertex_range(mesh, PART_EYE, SIDE_RIGHT), way);
         const vec3 last = way->at[LAB_PREVIEW_STEPS];
         const bool travels = way->is_there && way->at[0].x > 0.0f && last.x <= 0.0f;
         if (!travels) {
-            walk(bench, part_vertex_range(mesh, PART_EYE, SIDE_LEFT), way);
+            trace_vertex_path(bench, part_vertex_range(mesh, PART_EYE, SIDE_LEFT), way);
         }
     }
 }

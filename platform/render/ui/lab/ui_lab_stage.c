@@ -63,7 +63,7 @@ static struct span_px free_span(const struct lab_page *page, const struct tank_r
 
 /* Returns the fish's length in pixels. The fish fits on the stage at every age, and is drawn
  * shorter while it is young. */
-static float length_px(const struct lab_page *page, const struct tank_room *room)
+static float stage_fish_length_px(const struct lab_page *page, const struct tank_room *room)
 {
     const struct ui_lab_preview *bench = page->bench;
     const struct specimen_bounds *reach = &bench->bounds;
@@ -85,7 +85,7 @@ static struct specimen fish_in(const struct lab_page *page, const struct tank_ro
                              .edition = bench->edition,
                              .rig = &bench->rig,
                              .progress = page->lab->progress,
-                             .length_px = length_px(page, room),
+                             .length_px = stage_fish_length_px(page, room),
                              .shadow = 0.35f };
     specimen_portrait(&fish);
     fish.x_px =
@@ -104,7 +104,7 @@ static struct specimen fish_in(const struct lab_page *page, const struct tank_ro
 
 /* Returns the distance in metres between two marks of the ruler. The distance is 1, 2 or 5 times a
  * power of ten, and at least `least_px` pixels on the screen. */
-static float step_m(float px_per_m, float least_px)
+static float ruler_step_m(float px_per_m, float least_px)
 {
     CORE_ASSERT(px_per_m > 0.0f);
     static const float steps[3] = { 1.0f, 2.0f, 5.0f };
@@ -129,7 +129,7 @@ static void ruler(const struct lab_page *page, const struct tank_room *room,
                                  room->box.width - 28.0f * u, 32.0f * u };
     const float px_per_m = fish->length_px / fmaxf(page->lab->length_m, 1e-5f);
     const float zero = fish->x_px - 0.5f * fish->length_px;
-    const float fine = step_m(px_per_m, 7.0f * u), coarse = step_m(px_per_m, 74.0f * u);
+    const float fine = ruler_step_m(px_per_m, 7.0f * u), coarse = ruler_step_m(px_per_m, 74.0f * u);
     const int in_cm = coarse >= 0.0099f;
     ui_panel(&page->frame, UI_WOOD, rule, 5.0f * u, 1.5f * u, 0xe2bf82ffu, 0x6a4a22ffu);
     const float end = rule.x + rule.width - 6.0f * u;
@@ -288,7 +288,7 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
     way_dot(page, fish, way->at[now], 12.0f, 0x00000000u, colour);
 }
 
-static void ways(const struct lab_page *page, const struct specimen *fish)
+static void draw_vertex_paths(const struct lab_page *page, const struct specimen *fish)
 {
     one_way(page, fish, &page->bench->ways[LAB_PREVIEW_DORSAL], WAY_GOLD);
     one_way(page, fish, &page->bench->ways[LAB_PREVIEW_EYE], WAY_PINK);
@@ -328,7 +328,7 @@ static void fish_and_figures(const struct lab_page *page)
         ui_lab_stage_draw_words(page, &room);
     }
     if (page->lab->path) {
-        ways(page, &fish);
+        draw_vertex_paths(page, &fish);
         /* The legend is in the free area above the fish's snout. For each trajectory, the legend
          * shows the largest distance from the straight line, in per cent of a body length. */
         static const uint32_t colours[LAB_PREVIEW_POINT_COUNT] = { WAY_GOLD, WAY_PINK };

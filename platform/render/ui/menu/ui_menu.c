@@ -67,7 +67,7 @@ struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag)
 
 /* Draws the sign in the upper corner of a tag. The sign is an exclamation mark on red for a page to
  * check, or the seal for a changed setting. */
-static void corner(const struct menu_view *view, struct ui_box box, uint8_t page)
+static void draw_tag_corner_sign(const struct menu_view *view, struct ui_box box, uint8_t page)
 {
     const float u = view->frame.unit, r = 17.0f * u;
     const float x = box.x + box.width - 26.0f * u, y = box.y + 26.0f * u;
@@ -102,7 +102,7 @@ static void hung_tag(const struct menu_view *view, uint32_t tag)
     ui_words_in(&view->frame,
                 (struct ui_box){ x, box.y + 0.64f * box.height, width, 0.28f * box.height }, &line,
                 menu_text(view, line_key));
-    corner(view, box, page);
+    draw_tag_corner_sign(view, box, page);
 }
 
 /* Draws a pole over each row of hanging tags. A new row begins at each tag that is lower than the
@@ -137,7 +137,7 @@ static void foot_tag(const struct menu_view *view, uint32_t tag, enum text_key k
                 &name, menu_text(view, turns_down ? TEXT_FOOT_DOWN : key));
 }
 
-static void tags(const struct menu_view *view)
+static void draw_menu_tags(const struct menu_view *view)
 {
     const uint8_t page = view->menu->page, body = menu_page_desc_of(page)->body;
     const int is_hung = body == MENU_BODY_TILES || body == MENU_BODY_PAGES;
@@ -159,7 +159,7 @@ static void tags(const struct menu_view *view)
 
 /* ---- Whole page of the menu ----------------------------------------------------------------- */
 
-static void title(const struct menu_view *view)
+static void draw_menu_title(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
     const struct ui_box box =
@@ -189,7 +189,7 @@ static struct menu_view open_view(const struct ui_frame *frame, const struct sce
     return view;
 }
 
-static void body(const struct menu_view *view)
+static void draw_menu_body(const struct menu_view *view)
 {
     const uint8_t kind = menu_page_desc_of(view->menu->page)->body;
     if (kind == MENU_BODY_SETTINGS) {
@@ -202,15 +202,15 @@ static void body(const struct menu_view *view)
     }
 }
 
-static void page(const struct menu_view *view)
+static void draw_menu_page(const struct menu_view *view)
 {
     /* A veil darkens the tank, so that the menu's text is readable over the bright lights of the
      * tank. */
     const struct ui_box box = { 0.0f, 0.0f, view->frame.width, view->frame.height };
     ui_panel(&view->frame, UI_PANEL, box, 0.0f, 0.0f, 0x090d24dcu, 0);
-    title(view);
-    tags(view);
-    body(view);
+    draw_menu_title(view);
+    draw_menu_tags(view);
+    draw_menu_body(view);
     const int upright = view->menu->upright;
     const struct menu_page_desc *sheet = menu_page_desc_of(view->menu->page);
     const enum text_key key = view->menu->page == MENU_SELF_TEST  ? TEXT_CHECK_KEYS
@@ -229,10 +229,10 @@ void ui_menu(const struct ui_frame *frame, const struct scene *scene)
     const struct menu_view view = open_view(frame, scene);
     frame->batch->opacity = ui_smooth(0.0f, 0.25f, scene->phase_s);
     if (menu_words_of(scene->menu.page)->is_whole) {
-        body(&view);
-        tags(&view);
+        draw_menu_body(&view);
+        draw_menu_tags(&view);
     } else {
-        page(&view);
+        draw_menu_page(&view);
     }
     const struct scene_menu *menu = view.menu;
     const float u = view.frame.unit;

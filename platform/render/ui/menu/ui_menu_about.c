@@ -32,8 +32,8 @@ static const struct places upright_places = {
     .line_count = 3,
 };
 
-static void device(const struct menu_view *view, const struct places *places, struct ui_box box,
-                   uint32_t index)
+static void draw_device_row(const struct menu_view *view, const struct places *places,
+                            struct ui_box box, uint32_t index)
 {
     CORE_ASSERT(index < ABOUT_COUNT);
     static const enum text_key names[ABOUT_COUNT] = {
@@ -87,7 +87,7 @@ void menu_about(const struct menu_view *view)
     menu_words_at(view, is_one ? x + room : x, is_one ? y : box.y + 0.7f * places->head * u,
                   is_one ? 0.39f * room : room, is_one ? 1.0f : 0.0f, &style, second);
     for (uint32_t i = 0; i < ABOUT_COUNT; i++) {
-        device(view, places, box, i);
+        draw_device_row(view, places, box, i);
     }
 }
 

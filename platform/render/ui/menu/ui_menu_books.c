@@ -26,7 +26,7 @@ struct book_line {
 
 /* ---- Sheets of paper and numbers ------------------------------------------------------------ */
 
-static struct ui_box sheet(const struct menu_view *view, struct layout_box place)
+static struct ui_box draw_book_sheet(const struct menu_view *view, struct layout_box place)
 {
     const float u = view->frame.unit;
     const struct ui_box box = menu_place(view, place);
@@ -34,7 +34,7 @@ static struct ui_box sheet(const struct menu_view *view, struct layout_box place
     return box;
 }
 
-static void rule(const struct menu_view *view, float x, float y, float width)
+static void draw_book_rule(const struct menu_view *view, float x, float y, float width)
 {
     const float u = view->frame.unit;
     ui_panel(&view->frame, UI_PANEL, (struct ui_box){ x, y - u, width, 2.0f * u }, 0.0f, 0.0f,
@@ -58,8 +58,8 @@ static void write_count(char out[NUMBER_SIZE], uint32_t count)
 
 /* Draws the lines of an account book in `columns` columns. Each column is filled from top to
  * bottom. */
-static void lines(const struct menu_view *view, struct ui_box box, uint32_t columns,
-                  const struct book_line *line, uint32_t count)
+static void draw_book_lines(const struct menu_view *view, struct ui_box box, uint32_t columns,
+                            const struct book_line *line, uint32_t count)
 {
     CORE_ASSERT(columns > 0 && count > 0);
     const float u = view->frame.unit;
@@ -91,14 +91,14 @@ static void lines(const struct menu_view *view, struct ui_box box, uint32_t colu
         if (i % rows + 1u < rows && i + 1u < count) {
             /* The last line of a column needs no separating rule, because the border of the sheet
              * is below it. */
-            rule(view, x, y + 0.5f * pitch, width);
+            draw_book_rule(view, x, y + 0.5f * pitch, width);
         }
     }
 }
 
 /* ---- Pages of earnings and faults ----------------------------------------------------------- */
 
-static struct layout_box whole(const struct menu_view *view)
+static struct layout_box whole_sheet_place(const struct menu_view *view)
 {
     return view->menu->upright ? (struct layout_box){ 27.0f, 200.0f, 800.0f, 1010.0f }
                                : (struct layout_box){ 100.0f, 124.0f, 1080.0f, 464.0f };
@@ -121,8 +121,8 @@ void menu_earnings(const struct menu_view *view)
         { TEXT_AUD_TICKETS, AUDIT_TICKETS, 0, 0 },
         { TEXT_AUD_TICKETS_OUT, AUDIT_TICKETS_OUT, 0, 0 },
     };
-    lines(view, sheet(view, whole(view)), view->menu->upright ? 1u : 2u, book,
-          sizeof book / sizeof book[0]);
+    draw_book_lines(view, draw_book_sheet(view, whole_sheet_place(view)),
+                    view->menu->upright ? 1u : 2u, book, sizeof book / sizeof book[0]);
 }
 
 void menu_machine(const struct menu_view *view)
@@ -140,8 +140,8 @@ void menu_machine(const struct menu_view *view)
         { TEXT_AUD_LOST_3, AUDIT_LOST_AGAIN + 2, 0, 0 },
         { TEXT_AUD_LOST_4, AUDIT_LOST_AGAIN + 3, 0, 0 },
     };
-    lines(view, sheet(view, whole(view)), view->menu->upright ? 1u : 2u, book,
-          sizeof book / sizeof book[0]);
+    draw_book_lines(view, draw_book_sheet(view, whole_sheet_place(view)),
+                    view->menu->upright ? 1u : 2u, book, sizeof book / sizeof book[0]);
 }
 
 /* ---- Page of the numbers of plays ----------------------------------------------------------- */
@@ -168,7 +168,7 @@ static void by_mode(const struct menu_view *view, struct ui_box box)
     }
     for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
         const float y = box.y + head + ((float)mode + 0.5f) * pitch;
-        rule(view, box.x + 24.0f * u, y - 0.5f * pitch, box.width - 48.0f * u);
+        draw_book_rule(view, box.x + 24.0f * u, y - 0.5f * pitch, box.width - 48.0f * u);
         menu_words_at(view, box.x + 28.0f * u, y, 0.36f * box.width - 40.0f * u, 0.0f, &name,
                       menu_text(view, modes[mode]));
         for (uint32_t grade = 0; grade < AUDIT_GRADES; grade++) {
@@ -195,13 +195,15 @@ void menu_plays(const struct menu_view *view)
     };
     const uint32_t count = sizeof book / sizeof book[0];
     if (view->menu->upright) {
-        lines(view, sheet(view, (struct layout_box){ 27.0f, 200.0f, 800.0f, 640.0f }), 1u, book,
-              count);
-        by_mode(view, sheet(view, (struct layout_box){ 27.0f, 860.0f, 800.0f, 350.0f }));
+        draw_book_lines(view,
+                        draw_book_sheet(view, (struct layout_box){ 27.0f, 200.0f, 800.0f, 640.0f }),
+                        1u, book, count);
+        by_mode(view, draw_book_sheet(view, (struct layout_box){ 27.0f, 860.0f, 800.0f, 350.0f }));
     } else {
-        lines(view, sheet(view, (struct layout_box){ 40.0f, 124.0f, 560.0f, 464.0f }), 1u, book,
-              count);
-        by_mode(view, sheet(view, (struct layout_box){ 620.0f, 124.0f, 620.0f, 464.0f }));
+        draw_book_lines(view,
+                        draw_book_sheet(view, (struct layout_box){ 40.0f, 124.0f, 560.0f, 464.0f }),
+                        1u, book, count);
+        by_mode(view, draw_book_sheet(view, (struct layout_box){ 620.0f, 124.0f, 620.0f, 464.0f }));
     }
 }
 
@@ -244,7 +246,7 @@ static void bars(const struct menu_view *view, struct ui_box box, enum text_key 
         name(view, i, words, sizeof words);
         menu_words_at(view, x, base + 22.0f * u, 1.6f * pitch, 0.5f, &label, words);
     }
-    rule(view, left, base, box.width - 48.0f * u);
+    draw_book_rule(view, left, base, box.width - 48.0f * u);
 }
 
 /* Writes the label of every third hour only, because 24 labels would be too small to read. */
@@ -268,11 +270,11 @@ void menu_hours(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
     const struct ui_box hours =
-        sheet(view, upright ? (struct layout_box){ 27.0f, 200.0f, 800.0f, 490.0f }
-                            : (struct layout_box){ 40.0f, 124.0f, 720.0f, 424.0f });
+        draw_book_sheet(view, upright ? (struct layout_box){ 27.0f, 200.0f, 800.0f, 490.0f }
+                                      : (struct layout_box){ 40.0f, 124.0f, 720.0f, 424.0f });
     const struct ui_box days =
-        sheet(view, upright ? (struct layout_box){ 27.0f, 710.0f, 800.0f, 440.0f }
-                            : (struct layout_box){ 780.0f, 124.0f, 460.0f, 424.0f });
+        draw_book_sheet(view, upright ? (struct layout_box){ 27.0f, 710.0f, 800.0f, 440.0f }
+                                      : (struct layout_box){ 780.0f, 124.0f, 460.0f, 424.0f });
     const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
     bars(view, hours, TEXT_AUD_BY_HOUR, AUDIT_HOUR, 24, name_hour);
     bars(view, days, TEXT_AUD_BY_WEEKDAY, AUDIT_WEEKDAY, 7, name_day);

@@ -66,8 +66,8 @@ static enum text_key words_of(const struct menu_view *view)
 /* Draws the water of the basin from above, inside a wooden frame that is `margin` pixels wide. If
  * `from_the_side` is 1, draws the water from the side instead, with its surface in the middle of
  * the basin. Returns the box inside the frame. */
-static struct ui_box basin(const struct menu_view *view, struct ui_box box, float margin,
-                           float radius, int from_the_side)
+static struct ui_box draw_basin_water(const struct menu_view *view, struct ui_box box, float margin,
+                                      float radius, int from_the_side)
 {
     const float u = view->frame.unit;
     const struct ui_box inside = { box.x + margin, box.y + margin, box.width - 2.0f * margin,
@@ -88,7 +88,8 @@ static struct ui_box basin(const struct menu_view *view, struct ui_box box, floa
     return inside;
 }
 
-static void ring(const struct menu_view *view, float x, float y, float radius, float part)
+static void draw_calibration_ring(const struct menu_view *view, float x, float y, float radius,
+                                  float part)
 {
     ui_ring(&view->frame, x, y, radius, 7.0f * view->frame.unit, part, UI_GOLD, 0xffffff60u);
 }
@@ -108,7 +109,7 @@ static void place_in(const struct menu_view *view, struct ui_box pool, vec3 at_m
 /* Draws a mark for each calibration step: a fish for a finished step, a large ring for the current
  * step, and a small ring for a later step. The large ring fills while the operator holds the poi
  * still. */
-static void marks(const struct menu_view *view, struct ui_box pool)
+static void draw_calibration_marks(const struct menu_view *view, struct ui_box pool)
 {
     const float u = view->frame.unit;
     const uint8_t step = view->menu->calibrate_step;
@@ -119,8 +120,8 @@ static void marks(const struct menu_view *view, struct ui_box pool)
         if (step > CALIBRATE_CORNER + i && step <= CALIBRATE_DONE) {
             ui_fish_sign(&view->frame, x, y, 54.0f * u);
         } else {
-            ring(view, x, y, (is_now ? 30.0f : 16.0f) * u,
-                 is_now ? view->menu->menu_calibrate_progress : 0.0f);
+            draw_calibration_ring(view, x, y, (is_now ? 30.0f : 16.0f) * u,
+                                  is_now ? view->menu->menu_calibrate_progress : 0.0f);
         }
         if (is_now) {
             ui_poi_sign(&view->frame, x, y, 21.0f * u, 1.0f, ui_player_colours[view->menu->seat]);
@@ -177,8 +178,8 @@ void menu_calibration(const struct menu_view *view)
     const float u = view->frame.unit;
     const struct ui_text name = menu_brush(view, 130.0f, MENU_CREAM);
     const struct ui_text words = menu_style(view, 30.0f, MENU_CREAM);
-    const struct ui_box pool =
-        basin(view, menu_place(view, places->basin), 22.0f * u, 8.0f * u, step == CALIBRATE_WATER);
+    const struct ui_box pool = draw_basin_water(view, menu_place(view, places->basin), 22.0f * u,
+                                                8.0f * u, step == CALIBRATE_WATER);
     if (step == CALIBRATE_WATER) {
         /* The water is seen from the side. An animated poi sinks onto the water and stays there. */
         const float t = fmodf(view->frame.time_s, 2.4f);
@@ -188,9 +189,10 @@ void menu_calibration(const struct menu_view *view)
         const float grip[2] = { x + 210.0f * u, y };
         ui_segment(view->frame.batch, left, right, 9.0f * u, 0xfff6e2ffu);
         ui_segment(view->frame.batch, right, grip, 14.0f * u, ui_player_colours[view->menu->seat]);
-        ring(view, x, water - 130.0f * u, 30.0f * u, view->menu->menu_calibrate_progress);
+        draw_calibration_ring(view, x, water - 130.0f * u, 30.0f * u,
+                              view->menu->menu_calibrate_progress);
     } else {
-        marks(view, pool);
+        draw_calibration_marks(view, pool);
         live_poi(view, pool);
     }
     state_line(view, menu_place(view, places->state));
@@ -313,7 +315,7 @@ void menu_learning(const struct menu_view *view)
     const float u = view->frame.unit;
     const struct ui_text name = menu_brush(view, 150.0f, MENU_CREAM);
     const struct ui_text words = menu_style(view, 30.0f, MENU_CREAM);
-    basin(view, box, 16.0f * u, 10.0f * u, step == LEARN_DIP);
+    draw_basin_water(view, box, 16.0f * u, 10.0f * u, step == LEARN_DIP);
     if (step >= LEARN_LEFT && step <= LEARN_NEAR) {
         /* An arrow points in the direction of the motion. */
         const float half = 0.44f * (steps[step].x != 0.0f ? box.width : box.height);

@@ -51,7 +51,8 @@ static void line_down(const struct menu_view *view, float x, float from, float t
 }
 
 /* Draws the outline of a box. The lines are inside the box. */
-static void outline(const struct menu_view *view, struct ui_box box, float px, uint32_t colour)
+static void draw_card_outline(const struct menu_view *view, struct ui_box box, float px,
+                              uint32_t colour)
 {
     const float right = box.x + box.width, bottom = box.y + box.height;
     line_across(view, box.y, box.x, right, px, colour);
@@ -98,7 +99,7 @@ static void greys(const struct menu_view *view, struct ui_box band)
 }
 
 /* Draws letters in three sizes. The sizes are in screen pixels instead of canvas units. */
-static void letters(const struct menu_view *view, float x, float y)
+static void draw_card_letters(const struct menu_view *view, float x, float y)
 {
     static const float sizes_px[] = { 28.0f, 18.0f, 11.0f };
     for (uint32_t i = 0; i < sizeof sizes_px / sizeof sizes_px[0]; i++) {
@@ -114,10 +115,10 @@ static void all_letters(const struct menu_view *view)
 {
     const float width = view->frame.width, height = view->frame.height;
     const float x = SAFE * width + 90.0f, y = SAFE * height + 60.0f;
-    letters(view, x, y);
-    letters(view, width - x, y);
-    letters(view, x, height - y);
-    letters(view, width - x, height - y);
+    draw_card_letters(view, x, y);
+    draw_card_letters(view, width - x, y);
+    draw_card_letters(view, x, height - y);
+    draw_card_letters(view, width - x, height - y);
 }
 
 void menu_card(const struct menu_view *view)
@@ -161,12 +162,12 @@ void menu_card(const struct menu_view *view)
                               bars[i]);
     }
     greys(view, (struct ui_box){ left, middle + 1.0f * side, 6.0f * side, 1.5f * side });
-    letters(view, 0.5f * width, middle);
+    draw_card_letters(view, 0.5f * width, middle);
     all_letters(view);
-    outline(view,
-            (struct ui_box){ floorf(SAFE * width), floorf(SAFE * height),
-                             floorf((1.0f - 2.0f * SAFE) * width),
-                             floorf((1.0f - 2.0f * SAFE) * height) },
-            1.0f, CARD_AMBER);
-    outline(view, whole, 2.0f, CARD_WHITE);
+    draw_card_outline(view,
+                      (struct ui_box){ floorf(SAFE * width), floorf(SAFE * height),
+                                       floorf((1.0f - 2.0f * SAFE) * width),
+                                       floorf((1.0f - 2.0f * SAFE) * height) },
+                      1.0f, CARD_AMBER);
+    draw_card_outline(view, whole, 2.0f, CARD_WHITE);
 }

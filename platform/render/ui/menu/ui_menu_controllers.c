@@ -57,7 +57,7 @@ static void state_sign(const struct menu_view *view, float x, float y, float rad
                 state == CONTROLLER_ACTIVE ? ui_player_colours[0] : states[state].paint);
 }
 
-static void row(const struct menu_view *view, uint32_t index)
+static void draw_controller_row(const struct menu_view *view, uint32_t index)
 {
     const float u = view->frame.unit;
     const uint8_t state = view->menu->controllers.state[index];
@@ -84,7 +84,7 @@ void menu_rows(const struct menu_view *view)
     uint32_t count = 0;
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
         if (view->menu->tags >> i & 1u) {
-            row(view, i);
+            draw_controller_row(view, i);
             count++;
         }
     }

@@ -21,7 +21,7 @@ static const enum text_key names[INPUT_BUTTON_COUNT + 1u] = {
  * the order of the buttons' bits. */
 #define COIN INPUT_BUTTON_COUNT
 
-static struct ui_box cell(const struct menu_view *view, uint32_t index)
+static struct ui_box input_line_cell(const struct menu_view *view, uint32_t index)
 {
     const int upright = view->menu->upright;
     const uint32_t columns = upright ? 2u : 5u;
@@ -71,10 +71,10 @@ static void raw_line(const struct menu_view *view, uint32_t index, struct ui_box
 
 /* Draws the cell of an input line. The lamp is above the name and the count. On an upright screen
  * the lamp is beside the name and the count. */
-static void line(const struct menu_view *view, uint32_t index, float lit, uint32_t count)
+static void draw_input_line(const struct menu_view *view, uint32_t index, float lit, uint32_t count)
 {
     CORE_ASSERT(index <= COIN);
-    const struct ui_box box = cell(view, index);
+    const struct ui_box box = input_line_cell(view, index);
     const float u = view->frame.unit;
     const int upright = view->menu->upright;
     const struct ui_text name = menu_style(view, 27.0f, MENU_INK);
@@ -118,7 +118,7 @@ static void line(const struct menu_view *view, uint32_t index, float lit, uint32
 
 /* Draws the status line of the input lines, the note that coins inserted on this page count only as
  * a test, and the number of input faults. */
-static void notes(const struct menu_view *view)
+static void draw_input_line_notes(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
     const struct ui_text warm = menu_style(view, 24.0f, 0xf0c089ffu);
@@ -159,8 +159,8 @@ void menu_lines(const struct menu_view *view)
 {
     const struct scene_menu *menu = view->menu;
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {
-        line(view, i, menu->held >> i & 1u ? 1.0f : 0.0f, menu->pressed_count[i]);
+        draw_input_line(view, i, menu->held >> i & 1u ? 1.0f : 0.0f, menu->pressed_count[i]);
     }
-    line(view, COIN, 1.0f - ui_smooth(0.0f, CLINK_S, menu->coin_s), menu->test_coins);
-    notes(view);
+    draw_input_line(view, COIN, 1.0f - ui_smooth(0.0f, CLINK_S, menu->coin_s), menu->test_coins);
+    draw_input_line_notes(view);
 }

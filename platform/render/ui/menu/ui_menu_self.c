@@ -209,7 +209,7 @@ static void self_test_draw_mark(const struct menu_view *view, float x, float y, 
     }
 }
 
-static void sheet(const struct menu_view *view, struct ui_box box, uint32_t edge)
+static void draw_check_sheet(const struct menu_view *view, struct ui_box box, uint32_t edge)
 {
     const float u = view->frame.unit;
     ui_panel(&view->frame, UI_WASHI, box, 8.0f * u, 2.0f * u, UI_WASHI_WHITE, edge);
@@ -232,8 +232,8 @@ static size_t sentence_end(const struct ui_text *style, const char *words, float
 
 /* Draws the text in one line if it fits. Otherwise draws two lines in a smaller size. The second
  * line is shrunk to fit. */
-static void wrap(const struct menu_view *view, struct ui_box box, const struct ui_text *style,
-                 const char *words)
+static void draw_wrapped_text(const struct menu_view *view, struct ui_box box,
+                              const struct ui_text *style, const char *words)
 {
     char line[2u * TEXT_LINE_MAX];
     struct ui_text each = *style;
@@ -269,21 +269,21 @@ static void self_test_check_row(const struct menu_view *view, const struct place
     const float left = box.x + (52.0f + places->name_width) * u;
     char words[2u * TEXT_LINE_MAX];
     row_words(view, index, state, words, sizeof words);
-    sheet(view, box, ui_menu_self_paint_of(state));
+    draw_check_sheet(view, box, ui_menu_self_paint_of(state));
     self_test_draw_mark(view, box.x + 28.0f * u, box.y + 0.5f * box.height, state);
     menu_words_at(view, box.x + 52.0f * u, box.y + 0.5f * box.height,
                   (places->name_width - 8.0f) * u, 0.0f, &name, menu_text(view, names[index]));
-    wrap(view,
-         (struct ui_box){ left, box.y + 4.0f * u, box.x + box.width - 10.0f * u - left,
-                          box.height - 8.0f * u },
-         &line, words);
+    draw_wrapped_text(view,
+                      (struct ui_box){ left, box.y + 4.0f * u, box.x + box.width - 10.0f * u - left,
+                                       box.height - 8.0f * u },
+                      &line, words);
 }
 
 /* ---- Summary of all checks ------------------------------------------------------------------ */
 
 /* Draws the summary of all checks, and below the summary the next step for the operator. */
-static void verdict(const struct menu_view *view, const struct places *places, uint32_t next,
-                    const uint8_t state[SELF_CHECKS])
+static void draw_check_verdict(const struct menu_view *view, const struct places *places,
+                               uint32_t next, const uint8_t state[SELF_CHECKS])
 {
     const float u = view->frame.unit;
     const uint8_t kind = next < SELF_CHECKS ? state[next] : (uint8_t)SELF_GOOD;
@@ -292,7 +292,7 @@ static void verdict(const struct menu_view *view, const struct places *places, u
     const struct ui_text small = menu_style(view, 28.0f, UI_INK);
     char words[2u * TEXT_LINE_MAX], line[3u * TEXT_LINE_MAX];
     const float x = box.x + 0.5f * box.width, room = box.width - 40.0f * u;
-    sheet(view, box, ui_menu_self_paint_of(kind));
+    draw_check_sheet(view, box, ui_menu_self_paint_of(kind));
     const uint32_t seconds = view->menu->self.seconds_left;
     const uint32_t number = seconds > 0 ? seconds : self_test_left(state);
     const enum text_key key = next == SELF_CHECKS ? TEXT_CHECK_READY
@@ -316,5 +316,5 @@ void menu_self_test(const struct menu_view *view)
     for (uint32_t i = 0; i < SELF_CHECKS; i++) {
         self_test_check_row(view, places, i, state[i]);
     }
-    verdict(view, places, next, state);
+    draw_check_verdict(view, places, next, state);
 }

@@ -191,7 +191,8 @@ static void setting_board(const struct menu_view *view, const struct places *pla
 }
 
 /* Draws the description of the selected setting above the tags at the bottom of the page. */
-static void help(const struct menu_view *view, const struct places *places, const char *words)
+static void draw_setting_help(const struct menu_view *view, const struct places *places,
+                              const char *words)
 {
     const struct ui_text style = menu_style(view, 25.0f, MENU_CREAM);
     const struct ui_box box = menu_place(view, places->help);
@@ -207,7 +208,7 @@ static void help(const struct menu_view *view, const struct places *places, cons
 
 /* Draws whether the last change of a setting has been written to disk. Draws nothing before the
  * first change. */
-static void saved(const struct menu_view *view, const struct places *places)
+static void draw_saved_state(const struct menu_view *view, const struct places *places)
 {
     const struct ui_text style = menu_style(view, 22.0f, 0xc9d2eeffu);
     const int is_saved = view->menu->is_saved;
@@ -218,7 +219,7 @@ static void saved(const struct menu_view *view, const struct places *places)
                 menu_text(view, is_saved ? TEXT_SET_SAVED : TEXT_SET_SAVING));
 }
 
-static void board(const struct menu_view *view, const struct places *places, uint32_t tag)
+static void draw_tag_board(const struct menu_view *view, const struct places *places, uint32_t tag)
 {
     if (!(view->menu->tags >> tag & 1u)) {
         return;
@@ -241,11 +242,11 @@ void menu_settings(const struct menu_view *view)
     const uint32_t body_count = menu_body_count(menu->page);
     if (menu->tag < body_count) {
         /* The selected board is drawn first, so that its glow is behind the neighbouring boards. */
-        board(view, places, menu->tag);
+        draw_tag_board(view, places, menu->tag);
     }
     for (uint32_t tag = 0; tag < body_count; tag++) {
         if (tag != menu->tag) {
-            board(view, places, tag);
+            draw_tag_board(view, places, tag);
         }
     }
     const int is_row = menu->tag < body_count;
@@ -254,16 +255,16 @@ void menu_settings(const struct menu_view *view)
     const uint8_t page = menu_page_at(menu->page, row);
     char words[2u * TEXT_LINE_MAX], standard[TEXT_LINE_MAX / 2u];
     if (is_row && id < SETTING_COUNT) {
-        help(view, places, menu_text(view, menu_setting_words_of(id)->help));
+        draw_setting_help(view, places, menu_text(view, menu_setting_words_of(id)->help));
     } else if (is_row && page < MENU_PAGE_COUNT) {
-        help(view, places, menu_text(view, menu_words_of(page)->about));
+        draw_setting_help(view, places, menu_text(view, menu_words_of(page)->about));
     } else if (menu->tag == body_count + SETTINGS_STANDARD && id < SETTING_COUNT) {
         menu_value_words(view, id, settings_entry(id)->standard, standard, sizeof standard);
         snprintf(words, sizeof words, "%s → %s", menu_text(view, menu_setting_words_of(id)->name),
                  standard);
-        help(view, places, words);
+        draw_setting_help(view, places, words);
     }
-    saved(view, places);
+    draw_saved_state(view, places);
 }
 
 /* Draws the board of one bit of a setting. Like the board of a whole setting, the board shows a
@@ -310,6 +311,6 @@ void menu_bits(const struct menu_view *view)
             bit_board(view, places, id, bit);
         }
     }
-    help(view, places, menu_text(view, words->help));
-    saved(view, places);
+    draw_setting_help(view, places, menu_text(view, words->help));
+    draw_saved_state(view, places);
 }
