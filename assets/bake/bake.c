@@ -8,8 +8,7 @@
 #include <string.h>
 #include <time.h>
 
-#define EXIT_USAGE 2
-#define EXIT_BAD_DATA 65
+#include "platform/os/exit_code.h"
 
 void bake_fail(const char *format, ...)
 {

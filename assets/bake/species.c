@@ -5,13 +5,12 @@
  * error. */
 #include "assets/bake/species_write.h"
 #include "core/base/panic.h"
+#include "platform/os/exit_code.h"
 #include "platform/species/drawing.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { EXIT_USAGE = 2, EXIT_DATA = 65, EXIT_IO = 74 };
 
 static int complain(const char *path)
 {
@@ -59,5 +58,5 @@ int main(int argc, char **argv)
     }
     const bool good = species_read(file, argv[1], stderr, &species);
     fclose(file);
-    return good ? bake(&species, argv[2]) : EXIT_DATA;
+    return good ? bake(&species, argv[2]) : EXIT_BAD_DATA;
 }

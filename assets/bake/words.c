@@ -10,10 +10,8 @@
 #include <string.h>
 
 #include "core/game/ranking/name_filter.h"
+#include "platform/os/exit_code.h"
 
-#define EXIT_USAGE 2
-#define EXIT_BAD_DATA 65
-#define EXIT_IO 74
 #define LINE_SIZE 256
 
 static void words_fail(const char *path, unsigned line, const char *what)

@@ -180,7 +180,7 @@ static enum exit_code command(const char *name, struct arguments *arguments)
     /* If no file is named, the defaults apply, which are sufficient for simulated sensors. */
     poi_config_init(&config);
     if (arguments->config && !poi_config_load(&config, arguments->config)) {
-        return access(arguments->config, R_OK) == 0 ? EXIT_DATA : EXIT_IO;
+        return access(arguments->config, R_OK) == 0 ? EXIT_BAD_DATA : EXIT_IO;
     }
     if (strcmp(name, "test") == 0) {
         return commands_self_test(&config, arguments->root, arguments->run.device);

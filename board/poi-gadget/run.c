@@ -84,7 +84,7 @@ static void exchange(struct hid_gadget *gadget, struct feel_sink sink, float sec
     }
 }
 
-/* Runs the loop. If `gadget` is null, new poses are printed as text. Returns EXIT_OK, or EXIT_DATA
+/* Runs the loop. If `gadget` is null, new poses are printed as text. Returns EXIT_OK, or EXIT_BAD_DATA
  * if the source has an invalid pose. */
 static enum exit_code run_loop(const struct run_options *options, struct pose_source source,
                                struct hid_gadget *gadget, struct feel_sink sink)
@@ -125,7 +125,7 @@ static enum exit_code run_loop(const struct run_options *options, struct pose_so
         print_figures(gadget, &beat);
         hid_gadget_close(gadget);
     }
-    return result == POSE_BAD ? EXIT_DATA : EXIT_OK;
+    return result == POSE_BAD ? EXIT_BAD_DATA : EXIT_OK;
 }
 
 enum exit_code run(const struct run_options *options, struct pose_source source,

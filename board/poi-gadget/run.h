@@ -7,6 +7,7 @@
 #define KINGYO_BOARD_POI_GADGET_RUN_H
 
 #include "drivers/hid/poi_report.h"
+#include "platform/os/exit_code.h"
 
 enum pose_result {
     POSE_NEW = 1,  /* A report is available. The position in the report is NaN if the position is
@@ -22,14 +23,6 @@ struct pose_source {
      * caller sets the sequence number of the report. */
     enum pose_result (*step)(void *self, float seconds, struct poi_report *out);
     void *self;
-};
-
-enum exit_code {
-    EXIT_OK = 0,
-    EXIT_NOT_SO = 1,
-    EXIT_USAGE = 2,
-    EXIT_DATA = 65,
-    EXIT_IO = 74,
 };
 
 #define RUN_RATE_MIN_HZ 50u
@@ -54,7 +47,7 @@ struct run_options {
 
 /* Runs the loop until the source ends, the duration has passed, or a signal arrives. Prints
  * statistics to standard error. Returns EXIT_OK, EXIT_IO if the device is missing at the start, or
- * EXIT_DATA if the source has an invalid pose. Asserts that the rate is in range. */
+ * EXIT_BAD_DATA if the source has an invalid pose. Asserts that the rate is in range. */
 enum exit_code run(const struct run_options *options, struct pose_source source,
                    struct feel_sink sink);
 

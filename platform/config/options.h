@@ -11,20 +11,12 @@
 #include "core/settings.h"
 #include "platform/board.h"
 #include "platform/config/option_table.h"
+#include "platform/os/exit_code.h"
 
 #define OPTIONS_DEMO_S 20u
 #define OPTIONS_DEMO_S_MIN 5u
 #define OPTIONS_DEMO_S_MAX 600u
 #define OPTIONS_MODES_ALL ((1 << CHOICE_COUNT) - 1)
-
-/* Exit codes of `kingyo` and `kingyoctl`. */
-enum exit_code {
-    EXIT_OK = 0,
-    EXIT_NOT_SO = 1, /* A check failed, or the display was lost. */
-    EXIT_USAGE = 2,
-    EXIT_BAD_DATA = 65, /* Invalid input data; the value of EX_DATAERR in sysexits.h. */
-    EXIT_IO = 74,       /* Failed input or output; the value of EX_IOERR in sysexits.h. */
-};
 
 /* Settings from one source, for example the command line. is_set[id] is 1 if the source sets
  * value[id]. */
