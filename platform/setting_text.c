@@ -32,7 +32,7 @@ static const struct words on = { 2, { "off", "on" } };
 _Static_assert(PLAY_KIND_COUNT == 3 && LANGUAGE_COUNT == 2, "each has its word");
 _Static_assert(CHOICE_COUNT <= 8, "so many words there may be");
 
-static struct words modes(void)
+static struct words mode_setting_words(void)
 {
     struct words words = { .count = CHOICE_COUNT, .word = { [CHOICE_LAB] = "lab" } };
     for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
@@ -54,7 +54,7 @@ static struct words words_of(uint32_t id)
     case SET_GRADE:
         return grade;
     case SET_MODES:
-        return modes();
+        return mode_setting_words();
     default:
         return on;
     }

@@ -37,7 +37,7 @@ int board_check_usb(const char *text)
     return usb_key_read(&key, text) == 0;
 }
 
-static void complain(void *self, const char *line)
+static void log_controller_warning(void *self, const char *line)
 {
     (void)self;
     log_print(LOG_LEVEL_WARNING, "%s", line);
@@ -48,7 +48,7 @@ static void complain(void *self, const char *line)
 static void complain_of_file(void *self, const char *line)
 {
     const struct board_options *options = self;
-    complain(NULL, line);
+    log_controller_warning(NULL, line);
     if (options->on_refused) {
         options->on_refused(options->on_refused_self, line);
     }
@@ -84,11 +84,11 @@ static void usb_open(struct hal *hal, const struct board_options *options)
         .choices = options->data_dir ? usb.choices : NULL,
         .listed = usb.listed,
         .listed_count = usb.listed_count,
-        .tell = complain,
+        .tell = log_controller_warning,
     };
     struct board_options told = *options;
     hid_mapping_store_open(&usb.book, options->data_dir, complain_of_file, &told);
-    hid_mapping_store_set_error_sink(&usb.book, complain, NULL);
+    hid_mapping_store_set_error_sink(&usb.book, log_controller_warning, NULL);
     usb.seats = usb_transport_start(&config, usb.text);
     if (usb.text[0]) {
         complain_of_file(&told, usb.text);
@@ -99,7 +99,7 @@ static void usb_open(struct hal *hal, const struct board_options *options)
 /* Returns 1 if the controller of a slot is ready to play, otherwise 0. A controller is ready if it
  * has a mapping. Reports of controllers without a mapping are read too, so that the controller
  * manager can learn a mapping. */
-static int is_there(void *self)
+static int is_controller_ready(void *self)
 {
     struct poi_hid *poi = self;
     const struct hal_poi device = poi_hid_device(poi);
@@ -119,7 +119,7 @@ static void usb_add_seats(struct input_mux *seats)
         const struct input_source source = {
             .poi = poi_hid_device(&usb.poi[i]),
             .fan = poi_hid_fan(&usb.poi[i]),
-            .is_there = is_there,
+            .is_there = is_controller_ready,
             .self = &usb.poi[i],
             .kind = INPUT_KIND_USB,
         };

@@ -78,7 +78,7 @@ static int has_graphics_card(void)
     return 0;
 }
 
-static int is_set(const char *name)
+static int is_variable_set(const char *name)
 {
     const char *value = getenv(name);
     return value && value[0];
@@ -86,8 +86,8 @@ static int is_set(const char *name)
 
 int board_has_screen(char *why, size_t why_size)
 {
-    const int has_windows = is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
-    if (!has_windows && !is_set("SDL_VIDEODRIVER") && !has_graphics_card()) {
+    const int has_windows = is_variable_set("DISPLAY") || is_variable_set("WAYLAND_DISPLAY");
+    if (!has_windows && !is_variable_set("SDL_VIDEODRIVER") && !has_graphics_card()) {
         snprintf(why, why_size,
                  "neither DISPLAY nor WAYLAND_DISPLAY is set, and there is no "
                  "graphics card");

@@ -39,7 +39,7 @@ static struct quaternion normalized(struct quaternion q)
 }
 
 /* Returns a rotation by the angle 2 * `half_rad` about the unit axis (x, y, z). */
-static struct quaternion about(float half_rad, float x, float y, float z)
+static struct quaternion rotation_about_axis(float half_rad, float x, float y, float z)
 {
     const float s = f_sin(half_rad);
     return (struct quaternion){ f_cos(half_rad), x * s, y * s, z * s };
@@ -49,9 +49,9 @@ static struct quaternion about(float half_rad, float x, float y, float z)
  * +x, then roll about -z. A positive roll lowers the right side. */
 struct quaternion attitude_quaternion_of_angles(struct angles angles)
 {
-    const struct quaternion yaw = about(0.5f * angles.yaw_rad, 0.0f, 1.0f, 0.0f);
-    const struct quaternion pitch = about(0.5f * angles.pitch_rad, 1.0f, 0.0f, 0.0f);
-    const struct quaternion roll = about(0.5f * angles.roll_rad, 0.0f, 0.0f, -1.0f);
+    const struct quaternion yaw = rotation_about_axis(0.5f * angles.yaw_rad, 0.0f, 1.0f, 0.0f);
+    const struct quaternion pitch = rotation_about_axis(0.5f * angles.pitch_rad, 1.0f, 0.0f, 0.0f);
+    const struct quaternion roll = rotation_about_axis(0.5f * angles.roll_rad, 0.0f, 0.0f, -1.0f);
     return attitude_quaternion_product(attitude_quaternion_product(yaw, pitch), roll);
 }
 
@@ -108,7 +108,8 @@ void attitude_add_motion(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_
     const vec3 rate = v3_muladd(v3_sub(gyro_rad_s, attitude->bias_rad_s), off, PULL_PER_S * trust);
     const float angle = v3_length(rate) * seconds;
     const vec3 axis = v3_normalize_or(rate, v3(0.0f, 0.0f, 0.0f));
-    const struct quaternion step = about(0.5f * f_min(angle, F_PI), axis.x, axis.y, axis.z);
+    const struct quaternion step =
+        rotation_about_axis(0.5f * f_min(angle, F_PI), axis.x, axis.y, axis.z);
     attitude->turn = normalized(attitude_quaternion_product(attitude->turn, step));
 }
 

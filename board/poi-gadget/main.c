@@ -93,7 +93,7 @@ static int read_option(struct arguments *out, const char *name, const char *valu
     return 0;
 }
 
-static enum exit_code wrong(const char *what, const char *word)
+static enum exit_code report_usage_error(const char *what, const char *word)
 {
     print_error("kingyo-poi: %s '%.100s'; --help lists what there is", what, word);
     return EXIT_USAGE;
@@ -126,7 +126,8 @@ static enum exit_code play_sensors(const struct poi_config *config,
 
 /* Runs the program with the selected source of poses. If `prints` is 1, prints the poses as text.
  * Otherwise sends the poses to the host. */
-static enum exit_code play(struct poi_config *config, const struct arguments *arguments, int prints)
+static enum exit_code stream_poses(struct poi_config *config, const struct arguments *arguments,
+                                   int prints)
 {
     static struct pose_script_source script;
     static struct sensor_twin_source twin;
@@ -156,7 +157,7 @@ static enum exit_code play(struct poi_config *config, const struct arguments *ar
     return prints ? run_watch(&arguments->run, source) : run(&arguments->run, source, sink);
 }
 
-static enum exit_code command(const char *name, struct arguments *arguments)
+static enum exit_code run_poi_command(const char *name, struct arguments *arguments)
 {
     struct poi_config config;
     const int prints = strcmp(name, "watch") == 0;
@@ -172,7 +173,7 @@ static enum exit_code command(const char *name, struct arguments *arguments)
         return EXIT_OK;
     }
     if (arguments->simulate && arguments->script) {
-        return wrong("--simulate and --script exclude each other in", name);
+        return report_usage_error("--simulate and --script exclude each other in", name);
     }
     if (!arguments->config && !arguments->simulate && !arguments->script) {
         arguments->config = "/etc/kingyo-poi/poi.conf";
@@ -188,7 +189,7 @@ static enum exit_code command(const char *name, struct arguments *arguments)
     if (strcmp(name, "calibrate") == 0) {
         return commands_calibrate(&config, arguments->root);
     }
-    return play(&config, arguments, prints);
+    return stream_poses(&config, arguments, prints);
 }
 
 static enum exit_code run_words(int argc, char **argv)
@@ -210,15 +211,15 @@ static enum exit_code run_words(int argc, char **argv)
         known++;
     }
     if (known == sizeof commands / sizeof commands[0]) {
-        return wrong("unknown command", argv[1]);
+        return report_usage_error("unknown command", argv[1]);
     }
     for (int i = 2, taken; i < argc; i += taken) {
         taken = read_option(&arguments, argv[i], i + 1 < argc ? argv[i + 1] : NULL);
         if (taken == 0) {
-            return wrong("not an option, or not its value:", argv[i]);
+            return report_usage_error("not an option, or not its value:", argv[i]);
         }
     }
-    return command(argv[1], &arguments);
+    return run_poi_command(argv[1], &arguments);
 }
 
 int main(int argc, char **argv)

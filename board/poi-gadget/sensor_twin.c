@@ -109,8 +109,9 @@ static vec3 to_chip(const struct poi_config *config, vec3 poi)
                      config->imu_row[2], poi.z);
 }
 
-static void feel(struct sensor_twin *twin, const struct basis *axes, struct quaternion turn,
-                 vec3 place_m, float seconds, struct readings *out)
+static void compute_readings(struct sensor_twin *twin, const struct basis *axes,
+                             struct quaternion turn, vec3 place_m, float seconds,
+                             struct readings *out)
 {
     const vec3 speed_m_s = v3_scale(v3_sub(place_m, twin->place_m), 1.0f / seconds);
     const vec3 force = v3_scale(v3_sub(speed_m_s, twin->speed_m_s), 1.0f / seconds);
@@ -145,7 +146,7 @@ void sensor_twin_step(struct sensor_twin *twin, const struct poi_report *pose, f
         const float steps = (length_m[i] - config->zero_m[i]) / config->step_m[i];
         out->wire[i] = converted(twin, steps, i);
     }
-    feel(twin, &axes, turn, eye_m, seconds, out);
+    compute_readings(twin, &axes, turn, eye_m, seconds, out);
     /* Combines three rotations: from the chip to the poi, from the poi to the world with +y up, and
      * to the world with +z up. */
     const struct quaternion lying = { 0.70710678f, 0.70710678f, 0.0f, 0.0f };

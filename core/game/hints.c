@@ -155,8 +155,9 @@ static uint8_t wanted_in_game(const struct hints *hints, const struct game *game
     return rules->coaches ? lesson(hints, game, world, fish) : HINT_NONE;
 }
 
-static uint8_t wanted(const struct hints *hints, const struct game *game, const struct world *world,
-                      const struct core_config *config, struct view_of_fish fish)
+static uint8_t choose_hint(const struct hints *hints, const struct game *game,
+                           const struct world *world, const struct core_config *config,
+                           struct view_of_fish fish)
 {
     const uint8_t to_play =
         credit_can_play(&game->accounts.ledger, config) ? HINT_START : HINT_COIN;
@@ -199,7 +200,7 @@ void hints_tick(struct hints *hints, const struct game *game, const struct world
         view.above |= near && d.y > 0.0f && fish->gait < GAIT_HELD;
     }
     observe(hints, game, world, view);
-    const uint8_t next = wanted(hints, game, world, config, view);
+    const uint8_t next = choose_hint(hints, game, world, config, view);
     /* An urgent hint replaces the current hint immediately, and so does any hint after the player
      * has done the action of the current hint. */
     const int is_urgent = next == HINT_TORN || next == HINT_LOST_POI;

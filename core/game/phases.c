@@ -25,8 +25,7 @@ int game_pumps(const struct game *game, uint32_t tick)
     return game->phase == PHASE_ATTRACT ? elapsed >= GAME_STALE_TICKS : game->phase != PHASE_ROUND;
 }
 
-/* Returns the timeout of the mode selection in ticks, counted from the start of the phase. */
-static uint32_t least(uint32_t a, uint32_t b)
+static uint32_t min_ticks(uint32_t a, uint32_t b)
 {
     return a < b ? a : b;
 }
@@ -38,8 +37,8 @@ float game_seconds_left(const struct game *game, uint32_t tick)
     uint32_t start = game->phase_tick, total = 0;
     switch (game->phase) {
     case PHASE_MODE_SELECT:
-        total =
-            least(game->point_tick - start + GAME_MODE_SELECT_TICKS, GAME_MODE_SELECT_TICKS_MAX);
+        total = min_ticks(game->point_tick - start + GAME_MODE_SELECT_TICKS,
+                          GAME_MODE_SELECT_TICKS_MAX);
         break;
     case PHASE_READY:
         total = rules_of(game->mode)->ready_s * CORE_TICK_HZ;
@@ -49,7 +48,7 @@ float game_seconds_left(const struct game *game, uint32_t tick)
         break;
     case PHASE_NAME:
         start = name->seat_tick;
-        total = least(name->act_tick - start + NAME_IDLE_TICKS, NAME_TICKS_MAX);
+        total = min_ticks(name->act_tick - start + NAME_IDLE_TICKS, NAME_TICKS_MAX);
         break;
     default:
         break;

@@ -65,7 +65,7 @@ static uint32_t player_count(const struct core_config *config)
     return config->players ? config->players : 1u;
 }
 
-static uint32_t fish_count(const struct core_config *config, uint8_t preset)
+static uint32_t preset_fish_count(const struct core_config *config, uint8_t preset)
 {
     CORE_ASSERT(preset < TANK_PRESET_COUNT);
     const int is_own = preset == config->preset && config->fish_count != 0;
@@ -97,7 +97,7 @@ static void open_tank(struct world *world, const struct core_config *config, uin
                       uint8_t preset, uint32_t seed)
 {
     struct tank_config opening = tank_config_of(preset);
-    opening.fish_count = fish_count(config, preset);
+    opening.fish_count = preset_fish_count(config, preset);
     opening.seed = seed;
     opening.bowls = (uint8_t)player_count(config);
     opening.lanes = config->lanes;
@@ -123,7 +123,7 @@ void table_setup_prepare(struct game *game, struct world *world, const struct co
 {
     CORE_ASSERT(preset < TANK_PRESET_COUNT);
     int is_set_up =
-        preset == world->tank.preset && world->tank.fish_count == fish_count(config, preset);
+        preset == world->tank.preset && world->tank.fish_count == preset_fish_count(config, preset);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         is_set_up = is_set_up && world->bowl[i].present == (i < player_count(config));
     }

@@ -58,7 +58,7 @@ static vec3 spring_force(vec3 stretch_m, float *stiffness_n_m)
 
 /* Returns the slam force, with which water resists a disc that submerges: the normal speed times
  * the increase of the added mass per second. Returns 0 if the disc is leaving the water. */
-static float slam_n(const struct poi *poi, float immersed, float added_kg, float normal_m_s)
+static float slam_force_n(const struct poi *poi, float immersed, float added_kg, float normal_m_s)
 {
     CORE_ASSERT(added_kg >= 0.0f);
     if (immersed <= poi->immersed) {
@@ -118,7 +118,7 @@ void hand_spring_tick(struct poi *poi, vec3 target_m, const struct basis *axes, 
     poi->added_kg = whole * disc_added_mass_kg(POI_RADIUS_M, poi->position_m.y, immersed);
     poi->drag_n_s_m = whole * immersed * disc_normal_n_s_m(POI_RADIUS_M, v.y, plane_m_s);
     poi->edge_n_s_m = immersed * disc_edge_n_s_m(POI_RADIUS_M, plane_m_s);
-    poi->slam_n = slam_n(poi, immersed, poi->added_kg, v.y);
+    poi->slam_n = slam_force_n(poi, immersed, poi->added_kg, v.y);
     poi->immersed = immersed;
     poi->meniscus_n = poi_meniscus_n(poi, axes->up.y);
     const vec3 down_n = v3_add(poi_weight_n(poi), v3(0.0f, -poi->meniscus_n, 0.0f));

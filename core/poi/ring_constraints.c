@@ -180,7 +180,7 @@ static int are_apart(const struct rings *rings)
 
 /* Moves a ring by `way_m` along the unit vector `out`, and removes the part of its velocity that
  * points against `out`. */
-static void move(struct poi *poi, vec3 out, float way_m)
+static void push_ring(struct poi *poi, vec3 out, float way_m)
 {
     const float inward_m_s = f_min(v3_dot(poi->velocity_m_s, out), 0.0f);
     poi->position_m = v3_muladd(poi->position_m, out, way_m);
@@ -194,7 +194,7 @@ static void move(struct poi *poi, vec3 out, float way_m)
 static void slide(struct poi *poi, vec3 out, float need_m)
 {
     const float came_m = f_max(0.0f, -v3_dot(v3_sub(poi->position_m, poi->before_m), out));
-    move(poi, out, f_min(need_m, came_m + ASIDE_M_S * CORE_TICK_S));
+    push_ring(poi, out, f_min(need_m, came_m + ASIDE_M_S * CORE_TICK_S));
 }
 
 int ring_pairs_separate(struct poi *a, struct poi *b)
@@ -220,8 +220,8 @@ int ring_pairs_separate(struct poi *a, struct poi *b)
     slide(b, aside, 0.5f * need_m);
     if (least_m < need_m) {
         const vec3 way = through_m < other_m ? normal : other;
-        move(a, v3_scale(way, -1.0f), 0.5f * least_m);
-        move(b, way, 0.5f * least_m);
+        push_ring(a, v3_scale(way, -1.0f), 0.5f * least_m);
+        push_ring(b, way, 0.5f * least_m);
     }
     return 1;
 }

@@ -34,7 +34,8 @@ static vec3 uphill(vec3 up, float *slope)
 }
 
 /* Presses the water surface down at the two points where the edge of the ring passes through it. */
-static void cut(const struct poi *poi, struct water *water, vec3 tank_size_m, vec3 up)
+static void press_waterline_points(const struct poi *poi, struct water *water, vec3 tank_size_m,
+                                   vec3 up)
 {
     float slope;
     const vec3 rise = uphill(up, &slope);
@@ -66,7 +67,7 @@ void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 t
     } else if (poi->immersed > 0.0f) {
         const float sweep_m = HEAVE_SHARE * v3_length(poi->velocity_m_s) * CORE_TICK_S;
         press_m = f_clamp(sweep_m - heave_m, -PLUNGE_MAX_M, PLUNGE_MAX_M);
-        cut(poi, water, tank_size_m, up);
+        press_waterline_points(poi, water, tank_size_m, up);
     }
     if (press_m != 0.0f) {
         water_press(water, tank_size_m, poi->position_m, POI_OUTER_RADIUS_M, press_m);

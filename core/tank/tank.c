@@ -42,7 +42,7 @@ const struct behavior_params *tank_behavior_params(const struct tank *tank)
 
 /* Returns one more than the index of the last shade that is present. Returns 0 if no shade is
  * present, which is the usual case; the fish then test no shades. */
-static uint32_t shade_count(const struct tank *tank)
+static uint32_t shade_end_index(const struct tank *tank)
 {
     uint32_t count = TANK_SHADE_MAX;
     while (count > 0 && !tank->shade[count - 1u].cast.present) {
@@ -68,7 +68,7 @@ struct perception tank_perception(const struct tank *tank, uint32_t tick,
         .obstacles = obstacles,
         .obstacle_count = obstacle_count,
         .shades = tank->shade,
-        .shade_count = shade_count(tank),
+        .shade_count = shade_end_index(tank),
     };
 }
 

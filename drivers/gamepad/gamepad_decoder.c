@@ -238,7 +238,7 @@ struct shade_input gamepad_decoder_fan(struct gamepad_decoder *hand, uint64_t ti
 
 /* ---- Force feedback -------------------------------------------------------------------------- */
 
-static uint16_t motor(float level)
+static uint16_t motor_magnitude(float level)
 {
     return (uint16_t)(f_clamp(level, 0.0f, 1.0f) * 65535.0f + 0.5f);
 }
@@ -249,8 +249,8 @@ static uint16_t motor(float level)
 struct gamepad_rumble gamepad_decoder_rumble(const struct poi_force *force)
 {
     return (struct gamepad_rumble){
-        .slow = motor(force->drag * force->drag),
-        .fast = motor(f_max(force->slap, force->tear)),
+        .slow = motor_magnitude(force->drag * force->drag),
+        .fast = motor_magnitude(f_max(force->slap, force->tear)),
     };
 }
 

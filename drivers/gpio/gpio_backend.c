@@ -51,8 +51,8 @@ static bool gpio_backend_find(const struct gpio_backend *backend, const struct g
     return false;
 }
 
-static void hold(struct gpio_backend *backend, const struct gpio_wire *wire, enum gpio_role role,
-                 char why[HAL_TEXT_SIZE])
+static void acquire_line(struct gpio_backend *backend, const struct gpio_wire *wire,
+                         enum gpio_role role, char why[HAL_TEXT_SIZE])
 {
     const struct gpio_backend_ops *ops = backend->ops;
     bool has_edges = gpio_role_is_input(role);
@@ -89,7 +89,7 @@ static int backend_open(void *self, const struct gpio_wire wires[GPIO_ROLE_COUNT
     for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
         why[role][0] = '\0';
         if (wires[role].wired && !(backend->held & bit_of(role))) {
-            hold(backend, &wires[role], role, why[role]);
+            acquire_line(backend, &wires[role], role, why[role]);
         }
     }
     if (backend->held == 0 && !gpio_dev_next(&walk)) {

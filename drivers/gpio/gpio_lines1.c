@@ -24,14 +24,14 @@ static struct held {
 
 /* ---- Requesting lines ----------------------------------------------------------------------- */
 
-static bool open_chip(enum gpio_role role, const char *path)
+static bool open_chip_v1(enum gpio_role role, const char *path)
 {
     CORE_ASSERT(role < GPIO_ROLE_COUNT && !lines[role].chip);
     lines[role].chip = gpiod_chip_open(path);
     return lines[role].chip != NULL;
 }
 
-static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
+static bool find_line_v1(enum gpio_role role, const struct gpio_wire *wire)
 {
     struct held *held = &lines[role];
     CORE_ASSERT(held->chip);
@@ -53,7 +53,7 @@ static void gpio_lines1_release(enum gpio_role role)
     lines[role] = (struct held){ 0 };
 }
 
-static int request(enum gpio_role role, const struct gpio_wire *wire, bool has_edges)
+static int request_line_v1(enum gpio_role role, const struct gpio_wire *wire, bool has_edges)
 {
     static const int bias_flags[] = {
         [GPIO_BIAS_AS_IS] = 0,
@@ -76,25 +76,25 @@ static int request(enum gpio_role role, const struct gpio_wire *wire, bool has_e
     return failed;
 }
 
-static void consumer(enum gpio_role role, char out[GPIO_TEXT_SIZE])
+static void consumer_text_v1(enum gpio_role role, char out[GPIO_TEXT_SIZE])
 {
     gpio_dev_text(out, gpiod_line_consumer(lines[role].line));
 }
 
 /* ---- Edges ---------------------------------------------------------------------------------- */
 
-static int edges_fd(enum gpio_role role)
+static int edges_fd_v1(enum gpio_role role)
 {
     return gpiod_line_event_get_fd(lines[role].line);
 }
 
-static int read_edges(enum gpio_role role, struct gpio_edge *out, uint32_t max)
+static int read_edges_v1(enum gpio_role role, struct gpio_edge *out, uint32_t max)
 {
     struct gpiod_line_event events[QUEUE_SIZE];
     struct held *held = &lines[role];
     CORE_ASSERT(role < GPIO_INPUT_COUNT && held->line && max > 0);
     const uint32_t wanted = max < QUEUE_SIZE ? max : QUEUE_SIZE;
-    const int count = gpiod_line_event_read_fd_multiple(edges_fd(role), events, wanted);
+    const int count = gpiod_line_event_read_fd_multiple(edges_fd_v1(role), events, wanted);
     for (int i = 0; i < count; i++) {
         const uint8_t active = events[i].event_type == GPIOD_LINE_EVENT_RISING_EDGE;
         out[i] = (struct gpio_edge){
@@ -112,9 +112,9 @@ static int read_edges(enum gpio_role role, struct gpio_edge *out, uint32_t max)
 
 /* ---- Lines of a chip ------------------------------------------------------------------------ */
 
-static uint32_t tell_chip(const char *path,
-                          void (*tell)(void *context, const struct gpio_line_info *line),
-                          void *context)
+static uint32_t tell_chip_lines_v1(const char *path,
+                                   void (*tell)(void *context, const struct gpio_line_info *line),
+                                   void *context)
 {
     struct gpiod_chip *chip = gpiod_chip_open(path);
     const uint32_t line_count = chip ? gpiod_chip_num_lines(chip) : 0u;
@@ -145,7 +145,7 @@ static uint32_t tell_chip(const char *path,
 
 /* ---- Levels and the backend ----------------------------------------------------------------- */
 
-static int get(enum gpio_role role)
+static int read_value_v1(enum gpio_role role)
 {
     return gpiod_line_get_value(lines[role].line);
 }
@@ -157,7 +157,7 @@ static int gpio_lines1_set(enum gpio_role role, int active)
 }
 
 /* Returns 0, because the first version of the interface cannot debounce. */
-static int debounces(enum gpio_role role)
+static int has_debounce_v1(enum gpio_role role)
 {
     (void)role;
     return 0;
@@ -166,17 +166,17 @@ static int debounces(enum gpio_role role)
 struct gpio_lines gpio_lines_device(void)
 {
     static const struct gpio_backend_ops ops = {
-        .open_chip = open_chip,
-        .find_line = find_line,
-        .request = request,
-        .consumer = consumer,
-        .edges_fd = edges_fd,
-        .read_edges = read_edges,
-        .get = get,
+        .open_chip = open_chip_v1,
+        .find_line = find_line_v1,
+        .request = request_line_v1,
+        .consumer = consumer_text_v1,
+        .edges_fd = edges_fd_v1,
+        .read_edges = read_edges_v1,
+        .get = read_value_v1,
         .set = gpio_lines1_set,
-        .debounces = debounces,
+        .debounces = has_debounce_v1,
         .release = gpio_lines1_release,
-        .tell_chip = tell_chip,
+        .tell_chip = tell_chip_lines_v1,
         .version = gpiod_version_string,
     };
     static struct gpio_backend backend;

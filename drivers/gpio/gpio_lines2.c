@@ -28,14 +28,14 @@ static struct held {
 
 /* ---- Finding lines -------------------------------------------------------------------------- */
 
-static bool open_chip(enum gpio_role role, const char *path)
+static bool open_chip_v2(enum gpio_role role, const char *path)
 {
     CORE_ASSERT(role < GPIO_ROLE_COUNT && !lines[role].chip);
     lines[role].chip = gpiod_chip_open(path);
     return lines[role].chip != NULL;
 }
 
-static bool find_line(enum gpio_role role, const struct gpio_wire *wire)
+static bool find_line_v2(enum gpio_role role, const struct gpio_wire *wire)
 {
     struct gpiod_chip *chip = lines[role].chip;
     struct gpiod_chip_info *info = gpiod_chip_get_info(chip);
@@ -132,7 +132,7 @@ static struct gpiod_line_request *request_line(const struct held *held,
     return got;
 }
 
-static int request(enum gpio_role role, const struct gpio_wire *wire, bool has_edges)
+static int request_line_v2(enum gpio_role role, const struct gpio_wire *wire, bool has_edges)
 {
     struct held *held = &lines[role];
     CORE_ASSERT(held->chip && !held->request);
@@ -147,7 +147,7 @@ static int request(enum gpio_role role, const struct gpio_wire *wire, bool has_e
     return held->request ? 0 : -1;
 }
 
-static void consumer(enum gpio_role role, char out[GPIO_TEXT_SIZE])
+static void consumer_text_v2(enum gpio_role role, char out[GPIO_TEXT_SIZE])
 {
     struct gpiod_line_info *info = gpiod_chip_get_line_info(lines[role].chip, lines[role].offset);
     gpio_dev_text(out, info ? gpiod_line_info_get_consumer(info) : NULL);
@@ -156,12 +156,12 @@ static void consumer(enum gpio_role role, char out[GPIO_TEXT_SIZE])
 
 /* ---- Edges ---------------------------------------------------------------------------------- */
 
-static int edges_fd(enum gpio_role role)
+static int edges_fd_v2(enum gpio_role role)
 {
     return gpiod_line_request_get_fd(lines[role].request);
 }
 
-static int read_edges(enum gpio_role role, struct gpio_edge *out, uint32_t max)
+static int read_edges_v2(enum gpio_role role, struct gpio_edge *out, uint32_t max)
 {
     struct held *held = &lines[role];
     CORE_ASSERT(held->request && held->buffer && max > 0);
@@ -183,9 +183,9 @@ static int read_edges(enum gpio_role role, struct gpio_edge *out, uint32_t max)
 
 /* ---- Lines of a chip ------------------------------------------------------------------------ */
 
-static uint32_t tell_chip(const char *path,
-                          void (*tell)(void *context, const struct gpio_line_info *line),
-                          void *context)
+static uint32_t tell_chip_lines_v2(const char *path,
+                                   void (*tell)(void *context, const struct gpio_line_info *line),
+                                   void *context)
 {
     struct gpiod_chip *chip = gpiod_chip_open(path);
     struct gpiod_chip_info *chip_info = chip ? gpiod_chip_get_info(chip) : NULL;
@@ -221,7 +221,7 @@ static uint32_t tell_chip(const char *path,
 
 /* ---- Levels and the backend ----------------------------------------------------------------- */
 
-static int get(enum gpio_role role)
+static int read_value_v2(enum gpio_role role)
 {
     const enum gpiod_line_value value =
         gpiod_line_request_get_value(lines[role].request, lines[role].offset);
@@ -236,7 +236,7 @@ static int gpio_lines2_set(enum gpio_role role, int active)
                                                : GPIOD_LINE_VALUE_INACTIVE);
 }
 
-static int debounces(enum gpio_role role)
+static int has_debounce_v2(enum gpio_role role)
 {
     return lines[role].debounces;
 }
@@ -244,17 +244,17 @@ static int debounces(enum gpio_role role)
 struct gpio_lines gpio_lines_device(void)
 {
     static const struct gpio_backend_ops ops = {
-        .open_chip = open_chip,
-        .find_line = find_line,
-        .request = request,
-        .consumer = consumer,
-        .edges_fd = edges_fd,
-        .read_edges = read_edges,
-        .get = get,
+        .open_chip = open_chip_v2,
+        .find_line = find_line_v2,
+        .request = request_line_v2,
+        .consumer = consumer_text_v2,
+        .edges_fd = edges_fd_v2,
+        .read_edges = read_edges_v2,
+        .get = read_value_v2,
         .set = gpio_lines2_set,
-        .debounces = debounces,
+        .debounces = has_debounce_v2,
         .release = gpio_lines2_release,
-        .tell_chip = tell_chip,
+        .tell_chip = tell_chip_lines_v2,
         .version = gpiod_api_version,
     };
     static struct gpio_backend backend;

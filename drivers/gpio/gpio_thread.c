@@ -16,7 +16,7 @@
 
 _Static_assert((int)GPIO_OUTPUT_COUNT == (int)HAL_SWITCH_COUNT, "outputs are the HAL's switches");
 
-static uint64_t now_ns(const struct gpio_thread *reader)
+static uint64_t gpio_clock_now_ns(const struct gpio_thread *reader)
 {
     CORE_ASSERT(reader->clock.ops);
     return reader->clock.ops->now_ns(reader->clock.self);
@@ -57,7 +57,7 @@ static void begin_input(struct gpio_thread *reader, enum gpio_role role)
     const struct gpio_lines *lines = &reader->lines;
     CORE_ASSERT(gpio_role_is_input(role) && wire->wired);
     const bool active = lines->ops->level(lines->self, role) == 1;
-    const uint64_t now = now_ns(reader);
+    const uint64_t now = gpio_clock_now_ns(reader);
     const uint32_t period_us =
         lines->ops->debounces(lines->self, role) == 1 ? 0u : wire->debounce_us;
     reader->inputs[role] = gpio_edge_filter_begin(period_us * 1000ull, active, now);
@@ -144,7 +144,7 @@ static int request_lines(struct gpio_thread *reader)
     }
     reader->had |= fresh;
     reader->lit = (reader->lit & ~fresh) | (fresh & begin_bits());
-    reader->retry_ns = now_ns(reader) + RETRY_NS;
+    reader->retry_ns = gpio_clock_now_ns(reader) + RETRY_NS;
     atomic_store(&reader->held, reader->levels);
     atomic_store(&reader->missing, missing_bits(reader));
     char missing[HAL_TEXT_SIZE];
@@ -230,7 +230,7 @@ static uint64_t input_due_ns(const struct gpio_thread *reader, enum gpio_role ro
 /* Processes edges of the lines. Returns the lines that had edges, one bit for each role. */
 static uint32_t take_edges(struct gpio_thread *reader, struct gpio_edge *edges, uint32_t count)
 {
-    const uint64_t now = now_ns(reader);
+    const uint64_t now = gpio_clock_now_ns(reader);
     uint32_t touched = 0;
     CORE_ASSERT(count <= GPIO_EDGES_MAX);
     for (uint32_t i = 0; i < count; i++) {
@@ -254,7 +254,7 @@ static void settle_inputs(struct gpio_thread *reader, uint32_t touched)
 {
     const struct gpio_lines *lines = &reader->lines;
     for (enum gpio_role role = 0; role < GPIO_INPUT_COUNT; role++) {
-        const uint64_t now = now_ns(reader);
+        const uint64_t now = gpio_clock_now_ns(reader);
         if (!(reader->had & role_bit(role)) ||
             (!(touched & role_bit(role)) && now < input_due_ns(reader, role))) {
             continue;
@@ -285,7 +285,7 @@ static void drive_output(struct gpio_thread *reader, enum gpio_role role)
     if (!(reader->had & bit)) {
         return; /* Pulses of a missing line are kept until the line is held again. */
     }
-    const bool pulses = gpio_pulses_at(train, now_ns(reader));
+    const bool pulses = gpio_pulses_at(train, gpio_clock_now_ns(reader));
     const bool active = pulses || (atomic_load(&reader->wanted) & bit) != 0;
     if (active == ((reader->lit & bit) != 0)) {
         return;
@@ -320,7 +320,7 @@ static void drive_outputs(struct gpio_thread *reader)
 
 static uint32_t wait_ms(const struct gpio_thread *reader)
 {
-    const uint64_t now = now_ns(reader);
+    const uint64_t now = gpio_clock_now_ns(reader);
     uint64_t due_ns = now + GPIO_WAIT_MS_MAX * (uint64_t)NS_PER_MS;
     for (enum gpio_role role = 0; role < GPIO_ROLE_COUNT; role++) {
         if (!(reader->had & role_bit(role))) {
@@ -337,7 +337,7 @@ void gpio_thread_step(struct gpio_thread *reader)
 {
     struct gpio_edge edges[GPIO_EDGES_MAX];
     CORE_ASSERT((reader->levels & ~reader->had) == 0);
-    if (missing_bits(reader) != 0 && now_ns(reader) >= reader->retry_ns) {
+    if (missing_bits(reader) != 0 && gpio_clock_now_ns(reader) >= reader->retry_ns) {
         request_lines(reader);
     }
     const int count =
@@ -350,8 +350,8 @@ void gpio_thread_step(struct gpio_thread *reader)
     uint32_t touched = take_edges(reader, edges, count > 0 ? (uint32_t)count : 0u);
     if (count < (int)GPIO_EDGES_MAX) { /* If the buffer was full, more edges must be read before the
                                           levels. */
-        if (now_ns(reader) >= reader->watch_ns) {
-            reader->watch_ns = now_ns(reader) + WATCH_NS;
+        if (gpio_clock_now_ns(reader) >= reader->watch_ns) {
+            reader->watch_ns = gpio_clock_now_ns(reader) + WATCH_NS;
             touched = ~0u;
         }
         settle_inputs(reader, touched);

@@ -291,7 +291,8 @@ static int binding_is_sound(const struct hid_binding *binding,
             (binding->manner == HID_BINDING_PRESS && array < descriptor->group_count));
 }
 
-static int has(const struct hid_mapping *map, enum hid_role role, enum hid_binding_kind manner)
+static int has_role_binding(const struct hid_mapping *map, enum hid_role role,
+                            enum hid_binding_kind manner)
 {
     CORE_ASSERT(map->count <= HID_BINDING_MAX);
     for (uint32_t i = 0; i < map->count; i++) {
@@ -304,12 +305,12 @@ static int has(const struct hid_mapping *map, enum hid_role role, enum hid_bindi
 
 static int has_plane(const struct hid_mapping *map, enum hid_binding_kind manner)
 {
-    return has(map, HID_ROLE_X, manner) && has(map, HID_ROLE_Z, manner);
+    return has_role_binding(map, HID_ROLE_X, manner) && has_role_binding(map, HID_ROLE_Z, manner);
 }
 
 static int style_is_sound(const struct hid_mapping *map, const struct hid_descriptor *descriptor)
 {
-    const int dips = has(map, HID_ROLE_DIP, HID_BINDING_PRESS);
+    const int dips = has_role_binding(map, HID_ROLE_DIP, HID_BINDING_PRESS);
     switch (map->style) {
     case HID_STYLE_POSE:
         return hid_mapping_is_own(descriptor);
@@ -317,7 +318,7 @@ static int style_is_sound(const struct hid_mapping *map, const struct hid_descri
         return dips && (has_plane(map, HID_BINDING_POSITION) || has_plane(map, HID_BINDING_STEP));
     case HID_STYLE_FLY:
         return (has_plane(map, HID_BINDING_RATE) || has_plane(map, HID_BINDING_HAT)) &&
-               (dips || has(map, HID_ROLE_Y, HID_BINDING_RATE));
+               (dips || has_role_binding(map, HID_ROLE_Y, HID_BINDING_RATE));
     default:
         return 0;
     }

@@ -49,7 +49,7 @@ struct complaints {
     uint32_t count;
 };
 
-static void complain(struct complaints *to, const char *path, int line, const char *what)
+static void report_complaint(struct complaints *to, const char *path, int line, const char *what)
 {
     char text[HID_MAPPING_STORE_PATH_SIZE + 256u + HAL_TEXT_SIZE + 32u], number[16] = "";
     if (line > 0) {
@@ -87,12 +87,12 @@ static void read_entry(struct hid_mapping_store *store, const char *path, struct
     const int error = hid_mapping_store_file_read(path, text);
     const int bad_line = error ? 0 : hid_mapping_store_read(&entry, text, why);
     if (error || bad_line) {
-        complain(to, path, bad_line, error ? strerror(error) : why);
+        report_complaint(to, path, bad_line, error ? strerror(error) : why);
         return;
     }
     const uint32_t index = find_entry(store, entry.vendor, entry.product, entry.serial);
     if (index == HID_MAPPING_STORE_MAX) {
-        complain(to, path, 0, "more learned controllers than the book holds");
+        report_complaint(to, path, 0, "more learned controllers than the book holds");
         return;
     }
     store->entry[index] = entry;
@@ -106,7 +106,7 @@ static void read_folder(struct hid_mapping_store *store, struct complaints *to)
     const struct dirent *file;
     if (!folder) {
         if (errno != ENOENT) {
-            complain(to, store->folder, 0, strerror(errno));
+            report_complaint(to, store->folder, 0, strerror(errno));
         }
         return;
     }
@@ -227,13 +227,14 @@ uint32_t hid_mapping_store_open(struct hid_mapping_store *store, const char *dat
     }
     const int length = snprintf(store->folder, sizeof store->folder, "%s/" FOLDER, data);
     if ((size_t)length >= sizeof store->folder) {
-        complain(&to, data, 0, "a path too long to keep learned controllers in");
+        report_complaint(&to, data, 0, "a path too long to keep learned controllers in");
         return to.count;
     }
     read_folder(store, &to);
     store->has_thread = pthread_create(&store->thread, NULL, write_down, store) == 0;
     if (!store->has_thread) {
-        complain(&to, store->folder, 0, "no thread to write with: what is learned is not kept");
+        report_complaint(&to, store->folder, 0,
+                         "no thread to write with: what is learned is not kept");
     }
     return to.count;
 }

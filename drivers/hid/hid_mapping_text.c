@@ -212,7 +212,7 @@ int hid_mapping_read(struct hid_mapping *out, const char *text, char error[HAL_T
 
 #define FIRST_LINE "kingyo poi 1"
 
-static int is_plain(char c)
+static int is_word_character(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
@@ -224,7 +224,7 @@ static void escape(const char *text, char *out, size_t size)
     size_t used = 0;
     CORE_ASSERT(size > 0);
     for (; *text && used + 4u < size; text++) {
-        if (is_plain(*text)) {
+        if (is_word_character(*text)) {
             out[used++] = *text;
         } else {
             snprintf(out + used, 4, "%%%02X", (unsigned)(uint8_t)*text);
@@ -249,7 +249,7 @@ static int unescape(const char *text, char *out, size_t size)
         if (used + 1u >= size) {
             return 0;
         }
-        if (is_plain(*text)) {
+        if (is_word_character(*text)) {
             out[used++] = *text++;
             continue;
         }

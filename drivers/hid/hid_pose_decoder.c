@@ -32,7 +32,7 @@ static void go_to_time(struct poi_fan *fan, uint64_t time_ns)
 
 /* Interpolates an angle in the shorter direction. A value that is not finite is returned unchanged,
  * so that the core rejects it. */
-static float turned(float from_rad, float to_rad, float share)
+static float interpolate_angle(float from_rad, float to_rad, float share)
 {
     const float way_rad = to_rad - from_rad;
     return f_is_finite(way_rad) && f_abs(way_rad) < 1000.0f
@@ -51,9 +51,11 @@ static struct poi_target poi_fan_pose(const struct poi_fan *fan)
     }
     return (struct poi_target){
         .position_m = v3_lerp(from->position_m, to->position_m, share),
-        .angles = { .yaw_rad = turned(from->angles.yaw_rad, to->angles.yaw_rad, share),
-                    .pitch_rad = turned(from->angles.pitch_rad, to->angles.pitch_rad, share),
-                    .roll_rad = turned(from->angles.roll_rad, to->angles.roll_rad, share) },
+        .angles = { .yaw_rad = interpolate_angle(from->angles.yaw_rad, to->angles.yaw_rad, share),
+                    .pitch_rad =
+                        interpolate_angle(from->angles.pitch_rad, to->angles.pitch_rad, share),
+                    .roll_rad =
+                        interpolate_angle(from->angles.roll_rad, to->angles.roll_rad, share) },
     };
 }
 
@@ -146,8 +148,8 @@ static float sum_of(const struct hid_pose_decoder *hand, enum hid_role role,
     return sum;
 }
 
-static int has(const struct hid_pose_decoder *hand, enum hid_role role,
-               enum hid_binding_kind manner)
+static int is_role_mapped(const struct hid_pose_decoder *hand, enum hid_role role,
+                          enum hid_binding_kind manner)
 {
     CORE_ASSERT(role < HID_ROLE_COUNT);
     CORE_ASSERT(manner < HID_BINDING_KIND_COUNT);
@@ -160,26 +162,27 @@ static int has(const struct hid_pose_decoder *hand, enum hid_role role,
     return 0;
 }
 
-static int is_pressed(const struct hid_pose_decoder *hand, enum hid_role role)
+static int is_role_pressed(const struct hid_pose_decoder *hand, enum hid_role role)
 {
     return sum_of(hand, role, HID_BINDING_PRESS) > 0.5f;
 }
 
 static uint32_t pointer_buttons(const struct hid_pose_decoder *hand)
 {
-    return (is_pressed(hand, HID_ROLE_DIP) ? (uint32_t)POINTER_DIP : 0u) |
-           (is_pressed(hand, HID_ROLE_LEVEL) ? (uint32_t)POINTER_LEVEL : 0u) |
-           (is_pressed(hand, HID_ROLE_FAN) ? (uint32_t)POINTER_FAN : 0u);
+    return (is_role_pressed(hand, HID_ROLE_DIP) ? (uint32_t)POINTER_DIP : 0u) |
+           (is_role_pressed(hand, HID_ROLE_LEVEL) ? (uint32_t)POINTER_LEVEL : 0u) |
+           (is_role_pressed(hand, HID_ROLE_FAN) ? (uint32_t)POINTER_FAN : 0u);
 }
 
 static int is_in_range(const struct hid_pose_decoder *hand)
 {
-    return !has(hand, HID_ROLE_IN_RANGE, HID_BINDING_PRESS) || is_pressed(hand, HID_ROLE_IN_RANGE);
+    return !is_role_mapped(hand, HID_ROLE_IN_RANGE, HID_BINDING_PRESS) ||
+           is_role_pressed(hand, HID_ROLE_IN_RANGE);
 }
 
 /* Updates the pointer. While a pen is out of range its axes are invalid, so the last position is
  * kept. */
-static void point(struct hid_pose_decoder *hand)
+static void update_pointer(struct hid_pose_decoder *hand)
 {
     struct pointer_report *report = &hand->report;
     CORE_ASSERT(hand->map.style == HID_STYLE_POINTER);
@@ -188,7 +191,7 @@ static void point(struct hid_pose_decoder *hand)
     report->time_ns = hand->time_ns;
     report->wheel_notches = sum_of(hand, HID_ROLE_TILT, HID_BINDING_STEP);
     report->buttons = in_range ? pointer_buttons(hand) : 0u;
-    if (has(hand, HID_ROLE_X, HID_BINDING_POSITION) && in_range) {
+    if (is_role_mapped(hand, HID_ROLE_X, HID_BINDING_POSITION) && in_range) {
         report->x_px = 0.5f * width * (1.0f + sum_of(hand, HID_ROLE_X, HID_BINDING_POSITION));
         report->y_px = 0.5f * height * (1.0f + sum_of(hand, HID_ROLE_Z, HID_BINDING_POSITION));
     }
@@ -229,7 +232,7 @@ static vec3 twist_of(const struct hid_pose_decoder *hand)
               sum_of(hand, HID_ROLE_ROLL, HID_BINDING_KIND_COUNT));
 }
 
-static void fly(struct hid_pose_decoder *hand)
+static void update_fly_pose(struct hid_pose_decoder *hand)
 {
     CORE_ASSERT(hand->map.style == HID_STYLE_FLY);
     const struct stick_report report = {
@@ -244,13 +247,13 @@ static void fly(struct hid_pose_decoder *hand)
 }
 
 /* Updates the cabinet buttons of the controller. */
-static void press(struct hid_pose_decoder *hand)
+static void update_cabinet_buttons(struct hid_pose_decoder *hand)
 {
     CORE_ASSERT(hand->map.count <= HID_BINDING_MAX);
-    uint32_t held = (is_pressed(hand, HID_ROLE_START) ? (uint32_t)INPUT_START : 0u) |
-                    (is_pressed(hand, HID_ROLE_LEFT) ? (uint32_t)INPUT_LEFT : 0u) |
-                    (is_pressed(hand, HID_ROLE_RIGHT) ? (uint32_t)INPUT_RIGHT : 0u) |
-                    (is_pressed(hand, HID_ROLE_OK) ? (uint32_t)INPUT_OK : 0u);
+    uint32_t held = (is_role_pressed(hand, HID_ROLE_START) ? (uint32_t)INPUT_START : 0u) |
+                    (is_role_pressed(hand, HID_ROLE_LEFT) ? (uint32_t)INPUT_LEFT : 0u) |
+                    (is_role_pressed(hand, HID_ROLE_RIGHT) ? (uint32_t)INPUT_RIGHT : 0u) |
+                    (is_role_pressed(hand, HID_ROLE_OK) ? (uint32_t)INPUT_OK : 0u);
     for (uint32_t i = 0; i < hand->map.count; i++) {
         const int direction = (int)hand->value[i];
         if (hand->map.binding[i].role == HID_ROLE_HAT && direction >= 0) {
@@ -271,7 +274,7 @@ static int hid_pose_decoder_error(struct hid_pose_decoder *hand)
 
 /* Decodes a report of Kingyo's poi controller. Returns 1. Returns 0 and rejects the report if it is
  * invalid or repeats a sequence number. Missing sequence numbers are counted in gap_count. */
-static int pose(struct hid_pose_decoder *hand, const struct hid_raw *raw)
+static int decode_pose_report(struct hid_pose_decoder *hand, const struct hid_raw *raw)
 {
     CORE_ASSERT(hand->map.style == HID_STYLE_POSE);
     struct poi_report report;
@@ -303,7 +306,7 @@ int hid_pose_decoder_report(struct hid_pose_decoder *hand, const struct hid_raw 
         !hid_report_is_whole(&hand->descriptor, report)) {
         return hid_pose_decoder_error(hand);
     }
-    if (hand->map.style == HID_STYLE_POSE && !pose(hand, raw)) {
+    if (hand->map.style == HID_STYLE_POSE && !decode_pose_report(hand, raw)) {
         return 0;
     }
     if (!hid_axis_decoder_read(hand, (uint8_t)hid_report_id(&hand->descriptor, report), report)) {
@@ -311,11 +314,11 @@ int hid_pose_decoder_report(struct hid_pose_decoder *hand, const struct hid_raw 
                      state of a battery. */
     }
     if (hand->map.style == HID_STYLE_POINTER) {
-        point(hand);
+        update_pointer(hand);
     } else if (hand->map.style == HID_STYLE_FLY) {
-        fly(hand);
+        update_fly_pose(hand);
     }
-    press(hand);
+    update_cabinet_buttons(hand);
     return 1;
 }
 

@@ -142,7 +142,7 @@ void gpio_lines_sim_pass(struct gpio_lines_sim *sim, uint64_t ns)
     sim->now_ns = until_ns;
 }
 
-static bool has_edges(const struct gpio_lines_sim *sim)
+static bool has_queued_edges(const struct gpio_lines_sim *sim)
 {
     for (uint32_t i = 0; i < GPIO_INPUT_COUNT; i++) {
         if (sim->lines[i].count > 0) {
@@ -229,7 +229,7 @@ static int sim_wait(void *self, struct gpio_edge *out, uint32_t max, uint32_t ti
 {
     struct gpio_lines_sim *sim = self;
     const uint64_t until_ns = sim->now_ns + timeout_ms * (uint64_t)NS_PER_MS;
-    while (!sim->went && !has_edges(sim) && advance(sim, until_ns)) {
+    while (!sim->went && !has_queued_edges(sim) && advance(sim, until_ns)) {
     }
     if (sim->went) {
         sim->went = false;

@@ -23,7 +23,7 @@ static uint64_t hid_port_sim_now_ns(const struct hid_port_sim *sim)
 
 /* ---- Injected faults ------------------------------------------------------------------------ */
 
-static uint32_t any(uint32_t number, uint32_t what)
+static uint32_t draw_random_u32(uint32_t number, uint32_t what)
 {
     return rng_u32((struct rng_key){ 83, number, what, RNG_TEST });
 }
@@ -32,7 +32,7 @@ static void scramble(struct hid_raw *raw, uint32_t number, uint32_t from)
 {
     CORE_ASSERT(raw->size <= HID_REPORT_MAX);
     for (uint32_t i = from; i < raw->size; i++) {
-        raw->bytes[i] = (uint8_t)any(number, i);
+        raw->bytes[i] = (uint8_t)draw_random_u32(number, i);
     }
 }
 
@@ -45,7 +45,7 @@ static void suffer(const struct hid_port_sim *sim, uint8_t kind, uint32_t number
         scramble(raw, number, 1);
         break;
     case HID_SIM_NOISE:
-        raw->size = 1u + any(number, HID_REPORT_MAX) % HID_REPORT_MAX;
+        raw->size = 1u + draw_random_u32(number, HID_REPORT_MAX) % HID_REPORT_MAX;
         scramble(raw, number, 0);
         break;
     case HID_SIM_SHORT:
@@ -275,7 +275,7 @@ void hid_device_list_sim_plug(struct hid_device_list_sim *sim, uint32_t row,
     }
 }
 
-static void rows(void *self, struct hid_row out[CONTROLLER_MAX])
+static void write_sim_rows(void *self, struct hid_row out[CONTROLLER_MAX])
 {
     const struct hid_device_list_sim *sim = self;
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
@@ -322,7 +322,7 @@ static int hid_device_list_sim_release(void *self, uint32_t row)
     return HAL_OK;
 }
 
-static const char *describe(void *self)
+static const char *describe_sim_list(void *self)
 {
     (void)self;
     return "controllers made of memory";
@@ -331,9 +331,9 @@ static const char *describe(void *self)
 struct hid_device_list hid_device_list_sim_device(struct hid_device_list_sim *sim)
 {
     CORE_ASSERT(sim);
-    static const struct hid_device_list_ops ops = { .rows = rows,
+    static const struct hid_device_list_ops ops = { .rows = write_sim_rows,
                                                     .choose = hid_device_list_sim_select,
                                                     .release = hid_device_list_sim_release,
-                                                    .describe = describe };
+                                                    .describe = describe_sim_list };
     return (struct hid_device_list){ .ops = &ops, .self = sim };
 }

@@ -273,8 +273,9 @@ static enum usb_device_fault read_descriptor(libusb_device_handle *handle,
     return size == LIBUSB_ERROR_NO_DEVICE ? USB_AWAY : USB_BROKEN;
 }
 
-static enum usb_device_fault learn(libusb_device_handle *handle, struct usb_device *device,
-                                   const struct usb_evaluation *judge)
+static enum usb_device_fault inspect_usb_device(libusb_device_handle *handle,
+                                                struct usb_device *device,
+                                                const struct usb_evaluation *judge)
 {
     CORE_ASSERT(device->declared_size <= HID_DESCRIPTOR_MAX);
     read_text(handle, device->serial_index, device->face.identity.serial);
@@ -321,7 +322,7 @@ enum usb_device_fault usb_device_open(struct usb_device *device, const struct us
     libusb_set_auto_detach_kernel_driver(handle, 1);
     trouble = trouble_of(libusb_claim_interface(handle, device->pipe.interface_number));
     if (trouble == USB_FINE) {
-        trouble = learn(handle, device, judge);
+        trouble = inspect_usb_device(handle, device, judge);
         if (trouble == USB_FINE && device->verdict == USB_PLAYS) {
             *out = handle;
             return USB_FINE;

@@ -112,7 +112,7 @@ int usb_device_list_take_command(struct usb_device_list *device_list, struct usb
     return 1;
 }
 
-static const struct usb_device_table *newest(struct usb_device_list *device_list)
+static const struct usb_device_table *newest_device_table(struct usb_device_list *device_list)
 {
     CORE_ASSERT(device_list->mail.reading < TRIPLE_BUFFER_SLOTS);
     triple_buffer_fetch(&device_list->mail);
@@ -122,14 +122,14 @@ static const struct usb_device_table *newest(struct usb_device_list *device_list
 uint32_t usb_device_list_wanted(struct usb_device_list *device_list,
                                 struct usb_key out[USB_REQUEST_MAX])
 {
-    const struct usb_device_table *rows = newest(device_list);
+    const struct usb_device_table *rows = newest_device_table(device_list);
     memcpy(out, rows->wanted, rows->wanted_count * sizeof out[0]);
     return rows->wanted_count;
 }
 
 static void roster_rows(void *self, struct hid_row out[CONTROLLER_MAX])
 {
-    memcpy(out, newest(self)->row, sizeof newest(self)->row);
+    memcpy(out, newest_device_table(self)->row, sizeof newest_device_table(self)->row);
 }
 
 static int send_order(struct usb_device_list *device_list, const struct hid_row *row, int plays)
@@ -159,7 +159,7 @@ static const struct hid_row *usable_row(const struct usb_device_table *rows, uin
 static int roster_choose(void *self, uint32_t index)
 {
     struct usb_device_list *device_list = self;
-    const struct usb_device_table *rows = newest(device_list);
+    const struct usb_device_table *rows = newest_device_table(device_list);
     const struct hid_row *row = usable_row(rows, index);
     uint32_t playing = 0;
     for (uint32_t i = 0; i < CONTROLLER_MAX; i++) {
@@ -173,13 +173,13 @@ static int roster_choose(void *self, uint32_t index)
 static int roster_release(void *self, uint32_t index)
 {
     struct usb_device_list *device_list = self;
-    const struct hid_row *row = usable_row(newest(device_list), index);
+    const struct hid_row *row = usable_row(newest_device_table(device_list), index);
     return row ? send_order(device_list, row, 0) : (int)HAL_ERR_ABSENT;
 }
 
 static const char *roster_describe(void *self)
 {
-    return newest(self)->text;
+    return newest_device_table(self)->text;
 }
 
 struct hid_device_list usb_device_list_device(struct usb_device_list *device_list)

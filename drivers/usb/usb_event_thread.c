@@ -92,7 +92,7 @@ static int LIBUSB_CALL on_hotplug(libusb_context *context, libusb_device *device
     return 0;
 }
 
-static int is_open(const struct usb_event_thread *usb_thread)
+static int has_open_link(const struct usb_event_thread *usb_thread)
 {
     int open = 0;
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
@@ -116,7 +116,7 @@ static void close_all(struct usb_event_thread *usb_thread)
         for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
             usb_transfers_service(&usb_thread->link[i]);
         }
-        if (!is_open(usb_thread) || hal_now_ns(usb_thread->clock) > end_ns) {
+        if (!has_open_link(usb_thread) || hal_now_ns(usb_thread->clock) > end_ns) {
             return;
         }
         wait_and_handle(usb_thread);
@@ -239,7 +239,7 @@ void usb_event_thread_end(struct usb_event_thread *usb_thread)
     atomic_store(&usb_thread->stop, 1);
     usb_event_thread_wake(usb_thread);
     pthread_join(usb_thread->thread, NULL);
-    if (!is_open(usb_thread)) {
+    if (!has_open_link(usb_thread)) {
         free_links(usb_thread);
         libusb_exit(usb_thread->context);
     }

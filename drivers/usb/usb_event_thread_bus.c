@@ -28,7 +28,7 @@ static struct usb_device_entry *find_entry(struct usb_event_thread *usb_thread,
 }
 
 /* Removes a device from the table. The row of a lost controller is kept. */
-static void part(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
+static void remove_table_entry(struct usb_event_thread *usb_thread, struct usb_device_entry *entry)
 {
     CORE_ASSERT(entry->device.device);
     CORE_ASSERT(entry->link == USB_INDEX_NONE || entry->link < USB_LINK_MAX);
@@ -51,7 +51,7 @@ static struct usb_device_entry *find_room(struct usb_event_thread *usb_thread,
         if (usb_thread->entry[i].device.verdict == USB_BARRED &&
             usb_thread->entry[i].link == USB_INDEX_NONE) {
             room = &usb_thread->entry[i];
-            part(usb_thread, room);
+            remove_table_entry(usb_thread, room);
         }
     }
     return room;
@@ -94,7 +94,7 @@ static void meet(struct usb_event_thread *usb_thread, libusb_device *device)
 
 /* Compares the bus with the table. Missing devices are removed before new devices are added, so
  * that a replugged controller finds its slot vacant. */
-static void compare(struct usb_event_thread *usb_thread)
+static void compare_bus_and_table(struct usb_event_thread *usb_thread)
 {
     libusb_device **list;
     const ssize_t count = libusb_get_device_list(usb_thread->context, &list);
@@ -112,7 +112,7 @@ static void compare(struct usb_event_thread *usb_thread)
     }
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         if (usb_thread->entry[i].device.device && !usb_thread->entry[i].is_seen) {
-            part(usb_thread, &usb_thread->entry[i]);
+            remove_table_entry(usb_thread, &usb_thread->entry[i]);
         }
     }
     for (ssize_t i = 0; i < count; i++) {
@@ -136,7 +136,7 @@ void usb_event_thread_compare(struct usb_event_thread *usb_thread)
     } else if (now_ns < usb_thread->compare_ns) {
         return;
     }
-    compare(usb_thread);
+    compare_bus_and_table(usb_thread);
     usb_thread->compare_ns = now_ns < usb_thread->settled_ns ? now_ns + AGAIN_NS
                              : usb_thread->has_hotplug       ? UINT64_MAX
                                                              : now_ns + NO_HOTPLUG_NS;

@@ -208,7 +208,7 @@ static int clear_halt(struct usb_transfers *link)
     return 1;
 }
 
-static int is_due(const struct usb_transfers *link)
+static int has_due_transfer(const struct usb_transfers *link)
 {
     int due = 0;
     for (uint32_t i = 0; i < USB_IN_TRANSFER_COUNT; i++) {
@@ -241,7 +241,7 @@ int usb_transfers_service(struct usb_transfers *link)
     if (link->is_gone || link->error_count >= USB_ERRORS_MAX) {
         return 1;
     }
-    if (is_due(link) && hal_now_ns(link->clock) >= link->retry_ns) {
+    if (has_due_transfer(link) && hal_now_ns(link->clock) >= link->retry_ns) {
         const int is_clear = !link->has_halted || clear_halt(link);
         for (uint32_t i = 0; is_clear && i < USB_IN_TRANSFER_COUNT && !link->is_gone; i++) {
             if (link->in[i].is_due) {
@@ -257,7 +257,8 @@ uint64_t usb_transfers_due_ns(const struct usb_transfers *link)
     if (link->state == USB_TRANSFERS_DRAINING && !link->has_left) {
         return link->leave_ns;
     }
-    return link->state == USB_TRANSFERS_LIVE && is_due(link) ? link->retry_ns : UINT64_MAX;
+    return link->state == USB_TRANSFERS_LIVE && has_due_transfer(link) ? link->retry_ns
+                                                                       : UINT64_MAX;
 }
 
 /* ---- Output reports -------------------------------------------------------------------------- */

@@ -28,7 +28,7 @@ const struct option *option_table_find(const struct option_table *table, const c
 }
 
 /* Returns 1 if one of the subcommands `groups` accepts the option, otherwise 0. */
-static int is_in(const struct option *option, uint32_t groups)
+static int is_option_accepted(const struct option *option, uint32_t groups)
 {
     return option->groups == 0 || (option->groups & groups) != 0;
 }
@@ -178,7 +178,8 @@ static int parse_word(const struct option_table *table, uint32_t groups, void *t
     for (; table; table = table->base) {
         for (uint32_t i = 0; i < table->count; i++) {
             const struct option *option = &table->options[i];
-            const int is_open = option->kind == OPTION_ARGUMENT && is_in(option, groups) &&
+            const int is_open = option->kind == OPTION_ARGUMENT &&
+                                is_option_accepted(option, groups) &&
                                 (option->set || !*(const char **)((char *)target + option->offset));
             if (is_open && option_parse(option, target, word, why)) {
                 return 0;
@@ -207,7 +208,7 @@ static int parse_next(const struct option_table *table, uint32_t groups, void *t
     if (dash_count == 1 && length == 1 && word[1] == 'h') {
         option = option_table_find(table, "help", 4);
     }
-    if (!option || !is_in(option, groups) || (dash_count == 1 && length != 1) ||
+    if (!option || !is_option_accepted(option, groups) || (dash_count == 1 && length != 1) ||
         (dash_count == 2 && length == 1)) {
         snprintf(error, OPTIONS_ERROR_MAX, "unknown option '%.100s'; --help lists them", word);
         return -1;
@@ -305,7 +306,7 @@ void option_table_print(const struct option_table *table, uint32_t groups)
                 const struct option *option = &part->options[i];
                 write_left(option, left);
                 const int length = (int)strlen(left);
-                if (!is_in(option, groups)) {
+                if (!is_option_accepted(option, groups)) {
                     continue;
                 }
                 if (pass == 0) {

@@ -99,7 +99,7 @@ static int set_seed(void *target, const struct option *option, const char *value
     return number_parse(value, 0, UINT32_MAX, &options->seed);
 }
 
-static uint32_t fish_max(uint8_t tank)
+static uint32_t tank_fish_limit(uint8_t tank)
 {
     return tank_preset_fish_max(tank_preset(tank), 1.0f);
 }
@@ -107,8 +107,8 @@ static uint32_t fish_max(uint8_t tank)
 static void print_fish_max(char out[OPTION_TEXT_MAX])
 {
     snprintf(out, OPTION_TEXT_MAX / 2u, " %u (festival), %u (thesis) or %u (official)",
-             fish_max(TANK_PRESET_FESTIVAL), fish_max(TANK_PRESET_THESIS),
-             fish_max(TANK_PRESET_OFFICIAL));
+             tank_fish_limit(TANK_PRESET_FESTIVAL), tank_fish_limit(TANK_PRESET_THESIS),
+             tank_fish_limit(TANK_PRESET_OFFICIAL));
 }
 
 /* Sets the number of fish. options_too_many_fish() checks the tank's maximum later, when the tank
@@ -280,7 +280,7 @@ int options_too_many_fish(const struct options *options, char says[OPTION_TEXT_M
 {
     const struct options_query_result *by = options->is_file ? &options->file : &options->words;
     CORE_ASSERT(options->tank < TANK_PRESET_COUNT);
-    const uint32_t most = fish_max(options->tank);
+    const uint32_t most = tank_fish_limit(options->tank);
     if (!by->is_set[SET_FISH] || by->value[SET_FISH] <= (int32_t)most) {
         return 0;
     }

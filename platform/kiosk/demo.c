@@ -155,7 +155,7 @@ static enum kiosk_end demo_run_frames(struct demo *demo)
     return end;
 }
 
-static double ms(uint64_t ns)
+static double ns_to_ms(uint64_t ns)
 {
     return (double)ns * 1e-6;
 }
@@ -182,9 +182,10 @@ static void print_summary(const struct demo *demo)
     printf("  frames        %llu of %ux%u%s; frame time median %.1f ms, p99 %.1f ms\n",
            (unsigned long long)kiosk->frames, demo->width, demo->height,
            session->options.replay[0] ? ", drawn where pictures are" : "",
-           ms(frame_timing_quantile_ns(frame, 0.5)), ms(frame_timing_quantile_ns(frame, 0.99)));
+           ns_to_ms(frame_timing_quantile_ns(frame, 0.5)),
+           ns_to_ms(frame_timing_quantile_ns(frame, 0.99)));
     printf("  core          %.1f %% of the frame; %.3f ms a tick\n", 100.0 * share,
-           ms(kiosk->core_ns) / ticks);
+           ns_to_ms(kiosk->core_ns) / ticks);
     printf("  state hash    %016llx\n", (unsigned long long)core_hash(&kiosk->core));
     print_line(stdout, "  drawn by      %s",
                session->hal.display.ops->describe(session->hal.display.self));

@@ -27,7 +27,7 @@
 /* Number of frames in the moving average of the frame time: a quarter of a second. */
 #define REST_SHARE 16
 
-static uint64_t distance(uint64_t a, uint64_t b)
+static uint64_t absolute_difference(uint64_t a, uint64_t b)
 {
     return a > b ? a - b : b - a;
 }
@@ -38,10 +38,12 @@ static int snap(struct frame_pacer *pace, uint64_t elapsed_ns)
 {
     const int64_t left = pace->owed - (int64_t)(FRAME_TICKS * NS_PER_S);
     const int64_t snap = SNAP_NS * (int64_t)CORE_TICK_HZ;
-    if (distance(elapsed_ns, FRAME_NS) > LIKE_60_HZ_NS || left > snap || left < -snap) {
+    if (absolute_difference(elapsed_ns, FRAME_NS) > LIKE_60_HZ_NS || left > snap || left < -snap) {
         return 0;
     }
-    pace->owed = distance(elapsed_ns, FRAME_NS) < SURE_60_HZ_NS ? left - left / DRIFT_SHARE : left;
+    pace->owed = absolute_difference(elapsed_ns, FRAME_NS) < SURE_60_HZ_NS
+                     ? left - left / DRIFT_SHARE
+                     : left;
     return 1;
 }
 

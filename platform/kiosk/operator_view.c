@@ -71,7 +71,7 @@ void operator_view_lines_add(struct operator_view_lines *book, const struct butt
     }
 }
 
-static uint32_t frames_a_second(uint64_t frame_ns)
+static uint32_t frame_rate_hz(uint64_t frame_ns)
 {
     return frame_ns > 0 ? (uint32_t)((1000000000ull + frame_ns / 2u) / frame_ns) : 0u;
 }
@@ -138,7 +138,7 @@ void operator_view_fill(struct scene *scene, const struct hal *hal,
     }
     devices->button_faults = operator_view->button_faults;
     devices->files_refused = operator_view->notes ? operator_view->notes->refused_count : 0u;
-    devices->frames_a_second = frames_a_second(operator_view->frame_ns);
+    devices->frames_a_second = frame_rate_hz(operator_view->frame_ns);
     devices->line_raw = operator_view->lines->raw;
     devices->buttons_missing = operator_view->lines->missing;
     memcpy(devices->coins, operator_view->lines->coins, sizeof devices->coins);

@@ -106,8 +106,8 @@ static uint32_t output_lines_set(struct output_lines *switches, const struct hal
 
 /* Sends one pulse for each increase of `wanted` by 1 since the last accepted request. Returns 1 on
  * a fault, otherwise 0. */
-static uint32_t pulse(struct output_lines *switches, const struct hal_switches *device,
-                      enum hal_switch which, uint32_t wanted, uint64_t now_ns)
+static uint32_t send_new_pulses(struct output_lines *switches, const struct hal_switches *device,
+                                enum hal_switch which, uint32_t wanted, uint64_t now_ns)
 {
     const uint32_t count = wanted - switches->given[which];
     if (count == 0 || now_ns < switches->retry_ns[which]) {
@@ -126,8 +126,8 @@ uint32_t output_lines_put(struct output_lines *switches, const struct hal_switch
     CORE_ASSERT(device->ops);
     return output_lines_set(switches, device, HAL_START_LAMP, output->start_lamp, now_ns) +
            output_lines_set(switches, device, HAL_COIN_LOCKOUT, output->coin_lockout, now_ns) +
-           pulse(switches, device, HAL_COIN_COUNTER, output->coins_counted, now_ns) +
-           pulse(switches, device, HAL_TICKET, output->tickets, now_ns);
+           send_new_pulses(switches, device, HAL_COIN_COUNTER, output->coins_counted, now_ns) +
+           send_new_pulses(switches, device, HAL_TICKET, output->tickets, now_ns);
 }
 
 uint32_t output_lines_are_done(const struct output_lines *switches,
@@ -188,7 +188,7 @@ static float light_wanted(const int32_t *value, const struct input *input, uint6
 
 /* ---- Position of the picture --------------------------------------------------------------- */
 
-static float swing(uint32_t ms, uint32_t period_ms)
+static float dimmer_shift_at(uint32_t ms, uint32_t period_ms)
 {
     return DIMMER_SHIFT * f_sin(F_TAU * (float)(ms % period_ms) / (float)period_ms);
 }
@@ -233,8 +233,8 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
         .rotation = (uint32_t)value[SET_ROTATION],
         .inset_x = 1e-3f * (float)value[SET_OVERSCAN_X],
         .inset_y = 1e-3f * (float)value[SET_OVERSCAN_Y],
-        .shift_x = swing(dimmer->wander_ms, WANDER_X_MS),
-        .shift_y = swing(dimmer->wander_ms, WANDER_Y_MS),
+        .shift_x = dimmer_shift_at(dimmer->wander_ms, WANDER_X_MS),
+        .shift_y = dimmer_shift_at(dimmer->wander_ms, WANDER_Y_MS),
         .light = dimmer->light * 0.01f * (float)value[SET_BRIGHTNESS],
     };
 }

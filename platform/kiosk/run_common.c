@@ -265,7 +265,7 @@ enum exit_code run_common_make_room(struct run_common *session, uint32_t width, 
     return EXIT_OK;
 }
 
-static int capture(struct run_common *session, struct hal_image *image)
+static int capture_display_image(struct run_common *session, struct hal_image *image)
 {
     const struct hal_display *display = &session->hal.display;
     *image = (struct hal_image){ .rgb = session->rgb, .size = session->rgb_size };
@@ -274,12 +274,12 @@ static int capture(struct run_common *session, struct hal_image *image)
 
 int run_common_shot(struct run_common *session, const char *path, struct hal_image *image)
 {
-    int result = capture(session, image);
+    int result = capture_display_image(session, image);
     const size_t needed = (size_t)image->width * image->height * 3;
     if (result != HAL_OK && needed > session->rgb_size) { /* The window has grown since the last
                                                              picture. */
         result = run_common_make_room(session, image->width, image->height) == EXIT_OK
-                     ? capture(session, image)
+                     ? capture_display_image(session, image)
                      : HAL_ERR_IO;
     }
     if (result != HAL_OK) {

@@ -93,7 +93,7 @@ uint32_t sampler_poi_sample(struct poi_sampler *hand, const struct hal_poi *devi
 
 /* Returns the age of the newest report in ticks. A report with a time stamp in the future has age
  * 0. */
-static uint16_t age_ticks(const struct poi_sampler *hand, uint64_t now_ns)
+static uint16_t report_age_ticks(const struct poi_sampler *hand, uint64_t now_ns)
 {
     const uint64_t age_ns = now_ns > hand->newest_ns ? now_ns - hand->newest_ns : 0;
     const uint64_t ticks = age_ns / TICK_NS;
@@ -119,7 +119,7 @@ void sampler_poi_at(const struct poi_sampler *hand, uint32_t index, uint32_t tic
                                                                       : POI_SOURCE_ABSENT;
     out->has_wrist = hand->has_wrist;
     out->trembles = hand->trembles;
-    out->age_ticks = out->link == POI_SOURCE_LIVE ? age_ticks(hand, now_ns) : 0u;
+    out->age_ticks = out->link == POI_SOURCE_LIVE ? report_age_ticks(hand, now_ns) : 0u;
     if (out->link == POI_SOURCE_LIVE && was_unseen(hand, tick_count)) {
         /* Passes the motion during a delay to the core as late reports. The first tick gets the
          * old pose with the age INPUT_SILENT_TICKS, which is below the limit of input loss. Each

@@ -39,7 +39,8 @@ static void put_list(struct json *json, const char *format, va_list arguments)
     json->used += (size_t)length;
 }
 
-__attribute__((format(printf, 2, 3))) static void put(struct json *json, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static void put_json_text(struct json *json,
+                                                                const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -50,31 +51,31 @@ __attribute__((format(printf, 2, 3))) static void put(struct json *json, const c
 static void put_words(struct json *json, const char *words)
 {
     char one[CHAR_SIZE];
-    put(json, "\"");
+    put_json_text(json, "\"");
     while (*words) {
         if (words[0] == '"' || words[0] == '\\') {
-            put(json, "\\%c", *words++);
+            put_json_text(json, "\\%c", *words++);
         } else {
             words += escape(words, one);
-            put(json, "%s", one);
+            put_json_text(json, "%s", one);
         }
     }
-    put(json, "\"");
+    put_json_text(json, "\"");
 }
 
 /* Writes what precedes an element: the comma, the line break or the blank, and the key. */
-static void begin(struct json *json, const char *key)
+static void begin_json_element(struct json *json, const char *key)
 {
     CORE_ASSERT(json->file || json->buffer);
-    put(json, "%s", json->inner ? "," : "");
+    put_json_text(json, "%s", json->inner ? "," : "");
     if (json->breaks) {
-        put(json, "\n%*s", json->indent, "");
+        put_json_text(json, "\n%*s", json->indent, "");
     } else if (json->inner) {
-        put(json, " ");
+        put_json_text(json, " ");
     }
     if (key) {
         put_words(json, key);
-        put(json, ": ");
+        put_json_text(json, ": ");
     }
     json->inner = 1;
     json->breaks = 0;
@@ -83,8 +84,8 @@ static void begin(struct json *json, const char *key)
 void json_open(struct json *json, const char *key, char bracket)
 {
     CORE_ASSERT(bracket == '{' || bracket == '[');
-    begin(json, key);
-    put(json, "%c", bracket);
+    begin_json_element(json, key);
+    put_json_text(json, "%c", bracket);
     json->inner = 0;
 }
 
@@ -92,9 +93,9 @@ void json_close(struct json *json, char bracket)
 {
     CORE_ASSERT(bracket == '}' || bracket == ']');
     if (json->breaks) {
-        put(json, "\n%*s", json->indent, "");
+        put_json_text(json, "\n%*s", json->indent, "");
     }
-    put(json, "%c", bracket);
+    put_json_text(json, "%c", bracket);
     json->inner = 1;
     json->breaks = 0;
 }
@@ -108,7 +109,7 @@ void json_line(struct json *json, uint8_t indent)
 void json_value(struct json *json, const char *key, const char *format, ...)
 {
     va_list arguments;
-    begin(json, key);
+    begin_json_element(json, key);
     va_start(arguments, format);
     put_list(json, format, arguments);
     va_end(arguments);
@@ -129,13 +130,13 @@ void json_bool(struct json *json, const char *key, int value)
 void json_text(struct json *json, const char *key, const char *words)
 {
     CORE_ASSERT(words);
-    begin(json, key);
+    begin_json_element(json, key);
     put_words(json, words);
 }
 
 void json_end(struct json *json)
 {
-    put(json, "\n");
+    put_json_text(json, "\n");
 }
 
 void json_copy(const char *document)

@@ -130,7 +130,7 @@ static int graph_text_next_line(struct reading *reading)
 }
 
 /* Returns the text after `word` on the line, or null if the line does not start with `word`. */
-static const char *after(const struct reading *reading, const char *word)
+static const char *text_after_word(const struct reading *reading, const char *word)
 {
     const size_t length = strlen(word);
     const char *rest = reading->words + length;
@@ -139,9 +139,10 @@ static const char *after(const struct reading *reading, const char *word)
 
 /* Reads a line of the form "`word` VALUE". Returns the index of VALUE in `names`, or -1 if the line
  * has another form. */
-static int named(struct reading *reading, const char *word, const char *const *names, int count)
+static int read_named_value(struct reading *reading, const char *word, const char *const *names,
+                            int count)
 {
-    const char *rest = graph_text_next_line(reading) ? after(reading, word) : NULL;
+    const char *rest = graph_text_next_line(reading) ? text_after_word(reading, word) : NULL;
     for (int i = 0; rest != NULL && i < count; i++) {
         if (*rest == ' ' && strcmp(rest + 1, names[i]) == 0) {
             return i;
@@ -154,7 +155,7 @@ static int named(struct reading *reading, const char *word, const char *const *n
 }
 
 /* Parses exactly `count` numbers. Returns 1, or 0 after an error. */
-static int numbers(struct reading *reading, const char *rest, float *out, uint32_t count)
+static int parse_numbers(struct reading *reading, const char *rest, float *out, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         char *end;
@@ -179,18 +180,18 @@ static int read_head(struct reading *reading, const struct species_card *card,
     char count[4];
     const char *const keys[] = { count };
     snprintf(count, sizeof count, "%u", (unsigned)card->key_count % 100u);
-    if (named(reading, "kingyo-graph", first, 1) < 0) {
+    if (read_named_value(reading, "kingyo-graph", first, 1) < 0) {
         return graph_text_error(reading, "not a graph of version %u", GRAPH_FILE_VERSION);
     }
-    if (named(reading, "species", id, 1) < 0) {
+    if (read_named_value(reading, "species", id, 1) < 0) {
         return graph_text_error(reading, "not of the species %s", card->id);
     }
-    if (named(reading, "keys", keys, 1) < 0) {
+    if (read_named_value(reading, "keys", keys, 1) < 0) {
         return graph_text_error(reading, "%s has %u keys", card->id, card->key_count);
     }
-    const int template_id = named(reading, "template", templates, TEMPLATE_COUNT);
-    const int line = template_id < 0 ? -1 : named(reading, "line", lines, 2);
-    const int solved = line < 0 ? -1 : named(reading, "solved", yes_or_no, 2);
+    const int template_id = read_named_value(reading, "template", templates, TEMPLATE_COUNT);
+    const int line = template_id < 0 ? -1 : read_named_value(reading, "line", lines, 2);
+    const int solved = line < 0 ? -1 : read_named_value(reading, "solved", yes_or_no, 2);
     if (solved < 0) {
         return 0;
     }
@@ -208,7 +209,7 @@ static int read_knot(struct reading *reading, const char *rest, const struct spe
     if (graph->knot_count == GRAPH_KNOT_MAX) {
         return graph_text_error(reading, "more than %u knots", GRAPH_KNOT_MAX);
     }
-    if (!numbers(reading, rest, values, 1u + card->key_count)) {
+    if (!parse_numbers(reading, rest, values, 1u + card->key_count)) {
         return 0;
     }
     reading->knot_line[graph->knot_count] = reading->line;
@@ -224,7 +225,7 @@ static int read_scale(struct reading *reading, const char *rest, struct lab_edit
     if (edit->scale_knot_count == GRAPH_KNOT_MAX) {
         return graph_text_error(reading, "more than %u scale knots", GRAPH_KNOT_MAX);
     }
-    if (!numbers(reading, rest, values, 2)) {
+    if (!parse_numbers(reading, rest, values, 2)) {
         return 0;
     }
     reading->scale_line[edit->scale_knot_count] = reading->line;
@@ -288,7 +289,8 @@ int graph_file_parse(const char *text, size_t size, const struct species_card *c
         return 0;
     }
     while (graph_text_next_line(&reading)) {
-        const char *knot = after(&reading, "knot"), *scale = after(&reading, "scale");
+        const char *knot = text_after_word(&reading, "knot"),
+                   *scale = text_after_word(&reading, "scale");
         if (strcmp(reading.words, "end") == 0) {
             if (!judge_graph(&reading, card, &read.graph) || !judge_scale(&reading, &read)) {
                 return 0;

@@ -140,7 +140,7 @@ static int take_copy(struct storage *storage)
 /* Compares the database with its backup and mirror, and renames a backup or mirror of a foreign
  * ledger. If the database is read-only, nothing is renamed, because no new backup or mirror is
  * written. Returns SQLITE_CORRUPT if the database has lost entries. */
-static int compare(struct storage *storage)
+static int compare_database_copies(struct storage *storage)
 {
     const enum others backup = backup_is(storage), tail = tail_is(storage);
     if (backup == OTHERS_NEWER || tail == OTHERS_NEWER) {
@@ -174,7 +174,7 @@ static int open_whole(struct storage *storage)
     if (ledger_is_marked(&storage->file) && !storage->file.refusal) {
         code = take_copy(storage);
     }
-    code = code == SQLITE_OK ? compare(storage) : code;
+    code = code == SQLITE_OK ? compare_database_copies(storage) : code;
     if (code != SQLITE_OK) {
         ledger_file_close(&storage->file);
     }

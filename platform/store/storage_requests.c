@@ -192,7 +192,8 @@ static void change(uint32_t *count, uint32_t from, uint32_t to)
 
 /* Returns the database's balance after the change. `open` stays unchanged, because a round that is
  * open in the database is refunded at the next start. */
-static struct balance after(struct balance balance, const struct balance_change *step)
+static struct balance balance_after_change(struct balance balance,
+                                           const struct balance_change *step)
 {
     change(&balance.units, step->from.units, step->to.units);
     change(&balance.bonus_units, step->from.bonus_units, step->to.bonus_units);
@@ -224,7 +225,7 @@ void storage_apply_offline(struct storage *storage)
     if (code == SQLITE_OK &&
         !(first->id > 0 && ledger_file_entry(&storage->file, first->id, &there) == SQLITE_OK &&
           there.boot == first->boot && there.tick == first->tick && there.kind == first->kind)) {
-        const struct balance balance = after(list->balance, &late->step);
+        const struct balance balance = balance_after_change(list->balance, &late->step);
         const uint32_t next = list->boots + (list->boots < LEDGER_BOOTS_MAX);
         late->boot =
             late->boot > 0 ? late->boot : next; /* All transfers of this kiosk share one boot

@@ -104,7 +104,7 @@ static void drain(struct storage *storage)
 
 /* ---- Backup -------------------------------------------------------------------------------- */
 
-static int64_t now_s(void)
+static int64_t wall_clock_s(void)
 {
     return storage_now_ms() / 1000;
 }
@@ -120,9 +120,9 @@ static void back_up(struct storage *storage)
         return;
     }
     const uint32_t last_id = storage->file.content.memory.ledger.last_id;
-    if (!storage->backup.copy && (now_s() >= storage->backup_due_s ||
+    if (!storage->backup.copy && (wall_clock_s() >= storage->backup_due_s ||
                                   last_id - storage->backup_id >= STORAGE_BACKUP_ENTRIES)) {
-        storage->backup_due_s = now_s() + STORAGE_BACKUP_S;
+        storage->backup_due_s = wall_clock_s() + STORAGE_BACKUP_S;
         storage->backup_id = last_id;
         storage_backup_path(storage, path);
         code = storage_is_behind_backup(storage)

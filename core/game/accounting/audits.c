@@ -49,7 +49,7 @@ static const char *const machine_names[AUDIT_COUNT - AUDIT_BOOTS] = {
 };
 _Static_assert(POI_MAX == 4u, "each seat has its counter of losses");
 
-static void append(char out[AUDIT_NAME_SIZE], const char *text)
+static void append_audit_text(char out[AUDIT_NAME_SIZE], const char *text)
 {
     uint32_t at = 0;
     while (out[at]) {
@@ -65,7 +65,7 @@ static void append_number(char out[AUDIT_NAME_SIZE], uint32_t number)
 {
     CORE_ASSERT(number < 100u);
     const char digits[3] = { (char)('0' + number / 10u % 10u), (char)('0' + number % 10u), 0 };
-    append(out, number < 10u ? digits + 1 : digits);
+    append_audit_text(out, number < 10u ? digits + 1 : digits);
 }
 
 void audits_name(uint32_t id, char out[AUDIT_NAME_SIZE])
@@ -73,20 +73,20 @@ void audits_name(uint32_t id, char out[AUDIT_NAME_SIZE])
     CORE_ASSERT(id < AUDIT_COUNT);
     out[0] = '\0';
     if (id < AUDIT_PLAYS) {
-        append(out, names[id]);
+        append_audit_text(out, names[id]);
     } else if (id < AUDIT_HOUR) {
-        append(out, "plays-");
-        append(out, rules_of((uint8_t)((id - AUDIT_PLAYS) / AUDIT_GRADES))->name);
-        append(out, "-");
+        append_audit_text(out, "plays-");
+        append_audit_text(out, rules_of((uint8_t)((id - AUDIT_PLAYS) / AUDIT_GRADES))->name);
+        append_audit_text(out, "-");
         append_number(out, (id - AUDIT_PLAYS) % AUDIT_GRADES + SHEET_GRADE_MIN);
     } else if (id < AUDIT_WEEKDAY) {
-        append(out, "hour-");
+        append_audit_text(out, "hour-");
         append_number(out, id - AUDIT_HOUR);
     } else if (id < AUDIT_BOOTS) {
-        append(out, "weekday-");
+        append_audit_text(out, "weekday-");
         append_number(out, id - AUDIT_WEEKDAY + 1u);
     } else {
-        append(out, machine_names[id - AUDIT_BOOTS]);
+        append_audit_text(out, machine_names[id - AUDIT_BOOTS]);
     }
 }
 
@@ -129,7 +129,7 @@ static void note_begin(struct audits *audits, const struct ledger_entry *entry)
     }
 }
 
-static uint32_t seconds(uint32_t ticks)
+static uint32_t rounded_seconds(uint32_t ticks)
 {
     return (ticks + CORE_TICK_HZ / 2u) / CORE_TICK_HZ;
 }
@@ -147,7 +147,7 @@ static void note_round(struct audits *audits, const struct ledger_entry *entry)
     }
     add_to_audit(audits, AUDIT_ROUNDS, 1);
     add_to_audit(audits, AUDIT_CAUGHT, round->caught);
-    add_to_audit(audits, AUDIT_PLAY_S, seconds(round->end_tick - round->start_tick));
+    add_to_audit(audits, AUDIT_PLAY_S, rounded_seconds(round->end_tick - round->start_tick));
     for (uint32_t seat = 0; seat < POI_MAX; seat++) {
         const struct player_record *player = &round->player[seat];
         if (!(round->players & 1u << seat)) {
@@ -157,7 +157,7 @@ static void note_round(struct audits *audits, const struct ledger_entry *entry)
         add_to_audit(audits, AUDIT_PAPERS, player->sheets);
         add_to_audit(audits, AUDIT_FOULS, player->fouls);
         if (player->torn_tick != 0) {
-            const uint32_t life_s = seconds(player->torn_tick - round->start_tick);
+            const uint32_t life_s = rounded_seconds(player->torn_tick - round->start_tick);
             add_to_audit(audits, AUDIT_PAPERS_TORN, 1);
             add_to_audit(audits, AUDIT_PAPER_LIFE_S, life_s);
         }

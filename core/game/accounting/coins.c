@@ -8,7 +8,7 @@
 
 #define TICKS_PER_MIN (60u * CORE_TICK_HZ)
 
-static uint32_t setting(const struct settings *settings, uint32_t id)
+static uint32_t unsigned_setting(const struct settings *settings, uint32_t id)
 {
     CORE_ASSERT(id < SETTING_COUNT);
     CORE_ASSERT(settings->value[id] >= 0);
@@ -40,7 +40,7 @@ void coins_insert(struct accounts *accounts, const struct core_config *config, u
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
         struct pending_coins *pending = &credit->pending_coins[line];
         const uint32_t pulses = input->coin_count[line];
-        const uint32_t each = setting(&config->persistent.settings, SET_COIN_1 + line);
+        const uint32_t each = unsigned_setting(&config->persistent.settings, SET_COIN_1 + line);
         const uint32_t units = capped((uint64_t)pulses * each);
         const uint32_t owed = is_sold ? units : 0u; /* In free play a coin adds no units to the
                                                        balance. */
@@ -78,7 +78,7 @@ static void note_for_bonus(struct ledger *ledger, const struct settings *setting
 {
     struct balance *balance = &ledger->balance;
     const uint64_t sum = (uint64_t)balance->bonus_units + units;
-    balance->bonus_units = setting(settings, SET_BONUS_UNITS) > 0 ? capped(sum) : 0u;
+    balance->bonus_units = unsigned_setting(settings, SET_BONUS_UNITS) > 0 ? capped(sum) : 0u;
 }
 
 /* In recordings of format 7 the units count towards a bonus even if no bonus is configured. */
@@ -124,14 +124,15 @@ static void buy_credits(struct accounts *accounts, const struct core_config *con
 {
     const struct settings *settings = &config->persistent.settings;
     struct balance *balance = &accounts->ledger.balance;
-    const uint32_t price = config->credit_coins, each = setting(settings, SET_BONUS_UNITS);
+    const uint32_t price = config->credit_coins, each = unsigned_setting(settings, SET_BONUS_UNITS);
     CORE_ASSERT(price > 0 && price <= CREDIT_COINS_MAX);
-    const uint32_t room = less(setting(settings, SET_CREDIT_MAX), balance->paid + balance->service);
+    const uint32_t room =
+        less(unsigned_setting(settings, SET_CREDIT_MAX), balance->paid + balance->service);
     const uint32_t bought = balance->units / price < room ? balance->units / price : room;
     balance->units -= bought * price;
     add_saturated(&balance->paid, bought);
     const uint32_t times = each > 0 ? balance->bonus_units / each : 0u;
-    const uint32_t bonus = times * setting(settings, SET_BONUS_CREDITS);
+    const uint32_t bonus = times * unsigned_setting(settings, SET_BONUS_CREDITS);
     balance->bonus_units -= times * each;
     add_saturated(&balance->paid, bonus);
     if (bought + bonus > 0) {
@@ -163,7 +164,7 @@ void coins_expire(struct game *game, const struct settings *settings, struct out
 {
     CORE_ASSERT(game->accounts.ledger.saved_id <= game->accounts.ledger.last_id);
     struct balance *balance = &game->accounts.ledger.balance;
-    const uint32_t minutes = setting(settings, SET_CREDIT_EXPIRY_MIN);
+    const uint32_t minutes = unsigned_setting(settings, SET_CREDIT_EXPIRY_MIN);
     const uint32_t credits = balance->paid + balance->service;
     if (game->phase != PHASE_ATTRACT) {
         game->accounts.credit.act_tick = game->tick;

@@ -28,8 +28,8 @@ uint32_t credit_coming(const struct ledger *ledger)
 
 /* Returns the current warnings (bit mask of enum credit_warning). A person could play if a slot has
  * a connected controller or the bot. */
-static uint8_t warnings(const struct game *game, const struct world *world,
-                        const struct core_config *config, const struct input *input)
+static uint8_t current_warnings(const struct game *game, const struct world *world,
+                                const struct core_config *config, const struct input *input)
 {
     const struct credit *credit = &game->accounts.credit;
     uint32_t warnings = WARN_NO_POI;
@@ -126,7 +126,7 @@ void credit_tick(struct game *game, const struct world *world, const struct core
     coins_convert(accounts, config, game->tick, output);
     coins_expire(game, &config->persistent.settings, output);
     tick_tickets(accounts, config, game->tick, input, output);
-    accounts->credit.warnings = warnings(game, world, config, input);
+    accounts->credit.warnings = current_warnings(game, world, config, input);
 }
 
 /* ---- Rounds --------------------------------------------------------------------------------- */
@@ -256,7 +256,7 @@ uint32_t credit_award_tickets(struct game *game, const struct core_config *confi
 
 /* ---- Display -------------------------------------------------------------------------------- */
 
-static float since_s(uint32_t tick, uint32_t event_tick)
+static float seconds_since_event(uint32_t tick, uint32_t event_tick)
 {
     return event_tick != 0 ? (float)(tick - event_tick) * CORE_TICK_S : NEVER_S;
 }
@@ -279,8 +279,8 @@ void credit_show(const struct accounts *accounts, const struct core_config *conf
         .units = balance->units,
         .credits = sure_credits(&accounts->ledger),
         .coming = credit_coming(&accounts->ledger),
-        .coin_s = since_s(tick, credit->coin_tick),
-        .asked_s = since_s(tick, credit->asked_tick),
+        .coin_s = seconds_since_event(tick, credit->coin_tick),
+        .asked_s = seconds_since_event(tick, credit->asked_tick),
     };
 }
 

@@ -19,7 +19,7 @@ void ledger_init(struct ledger *ledger, const struct ledger_start *start)
     };
 }
 
-static uint32_t waiting(const struct ledger *ledger)
+static uint32_t unsaved_entry_count(const struct ledger *ledger)
 {
     CORE_ASSERT(ledger->saved_id <= ledger->last_id);
     return ledger->last_id - ledger->saved_id;
@@ -38,10 +38,10 @@ void ledger_tick(struct ledger *ledger, const struct input *input)
     }
     ledger->is_healthy = (uint8_t)is_well;
     const uint32_t ahead = input->record_saved_id - ledger->saved_id;
-    if (ahead != 0 && ahead <= waiting(ledger)) {
+    if (ahead != 0 && ahead <= unsaved_entry_count(ledger)) {
         ledger->saved_id = input->record_saved_id;
         ledger->wait_ticks = 0;
-        if (waiting(ledger) < LEDGER_RING) {
+        if (unsaved_entry_count(ledger) < LEDGER_RING) {
             ledger->committed = ledger->after[ledger->saved_id % LEDGER_RING];
         }
     }
@@ -60,7 +60,7 @@ int ledger_has_room(const struct ledger *ledger, uint8_t kind)
                               kind == LEDGER_REFUND || kind == LEDGER_LEFT;
     CORE_ASSERT(kind < LEDGER_KIND_COUNT);
     return ledger->last_id < LEDGER_ID_MAX &&
-           waiting(ledger) < LEDGER_RING - (is_of_a_round ? 0u : LEDGER_RESERVE);
+           unsaved_entry_count(ledger) < LEDGER_RING - (is_of_a_round ? 0u : LEDGER_RESERVE);
 }
 
 /* In a kiosk without a store, no entry was ever reported as safe, so the oldest entry may be
@@ -102,7 +102,7 @@ int ledger_is_saved(const struct ledger *ledger, uint32_t id)
 
 int ledger_is_flushed(const struct ledger *ledger)
 {
-    return waiting(ledger) == 0 || ledger->boot == 0;
+    return unsaved_entry_count(ledger) == 0 || ledger->boot == 0;
 }
 
 int ledger_is_safe(const struct ledger *ledger)
@@ -113,7 +113,7 @@ int ledger_is_safe(const struct ledger *ledger)
 
 int ledger_needs_sync(const struct ledger *ledger)
 {
-    return ledger->is_healthy && waiting(ledger) == 0 &&
+    return ledger->is_healthy && unsaved_entry_count(ledger) == 0 &&
            ledger_balance_hash(HASH_START, &ledger->balance) !=
                ledger_balance_hash(HASH_START, &ledger->committed);
 }
@@ -130,8 +130,8 @@ struct ledger_credits ledger_committed_credits(const struct ledger *ledger)
 {
     struct ledger_credits sure = { ledger->committed.paid, ledger->committed.service };
     struct balance before = ledger->committed;
-    for (uint32_t i = 1; i <= waiting(ledger); i++) {
-        if (waiting(ledger) > LEDGER_RING) {
+    for (uint32_t i = 1; i <= unsaved_entry_count(ledger); i++) {
+        if (unsaved_entry_count(ledger) > LEDGER_RING) {
             return (struct ledger_credits){ 0 }; /* Without a store, no entry is saved, so no credit
                                                     is on disk. */
         }

@@ -35,7 +35,7 @@ int paper_patch_find(paper_patch_holds *holds, const void *paper, float radius_m
     return 0;
 }
 
-static int holds(const void *paper, float x_m, float z_m)
+static int paper_holds_point(const void *paper, float x_m, float z_m)
 {
     return sheet_holds(paper, x_m, z_m);
 }
@@ -45,5 +45,5 @@ int paper_can_hold(const struct sheet *sheet)
     CORE_ASSERT(sheet->radius_m > 0.0f);
     struct patch patch;
     return sheet_left(sheet) >= PAPER_LEFT_MIN &&
-           paper_patch_find(holds, sheet, sheet->radius_m, &patch);
+           paper_patch_find(paper_holds_point, sheet, sheet->radius_m, &patch);
 }

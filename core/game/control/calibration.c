@@ -70,7 +70,7 @@ static vec3 map_point(const struct map *map, vec3 at_m)
 /* Fits the map by the normal equations, which have a solution because the corners surround their
  * centre. The sums are relative to the centre, because float sums far from the origin would lose
  * the last millimetre. */
-static struct map fit(const vec3 *said_m, const vec3 *mark_m)
+static struct map fit_corner_map(const vec3 *said_m, const vec3 *mark_m)
 {
     vec3 from_m = v3(0.0f, 0.0f, 0.0f), to_m = v3(0.0f, 0.0f, 0.0f);
     float pxx = 0.0f, pxz = 0.0f, pzz = 0.0f, qxx = 0.0f, qxz = 0.0f, qzx = 0.0f, qzz = 0.0f;
@@ -114,7 +114,7 @@ enum calibration_fault calibration_solve(const struct calibration_said *said, ve
     for (uint32_t i = 0; i < CALIBRATE_CORNERS; i++) {
         mark_m[i] = calibration_mark(tank_size_m, i);
     }
-    const struct map map = fit(said->corner_m, mark_m);
+    const struct map map = fit_corner_map(said->corner_m, mark_m);
     const float pitch = said->has_wrist ? -f_wrap_angle(said->water.angles.pitch_rad) : 0.0f;
     const float roll = said->has_wrist ? -f_wrap_angle(said->water.angles.roll_rad) : 0.0f;
     const float value[CALIBRATION_VALUES] = {
@@ -178,7 +178,7 @@ int calibration_is_torn(const struct settings *settings, uint32_t seat)
     return check != 0 && check != settings->value[calibration_check_setting(seat)];
 }
 
-static float whole(const int32_t *value, enum calibration_value which)
+static float value_from_millionths(const int32_t *value, enum calibration_value which)
 {
     CORE_ASSERT(which < CALIBRATION_VALUES);
     return (float)value[which] / MILLION;
@@ -193,17 +193,20 @@ void calibration_apply(const struct settings *settings, uint32_t seat, struct po
     struct angles *angles = &poi->target.angles;
     const int32_t *value = &settings->value[calibration_setting(seat)];
     const struct map map = {
-        1.0f + whole(value, CALIBRATION_XX), whole(value, CALIBRATION_XZ),
-        whole(value, CALIBRATION_X0),        whole(value, CALIBRATION_ZX),
-        1.0f + whole(value, CALIBRATION_ZZ), whole(value, CALIBRATION_Z0),
+        1.0f + value_from_millionths(value, CALIBRATION_XX),
+        value_from_millionths(value, CALIBRATION_XZ),
+        value_from_millionths(value, CALIBRATION_X0),
+        value_from_millionths(value, CALIBRATION_ZX),
+        1.0f + value_from_millionths(value, CALIBRATION_ZZ),
+        value_from_millionths(value, CALIBRATION_Z0),
     };
     poi->target.position_m = map_point(&map, poi->target.position_m);
-    poi->target.position_m.y += whole(value, CALIBRATION_Y0);
+    poi->target.position_m.y += value_from_millionths(value, CALIBRATION_Y0);
     /* The handle's direction rotates with x and z. Yaw 0 points along -z. */
     const vec3 ahead = v3(-f_sin(angles->yaw_rad), 0.0f, -f_cos(angles->yaw_rad));
     const struct map turn = { map.xx, map.xz, 0.0f, map.zx, map.zz, 0.0f };
     const vec3 there = map_point(&turn, ahead);
     angles->yaw_rad = f_atan2(-there.x, -there.z);
-    angles->pitch_rad += whole(value, CALIBRATION_PITCH);
-    angles->roll_rad += whole(value, CALIBRATION_ROLL);
+    angles->pitch_rad += value_from_millionths(value, CALIBRATION_PITCH);
+    angles->roll_rad += value_from_millionths(value, CALIBRATION_ROLL);
 }

@@ -74,7 +74,7 @@ uint32_t controller_dipped_player(const struct game *game, const struct world *w
     return POI_MAX;
 }
 
-static float direction(float angle_rad)
+static float wrap_target_angle(float angle_rad)
 {
     CORE_ASSERT(f_abs(angle_rad) <= INPUT_ANGLE_RAD_MAX);
     return f_wrap_angle(angle_rad);
@@ -97,9 +97,9 @@ static struct poi_target within_reach(const struct world *world, struct poi_targ
     target.position_m.x = f_clamp(target.position_m.x, -side_m, side_m);
     target.position_m.y = f_clamp(target.position_m.y, low_m, REACH_HEIGHT_M);
     target.position_m.z = f_clamp(target.position_m.z, -depth_m, depth_m);
-    target.angles.yaw_rad = direction(target.angles.yaw_rad);
-    target.angles.pitch_rad = direction(target.angles.pitch_rad);
-    target.angles.roll_rad = direction(target.angles.roll_rad);
+    target.angles.yaw_rad = wrap_target_angle(target.angles.yaw_rad);
+    target.angles.pitch_rad = wrap_target_angle(target.angles.pitch_rad);
+    target.angles.roll_rad = wrap_target_angle(target.angles.roll_rad);
     return target;
 }
 

@@ -141,7 +141,7 @@ void failsafe_release_all(struct poi *poi, const struct tank *tank)
     poi->load_count = 0;
 }
 
-static int is_held(const struct fish *fish, uint32_t poi_index)
+static int is_fish_held_by(const struct fish *fish, uint32_t poi_index)
 {
     return fish->gait == GAIT_HELD && fish->holder == poi_index;
 }
@@ -155,7 +155,7 @@ void failsafe_release_tick(struct poi *poi, uint32_t poi_index, const struct sta
     failsafe_release_all(poi, tank);
     while (i < poi->carried_count) {
         struct carried_fish *carried = &poi->carried_fish[i];
-        const int is_ours = is_held(&tank->fish[carried->fish], poi_index);
+        const int is_ours = is_fish_held_by(&tank->fish[carried->fish], poi_index);
         uint32_t bowl = 0;
         const enum fall_end end =
             is_ours ? catch_fall_tick(carried, stall, &bowl) : FALL_INTO_WATER;
@@ -172,7 +172,7 @@ void failsafe_release_tick(struct poi *poi, uint32_t poi_index, const struct sta
     /* Fish that are marked as held but are missing in the poi's list are set free, because no other
      * code would let them fall. */
     for (uint32_t fish = 0; fish < tank->fish_count; fish++) {
-        if (is_held(&tank->fish[fish], poi_index) && !catch_has_carried(poi, fish)) {
+        if (is_fish_held_by(&tank->fish[fish], poi_index) && !catch_has_carried(poi, fish)) {
             catch_set_free(tank, &tank->fish[fish], v3(0.0f, 0.0f, 0.0f));
         }
     }

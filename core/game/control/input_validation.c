@@ -53,7 +53,7 @@ int input_pose_is_jump(const struct poi_target *from, const struct poi_target *t
 /* Adds the motion `step` to the sum `before`, less the motion `free` that is allowed per tick. A
  * negative result is motion that is still allowed because reports were missing. The negative part
  * decays within the frame in which the pose catches up. */
-static float beyond(float before, float step, float free)
+static float excess_motion_sum(float before, float step, float free)
 {
     CORE_ASSERT(free >= 0.0f);
     const float sum = before + step - free;
@@ -62,7 +62,7 @@ static float beyond(float before, float step, float free)
 
 /* Updates the sums of excess motion and rotation. Returns 1 if the pose of a controller with
  * rotation jumps, otherwise 0. */
-static int jumps(struct input_validation *validation, const struct poi_input *input)
+static int detect_pose_jump(struct input_validation *validation, const struct poi_input *input)
 {
     CORE_ASSERT(validation->knows);
     const float pace = input->has_wrist ? INPUT_ARM_M_S_MAX : INPUT_POINTER_M_S_MAX;
@@ -74,8 +74,9 @@ static int jumps(struct input_validation *validation, const struct poi_input *in
         validation->excess_m = f_min(validation->excess_m, -pace * unseen_s);
         validation->spin = f_min(validation->spin, -WRIST_PER_S * unseen_s);
     }
-    validation->excess_m = beyond(validation->excess_m, v3_length(way_m), pace * CORE_TICK_S);
-    validation->spin = beyond(validation->spin, turn, WRIST_PER_S * CORE_TICK_S);
+    validation->excess_m =
+        excess_motion_sum(validation->excess_m, v3_length(way_m), pace * CORE_TICK_S);
+    validation->spin = excess_motion_sum(validation->spin, turn, WRIST_PER_S * CORE_TICK_S);
     const int is_jump = validation->excess_m > leap_m || validation->spin > LEAP_TURN;
     if (is_jump) {
         validation->excess_m = validation->spin =
@@ -100,7 +101,7 @@ static int agrees(struct input_validation *validation, const struct poi_input *i
     if (validation->knows) {
         const int same = memcmp(&validation->newest, &input->target, sizeof input->target) == 0;
         validation->same_ticks = next_count(same, validation->same_ticks, UINT16_MAX);
-        is_sane = !jumps(validation, input) &&
+        is_sane = !detect_pose_jump(validation, input) &&
                   !(input->trembles && validation->same_ticks > INPUT_STUCK_TICKS);
     }
     validation->knows = 1;

@@ -268,7 +268,7 @@ void lab_drag(struct lab *lab, const struct lab_book *book)
     }
 }
 
-static void point(struct lab *lab, const struct species_card *card)
+static void point_at_lab_part(struct lab *lab, const struct species_card *card)
 {
     const struct layout_point at = { lab->x, lab->y };
     lab->points = (uint8_t)lab_part_at(lab->upright, card->key_count, at);
@@ -278,7 +278,7 @@ void lab_press(struct lab *lab, const struct lab_book *book, uint32_t tick, stru
 {
     CORE_ASSERT(lab->has_hand);
     const struct species_card *card = edited_card(lab, book);
-    point(lab, card);
+    point_at_lab_part(lab, card);
     lab->act_tick = lab->stir_tick = tick;
     lab->holds = HOLD_BUTTON;
     switch (lab->points) {
@@ -312,7 +312,7 @@ void lab_release(struct game *game, struct world *world, const struct core_confi
     lab->holds = HOLD_NOTHING;
     lab->held_knot = LAB_NO_KNOT;
     if (lab->has_hand) {
-        point(lab, edited_card(&game->lab, &config->book));
+        point_at_lab_part(lab, edited_card(&game->lab, &config->book));
     } else {
         lab->points = LAB_NOTHING;
     }

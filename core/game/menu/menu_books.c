@@ -50,7 +50,7 @@ static struct rank_row *rows_of(struct ranking *ranking, const struct menu *menu
     return ranking->row[board / RANK_PERIOD_COUNT][board % RANK_PERIOD_COUNT];
 }
 
-static struct rank_row *score(struct ranking *ranking, const struct menu *menu)
+static struct rank_row *selected_score_row(struct ranking *ranking, const struct menu *menu)
 {
     CORE_ASSERT(menu->score < RANK_ROWS);
     return &rows_of(ranking, menu)[menu->score];
@@ -96,7 +96,7 @@ void menu_ranking_activate(struct game *game, struct core_config *config, uint32
     CORE_ASSERT(tag < RANK_ROWS);
     menu->score = (uint8_t)tag;
     note_rows(ranking, menu);
-    if (score(ranking, menu)->caught > 0) {
+    if (selected_score_row(ranking, menu)->caught > 0) {
         menu_turn(game, &config->persistent.settings, MENU_SCORE);
     }
 }
@@ -114,7 +114,7 @@ void menu_score_open(struct game *game, const struct settings *settings)
 {
     (void)settings;
     struct menu *menu = &game->menu;
-    menu->score_is_named = score(&game->accounts.ranking, &game->menu)->name[0] != 0;
+    menu->score_is_named = selected_score_row(&game->accounts.ranking, &game->menu)->name[0] != 0;
     menu->score_asks = 0;
 }
 
@@ -122,7 +122,7 @@ void menu_score_open(struct game *game, const struct settings *settings)
  * operator must try again. */
 static void unname(struct game *game, const struct settings *settings, struct output *output)
 {
-    const struct rank_row *row = score(&game->accounts.ranking, &game->menu);
+    const struct rank_row *row = selected_score_row(&game->accounts.ranking, &game->menu);
     const struct ledger_entry entry = { .kind = LEDGER_NAME,
                                         .detail = row->seat,
                                         .count = row->round_id };
@@ -135,7 +135,7 @@ void menu_score_activate(struct game *game, struct core_config *config, uint32_t
                          struct output *output)
 {
     struct menu *menu = &game->menu;
-    const struct rank_row *row = score(&game->accounts.ranking, menu);
+    const struct rank_row *row = selected_score_row(&game->accounts.ranking, menu);
     if (row->caught == 0) {
         menu_turn(game, &config->persistent.settings, MENU_RANKING);
     } else if (tag == SCORE_REPLAY) {

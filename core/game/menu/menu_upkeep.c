@@ -104,7 +104,7 @@ void menu_pin_open(struct game *game, const struct settings *settings)
 
 /* Adds a digit to menu->pin, or erases all digits. Returns 1 if the last digit was typed, otherwise
  * 0. After the last digit menu->pin has all digits. */
-static int type(struct menu *menu, uint32_t tag)
+static int type_pin_key(struct menu *menu, uint32_t tag)
 {
     if (tag == PIN_ERASE) {
         menu->pin = 0;
@@ -122,7 +122,7 @@ void menu_pin_activate(struct game *game, struct core_config *config, uint32_t t
                        struct output *output)
 {
     struct settings_edit *edit = &game->settings_edit;
-    if (menu_pin_wait_ticks(edit, game->tick) > 0 || !type(&game->menu, tag)) {
+    if (menu_pin_wait_ticks(edit, game->tick) > 0 || !type_pin_key(&game->menu, tag)) {
         return;
     }
     const int is_right = pin_matches(config->persistent.settings.value[SET_PIN], game->menu.pin);
@@ -146,7 +146,7 @@ void menu_new_pin_activate(struct game *game, struct core_config *config, uint32
                            struct output *output)
 {
     (void)output;
-    if (type(&game->menu, tag)) {
+    if (type_pin_key(&game->menu, tag)) {
         const uint32_t salt = rng_u32((struct rng_key){ config->seed, game->tick, 0, RNG_PIN });
         const uint32_t pin = game->menu.pin;
         settings_edit_set(game, config, SET_PIN,

@@ -132,7 +132,7 @@ void self_test_show(const struct game *game, const struct core_config *config,
     }
 }
 
-static uint8_t said(uint8_t answer)
+static uint8_t state_from_answer(uint8_t answer)
 {
     return answer == SELF_SAYS_YES ? SELF_GOOD : answer == SELF_SAYS_NO ? SELF_BAD : SELF_ASKS;
 }
@@ -180,9 +180,9 @@ static void judge_parts(const struct scene *scene, uint8_t state[SELF_CHECKS])
     state[SELF_DISPLAY] = frames == 0                      ? SELF_WAITS
                           : frames >= SELF_TEST_FRAMES_MIN ? SELF_GOOD
                                                            : SELF_BAD;
-    state[SELF_SOUND] = said(self->heard);
-    state[SELF_LAMP] =
-        self->moved == SELF_UNSAID && !is_wired ? (uint8_t)SELF_GOOD : said(self->moved);
+    state[SELF_SOUND] = state_from_answer(self->heard);
+    state[SELF_LAMP] = self->moved == SELF_UNSAID && !is_wired ? (uint8_t)SELF_GOOD
+                                                               : state_from_answer(self->moved);
     state[SELF_COINS] = scene->menu.test_coins > 0 || !is_sold ? SELF_GOOD : SELF_ASKS;
     state[SELF_BUTTONS] = state[SELF_POIS] = SELF_GOOD;
     for (uint32_t i = 0; i < INPUT_BUTTON_COUNT; i++) {

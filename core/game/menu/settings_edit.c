@@ -66,7 +66,8 @@ static int32_t step_from(const struct core_config *config, uint32_t id, int32_t 
     return value;
 }
 
-static int is_end(const struct core_config *config, uint32_t id, int32_t value, int is_down)
+static int is_setting_at_limit(const struct core_config *config, uint32_t id, int32_t value,
+                               int is_down)
 {
     const int32_t next = step_from(config, id, value, is_down);
     return is_down ? next > value : next < value;
@@ -77,11 +78,11 @@ int settings_edit_step(struct game *game, struct core_config *config, uint32_t i
 {
     CORE_ASSERT(id < SETTING_COUNT && step_count > 0);
     int32_t value = step_from(config, id, config->persistent.settings.value[id], is_down);
-    for (uint32_t i = 1; i < step_count && !is_end(config, id, value, is_down); i++) {
+    for (uint32_t i = 1; i < step_count && !is_setting_at_limit(config, id, value, is_down); i++) {
         value = step_from(config, id, value, is_down);
     }
     settings_edit_set(game, config, id, value);
-    return is_end(config, id, value, is_down);
+    return is_setting_at_limit(config, id, value, is_down);
 }
 
 int settings_edit_factory_reset(struct game *game, struct core_config *config,

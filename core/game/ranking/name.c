@@ -160,7 +160,7 @@ static void point_at_key(struct name *name, uint32_t tick, uint32_t key, struct 
     }
 }
 
-static int is_there(const struct name *name, uint32_t key)
+static int is_key_present(const struct name *name, uint32_t key)
 {
     return key >= NAME_CELLS || name_letter(name->alphabet, key) != 0;
 }
@@ -173,7 +173,7 @@ static void point_on(struct name *name, uint32_t tick, int forward, struct outpu
     uint32_t key = name->key;
     do {
         key = (key + (forward ? 1u : NAME_KEY_COUNT - 1u)) % NAME_KEY_COUNT;
-    } while (!is_there(name, key));
+    } while (!is_key_present(name, key));
     point_at_key(name, tick, key, output);
 }
 
@@ -252,7 +252,7 @@ void name_tick(struct game *game, const struct world *world, const struct input 
         }
     }
     /* The cell of the highlighted letter may be empty in a new alphabet. */
-    name->key = is_there(name, name->key) ? name->key : (uint8_t)NAME_ALPHABET;
+    name->key = is_key_present(name, name->key) ? name->key : (uint8_t)NAME_ALPHABET;
 }
 
 void name_show(const struct game *game, struct scene_name *out)

@@ -7,7 +7,7 @@
 
 #define WEEK_DAYS 7u
 
-static void clear(struct ranking *ranking, enum rank_period period)
+static void clear_ranking_period(struct ranking *ranking, enum rank_period period)
 {
     CORE_ASSERT(period < RANK_EVER);
     for (uint32_t mode = 0; mode < MODE_COUNT; mode++) {
@@ -18,7 +18,7 @@ static void clear(struct ranking *ranking, enum rank_period period)
 static void begin_week(struct ranking *ranking, const struct ledger_entry *entry, uint16_t week)
 {
     CORE_ASSERT(week == 0 || entry->day > 0);
-    clear(ranking, RANK_WEEK);
+    clear_ranking_period(ranking, RANK_WEEK);
     ranking->week = week;
     ranking->week_boot = entry->boot;
 }
@@ -38,7 +38,7 @@ static void turn_days(struct ranking *ranking, const struct ledger_entry *entry)
     const uint32_t week_boots = entry->boot - ranking->week_boot;
     if (entry->day == 0) {
         if (entry->kind == LEDGER_ROUND && entry->boot != ranking->boot) {
-            clear(ranking, RANK_DAY);
+            clear_ranking_period(ranking, RANK_DAY);
             ranking->day = 0;
             ranking->boot = entry->boot;
             if (week_boots >= WEEK_DAYS) {
@@ -48,7 +48,7 @@ static void turn_days(struct ranking *ranking, const struct ledger_entry *entry)
         return;
     }
     if (!is_same && !is_first) {
-        clear(ranking, RANK_DAY);
+        clear_ranking_period(ranking, RANK_DAY);
     }
     /* Weeks begin on Monday; day 0, 2000-01-01, was a Saturday. */
     const uint16_t week = (uint16_t)(((is_same ? ranking->day : entry->day) + 5u) / WEEK_DAYS);

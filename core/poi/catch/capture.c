@@ -130,8 +130,8 @@ void capture_slip_off(const struct poi *poi, struct tank *tank, struct fish *fis
 
 /* Returns 1 if the ring presses the fish against one wall of the tank, otherwise 0. `out` is the
  * unit vector from the tank's centre toward the wall, and `half_m` is the distance to the wall. */
-static int is_pressed(const struct poi *poi, const struct basis *axes, const struct fish *fish,
-                      vec3 out, float half_m)
+static int is_pressed_to_wall(const struct poi *poi, const struct basis *axes,
+                              const struct fish *fish, vec3 out, float half_m)
 {
     CORE_ASSERT(half_m > 0.0f);
     const struct box box = fish_box(fish);
@@ -148,10 +148,10 @@ int capture_is_walled(const struct poi *poi, const struct basis *axes, const str
                       const struct fish *fish)
 {
     const float half_x = 0.5f * tank->size_m.x, half_z = 0.5f * tank->size_m.z;
-    return is_pressed(poi, axes, fish, v3(1.0f, 0.0f, 0.0f), half_x) ||
-           is_pressed(poi, axes, fish, v3(-1.0f, 0.0f, 0.0f), half_x) ||
-           is_pressed(poi, axes, fish, v3(0.0f, 0.0f, 1.0f), half_z) ||
-           is_pressed(poi, axes, fish, v3(0.0f, 0.0f, -1.0f), half_z);
+    return is_pressed_to_wall(poi, axes, fish, v3(1.0f, 0.0f, 0.0f), half_x) ||
+           is_pressed_to_wall(poi, axes, fish, v3(-1.0f, 0.0f, 0.0f), half_x) ||
+           is_pressed_to_wall(poi, axes, fish, v3(0.0f, 0.0f, 1.0f), half_z) ||
+           is_pressed_to_wall(poi, axes, fish, v3(0.0f, 0.0f, -1.0f), half_z);
 }
 
 static struct carried_fish rider_of(const struct poi *poi, const struct basis *axes,

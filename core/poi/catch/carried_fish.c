@@ -82,8 +82,8 @@ void carried_fish_tail(const struct carried_fish *carried, float length_m, float
 
 /* ---- Slaps of the tail ---------------------------------------------------------------------- */
 
-static float slap(struct carried_fish *carried, const struct fish *fish,
-                  const struct paper_surface *ride, float dry, uint32_t seed, uint32_t tick)
+static float advance_slap(struct carried_fish *carried, const struct fish *fish,
+                          const struct paper_surface *ride, float dry, uint32_t seed, uint32_t tick)
 {
     const float nose_x = -f_sin(carried->heading_rad), nose_z = -f_cos(carried->heading_rad);
     const float head_up = nose_x * ride->uphill_x + nose_z * ride->uphill_z;
@@ -186,7 +186,7 @@ float carried_fish_tick(struct carried_fish *carried, const struct fish *fish,
 {
     CORE_ASSERT(dry >= 0.0f && dry <= 1.0f);
     CORE_ASSERT(ride->radius_m > 0.0f);
-    const float force_n = slap(carried, fish, ride, dry, seed, key_tick);
+    const float force_n = advance_slap(carried, fish, ride, dry, seed, key_tick);
     /* A floating fish accelerates toward its nose. */
     const float goal_m_s = SWIM_LENGTHS * fish->length_m * carried->vigour;
     const float keep = 1.0f - SWIM_PER_S * (1.0f - dry) * CORE_TICK_S;

@@ -99,7 +99,7 @@ static int lands(const struct scoop *scoop, const struct carried_fish *carried, 
 
 /* Advances the fall of a carried fish by one tick. Returns 1 if the fall ended in a bowl or in the
  * water, otherwise 0. */
-static int fall(const struct scoop *scoop, struct carried_fish *carried)
+static int advance_fall(const struct scoop *scoop, struct carried_fish *carried)
 {
     CORE_ASSERT(carried->state != CARRIED_LYING);
     CORE_ASSERT(carried->fish < scoop->tank->fish_count);
@@ -128,7 +128,7 @@ static int fall(const struct scoop *scoop, struct carried_fish *carried)
 
 /* Advances a lying fish by one tick. Returns 1 if the fish has left the poi and is in the water,
  * otherwise 0. A fish that starts to fall is still a carried fish, and the function returns 0. */
-static int ride(struct scoop *scoop, struct carried_fish *carried)
+static int advance_lying_fish(struct scoop *scoop, struct carried_fish *carried)
 {
     CORE_ASSERT(carried->state == CARRIED_LYING);
     struct fish *fish = &scoop->tank->fish[carried->fish];
@@ -172,8 +172,8 @@ static void ride_all(struct scoop *scoop)
     while (i < scoop->poi->carried_count) {
         struct carried_fish *carried = &scoop->poi->carried_fish[i];
         CORE_ASSERT(carried->fish < scoop->tank->fish_count);
-        const int gone =
-            carried->state == CARRIED_LYING ? ride(scoop, carried) : fall(scoop, carried);
+        const int gone = carried->state == CARRIED_LYING ? advance_lying_fish(scoop, carried)
+                                                         : advance_fall(scoop, carried);
         if (gone) {
             remove_rider(scoop->poi, i);
         } else {

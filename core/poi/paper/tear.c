@@ -58,7 +58,7 @@ void tear_measure(struct tear_map *map)
     }
 }
 
-static uint32_t wider(uint32_t bits)
+static uint32_t widen_bits(uint32_t bits)
 {
     return bits | bits << 1 | bits >> 1;
 }
@@ -68,7 +68,7 @@ uint32_t tear_front(const struct tear_map *map, uint32_t row)
     CORE_ASSERT(row < SHEET_SIDE);
     const uint32_t above = row > 0 ? map->hole[row - 1u] : 0u;
     const uint32_t below = row + 1u < SHEET_SIDE ? map->hole[row + 1u] : 0u;
-    return map->paper[row] & (wider(above) | wider(map->hole[row]) | wider(below));
+    return map->paper[row] & (widen_bits(above) | widen_bits(map->hole[row]) | widen_bits(below));
 }
 
 /* ---- Stress at the tips of tears ------------------------------------------------------------- */
@@ -100,7 +100,7 @@ float tear_factor(const struct tear_map *map, const struct sheet *sheet, uint32_
 
 /* Returns the word `bits` of an adjacent row, shifted so that bit i of the result is bit i + column
  * of `bits`. `column` is -1, 0 or 1. */
-static uint32_t aside(uint32_t bits, int32_t column)
+static uint32_t shift_row_word(uint32_t bits, int32_t column)
 {
     CORE_ASSERT(column >= -1 && column <= 1);
     return column > 0 ? bits >> 1 : column < 0 ? bits << 1 : bits;
@@ -109,7 +109,7 @@ static uint32_t aside(uint32_t bits, int32_t column)
 /* Returns the bits `open` extended along a row over contiguous paper. `column` is the direction (1
  * or -1) from a cell toward the ring, and the bits are extended in the opposite direction. Each
  * pass of the loop doubles the distance. */
-static uint32_t spread(uint32_t open, uint32_t paper, int32_t column)
+static uint32_t extend_along_row(uint32_t open, uint32_t paper, int32_t column)
 {
     CORE_ASSERT(column == 1 || column == -1);
     for (uint32_t step = 1; step < SHEET_SIDE; step *= 2u) {
@@ -129,12 +129,12 @@ static void find_open_cells(const struct tear_map *map, const struct way *way,
         const uint32_t row = way->row > 0 ? SHEET_SIDE - 1u - i : i;
         const uint32_t next = row + (uint32_t)way->row;
         const uint32_t inside = next < SHEET_SIDE ? map->paper[next] | map->hole[next] : 0u;
-        const uint32_t at_ring = map->paper[row] & ~aside(inside, way->column);
+        const uint32_t at_ring = map->paper[row] & ~shift_row_word(inside, way->column);
         if (way->row == 0) {
-            open[row] = spread(at_ring, map->paper[row], way->column);
+            open[row] = extend_along_row(at_ring, map->paper[row], way->column);
         } else {
             const uint32_t seen = next < SHEET_SIDE ? open[next] : 0u;
-            open[row] = at_ring | (map->paper[row] & aside(seen, way->column));
+            open[row] = at_ring | (map->paper[row] & shift_row_word(seen, way->column));
         }
     }
 }

@@ -71,7 +71,7 @@ float escape_stage_s(float length_m)
 
 /* Returns 1 if the time since the beginning of the C-start is below `end_s`, otherwise 0. Times are
  * sums of ticks, so a tolerance of half a tick suffices. */
-static int before(const struct fish *fish, float end_s)
+static int is_escape_before(const struct fish *fish, float end_s)
 {
     return fish->escape_s < end_s - 0.5f * CORE_TICK_S;
 }
@@ -79,16 +79,16 @@ static int before(const struct fish *fish, float end_s)
 enum escape_stage escape_stage(const struct fish *fish)
 {
     const float stage_s = escape_stage_s(fish->length_m);
-    return fish->gait != GAIT_ESCAPE      ? ESCAPE_NONE
-           : before(fish, stage_s)        ? ESCAPE_BEND
-           : before(fish, 2.0f * stage_s) ? ESCAPE_FLIP
-                                          : ESCAPE_DASH;
+    return fish->gait != GAIT_ESCAPE                ? ESCAPE_NONE
+           : is_escape_before(fish, stage_s)        ? ESCAPE_BEND
+           : is_escape_before(fish, 2.0f * stage_s) ? ESCAPE_FLIP
+                                                    : ESCAPE_DASH;
 }
 
 int escape_on_path(const struct fish *fish)
 {
     const float end_s = (2.0f + RECOIL_STAGES) * escape_stage_s(fish->length_m);
-    return fish->gait == GAIT_ESCAPE && before(fish, end_s);
+    return fish->gait == GAIT_ESCAPE && is_escape_before(fish, end_s);
 }
 
 /* Returns the distance that a fish can swim along a course before it reaches a wall of one axis, m.
@@ -121,7 +121,7 @@ static float nearer(float to_rad, float a_rad, float b_rad)
                                                                                      : b_rad;
 }
 
-static void enter(struct fish *fish, uint32_t index, const struct perception *around)
+static void enter_escape_gait(struct fish *fish, uint32_t index, const struct perception *around)
 {
     fish->gait = GAIT_ESCAPE;
     fish->air = AIR_ENOUGH;
@@ -141,7 +141,7 @@ void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct p
 {
     CORE_ASSERT(v3_is_finite(from_m));
     CORE_ASSERT(around->dt_s > 0.0f);
-    enter(fish, index, around);
+    enter_escape_gait(fish, index, around);
     /* The side and the angle of the first turn, and the final course of the C-start, are random. */
     const float yaw_rad = fish->angles.yaw_rad;
     const vec3 off = v3_sub(fish->position_m, from_m);
@@ -172,7 +172,7 @@ void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct p
 
 void escape_dash(struct fish *fish, uint32_t index, const struct perception *around)
 {
-    enter(fish, index, around);
+    enter_escape_gait(fish, index, around);
     fish->escape_s = (2.0f + RECOIL_STAGES) * escape_stage_s(fish->length_m);
     fish->escape_from_rad = fish->angles.yaw_rad;
     fish->escape_turn_rad = fish->escape_course_rad = 0.0f;
@@ -211,12 +211,13 @@ void escape_tick(struct fish *fish, const struct perception *around)
 
 float escape_speed_m_s(const struct fish *fish)
 {
-    return escape_stage(fish) != ESCAPE_DASH ? fish->speed_m_s
-           : before(fish, PEAK_TIME_S)       ? peak_m_s(fish)
-                                             : DASH_LENGTHS * fish->length_m;
+    return escape_stage(fish) != ESCAPE_DASH     ? fish->speed_m_s
+           : is_escape_before(fish, PEAK_TIME_S) ? peak_m_s(fish)
+                                                 : DASH_LENGTHS * fish->length_m;
 }
 
 int escape_beats(const struct fish *fish)
 {
-    return !before(fish, escape_stage_s(fish->length_m)) && before(fish, PEAK_TIME_S);
+    return !is_escape_before(fish, escape_stage_s(fish->length_m)) &&
+           is_escape_before(fish, PEAK_TIME_S);
 }

@@ -65,7 +65,7 @@ float gait_depth_m(float stamina, float water_depth_m)
 /* Returns the random change of heading at a change of gait. The 2013 thesis gives no angle. Real
  * fish rarely turn far, so the angle has a normal distribution, with a standard deviation of 45
  * degrees for a swim. A burst begins with a sharp turn of 60 to 120 degrees. */
-static float turn_rad(enum fish_gait gait, uint32_t index, const struct perception *around)
+static float random_turn_rad(enum fish_gait gait, uint32_t index, const struct perception *around)
 {
     const struct behavior_params *params = around->params;
     const float bell = rng_normal(perception_key(around, index, RNG_FISH_TURN));
@@ -78,7 +78,7 @@ static float turn_rad(enum fish_gait gait, uint32_t index, const struct percepti
 }
 
 /* Returns the preferred depth of the fish for its present stamina (2013 thesis, section 3.6). */
-static float depth_goal_m(const struct fish *fish, float water_depth_m)
+static float preferred_depth_m(const struct fish *fish, float water_depth_m)
 {
     const float margin_m = 0.6f * fish->height_m;
     return f_clamp(gait_depth_m(fish->stamina, water_depth_m) + fish->depth_stray * water_depth_m,
@@ -93,10 +93,10 @@ void gait_enter(struct fish *fish, enum fish_gait gait, uint32_t index,
     fish->gait = (uint8_t)gait;
     fish->gait_left_s = gait == GAIT_BURST ? rng_range(time, BURST_MIN_S, BURST_MAX_S)
                                            : rng_range(time, STEADY_MIN_S, STEADY_MAX_S);
-    fish->heading_rad = f_wrap_angle(fish->heading_rad + turn_rad(gait, index, around));
+    fish->heading_rad = f_wrap_angle(fish->heading_rad + random_turn_rad(gait, index, around));
     fish->depth_stray =
         around->params->depth_stray * rng_normal(perception_key(around, index, RNG_FISH_DEPTH));
-    fish->depth_goal_m = depth_goal_m(fish, around->size_m.y);
+    fish->depth_goal_m = preferred_depth_m(fish, around->size_m.y);
 }
 
 static void choose_gait(struct fish *fish, uint32_t index, const struct perception *around)
@@ -133,7 +133,7 @@ void gait_tick(struct fish *fish, uint32_t index, const struct perception *aroun
         }
     }
     if (fish->gait == GAIT_REST || fish->gait == GAIT_SWIM || fish->gait == GAIT_BURST) {
-        fish->depth_goal_m = depth_goal_m(fish, around->size_m.y);
+        fish->depth_goal_m = preferred_depth_m(fish, around->size_m.y);
     }
 }
 

@@ -120,8 +120,8 @@ static const struct {
 /* Begins the latency of a startle. If the latency of an earlier stimulus has not ended, the latency
  * that ends first is kept. Therefore an earlier visual stimulus does not delay the C-start after a
  * pressure stimulus. */
-static void startle(struct fish *fish, enum startle_cause cause, vec3 from_m, uint32_t index,
-                    const struct perception *around)
+static void begin_startle_latency(struct fish *fish, enum startle_cause cause, vec3 from_m,
+                                  uint32_t index, const struct perception *around)
 {
     CORE_ASSERT(cause > STARTLE_NONE && cause <= STARTLE_SHADOW);
     const struct rng_key key = perception_key(around, index, RNG_STARTLE_LATENCY);
@@ -144,11 +144,12 @@ void startle_alarm(struct fish *fish, enum startle_cause cause, vec3 from_m, flo
     if (alarm > 0.0f && fish->gait != GAIT_ESCAPE && fish->refractory_s <= 0.0f && !waits_by_ear &&
         (fish->startle == STARTLE_NONE || cause == STARTLE_PRESSURE) &&
         fish->alarm > startle_threshold(fish)) {
-        startle(fish, cause, from_m, index, around);
+        begin_startle_latency(fish, cause, from_m, index, around);
     }
 }
 
-static void wait(struct fish *fish, uint32_t index, const struct perception *around)
+static void advance_startle_latency(struct fish *fish, uint32_t index,
+                                    const struct perception *around)
 {
     CORE_ASSERT(fish->startle != STARTLE_NONE);
     const vec3 from_m = fish->startle_from_m;
@@ -184,7 +185,7 @@ void startle_tick(struct fish *fish, uint32_t index, const struct perception *ar
         fish->habit < HABIT_NONE ? 0.0f : fish->habit * (1.0f - around->dt_s / HABIT_FADE_S);
     fish->refractory_s = f_max(0.0f, fish->refractory_s - around->dt_s);
     if (fish->startle != STARTLE_NONE) {
-        wait(fish, index, around);
+        advance_startle_latency(fish, index, around);
     }
     for (uint32_t i = 0; i < around->shade_count; i++) {
         const struct shade *shade = &around->shades[i];

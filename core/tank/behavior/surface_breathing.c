@@ -160,7 +160,7 @@ float surface_nerve(const struct fish *fish)
 /* Continues or ends a bout of gulps. A living fish begins another bout while the oxygen is low, and
  * otherwise dives. A fish of the 2013 thesis dives after one bout of 3 s, in which its stamina
  * becomes full. */
-static void gulp(struct fish *fish, uint32_t index, const struct perception *around)
+static void advance_gulp_bout(struct fish *fish, uint32_t index, const struct perception *around)
 {
     CORE_ASSERT(fish->air == AIR_GULPS);
     if (surface_breathes(fish)) {
@@ -203,7 +203,7 @@ int surface_tick(struct fish *fish, uint32_t index, const struct perception *aro
         }
         return 1;
     case AIR_GULPS:
-        gulp(fish, index, around);
+        advance_gulp_bout(fish, index, around);
         return 1;
     case AIR_DIVES:
     case AIR_DUCKS:

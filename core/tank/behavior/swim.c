@@ -36,7 +36,7 @@
 /* Returns exp(-dt_s / tau_s): the fraction of a difference that remains after `dt_s` if the
  * difference decays with the time constant `tau_s`. The error is below 1e-4 for `dt_s` up to
  * `tau_s`. */
-static float kept(float dt_s, float tau_s)
+static float decay_fraction(float dt_s, float tau_s)
 {
     const float x = f_min(1.0f, dt_s / tau_s), even = 1.0f + x * x * (1.0f / 12.0f);
     return (even - 0.5f * x) / (even + 0.5f * x);
@@ -89,7 +89,8 @@ void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, 
     const float gx = new_into * normal.x - new_along * normal.z;
     const float gz = new_into * normal.z + new_along * normal.x;
     const float off_rad = f_wrap_angle(f_atan2(-gx, -gz) - fish->heading_rad);
-    fish->heading_rad = f_wrap_angle(fish->heading_rad + (1.0f - kept(dt_s, SHUN_TAU_S)) * off_rad);
+    fish->heading_rad =
+        f_wrap_angle(fish->heading_rad + (1.0f - decay_fraction(dt_s, SHUN_TAU_S)) * off_rad);
 }
 
 /* Returns 1 if the fish turns at the full rate of a C-start, otherwise 0. A fish that has other
@@ -108,7 +109,7 @@ static int kicks(const struct fish *fish, const struct perception *around)
            gait_cycle_kicks(fish, around->tick);
 }
 
-static float turn_rate_max_rad_s(const struct fish *fish, const struct perception *around)
+static float turn_rate_limit_rad_s(const struct fish *fish, const struct perception *around)
 {
     switch (fish->gait) {
     case GAIT_ESCAPE:
@@ -122,7 +123,7 @@ static float turn_rate_max_rad_s(const struct fish *fish, const struct perceptio
     }
 }
 
-static float climb_goal_m_s(const struct fish *fish)
+static float climb_speed_goal_m_s(const struct fish *fish)
 {
     const float off_m = fish->depth_goal_m - fish->position_m.y;
     const float able_m_s = fish->gait == GAIT_REST ? 0.4f * CLIMB_MAX_M_S : CLIMB_MAX_M_S;
@@ -135,31 +136,31 @@ static float climb_goal_m_s(const struct fish *fish)
 /* Returns the factor by which one tick multiplies the difference between the speed and a higher
  * speed goal. Except in an escape, the factor depends only on the length, so the fish stores the
  * factor. */
-static float speed_up_keep(const struct fish *fish)
+static float speed_up_factor(const struct fish *fish)
 {
-    const float start_keep = kept(DT, START_TAU_S);
+    const float start_keep = decay_fraction(DT, START_TAU_S);
     if (fish->gait == GAIT_ESCAPE) {
         return start_keep;
     }
     const int known = fish->speed_up_keep > 0.0f && fish->speed_up_keep != start_keep;
-    return known ? fish->speed_up_keep : kept(DT, gait_run_up_s(fish->length_m));
+    return known ? fish->speed_up_keep : decay_fraction(DT, gait_run_up_s(fish->length_m));
 }
 
 /* Returns the factor by which one tick multiplies the difference between the speed and a lower
  * speed goal. */
-static float slow_keep(const struct fish *fish, const struct behavior_params *params)
+static float slow_down_factor(const struct fish *fish, const struct behavior_params *params)
 {
     if (fish->gait == GAIT_ESCAPE) {
-        return kept(DT, DASH_OUT_TAU_S);
+        return decay_fraction(DT, DASH_OUT_TAU_S);
     }
     const int runs_out =
         fish->gait == GAIT_SWIM && fish->speed_m_s > gait_speed_max_m_s(fish, params);
     /* In a glide, drag changes the speed v by dv/dt = -v^2 / D, where D is
      * gait_glide_m(). */
     if (params->glides && fish->gait == GAIT_SWIM && !runs_out) {
-        return kept(DT, gait_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
+        return decay_fraction(DT, gait_glide_m(fish->length_m) / f_max(fish->speed_m_s, 1e-3f));
     }
-    return runs_out ? kept(DT, RUN_OUT_TAU_S) : kept(DT, SWIM_GLIDE_TAU_S);
+    return runs_out ? decay_fraction(DT, RUN_OUT_TAU_S) : decay_fraction(DT, SWIM_GLIDE_TAU_S);
 }
 
 void swim_resolve(struct fish *fish, const struct perception *around)
@@ -180,15 +181,15 @@ void swim_resolve(struct fish *fish, const struct perception *around)
     const int starts = fish->gait == GAIT_ESCAPE;
     fish->beats = gait_beats(fish, around) ? 1.0f : 0.0f;
     fish->speed_goal_m_s = gait_speed_m_s(fish, around);
-    fish->speed_up_keep = speed_up_keep(fish);
-    fish->slow_keep = slow_keep(fish, around->params);
-    fish->turn_rate_max_rad_s = turn_rate_max_rad_s(fish, around);
+    fish->speed_up_keep = speed_up_factor(fish);
+    fish->slow_keep = slow_down_factor(fish, around->params);
+    fish->turn_rate_max_rad_s = turn_rate_limit_rad_s(fish, around);
     fish->haste = starts_freely(fish)           ? HASTE_START
                   : starts                      ? DASH_HASTE
                   : fish->avoiding == AVOID_YAW ? around->params->swerve_haste
                   : kicks(fish, around)         ? GAIT_KICK_HASTE
                                                 : 1.0f;
-    fish->climb_goal_m_s = climb_goal_m_s(fish);
+    fish->climb_goal_m_s = climb_speed_goal_m_s(fish);
     /* The pitch follows the path. The constant that is added to the speed keeps a fish that hardly
      * moves nearly level. */
     const float pitch_rad = f_atan2(fish->climb_m_s, fish->speed_m_s + 0.035f);

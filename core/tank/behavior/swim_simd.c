@@ -39,7 +39,7 @@ static inline void load_fish_quad(flanes column[4], const struct fish *fish, enu
     simd_load_quads(column, (const char *)fish + 16u * quad, sizeof *fish);
 }
 
-static inline void store(struct fish *fish, enum quad quad, const flanes column[4])
+static inline void store_fish_quads(struct fish *fish, enum quad quad, const flanes column[4])
 {
     simd_store_quads((char *)fish + 16u * quad, sizeof *fish, column);
 }
@@ -88,8 +88,8 @@ static inline struct turned turn_quad(const flanes angles[4], const flanes cours
 
 /* Returns the largest distance that a corner of the box moved: the motion of the centre plus the
  * motion by rotation. */
-static inline flanes way_m(struct simd_v3 velocity, const struct turned *t, const flanes angles[4],
-                           const flanes size[4])
+static inline flanes corner_way_max_m(struct simd_v3 velocity, const struct turned *t,
+                                      const flanes angles[4], const flanes size[4])
 {
     const flanes turned_rad = simd_abs(t->yaw_rate_rad_s * DT) +
                               simd_abs(t->pitch_rad - angles[1]) +
@@ -128,9 +128,10 @@ void SIMD_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
     const struct simd_v3 centre =
         simd_v3_muladd(simd_v3(place[0], place[1], place[2]), velocity, simd_splat(DT));
 
-    store(fish, QUAD_PLACE, (flanes[4]){ centre.x, centre.y, centre.z, speed_m_s });
-    store(fish, QUAD_ANGLES, (flanes[4]){ t.yaw_rad, t.pitch_rad, t.roll_rad, t.yaw_rate_rad_s });
-    store(fish, QUAD_PUSH, (flanes[4]){ push[0], push[1], push[2], climb_m_s });
+    store_fish_quads(fish, QUAD_PLACE, (flanes[4]){ centre.x, centre.y, centre.z, speed_m_s });
+    store_fish_quads(fish, QUAD_ANGLES,
+                     (flanes[4]){ t.yaw_rad, t.pitch_rad, t.roll_rad, t.yaw_rate_rad_s });
+    store_fish_quads(fish, QUAD_PUSH, (flanes[4]){ push[0], push[1], push[2], climb_m_s });
     const struct simd_basis axes =
         simd_basis(yaw, simd_sin_cos(t.pitch_rad), simd_sin_cos(t.roll_rad));
     store_body(&shoal->body[first], 0, centre, 0.5f * size[2]);
@@ -138,7 +139,7 @@ void SIMD_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
     store_body(&shoal->body[first], 2, axes.up, 0.5f * size[0]);
     store_body(&shoal->body[first], 3, axes.back, shoal->space * size[0]);
     float *way = &shoal->way_m[first];
-    simd_store(way, simd_load(way) + way_m(velocity, &t, angles, size));
+    simd_store(way, simd_load(way) + corner_way_max_m(velocity, &t, angles, size));
 }
 
 void SIMD_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
@@ -196,8 +197,9 @@ void SIMD_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
                                       centre[2] - place[2] };
     float *way = &shoal->way_m[first];
     simd_store(way, simd_load(way) + simd_v3_length(shoved_m));
-    store(fish, QUAD_PLACE, (flanes[4]){ centre[0], centre[1], centre[2], speed_m_s });
-    store(fish, QUAD_TRUE, (flanes[4]){ v.x, v.y, v.z, bend_rad });
-    store(fish, QUAD_TAIL,
-          (flanes[4]){ simd_select(phase >= F_TAU, phase - F_TAU, phase), hz, amplitude, tail[3] });
+    store_fish_quads(fish, QUAD_PLACE, (flanes[4]){ centre[0], centre[1], centre[2], speed_m_s });
+    store_fish_quads(fish, QUAD_TRUE, (flanes[4]){ v.x, v.y, v.z, bend_rad });
+    store_fish_quads(
+        fish, QUAD_TAIL,
+        (flanes[4]){ simd_select(phase >= F_TAU, phase - F_TAU, phase), hz, amplitude, tail[3] });
 }

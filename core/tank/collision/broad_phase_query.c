@@ -155,7 +155,7 @@ static void seek(const struct snapshot *look, const struct narrow_phase_query *o
     }
 }
 
-static float ball_m(const struct body *body)
+static float bounding_radius_m(const struct body *body)
 {
     const float m = body->margin_m;
     return v3_length(v3(body->half_x_m + m, body->half_y_m + m, body->half_z_m + m));
@@ -171,7 +171,7 @@ static void meet_balls(const struct snapshot *look)
         for (uint32_t j = 0; j < i; j++) {
             const struct body *a = &broad_phase->body[j], *b = &broad_phase->body[i];
             const vec3 way = v3_sub(b->centre_m, a->centre_m);
-            const float both_m = ball_m(a) + ball_m(b);
+            const float both_m = bounding_radius_m(a) + bounding_radius_m(b);
             if ((broad_phase->flags[i] & broad_phase->flags[j] & BODY_SWIMMING) &&
                 v3_dot(way, way) < both_m * both_m) {
                 const struct box_gap gap = body_gap(a, 1.0f, b, 1.0f);

@@ -283,7 +283,7 @@ static void clear_one(const struct solver_step *all, uint32_t index)
 /* Returns 1 if contact_solver_project_block() may process `width` fish from `first` on, otherwise
  * 0. The result is 1 if `width` fish exist, and each of them swims, does not gulp and is not in the
  * air. */
-static int is_plain(const struct broad_phase *broad_phase, uint32_t first, uint32_t width)
+static int can_project_block(const struct broad_phase *broad_phase, uint32_t first, uint32_t width)
 {
     CORE_ASSERT(width <= SIMD_LANES_MAX);
     uint32_t all_same = broad_phase->count - first >= width;
@@ -311,7 +311,7 @@ void contact_solver_project(struct contact_solver *solver, struct broad_phase *b
         const uint32_t count = broad_phase->count - i < width ? broad_phase->count - i : width;
         uint32_t left = (1u << count) - 1u; /* One bit for each fish of the block that is not yet
                                                processed. */
-        if (solver->station == 0 && is_plain(broad_phase, i, width)) {
+        if (solver->station == 0 && can_project_block(broad_phase, i, width)) {
             left = SIMD_PICK(place->lanes, contact_solver_project_block)(solver, broad_phase, place,
                                                                          i);
         }

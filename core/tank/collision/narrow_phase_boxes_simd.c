@@ -43,7 +43,7 @@ static inline void try_edges(struct verdict *verdict, flanes offset, flanes halv
                                mark_axis(gap * simd_abs(gap) / simd_max(length2, PARALLEL), axis));
 }
 
-static inline flanes dot(const flanes a[3], const flanes b[3])
+static inline flanes dot_lanes(const flanes a[3], const flanes b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -57,17 +57,17 @@ struct view {
 static inline void view_row(struct view *view, int i, const flanes axis[3], const flanes way[3],
                             const struct body_simd *b)
 {
-    view->d[i] = dot(way, axis);
-    view->c[i][0] = dot(axis, b->right);
-    view->c[i][1] = dot(axis, b->up);
-    view->c[i][2] = dot(axis, b->back);
+    view->d[i] = dot_lanes(way, axis);
+    view->c[i][0] = dot_lanes(axis, b->right);
+    view->c[i][1] = dot_lanes(axis, b->up);
+    view->c[i][2] = dot_lanes(axis, b->back);
     view->m[i][0] = simd_abs(view->c[i][0]);
     view->m[i][1] = simd_abs(view->c[i][1]);
     view->m[i][2] = simd_abs(view->c[i][2]);
 }
 
 #define FACE_A(i)                                                                                  \
-    try_face(&verdict, view.d[i], ha[i] + dot(view.m[i], hb),                                      \
+    try_face(&verdict, view.d[i], ha[i] + dot_lanes(view.m[i], hb),                                \
              ma + mb * (view.m[i][0] + view.m[i][1] + view.m[i][2]), i)
 
 #define FACE_B(j)                                                                                  \

@@ -44,7 +44,7 @@ static void put_back(const struct solver_step *all, uint32_t index, uint32_t rou
 
 /* Returns 1 if the fish moved in this round or in the previous round, so that its pairs must be
  * checked again. Otherwise returns 0. */
-static int is_fresh(const struct contact_solver *solver, uint32_t index, uint32_t round)
+static int has_moved_recently(const struct contact_solver *solver, uint32_t index, uint32_t round)
 {
     return round == 0 || solver->fresh_round[index] >= round;
 }
@@ -131,7 +131,7 @@ static uint32_t judge_pairs(const struct solver_step *all, uint32_t round)
     for (uint32_t c = 0; c < broad_phase->contact_count; c++) {
         const uint32_t a = broad_phase->contact[c].a, b = broad_phase->contact[c].b;
         const int as_parted = solver->fresh_round[a] == 0 && solver->fresh_round[b] == 0;
-        if ((!is_fresh(solver, a, round) && !is_fresh(solver, b, round)) ||
+        if ((!has_moved_recently(solver, a, round) && !has_moved_recently(solver, b, round)) ||
             (as_parted && contact_is_apart(all, &broad_phase->contact[c], 0.0f))) {
             continue;
         }
@@ -188,7 +188,7 @@ static uint32_t judge_obstacles(const struct solver_step *all, uint32_t round)
     for (uint32_t k = 0; k < solver->beside_count; k++) {
         const uint32_t i = solver->beside[k];
         for (uint32_t o = 0; o < all->place->obstacle_count; o++) {
-            if (!is_fresh(solver, i, round) && solver->reaction_round[o] < round) {
+            if (!has_moved_recently(solver, i, round) && solver->reaction_round[o] < round) {
                 continue;
             }
             vec3 out;

@@ -45,7 +45,7 @@ static int is_loose(const struct fish *fish)
     return fish->gait == GAIT_HELD && fish->holder == FISH_HOLDER_WATER;
 }
 
-static float reach_m(const struct fish *fish)
+static float fish_reach_m(const struct fish *fish)
 {
     return 0.5f * (fish->length_m + fish->height_m);
 }
@@ -109,7 +109,7 @@ static int part_from_fish(struct tank *tank, uint32_t index, vec3 *push_m)
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *other = &tank->fish[i];
         const vec3 d = v3_sub(other->position_m, fish->position_m);
-        const float near_m = reach_m(fish) + reach_m(other);
+        const float near_m = fish_reach_m(fish) + fish_reach_m(other);
         if (i == index || !fish_swims(other) || v3_dot(d, d) > near_m * near_m) {
             continue;
         }
@@ -176,7 +176,7 @@ static int meets_fish(const struct tank *tank, uint32_t index, const struct fish
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         const struct fish *other = &tank->fish[i];
         const vec3 d = v3_sub(other->position_m, there->position_m);
-        const float near_m = reach_m(there) + reach_m(other);
+        const float near_m = fish_reach_m(there) + fish_reach_m(other);
         if (i == index || v3_dot(d, d) > near_m * near_m || !fish_swims(other)) {
             continue;
         }

@@ -50,7 +50,8 @@ int replayer_is_interrupted(const struct replayer *replayer)
     return reader->as_is && reader->chunk_left == 0 && reader->totals.hash == REPLAY_HASH_NONE;
 }
 
-static void compare(struct replayer *replayer, int is_full, uint64_t recorded, uint64_t computed)
+static void compare_replay_value(struct replayer *replayer, int is_full, uint64_t recorded,
+                                 uint64_t computed)
 {
     if (recorded != computed && !replayer->difference.found) {
         replayer->difference = (struct replay_difference){
@@ -73,14 +74,15 @@ static void replayer_tick(void *self, const struct input *input, const struct co
         return;
     }
     if (reader->has_digest) {
-        compare(replayer, 0, reader->digest, (uint32_t)core_hash_quick(core));
+        compare_replay_value(replayer, 0, reader->digest, (uint32_t)core_hash_quick(core));
     }
     if (reader->chunk_left == 0 && !replayer->difference.found) {
-        compare(replayer, 1, reader->totals.hash, core_hash(core));
-        compare(replayer, 1, reader->totals.rounds, replayer->totals.rounds);
-        compare(replayer, 1, reader->totals.caught, replayer->totals.caught);
-        compare(replayer, 1, reader->totals.fouls, replayer->totals.fouls);
-        compare(replayer, 1, 1, (uint64_t)replay_totals_agree(&reader->totals, &replayer->totals));
+        compare_replay_value(replayer, 1, reader->totals.hash, core_hash(core));
+        compare_replay_value(replayer, 1, reader->totals.rounds, replayer->totals.rounds);
+        compare_replay_value(replayer, 1, reader->totals.caught, replayer->totals.caught);
+        compare_replay_value(replayer, 1, reader->totals.fouls, replayer->totals.fouls);
+        compare_replay_value(replayer, 1, 1,
+                             (uint64_t)replay_totals_agree(&reader->totals, &replayer->totals));
     }
 }
 

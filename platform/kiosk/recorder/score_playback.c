@@ -57,8 +57,8 @@ static void conclude(struct score_playback *playback, const struct ranking *rank
 }
 
 /* Requests the replay from the store. When the store has loaded the replay, opens it. */
-static void fetch(struct score_playback *playback, const struct hal_storage *storage,
-                  const struct ranking *ranking)
+static void fetch_score_replay(struct score_playback *playback, const struct hal_storage *storage,
+                               const struct ranking *ranking)
 {
     if (!playback->is_asked) {
         const int result =
@@ -125,7 +125,7 @@ void score_playback_frame(struct score_playback *playback, const struct hal *hal
 {
     const int waits = playback->state == ENCORE_SEEKS && !playback->is_open;
     if (waits || playback->is_asked) {
-        fetch(playback, &hal->storage, ranking);
+        fetch_score_replay(playback, &hal->storage, ranking);
     } else if (playback->state == ENCORE_SEEKS) {
         seek(playback, stopwatch, ranking);
     } else if (playback->state == ENCORE_PLAYS) {

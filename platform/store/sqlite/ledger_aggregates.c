@@ -306,7 +306,7 @@ static int add_up(sqlite3 *db, const struct tally *tally, int64_t *out)
     return code;
 }
 
-static int put(sqlite3 *db, const struct tally *tally, int64_t sum)
+static int put_tally_sum(sqlite3 *db, const struct tally *tally, int64_t sum)
 {
     sqlite3_stmt *statement = NULL;
     int code = sqlite3_prepare_v2(db, tally->put, -1, &statement, NULL);
@@ -324,7 +324,7 @@ int ledger_checksum_put(sqlite3 *db)
         code = sql_number(db, tallies[i].get, &kept);
         code = code == SQLITE_OK ? add_up(db, &tallies[i], &sum) : code;
         if (code == SQLITE_OK && kept != sum) {
-            code = put(db, &tallies[i], sum);
+            code = put_tally_sum(db, &tallies[i], sum);
         }
     }
     return code;

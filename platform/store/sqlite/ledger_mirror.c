@@ -108,7 +108,7 @@ static int rewrite(int handle)
     return fsync(handle);
 }
 
-static struct ledger_mirror opened(int handle)
+static struct ledger_mirror mirror_of_handle(int handle)
 {
     return (struct ledger_mirror){ .handle = handle > 0 ? handle : 0 };
 }
@@ -118,7 +118,7 @@ static int hide_pins(struct ledger_mirror *tail);
 int ledger_mirror_open(struct ledger_mirror *tail, const char *path)
 {
     struct stat about;
-    *tail = opened(file_handle(path, O_RDWR | O_CREAT, 0600));
+    *tail = mirror_of_handle(file_handle(path, O_RDWR | O_CREAT, 0600));
     if (tail->handle == 0) {
         return -1;
     }
@@ -136,7 +136,7 @@ int ledger_mirror_open(struct ledger_mirror *tail, const char *path)
 
 struct ledger_mirror ledger_mirror_inspect(const char *path)
 {
-    return opened(file_handle(path, O_RDONLY, 0));
+    return mirror_of_handle(file_handle(path, O_RDONLY, 0));
 }
 
 void ledger_mirror_close(struct ledger_mirror *tail)

@@ -196,7 +196,7 @@ static bool is_unwritable(int code)
 
 /* Returns true if the card is full. SQLite returns only a general I/O error if it cannot create the
  * index of the log. */
-static bool is_full(struct ledger_file *file, int code)
+static bool is_card_full(struct ledger_file *file, int code)
 {
     return code == SQLITE_FULL ||
            (code == SQLITE_IOERR && sqlite3_extended_errcode(file->db) == SQLITE_IOERR_SHMSIZE);
@@ -214,7 +214,7 @@ int ledger_file_open(struct ledger_file *file, const char *path,
         code = open_unwritable(file, path);
         code = code == SQLITE_OK ? ledger_open_begin(file, how) : code;
         file->is_suspect = false;
-    } else if (is_full(file, code)) {
+    } else if (is_card_full(file, code)) {
         ledger_file_close(file);
         const bool had_log = has_log(path);
         code = sql_open(path, SQLITE_OPEN_READWRITE, how ? how->vfs : NULL, &file->db);
@@ -243,7 +243,7 @@ int ledger_file_inspect(struct ledger_file *file, const char *path)
         code = open_unwritable(file, path);
         code = code == SQLITE_OK ? read_version(file, &version) : code;
     }
-    code = code != SQLITE_OK && is_full(file, code) ? SQLITE_FULL : code;
+    code = code != SQLITE_OK && is_card_full(file, code) ? SQLITE_FULL : code;
     if (code == SQLITE_OK && version != LEDGER_FILE_VERSION) {
         code = version > LEDGER_FILE_VERSION ? LEDGER_FILE_NEWER : SQLITE_SCHEMA;
     }

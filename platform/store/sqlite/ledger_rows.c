@@ -171,33 +171,33 @@ int ledger_rows_put(struct ledger_file *file, const struct ledger_entry *entry)
 
 /* ---- Reading ------------------------------------------------------------------------------- */
 
-static uint32_t word(sqlite3_stmt *row, int column)
+static uint32_t column_u32(sqlite3_stmt *row, int column)
 {
     return sql_uint(row, column, UINT32_MAX);
 }
 
-static uint8_t byte(sqlite3_stmt *row, int column)
+static uint8_t column_u8(sqlite3_stmt *row, int column)
 {
     return (uint8_t)sql_uint(row, column, UINT8_MAX);
 }
 
 static struct ledger_entry entry_of(sqlite3_stmt *row)
 {
-    const uint32_t open = word(row, 14);
+    const uint32_t open = column_u32(row, 14);
     struct ledger_entry entry = {
-        .id = word(row, 0),
-        .boot = word(row, 1),
-        .tick = word(row, 2),
+        .id = column_u32(row, 0),
+        .boot = column_u32(row, 1),
+        .tick = column_u32(row, 2),
         .day = (uint16_t)sql_uint(row, 3, UINT16_MAX),
         .minute = (uint16_t)sql_uint(row, 4, UINT16_MAX),
-        .kind = byte(row, 5),
-        .detail = byte(row, 6),
-        .count = word(row, 7),
+        .kind = column_u8(row, 5),
+        .detail = column_u8(row, 6),
+        .count = column_u32(row, 7),
         .value = (int32_t)sqlite3_column_int64(row, 8),
-        .balance = { word(row, 9), word(row, 10), word(row, 11), word(row, 12), word(row, 13),
-                     (uint8_t)open, (uint8_t)(open >> RETURNED_SHIFT),
-                     (uint16_t)(open >> TICKETS_SHIFT) },
-        .health = { word(row, 15), word(row, 16), word(row, 17) },
+        .balance = { column_u32(row, 9), column_u32(row, 10), column_u32(row, 11),
+                     column_u32(row, 12), column_u32(row, 13), (uint8_t)open,
+                     (uint8_t)(open >> RETURNED_SHIFT), (uint16_t)(open >> TICKETS_SHIFT) },
+        .health = { column_u32(row, 15), column_u32(row, 16), column_u32(row, 17) },
     };
     sql_text(row, 18, entry.name, sizeof entry.name);
     return entry;
@@ -222,18 +222,18 @@ static int read_round(struct ledger_file *file, uint32_t id, struct round_record
     if (code == SQLITE_ROW) {
         *round = (struct round_record){
             .id = id,
-            .seed = word(row, 0),
-            .start_tick = word(row, 1),
-            .end_tick = word(row, 2),
-            .caught = word(row, 3),
-            .by_bot = byte(row, 4),
-            .mode = byte(row, 5),
-            .grade = byte(row, 6),
-            .players = byte(row, 7),
-            .unscored = byte(row, 8),
+            .seed = column_u32(row, 0),
+            .start_tick = column_u32(row, 1),
+            .end_tick = column_u32(row, 2),
+            .caught = column_u32(row, 3),
+            .by_bot = column_u8(row, 4),
+            .mode = column_u8(row, 5),
+            .grade = column_u8(row, 6),
+            .players = column_u8(row, 7),
+            .unscored = column_u8(row, 8),
             .fish_count = (uint16_t)sql_uint(row, 9, UINT16_MAX),
             .round_s = (uint16_t)sql_uint(row, 10, UINT16_MAX),
-            .preset = byte(row, 11),
+            .preset = column_u8(row, 11),
         };
         code = SQLITE_DONE;
     }
@@ -268,11 +268,11 @@ static int find_entry(struct ledger_file *file, const char *text, uint32_t id,
                 sqlite3_bind_int64(player, 1, out->id);
                 while ((code == SQLITE_OK || code == SQLITE_ROW) &&
                        (code = sqlite3_step(player)) == SQLITE_ROW) {
-                    const uint32_t seat = word(player, 0);
+                    const uint32_t seat = column_u32(player, 0);
                     if (seat < POI_MAX) {
                         out->round.player[seat] = (struct player_record){
-                            word(player, 1), word(player, 2), word(player, 3),
-                            word(player, 4), word(player, 5), byte(player, 6),
+                            column_u32(player, 1), column_u32(player, 2), column_u32(player, 3),
+                            column_u32(player, 4), column_u32(player, 5), column_u8(player, 6),
                         };
                     }
                 }

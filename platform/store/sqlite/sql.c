@@ -154,7 +154,7 @@ static void take_over_open(void)
 /* Resolves symbolic links in the folder part of `path`, but not in the file name.
  * SQLITE_OPEN_NOFOLLOW rejects all links, including those in the folder part. Returns true on
  * success. */
-static bool resolve(const char *path, char out[PATH_MAX])
+static bool resolve_folder_links(const char *path, char out[PATH_MAX])
 {
     char folder[PATH_MAX], whole[PATH_MAX];
     const char *slash = strrchr(path, '/');
@@ -196,8 +196,9 @@ int sql_open(const char *path, int flags, const char *vfs, sqlite3 **out)
     if (vfs) {
         return open_named(path, flags, vfs, out);
     }
-    return resolve(path, whole) ? open_named(whole, flags | SQLITE_OPEN_NOFOLLOW, NULL, out)
-                                : SQLITE_CANTOPEN;
+    return resolve_folder_links(path, whole)
+               ? open_named(whole, flags | SQLITE_OPEN_NOFOLLOW, NULL, out)
+               : SQLITE_CANTOPEN;
 }
 
 int sql_open_unwritable(const char *path, sqlite3 **out)
@@ -205,7 +206,7 @@ int sql_open_unwritable(const char *path, sqlite3 **out)
     char whole[PATH_MAX], uri[3 * PATH_MAX + 32] = "file:";
     size_t at = strlen(uri);
     *out = NULL;
-    if (!resolve(path, whole)) {
+    if (!resolve_folder_links(path, whole)) {
         return SQLITE_CANTOPEN;
     }
     for (const char *c = whole; *c; c++) {
