@@ -42,7 +42,7 @@ void attract_tick(struct game *game, struct world *world, const struct core_conf
     const int dipped = controller_dipped_player(game, world, input) < POI_MAX;
     if ((input->pressed & INPUT_START) || dipped ||
         credit_is_awaited(&game->accounts, config, game->tick)) {
-        mode_select_begin(game, world, config, output);
+        game_mode_select_begin(game, world, config, output);
     }
     if (game->phase != PHASE_ATTRACT) {
         game->hints = (struct hints){ 0 }; /* Reset the hints for a new player. */
@@ -140,12 +140,12 @@ static void activate_mode(struct game *game, struct world *world, const struct c
     if (is_lab) {
         lab_begin(game, world, config, output);
     } else {
-        ready_begin(game, world, config, output);
+        round_ready_begin(game, world, config, output);
     }
 }
 
-void mode_select_begin(struct game *game, struct world *world, const struct core_config *config,
-                       struct output *output)
+void game_mode_select_begin(struct game *game, struct world *world,
+                            const struct core_config *config, struct output *output)
 {
     if (mode_count(table_setup_modes(config)) == 1u) {
         activate_mode(game, world, config, output);
@@ -165,8 +165,8 @@ void mode_select_begin(struct game *game, struct world *world, const struct core
     output_sound(output, SOUND_CHOOSE, 1.0f, 0.0f);
 }
 
-void mode_select_tick(struct game *game, struct world *world, const struct core_config *config,
-                      const struct input *input, struct output *output)
+void game_mode_select_tick(struct game *game, struct world *world, const struct core_config *config,
+                           const struct input *input, struct output *output)
 {
     const uint8_t modes = table_setup_modes(config);
     const uint32_t count = mode_count(modes);

@@ -50,10 +50,10 @@ static void tick_phase(struct game *game, struct world *world, struct core_confi
         attract_tick(game, world, config, input, output);
         break;
     case PHASE_MODE_SELECT:
-        mode_select_tick(game, world, config, input, output);
+        game_mode_select_tick(game, world, config, input, output);
         break;
     case PHASE_READY:
-        ready_tick(game, world, config, output);
+        round_ready_tick(game, world, config, output);
         break;
     case PHASE_ROUND:
         round_tick(game, world, config, output);
@@ -74,7 +74,7 @@ static void tick_phase(struct game *game, struct world *world, struct core_confi
         leaderboard_tick(game, world, config, input, output);
         break;
     default:
-        result_tick(game, world, config, input, output);
+        round_result_tick(game, world, config, input, output);
         break;
     }
 }

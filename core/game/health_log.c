@@ -67,7 +67,7 @@ void health_log_tick(struct game *game, const struct core_config *config, const 
         coins_convert_pending(ledger, config);
         ledger_write(&game->accounts, game->tick, &entry, output);
         const int counts = (ledger->balance.open & PAYMENT_SPENT) &&
-                           stand_finish(&game->accounts, config, game->tick, output);
+                           round_standing_finish(&game->accounts, config, game->tick, output);
         if (!counts && ledger->balance.open != PAYMENT_NONE) {
             credit_refund(game, config, REFUND_RESTART, output);
             game->accounts.credit.came_back = 0; /* The refunded round is from an earlier run of the

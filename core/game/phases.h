@@ -42,16 +42,16 @@ void attract_tick(struct game *game, struct world *world, const struct core_conf
 
 /* Handles a request to play. Without a credit the state stays unchanged. If players can choose
  * between several modes, the mode selection starts; otherwise READY starts immediately. */
-void mode_select_begin(struct game *game, struct world *world, const struct core_config *config,
-                       struct output *output);
-void mode_select_tick(struct game *game, struct world *world, const struct core_config *config,
-                      const struct input *input, struct output *output);
+void game_mode_select_begin(struct game *game, struct world *world,
+                            const struct core_config *config, struct output *output);
+void game_mode_select_tick(struct game *game, struct world *world, const struct core_config *config,
+                           const struct input *input, struct output *output);
 
 /* Starts a new round of the selected mode, with its tank, empty bowls and zero scores. */
-void ready_begin(struct game *game, struct world *world, const struct core_config *config,
-                 struct output *output);
-void ready_tick(struct game *game, struct world *world, const struct core_config *config,
-                struct output *output);
+void round_ready_begin(struct game *game, struct world *world, const struct core_config *config,
+                       struct output *output);
+void round_ready_tick(struct game *game, struct world *world, const struct core_config *config,
+                      struct output *output);
 
 /* Begins the round after READY and starts its clock. */
 void round_begin(struct game *game, struct world *world, struct output *output);
@@ -59,14 +59,14 @@ void round_tick(struct game *game, struct world *world, const struct core_config
                 struct output *output);
 
 /* Ends the round, logs its result and shows the result. */
-void result_begin(struct game *game, struct world *world, const struct core_config *config,
-                  struct output *output);
+void round_result_begin(struct game *game, struct world *world, const struct core_config *config,
+                        struct output *output);
 /* Ends a round whose credit is not refundable, because the operator's menu opens. The result is
  * logged but not shown. */
-void result_skip(struct game *game, const struct world *world, const struct core_config *config,
-                 struct output *output);
-void result_tick(struct game *game, struct world *world, const struct core_config *config,
-                 const struct input *input, struct output *output);
+void round_result_skip(struct game *game, const struct world *world,
+                       const struct core_config *config, struct output *output);
+void round_result_tick(struct game *game, struct world *world, const struct core_config *config,
+                       const struct input *input, struct output *output);
 
 /* Returns the time announcement at `elapsed_ticks` into a round of `total_ticks`, or CALL_NONE. Each
  * announcement is returned in exactly one tick. A minute announcement is omitted if the round is

@@ -19,8 +19,8 @@
 #include "core/input.h"
 #include "core/poi/world.h"
 
-void ready_begin(struct game *game, struct world *world, const struct core_config *config,
-                 struct output *output)
+void round_ready_begin(struct game *game, struct world *world, const struct core_config *config,
+                       struct output *output)
 {
     CORE_ASSERT(game->mode < MODE_COUNT);
     game->round_count++;
@@ -41,8 +41,8 @@ void ready_begin(struct game *game, struct world *world, const struct core_confi
     output_sound(output, SOUND_START, 1.0f, 0.0f);
 }
 
-void ready_tick(struct game *game, struct world *world, const struct core_config *config,
-                struct output *output)
+void round_ready_tick(struct game *game, struct world *world, const struct core_config *config,
+                      struct output *output)
 {
     const uint32_t elapsed = game->tick - game->phase_tick;
     const uint32_t total = rules_of(game->mode)->ready_s * CORE_TICK_HZ;
@@ -170,10 +170,10 @@ void round_tick(struct game *game, struct world *world, const struct core_config
         carried_fish += is_active ? world->poi[i].carried_count : 0;
     }
     health_log_note_losses(game, world, config, output);
-    stand_tick(game, config, output);
+    round_standing_tick(game, config, output);
     if (game->lost_ticks > GAME_LOST_TICKS_MAX || game->waited_ticks > GAME_WAIT_TICKS_MAX) {
         credit_refund(game, config, REFUND_NO_POI, output);
-        result_begin(game, world, config, output);
+        round_result_begin(game, world, config, output);
         return;
     }
     if (game->paused) {
@@ -195,12 +195,12 @@ void round_tick(struct game *game, struct world *world, const struct core_config
     const int is_late =
         elapsed >= total && (carried_fish == 0 || elapsed >= total + GAME_CARRY_TICKS);
     if (is_gone || is_late) {
-        result_begin(game, world, config, output);
+        round_result_begin(game, world, config, output);
     }
 }
 
-void result_begin(struct game *game, struct world *world, const struct core_config *config,
-                  struct output *output)
+void round_result_begin(struct game *game, struct world *world, const struct core_config *config,
+                        struct output *output)
 {
     game->paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -214,8 +214,8 @@ void result_begin(struct game *game, struct world *world, const struct core_conf
     output_sound(output, SOUND_RESULT, 1.0f, 0.0f);
 }
 
-void result_skip(struct game *game, const struct world *world, const struct core_config *config,
-                 struct output *output)
+void round_result_skip(struct game *game, const struct world *world,
+                       const struct core_config *config, struct output *output)
 {
     CORE_ASSERT(game->phase == PHASE_ROUND);
     game->accounts.credit.came_back = 0;
@@ -225,8 +225,8 @@ void result_skip(struct game *game, const struct world *world, const struct core
 
 /* Starts the next phase after the result. Hints that the players have learned are kept for the next
  * round. */
-void result_tick(struct game *game, struct world *world, const struct core_config *config,
-                 const struct input *input, struct output *output)
+void round_result_tick(struct game *game, struct world *world, const struct core_config *config,
+                       const struct input *input, struct output *output)
 {
     CORE_ASSERT(game->phase == PHASE_RESULT);
     const uint32_t elapsed = game->tick - game->phase_tick;
@@ -239,7 +239,7 @@ void result_tick(struct game *game, struct world *world, const struct core_confi
         return;
     }
     if (goes_on) {
-        mode_select_begin(game, world, config, output);
+        game_mode_select_begin(game, world, config, output);
     } else if (is_read && !album_begin(game)) {
         attract_begin(game, world, config);
     }

@@ -106,7 +106,7 @@ static enum exit_code read_options(struct options *options, int argc, char **arg
 static void last_wish(void *self, const char *reason)
 {
     struct run_common *session = self;
-    const int is_sound = evidence_write(&session->evidence, reason);
+    const int is_sound = panic_evidence_write(&session->evidence, reason);
     if (is_sound && session->options.record[0]) {
         recorder_end_in_panic(&session->recorder);
     }

@@ -117,9 +117,11 @@ int run_interactive_open(struct run_common *session)
     if (!options->data[0]) {
         file_default_data(options->data);
     }
-    file_make_folder(options->data); /* The data folder must exist before evidence_open(). If the
-                                        function fails, the store later reports the reason. */
-    evidence_open(&session->evidence, options->data, &session->chapters, &session->kiosk.core);
+    /* The data folder must exist before panic_evidence_open(). If the function fails, the store
+     * later reports the reason. */
+    file_make_folder(options->data);
+    panic_evidence_open(&session->evidence, options->data, &session->chapters,
+                        &session->kiosk.core);
     /* Keys act as buttons and coins by default on a desktop but not in a service, because a
      * stranger may plug a keyboard into a cabinet. */
     const uint8_t automatic = getenv("NOTIFY_SOCKET") ? BOARD_KEYBOARD_OFF : BOARD_KEYBOARD_ON;
@@ -161,7 +163,7 @@ static enum kiosk_end run_interactive_loop(struct run_common *session)
     while (end == KIOSK_RUNS && !*session->stop) {
         const uint64_t begin_ns = clock.ops->now_ns(clock.self);
         end = kiosk_frame(&session->kiosk, &session->hal);
-        evidence_note_frame(&session->evidence);
+        panic_evidence_note_frame(&session->evidence);
         /* Report once when the display is lost and once when the display is back. */
         const struct hal_display *display = &session->hal.display;
         const int is_away = session->kiosk.display_retry_ns > 0;

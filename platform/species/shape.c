@@ -87,40 +87,6 @@ double shape_body_u(const struct key_text *key, double x)
     return 0.5 * (low + high);
 }
 
-/* ---- Vector functions ----------------------------------------------------------------------- */
-
-v3d v3d_sub(v3d a, v3d b)
-{
-    return (v3d){ a.x - b.x, a.y - b.y, a.z - b.z };
-}
-
-v3d v3d_muladd(v3d a, v3d b, double s)
-{
-    return (v3d){ a.x + b.x * s, a.y + b.y * s, a.z + b.z * s };
-}
-
-v3d v3d_cross(v3d a, v3d b)
-{
-    return (v3d){ a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
-}
-
-double v3d_dot(v3d a, v3d b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-double v3d_length(v3d a)
-{
-    return sqrt(v3d_dot(a, a));
-}
-
-v3d v3d_unit(v3d a)
-{
-    const double length = v3d_length(a);
-    return length > 1e-12 ? (v3d){ a.x / length, a.y / length, a.z / length }
-                          : (v3d){ 0.0, 1.0, 0.0 };
-}
-
 /* ---- Surface of the body at (u, v): u along the body, v round the body ---------------------- */
 
 static double superellipse(double sine, double exponent)

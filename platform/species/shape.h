@@ -8,20 +8,48 @@
 #ifndef KINGYO_PLATFORM_SPECIES_SHAPE_H
 #define KINGYO_PLATFORM_SPECIES_SHAPE_H
 
+#include <math.h>
+
 #include "platform/species/drawing.h"
 
 typedef struct {
     double x, y, z;
 } v3d;
 
-v3d v3d_sub(v3d a, v3d b);
-v3d v3d_muladd(v3d a, v3d b, double s); /* Returns a + b * s. */
-v3d v3d_cross(v3d a, v3d b);
-double v3d_dot(v3d a, v3d b);
-double v3d_length(v3d a);
+static inline v3d v3d_sub(v3d a, v3d b)
+{
+    return (v3d){ a.x - b.x, a.y - b.y, a.z - b.z };
+}
+
+/* Returns a + b * s. */
+static inline v3d v3d_muladd(v3d a, v3d b, double s)
+{
+    return (v3d){ a.x + b.x * s, a.y + b.y * s, a.z + b.z * s };
+}
+
+static inline v3d v3d_cross(v3d a, v3d b)
+{
+    return (v3d){ a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
+}
+
+static inline double v3d_dot(v3d a, v3d b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline double v3d_length(v3d a)
+{
+    return sqrt(v3d_dot(a, a));
+}
+
 /* Returns `a` scaled to length 1. If `a` is (almost) zero, as on a degenerate surface, returns (0,
  * 1, 0). */
-v3d v3d_unit(v3d a);
+static inline v3d v3d_unit(v3d a)
+{
+    const double length = v3d_length(a);
+    return length > 1e-12 ? (v3d){ a.x / length, a.y / length, a.z / length }
+                          : (v3d){ 0.0, 1.0, 0.0 };
+}
 
 /* Returns the value at position `at` of a smooth curve through `count` points (x[i], y[i]). The
  * curve never overshoots the points (method of Fritsch and Carlson). Before the first point and

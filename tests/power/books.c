@@ -29,7 +29,7 @@ void books_add(struct books *books, const struct ledger_entry *entry)
         books->settings.value[entry->detail | entry->count << 8] = entry->value;
     }
     books->balance = entry->balance;
-    books->stand = stand_after(books->stand, entry);
+    books->stand = round_standing_after(books->stand, entry);
     audits_note(&books->audits, entry);
     ranking_note(&books->ranking, entry);
 }

@@ -214,7 +214,7 @@ void credit_refund(struct game *game, const struct core_config *config, enum ref
     CORE_ASSERT(cause < REFUND_CAUSE_COUNT);
     struct balance *balance = &game->accounts.ledger.balance;
     const uint8_t open = balance->open, kind = open & PAYMENT_KIND_MASK;
-    const int is_spent = stand_is_spent(game, config);
+    const int is_spent = round_standing_is_spent(game, config);
     const int is_credit = kind == PAYMENT_PAID || kind == PAYMENT_SERVICE;
     const uint32_t count = is_credit && !is_spent;
     game->accounts.credit.came_back = (uint8_t)count;
@@ -298,7 +298,7 @@ uint64_t credit_hash(uint64_t hash, const struct credit *credit)
         hash = hash_u32(hash_u32(hash_u32(hash, untold->pulses), untold->units), untold->owed);
     }
     hash = hash_later(hash_later(hash, 1, credit->stand_id), 2, credit->ticket_id);
-    return stand_hash(hash, &credit->stand);
+    return round_standing_hash(hash, &credit->stand);
 }
 
 void credit_owe_tickets(struct accounts *accounts, const struct core_config *config, uint32_t count)

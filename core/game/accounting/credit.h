@@ -54,9 +54,9 @@ int credit_is_awaited(const struct accounts *accounts, const struct core_config 
 void credit_take(struct game *game, const struct core_config *config, uint8_t what,
                  struct output *output);
 
-/* Ends the running round early. The credit is refunded if one was taken and stand_is_spent() is 0.
- * Otherwise the balance keeps its open round, which the caller must close. A free round that lost
- * its pois counts as a normal round. */
+/* Ends the running round early. The credit is refunded if one was taken and
+ * round_standing_is_spent() is 0. Otherwise the balance keeps its open round, which the caller must
+ * close. A free round that lost its pois counts as a normal round. */
 void credit_refund(struct game *game, const struct core_config *config, enum refund_cause cause,
                    struct output *output);
 
@@ -145,16 +145,17 @@ void credit_owe_tickets(struct accounts *accounts, const struct core_config *con
 
 /* Returns 1 if the credit of the running round is not refundable, otherwise 0. In recordings of
  * format 7 every credit is refundable. */
-int stand_is_spent(const struct game *game, const struct core_config *config);
+int round_standing_is_spent(const struct game *game, const struct core_config *config);
 
 /* Logs the state of the round if it changed, the previous entry is on disk, and the ledger has
  * room. Call once per tick of the round. */
-void stand_tick(struct game *game, const struct core_config *config, struct output *output);
+void round_standing_tick(struct game *game, const struct core_config *config,
+                         struct output *output);
 
 /* Finishes a round that was open at startup and counts. Writes the round's LEDGER_ROUND from
  * config->persistent.ledger.stand and closes the balance. Returns 1, or 0 without an entry if no
  * player had joined the round. */
-int stand_finish(struct accounts *accounts, const struct core_config *config, uint32_t tick,
-                 struct output *output);
+int round_standing_finish(struct accounts *accounts, const struct core_config *config,
+                          uint32_t tick, struct output *output);
 
 #endif

@@ -88,7 +88,7 @@ int ledger_entry_is_valid(const struct ledger_entry *entry)
            entry->kind < LEDGER_KIND_COUNT && entry->detail <= detail_max(entry->kind) &&
            value_is_good && purse_is_good(&entry->balance) && name_is_good(entry->name) &&
            (entry->kind != LEDGER_ROUND || round_is_good) &&
-           (entry->kind != LEDGER_STAND || stand_is_good(&stand));
+           (entry->kind != LEDGER_STAND || round_standing_is_good(&stand));
 }
 
 int ledger_state_is_valid(const struct persistent_state *memory)
@@ -96,7 +96,7 @@ int ledger_state_is_valid(const struct persistent_state *memory)
     const struct ledger_start *start = &memory->ledger;
     const struct rank_row *rows = &memory->ranking.row[0][0][0];
     int is_good = start->last_id <= LEDGER_ID_MAX && start->boots <= LEDGER_BOOTS_MAX &&
-                  purse_is_good(&start->balance) && stand_is_good(&start->stand);
+                  purse_is_good(&start->balance) && round_standing_is_good(&start->stand);
     for (uint32_t i = 0; i < MODE_COUNT * RANK_PERIOD_COUNT * RANK_ROWS; i++) {
         is_good = is_good && rows[i].seat < POI_MAX && rows[i].round_id <= LEDGER_ID_MAX &&
                   name_is_good(rows[i].name);

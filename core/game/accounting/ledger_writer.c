@@ -162,7 +162,7 @@ uint64_t ledger_balance_hash(uint64_t hash, const struct balance *balance)
 uint64_t ledger_start_hash(uint64_t hash, const struct ledger_start *start)
 {
     hash = hash_u32(hash_u32(hash, start->last_id), start->boots);
-    return stand_hash(ledger_balance_hash(hash, &start->balance), &start->stand);
+    return round_standing_hash(ledger_balance_hash(hash, &start->balance), &start->stand);
 }
 
 uint64_t ledger_hash(uint64_t hash, const struct ledger *ledger)

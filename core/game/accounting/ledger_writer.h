@@ -66,14 +66,15 @@ uint64_t ledger_hash(uint64_t hash, const struct ledger *ledger);
 /* Returns the state of the open round after `entry`. For a LEDGER_STAND, the result is the content
  * of `entry`. For another entry of the same round, the result is `before`. Otherwise all fields of
  * the result are 0. */
-struct ledger_stand stand_after(struct ledger_stand before, const struct ledger_entry *entry);
+struct ledger_stand round_standing_after(struct ledger_stand before,
+                                         const struct ledger_entry *entry);
 
 /* Returns 1 if every packed field of `stand` is in its range, otherwise 0. */
-int stand_is_good(const struct ledger_stand *stand);
+int round_standing_is_good(const struct ledger_stand *stand);
 
 /* Returns `hash` continued over `stand`. If all fields of `stand` are 0, `hash` is returned
  * unchanged. */
-uint64_t stand_hash(uint64_t hash, const struct ledger_stand *stand);
+uint64_t round_standing_hash(uint64_t hash, const struct ledger_stand *stand);
 
 /* ---- Validation of stored records ------------------------------------------------------------ */
 

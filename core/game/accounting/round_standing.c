@@ -21,7 +21,7 @@
 _Static_assert(POI_MAX *SEAT_BITS <= 32u && POI_MAX <= 4u, "every seat has its byte and its bit");
 _Static_assert(CHOICE_COUNT <= MODE_MASK + 1u && SHEET_GRADE_MAX <= 15u, "mode and grade fit");
 
-int stand_is_spent(const struct game *game, const struct core_config *config)
+int round_standing_is_spent(const struct game *game, const struct core_config *config)
 {
     const uint32_t total = game->round_s * CORE_TICK_HZ;
     const int is_mostly_played =
@@ -53,7 +53,7 @@ static struct ledger_stand stand_of(const struct game *game, const struct core_c
 }
 
 /* A free round without tickets has no value that a power cut could remove, and is not logged. */
-void stand_tick(struct game *game, const struct core_config *config, struct output *output)
+void round_standing_tick(struct game *game, const struct core_config *config, struct output *output)
 {
     struct ledger *ledger = &game->accounts.ledger;
     struct credit *credit = &game->accounts.credit;
@@ -63,8 +63,8 @@ void stand_tick(struct game *game, const struct core_config *config, struct outp
                           (kind == PAYMENT_FREE && config->ticket_fish > 0);
     const int is_logged = (ledger->balance.open & PAYMENT_SPENT) && now.count == last->count &&
                           now.value == last->value && now.detail == last->detail;
-    CORE_ASSERT(stand_is_good(&now));
-    if (!stand_is_spent(game, config) || !has_value || is_logged ||
+    CORE_ASSERT(round_standing_is_good(&now));
+    if (!round_standing_is_spent(game, config) || !has_value || is_logged ||
         !ledger_is_saved(ledger, credit->stand_id) || !ledger_may_write(ledger, LEDGER_STAND)) {
         return;
     }
@@ -82,11 +82,11 @@ void stand_tick(struct game *game, const struct core_config *config, struct outp
  * records of an earlier Kingyo. */
 static struct round_record record_of(const struct ledger_stand *stand)
 {
-    CORE_ASSERT(stand_is_good(stand));
+    CORE_ASSERT(round_standing_is_good(stand));
     const uint32_t value = (uint32_t)stand->value;
     struct round_record record = {
         .mode = stand->detail & MODE_MASK, /* The mode is in range, because the caller has checked
-                                              stand_is_good(). */
+                                              round_standing_is_good(). */
         .grade = stand->detail >> GRADE_SHIFT,
         .players = (uint8_t)(value >> PLAYERS_SHIFT & PLAYERS_MASK),
         .by_bot = (uint8_t)(value >> BOT_SHIFT & 1u),
@@ -102,8 +102,8 @@ static struct round_record record_of(const struct ledger_stand *stand)
     return record;
 }
 
-int stand_finish(struct accounts *accounts, const struct core_config *config, uint32_t tick,
-                 struct output *output)
+int round_standing_finish(struct accounts *accounts, const struct core_config *config,
+                          uint32_t tick, struct output *output)
 {
     struct ledger *ledger = &accounts->ledger;
     const struct ledger_stand *stand = &config->persistent.ledger.stand;
@@ -121,7 +121,8 @@ int stand_finish(struct accounts *accounts, const struct core_config *config, ui
     return 1;
 }
 
-struct ledger_stand stand_after(struct ledger_stand before, const struct ledger_entry *entry)
+struct ledger_stand round_standing_after(struct ledger_stand before,
+                                         const struct ledger_entry *entry)
 {
     if (entry->kind == LEDGER_STAND) {
         return (struct ledger_stand){ entry->count, entry->value, entry->detail };
@@ -131,7 +132,7 @@ struct ledger_stand stand_after(struct ledger_stand before, const struct ledger_
                : (struct ledger_stand){ 0 };
 }
 
-int stand_is_good(const struct ledger_stand *stand)
+int round_standing_is_good(const struct ledger_stand *stand)
 {
     const uint32_t value = (uint32_t)stand->value;
     return (stand->detail & MODE_MASK) < MODE_COUNT &&
@@ -139,7 +140,7 @@ int stand_is_good(const struct ledger_stand *stand)
            (value & TICKETS_MASK) <= BALANCE_TICKETS_MAX;
 }
 
-uint64_t stand_hash(uint64_t hash, const struct ledger_stand *stand)
+uint64_t round_standing_hash(uint64_t hash, const struct ledger_stand *stand)
 {
     hash = hash_later(hash, 0x51, stand->count);
     hash = hash_later(hash, 0x52, (uint32_t)stand->value);

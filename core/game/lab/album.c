@@ -62,7 +62,7 @@ void album_tick(struct game *game, struct world *world, const struct core_config
     const uint32_t elapsed = game->tick - game->phase_tick;
     const int dipped = controller_dipped_player(game, world, input) < POI_MAX;
     if (dipped || (input->pressed & INPUT_START)) {
-        mode_select_begin(game, world, config, output);
+        game_mode_select_begin(game, world, config, output);
     } else if ((input->pressed & INPUT_OK) || elapsed >= album_ticks(game->album.fish_count)) {
         attract_begin(game, world, config);
     }

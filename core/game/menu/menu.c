@@ -54,8 +54,8 @@ static void open_menu(struct game *game, struct world *world, const struct core_
     for (uint32_t i = 0; i < POI_MAX; i++) {
         menu->rest[i] = pointer_of_player(world, input, menu->upright, i).at;
     }
-    if (game->phase == PHASE_ROUND && stand_is_spent(game, config)) {
-        result_skip(game, world, config, output);
+    if (game->phase == PHASE_ROUND && round_standing_is_spent(game, config)) {
+        round_result_skip(game, world, config, output);
     } else {
         credit_refund(game, config, REFUND_OPERATOR, output);
     }

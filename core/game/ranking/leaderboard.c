@@ -99,7 +99,7 @@ void leaderboard_tick(struct game *game, struct world *world, const struct core_
     const int dipped = controller_dipped_player(game, world, input) < POI_MAX;
     const int is_read = game->tick - game->phase_tick >= LEADERBOARD_TICKS;
     if (dipped || (input->pressed & INPUT_START)) {
-        mode_select_begin(game, world, config, output);
+        game_mode_select_begin(game, world, config, output);
     } else if (((input->pressed & INPUT_OK) || is_read) && !album_begin(game)) {
         attract_begin(game, world, config);
     }

@@ -114,8 +114,8 @@ static void hold_and_leave_out(struct evidence *evidence)
     }
 }
 
-void evidence_open(struct evidence *evidence, const char *data, struct session_recorder *chapters,
-                   const struct core *core)
+void panic_evidence_open(struct evidence *evidence, const char *data,
+                         struct session_recorder *chapters, const struct core *core)
 {
     const int folder = data && data[0] ? open(data, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
     *evidence = (struct evidence){ .folder = folder + 1,
@@ -138,7 +138,7 @@ void evidence_open(struct evidence *evidence, const char *data, struct session_r
     }
 }
 
-void evidence_note_frame(struct evidence *evidence)
+void panic_evidence_note_frame(struct evidence *evidence)
 {
     atomic_store(&evidence->has_frame, 1);
 }
@@ -197,14 +197,14 @@ static void evidence_log_error(const struct evidence *evidence, const char *reas
     log_print_raw(LOG_LEVEL_CRITICAL, text.out);
 }
 
-int evidence_write(struct evidence *evidence, const char *reason)
+int panic_evidence_write(struct evidence *evidence, const char *reason)
 {
     /* Wait until the count is written, at most EVIDENCE_WAIT_MS milliseconds. */
     atomic_store(&evidence->has_panicked, 1);
     for (int i = 0; i < EVIDENCE_WAIT_MS && atomic_load(&evidence->is_clearing); i++) {
         poll(NULL, 0, 1);
     }
-    /* Stop the thread that runs the ticks. Before evidence_open() that thread is the main
+    /* Stop the thread that runs the ticks. Before panic_evidence_open() that thread is the main
      * thread. */
     const int is_own = gettid() == (evidence->thread != 0 ? evidence->thread : getpid());
     const int is_sound =

@@ -33,8 +33,8 @@ struct evidence {
     struct panics panics;      /* Count of panics. The file of panics.h stores the same
                                   count. */
     atomic_uchar has_frame;    /* 1 if the first frame was shown, otherwise 0. */
-    atomic_uchar has_panicked; /* 1 if evidence_write() has started. Afterwards only
-                                  evidence_write() uses `panics`. */
+    atomic_uchar has_panicked; /* 1 if panic_evidence_write() has started. Afterwards only
+                                  panic_evidence_write() uses `panics`. */
     atomic_uchar is_clearing;  /* 1 while a thread clears `panics` after ten minutes without a
                                   panic. */
 };
@@ -47,16 +47,16 @@ struct evidence {
  * (platform/store/sqlite/ledger_backup.h): it copies the database and deletes this part. The result
  * is logged. If the deletion fails, the next start tries again. If this process runs for ten
  * minutes, a thread clears the count. Without a data folder, panics are only reported. */
-void evidence_open(struct evidence *evidence, const char *data, struct session_recorder *chapters,
-                   const struct core *core);
+void panic_evidence_open(struct evidence *evidence, const char *data,
+                         struct session_recorder *chapters, const struct core *core);
 
 /* Records that a frame was shown. Call after the first frame. */
-void evidence_note_frame(struct evidence *evidence);
+void panic_evidence_note_frame(struct evidence *evidence);
 
 /* Handles a panic: stops the thread that runs the ticks, writes the replay and the count, and
  * reports `reason` and the results in one line. Returns 1. Returns 0 if the thread that runs the
  * ticks may still change the core and its recordings, or if a change was interrupted.
  * Async-signal-safe. */
-int evidence_write(struct evidence *evidence, const char *reason);
+int panic_evidence_write(struct evidence *evidence, const char *reason);
 
 #endif

@@ -29,10 +29,11 @@ void ledger_aggregates_note(struct ledger_content *content, const struct ledger_
 {
     CORE_ASSERT(entry->id > content->memory.ledger.last_id);
     struct persistent_state *memory = &content->memory;
-    memory->ledger = (struct ledger_start){ .last_id = entry->id,
-                                            .boots = entry->boot,
-                                            .balance = entry->balance,
-                                            .stand = stand_after(memory->ledger.stand, entry) };
+    memory->ledger =
+        (struct ledger_start){ .last_id = entry->id,
+                               .boots = entry->boot,
+                               .balance = entry->balance,
+                               .stand = round_standing_after(memory->ledger.stand, entry) };
     content->tick = entry->tick;
     if (entry->kind == LEDGER_SETTING) {
         const uint32_t id = entry->detail | entry->count << 8;

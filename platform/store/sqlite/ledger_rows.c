@@ -302,7 +302,7 @@ int ledger_rows_state(struct ledger_file *file, struct ledger_stand *out)
     const int code = find_entry(
         file, ENTRY_COLUMNS "WHERE id >= ?1 AND kind IN (4, 17) ORDER BY id DESC LIMIT 1", 0,
         &entry);
-    *out = code == SQLITE_OK ? stand_after((struct ledger_stand){ 0 }, &entry)
+    *out = code == SQLITE_OK ? round_standing_after((struct ledger_stand){ 0 }, &entry)
                              : (struct ledger_stand){ 0 };
     return code == SQLITE_NOTFOUND ? SQLITE_OK : code;
 }

@@ -98,7 +98,7 @@ static struct panics read_count(void)
 
 static void start(void)
 {
-    evidence_open(&evidence, dir, NULL, NULL);
+    panic_evidence_open(&evidence, dir, NULL, NULL);
     close(evidence.folder - 1);
 }
 
@@ -195,9 +195,9 @@ static void test_after_a_failed_attempt_and_a_good_run_nothing_is_left_out(void 
     (void)state;
     fill();
     block_copies(1);
-    evidence_open(&evidence, dir, NULL, NULL);
+    panic_evidence_open(&evidence, dir, NULL, NULL);
     assert_nothing_changed();
-    evidence_note_frame(&evidence);
+    panic_evidence_note_frame(&evidence);
     end_ten_minutes();
     close(evidence.folder - 1);
     const struct panics now = read_count();
@@ -214,9 +214,9 @@ static void test_a_panic_in_that_run_makes_the_next_start_try_again(void **state
     static struct core core;
     fill();
     block_copies(1);
-    evidence_open(&evidence, dir, NULL, &core);
-    evidence_write(&evidence, "a test");
-    evidence_note_frame(&evidence);
+    panic_evidence_open(&evidence, dir, NULL, &core);
+    panic_evidence_write(&evidence, "a test");
+    panic_evidence_note_frame(&evidence);
     sem_post(&ten_minutes);
     poll(NULL, 0, 100);
     close(evidence.folder - 1);
@@ -283,13 +283,13 @@ static void test_a_panic_of_another_thread_reports_a_tick_that_does_not_end(void
 {
     static struct session_recorder chapters;
     (void)state;
-    evidence_open(&evidence, "", &chapters, NULL);
+    panic_evidence_open(&evidence, "", &chapters, NULL);
     evidence.thread = getpid() + 1;
     atomic_store(&chapters.is_busy, 1);
-    assert_int_equal(evidence_write(&evidence, "test"), 0);
+    assert_int_equal(panic_evidence_write(&evidence, "test"), 0);
     assert_true(atomic_load(&chapters.is_frozen));
     atomic_store(&chapters.is_busy, 0);
-    assert_int_equal(evidence_write(&evidence, "test"), 1);
+    assert_int_equal(panic_evidence_write(&evidence, "test"), 1);
 }
 
 int main(void)

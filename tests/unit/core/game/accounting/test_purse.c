@@ -76,7 +76,7 @@ static void start(void)
         config.persistent.ledger.balance = journal[disk.id].balance;
         for (uint32_t id = 1; id <= disk.id; id++) {
             struct ledger_stand *stand = &config.persistent.ledger.stand;
-            *stand = stand_after(*stand, &journal[id]);
+            *stand = round_standing_after(*stand, &journal[id]);
         }
     }
     assert_int_equal(core_init(&core, &config), CORE_OK);

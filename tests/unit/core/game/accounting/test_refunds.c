@@ -16,7 +16,7 @@ static uint32_t seen_id;
 static void note_entries(void)
 {
     while (seen_id != output.entry_id) {
-        stand = stand_after(stand, purse_entry(&output, ++seen_id));
+        stand = round_standing_after(stand, purse_entry(&output, ++seen_id));
     }
 }
 

@@ -95,7 +95,7 @@ static void cut_power(void)
                                                       .balance = journal[saved_id].balance };
     for (uint32_t id = 1; id <= saved_id; id++) {
         struct ledger_stand *stand = &config.persistent.ledger.stand;
-        *stand = stand_after(*stand, &journal[id]);
+        *stand = round_standing_after(*stand, &journal[id]);
     }
     assert_int_equal(core_init(&core, &config), CORE_OK);
     memset(&input, 0, sizeof input);
