@@ -32,6 +32,7 @@ _Static_assert(sizeof(struct scene) <= 1024u * 1024u, "the scene outgrew its bud
  * players can choose, the session starts in the lab. */
 static void open_world(struct core *core)
 {
+    CORE_ASSERT(core->config.preset < TANK_PRESET_COUNT);
     memset(&core->game, 0, sizeof core->game);
     memset(&core->world, 0, sizeof core->world);
     game_init(&core->game, &core->config);
@@ -45,6 +46,7 @@ static void open_world(struct core *core)
 
 enum core_error core_init(struct core *core, const struct core_config *config)
 {
+    CORE_ASSERT(core && config && &core->config != config);
     if (config->preset >= TANK_PRESET_COUNT ||
         config->fish_count > tank_preset_fish_max(tank_preset(config->preset), 1.0f) ||
         config->language >= LANGUAGE_COUNT || config->session.language.chosen >= LANGUAGE_COUNT ||
@@ -71,6 +73,7 @@ enum core_error core_init(struct core *core, const struct core_config *config)
 /* Returns 1 if fish and other rings collide with poi `index`, otherwise 0. */
 static int is_met(const struct core *core, uint32_t index)
 {
+    CORE_ASSERT(index < POI_MAX);
     return controller_is_active(&core->world, index) &&
            parking_collides(&core->game, &core->world, index);
 }
@@ -86,17 +89,8 @@ static uint32_t gather_obstacles(const struct core *core, struct obstacle out[TA
             out[count++] = bowl_obstacle(&core->world.bowl[i]);
         }
     }
+    CORE_ASSERT(count <= TANK_OBSTACLE_MAX);
     return count;
-}
-
-/* Keeps poi `index` out of the bowls of other players. poi_tick() handles the poi's own bowl. */
-static void keep_off_bowls(struct core *core, uint32_t index)
-{
-    for (uint32_t i = 0; i < POI_MAX; i++) {
-        if (i != index) {
-            poi_constrain_to_bowl(&core->world.poi[index], &core->world.bowl[i]);
-        }
-    }
 }
 
 /* Separates overlapping rings. For each ring that moved, the constraints of the walls and of its
@@ -105,6 +99,7 @@ static void part_rings(struct core *core, const uint8_t live[POI_MAX])
 {
     for (uint32_t k = 0; k < POI_MAX * POI_MAX; k++) {
         const uint32_t a = k / POI_MAX, b = k % POI_MAX;
+        CORE_ASSERT(live[a] <= 1 && live[b] <= 1);
         if (a < b && live[a] && live[b] && is_met(core, a) && is_met(core, b) &&
             ring_pairs_separate(&core->world.poi[a], &core->world.poi[b])) {
             poi_constrain_again(&core->world.poi[a], &core->world.tank, &core->world.bowl[a]);
@@ -128,7 +123,13 @@ static void tick_pois(struct core *core, const struct input *input,
                     (core->world.poi[i].link == POI_SOURCE_LIVE && input->poi[i].has_wrist),
             };
             poi_tick(&core->world.poi[i], &grip, &core->world.tank, &core->world.bowl[i]);
-            keep_off_bowls(core, i);
+            /* The poi is kept out of the bowls of other players. poi_tick() handles its own
+             * bowl. */
+            for (uint32_t other = 0; other < POI_MAX; other++) {
+                if (other != i) {
+                    poi_constrain_to_bowl(&core->world.poi[i], &core->world.bowl[other]);
+                }
+            }
         }
     }
     part_rings(core, live);
@@ -187,8 +188,9 @@ static void gather_shades(struct core *core, const struct input *input)
     tank_cast(&core->world.tank, casts);
 }
 
-/* Applies the fish's reactions to the pois and bowls, in the order of gather_obstacles(). */
-static void give_way(struct core *core, const struct obstacle *obstacles)
+/* Applies the fish's reactions to the pois and bowls, in the order of gather_obstacles(), which returned
+ * `count`. */
+static void give_way(struct core *core, const struct obstacle *obstacles, uint32_t count)
 {
     uint32_t at = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -200,17 +202,19 @@ static void give_way(struct core *core, const struct obstacle *obstacles)
             bowl_apply_reaction(&core->world.bowl[i], &obstacles[at++]);
         }
     }
+    CORE_ASSERT(at == count);
 }
 
 static void tick_fish(struct core *core, const struct input *input)
 {
+    CORE_ASSERT(core->world.tank.preset < TANK_PRESET_COUNT);
     const uint8_t has_pump = tank_preset(core->world.tank.preset)->pump;
     core->world.tank.oxygen.pump = has_pump && game_pumps(&core->game, core->game.tick);
     struct obstacle obstacles[TANK_OBSTACLE_MAX];
     const uint32_t count = gather_obstacles(core, obstacles);
     gather_shades(core, input);
     tank_tick(&core->world.tank, core->game.tick, obstacles, count);
-    give_way(core, obstacles);
+    give_way(core, obstacles, count);
     for (uint32_t i = 0; i < POI_MAX; i++) {
         bowl_fish_tick(&core->world.bowl[i], i, &core->world.tank);
     }
@@ -243,18 +247,9 @@ static void feel_pois(const struct core *core, const uint8_t live[POI_MAX], stru
     }
 }
 
-/* Copies the state on which the platform acts to `output`. The copy is not part of the hash. */
-static void report_state(const struct game *game, struct output *output)
-{
-    output->tick = game->tick;
-    output->round_tick = game->round_tick;
-    output->phase = game->phase;
-    output->is_idle =
-        game->phase == PHASE_ATTRACT && game->accounts.ledger.balance.open == PAYMENT_NONE;
-}
-
 enum core_error core_tick(struct core *core, const struct input *input, struct output *output)
 {
+    CORE_ASSERT(core && input && output);
     if (core->game.tick % CORE_TICK_HZ == 0 && !float_env_is_standard()) {
         return CORE_ERR_FLOAT;
     }
@@ -274,23 +269,32 @@ enum core_error core_tick(struct core *core, const struct input *input, struct o
         session_restart(&core->game, &core->config);
         open_world(core);
     }
-    report_state(&core->game, output);
+    /* The platform acts on a copy of this state, which is not part of the hash. */
+    const struct game *game = &core->game;
+    output->tick = game->tick;
+    output->round_tick = game->round_tick;
+    output->phase = game->phase;
+    output->is_idle =
+        game->phase == PHASE_ATTRACT && game->accounts.ledger.balance.open == PAYMENT_NONE;
     return CORE_OK;
 }
 
 const struct ranking *core_ranking(const struct core *core)
 {
+    CORE_ASSERT(core);
     return &core->game.accounts.ranking;
 }
 
 int core_final_entry(const struct core *core, const struct input *input, struct ledger_entry *out)
 {
+    CORE_ASSERT(core && input && out);
     return health_log_final(&core->game.accounts, &core->game.health_log, core->game.tick, input,
                             out);
 }
 
 int core_is_fresh(const struct core *core)
 {
+    CORE_ASSERT(core->game.tick >= core->config.session.tick);
     return core->game.tick == core->config.session.tick;
 }
 

@@ -1,5 +1,6 @@
 /* core_scene.c -- builds the scene from the state. The module has no state of its own. */
 #include "core/base/mem.h"
+#include "core/base/panic.h"
 #include "core/core.h"
 #include "core/game/accounting/credit.h"
 #include "core/game/control/controller.h"
@@ -15,6 +16,7 @@
 
 static void show_fish(const struct fish *fish, uint32_t tick, struct scene_fish *out)
 {
+    CORE_ASSERT(fish->gait < GAIT_COUNT && fish->age_days >= 0.0f);
     out->position_m = fish->position_m;
     out->angles = fish->angles;
     out->length_m = fish->length_m;
@@ -67,6 +69,7 @@ static void show_sheet(const struct sheet *sheet, struct scene_poi *out)
 
 static void show_poi(const struct core *core, uint32_t index, struct scene_poi *out)
 {
+    CORE_ASSERT(index < POI_MAX);
     const struct poi *poi = &core->world.poi[index];
     out->present = (uint8_t)controller_is_active(&core->world, index);
     out->owner = (uint8_t)index;
@@ -87,6 +90,7 @@ static void show_poi(const struct core *core, uint32_t index, struct scene_poi *
 
 static void show_bowl(const struct bowl *bowl, uint32_t index, struct scene_bowl *out)
 {
+    CORE_ASSERT(index < POI_MAX);
     *out = (struct scene_bowl){
         .present = bowl->present,
         .owner = (uint8_t)index,
@@ -101,6 +105,7 @@ static void show_bowl(const struct bowl *bowl, uint32_t index, struct scene_bowl
 
 static void show_fan(const struct shade *shade, uint32_t index, struct scene_fan *out)
 {
+    CORE_ASSERT(index < SHADE_MAX);
     const struct shade_cast *cast = &shade->cast;
     *out = (struct scene_fan){
         .present = cast->present,
@@ -117,6 +122,7 @@ static void show_players(const struct core *core, struct scene *scene)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &core->game.player[i];
+        CORE_ASSERT(core->game.tick >= player->foul_tick);
         const int in_round = core->game.phase == PHASE_ROUND;
         const struct leaderboard_place place = leaderboard_best_place(
             &core->game.accounts.ranking, core->game.mode, core->game.name.round_id, (uint8_t)i);
@@ -134,17 +140,11 @@ static void show_players(const struct core *core, struct scene *scene)
     }
 }
 
-/* Writes the round length and the paper grade of `mode` under the core's configuration. */
-static void show_offer(const struct core *core, uint8_t mode, struct scene_offer *out)
-{
-    const struct core_config *config = &core->config;
-    out->round_s = (uint16_t)table_setup_round_s(config, mode);
-    out->grade = table_setup_grade(config, mode);
-}
-
 static void show_game(const struct core *core, struct scene *scene)
 {
     const struct game *game = &core->game;
+    CORE_ASSERT(game->phase <= PHASE_LEADERBOARD && game->mode < MODE_COUNT);
+    CORE_ASSERT(game->language < LANGUAGE_COUNT);
     scene->phase = game->phase;
     scene->language = game->language;
     scene->hint = game->hints.shown;
@@ -162,7 +162,8 @@ static void show_game(const struct core *core, struct scene *scene)
     scene->call_s = (float)(core->game.tick - game->call_tick) * CORE_TICK_S;
     show_players(core, scene);
     for (uint8_t mode = 0; mode < MODE_COUNT; mode++) {
-        show_offer(core, mode, &scene->offer[mode]);
+        scene->offer[mode].round_s = (uint16_t)table_setup_round_s(&core->config, mode);
+        scene->offer[mode].grade = table_setup_grade(&core->config, mode);
     }
     credit_show(&core->game.accounts, &core->config, core->game.tick, &scene->credit);
     scene->asks_menu = (uint8_t)menu_is_asking(&core->game);
@@ -178,6 +179,7 @@ static void show_game(const struct core *core, struct scene *scene)
 void core_scene(const struct core *core, struct scene *scene)
 {
     const struct tank *tank = &core->world.tank;
+    CORE_ASSERT(tank->fish_count <= SCENE_FISH_MAX);
     const struct tank_preset *preset = tank_preset(tank->preset);
     scene->tick = core->game.tick;
     scene->view = preset->view;

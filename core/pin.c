@@ -39,6 +39,7 @@ int pin_is_plain(int32_t kept)
 
 int pin_matches(int32_t kept, uint32_t pin)
 {
+    CORE_ASSERT(pin <= PIN_MAX);
     if (kept == PIN_WITHHELD) {
         return 0;
     }

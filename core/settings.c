@@ -10,7 +10,9 @@
 #define MICRO 10000000 /* Range of a calibration value, in millionths: 10 m, or a factor of 10. */
 
 #define CALIBRATION(seat, name)                                                                    \
-    { "seat" #seat "-" name, GROUP_CALIBRATION, KIND_NUMBER, -MICRO, MICRO, 1, 0 }
+    {                                                                                              \
+        "seat" #seat "-" name, GROUP_CALIBRATION, KIND_NUMBER, -MICRO, MICRO, 1, 0                 \
+    }
 /* The nine calibration values of one slot (core/game/control/calibration.h). If all nine are 0, the
  * controller's pose is used unchanged. */
 #define SEAT(seat)                                                                                 \
@@ -72,6 +74,7 @@ static int is_grade(int32_t value)
 int settings_allows(uint32_t id, int32_t value)
 {
     const struct setting *setting = settings_entry(id);
+    CORE_ASSERT(setting->step > 0 && setting->min <= setting->max);
     if (id == SET_PIN && value < 0) {
         return 1;
     }
@@ -81,23 +84,20 @@ int settings_allows(uint32_t id, int32_t value)
 
 void settings_reset(struct settings *settings)
 {
+    CORE_ASSERT(settings);
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
         settings->value[id] = table[id].standard;
     }
 }
 
-static int were_never_set(const struct settings *settings)
+void settings_sanitize(struct settings *settings)
 {
-    int32_t any = 0;
+    CORE_ASSERT(settings);
+    int32_t any = 0; /* If all values are 0, the settings were never set. */
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
         any |= settings->value[id];
     }
-    return any == 0;
-}
-
-void settings_sanitize(struct settings *settings)
-{
-    if (were_never_set(settings)) {
+    if (any == 0) {
         settings_reset(settings);
     }
     for (uint32_t id = 0; id < SETTING_COUNT; id++) {
@@ -120,4 +120,5 @@ void settings_hide_pin(struct settings *settings, uint32_t salt)
 {
     const int32_t kept = settings->value[SET_PIN];
     settings->value[SET_PIN] = pin_is_plain(kept) ? pin_hide((uint32_t)kept, salt) : kept;
+    CORE_ASSERT(!pin_is_plain(settings->value[SET_PIN]));
 }

@@ -1,6 +1,8 @@
 /* view.c -- computes with the pinhole camera: axes, field of view, and points under the screen. */
 #include "core/view.h"
 
+#include "core/base/panic.h"
+
 #define RAY_LENGTH_MAX_M 4.0f /* Length at which a camera ray ends, longer than any tank. */
 
 struct basis view_basis(const struct view *view)
@@ -12,6 +14,7 @@ struct basis view_basis(const struct view *view)
 
 float view_half_height_tan(const struct view *view, float aspect)
 {
+    CORE_ASSERT(aspect > 0.0f && view->half_height_tan > 0.0f);
     return view->half_height_tan * f_max(1.0f, view->aspect_min / aspect);
 }
 

@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "core/base/panic.h"
 #include "core/base/simd.h"
 
 #define CASE_COUNT 8u
@@ -49,6 +50,7 @@ static uint32_t bits_of(float value)
 static int quad_is_standard(uint32_t first)
 {
     fquad x, y, z;
+    CORE_ASSERT(first + 4u <= CASE_COUNT);
     for (uint32_t i = 0; i < 4u; i++) {
         x[i] = float_of(cases[first + i].x);
         y[i] = float_of(cases[first + i].y);

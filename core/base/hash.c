@@ -3,12 +3,14 @@
 #include "core/base/hash.h"
 
 #include "core/base/mem.h"
+#include "core/base/panic.h"
 
 #define FNV_PRIME 0x100000001b3ull
 
 uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size)
 {
     const uint8_t *byte = bytes;
+    CORE_ASSERT(bytes || size == 0);
     for (size_t i = 0; i < size; i++) {
         hash = (hash ^ byte[i]) * FNV_PRIME;
     }
@@ -47,6 +49,7 @@ uint64_t hash_vec3(uint64_t hash, vec3 value)
 
 uint64_t hash_floats(uint64_t hash, const float *values, size_t count)
 {
+    CORE_ASSERT(values || count == 0);
     for (size_t i = 0; i < count; i++) {
         hash = hash_float(hash, values[i]);
     }

@@ -26,6 +26,7 @@ static uint32_t rotate_right(uint32_t word, uint32_t bits)
 static void make_schedule(const uint8_t *message, size_t size, uint32_t w[ROUNDS])
 {
     uint8_t block[BLOCK_SIZE] = { 0 };
+    CORE_ASSERT(size < BLOCK_SIZE - 2u);
     for (size_t i = 0; i < size; i++) {
         block[i] = message[i];
     }
@@ -48,7 +49,7 @@ void sha256_short(const uint8_t *message, size_t size, uint32_t digest[SHA256_WO
     static const uint32_t start[SHA256_WORDS] = { 0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                                                   0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19 };
     uint32_t w[ROUNDS], s[SHA256_WORDS];
-    CORE_ASSERT(size <= SHA256_MESSAGE_MAX);
+    CORE_ASSERT(message && size <= SHA256_MESSAGE_MAX);
     make_schedule(message, size, w);
     for (uint32_t i = 0; i < SHA256_WORDS; i++) {
         s[i] = start[i];

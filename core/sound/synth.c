@@ -41,44 +41,27 @@ static uint32_t frames_of(float ms)
 
 /* ---- Layers (tones and noise) --------------------------------------------------------------- */
 
-static void control(struct drive *drive, uint32_t *noise)
-{
-    const struct layer_recipe *recipe = drive->recipe;
-    struct synth_layer *state = drive->state;
-    if (recipe->glide_ms > 0.0f) {
-        const float glide_frames = recipe->glide_ms * FRAMES_PER_MS;
-        const float share = 1.0f - f_exp(-(float)CONTROL_FRAMES / glide_frames);
-        state->hz += (recipe->hz_to - state->hz) * share;
-    }
-    state->decay = f_exp(-1.0f / (recipe->decay_ms * FRAMES_PER_MS));
-    state->cutoff = 2.0f * f_sin(F_PI * state->hz / (float)SYNTH_RATE_HZ);
-    state->gate = 1.0f - recipe->roughness * f_abs(noise_next(noise));
-}
-
-static float layer_wave(struct drive *drive, uint32_t *noise)
-{
-    struct synth_layer *state = drive->state;
-    if (drive->recipe->kind == LAYER_TONE) {
-        state->phase += state->hz / (float)SYNTH_RATE_HZ;
-        state->phase -= f_floor(state->phase);
-        return f_sin(F_TAU * state->phase);
-    }
-    state->low += state->cutoff * state->band;
-    const float high = noise_next(noise) - state->low - drive->recipe->damping * state->band;
-    state->band += state->cutoff * high;
-    return state->band * state->gate;
-}
-
 static float layer_next(struct drive *drive, uint32_t age_frames, uint32_t *noise)
 {
+    struct synth_layer *state = drive->state;
     if (age_frames < drive->delay_frames) {
         return 0.0f;
     }
     const float rise = (float)(age_frames - drive->delay_frames) * drive->attack_per_frame;
+    CORE_ASSERT(rise >= 0.0f);
     if (rise >= 1.0f) {
-        drive->state->level *= drive->state->decay;
+        state->level *= state->decay;
     }
-    return layer_wave(drive, noise) * drive->state->level * f_min(rise, 1.0f);
+    const float gain = f_min(rise, 1.0f);
+    if (drive->recipe->kind == LAYER_TONE) {
+        state->phase += state->hz / (float)SYNTH_RATE_HZ;
+        state->phase -= f_floor(state->phase);
+        return f_sin(F_TAU * state->phase) * state->level * gain;
+    }
+    state->low += state->cutoff * state->band;
+    const float high = noise_next(noise) - state->low - drive->recipe->damping * state->band;
+    state->band += state->cutoff * high;
+    return state->band * state->gate * state->level * gain;
 }
 
 /* ---- Plucked string ------------------------------------------------------------------------- */
@@ -91,6 +74,7 @@ static float string_next(struct synth_voice *voice, const struct sound_recipe *r
         return 0.0f;
     }
     const uint32_t at = voice->string_at;
+    CORE_ASSERT(at < voice->string_count && voice->string_count <= SYNTH_PLUCK_MAX);
     const uint32_t next = at + 1u < voice->string_count ? at + 1u : 0u;
     const float wave = voice->string[at];
     voice->string[at] = recipe->string_keep * 0.5f * (wave + voice->string[next]);
@@ -102,6 +86,7 @@ static float string_next(struct synth_voice *voice, const struct sound_recipe *r
  * the noise is subtracted, because it would be audible as a thump when the sound ends. */
 static void string_pluck(struct synth_voice *voice, float hz)
 {
+    CORE_ASSERT(hz > 0.0f);
     float mean = 0.0f;
     float smooth = 0.0f;
     /* The averaging of two adjacent samples in string_next() adds a delay of half a frame. The
@@ -127,6 +112,7 @@ static uint32_t gather_drives(struct synth_voice *voice, const struct sound_reci
     for (uint32_t i = 0; i < SYNTH_LAYER_MAX; i++) {
         const struct layer_recipe *layer = &recipe->layer[i];
         if (layer->kind != LAYER_NONE) {
+            CORE_ASSERT(layer->attack_ms > 0.0f && layer->decay_ms > 0.0f);
             drives[count++] = (struct drive){
                 .recipe = layer,
                 .state = &voice->layer[i],
@@ -142,6 +128,7 @@ static uint32_t gather_drives(struct synth_voice *voice, const struct sound_reci
  * Returns the number of frames that this step contains, at most `frame_count`. */
 static uint32_t voice_step(struct synth_voice *voice, float *mix, uint32_t frame_count)
 {
+    CORE_ASSERT(voice->sound != SOUND_NONE && voice->sound < SOUND_COUNT);
     const struct sound_recipe *recipe = &sound_recipes[voice->sound];
     const uint32_t length = frames_of(recipe->length_ms);
     const uint32_t step = CONTROL_FRAMES - voice->age_frames % CONTROL_FRAMES;
@@ -149,7 +136,16 @@ static uint32_t voice_step(struct synth_voice *voice, float *mix, uint32_t frame
     struct drive drives[SYNTH_LAYER_MAX];
     const uint32_t drive_count = gather_drives(voice, recipe, drives);
     for (uint32_t d = 0; d < drive_count && step == CONTROL_FRAMES; d++) {
-        control(&drives[d], &voice->noise);
+        const struct layer_recipe *layer = drives[d].recipe;
+        struct synth_layer *state = drives[d].state;
+        if (layer->glide_ms > 0.0f) {
+            const float glide_frames = layer->glide_ms * FRAMES_PER_MS;
+            const float share = 1.0f - f_exp(-(float)CONTROL_FRAMES / glide_frames);
+            state->hz += (layer->hz_to - state->hz) * share;
+        }
+        state->decay = f_exp(-1.0f / (layer->decay_ms * FRAMES_PER_MS));
+        state->cutoff = 2.0f * f_sin(F_PI * state->hz / (float)SYNTH_RATE_HZ);
+        state->gate = 1.0f - layer->roughness * f_abs(noise_next(&voice->noise));
     }
     for (uint32_t i = 0; i < count; i++) {
         const float fade = f_min((float)(length - voice->age_frames) / FADE_FRAMES, 1.0f);
@@ -168,30 +164,6 @@ static uint32_t voice_step(struct synth_voice *voice, float *mix, uint32_t frame
     return count;
 }
 
-static struct synth_voice *free_or_oldest(struct synth *synth)
-{
-    struct synth_voice *oldest = &synth->voice[0];
-    for (uint32_t i = 0; i < SYNTH_VOICE_MAX; i++) {
-        struct synth_voice *voice = &synth->voice[i];
-        if (voice->sound == SOUND_NONE) {
-            return voice;
-        }
-        if (voice->age_frames > oldest->age_frames) {
-            oldest = voice;
-        }
-    }
-    return oldest;
-}
-
-/* Returns the sample for the level `x` with soft clipping. The curve is linear at low levels and
- * becomes flat near full scale, so that many simultaneous sounds fit the sample format. */
-static int16_t to_sample(float x)
-{
-    const float c = f_clamp(x, -3.0f, 3.0f);
-    const float bent = c * (27.0f + c * c) / (27.0f + 9.0f * c * c);
-    return (int16_t)(int32_t)(bent * FULL_SCALE);
-}
-
 /* ---- Interface of the synthesiser ----------------------------------------------------------- */
 
 void synth_init(struct synth *synth)
@@ -201,13 +173,20 @@ void synth_init(struct synth *synth)
 
 void synth_play(struct synth *synth, const struct sound_event *event)
 {
+    CORE_ASSERT(synth && event);
     if (event->sound == SOUND_NONE || event->sound >= SOUND_COUNT) {
         return;
     }
     const struct sound_recipe *recipe = &sound_recipes[event->sound];
     const float gain = f_clamp(event->gain, 0.0f, 1.0f);
     const float pan = f_clamp(event->pan, -1.0f, 1.0f);
-    struct synth_voice *voice = free_or_oldest(synth);
+    struct synth_voice *voice = &synth->voice[0]; /* A free voice, otherwise the oldest voice. */
+    for (uint32_t i = 0; i < SYNTH_VOICE_MAX && voice->sound != SOUND_NONE; i++) {
+        struct synth_voice *other = &synth->voice[i];
+        if (other->sound == SOUND_NONE || other->age_frames > voice->age_frames) {
+            voice = other;
+        }
+    }
     *voice = (struct synth_voice){ .sound = event->sound, .noise = ++synth->played * 2654435761u };
     voice->left = gain * f_sqrt(0.5f * (1.0f - pan)); /* The sum of the squares of the left gain and
                                                          the right gain is the same for every pan,
@@ -224,6 +203,7 @@ void synth_play(struct synth *synth, const struct sound_event *event)
 
 void synth_render(struct synth *synth, int16_t *stereo, uint32_t frame_count)
 {
+    CORE_ASSERT(synth && (stereo || frame_count == 0));
     while (frame_count > 0) {
         float mix[2u * CONTROL_FRAMES] = { 0 };
         const uint32_t block = frame_count < CONTROL_FRAMES ? frame_count : CONTROL_FRAMES;
@@ -234,7 +214,11 @@ void synth_render(struct synth *synth, int16_t *stereo, uint32_t frame_count)
             }
         }
         for (uint32_t i = 0; i < 2u * block; i++) {
-            stereo[i] = to_sample(mix[i]);
+            /* Soft clipping is linear at low levels and becomes flat near full scale, so that many
+             * simultaneous sounds fit the sample format. */
+            const float c = f_clamp(mix[i], -3.0f, 3.0f);
+            const float bent = c * (27.0f + c * c) / (27.0f + 9.0f * c * c);
+            stereo[i] = (int16_t)(int32_t)(bent * FULL_SCALE);
         }
         stereo += 2u * block;
         frame_count -= block;
