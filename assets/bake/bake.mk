@@ -7,7 +7,7 @@ BAKE_BUILD := $(BUILD)/assets/bake
 # The bake tool runs on the building machine, even if CC compiles for another machine.
 BUILD_CC ?= cc
 BAKE_CFLAGS := -std=c17 -O2 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE -I.
-BAKE_PARTS := bake noise caustics patterns environment wood paper text font atlas stb
+BAKE_PARTS := bake noise caustics patterns environment wood paper text font stb
 BAKE_OBJ := $(BAKE_PARTS:%=$(BAKE_BUILD)/%.o)
 
 TEXT_FILES := assets/text/ja.txt assets/text/en.txt
@@ -40,7 +40,7 @@ $(GENERATED)/text_keys.h $(GENERATED)/text_table.c &: $(TEXT_FILES) $(BAKE_BUILD
 	$(Q)$(BUILD)/bake text assets/text $(GENERATED)/text_keys.h $(GENERATED)/text_table.c
 
 $(GENERATED)/font.bin $(GENERATED)/fonts.c $(GENERATED)/fonts.h &: \
-    $(TEXT_FILES) assets/text/fonts.txt $(BAKE_BUILD)/font.o $(BAKE_BUILD)/atlas.o $(BAKE_BUILD)/text.o $(BAKE_BUILD)/stb.o | $(BUILD)/bake
+    $(TEXT_FILES) assets/text/fonts.txt $(BAKE_BUILD)/font.o $(BAKE_BUILD)/text.o $(BAKE_BUILD)/stb.o | $(BUILD)/bake
 	@mkdir -p $(@D)
 	$(Q)$(BUILD)/bake font assets/text $(GENERATED)/font.bin $(GENERATED)/fonts.c $(GENERATED)/fonts.h
 

@@ -8,6 +8,7 @@
  * on every machine. */
 #include "assets/bake/bake.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -56,13 +57,6 @@ static void choose_waves(struct wave waves[WAVES])
     }
 }
 
-static void fill_cosines(float cosine[RAYS])
-{
-    for (uint32_t i = 0; i < RAYS; i++) {
-        cosine[i] = cosf((float)i * (TAU / (float)RAYS));
-    }
-}
-
 /* Adds one ray's light to the four texels around its position. */
 static void leave_light(float *light, float x, float y)
 {
@@ -79,6 +73,7 @@ static void leave_light(float *light, float x, float y)
 static void trace_row(float *light, const float *cosine, const struct wave waves[WAVES],
                       uint32_t row, uint32_t frame)
 {
+    assert(row < RAYS && frame < CAUSTICS_FRAMES);
     static float shift_x[RAYS], shift_y[RAYS];
     memset(shift_x, 0, sizeof shift_x);
     memset(shift_y, 0, sizeof shift_y);
@@ -106,7 +101,9 @@ void bake_caustics(uint8_t *r8)
     static struct wave waves[WAVES];
     const uint32_t texels = CAUSTICS_SIZE * CAUSTICS_SIZE;
     float *light = bake_alloc(texels * sizeof *light);
-    fill_cosines(cosine);
+    for (uint32_t i = 0; i < RAYS; i++) {
+        cosine[i] = cosf((float)i * (TAU / (float)RAYS));
+    }
     choose_waves(waves);
     for (uint32_t frame = 0; frame < CAUSTICS_FRAMES; frame++) {
         memset(light, 0, texels * sizeof *light);

@@ -7,6 +7,7 @@
  * sees on the water. */
 #include "assets/bake/bake.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "assets/bake/noise.h"
@@ -17,6 +18,7 @@ struct colour {
 
 static void glow(struct colour *at, struct colour light, float amount)
 {
+    assert(amount >= 0.0f);
     at->r += light.r * amount;
     at->g += light.g * amount;
     at->b += light.b * amount;
@@ -47,18 +49,6 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
     }
 }
 
-static struct colour sky(float x, float y, float z)
-{
-    const float low = expf(-3.2f * y);
-    const float cloud = noise_2d_sum(x * 3.0f + 8.0f, z * 3.0f + 8.0f, 4096, 4096, 71, 4);
-    struct colour at = { 0.018f, 0.030f, 0.085f };
-    glow(&at, (struct colour){ 0.16f, 0.09f, 0.10f }, low); /* Glow of the fair's lights near the
-                                                               horizon. */
-    glow(&at, (struct colour){ 0.05f, 0.06f, 0.11f },
-         noise_ramp(0.45f, 0.75f, cloud) * (1.0f - low));
-    return at;
-}
-
 /* Adds the beam and the striped edge of the awning at the far side of the stall. */
 static void add_awning(struct colour *at, float x, float y, float z)
 {
@@ -81,7 +71,13 @@ void bake_environment(uint8_t *rgb8)
                                                                 outside the map and repeat the
                                                                 horizon. */
             const float y = (1.0f - r2) / (1.0f + r2), x = px * (1.0f + y), z = pz * (1.0f + y);
-            struct colour at = sky(x, y, z);
+            const float low = expf(-3.2f * y);
+            const float cloud = noise_2d_sum(x * 3.0f + 8.0f, z * 3.0f + 8.0f, 4096, 4096, 71, 4);
+            struct colour at = { 0.018f, 0.030f, 0.085f };          /* Colour of the night sky. */
+            glow(&at, (struct colour){ 0.16f, 0.09f, 0.10f }, low); /* Glow of the fair's lights
+                                                                       near the horizon. */
+            glow(&at, (struct colour){ 0.05f, 0.06f, 0.11f },
+                 noise_ramp(0.45f, 0.75f, cloud) * (1.0f - low));
             add_awning(&at, x, y, z);
             add_lanterns(&at, x, y, z);
             uint8_t *texel = rgb8 + (row * ENVIRONMENT_SIZE + column) * 3u;

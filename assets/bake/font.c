@@ -2,9 +2,14 @@
  *
  * assets/text/fonts.txt assigns text keys to fonts. A font gets its base set of characters and
  * every character in the texts of its keys in every language. A new text therefore adds its glyphs
- * automatically. */
-#include "assets/bake/atlas.h"
+ * automatically.
+ *
+ * The font atlas holds the glyphs' distance fields on pages of equal size, one page below the other.
+ * OpenGL ES 3.0 guarantees only array textures and textures of up to 2,048 texels a side. The pages
+ * therefore become the layers of one array texture. */
+#include "assets/bake/bake.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,6 +21,21 @@
 /* Width of the margin around a glyph in atlas pixels, equal to FONT_EDGE / FONT_STEP. */
 #define FONT_PADDING 10
 #define KEY_PATTERNS_MAX 192u
+
+struct atlas {
+    uint32_t page_rows;  /* Height of a page in texels, a multiple of 4 and at most
+                            FONT_PAGE_ROWS_MAX. */
+    uint32_t page_count; /* Number of pages, at most FONT_PAGES_MAX. */
+};
+
+struct glyph {
+    uint32_t code;
+    int index;      /* Index of the glyph in the font file. */
+    uint8_t *field; /* Distance field of width x height values. Null for a glyph without ink, such
+                       as a space. */
+    int width, height, left_px, top_px;
+    uint32_t x, y; /* Position in the atlas. Page n begins at row n * page_rows. */
+};
 
 struct face {
     char name[32], path[512], base[16];
@@ -74,18 +94,17 @@ static uint32_t read_faces(struct face faces[FONT_MAX], const char *path)
     return count;
 }
 
-static int matches(const char *pattern, const char *key)
-{
-    while (*pattern != 0 && *key != 0 && (*pattern == '?' || *pattern == *key)) {
-        pattern++, key++;
-    }
-    return strcmp(pattern, "*") == 0 || (*pattern == 0 && *key == 0);
-}
-
+/* Returns 1 if a pattern of the font matches `key`, otherwise 0. `?` stands for any character, and a
+ * final `*` stands for any rest. */
 static int draws_key(const struct face *face, const char *key)
 {
+    assert(face->pattern_count <= KEY_PATTERNS_MAX);
     for (uint32_t i = 0; i < face->pattern_count; i++) {
-        if (matches(face->patterns[i], key)) {
+        const char *pattern = face->patterns[i], *at = key;
+        while (*pattern != 0 && *at != 0 && (*pattern == '?' || *pattern == *at)) {
+            pattern++, at++;
+        }
+        if (strcmp(pattern, "*") == 0 || (*pattern == 0 && *at == 0)) {
             return 1;
         }
     }
@@ -115,6 +134,7 @@ static void open_face(struct face *face)
  * the font already has GLYPHS_MAX glyphs, otherwise 1. */
 static int add_glyph(struct face *face, uint32_t code)
 {
+    assert(face->glyphs && face->glyph_count <= GLYPHS_MAX);
     for (uint32_t i = 0; i < face->glyph_count; i++) {
         if (face->glyphs[i].code == code) {
             return 1;
@@ -130,6 +150,7 @@ static int add_glyph(struct face *face, uint32_t code)
 
 static void add_range(struct face *face, uint32_t first, uint32_t last)
 {
+    assert(first <= last);
     for (uint32_t code = first; code <= last; code++) {
         if (!add_glyph(face, code)) {
             bake_fail("font %s (%s) lacks U+%04X of its set `%s`", face->name, face->path,
@@ -200,6 +221,7 @@ static void measure_face(struct face *face)
 
 static void draw_face(struct face *face)
 {
+    assert(face->scale > 0.0f);
     for (uint32_t i = 0; i < face->glyph_count; i++) {
         struct glyph *glyph = &face->glyphs[i];
         int width = 0, height = 0;
@@ -213,25 +235,6 @@ static void draw_face(struct face *face)
     }
 }
 
-static void write_glyph(FILE *file, const struct face *face, const struct glyph *glyph)
-{
-    int advance, bearing;
-    stbtt_GetGlyphHMetrics(&face->info, glyph->index, &advance, &bearing);
-    fprintf(file, "    { 0x%04x, %u, %u, %d, %d, %.5ff, %.5ff, %.5ff },\n", glyph->code, glyph->x,
-            glyph->y, glyph->width, glyph->height, (double)((float)glyph->left_px / face->em_px),
-            (double)((float)glyph->top_px / face->em_px),
-            (double)((float)advance * face->scale / face->em_px));
-}
-
-static float cap_em(const struct face *face)
-{
-    int left, bottom, right, top;
-    if (!stbtt_GetCodepointBox(&face->info, '0', &left, &bottom, &right, &top)) {
-        return 0.7f;
-    }
-    return (float)top * face->scale / face->em_px;
-}
-
 static void write_tables(struct face *faces, uint32_t count, const char *path)
 {
     FILE *file = bake_open(path);
@@ -241,7 +244,14 @@ static void write_tables(struct face *faces, uint32_t count, const char *path)
     for (uint32_t i = 0; i < count; i++) {
         fprintf(file, "\nstatic const struct font_glyph %s_glyphs[] = {\n", faces[i].name);
         for (uint32_t k = 0; k < faces[i].glyph_count; k++) {
-            write_glyph(file, &faces[i], &faces[i].glyphs[k]);
+            const struct glyph *glyph = &faces[i].glyphs[k];
+            const float em_px = faces[i].em_px;
+            int advance, bearing;
+            stbtt_GetGlyphHMetrics(&faces[i].info, glyph->index, &advance, &bearing);
+            fprintf(file, "    { 0x%04x, %u, %u, %d, %d, %.5ff, %.5ff, %.5ff },\n", glyph->code,
+                    glyph->x, glyph->y, glyph->width, glyph->height,
+                    (double)((float)glyph->left_px / em_px), (double)((float)glyph->top_px / em_px),
+                    (double)((float)advance * faces[i].scale / em_px));
         }
         fputs("};\n", file);
     }
@@ -250,10 +260,14 @@ static void write_tables(struct face *faces, uint32_t count, const char *path)
         const struct face *face = &faces[i];
         int ascent, descent, gap;
         stbtt_GetFontVMetrics(&face->info, &ascent, &descent, &gap);
+        int left, bottom, right, top;
+        const float cap_em = stbtt_GetCodepointBox(&face->info, '0', &left, &bottom, &right, &top)
+                                 ? (float)top * face->scale / face->em_px
+                                 : 0.7f;
         fprintf(file, "    { \"%s\", %s_glyphs, %u, %.1ff, %.5ff, %.5ff, %.5ff },\n", face->name,
                 face->name, face->glyph_count, (double)face->em_px,
                 (double)((float)ascent * face->scale / face->em_px),
-                (double)((float)-descent * face->scale / face->em_px), (double)cap_em(face));
+                (double)((float)-descent * face->scale / face->em_px), (double)cap_em);
     }
     fputs("};\n", file);
     bake_close(file, path);
@@ -283,6 +297,78 @@ static void write_ids(const struct face *faces, uint32_t count, const struct atl
     bake_close(file, path);
 }
 
+static int by_height(const void *a, const void *b)
+{
+    const struct glyph *left = *(struct glyph *const *)a, *right = *(struct glyph *const *)b;
+    if (left->height != right->height) {
+        return right->height - left->height;
+    }
+    return left->code < right->code ? -1 : left->code > right->code;
+}
+
+/* Places the glyphs from left to right in rows of falling height, so that the first glyph of each
+ * row is its highest. Returns the number of pages of `page_rows` rows that the glyphs need. */
+static uint32_t lay_out(struct glyph **glyphs, uint32_t count, uint32_t page_rows)
+{
+    uint32_t x = FONT_ATLAS_WIDTH, y = 0, next_y = 0, page = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        assert(glyphs[i]->width >= 0 && (uint32_t)glyphs[i]->width <= FONT_ATLAS_WIDTH);
+        const uint32_t width = (uint32_t)glyphs[i]->width, height = (uint32_t)glyphs[i]->height;
+        if (x + width > FONT_ATLAS_WIDTH) {
+            x = 0;
+            y = next_y;
+            if (y + height > page_rows) {
+                y = 0;
+                page++;
+            }
+            next_y = y + height;
+        }
+        glyphs[i]->x = x;
+        glyphs[i]->y = page * page_rows + y;
+        x += width;
+    }
+    return page + 1;
+}
+
+/* Sorts the glyphs by height and places each glyph on one page. Uses as few pages as possible, and
+ * no page is higher than needed. Ends the bake if the glyphs need more than FONT_PAGES_MAX pages.
+ * The error message then names the file `list`. */
+static struct atlas atlas_pack(struct glyph **glyphs, uint32_t count, const char *list)
+{
+    qsort(glyphs, count, sizeof *glyphs, by_height);
+    struct atlas atlas = { .page_rows = FONT_PAGE_ROWS_MAX };
+    atlas.page_count = lay_out(glyphs, count, atlas.page_rows);
+    if (atlas.page_count > FONT_PAGES_MAX) {
+        bake_fail("%s: %u glyphs fill %u pages of %ux%u texels, and FONT_PAGES_MAX is %u: give a "
+                  "font fewer em pixels or fewer keys",
+                  list, count, atlas.page_count, FONT_ATLAS_WIDTH, FONT_PAGE_ROWS_MAX,
+                  FONT_PAGES_MAX);
+    }
+    while (lay_out(glyphs, count, atlas.page_rows - 4u) == atlas.page_count) {
+        atlas.page_rows -= 4u;
+    }
+    lay_out(glyphs, count, atlas.page_rows);
+    return atlas;
+}
+
+/* Writes the pages with the distance fields to the file `path`. */
+static void atlas_write(const struct atlas *atlas, struct glyph *const *glyphs, uint32_t count,
+                        const char *path)
+{
+    const size_t size = (size_t)FONT_ATLAS_WIDTH * atlas->page_rows * atlas->page_count;
+    uint8_t *texels = bake_alloc(size);
+    for (uint32_t i = 0; i < count; i++) {
+        const struct glyph *glyph = glyphs[i];
+        assert(glyph->x + (uint32_t)glyph->width <= FONT_ATLAS_WIDTH);
+        for (int row = 0; row < glyph->height; row++) {
+            memcpy(texels + (size_t)(glyph->y + (uint32_t)row) * FONT_ATLAS_WIDTH + glyph->x,
+                   glyph->field + row * glyph->width, (size_t)glyph->width);
+        }
+    }
+    bake_write(path, texels, size);
+    free(texels);
+}
+
 void font_bake(const struct text_file files[TEXT_LANGUAGES], const char *directory,
                const struct font_output *output)
 {
@@ -303,6 +389,7 @@ void font_bake(const struct text_file files[TEXT_LANGUAGES], const char *directo
             all[glyph_count++] = &faces[i].glyphs[k];
         }
     }
+    assert(glyph_count <= FONT_MAX * GLYPHS_MAX);
     const struct atlas atlas = atlas_pack(all, glyph_count, path);
     for (uint32_t i = 0; i < count; i++) {
         draw_face(&faces[i]);

@@ -1,6 +1,7 @@
 /* noise.c -- repeatable noise and small numeric functions for the baking of textures. */
 #include "assets/bake/noise.h"
 
+#include <assert.h>
 #include <math.h>
 
 static uint32_t scramble(uint32_t h)
@@ -34,6 +35,7 @@ float noise_mix(float a, float b, float t)
 
 float noise_ramp(float from, float to, float x)
 {
+    assert(from != to);
     const float t = noise_clamp01((x - from) / (to - from));
     return t * t * (3.0f - 2.0f * t);
 }
@@ -45,6 +47,7 @@ uint8_t noise_to_u8(float x01)
 
 static int32_t wrap(int32_t x, int32_t period)
 {
+    assert(period > 0);
     const int32_t rest = x % period;
     return rest < 0 ? rest + period : rest;
 }
@@ -64,6 +67,7 @@ float noise_2d(float x, float y, int32_t period_x, int32_t period_y, uint32_t se
 float noise_2d_sum(float x, float y, int32_t period_x, int32_t period_y, uint32_t seed,
                    uint32_t octaves)
 {
+    assert(octaves > 0);
     float sum = 0.0f, weight = 0.5f, total = 0.0f;
     for (uint32_t i = 0; i < octaves; i++) {
         sum += weight * noise_2d(x, y, period_x, period_y, seed + i);

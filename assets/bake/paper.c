@@ -2,6 +2,7 @@
  * pulp. */
 #include "assets/bake/bake.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -15,6 +16,7 @@ static void paper_add_light(float *sum, float x, float y, float amount)
     const int32_t x0 = (int32_t)floorf(x), y0 = (int32_t)floorf(y);
     const float tx = x - (float)x0, ty = y - (float)y0;
     const uint32_t mask = PAPER_SIZE - 1u;
+    assert((PAPER_SIZE & mask) == 0);
     const uint32_t left = (uint32_t)x0 & mask, right = (uint32_t)(x0 + 1) & mask;
     const uint32_t top = ((uint32_t)y0 & mask) * PAPER_SIZE;
     const uint32_t bottom = ((uint32_t)(y0 + 1) & mask) * PAPER_SIZE;

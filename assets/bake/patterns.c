@@ -7,6 +7,7 @@
  * brightness of a scale's reflection. */
 #include "assets/bake/bake.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "assets/bake/noise.h"
@@ -85,6 +86,7 @@ static float patch_depth(const struct design *design, float u, float v)
     float sum = 0.0f;
     for (uint32_t i = 0; i < PATCHES_MAX && design->patches[i].length > 0.0f; i++) {
         const struct patch *patch = &design->patches[i];
+        assert(patch->width > 0.0f);
         const float du = (u - patch->u) / patch->length;
         const float dv = round_distance(v, patch->v) / patch->width;
         sum += expf(-1.6f * (du * du + dv * dv));
@@ -95,6 +97,7 @@ static float patch_depth(const struct design *design, float u, float v)
 
 static float redness(uint32_t layer, float u, float v)
 {
+    assert(layer < PATTERN_LAYERS);
     const struct design *design = &designs[layer];
     const float coarse =
         noise_2d_sum(u * 5.0f + 0.5f, v * 5.0f, 64, 5, 100u + layer * 8u, 3) - 0.5f;

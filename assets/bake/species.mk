@@ -3,7 +3,7 @@
 SPECIES := wakin kurodai shimafugu kuroanago hirame ray mebachi
 # The sources of bake_species: all files of platform/species and core/morph with two exceptions.
 # library.c depends on the table that this file bakes, and a bake does not need the SIMD kernels.
-SPECIES_PARTS := assets/bake/species assets/bake/species_write \
+SPECIES_PARTS := assets/bake/species \
     $(patsubst %.c,%,$(filter-out %/library.c,$(wildcard platform/species/*.c))) \
     $(patsubst %.c,%,$(filter-out %/blend_pick.c,$(wildcard core/morph/*.c))) \
     core/base/fmath core/base/printable core/base/vec platform/os/file \

@@ -4,6 +4,7 @@
  * of the first language determines the order of the keys. */
 #include "assets/bake/bake.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,13 +25,9 @@ static char *text_trim(char *s)
     return s;
 }
 
-static int is_key(const char *key)
-{
-    return *key != 0 && key[strspn(key, "abcdefghijklmnopqrstuvwxyz0123456789_")] == 0;
-}
-
 static const struct text_line *find_key(const struct text_file *file, const char *key)
 {
+    assert(file->count <= TEXT_KEYS_MAX);
     for (uint32_t i = 0; i < file->count; i++) {
         if (strcmp(file->lines[i].key, key) == 0) {
             return &file->lines[i];
@@ -47,7 +44,7 @@ static void add_line(struct text_file *file, char *line, uint32_t number)
     }
     *equals = 0;
     char *key = text_trim(line), *words = text_trim(equals + 1);
-    if (!is_key(key)) {
+    if (*key == 0 || key[strspn(key, "abcdefghijklmnopqrstuvwxyz0123456789_")] != 0) {
         bake_fail("%s:%u: `%s` is not a key (a-z, 0-9 and _)", file->path, number, key);
     }
     if (*words == 0) {
@@ -60,18 +57,13 @@ static void add_line(struct text_file *file, char *line, uint32_t number)
     if (file->count == TEXT_KEYS_MAX) {
         bake_fail("%s:%u: more than %u keys (TEXT_KEYS_MAX)", file->path, number, TEXT_KEYS_MAX);
     }
-    file->lines[file->count++] = (struct text_line){ .key = key, .words = words, .line = number };
-}
-
-static void check_line(const struct text_file *file, const struct text_line *line)
-{
-    const char *at = line->words;
+    const char *at = words;
     for (uint32_t code = printable_next(&at); code != 0; code = printable_next(&at)) {
         if (code < 0x20 || code == PRINTABLE_MALFORMED) {
-            bake_fail("%s:%u: `%s` holds bytes that are not UTF-8 text", file->path, line->line,
-                      line->key);
+            bake_fail("%s:%u: `%s` holds bytes that are not UTF-8 text", file->path, number, key);
         }
     }
+    file->lines[file->count++] = (struct text_line){ .key = key, .words = words, .line = number };
 }
 
 /* Reads one text file. The lines point to the file's bytes, which are never freed. */
@@ -93,7 +85,6 @@ static void text_read_file(struct text_file *file, const char *directory, const 
         char *line = text_trim(at);
         if (*line != 0 && *line != '#') {
             add_line(file, line, number);
-            check_line(file, &file->lines[file->count - 1]);
         }
         at = end;
     }
@@ -166,7 +157,9 @@ void text_write_table(const struct text_file files[TEXT_LANGUAGES], const char *
     for (uint32_t i = 0; i < TEXT_LANGUAGES; i++) {
         fprintf(file, "    { /* %s */\n", language_names[i]);
         for (uint32_t k = 0; k < files[0].count; k++) {
-            write_quoted(file, find_key(&files[i], files[0].lines[k].key)->words);
+            const struct text_line *line = find_key(&files[i], files[0].lines[k].key);
+            assert(line); /* text_read() found the same keys in all files. */
+            write_quoted(file, line->words);
         }
         fputs("    },\n", file);
     }

@@ -2,6 +2,7 @@
  * knots and dark joints. */
 #include "assets/bake/bake.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "assets/bake/noise.h"
@@ -15,22 +16,19 @@ struct knot {
                            plank. */
 };
 
-static struct knot knot_of(uint32_t plank, uint32_t i)
-{
-    const int32_t id = (int32_t)(plank * KNOTS + i);
-    return (struct knot){ .x = noise_hash01(id, 0, 5) * (float)WOOD_SIZE,
-                          .y = (0.2f + 0.6f * noise_hash01(id, 1, 5)) * (float)PLANK_HEIGHT,
-                          .radius = 2.5f + 3.5f * noise_hash01(id, 2, 5) };
-}
-
 /* Returns the distance by which the grain bends around the knots. `*core` receives the darkness of
  * the nearest knot, which falls from 1 at its centre to 0 outside. */
 static float bend(uint32_t plank, float x, float y, float *core)
 {
+    assert(plank < PLANKS);
     float shift = 0.0f;
     *core = 0.0f;
     for (uint32_t i = 0; i < KNOTS; i++) {
-        const struct knot knot = knot_of(plank, i);
+        const int32_t id = (int32_t)(plank * KNOTS + i);
+        const struct knot knot = { .x = noise_hash01(id, 0, 5) * (float)WOOD_SIZE,
+                                   .y =
+                                       (0.2f + 0.6f * noise_hash01(id, 1, 5)) * (float)PLANK_HEIGHT,
+                                   .radius = 2.5f + 3.5f * noise_hash01(id, 2, 5) };
         float dx = x - knot.x;
         dx -= (float)WOOD_SIZE * roundf(dx / (float)WOOD_SIZE);
         const float dy = y - knot.y;

@@ -4,6 +4,7 @@
  * A line `word` rejects every name that contains the word. A line `=word` rejects only the word as
  * a whole name. A line that begins with `#` is a comment. Each word is normalized in the same way
  * as a player's name. */
+#include <assert.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -31,6 +32,7 @@ static void write_word(FILE *out, const char *word, const char *path, unsigned l
     if (count < 3 && !is_whole) {
         words_fail(path, line, "a word of one or two letters is in too many names: write =word");
     }
+    assert(count <= NAME_NORMALIZE_MAX);
     fprintf(out, "    { %d, %u, { ", is_whole, count);
     for (uint32_t i = 0; i < count; i++) {
         fprintf(out, "0x%04x%s", letters[i], i + 1 < count ? ", " : " } },\n");
