@@ -188,8 +188,8 @@ static void gather_shades(struct core *core, const struct input *input)
     tank_cast(&core->world.tank, casts);
 }
 
-/* Applies the fish's reactions to the pois and bowls, in the order of gather_obstacles(), which returned
- * `count`. */
+/* Applies the fish's reactions to the pois and bowls, in the order of gather_obstacles(), which
+ * returned `count`. */
 static void give_way(struct core *core, const struct obstacle *obstacles, uint32_t count)
 {
     uint32_t at = 0;

@@ -4,9 +4,9 @@
  * every character in the texts of its keys in every language. A new text therefore adds its glyphs
  * automatically.
  *
- * The font atlas holds the glyphs' distance fields on pages of equal size, one page below the other.
- * OpenGL ES 3.0 guarantees only array textures and textures of up to 2,048 texels a side. The pages
- * therefore become the layers of one array texture. */
+ * The font atlas holds the glyphs' distance fields on pages of equal size, one page below the
+ * other. OpenGL ES 3.0 guarantees only array textures and textures of up to 2,048 texels a side.
+ * The pages therefore become the layers of one array texture. */
 #include "assets/bake/bake.h"
 
 #include <assert.h>
@@ -94,8 +94,8 @@ static uint32_t read_faces(struct face faces[FONT_MAX], const char *path)
     return count;
 }
 
-/* Returns 1 if a pattern of the font matches `key`, otherwise 0. `?` stands for any character, and a
- * final `*` stands for any rest. */
+/* Returns 1 if a pattern of the font matches `key`, otherwise 0. `?` stands for any character, and
+ * a final `*` stands for any rest. */
 static int draws_key(const struct face *face, const char *key)
 {
     assert(face->pattern_count <= KEY_PATTERNS_MAX);

@@ -236,8 +236,9 @@ static inline void store(vec3 *to, struct simd_v3 a)
     }
 }
 
-/* Returns the values that are common to all blocks, and prefetches the first AHEAD vertices of every
- * table. blend_points() and load_block() prefetch only vertices at a distance of AHEAD or more. */
+/* Returns the values that are common to all blocks, and prefetches the first AHEAD vertices of
+ * every table. blend_points() and load_block() prefetch only vertices at a distance of AHEAD or
+ * more. */
 static struct blending begin_blending(const struct species_mesh *mesh, uint32_t key_count,
                                       const struct morph_pose *pose)
 {

@@ -171,8 +171,8 @@ struct paint paint_at(const struct species *species, const float weights[MORPH_K
     }
     struct paint paint = paint_of_marks(species, share, slots, at);
     if (at->part == PART_BODY && at->u > STALK_FROM && species->card.motion != MOTION_WING) {
-        /* The skin's paint is blended into the tail fin's paint near the tail root, so that the skin
-         * does not end in a visible edge on the fin. */
+        /* The skin's paint is blended into the tail fin's paint near the tail root, so that the
+         * skin does not end in a visible edge on the fin. */
         const float down = 1.0f - f_abs(at->v * 2.0f - 1.0f);
         const struct species_vertex root = { .u = down, .part = PART_TAIL };
         const struct paint fin = paint_of_marks(species, share, slots, &root);

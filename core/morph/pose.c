@@ -22,10 +22,10 @@ vec3 pose_rotate_inverse(struct quat q, vec3 a)
 }
 
 /* Returns the rotation at a point of the skin with the given normal. The x axis points along the
- * normal, the z axis points backward along the skin, and y = z cross x. The result is the quaternion
- * that rotates the body's axes to these axes. The backward component z.z is never negative. The
- * larger of the quaternion's components w and z is therefore at least 0.5, and the code divides only
- * by the larger component. */
+ * normal, the z axis points backward along the skin, and y = z cross x. The result is the
+ * quaternion that rotates the body's axes to these axes. The backward component z.z is never
+ * negative. The larger of the quaternion's components w and z is therefore at least 0.5, and the
+ * code divides only by the larger component. */
 static struct quat skin_turn(vec3 normal)
 {
     const vec3 x = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f));
@@ -81,7 +81,8 @@ struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_coun
     struct anchor_pose at = { .turn = { 0.0f, 0.0f, 0.0f, 1.0f } };
     vec3 normal = { 0.0f, 0.0f, 0.0f };
     /* Two triangles make up the cell, and their common diagonal joins corner 1 and corner 2. The
-     * interpolation with these weights of the corners gives a point exactly on the drawn surface. */
+     * interpolation with these weights of the corners gives a point exactly on the drawn
+     * surface. */
     const float along = cell.along, round = cell.round;
     const bool far = along + round > 1.0f;
     const float shares[4] = { far ? 0.0f : 1.0f - along - round, far ? 1.0f - along : round,
