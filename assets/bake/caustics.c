@@ -57,19 +57,6 @@ static void choose_waves(struct wave waves[WAVES])
     }
 }
 
-/* Adds one ray's light to the four texels around its position. */
-static void leave_light(float *light, float x, float y)
-{
-    const float fx = floorf(x), fy = floorf(y), tx = x - fx, ty = y - fy;
-    const uint32_t mask = CAUSTICS_SIZE - 1u;
-    const uint32_t left = (uint32_t)(int32_t)fx & mask, right = (left + 1u) & mask;
-    const uint32_t top = (uint32_t)(int32_t)fy & mask, bottom = (top + 1u) & mask;
-    light[top * CAUSTICS_SIZE + left] += (1.0f - tx) * (1.0f - ty);
-    light[top * CAUSTICS_SIZE + right] += tx * (1.0f - ty);
-    light[bottom * CAUSTICS_SIZE + left] += (1.0f - tx) * ty;
-    light[bottom * CAUSTICS_SIZE + right] += tx * ty;
-}
-
 static void trace_row(float *light, const float *cosine, const struct wave waves[WAVES],
                       uint32_t row, uint32_t frame)
 {
@@ -90,8 +77,9 @@ static void trace_row(float *light, const float *cosine, const struct wave waves
     }
     const float reach = FOCUS * (float)CAUSTICS_SIZE;
     for (uint32_t x = 0; x < RAYS; x++) {
-        leave_light(light, ((float)x + 0.5f) / (float)RAYS_PER_TEXEL + reach * shift_x[x],
-                    ((float)row + 0.5f) / (float)RAYS_PER_TEXEL + reach * shift_y[x]);
+        const float to_x = ((float)x + 0.5f) / (float)RAYS_PER_TEXEL + reach * shift_x[x];
+        const float to_y = ((float)row + 0.5f) / (float)RAYS_PER_TEXEL + reach * shift_y[x];
+        noise_add_light(light, CAUSTICS_SIZE, to_x, to_y, 1.0f);
     }
 }
 

@@ -78,3 +78,17 @@ float noise_2d_sum(float x, float y, int32_t period_x, int32_t period_y, uint32_
     }
     return sum / total;
 }
+
+void noise_add_light(float *sum, uint32_t size, float x, float y, float amount)
+{
+    const float fx = floorf(x), fy = floorf(y), tx = x - fx, ty = y - fy;
+    const uint32_t mask = size - 1u;
+    assert(size > 0 && (size & mask) == 0);
+    const uint32_t left = (uint32_t)(int32_t)fx & mask, right = (left + 1u) & mask;
+    const uint32_t row = (uint32_t)(int32_t)fy & mask;
+    const uint32_t top = row * size, bottom = ((row + 1u) & mask) * size;
+    sum[top + left] += amount * (1.0f - tx) * (1.0f - ty);
+    sum[top + right] += amount * tx * (1.0f - ty);
+    sum[bottom + left] += amount * (1.0f - tx) * ty;
+    sum[bottom + right] += amount * tx * ty;
+}

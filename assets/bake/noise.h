@@ -18,6 +18,10 @@ float noise_2d(float x, float y, int32_t period_x, int32_t period_y, uint32_t se
 float noise_2d_sum(float x, float y, int32_t period_x, int32_t period_y, uint32_t seed,
                    uint32_t octaves);
 
+/* Adds `amount` to the four texels around the position (x, y), in texels, of a square picture whose
+ * side `size` is a power of two. Positions outside the picture wrap around. */
+void noise_add_light(float *sum, uint32_t size, float x, float y, float amount);
+
 float noise_clamp01(float x);
 float noise_mix(float a, float b, float t);
 /* Returns 0 at `from`, 1 at `to`, a smooth transition between them, and a constant beyond. `from`

@@ -2,7 +2,6 @@
  * pulp. */
 #include "assets/bake/bake.h"
 
-#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -10,21 +9,6 @@
 
 #define FIBRES 120u
 #define FIBRE_STEPS 90u
-
-static void paper_add_light(float *sum, float x, float y, float amount)
-{
-    const int32_t x0 = (int32_t)floorf(x), y0 = (int32_t)floorf(y);
-    const float tx = x - (float)x0, ty = y - (float)y0;
-    const uint32_t mask = PAPER_SIZE - 1u;
-    assert((PAPER_SIZE & mask) == 0);
-    const uint32_t left = (uint32_t)x0 & mask, right = (uint32_t)(x0 + 1) & mask;
-    const uint32_t top = ((uint32_t)y0 & mask) * PAPER_SIZE;
-    const uint32_t bottom = ((uint32_t)(y0 + 1) & mask) * PAPER_SIZE;
-    sum[top + left] += amount * (1.0f - tx) * (1.0f - ty);
-    sum[top + right] += amount * tx * (1.0f - ty);
-    sum[bottom + left] += amount * (1.0f - tx) * ty;
-    sum[bottom + right] += amount * tx * ty;
-}
 
 /* Draws one fibre, either light or dark. Its direction drifts, and the fibre becomes thinner toward
  * both ends. */
@@ -38,7 +22,7 @@ static void lay_fibre(float *sum, uint32_t *random)
     const uint32_t steps = FIBRE_STEPS / 3u + (uint32_t)(noise_random01(random) * FIBRE_STEPS);
     for (uint32_t i = 0; i < steps; i++) {
         const float along = (float)i / (float)steps;
-        paper_add_light(sum, x, y, strength * 4.0f * along * (1.0f - along) * 0.6f);
+        noise_add_light(sum, PAPER_SIZE, x, y, strength * 4.0f * along * (1.0f - along) * 0.6f);
         turn = 0.9f * turn + 0.08f * (noise_random01(random) - 0.5f);
         angle += turn;
         x += 0.6f * cosf(angle);
