@@ -10,9 +10,7 @@
 #define MICRO 10000000 /* Range of a calibration value, in millionths: 10 m, or a factor of 10. */
 
 #define CALIBRATION(seat, name)                                                                    \
-    {                                                                                              \
-        "seat" #seat "-" name, GROUP_CALIBRATION, KIND_NUMBER, -MICRO, MICRO, 1, 0                 \
-    }
+    { "seat" #seat "-" name, GROUP_CALIBRATION, KIND_NUMBER, -MICRO, MICRO, 1, 0 }
 /* The nine calibration values of one slot (core/game/control/calibration.h). If all nine are 0, the
  * controller's pose is used unchanged. */
 #define SEAT(seat)                                                                                 \

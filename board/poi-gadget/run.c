@@ -84,8 +84,8 @@ static void exchange(struct hid_gadget *gadget, struct feel_sink sink, float sec
     }
 }
 
-/* Runs the loop. If `gadget` is null, new poses are printed as text. Returns EXIT_OK, or EXIT_BAD_DATA
- * if the source has an invalid pose. */
+/* Runs the loop. If `gadget` is null, new poses are printed as text. Returns EXIT_OK, or
+ * EXIT_BAD_DATA if the source has an invalid pose. */
 static enum exit_code run_loop(const struct run_options *options, struct pose_source source,
                                struct hid_gadget *gadget, struct feel_sink sink)
 {

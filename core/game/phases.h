@@ -1,8 +1,9 @@
 /* phases.h -- the phases of the game and the steps of a tick that belong to no phase.
  *
- * game_tick.c calls the tick function of the current phase, and a phase begins the next phase. A new
- * phase has its first tick in the following tick. core.c calls the functions of the score and of the
- * sessions. lab/lab.h, menu/menu.h and ranking/name.h declare the functions of the other phases. */
+ * game_tick.c calls the tick function of the current phase, and a phase begins the next phase. A
+ * new phase has its first tick in the following tick. core.c calls the functions of the score and
+ * of the sessions. lab/lab.h, menu/menu.h and ranking/name.h declare the functions of the other
+ * phases. */
 #ifndef KINGYO_CORE_GAME_PHASES_H
 #define KINGYO_CORE_GAME_PHASES_H
 
@@ -68,9 +69,9 @@ void round_result_skip(struct game *game, const struct world *world,
 void round_result_tick(struct game *game, struct world *world, const struct core_config *config,
                        const struct input *input, struct output *output);
 
-/* Returns the time announcement at `elapsed_ticks` into a round of `total_ticks`, or CALL_NONE. Each
- * announcement is returned in exactly one tick. A minute announcement is omitted if the round is
- * too short or has ten seconds or less left. */
+/* Returns the time announcement at `elapsed_ticks` into a round of `total_ticks`, or CALL_NONE.
+ * Each announcement is returned in exactly one tick. A minute announcement is omitted if the round
+ * is too short or has ten seconds or less left. */
 enum time_call round_call_at(uint32_t elapsed_ticks, uint32_t total_ticks);
 
 /* ---- Players --------------------------------------------------------------------------------- */

@@ -22,10 +22,7 @@ struct table {
     void *at;    /* The one whose members are changed. */
 };
 
-#define TABLE(type, list, place)                                                                   \
-    {                                                                                              \
-        list, sizeof list / sizeof list[0], sizeof(struct type), place                             \
-    }
+#define TABLE(type, list, place) { list, sizeof list / sizeof list[0], sizeof(struct type), place }
 
 static const struct table tables[] = {
     TABLE(core, core_fields, &core),
