@@ -387,7 +387,6 @@ struct hal_display display_gl_device(struct display_gl *display)
 
 void display_gl_on_lost(struct display_gl *display, void (*hook)(void *context), void *context)
 {
-    CORE_ASSERT(hook);
     display->on_lost = hook;
     display->on_lost_context = context;
 }

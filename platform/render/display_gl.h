@@ -70,10 +70,10 @@ struct display_gl {
 
 struct hal_display display_gl_device(struct display_gl *display);
 
-/* Registers `hook`, which is called when the connection to the X server breaks. The call comes from
- * inside the SDL or OpenGL function that detected the break. Without screen_guard_x11(),
- * Xlib would end the process in that function. The next poll() also reports `lost`. This program
- * cannot connect to the X server again.
+/* Registers `hook`, which is called when the connection to the X server breaks. A null `hook` means
+ * that no function is called. The call comes from inside the SDL or OpenGL function that detected
+ * the break. Without screen_guard_x11(), Xlib would end the process in that function. The next
+ * poll() also reports `lost`. This program cannot connect to the X server again.
  *
  * In contrast, an unplugged screen or a reset of the graphics driver causes HAL_ERR_GONE. A later
  * open() succeeds when the screen is available again. */
