@@ -27,9 +27,9 @@ $(FUZZ)/devices.a: $(DEVICE_SRC:%.c=$(FUZZ)/%.o)
 	@rm -f $@
 	$(Q)ar rcsP $@ $^
 
-$(DEVICE_BIN): $(FUZZ)/device_%: $(FUZZ)/tests/fuzz/device_%.o $(FUZZ)/devices.a
+$(DEVICE_BIN): $(FUZZ)/device_%: $(FUZZ)/tests/fuzz/devices/%.o $(FUZZ)/devices.a
 	$(call step,LINK,$@)
 	$(Q)$(FUZZ_CC) -fsanitize=fuzzer,address,undefined -o $@ $^
 
 .PHONY: fuzz-devices
-.SECONDARY: $(DEVICE_TARGETS:%=$(FUZZ)/tests/fuzz/device_%.o)
+.SECONDARY: $(DEVICE_TARGETS:%=$(FUZZ)/tests/fuzz/devices/%.o)

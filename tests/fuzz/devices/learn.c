@@ -1,4 +1,4 @@
-/* device_learn.c -- fuzz target: the learn dialog with any controller and any reports. A learned
+/* learn.c -- fuzz target: the learn dialog with any controller and any reports. A learned
  * map must be usable for play.
  *
  * Input: the size of the descriptor (two bytes, low byte first), the descriptor, and steps. Each

@@ -1,4 +1,4 @@
-/* device_book.c -- fuzz target: any text as a stored controller file. The parser reports the bad
+/* book.c -- fuzz target: any text as a stored controller file. The parser reports the bad
  * line, or the entry is unchanged after it was written and read again. The entry's name must be a
  * plain file name, so that it leads to no other folder. */
 #include <string.h>

@@ -1,4 +1,4 @@
-/* device_edges.c -- fuzz target: any edges and levels of an input line, correct or not. The filter
+/* edges.c -- fuzz target: any edges and levels of an input line, correct or not. The filter
  * must return alternating changes in time order, and must accept the level of a line that stays
  * constant.
  *

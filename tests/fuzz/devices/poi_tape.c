@@ -1,4 +1,4 @@
-/* device_poi_tape.c -- fuzz target: any bytes as a script of poses and as lines of a poi's
+/* poi_tape.c -- fuzz target: any bytes as a script of poses and as lines of a poi's
  * configuration. The parser refuses them with a reason, or every pose is within the reach of the
  * poi. */
 #include <string.h>

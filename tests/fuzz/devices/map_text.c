@@ -1,4 +1,4 @@
-/* device_map_text.c -- fuzz target: any line as a stored map. The parser refuses the line with one
+/* map_text.c -- fuzz target: any line as a stored map. The parser refuses the line with one
  * sentence, or the map is unchanged after it was written and read again. */
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* device_poi_report.c -- fuzz target: any bytes as a report of the Kingyo poi, and as a force
+/* poi_report.c -- fuzz target: any bytes as a report of the Kingyo poi, and as a force
  * report to it. Every accepted value must be within its range, and must be unchanged after it was
  * written and read again. */
 #include <math.h>

@@ -1,4 +1,4 @@
-/* device_report.c -- fuzz target: any descriptor and any reports that use it. Every value is
+/* report.c -- fuzz target: any descriptor and any reports that use it. Every value is
  * compared with a reference reader that reads bit by bit.
  *
  * Input: two bytes for the size of the descriptor, low byte first, the descriptor, and reports. A

@@ -1,4 +1,4 @@
-/* device_poi_board.c -- fuzz target: any bits as sensor values of a poi's board. The board must
+/* poi_board.c -- fuzz target: any bits as sensor values of a poi's board. The board must
  * write a report that the host can read, or a report without a position. The motor must stay within
  * its range. */
 #include <string.h>

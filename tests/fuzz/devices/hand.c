@@ -1,4 +1,4 @@
-/* device_hand.c -- fuzz target: any controller, any valid map for it, and any reports. The decoded
+/* hand.c -- fuzz target: any controller, any valid map for it, and any reports. The decoded
  * pose must be finite, and the decoder must take a bounded time.
  *
  * Input: vendor and product (two bytes each, low byte first), the size of the descriptor (also two

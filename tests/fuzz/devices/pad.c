@@ -1,4 +1,4 @@
-/* device_pad.c -- fuzz target: any events of a gamepad or of a touch screen. The decoded pose must
+/* pad.c -- fuzz target: any events of a gamepad or of a touch screen. The decoded pose must
  * be finite.
  *
  * Input: a byte that selects the device (an even value selects the gamepad), and events. A gamepad

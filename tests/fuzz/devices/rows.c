@@ -1,4 +1,4 @@
-/* device_rows.c -- fuzz target: `kingyoctl hid describe` and `kingyoctl hid decode` on any two
+/* rows.c -- fuzz target: `kingyoctl hid describe` and `kingyoctl hid decode` on any two
  * files.
  *
  * Input: a line with the size of the descriptor file in hexadecimal, the descriptor file, and the

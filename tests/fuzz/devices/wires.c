@@ -1,4 +1,4 @@
-/* device_wires.c -- fuzz target: any lines as the wiring of a cabinet, and as an operator's
+/* wires.c -- fuzz target: any lines as the wiring of a cabinet, and as an operator's
  * choice of controllers. The parser accepts them, or refuses them with one sentence and changes
  * nothing. */
 #include <string.h>

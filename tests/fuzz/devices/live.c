@@ -1,7 +1,7 @@
-/* device_live.c -- fuzz target: the live view of any controller in a window of any size. The
+/* live.c -- fuzz target: the live view of any controller in a window of any size. The
  * picture must fit the window.
  *
- * Input: the format of device_report.c. The size of a report also selects the size of the
+ * Input: the format of report.c. The size of a report also selects the size of the
  * window. */
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* device_coin.c -- fuzz target: any edges of a coin line, polled at any time. The decoder must
+/* coin.c -- fuzz target: any edges of a coin line, polled at any time. The decoder must
  * count the same coins and faults as a reference that has the complete list of edges.
  *
  * Input: the debounce period in 0.1 ms, the least width of the window in ms, the span of the window

@@ -1,4 +1,4 @@
-/* device_descriptor.c -- fuzz target: any bytes as a report descriptor. The parser refuses the
+/* descriptor.c -- fuzz target: any bytes as a report descriptor. The parser refuses the
  * bytes, or returns a consistent list of fields. */
 #include <string.h>
 
