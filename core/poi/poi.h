@@ -100,8 +100,8 @@ struct poi {
                                     poi's up axis. */
     uint32_t dips; /* Number of scoops. A scoop is an entry of the poi into the water while a
                       player controls the poi. */
-    uint8_t is_in; /* 1 if the poi is in the water and was immersed deeply enough to
-                                    count as a scoop, otherwise 0. */
+    uint8_t is_in; /* 1 if the poi is in the water and was immersed deeply enough to count as a
+                      scoop, otherwise 0. */
     uint32_t slap_tick, tear_tick; /* Tick numbers of the last slap sound and the last tear sound; 0
                                       means that there was no sound yet. */
     struct sheet sheet;

@@ -82,7 +82,7 @@ struct fish {
     float heading_rad; /* Goal of the yaw before the attraction of shades. The yaw approaches its
                           goal at a bounded rate. */
     float drawn_rad;   /* Angle by which the attraction of shades turns the goal of the yaw away
-                        from `heading_rad`. A value > 0 means to the left. */
+                          from `heading_rad`. A value > 0 means to the left. */
     float brake;       /* Factor [0, 1] on the goal of the speed. The factor is below 1 if another
                           fish is close ahead. */
     float room;        /* Factor [0, 1] on the largest turning rate. The factor is below 1 if other
@@ -138,7 +138,7 @@ struct fish {
                            0 means none. */
     float depth_goal_m; /* Preferred depth as a y coordinate, < 0. */
     float depth_stray;  /* Random offset that is added to the preferred depth for the fish's
-                          stamina, as a fraction of the water depth. A value > 0 means upward. */
+                           stamina, as a fraction of the water depth. A value > 0 means upward. */
 
     /* The next members are the state of the startle response; see startle.h. */
     float alarm;     /* Alarm [0, 1], which decays over time. */

@@ -166,7 +166,8 @@ static int config_file_read_line(struct reading *reading, char *line)
         return begin_section(reading, text);
     }
     if (!reading->section) {
-        return 0; /* The unknown section was already reported. */
+        return 0; /* The unknown section name was already reported, therefore its lines are skipped
+                     without another report. */
     }
     char *equals = strchr(text, '=');
     if (!equals) {
@@ -204,8 +205,8 @@ static void tell_rest(const struct warnings *warnings)
     }
 }
 
-/* Checks the number of fish at the end of the file, because the tank is known only then. `line` is
- * the number of the line that set the number of fish. */
+/* Checks the number of fish at the end of the file, because only then is the tank preset known.
+ * `line` is the number of the line that set the number of fish. */
 static void check_fish(struct reading *reading, unsigned line, struct warnings *warnings)
 {
     char says[OPTION_TEXT_MAX], why[WHY_MAX];

@@ -131,8 +131,9 @@ static const char *value_of(const struct option *option, int argc, const char *c
     }
     const char *next = argv[*index + 1];
     const int is_optional = option->value[0] == '[';
-    const char first = next[next[0] == '-']; /* A negative number is a value, so that the error
-                                                message names it as invalid. */
+    const char first = next[next[0] == '-']; /* A word such as "-3" is treated as the value of the
+                                                option. The range check then rejects the number with
+                                                a specific error message. */
     if (is_optional ? !isdigit((unsigned char)first) : strncmp(next, "--", 2) == 0) {
         return NULL;
     }
@@ -140,7 +141,8 @@ static const char *value_of(const struct option *option, int argc, const char *c
     return next;
 }
 
-/* Parses the option at argv[*index] and its value. Returns 0, or -1 and writes to `error`. */
+/* Parses the option at argv[*index] and its value. Returns 0. On an error writes the reason to
+ * `error` and returns -1. */
 static int parse_named(const struct option *option, void *target, int argc, const char *const *argv,
                        int *index, char error[OPTIONS_ERROR_MAX])
 {
@@ -169,8 +171,8 @@ static int parse_named(const struct option *option, void *target, int argc, cons
     return -1;
 }
 
-/* Parses a word of the command line that is not an option. Returns 0, or -1 and writes to
- * `error`. */
+/* Parses a word of the command line that is not an option. Returns 0. On an error writes the reason
+ * to `error` and returns -1. */
 static int parse_word(const struct option_table *table, uint32_t groups, void *target,
                       const char *word, char error[OPTIONS_ERROR_MAX])
 {
@@ -201,7 +203,8 @@ static int parse_next(const struct option_table *table, uint32_t groups, void *t
     const char *word = argv[*index];
     const int dash_count = word[0] != '-' ? 0 : word[1] != '-' ? 1 : 2;
     const size_t length = strcspn(word + dash_count, "=");
-    if (dash_count == 0 || word[1] == '\0') { /* "-" is a file, standard input. */
+    if (dash_count == 0 || word[1] == '\0') { /* The word "-" is an argument that means standard
+                                                 input. */
         return parse_word(table, groups, target, word, error);
     }
     const struct option *option = option_table_find(table, word + dash_count, length);
@@ -300,7 +303,8 @@ void option_table_print(const struct option_table *table, uint32_t groups)
 {
     char left[OPTION_TEXT_MAX];
     int width = 0;
-    for (int pass = 0; pass < 2; pass++) { /* The first pass measures the column of names. */
+    for (int pass = 0; pass < 2; pass++) { /* The first pass measures the width of the column of
+                                              names. The second pass prints the rows. */
         for (const struct option_table *part = table; part; part = part->base) {
             for (uint32_t i = 0; i < part->count; i++) {
                 const struct option *option = &part->options[i];

@@ -122,7 +122,8 @@ static int set_fish(void *target, const struct option *option, const char *value
            add_setting(target, SET_FISH, (int32_t)count);
 }
 
-/* Sets the game modes that a player can choose: one mode, the growth lab, or all modes. */
+/* Sets the game modes that a player can choose: one game mode, only the growth lab (in which growth
+ * curves of the fish are edited), or all modes. */
 static int set_mode(void *target, const struct option *option, const char *value, char *why)
 {
     if (strcmp(value, "choose") == 0) {

@@ -1,6 +1,6 @@
-/* options.h -- the options of `kingyo`: their table, their targets, and the settings that they
- * select. config_file.h reads the same options from a file. Pure functions, except for
- * options_print_help(). */
+/* options.h -- defines the options of `kingyo`: their table, the structure that receives their
+ * values, and the settings that they select. config_file.h reads the same options from a file. Pure
+ * functions, except for options_print_help(). */
 #ifndef KINGYO_PLATFORM_CONFIG_OPTIONS_H
 #define KINGYO_PLATFORM_CONFIG_OPTIONS_H
 
@@ -19,7 +19,7 @@
 #define OPTIONS_MODES_ALL ((1 << CHOICE_COUNT) - 1)
 
 /* Settings from one source, for example the command line. is_set[id] is 1 if the source sets
- * value[id]. */
+ * value[id], otherwise 0. */
 struct options_query_result {
     int32_t value[SETTING_COUNT];
     uint8_t is_set[SETTING_COUNT];
@@ -27,14 +27,15 @@ struct options_query_result {
 
 struct options {
     uint8_t help, version;
-    uint8_t demo;           /* 1 if the demonstration runs off screen and writes pictures. */
+    uint8_t demo;           /* 1 if the demonstration runs without a window and writes pictures,
+                               otherwise 0. */
     uint32_t demo_s;        /* Length of the demonstration in seconds. */
     uint32_t width, height; /* Window size in pixels. 0 means full screen. */
-    uint8_t poi;            /* Controller that plays (enum board_poi). */
+    uint8_t poi;            /* Kind of controller that moves the poi (enum board_poi). */
     uint8_t has_seed;
     uint32_t seed;
-    uint8_t tank;                        /* Tank to use (enum tank_preset_id). */
-    uint8_t is_file;                     /* 1 while values from the configuration file are parsed, 0
+    uint8_t tank;                        /* Tank preset of the game (enum tank_preset_id). */
+    uint8_t is_file;                     /* 1 while values from the configuration file are parsed. 0
                                             while the command line is parsed. */
     struct options_query_result machine; /* Settings from the machine's locale. */
     struct options_query_result file;    /* Settings from the configuration file. */
@@ -44,15 +45,16 @@ struct options {
     char usb[BOARD_USB_MAX][BOARD_USB_SIZE];    /* USB controllers, each "VVVV:PPPP" or
                                                    "VVVV:PPPP:SERIAL". */
     char line[BOARD_LINE_MAX][BOARD_LINE_SIZE]; /* GPIO line options, each "ROLE=LINE[,WORD...]". */
-    char record[OPTIONS_PATH_MAX]; /* Path of the recording to write. In this path and the four
-                                      paths below, "" means not set. */
+    char record[OPTIONS_PATH_MAX]; /* Path of the recording to write. "" means not set, as in all
+                                      path fields of the structure. */
     char replay[OPTIONS_PATH_MAX];
     char shots[OPTIONS_PATH_MAX];
     char data[OPTIONS_PATH_MAX];
     char config[OPTIONS_PATH_MAX];
 };
 
-/* Checks rules that concern several options. Returns 0, or -1 and writes one line to `error`. */
+/* Checks rules that concern several options. Returns 0. If a rule is violated, writes one line to
+ * `error` and returns -1. */
 int options_check(const struct options *options, char error[OPTIONS_ERROR_MAX]);
 
 /* Names of the tank presets (enum tank_preset_id) and of the game modes (enum game_mode). Each list
@@ -63,14 +65,14 @@ extern const char *const options_mode_names[];
 /* The table of the options. Its target is struct options. */
 extern const struct option_table options_table;
 
-/* Parses `argv` into `options`, from argv[1] on. Options that `argv` does not name keep their
- * values. Returns 0. Returns -1 and writes one line to `error` if an option is invalid, or if the
- * tank cannot hold the number of fish. The order of the options has no effect. */
+/* Parses `argv` into `options`, starting with argv[1]. Options that `argv` does not contain keep
+ * their values. Returns 0. Returns -1 and writes one line to `error` if an option is invalid, or if
+ * the tank cannot hold the number of fish. The order of the options has no effect. */
 int options_parse(struct options *options, int argc, const char *const *argv,
                   char error[OPTIONS_ERROR_MAX]);
 
-/* Returns 1 and names the GPIO line in `says` if two GPIO line options use the same GPIO line.
- * Otherwise returns 0. */
+/* Returns 1 and writes the name of the GPIO line to `says` if two GPIO line options use the same
+ * GPIO line. Otherwise returns 0. */
 int options_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX]);
 
 /* Returns 1 if the tank cannot hold the configured number of fish, and writes the reason to `says`.
@@ -78,12 +80,12 @@ int options_wires_clash(const struct options *options, char says[OPTION_TEXT_MAX
  * command line. */
 int options_too_many_fish(const struct options *options, char says[OPTION_TEXT_MAX]);
 
-/* Sets the initial settings, which the operator's menu may change later. Each setting is the
- * default, the value of the machine's locale, or the value of the configuration file. Later sources
- * override earlier ones. */
+/* Sets the initial settings, which the operator's menu may change later. The value of a setting in
+ * the configuration file is preferred, then the value of the machine's locale, and then the
+ * default. */
 void options_first(const struct options *options, struct settings *settings);
 
-/* Overrides `settings` with the settings of the command line. */
+/* Overrides the values in `settings` with the settings that the command line sets. */
 void options_last(const struct options *options, struct settings *settings);
 
 /* Returns 1 if the configuration file or the command line sets the setting `id`, otherwise 0. */

@@ -20,11 +20,12 @@
 #define FRAME_NS 50000000ull
 #define NS_PER_S 1000000000ull
 #define START_NS FRAME_NS /* Simulated time at which START is pressed. */
-/* Simulated time of one frame before the round. These frames are not shown. */
+/* Simulated duration of one frame before the round. The frames before the round are not drawn. */
 #define PRELUDE_NS 100000000ull
 /* Maximum number of ticks before the round. */
 #define PRELUDE_TICKS_MAX (60u * CORE_TICK_HZ)
-/* Ticks after the start of the round until each poi is over its part of the water. */
+/* Ticks after the start of the round until each poi has moved from the side of the tank to the
+ * water. */
 #define IN_ROUND_TICKS (3u * CORE_TICK_HZ / 4u)
 /* Seconds that the demonstration continues after the round, to move the last fish to the bowl and
  * to show the result. */
@@ -41,9 +42,10 @@ struct demo {
     uint64_t now_ns, end_ns;
     uint32_t shots;
     uint32_t width, height; /* Size of the pictures in pixels. */
-    int whole_replay;       /* 1 if the demonstration ends with the last tick of the recording; 0 if
-                               it ends at end_ns. */
-    int failed;             /* 1 if a picture could not be captured or written. */
+    int whole_replay;       /* 1 if the demonstration ends with the last tick of a replayed
+                               recording. 0 if the demonstration ends at the simulated time
+                               end_ns. */
+    int failed;             /* 1 if a picture could not be captured or written, otherwise 0. */
 };
 
 static enum exit_code demo_begin(struct demo *demo)
@@ -60,7 +62,8 @@ static enum exit_code demo_begin(struct demo *demo)
     options_first(options, settings);
     options_last(options, settings);
     settings_hide_pin(settings, config.core.seed);
-    settings->value[SET_PLAY] = PLAY_FREE; /* Free play, because the bot has no coins. */
+    settings->value[SET_PLAY] = PLAY_FREE; /* The demonstration uses free play because the bot
+                                              cannot insert coins. */
     if (!options_query(options, SET_MODES)) {
         settings->value[SET_MODES] = 1 << MODE_FESTIVAL;
     }

@@ -1,8 +1,8 @@
 /* demo.h -- runs the demonstration: the core's bot plays one round without a screen, on a simulated
- * clock, and pictures of the round are written, singly and on one contact sheet.
- *
- * The first picture is taken when the pois are over the water. The time from the press of START to
- * the first picture is simulated without pictures. Equal options give identical games. */
+ * clock. The demonstration writes pictures of the round, each in its own file and all on one
+ * contact sheet. The first picture is taken when the pois (paper scoops) are over the water. The
+ * time from the press of START to the first picture is simulated without pictures. Equal options
+ * give identical games. */
 #ifndef KINGYO_PLATFORM_KIOSK_DEMO_H
 #define KINGYO_PLATFORM_KIOSK_DEMO_H
 

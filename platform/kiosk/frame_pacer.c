@@ -8,23 +8,26 @@
 #define FRAME_TICKS 2u
 #define FRAME_NS (NS_PER_S * FRAME_TICKS / CORE_TICK_HZ)
 /* Maximum difference between FRAME_NS and the duration of a frame that may belong to a 60 Hz
- * display with jitter. The limit admits 50 .. 76 Hz. */
+ * display with jitter. Frame rates of 50 .. 76 Hz are within the limit. */
 #define LIKE_60_HZ_NS 3500000ull
 /* Maximum difference between FRAME_NS and the duration of a frame that certainly belongs to a 60 Hz
- * display. The limit admits 55 .. 66 Hz. */
+ * display. Frame rates of 55 .. 66 Hz are within the limit. */
 #define SURE_60_HZ_NS 1500000ull
 /* snap() runs exactly two ticks only if the simulated time differs from the clock by at most this
  * number of nanoseconds. The start of each frame may be 3 ms early or late, and therefore the
  * starts of two frames together cause a difference of up to 6 ms. */
 #define SNAP_NS 6000000ll
-/* Divisor of the difference from the clock: each frame of a 60 Hz display removes 1/8 of the
- * difference. A correction is necessary because no display has exactly 60 Hz. */
+/* Correction of the simulated time: each frame of a 60 Hz display removes 1/8 of the difference
+ * between the simulated time and the clock. A correction is necessary because no display has
+ * exactly 60 Hz. */
 #define DRIFT_SHARE 8
 
-/* Minimum mean frame time that shows that vertical synchronization limits the frame rate (to 62 Hz
- * or less). */
+/* Minimum mean frame time, in nanoseconds, that is attributed to vertical synchronization. A
+ * display with this mean frame time or a longer one runs at 62 Hz or less and needs no frame
+ * limiter. */
 #define WAITS_NS 16000000ull
-/* Number of frames in the moving average of the frame time: a quarter of a second. */
+/* Number of frames in the moving average of the frame time. 16 frames are about a quarter of a
+ * second. */
 #define REST_SHARE 16
 
 static uint64_t absolute_difference(uint64_t a, uint64_t b)
@@ -33,7 +36,7 @@ static uint64_t absolute_difference(uint64_t a, uint64_t b)
 }
 
 /* Returns 1 if the frame must run exactly two ticks, otherwise 0. Two ticks are correct if the
- * frame lasted about 1/60 s and the time in `owed` is near two ticks. */
+ * frame lasted about 1/60 s and the elapsed time in `owed` is near the time of two ticks. */
 static int snap(struct frame_pacer *pace, uint64_t elapsed_ns)
 {
     const int64_t left = pace->owed - (int64_t)(FRAME_TICKS * NS_PER_S);
@@ -122,5 +125,6 @@ uint64_t frame_timing_quantile_ns(const struct frame_timing *timing, double shar
             return middle < timing->max_ns ? middle : timing->max_ns;
         }
     }
-    return timing->max_ns; /* The last bin has no upper limit except max_ns. */
+    return timing->max_ns; /* The last histogram bin has no upper limit, therefore the maximum
+                              duration is returned. */
 }

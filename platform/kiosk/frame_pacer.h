@@ -23,9 +23,9 @@ struct frame_pacer {
 
 /* Returns the number of ticks to run in the frame that starts at `now_ns`. The first frame runs two
  * ticks. A frame of about 1/60 s also runs exactly two ticks, because timing jitter would otherwise
- * cause visible judder. This rule applies while the simulated time differs from the clock by at
- * most 6 ms. Each other frame runs all complete ticks of the elapsed time and carries over the
- * rest. If the clock stops or goes back, no time elapses. */
+ * cause visible judder. The rule of two ticks applies while the simulated time differs from the
+ * clock by at most 6 ms. Each other frame runs all complete ticks of the elapsed time and keeps the
+ * remainder for the next frame. If the clock stops or goes back, no time elapses. */
 uint32_t frame_pacer_ticks_due(struct frame_pacer *pace, uint64_t now_ns);
 
 /* Frame limiter for a display that has no vertical synchronization or is much faster than 60 Hz. */
@@ -44,13 +44,15 @@ uint64_t frame_pacer_sleep_ns(struct frame_pacer_sleep *rest, uint64_t took_ns);
 /* A histogram of durations in fixed memory, which gives the median and the 99th percentile of a
  * whole day. Pure functions. */
 
-/* Width of a fine bin (0.05 ms), less than the variation of frame times. */
+/* Width of a fine histogram bin (0.05 ms), which is less than the variation of frame times. */
 #define TIMING_BIN_NS 50000u
-/* Number of fine bins, which reach up to 0.4 s. Coarse bins follow. */
+/* Number of fine histogram bins. The fine bins cover durations up to 0.4 s, and the coarse bins
+ * cover longer durations. */
 #define TIMING_BIN_COUNT 8000u
-/* Width of a coarse bin (20 ms). */
+/* Width of a coarse histogram bin (20 ms). */
 #define TIMING_SLOW_NS 20000000u
-/* Number of coarse bins, which reach up to 10 s. Longer durations count in the last bin. */
+/* Number of coarse histogram bins, which cover durations up to 10 s. Longer durations are counted
+ * in the last bin. */
 #define TIMING_SLOW_COUNT 500u
 
 struct frame_timing {
@@ -58,12 +60,13 @@ struct frame_timing {
     uint32_t bins[TIMING_BIN_COUNT + TIMING_SLOW_COUNT];
 };
 
-/* Adds one duration. */
+/* Adds one duration to the histogram. */
 void frame_timing_add(struct frame_timing *timing, uint64_t duration_ns);
 
-/* Returns the duration that a share of all durations does not exceed. `share` is in [0, 1]; 0.5
- * gives the median. The error is at most half a bin. Returns max_ns if the result is in the last
- * bin, and 0 if there are no durations. */
+/* Returns the quantile of all durations for the fraction `share` in [0, 1]: at least this fraction
+ * of the durations is at most as long as the result. 0.5 gives the median. The error is at most
+ * half the width of a histogram bin. Returns max_ns if the result is in the last bin, and 0 if no
+ * duration was added. */
 uint64_t frame_timing_quantile_ns(const struct frame_timing *timing, double share);
 
 #endif

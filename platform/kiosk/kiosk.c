@@ -48,8 +48,8 @@ uint32_t kiosk_fault_count(const struct kiosk_faults *faults)
            faults->buttons + faults->switches;
 }
 
-/* Prepares the input of one tick. Returns 0 and ends the frame loop if the input source has no more
- * ticks, otherwise 1. */
+/* Prepares kiosk->input for one tick. Returns 1. If the input source has no more ticks, ends the
+ * frame loop and returns 0. */
 static int prepare_tick(struct kiosk *kiosk, uint32_t index, uint32_t tick_count)
 {
     CORE_ASSERT(index < tick_count);
@@ -107,7 +107,7 @@ static int run_tick(struct kiosk *kiosk)
     if (kiosk->config.chapters) {
         session_recorder_tick(kiosk->config.chapters, &kiosk->input, &kiosk->core, &kiosk->output);
     }
-    kiosk->input.pressed = 0; /* A press is valid for one tick only. */
+    kiosk->input.pressed = 0; /* A button press is valid for one tick only. */
     memset(kiosk->input.coin_count, 0, sizeof kiosk->input.coin_count);
     return 1;
 }
@@ -118,7 +118,7 @@ static uint32_t run_ticks(struct kiosk *kiosk, uint32_t tick_count)
     CORE_ASSERT(tick_count <= FRAME_PACER_TICKS_MAX);
     uint32_t done = 0;
     kiosk->output.sound_count = 0;
-    if (tick_count > 0) { /* In a frame without ticks the forces of the previous frame remain
+    if (tick_count > 0) { /* In a frame without ticks the poi forces of the previous frame remain
                              set. */
         memset(kiosk->felt, 0, sizeof kiosk->felt);
     }
@@ -209,9 +209,9 @@ enum kiosk_end kiosk_frame(struct kiosk *kiosk, const struct hal *hal)
     kiosk_present_view(kiosk, hal);
     kiosk_present_frame(kiosk, hal, tick_count);
     if (tick_count > 0) {
-        hal->watchdog.ops->kick(hal->watchdog.self); /* The watchdog is notified only after ticks,
-                                                        so that it restarts a kiosk that runs no
-                                                        ticks. */
+        hal->watchdog.ops->kick(hal->watchdog.self); /* The watchdog is notified only after a frame
+                                                        with ticks. The watchdog therefore restarts
+                                                        a kiosk that runs no ticks. */
     }
     frame_timing_add(&kiosk->work_time, stopwatch_ns(kiosk) - kiosk->frame_begin_ns);
     return kiosk->end;
@@ -223,7 +223,7 @@ uint32_t kiosk_close_store(struct kiosk *kiosk, const struct hal *hal)
     const int is_replay = kiosk->config.source.next != NULL;
     const uint32_t waiting = is_replay ? 0 : kiosk->output.entry_id - kiosk->saving.accepted_id;
     /* Adds a last health entry, which contains the uptime, to the ledger when the program ends
-     * regularly. Adds no entry while other entries wait for the store. */
+     * without an error. Adds no entry while other entries wait for the store. */
     struct ledger_entry entry;
     if (!kiosk->config.source.next && saving_is_done(&kiosk->saving, &kiosk->output) &&
         core_final_entry(&kiosk->core, &kiosk->input, &entry)) {

@@ -28,22 +28,21 @@ struct system_health;
 
 struct kiosk_config {
     struct core_config core;
-    uint8_t bot[POI_MAX];       /* 1 if the core's bot controls the poi, regardless of the
-                                   connected devices. */
+    uint8_t bot[POI_MAX];       /* 1 if the core's bot controls the poi, regardless of the connected
+                                   devices. Otherwise 0. */
     struct hal_clock stopwatch; /* Clock that only measures durations. Its time has no effect on
                                    the core. */
     const struct operator_notes *notes; /* Messages for the operator's menu. Must outlive the
                                            kiosk. Null means no messages. */
-    struct system_health *machine;      /* System health monitor. Must outlive the kiosk. Null means
-                                      no monitor. */
-    struct session_recorder *chapters;  /* Session recorder. Must outlive the kiosk. Null means no
-                                          recording. */
+    struct system_health *machine;      /* System health monitor. Must outlive the kiosk. Null
+                                           means no monitor. */
+    struct session_recorder *chapters;  /* Session recorder. Must outlive the kiosk. Null means
+                                           no recording. */
     struct score_playback *playback;    /* Score playback. Must outlive the kiosk. Null means no
-                                          playback. */
-    struct kiosk_tap tap;               /* Callbacks of a recorder. Null functions mean no
-                                          callbacks. */
-    struct kiosk_source source; /* Source of the input of each tick. If the function is null,
-                                          the devices provide the input. */
+                                           playback. */
+    struct kiosk_tap tap;               /* Callbacks of a recorder. Each callback may be null. */
+    struct kiosk_source source; /* Source of the input of each tick. If the function is null, the
+                                   devices provide the input. */
 };
 
 enum kiosk_end {
@@ -51,10 +50,10 @@ enum kiosk_end {
     KIOSK_QUIT,         /* The user pressed the quit key twice or closed the window, or the desktop
                            session ended. */
     KIOSK_DISPLAY_LOST, /* The display was lost permanently. */
-    KIOSK_SOURCE_END,   /* The replay ended. */
+    KIOSK_SOURCE_END,   /* The input source, for example a replay, has no more ticks. */
     KIOSK_FLOAT,        /* The core rejected a tick with CORE_ERR_FLOAT. */
-    KIOSK_RESTART,      /* The operator requested a restart, or a store appeared after program
-                           start. */
+    KIOSK_RESTART,      /* The operator requested a restart, or a store (ledger database) became
+                           available after program start. */
 };
 
 /* Faults per device type since program start. The kiosk continued after each fault. */
@@ -71,8 +70,8 @@ struct kiosk {
     struct input input; /* Input of the next tick. Presses and coins remain until one tick has used
                            them. */
     struct output output;
-    struct poi_force felt[POI_MAX]; /* Strongest force on each poi in the frame's ticks; see
-                                       output_merge_force(). */
+    struct poi_force felt[POI_MAX]; /* Strongest force on each poi during the ticks of the frame;
+                                       see output_merge_force(). */
     struct scene scene;
     struct frame_pacer pace;
     struct poi_sampler hands[POI_MAX];
@@ -93,12 +92,13 @@ struct kiosk {
                                the store. 0 means no request. */
     uint64_t quit_until_ns; /* Time until which a second press of the quit key ends the kiosk. 0
                                means no first press. */
-    uint32_t told_orders;   /* Number of commands in `output` that were already executed. Compared
-                               with output.command_count. */
+    uint32_t told_orders;   /* Number of commands in `output` that the kiosk has already executed.
+                               output.command_count is the number of all commands. */
     uint32_t wanted_replay_id;    /* Id of the round whose replay the operator wants to see. 0 means
                                      no request. */
-    uint8_t has_acknowledged;     /* 1 if the operator has acknowledged the quarantined files and
-                                     the health monitor must mark them. */
+    uint8_t has_acknowledged;     /* 1 if the operator has acknowledged the quarantined files but
+                                     the health monitor has not accepted the acknowledgement yet,
+                                     otherwise 0. */
     struct scene_machine machine; /* Newest result of the health monitor. */
     uint8_t end;                  /* Reason why the frame loop ends (enum kiosk_end). */
 
@@ -110,9 +110,10 @@ struct kiosk {
     struct operator_view_lines lines; /* Statistics of the button and coin lines. */
     struct frame_timing frame_time;   /* Time between the starts of two consecutive frames, measured
                                          with `stopwatch`. */
-    struct frame_timing work_time;    /* Duration of kiosk_frame(), measured with `stopwatch`. */
-    struct frame_timing report_wait;  /* Time from the arrival of a controller's report to the tick
-                                         that uses the report. */
+    struct frame_timing work_time;    /* Duration of each call of kiosk_frame(), measured with
+                                         `stopwatch`. */
+    struct frame_timing report_wait;  /* Waiting time of each controller report: from the arrival of
+                                         the report to the tick that uses the report. */
     uint64_t core_ns;                 /* Total time in nanoseconds that was spent in ticks and in
                                          filling the scene. */
     uint64_t frame_begin_ns;

@@ -8,8 +8,8 @@
 #include "core/game/menu/menu_pages.h"
 #include "platform/kiosk/recorder/session_recorder.h"
 
-/* Maximum time between two presses of the quit key. The time is equal to MENU_ASK_TICKS, the
- * maximum time between two presses of TEST in a round. */
+/* Maximum time between two presses of the quit key. The time equals MENU_ASK_TICKS, which is the
+ * maximum time between two presses of the TEST button during a round. */
 #define QUIT_ASK_NS 5000000000ull
 
 static void read_wall(struct kiosk *kiosk, const struct hal *hal)
@@ -38,9 +38,9 @@ void kiosk_open_devices(struct kiosk *kiosk, const struct hal *hal)
     }
 }
 
-/* Handles the quit key. A desktop requires a second press within QUIT_ASK_NS, because Esc is easily
- * pressed by accident. Any other button cancels the first press. A replay ends at the first press.
- * In the operator's menu the key goes back one page. */
+/* Handles the quit key. A kiosk on a desktop requires a second press within QUIT_ASK_NS, because
+ * Esc is easily pressed by accident. Any other button cancels the first press. A replay ends at the
+ * first press. In the operator's menu the quit key returns to the previous page. */
 static void heed_quit(struct kiosk *kiosk, const struct button_sample *buttons)
 {
     const int is_menu = kiosk->output.phase == PHASE_MENU;
@@ -120,7 +120,8 @@ void kiosk_sample_devices(struct kiosk *kiosk, const struct hal *hal)
 
 /* ---- Presenting ---------------------------------------------------------------------------- */
 
-/* Maximum time that a restart waits for the store. A slower card is assumed to be full. */
+/* Maximum time that a restart waits for the store. If the store needs longer, the memory card is
+ * assumed to be full. */
 #define RESTART_WAIT_NS 5000000000ull
 #define RETRY_NS 1000000000ull /* Interval between two attempts to reopen a lost display. */
 

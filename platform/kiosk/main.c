@@ -17,8 +17,8 @@
 #include "platform/os/panic.h"
 
 static volatile sig_atomic_t stop;
-static struct run_common evening; /* State of the program. Static because the structure has several
-                                     MB. */
+static struct run_common evening; /* State of the program. The structure is static because its size
+                                     of several MB is too large for the stack. */
 
 static void on_signal(int number)
 {

@@ -9,8 +9,8 @@
 #include "core/base/panic.h"
 
 /* Returns the position, at most `limit`, at which a long line is cut. The line is cut after the
- * last remark that ends with ';', because the menu can translate only complete remarks. Without a
- * ';', the line is cut at the end of a word. */
+ * last remark that ends with ';', because the menu can translate only complete remarks. A line
+ * without a ';' is cut at the end of a word. */
 static size_t end_before(const char *line, size_t limit)
 {
     for (size_t at = limit; at > 1u; at--) {

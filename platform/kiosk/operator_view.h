@@ -32,22 +32,23 @@ struct operator_notes {
 
 /* Adds a note about a rejected file. `line` is "FILE: reason" or "FILE:LINE: reason". If `line` has
  * no reason, the whole line is the text and the name is empty. If the name starts with the folder
- * `data`, this prefix is removed; `data` may be "". A name that is too long is cut at its
- * beginning. */
+ * `data`, the folder's path is removed from the name; `data` may be "". A name that is too long is
+ * cut at its beginning. */
 void operator_notes_refused(struct operator_notes *notes, const char *data, const char *line);
 /* Adds a note about the file `name` with the text `words`. */
 void operator_notes_add(struct operator_notes *notes, enum scene_file_state state, const char *name,
                         const char *words);
 
-/* operator_notes_rows() returns the number of rows. operator_notes_row() returns one row; its state
- * is FILE_UNKNOWN if `row` is beyond the end. */
+/* operator_notes_rows() returns the number of menu rows for `notes`. operator_notes_row()
+ * returns the row with the number `row`, or a row with the state FILE_UNKNOWN if `row` is beyond
+ * the end. */
 uint32_t operator_notes_rows(const struct operator_notes *notes);
 struct scene_file operator_notes_row(const struct operator_notes *notes, uint32_t row);
 
 /* ---- Names and texts of the devices -------------------------------------------------------- */
 
-/* Returns the number of rows on the menu page of files: one row for the store, and the rows of
- * `notes`. `notes` may be null. */
+/* Returns the number of rows on the operator's menu page about files: one row for the store, and
+ * the rows of `notes`. `notes` may be null. */
 uint8_t operator_view_file_count(const struct operator_notes *notes);
 
 /* State of all button and coin lines, with counts since program start. */
@@ -57,16 +58,15 @@ struct operator_view_lines {
     uint32_t coins[COIN_LINE_COUNT];
 };
 
-/* Adds the counts of one sample to the totals in `book`. */
+/* Adds the counts of the button sample to the totals in `book`. */
 void operator_view_lines_add(struct operator_view_lines *book, const struct button_sample *sample);
 
-/* Input data of operator_view_fill(). */
+/* Data from which operator_view_fill() fills the operator's menu. */
 struct operator_view {
-    const struct operator_notes
-        *notes;                      /* Messages about files that the operator's menu shows. May be
-                                        null. */
-    const struct input *input;       /* Input of the newest tick. */
-    const struct poi_sampler *hands; /* Array of POI_MAX poi samplers. */
+    const struct operator_notes *notes; /* Messages about files that the operator's menu shows.
+                                           Null means no messages. */
+    const struct input *input;          /* Input of the newest tick. */
+    const struct poi_sampler *hands;    /* Array of POI_MAX poi samplers. */
     const struct operator_view_lines *lines;
     uint32_t button_faults;
     const struct scene_machine *machine;

@@ -74,8 +74,9 @@ uint32_t output_audio_play(struct output_audio *voice, const struct hal_audio *a
 
 /* ---- Lamp, lockout, counter and tickets ---------------------------------------------------- */
 
-/* Sends changed outputs to the driver. A busy driver is retried in the next frame, and a failed
- * driver after one second. An output that the cabinet does not have counts as set. */
+/* Sends changed outputs to the driver. A request that a busy driver did not accept is sent again in
+ * the next frame. A request that failed is sent again after one second. An output that the cabinet
+ * does not have counts as set. */
 
 /* Returns 1 if the driver accepted the request or has no such output, otherwise 0. After a fault,
  * delays the next attempt. */
@@ -140,7 +141,9 @@ uint32_t output_lines_are_done(const struct output_lines *switches,
 /* ---- Brightness and position of the picture ------------------------------------------------ */
 
 #define NS_PER_MS 1000000ull
-#define FADE_DOWN_S 4.0f /* Duration of dimming in seconds, slow enough to be unnoticed. */
+#define FADE_DOWN_S                                                                                \
+    4.0f /* Duration of dimming in seconds. Dimming is slow so that players do not notice the
+            change. */
 /* Duration of brightening in seconds. Brightening is fast because an arriving player needs
  * light. */
 #define FADE_UP_S 0.3f
@@ -175,8 +178,8 @@ static int is_night(const int32_t *value, const struct input *input)
     return from < to ? minute >= from && minute < to : minute >= from || minute < to;
 }
 
-/* Returns the target brightness after `idle_s` seconds without input, as a share of the operator's
- * brightness. */
+/* Returns the target brightness after `idle_s` seconds without input, as a fraction of the
+ * brightness that the operator has set. */
 static float light_wanted(const int32_t *value, const struct input *input, uint64_t idle_s)
 {
     const uint64_t dim_s = 60u * (uint64_t)value[SET_DIM_AFTER_MIN];
@@ -205,7 +208,7 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
     const uint64_t elapsed = since_ns / NS_PER_MS;
     dimmer->seen_ns = dimmer->seen_ns > 0 ? dimmer->seen_ns + elapsed * NS_PER_MS : now_ns;
     const uint32_t ms = elapsed < STEP_MS_MAX ? (uint32_t)elapsed : STEP_MS_MAX;
-    /* Detects pois that have moved. Positions are not validated here. A non-finite position does
+    /* Detects pois that have moved. Positions are not validated because a non-finite position does
      * not count as a movement. */
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const vec3 at_m = input->poi[i].target.position_m;
@@ -226,7 +229,8 @@ struct display_settings output_dimmer_step(struct output_dimmer *dimmer,
         is_first ? wanted
                  : (dimmer->light > wanted ? f_max(dimmer->light - (share / FADE_DOWN_S), wanted)
                                            : f_min(dimmer->light + (share / FADE_UP_S), wanted));
-    if (is_attract) { /* The picture does not move during a game because players aim at it. */
+    if (is_attract) { /* The picture is not moved during a game, because the players aim at objects
+                         in the picture. */
         dimmer->wander_ms = (dimmer->wander_ms + ms) % WANDER_MS;
     }
     return (struct display_settings){

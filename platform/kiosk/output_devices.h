@@ -1,8 +1,7 @@
-/* output_devices.h -- passes the results of a frame to the sound card, to the lamp, coin lockout,
- * coin counter and ticket dispenser, and computes brightness and position of the picture.
- *
- * The sound card may be connected and disconnected. In attract mode (the demonstration between
- * rounds) sounds are played only at intervals. */
+/* output_devices.h -- passes the results of a frame to the sound card, the start lamp, the coin
+ * lockout, the coin counter and the ticket dispenser. The module also computes the brightness and
+ * the position of the picture. The sound card may be connected and disconnected while the kiosk
+ * runs. In attract mode (the demonstration between rounds) sounds are played only at intervals. */
 #ifndef KINGYO_PLATFORM_KIOSK_OUTPUT_DEVICES_H
 #define KINGYO_PLATFORM_KIOSK_OUTPUT_DEVICES_H
 
@@ -21,7 +20,7 @@
 struct output_audio {
     uint64_t retry_ns;   /* Time of the next search for a missing sound card. 0 means that a sound
                             card is open. */
-    uint64_t attract_ns; /* Start time of attract mode. 0 means that a game runs. */
+    uint64_t attract_ns; /* Start time of attract mode. 0 means that a game is in progress. */
 };
 
 /* Opens the sound card. If no sound card is found, output_audio_play() repeats the search once per
@@ -29,7 +28,7 @@ struct output_audio {
 void output_audio_open(struct output_audio *voice, const struct hal_audio *audio, uint64_t now_ns);
 
 /* Returns the gain [0, 1] of a sound of full volume. The gain is the square of the volume setting,
- * because hearing follows a power law: half of the setting sounds about half as loud. */
+ * because hearing follows a power law: half of the setting then sounds about half as loud. */
 float output_audio_gain(const struct settings *settings);
 
 /* Returns 1 if sounds are played `attract_s` seconds after the start of attract mode, otherwise
@@ -69,30 +68,30 @@ uint32_t output_lines_are_done(const struct output_lines *switches,
 
 /* ---- Brightness and position of the picture ------------------------------------------------ */
 
-/* Dims the picture and moves it slowly to prevent burn-in.
- *
- * The brightness is the operator's brightness while a player is present. After a time without
- * input the brightness is lower, and at night the picture is dark. */
+/* Dims the picture, and moves the picture slowly to prevent burn-in of the screen. While a player
+ * is present, the picture has the brightness that the operator has set. After a time without input
+ * the brightness is lower, and at night the picture is dark. */
 
-/* Seconds without input after which the picture becomes dark at night. The time is long enough to
- * start a game. */
+/* Seconds without input after which the picture becomes dark at night. A player who has inserted a
+ * coin has enough time to start a game. */
 #define DIMMER_NIGHT_IDLE_S 60u
 /* Distance in metres that a poi must move to count as input. Shorter movements may be sensor
  * noise. */
 #define DIMMER_STIR_M 0.03f
-/* Maximum shift of the picture in each direction, as a share of the picture height: 4 pixels at a
- * height of 720 pixels, 6 pixels at 1080. */
+/* Maximum shift of the picture in each direction, as a fraction of the picture height. The shift is
+ * 4 pixels at a height of 720 pixels, and 6 pixels at a height of 1080 pixels. */
 #define DIMMER_SHIFT (1.0f / 180.0f)
 
 struct output_dimmer {
     uint64_t seen_ns;     /* Time of the previous frame. 0 means no frame yet. */
     uint64_t touched_ns;  /* Time of the last input. */
-    float light;          /* Current brightness as a share [0, 1] of the operator's brightness.
-                             Changes gradually. */
+    float light;          /* Current brightness as a fraction [0, 1] of the brightness that the
+                             operator has set. The fraction changes gradually. */
     uint32_t wander_ms;   /* Phase of the slow movement in milliseconds. Wraps around at the end of
                              its period. */
-    uint8_t was_stirred;  /* 1 if a button, a coin, a poi movement or a running game was detected
-                             after the previous output_dimmer_step(). */
+    uint8_t was_stirred;  /* 1 if a button press, a coin, a poi movement or a running game was
+                             detected after the previous call of output_dimmer_step(), otherwise
+                             0. */
     vec3 hand_m[POI_MAX]; /* Position in metres of each poi at its last detected movement. */
 };
 

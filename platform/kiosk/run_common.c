@@ -1,4 +1,5 @@
-/* run_common.c -- recording, replay and pictures for the frame loop; see run_common.h. */
+/* run_common.c -- starts and ends the recording, the replay and the pictures of the frame loop; see
+ * run_common.h. */
 #include "platform/kiosk/run_common.h"
 
 #include <dirent.h>
@@ -32,8 +33,8 @@ void run_common_note_refused(void *self, const char *line)
     operator_notes_refused(&session->notes, session->options.data, line);
 }
 
-/* Reports a rejected line of a graph file in the log, in the operator's menu and in the growth
- * lab. */
+/* Reports a rejected line of a graph file in the log, in the operator's menu and in the growth lab
+ * (the mode in which growth curves of the fish are edited). */
 static void run_common_warn(void *context, const char *line)
 {
     struct run_common *session = context;
@@ -43,7 +44,7 @@ static void run_common_warn(void *context, const char *line)
     library_note_graph(&session->library, line + (folder < strlen(line) ? folder : 0u));
 }
 
-/* Returns the text for a quarantined file in the log and in the operator's menu. */
+/* Returns the text that describes a quarantined file in the log and in the operator's menu. */
 static const char *words_of_aside(const char *data, const char *name)
 {
     static const char *const words[] = {
@@ -64,9 +65,9 @@ static const char *words_of_aside(const char *data, const char *name)
                : words[aside];
 }
 
-/* Adds the quarantined files to the operator's messages and logs those that are not acknowledged.
- * The messages stay after an acknowledgement; only the warning on the page "ready for opening"
- * disappears. */
+/* Adds the quarantined files to the operator's messages, and logs the files that the operator has
+ * not acknowledged. The messages remain after an acknowledgement, but the warning on the menu page
+ * "ready for opening" disappears. */
 static void note_damaged(struct run_common *session)
 {
     DIR *folder = session->options.data[0] ? opendir(session->options.data) : NULL;
@@ -87,7 +88,7 @@ static void note_damaged(struct run_common *session)
     }
 }
 
-/* Fills the growth lab's catalog with the installed species, and loads the saved graphs. */
+/* Fills the growth lab's catalog with the installed species, and loads the saved growth graphs. */
 static void load_species(struct run_common *session, struct lab_book *book)
 {
     book->card_count = (uint8_t)session->library.species_count;
@@ -276,8 +277,8 @@ int run_common_shot(struct run_common *session, const char *path, struct hal_ima
 {
     int result = capture_display_image(session, image);
     const size_t needed = (size_t)image->width * image->height * 3;
-    if (result != HAL_OK && needed > session->rgb_size) { /* The window has grown since the last
-                                                             picture. */
+    if (result != HAL_OK && needed > session->rgb_size) { /* The window has grown after the last
+                                                             picture was taken. */
         result = run_common_make_room(session, image->width, image->height) == EXIT_OK
                      ? capture_display_image(session, image)
                      : HAL_ERR_IO;

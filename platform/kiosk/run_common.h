@@ -29,7 +29,7 @@ struct run_common {
     struct library library;           /* Installed species files, read at program start. */
     struct operator_notes notes;      /* Messages about species files and other files that were read
                                          at program start. */
-    struct replay_totals replayed;    /* Totals of the recording to replay, set by
+    struct replay_totals replayed;    /* Totals of the recording that --replay plays, set by
                                          run_common_check(). */
     struct system_health machine;     /* System health monitor. */
     struct status status;             /* Writer of the status file for monitoring tools. */
@@ -50,8 +50,8 @@ enum exit_code run_common_begin(struct run_common *session, struct kiosk_config 
  * run_common. */
 void run_common_note_refused(void *self, const char *line);
 
-/* Reports each species file: loaded files on standard output, rejected files with the reason in the
- * log. */
+/* Reports each species file. Prints loaded files to standard output, and logs rejected files with
+ * the reason. */
 void run_common_print_library(const struct run_common *session);
 
 /* Reports CORE_ERR_FLOAT in one line. Returns EXIT_NOT_SO. */
@@ -67,15 +67,15 @@ enum exit_code run_common_make_folder(const char *path);
  * error before it returns. */
 enum exit_code run_common_make_room(struct run_common *session, uint32_t width, uint32_t height);
 
-/* Copies the frame that was presented last to session->rgb. If `path` is not null, also writes a
- * PNG file. Returns 0 and fills `image`. On an error returns -1 after reporting the error. */
+/* Copies the newest presented frame to session->rgb. If `path` is not null, also writes a PNG file.
+ * Returns 0 and fills `image`. After an error reports the error and returns -1. */
 int run_common_shot(struct run_common *session, const char *path, struct hal_image *image);
 
 /* ---- run_interactive.c: the kiosk on a screen ---------------------------------------------- */
 
-/* Returns 1 if a service manager started the kiosk ($NOTIFY_SOCKET is set), otherwise 0. In a
- * service, the kiosk starts without a screen and waits for one, because no user would read an error
- * message. */
+/* Returns 1 if a service manager started the kiosk ($NOTIFY_SOCKET is set), otherwise 0. A kiosk
+ * that runs as a service starts without a screen and waits until a screen is connected, because no
+ * user would read an error message. */
 int run_interactive_waits_for_screen(void);
 
 /* Opens the board's devices. Returns 1 if the display is open, or if the kiosk waits until a screen

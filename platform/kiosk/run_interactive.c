@@ -82,7 +82,7 @@ static enum exit_code tell_end(struct run_common *session, enum kiosk_end end)
 }
 
 /* Returns the first exit code that is not EXIT_OK, in the order store, recording, display. Returns
- * EXIT_OK if there is no other exit code. */
+ * EXIT_OK if all exit codes are EXIT_OK. */
 static enum exit_code end_play(struct run_common *session, enum kiosk_end end)
 {
     const enum exit_code told = tell_end(session, end);
@@ -93,8 +93,9 @@ static enum exit_code end_play(struct run_common *session, enum kiosk_end end)
     return told != EXIT_OK ? told : code != EXIT_OK ? code : ended;
 }
 
-/* Ends the program inside the display call. After the connection is lost, Xlib and the software
- * renderer's threads are not usable. Therefore the function must not return to them. */
+/* Ends the program inside the display call. After the connection to the display is lost, Xlib and
+ * the threads of the software renderer are not usable. Therefore the function must not return to
+ * them. */
 static void on_display_lost(void *self)
 {
     struct run_common *session = self;
@@ -117,8 +118,8 @@ int run_interactive_open(struct run_common *session)
     if (!options->data[0]) {
         file_default_data(options->data);
     }
-    /* The data folder must exist before panic_evidence_open(). If the function fails, the store
-     * later reports the reason. */
+    /* The data folder must exist before panic_evidence_open(). If the folder cannot be created, the
+     * store reports the reason later. */
     file_make_folder(options->data);
     panic_evidence_open(&session->evidence, options->data, &session->chapters,
                         &session->kiosk.core);

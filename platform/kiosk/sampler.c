@@ -8,8 +8,8 @@
 #define RETRY_NS 1000000000ull
 #define NS_PER_S 1000000000ull
 #define TICK_NS (NS_PER_S / CORE_TICK_HZ)
-/* Time in nanoseconds by which the reports may span more than the frame's ticks. If the reports
- * span more, their motion is not interpolated. */
+/* Limit in nanoseconds for the time between the first and the last report of a frame, in addition
+ * to the time of the frame's ticks. If the limit is exceeded, the motion is not interpolated. */
 #define UNSEEN_NS 100000000ull
 
 uint32_t sampler_poi_open(struct poi_sampler *hand, const struct hal_poi *device, uint64_t now_ns)
@@ -82,8 +82,8 @@ uint32_t sampler_poi_sample(struct poi_sampler *hand, const struct hal_poi *devi
         faults += !sampler_path_push(&hand->path, &samples[i]);
     }
     if (result == HAL_ERR_GONE) {
-        /* Marks the device as lost and clears its path, because the motion until the next report
-         * is unknown. */
+        /* Marks the device as lost and clears its path of reports, because the motion until the
+         * next report is unknown. */
         hand->link = POI_SOURCE_LOST;
         hand->retry_ns = now_ns + RETRY_NS;
         sampler_path_reset(&hand->path);
@@ -175,8 +175,9 @@ int sampler_path_push(struct sampler_path *resampler, const struct poi_sample *s
     return input_pose_is_finite(&next.target);
 }
 
-/* Returns the pose between two reports. `t` is 0 at the first report and 1 at the second report.
- * Before a jump or an invalid second report, returns the pose of the first report until t = 1. */
+/* Returns the pose between two reports. `t` is 0 at the first report and 1 at the second report. If
+ * the second report is invalid, or if the motion between the two reports is a jump, returns the
+ * pose of the first report until `t` is 1. */
 static struct poi_target target_on_way(const struct poi_sample *from, const struct poi_sample *to,
                                        float t)
 {
@@ -209,9 +210,8 @@ struct poi_target sampler_path_at(const struct sampler_path *resampler, uint32_t
         next++;
     }
     const uint64_t from_ns = path[next - 1].time_ns;
-    const uint64_t gap_ns = path[next].time_ns - from_ns; /* The gap is 0 only if the reports of the
-                                                             whole path lie within a few
-                                                             nanoseconds. */
+    const uint64_t gap_ns = path[next].time_ns - from_ns; /* The gap is 0 only if all reports of the
+                                                             path lie within a few nanoseconds. */
     const float t = gap_ns > 0 ? (float)(time_ns - from_ns) / (float)gap_ns : 1.0f;
     return target_on_way(&path[next - 1], &path[next], t);
 }
@@ -252,7 +252,7 @@ uint32_t sampler_fan_sample(struct fan_sampler *hand, const struct hal_fan *devi
         return faults;
     }
     const int result = device->ops->poll(device->self, &reading);
-    /* A comparison with NaN is false, so that a report with NaN is out of range. */
+    /* A comparison with NaN is false. Therefore a report with NaN is treated as out of range. */
     if (result == HAL_OK && f_abs(reading.x_m) <= RANGE_MAX_M &&
         f_abs(reading.z_m) <= RANGE_MAX_M && f_abs(reading.radius_m) <= RANGE_MAX_M) {
         hand->to = reading;

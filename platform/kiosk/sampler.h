@@ -15,14 +15,13 @@
 
 /* ---- Resampling ---------------------------------------------------------------------------- */
 
-/* Computes exactly one pose per tick from time-stamped reports. Pure functions.
- *
- * If a tick repeated a pose, a poi that moves with the constant speed v would seem to move with
- * the speeds 2v, 0 and 2v. The drag force grows with the square of the speed and would be four
- * times too large. Therefore the reports of a frame are distributed over the frame's ticks. The
- * last tick gets the newest report, so that no latency is added. The earlier ticks get points on
- * the path from the end of the previous frame, linear between reports. A jump or a report with
- * invalid numbers is not interpolated but appears unchanged in the tick to which it belongs. */
+/* Computes exactly one pose per tick from time-stamped reports. Pure functions. If a tick repeated
+ * a pose, a poi that moves with the constant speed v would seem to move with the speeds 0 and 2v in
+ * successive ticks. The drag force grows with the square of the speed and would be four times too
+ * large at 2v. Therefore the reports of a frame are distributed over the frame's ticks. The last
+ * tick gets the newest report, so that no latency is added. The earlier ticks get points on the
+ * path from the end of the previous frame, linear between reports. A jump or a report with invalid
+ * numbers is not interpolated but appears unchanged in the tick to which it belongs. */
 
 /* Maximum number of reports in the path: the last used report, the reports of one frame, and the
  * reports of a few frames without ticks. */
@@ -75,7 +74,8 @@ struct poi_sampler {
     uint8_t link;                /* Connection state of the controller (enum poi_source), never
                                     POI_SOURCE_BOT. */
     uint8_t has_wrist, trembles; /* Flags of the newest report; see struct poi_sample. */
-    uint8_t was_seen; /* 1 if the controller has sent a report since program start, otherwise 0. */
+    uint8_t was_seen; /* 1 if the controller has sent at least one report after program start,
+                         otherwise 0. */
     uint64_t waiting_ns[HAL_POI_SAMPLES_MAX]; /* Arrival times of reports that no tick has used
                                                  yet. */
     uint32_t waiting_count;                   /* Number of entries in `waiting_ns`. When
@@ -87,8 +87,9 @@ struct poi_sampler {
  * 0. */
 uint32_t sampler_poi_open(struct poi_sampler *hand, const struct hal_poi *device, uint64_t now_ns);
 
-/* Reads the reports that arrived since the last frame. Tries to reopen a lost controller once per
- * second. Returns the number of faults: failed calls, and reports with invalid numbers. */
+/* Reads the reports that arrived after the previous frame. Tries to reopen a lost controller once
+ * per second. Returns the number of faults, which are failed calls and reports with invalid
+ * numbers. */
 uint32_t sampler_poi_sample(struct poi_sampler *hand, const struct hal_poi *device,
                             uint64_t now_ns);
 
@@ -100,8 +101,8 @@ uint32_t sampler_poi_sample(struct poi_sampler *hand, const struct hal_poi *devi
 void sampler_poi_at(const struct poi_sampler *hand, uint32_t index, uint32_t tick_count,
                     uint64_t now_ns, struct poi_input *out);
 
-/* Adds the waiting time of each unused report to the histogram `wait`. Call before the first tick
- * of the frame. */
+/* Adds the waiting time of each report that no tick has used yet to the histogram `wait`. Call
+ * before the first tick of the frame. */
 void sampler_poi_time(struct poi_sampler *hand, uint64_t now_ns, struct frame_timing *wait);
 
 /* Makes the newest report the first point of the next frame's path. Call after the last tick of the
@@ -110,12 +111,11 @@ void sampler_poi_end(struct poi_sampler *hand);
 
 /* ---- Fans ---------------------------------------------------------------------------------- */
 
-/* Samples the fans for the frame loop. A fan is a device that a player holds above the water and
- * that casts a shadow on the water.
- *
- * A fan device reports its position once per frame, but a frame may run several ticks. Each tick
- * gets its own position on the line between two reports. Otherwise the shadow would stop for one
- * tick and jump in the next, and the core would detect a fast movement. */
+/* Sampler for one fan. A fan is a device that a player holds above the water and that casts a
+ * shadow on the water. A fan device reports its position once per frame, but a frame may run
+ * several ticks. Each tick gets its own position on the straight line between two reports.
+ * Otherwise the shadow would stop for one tick and jump in the next, and the core would detect a
+ * fast movement. */
 
 struct fan_sampler {
     struct shade_input from, to; /* Position at the last tick of the previous frame (`from`), and
@@ -140,8 +140,8 @@ uint32_t sampler_fan_sample(struct fan_sampler *hand, const struct hal_fan *devi
 struct shade_input sampler_fan_at(const struct fan_sampler *hand, uint32_t index,
                                   uint32_t tick_count);
 
-/* Makes the newest position the first point of the next frame's line. Call after the last tick of
- * the frame. */
+/* Makes the newest fan position the start of the next frame's interpolation. Call after the last
+ * tick of the frame. */
 void sampler_fan_end(struct fan_sampler *hand);
 
 #endif

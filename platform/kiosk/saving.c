@@ -1,9 +1,11 @@
-/* saving.c -- offers data to the store and handles its errors; see saving.h. */
+/* saving.c -- passes ledger entries and edits to the store and handles the store's errors; see
+ * saving.h. */
 #include "platform/kiosk/saving.h"
 
 #include "core/base/panic.h"
 
-#define RETRY_NS 1000000000ull /* Interval between two attempts after a failure. */
+#define RETRY_NS                                                                                   \
+    1000000000ull /* Interval between two attempts to pass data to the store after a failure. */
 
 /* Returns 1 if the store accepted the data or no store exists, otherwise 0. After a failure, delays
  * the next attempt. */
@@ -120,7 +122,7 @@ int saving_flush_offline(struct offline_flush *flush, const struct hal_ledger *s
                          const struct core *core)
 {
     struct batch batch = { .core = core };
-    /* When the store has written a transfer, its amounts are recorded as transferred. */
+    /* Record the amounts of a transfer as transferred after the store has written the transfer. */
     if (flush->is_asked && store->ops->offline_merged(store->self) == HAL_OK) {
         flush->told = flush->asked;
         flush->told_balance = flush->asked_balance;
@@ -130,9 +132,9 @@ int saving_flush_offline(struct offline_flush *flush, const struct hal_ledger *s
         return 0;
     }
     const struct balance_change step = { flush->told_balance, core->game.accounts.ledger.balance };
-    /* Add one entry for each coin line that received coins. The audits have only the total
-     * value of all coin lines. Therefore the first entry gets the total value, and the other
-     * entries get 0. */
+    /* Add one entry for each coin line that received coins. The audits contain only the total value
+     * of all coins, not the value of each coin line. Therefore the first entry gets the total
+     * value, and the other entries get 0. */
     uint32_t units = untold(flush, batch.core, AUDIT_UNITS);
     for (uint32_t line = 0; line < COIN_LINE_COUNT; line++) {
         const uint32_t pulses = untold(flush, batch.core, AUDIT_COINS_1 + line);
@@ -157,7 +159,7 @@ int saving_flush_offline(struct offline_flush *flush, const struct hal_ledger *s
     }
     if (batch.count == 0) {
         offline_flush_add_entry(&batch, LEDGER_HEALTH, 0, 0,
-                                0); /* A health entry without counts only stores the changed
+                                0); /* A health entry whose counts are all 0 only stores the changed
                                        balance. */
     }
     if (store->ops->merge_offline(store->self, &step, batch.entries, batch.count) == HAL_OK) {

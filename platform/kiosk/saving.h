@@ -1,7 +1,6 @@
-/* saving.h -- passes ledger entries and edits to a store that may be busy, fail or be absent, and
- * transfers offline credits to a store that appears later.
- *
- * An entry or edit is offered again until the store accepts it. */
+/* saving.h -- passes ledger entries and edits to a store that may be busy, fail or be absent. The
+ * module also transfers offline credits to a store that appears later. An entry or edit is passed
+ * to the store again and again until the store accepts it. */
 #ifndef KINGYO_PLATFORM_KIOSK_SAVING_H
 #define KINGYO_PLATFORM_KIOSK_SAVING_H
 
@@ -17,16 +16,18 @@ struct saving {
     uint32_t accepted_edit_id; /* Id of the newest edit that is settled: the store accepted the
                                   edit, or no store exists. */
     uint32_t refused_seen;     /* Number of failed writes that were already counted as faults. */
-    uint64_t retry_ns;         /* Time before which no data are offered to the store. */
+    uint64_t retry_ns;         /* Time until which no data are passed to the store, because a
+                                  previous attempt failed. */
 };
 
-/* Offers the ledger's entries to the store, oldest first. Call once per frame. A busy store is
- * retried in the next frame, a failed store after one second, and an absent store never. Returns
- * the number of faults. */
+/* Passes the ledger's entries to the store, oldest first. Call once per frame. If the store is
+ * busy, the function tries again in the next frame. If the store failed, the function tries
+ * again after one second. If no store exists, the entries count as settled. Returns the number
+ * of faults. */
 uint32_t saving_put_entries(struct saving *saving, const struct hal_ledger *store,
                             const struct output *output, uint64_t now_ns);
 
-/* Offers the newest edit of the growth lab to the store. Retries and returns as
+/* Passes the newest edit of the growth lab to the store. Retries and returns as
  * saving_put_entries() does. */
 uint32_t saving_put_edit(struct saving *saving, const struct hal_edit_store *edits,
                          const struct output *output, uint64_t now_ns);
@@ -55,11 +56,11 @@ static inline int saving_is_done(const struct saving *saving, const struct outpu
 
 /* State of the transfer. A structure of zeros means that nothing has been transferred. */
 struct offline_flush {
-    struct audits told; /* Part of this kiosk's audits that the store has written to disk. */
-    struct balance told_balance; /* Part of this kiosk's balance that the store has written to
+    struct audits told; /* Audit counts of this kiosk that the store has already written to disk. */
+    struct balance told_balance; /* Balance of this kiosk that the store has already written to
                                     disk. */
-    struct audits asked; /* Part of this kiosk's audits that will be on disk when the current
-                            write succeeds. */
+    struct audits asked; /* Audit counts of this kiosk that will be on disk when the current write
+                            succeeds. */
     struct balance asked_balance;
     uint8_t is_asked;
 };

@@ -77,8 +77,8 @@ void status_take(struct status_report *report, const struct kiosk *kiosk, const 
 static void *status_thread(void *self)
 {
     struct status *status = self;
-    struct status_report report; /* Copy for the status file's thread, because the frame loop
-                                    overwrites status->report. */
+    struct status_report report; /* Copy of the report for the status file's thread, because the
+                                    frame loop overwrites status->report. */
     pthread_setname_np(pthread_self(), "status");
     pthread_mutex_lock(&status->mutex);
     while (!status->stop) {
@@ -245,7 +245,7 @@ static void put_figures(struct json *json, const struct status_report *report)
     json_close(json, '}');
 }
 
-/* Writes `name` and a number, or null if the value is unknown. */
+/* Writes the JSON member `name` with a number, or with null if `is_known` is 0. */
 static void put_known(struct json *json, const char *name, int is_known, int64_t value)
 {
     if (is_known) {
@@ -255,7 +255,7 @@ static void put_known(struct json *json, const char *name, int is_known, int64_t
     }
 }
 
-/* Writes the values that the page "ready for opening" of the operator's menu shows. */
+/* Writes the values that the operator's menu shows on the page "ready for opening". */
 static void put_machine(struct json *json, const struct status_report *report)
 {
     const struct scene_machine *machine = &report->machine;

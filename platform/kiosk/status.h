@@ -71,7 +71,7 @@ struct status {
                               only. */
     pthread_cond_t changed;
     struct status_report report;
-    uint8_t is_fresh; /* 1 if `report` is not written yet. */
+    uint8_t is_fresh; /* 1 if `report` is not written to the file yet, otherwise 0. */
     uint8_t stop;
     atomic_uint failed; /* Number of failed writes of the status file. Only the first failure is
                            logged. */
@@ -89,9 +89,10 @@ struct status {
  * can be created, there is no file and the other functions have no effect. */
 void status_begin(struct status *status, const char *folder);
 
-/* Makes a report if one second has passed since the last report. Call once per frame. `now_ns` is
- * on the frame loop's clock. Never blocks: while the status file's thread holds the lock, the
- * report of the current second is skipped. A change of `store_well` is reported immediately. */
+/* Makes a report if one second has passed after the previous report. Call once per frame. `now_ns`
+ * is the time on the frame loop's clock. Never blocks: while the status file's thread holds the
+ * lock, the report of the current second is skipped. A change of `store_well` is reported
+ * immediately. */
 void status_update(struct status *status, const struct kiosk *kiosk, const struct hal *hal,
                    uint64_t now_ns);
 

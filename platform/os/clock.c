@@ -15,16 +15,16 @@ static uint64_t clock_now_ns(void *self)
     return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
 }
 
-/* Returns the days from 2000-01-01 to `date`. The calculation starts the year in March, so that the
- * leap day is the last day of a year. The number of days before month m is then (153 * m + 2) / 5,
- * where m is 0 for March. */
+/* Returns the number of days from 2000-01-01 to `date`. The calculation uses years that start in
+ * March, so that a leap day is the last day of its year. The number of days before month m is then
+ * (153 * m + 2) / 5, where m is 0 for March. */
 static int32_t days_since_2000(const struct tm *date)
 {
     assert(date->tm_mon >= 0 && date->tm_mon < 12);
     const int32_t is_early = date->tm_mon < 2;
     const int32_t year = date->tm_year - 100 - is_early;    /* Years since March 2000. */
-    const int32_t month = date->tm_mon - 2 + 12 * is_early; /* Month of the shifted year. 0 is
-                                                               March. */
+    const int32_t month = date->tm_mon - 2 + 12 * is_early; /* Month of the year that starts in
+                                                               March. 0 is March. */
     const int32_t before = 365 * year + year / 4 - year / 100 + year / 400;
     return before + (153 * month + 2) / 5 + date->tm_mday - 1 + DAYS_TO_MARCH_2000;
 }

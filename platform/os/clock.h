@@ -8,8 +8,8 @@
 #include "platform/hal.h"
 
 /* Range of valid years. A board without a clock battery starts in 1970 or at the date of its disk
- * image. A year before CLOCK_FIRST_YEAR therefore means that the clock was never set.
- * CLOCK_LAST_YEAR follows from 16 bits for the days since 2000. */
+ * image. Therefore a year before CLOCK_FIRST_YEAR means that the clock was never set.
+ * CLOCK_LAST_YEAR is the last year that 16 bits can express as days since 2000-01-01. */
 #define CLOCK_FIRST_YEAR 2026
 #define CLOCK_LAST_YEAR 2178
 

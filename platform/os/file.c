@@ -12,7 +12,7 @@
 
 /* ---- Regular files --------------------------------------------------------------------------- */
 
-/* Flags that every open of a regular file gets. */
+/* Flags that are added to every open() of a regular file. */
 #define ADDED_FLAGS (O_NONBLOCK | O_CLOEXEC | O_NOCTTY)
 
 /* Checks the result `handle` of an open with the requested `flags`, and truncates the file for
@@ -22,8 +22,9 @@ static int accept_regular(int handle, int flags)
 {
     struct stat about = { 0 };
     if (handle < 0) {
-        errno = errno == ENXIO ? ENOTSUP : errno; /* The path is a FIFO without a reader, a socket,
-                                                     or a device without its driver. */
+        errno = errno == ENXIO ? ENOTSUP : errno; /* ENXIO means that the path is a FIFO without a
+                                                     reader, a socket, or a device without its
+                                                     driver. */
         return -1;
     }
     int error = fstat(handle, &about) != 0 ? errno
@@ -331,7 +332,7 @@ int file_atomic_open_durable(struct atomic_file *out, const char *path)
 int file_atomic_close(struct atomic_file *out)
 {
     assert(out->file);
-    /* errno is still set by the failed write, because successful calls do not change errno. */
+    /* If the write failed, errno is still set, because successful calls do not change errno. */
     int why = ferror(out->file) ? (errno ? errno : EIO) : 0;
     if (fflush(out->file) != 0 && why == 0) {
         why = errno;
@@ -358,7 +359,8 @@ int file_make_folder(const char *path)
     }
     memcpy(copy, path, length + 1);
     char *slash = copy;
-    do { /* Makes the folder of each prefix of the path that ends before a slash or at the end. */
+    do { /* Creates the folder for each prefix of the path that ends before a slash or at the end of
+            the path. */
         slash = strchr(slash + 1, '/');
         if (slash) {
             *slash = '\0';

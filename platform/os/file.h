@@ -1,9 +1,8 @@
-/* file.h -- opens, reads, replaces and locks files and folders.
- *
- * Regular files are opened without blocking, because a FIFO or a device could block the caller
- * forever. A file is replaced atomically: a reader finds either the old content or the complete new
- * content. Functions with an int result return 0 or a positive value on success and a negative
- * errno on an error, unless their comment says otherwise. */
+/* file.h -- opens, reads, replaces and locks files and folders. Regular files are opened without
+ * blocking, because opening a FIFO or a device could block the caller forever. A file is replaced
+ * atomically: a reader gets either the old content or the complete new content. Functions with an
+ * int result return 0 or a positive value on success and a negative errno on an error, unless the
+ * comment of a function says otherwise. */
 #ifndef KINGYO_PLATFORM_OS_FILE_H
 #define KINGYO_PLATFORM_OS_FILE_H
 
@@ -15,7 +14,8 @@
 
 /* ---- Regular files --------------------------------------------------------------------------- */
 
-/* Read limit in bytes for kernel files in /proc and /sys, which have a size of a few pages. */
+/* Read limit in bytes for kernel files in /proc and /sys. These files have a size of a few memory
+ * pages. */
 #define FILE_KERNEL_SIZE_MAX (1u << 20)
 
 /* Opens a file for reading. The path comes from the user, therefore symbolic links are followed.
@@ -31,8 +31,8 @@ FILE *file_open(const char *path, uint32_t size_max);
  * folder, ENOTSUP for a FIFO, a device or a socket, otherwise as open(2) does. */
 int file_handle(const char *path, int flags, mode_t mode);
 
-/* Opens a file as file_handle() does, with a `path` relative to the folder `folder`
- * (openat(2)). */
+/* Opens a file as file_handle() does, but `path` is relative to the folder with the descriptor
+ * `folder` (openat(2)). */
 int file_handle_at(int folder, const char *path, int flags, mode_t mode);
 
 /* Opens a file as file_handle() does, but follows symbolic links, because the path comes from the
@@ -50,10 +50,11 @@ const char *file_error(int error);
 
 /* Result of file_read_line(). */
 enum file_line {
-    FILE_LINE_END = 0, /* The end of the file, or a read error (see ferror(3)). */
+    FILE_LINE_END = 0, /* No line was read because of the end of the file or a read error (see
+                          ferror(3)). */
     FILE_LINE_READ,    /* `line` is a complete line. */
-    FILE_LINE_BAD,     /* The line is too long or contains a zero byte. `line` is its start, and
-                          the rest of the line is skipped. */
+    FILE_LINE_BAD,     /* The line is too long or contains a zero byte. `line` contains the start of
+                          the line, and the rest of the line is skipped. */
 };
 
 /* Reads the next line of `file` into `line` without its line end. `size` is the size of the buffer,
@@ -69,10 +70,10 @@ void file_first_line(const char *path, char *line, size_t size);
 #define FILE_ATOMIC_PART ".part"
 
 /* File that is written as a stream. The output goes to the temporary file PATH.part in the same
- * folder. At the end PATH.part replaces PATH. The content of PATH is therefore complete even if the
- * disk is full or the power fails. If PATH is a symbolic link, the link stays and its target is
- * replaced. A dangling link, a folder or a disk is rejected. A terminal, /dev/null or a pipe with a
- * reader is written directly. */
+ * folder. When the file is closed, PATH.part replaces PATH. The content of PATH is therefore
+ * complete even if the disk is full or the power fails. If PATH is a symbolic link, the link stays
+ * and its target is replaced. A dangling link, a folder or a disk is rejected. A terminal,
+ * /dev/null or a pipe with a reader is written directly. */
 struct atomic_file {
     FILE *file;
     bool is_stream; /* True for a terminal, a pipe or /dev/null, which are written without a
@@ -96,12 +97,12 @@ int file_atomic_close(struct atomic_file *out);
 /* Flags of file_replace(). */
 enum file_replace_flag {
     FILE_REPLACE_DURABLE = 1, /* The function blocks until the content and the name are on disk. */
-    FILE_REPLACE_PUBLIC = 2,  /* All users can read the file, independent of the umask. */
+    FILE_REPLACE_PUBLIC = 2,  /* All users can read the new file, independent of the umask. */
 };
 
-/* Replaces the file `path`, or a symbolic link of this name, by a file with `size` bytes of
- * content. Writes the temporary file PATH.part first. `flags` is a combination of enum
- * file_replace_flag. Returns 0 or a negative errno. After an error the old file is unchanged. */
+/* Replaces the file or symbolic link `path` by a regular file with `size` bytes of content. Writes
+ * the temporary file PATH.part first. `flags` is a combination of enum file_replace_flag. Returns 0
+ * or a negative errno. After an error the old file is unchanged. */
 int file_replace(const char *path, const void *bytes, size_t size, int flags);
 
 /* Renames a file, and blocks until the new name is on disk. Returns 0 or a negative errno. */

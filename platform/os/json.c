@@ -12,8 +12,8 @@
 /* Size of one escaped character: at most six bytes and a terminating zero. */
 #define CHAR_SIZE 7u
 
-/* Writes the first character of `words`, which must not be a quote or a backslash, in escaped form.
- * Returns the character's size in bytes. */
+/* Writes the first character of `words` in escaped form to `out`. The character must not be a quote
+ * or a backslash. Returns the size of the unescaped character in bytes. */
 static uint32_t escape(const char *words, char out[CHAR_SIZE])
 {
     const uint32_t size = printable_utf8_size(words);
@@ -63,7 +63,7 @@ static void put_words(struct json *json, const char *words)
     put_json_text(json, "\"");
 }
 
-/* Writes what precedes an element: the comma, the line break or the blank, and the key. */
+/* Writes the text before an element: the comma, the line break or the blank, and the key. */
 static void begin_json_element(struct json *json, const char *key)
 {
     CORE_ASSERT(json->file || json->buffer);

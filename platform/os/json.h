@@ -18,9 +18,11 @@ struct json {
     char *buffer;   /* Buffer that receives the document with a terminating zero. */
     size_t size;    /* Size of `buffer` in bytes. Asserts that the document fits. */
     size_t used;    /* Number of bytes that were written to `buffer`. */
-    uint8_t inner;  /* 1 if the current object or array has an element. */
-    uint8_t breaks; /* 1 if the next element or bracket is on a line of its own. */
-    uint8_t indent; /* Number of blanks before that element or bracket. */
+    uint8_t inner;  /* 1 if the current object or array already has an element, so that the next
+                       element needs a comma. Otherwise 0. */
+    uint8_t breaks; /* 1 if the next element or bracket is on a line of its own, otherwise 0. */
+    uint8_t indent; /* Number of blanks before the next element or bracket if it is on a line of its
+                       own. */
 };
 
 /* Begins an object, with `bracket` '{', or an array, with '['. */

@@ -14,8 +14,8 @@
 #include "platform/os/file.h"
 #include "platform/os/panic.h"
 
-static int has_journal; /* 1 if standard error is a journal. Set once, before other threads
-                           start. */
+static int has_journal; /* 1 if the systemd journal reads standard error, otherwise 0. Set once,
+                           before other threads start. */
 
 int log_is_journal(const char *journal, int fd)
 {

@@ -22,8 +22,8 @@ enum log_level {
  * $JOURNAL_STREAM ("DEVICE:INODE") and may be null. */
 int log_is_journal(const char *journal, int fd);
 
-/* Detects whether standard error is a journal. The program calls log_open() once at program
- * start. */
+/* Detects whether the systemd journal reads standard error. The program calls log_open() once at
+ * program start. */
 void log_open(void);
 
 /* Formats `format` as printf() does and writes one line after "kingyo: ". `format` has no line end.

@@ -70,8 +70,9 @@ void panic_put_end(struct panic_text *text)
 
 /* ---- Panic handler -------------------------------------------------------------------------- */
 
-/* Handles the first panic only. A second thread that panics waits while the first thread writes its
- * report. A panic inside the handler returns immediately, so that the process ends. */
+/* Reports a panic. Only the first panic is handled. A second thread that panics waits while the
+ * first thread writes its report. A panic inside the panic handler returns immediately, so that the
+ * process ends. */
 void panic_report(const char *reason)
 {
     int first = 0;
@@ -97,7 +98,7 @@ static void on_fatal(int number)
     }
     panic_report(name);
     signal(number, SIG_DFL);
-    raise(number); /* The signal is delivered when the handler returns. */
+    raise(number); /* The raised signal is delivered after the signal handler has returned. */
 }
 
 void panic_prepare(void (*last_wish)(void *self, const char *reason), void *self)

@@ -1,5 +1,5 @@
-/* png.c -- encodes PNG with stb_image_write. The file is written by this module, so that a full
- * disk is reported with its errno. */
+/* png.c -- encodes PNG with stb_image_write. The module itself writes the encoded bytes to the
+ * file, so that a full disk is reported with its errno. */
 #include "platform/os/png.h"
 
 #include <assert.h>
@@ -26,7 +26,8 @@ static int write_all(const char *path, const uint8_t *bytes, size_t size)
     if (error) {
         return error;
     }
-    fwrite(bytes, 1, size, out.file); /* file_atomic_close() reports a failed write. */
+    fwrite(bytes, 1, size, out.file); /* The result of fwrite() is not checked because
+                                         file_atomic_close() reports a failed write. */
     return file_atomic_close(&out);
 }
 

@@ -18,7 +18,7 @@ __attribute__((format(printf, 3, 0))) static void print_put(FILE *file, const ch
     vsnprintf(line, sizeof line - 1u, format, arguments);
     printable(line);
     assert(strlen(end) <= 1);
-    strcat(line, end); /* `end` is at most one byte, for which `line` has space. */
+    strcat(line, end); /* `end` has at most one byte, for which `line` has space. */
     fputs(line, file);
 }
 
@@ -54,9 +54,9 @@ int print_open_streams(void)
         if (fcntl(fd, F_GETFD) >= 0) {
             continue;
         }
-        /* /dev/null is opened for writing as standard input, and for reading as standard output or
-         * standard error. Each use therefore fails. open() returns the lowest free descriptor,
-         * which is `fd`. */
+        /* Opens /dev/null for writing as standard input, and for reading as standard output or
+         * standard error. Each read or write on the descriptor therefore fails. open() returns the
+         * lowest free descriptor, which is `fd`. */
         if (open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) != fd) {
             return errno != 0 ? -errno : -EIO;
         }

@@ -25,17 +25,18 @@ __attribute__((format(printf, 1, 2))) void print_error(const char *format, ...);
 
 /* ---- Standard streams ------------------------------------------------------------------------ */
 
-/* Opens those of the descriptors 0, 1 and 2 that the parent process left closed. No data file can
- * then get one of these numbers. Reads and writes on a descriptor opened here fail with EBADF. Must
- * be called before any other file is opened. Returns 0 or a negative errno. */
+/* Opens each of the descriptors 0, 1 and 2 that the parent process left closed. A data file that is
+ * opened later can then not get one of these numbers. Reads and writes on a descriptor that the
+ * function has opened fail with EBADF. Must be called before any other file is opened. Returns 0 or
+ * a negative errno. */
 int print_open_streams(void);
 
 /* Flushes standard output. Returns 0, or the negative errno of the first failed write since program
  * start. */
 int print_finish(void);
 
-/* Flushes `out` before program end. Returns 0. On an error returns -1 and stores errno.
- * print_finish() reports the stored error, so that the caller must not report it. */
+/* Flushes `out` before program end. Returns 0. On an error stores errno and returns -1.
+ * print_finish() reports the stored error, therefore the caller must not report it. */
 int print_flush(FILE *out);
 
 #endif

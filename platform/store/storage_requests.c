@@ -229,7 +229,7 @@ void storage_apply_offline(struct storage *storage)
         const uint32_t next = list->boots + (list->boots < LEDGER_BOOTS_MAX);
         late->boot =
             late->boot > 0 ? late->boot : next; /* All transfers of this kiosk share one boot
-                                                            number. */
+                                                   number. */
         for (uint32_t i = 0; i < late->count; i++) {
             late->entries[i].id = list->last_id + 1u + i;
             late->entries[i].boot = late->boot;

@@ -153,8 +153,8 @@ static int advance_lying_fish(struct scoop *scoop, struct carried_fish *carried)
     const float depth = -(scoop->poi->position_m.y + carried->x_m * scoop->axes.right.y +
                           carried->z_m * scoop->axes.back.y);
     if ((depth > CAPTURE_FLOAT_SHARE * fish->height_m) || (leaves && dry <= 0.0f)) {
-        catch_set_free(scoop->tank, fish, fish->velocity_m_s); /* The fish floated off the paper and
-                                                                 swims in the tank. */
+        catch_set_free(scoop->tank, fish, fish->velocity_m_s); /* The fish floated off the paper
+                                                                  and swims in the tank. */
         return 1;
     }
     if (leaves) {

@@ -23,7 +23,7 @@ struct ctl_command {
     const char *notes;                  /* Help text after the list of options. May be null. */
     void (*tell_more)(void);            /* Prints further help at the end. May be null. */
     uint8_t helps_itself; /* 1 if the command itself handles --help for its subcommands. 0 if
-                                main() handles --help. */
+                             main() handles --help. */
     /* Runs the command. argv[0] is the first argument after the command's name. Returns the exit
      * code of the program. main() has already handled --help unless `helps_itself` is 1. */
     enum exit_code (*run)(int argc, const char *const *argv);

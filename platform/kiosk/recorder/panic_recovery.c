@@ -39,8 +39,9 @@ static void *outlive_refused(void *self)
     pthread_setname_np(pthread_self(), "evidence");
     while (clock_nanosleep(CLOCK_MONOTONIC, 0, &left, &left) == EINTR) {
     }
-    /* Clear the recent panics after ten minutes without a panic, because the stored data are
-     * then not the cause. If a panic occurs at the same time, nothing is cleared. */
+    /* Clear the count of panics after ten minutes without a panic, because such a long run shows
+     * that the stored data are not the cause. If a panic occurs at the same time, the count is not
+     * cleared. */
     atomic_store(&evidence->is_clearing, 1);
     if (atomic_load(&evidence->has_frame) && !atomic_load(&evidence->has_panicked)) {
         panics_clear(&evidence->panics);
@@ -50,8 +51,8 @@ static void *outlive_refused(void *self)
     return NULL;
 }
 
-/* Leaves out a part of the stored data (ledger_leave_out()). The function first notes the attempt
- * on disk, because the attempt itself may panic. */
+/* Removes a part of the stored data from use (ledger_leave_out()). The function first records the
+ * attempt on disk, because the attempt may cause another panic. */
 static void leave_out(struct evidence *evidence)
 {
     struct panics *panics = &evidence->panics;
@@ -68,8 +69,8 @@ static void leave_out(struct evidence *evidence)
     panics->attempt = LEFT_NOTHING;
     write_count(evidence);
     if (panics_is_due(panics)) {
-        /* Start the thread that clears the recent panics after ten minutes. If no thread can be
-         * created, the next start leaves out the same part again. */
+        /* Start the thread that clears the count of panics after ten minutes. If no thread can be
+         * created, the next program start removes the same part of the data again. */
         sigset_t all, before;
         pthread_t thread;
         sigfillset(&all);
@@ -84,9 +85,10 @@ static void leave_out(struct evidence *evidence)
               result == 0 ? "leaves out" : "cannot leave out", panics_left_name(left), words);
 }
 
-/* Locks the data folder and leaves out data if necessary. If the file system has no locks, the
- * function continues without a lock. The count is read again because another process may have
- * changed it before the lock. */
+/* Locks the data folder. If the count of panics requires it, removes a part of the stored data
+ * from use. If the file system has no locks, the function continues without a lock. The count of
+ * panics is read again, because another process may have changed the count before the folder was
+ * locked. */
 static void hold_and_leave_out(struct evidence *evidence)
 {
     struct panics *panics = &evidence->panics;
@@ -99,8 +101,8 @@ static void hold_and_leave_out(struct evidence *evidence)
     }
     const int is_read = panics_read(panics, evidence->folder - 1) == 0;
     if (is_read && panics->attempt != LEFT_NOTHING) {
-        /* Clear the count without leaving out data, because the previous start ended during its
-         * attempt to leave out data. */
+        /* Clear the count of panics and keep all data, because the previous start ended during its
+         * attempt to remove data. */
         log_print(LOG_LEVEL_ERROR,
                   "the last start ended while it left out %s; this start leaves out nothing",
                   panics_left_name(evidence->panics.attempt));
@@ -199,7 +201,7 @@ static void evidence_log_error(const struct evidence *evidence, const char *reas
 
 int panic_evidence_write(struct evidence *evidence, const char *reason)
 {
-    /* Wait until the count is written, at most EVIDENCE_WAIT_MS milliseconds. */
+    /* Wait until the count of panics is written, at most EVIDENCE_WAIT_MS milliseconds. */
     atomic_store(&evidence->has_panicked, 1);
     for (int i = 0; i < EVIDENCE_WAIT_MS && atomic_load(&evidence->is_clearing); i++) {
         poll(NULL, 0, 1);

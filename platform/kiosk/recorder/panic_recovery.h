@@ -28,7 +28,7 @@ struct evidence {
     const struct core *core;
     pid_t thread; /* Id of the thread that runs the core's ticks. */
     uint64_t boot;
-    uint32_t begun_s;          /* Time of the program start in seconds since the machine's boot
+    uint32_t begun_s;          /* Time of the program start, in seconds after the machine's boot
                                   (panics_up_s()). */
     struct panics panics;      /* Count of panics. The file of panics.h stores the same
                                   count. */
@@ -36,26 +36,25 @@ struct evidence {
     atomic_uchar has_panicked; /* 1 if panic_evidence_write() has started. Afterwards only
                                   panic_evidence_write() uses `panics`. */
     atomic_uchar is_clearing;  /* 1 while a thread clears `panics` after ten minutes without a
-                                  panic. */
+                                  panic, otherwise 0. */
 };
 
 /* Opens the data folder and reads the count of panics. Call on the thread that will run the ticks,
- * before the store is opened.
- *
- * After three panics within ten minutes, or one panic before the first frame, the stored data may
- * be the cause. The function then leaves out a part of the data
- * (platform/store/sqlite/ledger_backup.h): it copies the database and deletes this part. The result
- * is logged. If the deletion fails, the next start tries again. If this process runs for ten
- * minutes, a thread clears the count. Without a data folder, panics are only reported. */
+ * before the store is opened. After three panics within ten minutes, or one panic before the first
+ * frame, the stored data may be the cause of the panics. The function then copies the database and
+ * deletes a part of the stored data (ledger_leave_out() in platform/store/sqlite/ledger_backup.h).
+ * The result is logged. If the deletion fails, the next program start tries again. After the
+ * process has run for ten minutes, a thread clears the count of panics. Without a data folder,
+ * panics are reported but not counted. */
 void panic_evidence_open(struct evidence *evidence, const char *data,
                          struct session_recorder *chapters, const struct core *core);
 
 /* Records that a frame was shown. Call after the first frame. */
 void panic_evidence_note_frame(struct evidence *evidence);
 
-/* Handles a panic: stops the thread that runs the ticks, writes the replay and the count, and
- * reports `reason` and the results in one line. Returns 1. Returns 0 if the thread that runs the
- * ticks may still change the core and its recordings, or if a change was interrupted.
+/* Handles a panic: stops the thread that runs the ticks, writes the replay and the count of panics,
+ * and reports `reason` and the results in one line. Returns 1. Returns 0 if the thread that runs
+ * the ticks may still change the core and its recordings, or if the panic interrupted a change.
  * Async-signal-safe. */
 int panic_evidence_write(struct evidence *evidence, const char *reason);
 

@@ -63,9 +63,9 @@ static int begin_recording(struct pin_sweep *sweep)
                             hash_without_pin(&judge->core, core_hash));
 }
 
-/* Handles the end of a simulation. The first simulation replays the stored recording and creates
- * the new recording. The second simulation verifies the new recording. If both verifications
- * succeed, the new recording replaces the stored one. Returns an SQLite result code. */
+/* Handles the end of a simulation. The first simulation replays the stored recording and creates a
+ * new recording. The second simulation verifies the new recording. If both simulations succeed, the
+ * new recording replaces the stored recording. Returns an SQLite result code. */
 static int end_play(struct pin_sweep *sweep, struct ledger_file *file)
 {
     struct replay_verifier *judge = &sweep->judge;

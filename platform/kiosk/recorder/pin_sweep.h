@@ -32,14 +32,15 @@ struct pin_sweep {
     uint32_t left;     /* Number of replays that still contain a PIN. */
     struct replay_verifier judge;
     struct replay_writer writer;
-    struct ledger_entry kept;              /* Ledger entry of the round whose replay is examined. */
+    struct ledger_entry kept;              /* Ledger entry of the round whose replay is being
+                                              examined. */
     size_t size;                           /* Size of `replay` in bytes. */
-    uint8_t replay[SESSION_RECORDER_SIZE]; /* Recording from the store. */
+    uint8_t replay[SESSION_RECORDER_SIZE]; /* Recording that was read from the store. */
     uint8_t made[SESSION_RECORDER_SIZE];   /* New recording without the PIN. */
 };
 
-/* Returns the background work for the store. Each step runs on the calling thread and reads one
- * stored replay, parses one second of a replay, or simulates one tick. */
+/* Returns the sweep as background work that the store's writer thread runs in short steps. Each
+ * step reads one stored replay, parses one second of a replay, or simulates one tick. */
 struct storage_chore pin_sweep_chore(struct pin_sweep *sweep);
 
 #endif

@@ -155,7 +155,7 @@ static int same_players(const struct round_record *a, const struct round_record 
 static int is_entry(const struct ledger_entry *played, const struct ledger_entry *kept)
 {
     const struct round_record *a = &played->round, *b = &kept->round;
-    /* Older versions did not store tank data. A round without tank data is accepted. */
+    /* Older versions of Kingyo did not store tank data. A round without tank data is accepted. */
     return kept->kind == LEDGER_ROUND && played->id == kept->id && played->boot == kept->boot &&
            played->tick == kept->tick && played->value == kept->value && a->seed == b->seed &&
            a->start_tick == b->start_tick && a->end_tick == b->end_tick && a->caught == b->caught &&

@@ -24,7 +24,7 @@
 enum replay_verdict {
     REPLAY_VERDICT_GENUINE = 0,
     REPLAY_VERDICT_OTHER,     /* The simulation differs from the recording (replayer.difference), or
-                                 gives another score than the ranking. */
+                                 the simulated score differs from the score in the ranking. */
     REPLAY_VERDICT_DAMAGED,   /* The bytes are not a valid recording; see
                                  replayer.reader.problem. */
     REPLAY_VERDICT_UNCHECKED, /* The score was not verified because the core returned
@@ -67,8 +67,8 @@ int replay_verifier_begin(struct replay_verifier *verifier, const uint8_t *bytes
  * the core rejected the tick. */
 int replay_verifier_tick(struct replay_verifier *verifier);
 
-/* Returns 1 if the simulation has reached the second in which the last round starts, otherwise 0.
- * The verified score is the score of the last round. */
+/* Returns 1 if the simulation has reached the recorded second in which the last round starts,
+ * otherwise 0. The verified score is the score of the last round. */
 int replay_verifier_is_at_round(const struct replay_verifier *verifier);
 
 /* Returns the result of the verification. Call after replay_verifier_tick() has returned 0. At

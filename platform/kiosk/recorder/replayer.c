@@ -106,8 +106,8 @@ enum exit_code replayer_print_problem(const char *speaker, const char *path,
 
 /* ---- Recording to a file ------------------------------------------------------------------- */
 
-/* Returns the increase of `now` over `*before`, and sets `*before` to `now`. Returns 0 after a
- * decrease. */
+/* Returns the increase from `*before` to `now`, and sets `*before` to `now`. Returns 0 if the value
+ * has decreased. */
 static uint32_t risen(uint32_t *before, uint32_t now)
 {
     const uint32_t rise = now > *before ? now - *before : 0;

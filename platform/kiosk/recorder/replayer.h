@@ -46,14 +46,16 @@ struct recorder {
     struct replay_writer writer;
     struct replay_totals totals;
     struct recorder_tally tally;
-    const struct core *core; /* Core whose hash is written with the last, incomplete second. */
+    const struct core *core; /* Core that is recorded. recorder_end() writes the hash of its state
+                                with the last, incomplete second. */
     struct input begun;      /* Input of the current tick. Valid while is_in_tick is 1. */
-    atomic_uchar is_in_tick; /* 1 while core_tick() runs. */
-    atomic_uchar is_adding;  /* 1 while recorder_tick() changes `totals` and `writer`. */
+    atomic_uchar is_in_tick; /* 1 while core_tick() runs, otherwise 0. */
+    atomic_uchar is_adding;  /* 1 while recorder_tick() changes `totals` and `writer`, otherwise
+                                0. */
 };
 
-/* Updates `totals` after a tick: ticks, rounds, caught fish, fouls, modes and players. A count that
- * decreased has restarted at 0. */
+/* Updates `totals` after a tick: the numbers of ticks, rounds, caught fish and fouls, and the modes
+ * and players. If a count is lower than in `tally`, the count has restarted at 0. */
 void recorder_count(struct replay_totals *totals, struct recorder_tally *tally,
                     const struct core *core);
 
@@ -68,10 +70,11 @@ struct kiosk_tap recorder_tap(struct recorder *recorder);
  * first failure of the recording. */
 int recorder_end(struct recorder *recorder);
 
-/* Ends the recording in a panic. Call on the thread that runs the ticks, or while that thread is
- * stopped. An interrupted tick is written with its input and REPLAY_HASH_NONE, because its state is
- * incomplete. If the panic interrupted a write, returns -EINTR, and the file ends with its last
- * complete second. Otherwise returns 0 or a negative errno as recorder_end() does. */
+/* Ends the recording during a panic. Call on the thread that runs the ticks, or while that thread
+ * is stopped. A tick that the panic interrupted is written with its input and REPLAY_HASH_NONE,
+ * because the state after the tick is incomplete. If the panic interrupted a write, returns -EINTR,
+ * and the file ends with its last complete second. Otherwise returns 0 or a negative errno as
+ * recorder_end() does. */
 int recorder_end_in_panic(struct recorder *recorder);
 
 /* ---- Playing a recording ------------------------------------------------------------------- */
@@ -92,7 +95,7 @@ struct replayer {
     struct replay_totals totals; /* Totals of the simulation so far. */
     struct recorder_tally tally;
     struct replay_difference difference;
-    uint8_t damaged; /* 1 if the file is invalid; see reader.problem. */
+    uint8_t damaged; /* 1 if the recording's file is invalid, otherwise 0; see reader.problem. */
 };
 
 /* Opens the recording `path` and writes its initial state to `config`. Returns 0, or -1 and sets
@@ -109,8 +112,8 @@ int replayer_begin_in(struct replayer *replayer, const uint8_t *bytes, size_t si
 struct kiosk_source replayer_source(struct replayer *replayer);
 struct kiosk_tap replayer_tap(struct replayer *replayer);
 
-/* Returns 1 if a panic interrupted the newest tick, so that the recording has no state after it.
- * Otherwise returns 0. */
+/* Returns 1 if a panic interrupted the newest tick, so that the recording has no state after the
+ * newest tick. Otherwise returns 0. */
 int replayer_is_interrupted(const struct replayer *replayer);
 
 /* Closes the recording. */

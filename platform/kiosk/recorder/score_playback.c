@@ -11,7 +11,7 @@ void score_playback_request(struct score_playback *playback, uint32_t round_id)
 {
     CORE_ASSERT(round_id != 0);
     if (playback->is_asked) {
-        return; /* The store is still writing the previously requested replay to `bytes`. */
+        return; /* The store is still writing a previously requested replay to `bytes`. */
     }
     playback->state = ENCORE_SEEKS;
     playback->is_open = playback->has_play = 0;
@@ -56,7 +56,8 @@ static void conclude(struct score_playback *playback, const struct ranking *rank
                                                             : ENCORE_OTHER;
 }
 
-/* Requests the replay from the store. When the store has loaded the replay, opens it. */
+/* Requests the replay from the store. After the store has loaded the replay, opens the replay in
+ * the verifier. */
 static void fetch_score_replay(struct score_playback *playback, const struct hal_storage *storage,
                                const struct ranking *ranking)
 {
@@ -104,8 +105,8 @@ static void seek_on(struct score_playback *playback, const struct ranking *ranki
     }
 }
 
-/* Parses seconds and then runs ticks, as many as fit into the frame without delaying the kiosk's
- * own ticks. */
+/* Seeks to the start of the round: first parses the seconds of the replay, and then simulates its
+ * ticks. The work per frame is limited so that the kiosk's own ticks are not delayed. */
 static void seek(struct score_playback *playback, const struct hal_clock *stopwatch,
                  const struct ranking *ranking)
 {
@@ -151,7 +152,7 @@ void score_playback_show(const struct score_playback *playback, struct scene *sc
     if (playback->state == ENCORE_OFF) {
         return;
     }
-    output->sound_count = 0; /* The game's own sounds are dropped during a playback. */
+    output->sound_count = 0; /* The sounds of the kiosk's own game are dropped during a playback. */
     if (playback->state == ENCORE_SEEKS && playback->has_play) {
         scene->encore_progress =
             (float)judge->replayer.totals.ticks / (float)(judge->round_tick + 1u);
@@ -159,8 +160,8 @@ void score_playback_show(const struct score_playback *playback, struct scene *sc
     if (playback->state != ENCORE_SEEKS && playback->has_play) {
         const uint8_t language = scene->language;
         core_scene(&judge->core, scene);
-        scene->language = language; /* The playback is shown in the operator's language because the
-                                       operator watches it. */
+        scene->language = language; /* The playback is shown in the language of the operator's menu,
+                                       because the operator watches the playback. */
     }
     if (playback->state == ENCORE_PLAYS) {
         output->sound_count = judge->output.sound_count;

@@ -22,10 +22,10 @@
 
 struct score_playback {
     uint8_t state;    /* State of the playback (enum scene_encore). */
-    uint8_t is_asked; /* 1 while the store loads the replay. */
-    uint8_t is_open;  /* 1 if the verifier has opened the replay. */
+    uint8_t is_asked; /* 1 while the store loads the replay, otherwise 0. */
+    uint8_t is_open;  /* 1 if the verifier has opened the replay, otherwise 0. */
     uint8_t has_play; /* 1 if the verifier has parsed the whole replay, so that the scene can be
-                         drawn. */
+                         drawn. Otherwise 0. */
     uint32_t round_id;
     uint32_t end_ticks;       /* Ticks since the end of the playback, during which the result is
                                  shown. */
@@ -35,12 +35,12 @@ struct score_playback {
     uint8_t bytes[SESSION_RECORDER_SIZE];
 };
 
-/* Starts the playback of a round and ends the current playback. If the store is busy, the request
- * is repeated in each frame. Has no effect while the store loads a replay. */
+/* Starts the playback of a round and ends the current playback. If the store is busy, the replay is
+ * requested again in each frame. The function has no effect while the store loads a replay. */
 void score_playback_request(struct score_playback *playback, uint32_t round_id);
 
-/* Handles input during a playback. `pressed` has the pressed buttons. Returns 1 if the input ends
- * the playback, otherwise 0. */
+/* Handles input during a playback. `pressed` is the bit set of the pressed buttons. Returns 1 if
+ * the input ends the playback, otherwise 0. */
 int score_playback_handle_input(struct score_playback *playback, uint32_t pressed,
                                 const struct poi_input poi[POI_MAX]);
 

@@ -106,8 +106,8 @@ void session_recorder_before(struct session_recorder *chapters, const struct inp
 static void note_tick(struct session_recorder *chapters, const struct input *input,
                       const struct core *core, const struct output *output)
 {
-    if (core_is_fresh(core)) { /* The configuration of the new session already includes the effect
-                                  of the current tick. */
+    if (core_is_fresh(core)) { /* The new session's initial configuration already includes the
+                                  effect of the current tick. */
         session_recorder_begin(chapters, core);
         return;
     }
@@ -169,8 +169,8 @@ int session_recorder_dump(struct session_recorder *chapters, const struct core *
     return replay_dump(&chapters->writer, chapters->memory, hash, !is_sound, fd);
 }
 
-/* The store drops replays of unknown rounds, therefore the replay is offered after its round is on
- * disk. */
+/* The store drops replays of rounds that are not in its database. Therefore the replay is passed to
+ * the store after its round is on disk. */
 int session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage)
 {
     CORE_ASSERT(storage->ledger.ops && storage->replays.ops);

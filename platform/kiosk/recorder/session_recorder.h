@@ -21,8 +21,8 @@
 #include "platform/replay/replay.h"
 
 /* Maximum size of a replay in bytes. Ten minutes of attract mode take 0.1 MB. A six-axis controller
- * that changes in each tick adds 3.4 KB per second. The rest is enough for a quarter of an hour
- * with one player, or four minutes with four players. */
+ * that changes in each tick adds 3.4 KB per second. The size is therefore sufficient for a quarter
+ * of an hour with one player, or four minutes with four players. */
 #define SESSION_RECORDER_SIZE (3u * 1024u * 1024u)
 
 /* Memory for a recording in bytes. Ten minutes in which every field of every input changes in each
@@ -45,19 +45,21 @@ struct session_recorder {
     struct recorder_tally tally;
     uint32_t seen_id;  /* Id of the newest ledger entry that was examined. */
     uint32_t round_id; /* Id of the round whose replay is in `replay`. 0 means no replay. */
-    uint8_t is_lent;   /* 1 while the store uses `replay`. */
-    uint8_t is_sealed; /* 1 if the checksums of `replay` are complete. */
+    uint8_t is_lent;   /* 1 while the store uses `replay`, otherwise 0. */
+    uint8_t is_sealed; /* 1 if the checksums of `replay` are complete, otherwise 0. */
     struct replay_seal seal;
-    uint8_t has_pin; /* 1 if digits of a PIN were typed in the session. The store then gets no
-                        replay of the session. */
+    uint8_t has_pin; /* 1 if digits of a PIN were typed in the session, otherwise 0. If the value is
+                        1, the store gets no replay of the session. */
     size_t replay_size;
     uint32_t missed;         /* Number of ranked rounds whose replay could not be stored. */
     struct input begun;      /* Input of the current tick. Valid while is_in_tick is 1. */
-    atomic_uchar is_in_tick; /* 1 while core_tick() runs. */
-    /* 1 between the start of session_recorder_before() and the end of session_recorder_tick(). */
+    atomic_uchar is_in_tick; /* 1 while core_tick() runs, otherwise 0. */
+    /* 1 between the start of session_recorder_before() and the end of session_recorder_tick(),
+     * otherwise 0. */
     atomic_uchar is_busy;
-    atomic_uchar is_frozen; /* 1 if a panic reads the recording. The thread that runs the ticks then
-                               blocks before it changes the recording. */
+    atomic_uchar is_frozen; /* 1 if the panic handler reads the recording, otherwise 0. While the
+                               value is 1, the thread that runs the ticks blocks before it changes
+                               the recording. */
     uint8_t memory[SESSION_RECORDER_MEMORY];
     uint8_t replay[SESSION_RECORDER_SIZE];
 };
@@ -72,11 +74,12 @@ void session_recorder_before(struct session_recorder *chapters, const struct inp
 void session_recorder_tick(struct session_recorder *chapters, const struct input *input,
                            const struct core *core, const struct output *output);
 
-/* Number of bytes whose checksums are computed per frame, which takes 0.2 ms. A replay of
- * SESSION_RECORDER_SIZE bytes takes 4 ms in total and is spread over 24 frames. */
+/* Number of bytes whose checksums are computed in one frame. The computation takes 0.2 ms. The
+ * checksums of a replay of SESSION_RECORDER_SIZE bytes take 4 ms in total, spread over 24
+ * frames. */
 #define SESSION_RECORDER_SEAL_SIZE (128u * 1024u)
 
-/* Computes checksums of the waiting replay, SESSION_RECORDER_SEAL_SIZE bytes per call. Passes the
+/* Computes checksums of the finished replay, SESSION_RECORDER_SEAL_SIZE bytes per call. Passes the
  * replay to the store after its round is on disk. Call once per frame. Returns 1 if the store
  * failed, otherwise 0. */
 int session_recorder_offer(struct session_recorder *chapters, const struct hal_storage *storage);
@@ -107,8 +110,8 @@ int session_recorder_freeze(struct session_recorder *chapters, int is_own);
 /* Returns 1 if there is a session to write, otherwise 0. */
 int session_recorder_has_begun(const struct session_recorder *chapters);
 
-/* Writes the session to the descriptor `fd`. session_recorder_freeze() must be called first;
- * `is_sound` is its return value. An interrupted tick is written with its input and
+/* Writes the session to the descriptor `fd`. session_recorder_freeze() must be called first, and
+ * `is_sound` is the value that it returned. An interrupted tick is written with its input and
  * REPLAY_HASH_NONE. Returns 0 or a negative errno. */
 int session_recorder_dump(struct session_recorder *chapters, const struct core *core, int is_sound,
                           int fd);

@@ -62,8 +62,8 @@ int ui_init(struct ui *ui, char *why, size_t why_size)
         const char *const parts[3] = { numbers, ui_fragment_head, ui_fragment_sources[i] };
         const GLuint fragment = gl_compile(&status, "words", GL_FRAGMENT_SHADER, parts, 3);
         const GLuint program = gl_link(&status, "words", vertex, fragment);
-        glDeleteShader(fragment); /* OpenGL ignores the name 0, and keeps a deleted shader until no
-                                 program uses the shader. */
+        glDeleteShader(fragment); /* OpenGL ignores the name 0, and keeps a deleted shader until
+                                     no program uses the shader. */
         if (program != 0) {
             gl_program_bind(program, "font paper");
         }
