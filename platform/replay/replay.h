@@ -52,7 +52,8 @@
 #define REPLAY_CHUNK_HEAD_SIZE 40u
 #define REPLAY_END_SIZE 40u
 #define REPLAY_SUM_SIZE 8u
-#define REPLAY_CHUNK_TICKS CORE_TICK_HZ /* Ticks of a complete chunk: one second. */
+#define REPLAY_CHUNK_TICKS                                                                         \
+    CORE_TICK_HZ /* Number of ticks in a complete chunk, which lasts one second. */
 #define REPLAY_PROGRAM_SIZE 16u
 
 #define REPLAY_DESK_BYTES (CONTROLLER_MAX + 4u)
@@ -76,7 +77,8 @@
 /* Maximum size in bytes of the header with the initial state and the catalog. */
 #define REPLAY_HEADER_MAX                                                                          \
     (REPLAY_HEADER_SIZE + REPLAY_INITIAL_STATE_MAX + REPLAY_CATALOG_MAX + 2u * REPLAY_SUM_SIZE)
-/* Size in bytes of a buffer for the header or for any chunk, each followed by an end mark. */
+/* Size in bytes of a buffer that is large enough for the header with an end mark, and for any chunk
+ * with an end mark. */
 #define REPLAY_BUFFER_SIZE                                                                         \
     (REPLAY_HEADER_MAX + REPLAY_PAYLOAD_MAX + REPLAY_SUM_SIZE + REPLAY_END_SIZE)
 
@@ -93,11 +95,14 @@ struct replay_header {
  * state. Only a reader with `as_is` interprets 0 in this way. */
 #define REPLAY_HASH_NONE 0u
 
-/* Totals from the start of the recording to the end of a chunk or of the recording. */
+/* Totals of a recording, counted from its start to the end of a chunk or to the end of the
+ * recording. */
 struct replay_totals {
     uint32_t ticks, rounds, caught, fouls;
-    uint16_t modes;   /* Game modes of the rounds so far, one bit (1 << enum game_mode) each. */
-    uint16_t players; /* Players who took part in a round so far, one bit each. */
+    uint16_t modes;   /* Set of the game modes that were played so far. Game mode m is the bit 1 <<
+                         m (enum game_mode). */
+    uint16_t players; /* Set of the players who took part in a round so far. Player p is the bit 1
+                         << p. */
     uint64_t hash;    /* Result of core_hash() after the last tick of the chunk or of the
                          recording. */
 };
@@ -113,8 +118,8 @@ size_t replay_encode_input(const struct input *before, const struct input *input
  * incomplete or contain values that no recorder writes. */
 size_t replay_decode_input(struct input *input, const uint8_t *bytes, size_t size);
 
-/* Decodes one input as replay_decode_input() does. If `as_is` is 1, also accepts fans with
- * non-finite numbers, for which the core panics. */
+/* Decodes one input as replay_decode_input() does. If `as_is` is 1, also accepts hand-held fans
+ * whose poses are NaN or infinite, although the core panics for these values. */
 size_t replay_decode_as_is(struct input *input, const uint8_t *bytes, size_t size, int as_is);
 
 /* Returns 1 if the totals `a` and `b` are equal, apart from ticks and hash. Otherwise returns 0. */
@@ -140,8 +145,8 @@ struct replay_writer {
 };
 
 /* Starts a recording in the file `path`, with a digest in each tick. `first_hash` is core_hash() of
- * the new core. Returns 0. On an error returns a negative errno, and no file is open. Returns
- * -EEXIST if the file exists and is not empty. */
+ * the new core. Returns 0 on success. Returns -EEXIST if the file exists and is not empty, or
+ * another negative errno after an error. After an error, no file is open. */
 int replay_create(struct replay_writer *writer, const char *path, const struct core_config *config,
                   uint64_t first_hash);
 
@@ -170,12 +175,12 @@ int replay_wants_hash(const struct replay_writer *writer);
  * state. Returns 0, or the negative errno of the failure that ended the recording. */
 int replay_finish(struct replay_writer *writer, uint64_t hash);
 
-/* Writes a recording in memory to the descriptor `fd` as if it had ended with the newest tick.
- * `memory` must be the buffer of replay_create_in(), because a full recording has cleared
- * writer->memory. `hash` is core_hash() of the current state. If `is_torn` is 1, a change of the
- * writer was interrupted, and only complete seconds are written. The writer cannot be used
- * afterwards. Async-signal-safe. Returns 0 or a negative errno; -ENODATA means that nothing was
- * recorded. */
+/* Writes a recording in memory to the descriptor `fd` as if the recording had ended with the newest
+ * tick. `memory` must be the buffer that was passed to replay_create_in(), because a full recording
+ * has cleared writer->memory. `hash` is core_hash() of the current state. If `is_torn` is 1, a
+ * signal interrupted a change of the writer, and only complete seconds are written. The writer
+ * cannot be used afterwards. Async-signal-safe. Returns 0 on success, -ENODATA if nothing was
+ * recorded, or another negative errno. */
 int replay_dump(struct replay_writer *writer, const uint8_t *memory, uint64_t hash, int is_torn,
                 int fd);
 
@@ -184,7 +189,7 @@ int replay_dump(struct replay_writer *writer, const uint8_t *memory, uint64_t ha
  * the recording is not open or `size` is too small. */
 size_t replay_copy(const struct replay_writer *writer, uint64_t hash, uint8_t *out, size_t size);
 
-/* Progress of recomputing the checksums of a recording in memory. */
+/* Progress of replay_seal_next(), which recomputes the checksums of a recording in memory. */
 struct replay_seal {
     uint8_t *part; /* Next chunk of the recording, or its end mark. */
     uint64_t sum;  /* Checksum of the part that precedes `part`. */
@@ -196,8 +201,8 @@ struct replay_seal {
 size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
                             const struct core_config *config, struct replay_seal *seal);
 
-/* Recomputes the checksums of the next chunks, until at least `size` bytes are done. Returns 1 if
- * the whole recording is done, otherwise 0. */
+/* Recomputes the checksums of the next chunks of `seal`. Stops when at least `size` bytes are done.
+ * Returns 1 if the whole recording is done, otherwise 0. */
 int replay_seal_next(struct replay_seal *seal, size_t size);
 
 /* ---- Reader (replay_reader.c) -------------------------------------------------------------- */
@@ -230,7 +235,7 @@ struct replay_reader {
     size_t payload_size, payload_used;
     uint8_t ended;
     uint8_t as_is; /* 1 if ticks are decoded with replay_decode_as_is(). Set after replay_open(),
-                      only by a caller that handles a panic. */
+                      and only by a caller that does not stop when the core panics. */
     struct replay_problem problem;
     uint8_t bytes[REPLAY_BUFFER_SIZE];
 };
@@ -239,11 +244,11 @@ struct replay_reader {
  * open. */
 int replay_open(struct replay_reader *reader, const char *path);
 
-/* Opens a recording in the caller's memory, otherwise as replay_open(). `memory` must outlive the
- * reader. */
+/* Opens a recording in the caller's memory. Returns 0, or -1 after an error, as replay_open() does.
+ * `memory` must outlive the reader. */
 int replay_open_in(struct replay_reader *reader, const uint8_t *memory, size_t size);
 
-/* Reads the next tick. Returns 1 and sets `input`, and also reader->digest if has_digest is 1.
+/* Reads the next tick. Returns 1 and sets `input`. If has_digest is 1, also sets reader->digest.
  * Returns 0 at the end mark. Returns -1 and sets `problem` if the recording is invalid. If
  * chunk_left is 0 after a tick, `totals` belong to the state after that tick. */
 int replay_next(struct replay_reader *reader, struct input *input);

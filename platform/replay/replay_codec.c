@@ -25,8 +25,9 @@
 
 enum {
     HAS_HELD = 1u << 0,
-    HAS_PRESSED = 1u << 1, /* If the bit is 0, the tick has no presses (HAS_PRESSED) or no coins
-                              (HAS_COINS). */
+    HAS_PRESSED = 1u << 1, /* Mask bit of the pressed buttons. If this bit is 0, no button was
+                              pressed in the tick. In the same way, the bit HAS_COINS is 0 if no
+                              coin was inserted in the tick. */
     HAS_COINS = 1u << 2,
     HAS_MACHINE = 1u << 3,
     HAS_HANDS = 1u << 4,
@@ -53,8 +54,8 @@ enum {
 };
 
 enum {
-    DESK_STEP = CONTROLLER_MAX, /* Index of the learn wizard's step, after one state byte for each
-                                   controller. */
+    DESK_STEP = CONTROLLER_MAX, /* Index of the learn wizard's step in the byte array of the group.
+                                   The array begins with one state byte for each controller. */
     DESK_ROW,
     DESK_PROGRESS,
     DESK_FILES,
@@ -65,24 +66,27 @@ _Static_assert(sizeof(struct controller_status) == DESK_BYTES, "the desk's bytes
 
 enum {
     POSE_HAS_BYTE = 1u << 0,
-    POSE_HAS_FLOAT = 1u << 1, /* Bit of the first float. The bits of the other floats follow. */
+    POSE_HAS_FLOAT = 1u << 1, /* Mask bit of a pose's first float. The bits of the other floats
+                                 follow. */
     POI_FLOATS = 6,
     SHADE_FLOATS = 3,
-    POI_HAS_AGE = 1u << 7, /* Bit of a poi's age, after the bits of the byte and the six floats. */
-    LINK_WRIST = 1u << 2,  /* Bits 0 and 1 of the byte contain the link. */
+    POI_HAS_AGE = 1u << 7, /* Mask bit of a poi's age. The lower bits are those of the status byte
+                              and of the six floats. */
+    LINK_WRIST = 1u << 2,  /* Bit of the wrist flag in a poi's status byte. Bits 0 and 1 of the
+                              status byte contain the poi's link. */
     LINK_TREMBLES = 1u << 3,
     LINK_ALL = 15u,
 };
 _Static_assert(sizeof(struct poi_target) == POI_FLOATS * sizeof(float), "a target is six floats");
 _Static_assert(POI_MAX + SHADE_MAX <= 8, "all that hands hold has its bit in one byte");
 
-/* ---- Groups of fields ------------------------------------------------------------------------ */
+/* ---- Groups: a mask and the changed fields --------------------------------------------------- */
 
-/* A group that is written or read. */
+/* State while a group (a mask and the fields that changed) is written or read. */
 struct group {
     struct replay_serializer *walk;
-    size_t at;     /* Position of the mask in the buffer. */
-    uint16_t mask; /* Bits of the fields that follow the mask. */
+    size_t at;     /* Position of the group's mask in the buffer, in bytes. */
+    uint16_t mask; /* Mask of the group. Each bit states whether a field follows the mask. */
     bool is_wide;  /* True if the mask is a u16, false if the mask is a byte. */
 };
 
@@ -97,7 +101,7 @@ static void serialize_mask(struct group *group)
     }
 }
 
-/* Reads the mask, or reserves its bytes. */
+/* Starts a group. A reader reads the group's mask, and a writer reserves the bytes of the mask. */
 static struct group group_begin(struct replay_serializer *walk, bool is_wide)
 {
     struct group group = { .walk = walk, .at = walk->at, .is_wide = is_wide };
@@ -105,8 +109,9 @@ static struct group group_begin(struct replay_serializer *walk, bool is_wide)
     return group;
 }
 
-/* Returns true if the field with the bit `bit` must be serialized. The writer serializes the field
- * if `has_changed` is true, and sets the bit. */
+/* Returns true if the field with the mask bit `bit` must be serialized. A writer serializes the
+ * field if `has_changed` is true, and sets the bit. A reader serializes the field if the bit is
+ * set. */
 static bool group_has(struct group *group, uint32_t bit, bool has_changed)
 {
     CORE_ASSERT(bit != 0 && bit <= (group->is_wide ? 0x8000u : 0x80u));
@@ -137,8 +142,9 @@ static void group_u32(struct group *group, uint32_t bit, uint32_t before, uint32
     }
 }
 
-/* Writes the mask to its place. A group without fields is dropped. A reader rejects a mask of 0 and
- * bits that are not in `known`. Returns true if the group has a field. */
+/* Ends a group. A writer writes the mask to its reserved bytes, and removes a group without fields.
+ * A reader rejects a mask of 0 and a mask with bits that are not in `known`. Returns true if the
+ * group has a field. */
 static bool group_end(struct group *group, uint32_t known)
 {
     struct replay_serializer *walk = group->walk;
@@ -349,7 +355,8 @@ static void walk_input(struct replay_serializer *walk, const struct input *befor
         }
     }
     if (walk->out) {
-        walk->out[group.at] = (uint8_t)group.mask; /* A tick without any change is one byte. */
+        walk->out[group.at] = (uint8_t)group.mask; /* A tick without any change is stored as one
+                                                      byte, the mask. */
     } else {
         walk->bad |= group.mask > HAS_ALL || (input->held | input->pressed) > INPUT_BUTTON_ALL;
     }
@@ -357,8 +364,8 @@ static void walk_input(struct replay_serializer *walk, const struct input *befor
 
 size_t replay_encode_input(const struct input *before, const struct input *input, uint8_t *out)
 {
-    struct input copy = *input; /* The copy is needed because the serializer takes a non-const
-                                   pointer. */
+    struct input copy = *input; /* The serializer takes a non-const pointer, so a copy of the input
+                                   is serialized. */
     struct replay_serializer walk = { .out = out, .size = REPLAY_TICK_SIZE_MAX - 4u };
     walk_input(&walk, before, &copy);
     CORE_ASSERT(!walk.bad);

@@ -42,8 +42,8 @@ enum {
 
 /* ---- Numbers (replay_serializer.c), pure functions ------------------------------------------- */
 
-/* The get functions return the number in the first 4 or 8 bytes. The put functions write `value` to
- * 4 or 8 bytes. */
+/* replay_get_u32() and replay_get_u64() return the number in the first 4 or 8 bytes.
+ * replay_put_u32() and replay_put_u64() write `value` to 4 or 8 bytes. */
 uint32_t replay_get_u32(const uint8_t *bytes);
 uint64_t replay_get_u64(const uint8_t *bytes);
 void replay_put_u32(uint8_t *bytes, uint32_t value);
@@ -62,12 +62,14 @@ struct replay_serializer {
                           bytes. */
     uint32_t version;  /* Format version of the bytes: REPLAY_VERSION_MIN .. REPLAY_VERSION. 0 in a
                           catalog, which has no version. */
-    int bad;           /* 1 if the buffer was too short. Later calls have no effect. */
-    int as_is;         /* 1 if floats are accepted that the core does not permit, to read the
-                          recording of a panic. */
+    int bad;           /* 1 if the buffer was too short, otherwise 0. After the value has become 1,
+                          later calls have no effect. */
+    int as_is;         /* 1 to accept floats that the core does not permit, for example NaN. Used to
+                          read the recording of a panic. */
 };
 
-/* Each function writes or reads one field, or an array of `count` elements. */
+/* Each function whose name begins with replay_serialize_ writes or reads one field, or an array of
+ * `count` elements. */
 void replay_serialize_bytes(struct replay_serializer *walk, void *bytes, size_t count);
 void replay_serialize_u8(struct replay_serializer *walk, uint8_t *value);
 void replay_serialize_u16(struct replay_serializer *walk, uint16_t *value);

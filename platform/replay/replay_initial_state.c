@@ -22,7 +22,7 @@
 _Static_assert(sizeof(struct persistent_state) + sizeof(struct game_session) + 256u <= FIELDS_MAX,
                "the fields are no more than they hold");
 
-/* ---- Fields -------------------------------------------------------------------------------- */
+/* ---- Fields of the initial state ------------------------------------------------------------- */
 
 static void walk_purse(struct replay_serializer *walk, struct balance *balance)
 {
@@ -89,7 +89,7 @@ static void walk_memory(struct replay_serializer *walk, struct persistent_state 
     }
 }
 
-/* Clears the fields that did not exist in the balances of format 7. The bytes of these fields were
+/* Clears the fields of the balances that did not exist in format 7. The bytes of these fields were
  * padding in format 7. */
 static void clear_later_fields(struct ledger *ledger)
 {
@@ -144,7 +144,8 @@ static void walk_config(struct replay_serializer *walk, struct core_config *conf
     walk_memory(walk, &config->persistent);
     walk_chapter(walk, &config->session);
     if (walk->version == 7u) {
-        /* The game of a recording of format 7 is simulated under the rules of format 7. */
+        /* The player's game in a recording of format 7 was played under older rules. Therefore the
+         * replay also uses the rules of format 7. */
         config->rules_7 = 1;
         return;
     }
@@ -168,7 +169,8 @@ static size_t pack(const uint8_t *bytes, size_t size, uint8_t *out)
     size_t at = 0, used = 0;
     while (at < size) {
         const size_t zeros = run_of_zeros(bytes + at, size - at);
-        size_t others = 0; /* Number of literal bytes before the next run of ZEROS_MIN zeros. */
+        size_t others = 0; /* `others` is the number of literal bytes before the next run of at
+                              least ZEROS_MIN zeros. */
         while (zeros < ZEROS_MIN && at + others < size && others < PLAIN_MAX &&
                run_of_zeros(bytes + at + others, size - at - others) < ZEROS_MIN) {
             others++;
@@ -211,8 +213,8 @@ static size_t unpack(const uint8_t *bytes, size_t size, uint8_t *out, size_t max
 size_t replay_initial_state_encode(const struct core_config *config,
                                    uint8_t out[REPLAY_INITIAL_STATE_MAX])
 {
-    struct core_config copy = *config; /* The copy is needed because the serializer takes a
-                                          non-const pointer. */
+    struct core_config copy = *config; /* The serializer takes a non-const pointer, so a copy of the
+                                          configuration is serialized. */
     uint8_t fields[FIELDS_MAX];
     struct replay_serializer walk = { .out = fields,
                                       .size = sizeof fields,
@@ -313,8 +315,8 @@ static void walk_book(struct replay_serializer *walk, struct lab_book *book)
 
 size_t replay_catalog_encode(const struct lab_book *book, uint8_t out[REPLAY_CATALOG_MAX])
 {
-    struct lab_book copy = *book; /* The copy is needed because the serializer takes a non-const
-                                     pointer. */
+    struct lab_book copy = *book; /* The serializer takes a non-const pointer, so a copy of the
+                                     catalog is serialized. */
     struct replay_serializer walk = { .out = out, .size = REPLAY_CATALOG_MAX };
     uint32_t edits = 0;
     for (uint32_t i = 0; i < SPECIES_MAX; i++) {

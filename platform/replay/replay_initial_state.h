@@ -12,7 +12,8 @@
 #include "core/core.h"
 #include "core/game/lab/lab_edit.h"
 
-/* Maximum size in bytes, twice the size of a full ranking with all audits. */
+/* Maximum size of the serialized initial state in bytes. A full leaderboard with all audits takes
+ * half of this size. */
 #define REPLAY_INITIAL_STATE_MAX (16u * 1024u)
 
 /* Writes the initial state to `out`. Returns the number of bytes, which is never 0. */
@@ -21,8 +22,8 @@ size_t replay_initial_state_encode(const struct core_config *config,
 
 /* Parses exactly `size` bytes, which may have any content, in format `version` (REPLAY_VERSION_MIN
  * .. REPLAY_VERSION of replay.h). Leaves the catalog and the lanes of `config` unchanged. Sets
- * fields that `version` lacks to 0; version 7 sets rules_7 to 1. Returns 1. Returns 0 and leaves an
- * invalid `config` if no recorder writes these bytes. */
+ * fields that `version` lacks to 0. For version 7, sets rules_7 to 1. Returns 1 on success. Returns
+ * 0 and leaves an invalid `config` if no recorder writes these bytes. */
 int replay_initial_state_decode(struct core_config *config, const uint8_t *bytes, size_t size,
                                 uint32_t version);
 

@@ -14,7 +14,9 @@
 #include "platform/os/file.h"
 #include "platform/replay/replay_format.h"
 
-#define TICK_SIZE_MIN 1u /* Minimum size of a tick in bytes: a mask without any change. */
+#define TICK_SIZE_MIN                                                                              \
+    1u /* Minimum size in bytes of a recorded tick. A tick without any change consists of one
+          mask byte. */
 
 /* Sets `problem`, closes the file and returns -1. */
 __attribute__((format(printf, 4, 5))) static int replay_reader_error(struct replay_reader *reader,
@@ -30,7 +32,7 @@ __attribute__((format(printf, 4, 5))) static int replay_reader_error(struct repl
     return -1;
 }
 
-/* Reads from the file or the memory as pread() does. */
+/* Reads from the recording's file or memory, with the same results as pread(). */
 static ssize_t read_some(const struct replay_reader *reader, uint8_t *out, size_t size,
                          uint64_t offset)
 {
@@ -69,8 +71,8 @@ static int read_bytes(struct replay_reader *reader, uint8_t *out, size_t size, u
     return 0;
 }
 
-/* Returns 1 if the name is printable, filled up with zeros, and without characters that would end a
- * JSON string. Otherwise returns 0. */
+/* Returns 1 if `bytes` is a valid program version. The name must be printable and padded with
+ * zeros, and must not contain a character that would end a JSON string. Otherwise returns 0. */
 static int is_program_name(const uint8_t *bytes)
 {
     size_t length = 0;
@@ -85,7 +87,8 @@ static int is_program_name(const uint8_t *bytes)
     return zeros > 0 && length + zeros == REPLAY_PROGRAM_SIZE;
 }
 
-/* Reads a part with its checksum into reader->bytes. Returns 0, or -1 if the checksum is wrong. */
+/* Reads one part of the header and its checksum into reader->bytes. Returns 0, or -1 if the
+ * checksum is wrong. */
 static int read_part_of_header(struct replay_reader *reader, size_t size, const char *what)
 {
     CORE_ASSERT(size + REPLAY_SUM_SIZE <= sizeof reader->bytes);

@@ -60,8 +60,9 @@ static void put_end(uint8_t *out, const struct replay_totals *totals, uint64_t s
     replay_put_u64(out + END_SUM, hash_bytes(sum, out, END_SUM));
 }
 
-/* Appends the checksum to a part and updates `*sum`. Writes nothing if the part is empty. Returns
- * the size of the part with its checksum. */
+/* Appends the checksum of a part to the part, and stores the checksum in `*sum` as the initial
+ * value for the next part. Writes nothing if the part is empty. Returns the size of the part with
+ * its checksum. */
 static size_t put_sum(uint8_t *part, size_t size, uint64_t *sum)
 {
     CORE_ASSERT(size + REPLAY_SUM_SIZE <= REPLAY_HEADER_MAX);
@@ -73,8 +74,8 @@ static size_t put_sum(uint8_t *part, size_t size, uint64_t *sum)
     return size + REPLAY_SUM_SIZE;
 }
 
-/* Writes the header, the initial state and the catalog to writer->bytes. Returns their size. Sets
- * writer->sum, with which the checksum of the first chunk starts. */
+/* Writes the header, the initial state and the catalog to writer->bytes. Returns their total size.
+ * Sets writer->sum to the initial value of the first chunk's checksum. */
 static size_t put_header(struct replay_writer *writer, const struct core_config *config)
 {
     uint8_t *out = writer->bytes;
@@ -113,7 +114,7 @@ static void give_up(struct replay_writer *writer, int error)
 
 /* Opens an empty file. Returns a descriptor or a negative errno. Only the owner may read a
  * recording, because its initial state contains the operator's settings and takings. A file with
- * content is never overwritten, because a game cannot be played again. */
+ * content is never overwritten, because its recording cannot be produced a second time. */
 static int open_empty(const char *path)
 {
     struct stat status;
@@ -172,9 +173,9 @@ int replay_create_in(struct replay_writer *writer, uint8_t *memory, size_t size,
     return replay_writer_begin(writer, config, first_hash);
 }
 
-/* Restores the end mark that the last complete write left, at its offset in the file. On a full
- * disk this write needs no new space. A recording in memory is unchanged, because a chunk that does
- * not fit is not written. */
+/* Restores the end mark of the last complete write at its offset in the file. On a full disk this
+ * write needs no new space. A recording in memory needs no restoring, because a chunk that does not
+ * fit is not written. */
 static void restore(struct replay_writer *writer)
 {
     uint8_t end[REPLAY_END_SIZE];
@@ -188,8 +189,8 @@ static void restore(struct replay_writer *writer)
 }
 
 /* Completes the current chunk and appends an end mark. The caller has already written the payload
- * after the head of `chunk`. Returns the size of the chunk without the end mark, and sets `*sum` to
- * its checksum. */
+ * after the head of `chunk`. Returns the size of the chunk without the end mark. Sets `*sum` to the
+ * chunk's checksum. */
 static size_t close_chunk(uint8_t *chunk, size_t payload_size, uint32_t ticks,
                           const struct replay_totals *totals, uint64_t *sum)
 {
@@ -323,8 +324,8 @@ size_t replay_replace_start(uint8_t *recording, size_t size, size_t size_max,
     const size_t old_size = replay_get_u32(recording + HEADER_START);
     const size_t book_size = replay_get_u32(recording + HEADER_BOOK);
     const size_t new_size = replay_initial_state_encode(config, start);
-    const size_t behind = REPLAY_HEADER_SIZE + old_size; /* Offset of the first byte after the
-                                                            initial state. */
+    const size_t behind = REPLAY_HEADER_SIZE + old_size; /* `behind` is the offset of the first byte
+                                                            after the initial state, in bytes. */
     if (size - old_size + new_size > size_max) {
         return 0;
     }

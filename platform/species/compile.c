@@ -66,8 +66,8 @@ void species_compile(const struct species_text *text, struct species *out)
         memcpy(card->key_names[key], text->keys[key].name, SPECIES_NAME_SIZE);
         card->key_length_m[key] = text->keys[key].length_m;
         card->key_age_days[key] = text->keys[key].age_days;
-        /* The positions of the marks are converted to body coordinates. Makers write positions
-         * along x, but the paint functions read body coordinates. */
+        /* A maker (a user who draws a species) writes the position of a mark along x. The paint
+         * functions read body coordinates, so the positions are converted here. */
         struct species_coat coat = text->keys[key].coat;
         for (uint32_t i = 0; i < coat.mark_count; i++) {
             struct species_mark *mark = &coat.marks[i];

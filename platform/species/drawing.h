@@ -1,5 +1,6 @@
-/* drawing.h -- the content of a species text, which a maker writes, and the meshes that are lofted
- * (built from cross sections) from this content.
+/* drawing.h -- the parsed content of a species text, and the meshes that are built from this
+ * content. A maker (a user who draws a species) writes the species text. Building a mesh from cross
+ * sections is called lofting.
  *
  * `kingyoctl morph` and the program that generates the built-in species at build time use this
  * header. The kiosk reads only their output. A key is one modelled growth stage of the species,
@@ -19,11 +20,12 @@
 #define STATION_MAX 24
 /* Maximum number of drawn rays of a fin. */
 #define RAY_MAX 12
-/* Maximum number of finlets in a row. A bigeye tuna has eight to ten above and below. */
+/* Maximum number of finlets in a row. A bigeye tuna has eight to ten finlets above and eight to ten
+ * below. */
 #define FINLET_MAX 10
 #define AREA_MAX 4 /* Maximum number of painted areas that one deformation curve moves. */
-/* Body coordinate u of the rear edge of the gill cover. u has this value in every key, although x
- * of the edge differs between keys. */
+/* Body coordinate u of the rear edge of the gill cover in every key (modelled growth stage). The
+ * coordinate x of this edge differs between keys. */
 #define GILL_U 0.30f
 
 /* A cross section of the body at position `x`. Its outline is a superellipse with height `depth`,
@@ -58,9 +60,10 @@ struct finlets {
     float start, end, length, sweep_deg;
 };
 
-/* An eye. `bulge` is how far the eye protrudes, as a fraction of the diameter. `turn_deg` is how
- * far the eye has migrated over the back. 0 means the eye's own side at height `y`, 90 the middle
- * of the back, and 180 the opposite side at height `y`. */
+/* An eye. `bulge` is how far the eye protrudes from the skin, as a fraction of the diameter.
+ * `turn_deg` is the angle in degrees by which the eye has migrated over the back, as in a flatfish.
+ * 0 means that the eye is on its original side at height `y`. 90 means the middle of the back. 180
+ * means the opposite side at height `y`. */
 struct eye {
     float x, y, diameter, bulge, turn_deg;
 };
@@ -69,7 +72,7 @@ struct key_text {
     char name[SPECIES_NAME_SIZE];
     float length_m;
     float age_days; /* Age of the key in days. A negative value means that the species text gives no
-                       age. The age is then computed from the length. */
+                       age and that the age is computed from the length. */
     float gill;     /* Position x of the rear edge of the gill cover. 0 means that the species text
                        has no `gill` line. */
     bool confluent; /* Copy of the field `confluent` of struct species_text. */
@@ -82,8 +85,8 @@ struct key_text {
     struct species_coat coat;
 };
 
-/* Additional body parts that a deformation curve may move: the head, which is in front of the gill
- * cover's rear edge, and the trunk, which is behind it. */
+/* Body parts that a deformation curve may move in addition to those of enum species_part. The head
+ * is in front of the gill cover's rear edge, and the trunk is behind this edge. */
 enum { PART_HEAD = PART_COUNT, PART_TRUNK, OWNED_COUNT };
 
 /* A painted area of the body. `from` and `to` limit the area along x, and `low` and `high` limit
@@ -122,12 +125,13 @@ struct species_text {
     struct curve_text curves[MORPH_CURVE_MAX];
 };
 
-/* Numbers of vertices of one level of detail. The body and the eyes have rings (cross sections)
- * with spokes (vertices of a ring). A fin has rays and points along each ray. */
+/* Numbers of vertices in a mesh of one level of detail. The body and the eyes consist of rings
+ * (cross sections). The spokes are the vertices of one ring. A fin consists of rays and of points
+ * along each ray. */
 struct detail {
     uint32_t rings, spokes;
-    bool round_end; /* True if an additional ring makes the end of the body at the tail root
-                       round. */
+    bool round_end; /* True if the rear end of the body is rounded by an additional ring at the tail
+                       root. */
     uint32_t eye_rings, eye_spokes;
     struct {
         uint32_t across, along;
@@ -137,8 +141,8 @@ struct detail {
 struct loft {
     uint32_t vertex_count, index_count, anchor_count;
     uint32_t grid_first, grid_rings, grid_spokes; /* First vertex, number of rings and number of
-                                                     spokes of the grid of body vertices, as in
-                                                     struct species_mesh. */
+                                                     vertices per ring of the grid of body vertices,
+                                                     as in struct species_mesh. */
     float reach;
     struct species_vertex vertices[MESH_VERTEX_MAX];
     vec3 positions[MORPH_KEY_MAX][MESH_VERTEX_MAX]; /* Position of each vertex in each key. If the
@@ -149,7 +153,7 @@ struct loft {
     uint16_t indices[MESH_INDEX_MAX];
 };
 
-/* The two levels of detail: the near mesh, then the far mesh. */
+/* Settings of the near mesh, then of the far mesh. */
 extern const struct detail species_detail[SPECIES_LOD_COUNT];
 
 /* Reads a whole species file. Returns true if the text is valid. Otherwise writes one line
@@ -158,7 +162,8 @@ extern const struct detail species_detail[SPECIES_LOD_COUNT];
 bool species_read(FILE *file, const char *path, FILE *complaints, struct species_text *species);
 
 /* Builds the meshes of all keys. Vertex numbers and triangles are the same in every key. Each mesh
- * is scaled so that the length in the species' own measure is 1. */
+ * is scaled so that its length is 1, measured as the species' length measure (enum species_measure)
+ * defines. */
 void species_loft(const struct species_text *species, const struct detail *detail,
                   struct loft *loft);
 

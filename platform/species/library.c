@@ -17,8 +17,8 @@ struct listing {
     uint32_t count, beyond;
 };
 
-/* Inserts a name in alphabetical order. If there are more than LIBRARY_LINE_MAX names, keeps only
- * the first ones. The names are sorted because the order of a directory's entries is undefined. */
+/* Inserts a name in alphabetical order, because the order of a directory's entries is undefined. If
+ * there are more than LIBRARY_LINE_MAX names, keeps only the first LIBRARY_LINE_MAX names. */
 static void insert(struct listing *l, const char *name)
 {
     uint32_t at = l->count;
@@ -113,7 +113,7 @@ void library_fill(struct library *library, const char *data)
     library->unread_count = listing.beyond;
 }
 
-/* ---- Faults that the operator's screens show ------------------------------------------------ */
+/* ---- Rejected files and graphs that the operator's screens show ------------------------------ */
 
 void library_note_graph(struct library *library, const char *line)
 {

@@ -16,13 +16,13 @@
 #define LIBRARY_LINE_MAX 32u
 /* Size of the buffer for a file name in bytes. A longer file name is truncated. */
 #define LIBRARY_FILE_SIZE 64u
-/* Value of `slot` for a rejected file. */
+/* Value of the field `slot` of struct library_line for a rejected file. */
 #define LIBRARY_SLOT_NONE 255u
 
 struct library_line {
     char file[LIBRARY_FILE_SIZE]; /* Name of the file, without its folder. */
-    uint8_t slot;                 /* Number of the slot that holds the species. LIBRARY_SLOT_NONE
-                                     means that the file was rejected. */
+    uint8_t slot;                 /* Number of the library slot that holds the species.
+                                     LIBRARY_SLOT_NONE means that the file was rejected. */
     char why[VALIDATE_WHY_SIZE];  /* Reason why the file was rejected. "" means that the file was
                                      accepted. */
 };

@@ -84,10 +84,10 @@ struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part par
     return anchor;
 }
 
-/* Adds the closing points of the snout or of the tail root, which lie on the axis of the cross
- * section. Each flank has its own closing point, so that the pattern coordinate v does not jump at
- * the belly. `normal` is the normal of the right flank's point. Returns the index of the right
- * flank's point. */
+/* Adds the two closing points of the body's surface at the snout or at the tail root. Each point
+ * lies on the axis of the cross section. Each flank has its own closing point, so that the pattern
+ * coordinate v does not jump at the belly. `normal` is the normal of the right flank's point.
+ * Returns the vertex index of the right flank's point. */
 static uint32_t add_poles(struct lofting *l, double u, v3d normal)
 {
     for (int side = 1; side >= -1; side -= 2) {
@@ -172,8 +172,9 @@ void species_loft(const struct species_text *species, const struct detail *detai
     loft_add_eyes(&l);
     loft_add_fins(&l);
     loft_paint_masks(&l);
-    /* The reach of a mesh is the length that the largest packed coordinate stands for: the smallest
-     * of 1, 2 and 4 that no coordinate exceeds. */
+    /* `farthest` is the largest coordinate of the mesh. The `reach` of a mesh is the length that
+     * the largest packed coordinate stands for. Its value is the smallest of 1, 2 and 4 that no
+     * coordinate exceeds. */
     float farthest = 0.0f;
     for (uint32_t key = 0; key < species->key_count; key++) {
         for (uint32_t i = 0; i < loft->vertex_count; i++) {
@@ -202,9 +203,9 @@ void species_loft(const struct species_text *species, const struct detail *detai
  * and the gill cover. */
 #define HEAD_FAVOUR 1.9
 
-/* Writes the outlines of a key at body coordinate `u` to `out`: height of the back, height of
- * the belly, and distance of the flank from the middle. The values are fractions of the key's
- * length. */
+/* Writes three distances of a key's outlines at body coordinate `u` to `out`, as fractions of the
+ * key's length. `out` receives the height of the back, the height of the belly, and the distance of
+ * the flank from the middle. */
 static void body_outline_at(const struct key_text *key, double u, double out[3])
 {
     const struct station s = shape_section(key, shape_body_x(key, u));
@@ -219,7 +220,8 @@ void loft_place_rings(const struct species_text *species, uint32_t count, double
     for (int i = 0; i < RING_SAMPLES; i++) {
         const double at =
             fmin(fmax((i + 0.5) / RING_SAMPLES, 1.0 / RING_SAMPLES), 1.0 - 1.0 / RING_SAMPLES);
-        /* `most` is the largest curvature at body coordinate `at` of all outlines of all keys. */
+        /* `most` is the largest curvature that any outline of any key has at body coordinate
+         * `at`. */
         const double d = 1.0 / RING_SAMPLES;
         double most = 0.0;
         for (uint32_t key = 0; key < species->key_count; key++) {
@@ -258,7 +260,7 @@ void loft_place_rings(const struct species_text *species, uint32_t count, double
     u[nearest] = (double)GILL_U;
 }
 
-/* ---- Masks of the deformation curves --------------------------------------------------------- */
+/* ---- Masks: weights of the deformation curves at each vertex --------------------------------- */
 
 /* This section computes the weight with which each deformation curve moves each vertex. The weights
  * change smoothly on skin that several parts share.
@@ -267,12 +269,13 @@ void loft_place_rings(const struct species_text *species, uint32_t count, double
  * without tearing the mesh. The head, the trunk, the painted areas and the tail share their skin
  * with neighbouring parts. */
 
-/* Half of the width of the transition from head to trunk, in body coordinate u. */
+/* Half of the width of the transition from the head to the trunk, in units of the body coordinate
+ * u. */
 #define GILL_SOFT 0.07
-/* Position along the tail fin, as a fraction of its length. Behind this position, only the tail
- * fin's own curve moves the fin. */
+/* Position along the tail fin, as a fraction of the fin's length. A vertex behind this position is
+ * moved only by the deformation curve of the tail fin. */
 #define TAIL_SOFT 0.6
-#define TAIL_ROOT_U 0.965 /* Body coordinate of the tail fin's root. */
+#define TAIL_ROOT_U 0.965 /* Body coordinate u of the tail fin's root. */
 
 static double ramp(double from, double to, double x)
 {
@@ -290,8 +293,9 @@ uint8_t loft_curve_of(const struct species_text *species, uint32_t part)
     return 0;
 }
 
-/* Writes the weight with which each curve moves the point (u, v) of the body's skin to `share`. The
- * weights sum to 1. The curve of the whole fish receives the weight that the other curves leave. */
+/* Writes the weight of each deformation curve at the point (u, v) of the body's skin to `share`.
+ * The weights sum to 1. The curve of the whole fish receives the difference between 1 and the sum
+ * of the other curves' weights. */
 static void skin_share(const struct species_text *species, double u, double v,
                        double share[MORPH_CURVE_MAX])
 {
@@ -304,9 +308,9 @@ static void skin_share(const struct species_text *species, double u, double v,
             share[curve] = (c->parts >> PART_HEAD & 1u ? 1.0 - trunk : 0.0) +
                            (c->parts >> PART_TRUNK & 1u ? trunk : 0.0);
             for (uint32_t i = 0; i < c->area_count; i++) {
-                /* The weight of the point (u, v) in a painted area. The weight is 1 inside the area
-                 * and falls to 0 at distance `soft` outside the area's border. The positions of
-                 * areas refer to the first key. */
+                /* Computes the weight of the point (u, v) in a painted area. The weight is 1 inside
+                 * the area, and falls to 0 at the distance `soft` outside the area's border. The
+                 * positions of areas refer to the first key. */
                 const struct key_text *key = &species->keys[0];
                 const double x = shape_body_x(key, u), soft = (double)c->areas[i].soft;
                 const double high = 0.5 + 0.5 * cos(2.0 * 3.14159265358979323846 * v);
@@ -334,8 +338,8 @@ void loft_paint_masks(struct lofting *l)
         double share[MORPH_CURVE_MAX];
         uint32_t left = 255;
         const uint8_t own = loft_curve_of(l->species, vertex->part);
-        /* Weight of the curve that moves the vertex's own body part. The rest of the weight
-         * comes from the skin. */
+        /* `rooted` is the weight of the deformation curve of the vertex's own body part. The
+         * remaining weight is distributed as on the skin at the vertex. */
         double rooted = 0.0;
         if (vertex->part == PART_TAIL) {
             skin_share(l->species, TAIL_ROOT_U, 0.25, share);

@@ -1,5 +1,5 @@
-/* loft_parts.c -- lofts the fins and the eyes. A fin is a sheet with one layer of vertices, which
- * is visible from both sides.
+/* loft_parts.c -- builds the meshes of the fins and the eyes. A fin is a sheet with one layer of
+ * vertices, which is visible from both sides.
  *
  * Each ray of a fin on the body has an anchor at the point where the ray leaves the skin. The
  * vertex positions of the ray are relative to this anchor. The fin therefore moves with the flat
@@ -11,18 +11,18 @@
 #include "core/base/panic.h"
 
 #define PI 3.14159265358979323846
-/* Distance between the tail stalk and the visible part of the tail fin, as a fraction of the tail
- * fin's length. */
+/* Distance between the tail stalk and the first visible vertices of the tail fin, as a fraction of
+ * the tail fin's length. */
 #define TAIL_LEAVES 0.05
 /* Minimum number of vertex rows of a tail fin whose second row is close behind the tail stalk (see
- * row_at()). A tail fin with fewer rows needs all rows for its bend. */
+ * row_at()). A tail fin with fewer rows needs all rows to approximate its bend. */
 #define TAIL_ROWS 4
 
 static const struct species_vertex on_nothing = { .anchor = ANCHOR_NONE };
 
-/* Returns the position of row `j` of `along` rows of a fin, [0, 1]. In the near mesh, the second
- * row of the tail fin is just behind the tail stalk. Otherwise the edges from the first row to the
- * second would cut through the sides of the stalk. */
+/* Returns the position of row `j` of a fin, [0, 1]. The fin has `along` rows. In the near mesh, the
+ * second row of the tail fin is just behind the tail stalk. Otherwise the edges from the first row
+ * to the second row would cut through the sides of the stalk. */
 static double row_at(enum species_part part, uint32_t j, uint32_t along)
 {
     if (part == PART_TAIL && along >= TAIL_ROWS) {
@@ -167,8 +167,8 @@ void loft_add_fins(struct lofting *l)
 
 /* ---- Eyes ------------------------------------------------------------------------------------ */
 
-/* This section lofts the eyes as closed balls. Each ball is partly inside the head, and moves
- * and turns with the skin. */
+/* This section builds the mesh of each eye as a closed ball. Each ball is partly inside the head,
+ * and moves and turns with the skin. */
 
 /* Adds one vertex of the eye's ball in every key. `polar` is the angle from the pupil: 0 is the
  * pupil's centre, and PI is the back of the ball inside the head. `angle` is the angle round the
@@ -206,8 +206,9 @@ static void add_eye(struct lofting *l, uint32_t side)
     add_ball_vertex(l, side, 0.0, 0.0);
     for (uint32_t ring = 1; ring <= rings; ring++) {
         for (uint32_t spoke = 0; spoke < spokes; spoke++) {
-            /* Rings are counted from the pupil to the back of the ball. More than half of the rings
-             * lie between the pupil and the rim, and one ring lies on the rim. */
+            /* Rings are counted from the pupil to the back of the ball. `shown` is the number of
+             * rings from the pupil to the rim, where the ball meets the skin. More than half of the
+             * rings are in this part. */
             const uint32_t shown = (rings + 2) / 2;
             add_ball_vertex(l, side,
                             ring <= shown ? EYE_RIM_RAD * ring / shown

@@ -5,14 +5,15 @@
 
 #include "platform/species/shape.h"
 
-/* State while one species is lofted. Each added vertex increases `loft->vertex_count` and gets a
- * position in every key. */
+/* State while the meshes of one species are built. Each added vertex increases `loft->vertex_count`
+ * and gets a position in every key. */
 struct lofting {
     const struct species_text *species;
     const struct detail *detail;
     struct loft *loft;
-    double unit[MORPH_KEY_MAX]; /* Length of each key in the species' own measure, in the units of
-                                   the key's drawing. */
+    double unit[MORPH_KEY_MAX]; /* Length of the fish in each key, in the units of the key's
+                                   drawing. The species' length measure (enum species_measure)
+                                   defines the length. */
 };
 
 /* Adds a vertex and returns its index. This vertex is the newest vertex until the next call.
@@ -28,8 +29,8 @@ void loft_place_from_anchor(struct lofting *l, uint32_t key, v3d offset, v3d nor
 /* Adds a triangle of the vertices `a`, `b` and `c`. */
 void loft_triangle(struct lofting *l, uint32_t a, uint32_t b, uint32_t c);
 
-/* Adds an anchor and returns it. All its body coordinates are equal in every key until the caller
- * changes them. */
+/* Adds an anchor and returns the anchor. All body coordinates of the anchor are equal in every key
+ * until the caller changes them. */
 struct species_anchor *loft_next_anchor(struct lofting *l, enum species_part part, uint8_t turns);
 
 /* Writes the body coordinate u of each of `count` rings. The last ring is at u = 1. Rings are

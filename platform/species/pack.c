@@ -19,12 +19,12 @@ _Static_assert(sizeof(struct species_card) == 2348 && sizeof(struct species_coat
                    sizeof(struct species_anchor) == 68,
                "all that a pack holds is walked");
 
-/* Byte buffer, current position, and whether the fields are written or read. */
+/* Byte buffer with the current position and the direction: writing or reading fields. */
 struct tape {
     uint8_t *bytes;
-    size_t size, at; /* Size of the buffer and current position. After reading, a position beyond
-                        `size` means that the input was too short. Missing bytes are read as
-                        zeros. */
+    size_t size, at; /* Size of the buffer, and current position in the buffer, in bytes. After
+                        reading, a position beyond `size` means that the input was too short.
+                        Missing bytes are read as zeros. */
     bool writing;
     const char *too_many; /* Name of the first count that exceeded its maximum. Null means none. */
 };
@@ -305,7 +305,8 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
     if (check_head(bytes, size, why) != PACK_OK) {
         return PACK_BAD;
     }
-    /* The cast removes const. This is safe because reading does not modify `bytes`. */
+    /* The cast removes the const qualifier of `bytes`. This is safe because reading does not modify
+     * `bytes`. */
     struct tape tape = { .bytes = (uint8_t *)(uintptr_t)bytes, .size = size, .at = HEAD_SIZE };
     memset(slot, 0, sizeof *slot);
     walk_species(&tape, slot);

@@ -47,8 +47,8 @@ enum pack_result pack_decode(const uint8_t *bytes, size_t size, struct species_s
  * number of bytes written. */
 size_t pack_encode(struct species_slot *slot, uint8_t bytes[PACK_SIZE_MAX]);
 
-/* Reads a species file and decodes it with pack_decode(), whose results are returned. Also returns
- * PACK_IO if the file cannot be read. `why` does not contain the file's name. */
+/* Reads a species file and decodes the file with pack_decode(). Returns the result of
+ * pack_decode(), or PACK_IO if the file cannot be read. `why` does not contain the file's name. */
 enum pack_result pack_read(const char *path, struct species_slot *slot,
                            char why[VALIDATE_WHY_SIZE]);
 /* Same as pack_read(), but rejects a symbolic link. Used for files in the data folder. */

@@ -64,7 +64,8 @@ enum pack_result pack_write(const char *path, struct species_slot *slot,
     const size_t size = pack_encode(slot, bytes);
     int error = file_atomic_open_durable(&out, path);
     if (error == 0) {
-        fwrite(bytes, 1, size, out.file); /* Closing the file reports errors of fwrite(). */
+        fwrite(bytes, 1, size, out.file); /* file_atomic_close() also reports an earlier error of
+                                             fwrite(). */
         error = file_atomic_close(&out);
     }
     return error != 0 ? cannot(-error, why) : PACK_OK;

@@ -1,5 +1,5 @@
-/* part.c -- names the body parts, and finds the vertex that represents a body part. This is the
- * vertex nearest to the reference coordinates of the part. */
+/* part.c -- names the body parts, and finds the vertex that represents a body part. The
+ * representing vertex is the vertex nearest to the reference coordinates of the part. */
 #include "platform/species/part.h"
 
 #include <math.h>

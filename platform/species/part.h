@@ -20,16 +20,16 @@ extern const char *const part_names[OWNED_COUNT];
  * PART_COUNT if the name is unknown. */
 enum species_part part_of_vertex(const char *name);
 
-/* Returns the index of the vertex whose trajectory represents the part. For a fin, the vertex is
- * the root of the first ray. For an eye, the vertex is the pupil's centre, and for the tail, the
- * tip of the upper lobe. For the body, the vertex is on the back, where the body is deepest. If
- * the part is one of a pair, the vertex is on `side`. Returns vertex_count if the fish lacks the
- * part. */
+/* Returns the index of the vertex whose trajectory represents the body part. For a fin, the vertex
+ * is the root of the first ray. For an eye, the vertex is the pupil's centre. For the tail, the
+ * vertex is the tip of the upper lobe. For the body, the vertex is on the back, where the body is
+ * deepest. If the part is one of a pair, the vertex is on `side`. Returns vertex_count if the fish
+ * lacks the part. */
 uint32_t part_vertex_range(const struct species_mesh *mesh, enum species_part part,
                            enum species_side side);
 
-/* Returns the position of a vertex at `progress` through life [0, 1], in units of the fish's length
- * in the species' own measure. */
+/* Returns the position of a vertex at `progress` through life [0, 1]. The unit is the fish's length
+ * as the species' length measure (enum species_measure) defines it. */
 vec3 part_of_place(const struct species *species, const struct morph_rig *rig, uint32_t vertex,
                    float progress);
 

@@ -67,8 +67,8 @@ struct station shape_section(const struct key_text *key, double along)
                              .exponent = (float)shape_curve_through(x, y[3], n, at) };
 }
 
-/* On each side of the gill cover's rear edge, the body coordinate u is a linear function of x. The
- * edge is at u = GILL_U in every key. */
+/* The body coordinate u is a piecewise linear function of x. Its two pieces meet at the gill
+ * cover's rear edge, where u = GILL_U in every key. */
 
 double shape_body_x(const struct key_text *key, double u)
 {
@@ -87,7 +87,7 @@ double shape_body_u(const struct key_text *key, double x)
     return 0.5 * (low + high);
 }
 
-/* ---- Surface of the body at (u, v): u along the body, v round the body ---------------------- */
+/* ---- Surface of the body --------------------------------------------------------------------- */
 
 static double superellipse(double sine, double exponent)
 {
@@ -121,16 +121,17 @@ v3d shape_body_normal(const struct key_text *key, double u, double v)
 /* Maximum height of an eye's centre above the middle of the cross section, as a fraction of half of
  * the cross section's height. */
 #define HIGHEST 0.97
-/* Upper limit of the mean depth of the skin under the ball's rim, as a fraction of the ball's
- * radius. The limit applies where the skin around the eye is a sharp ridge. */
+/* Upper limit of the mean depth of the skin under the rim of the eye's ball, as a fraction of the
+ * ball's radius. The limit applies where the skin around the eye is a sharp ridge. */
 #define DROP_MAX 0.35
-/* Maximum depth of the ball's centre below the skin, as a fraction of half of the head's thickness
- * at the eye. */
+/* Maximum depth of the centre of an eye's ball below the skin, as a fraction of half of the head's
+ * thickness at the eye. */
 #define SUNK_MAX 0.6
-/* Maximum depth of the ball's back below the skin, as a fraction of half of the head's thickness at
- * the eye. The limit prevents that the ball emerges on the opposite side. */
+/* Maximum depth of the back of an eye's ball below the skin, as a fraction of half of the head's
+ * thickness at the eye. Without this limit, the ball could emerge on the opposite side of the
+ * head. */
 #define DEPTH_MAX 0.9
-/* Minimum depth of each half of a ball. A flatter ball has no usable normals. */
+/* Minimum depth of each half of an eye's ball. A flatter ball has no usable normals. */
 #define THINNEST 1e-3
 
 struct ball shape_eye_ball(const struct key_text *key, uint32_t side)
@@ -139,8 +140,8 @@ struct ball shape_eye_ball(const struct key_text *key, uint32_t side)
     CORE_ASSERT(key->eyes[side].diameter > 0.0f);
     const struct eye *eye = &key->eyes[side];
     const struct station s = shape_section(key, (double)eye->x);
-    /* `girth` is the surface coordinate v of the right flank at the height of the eye: 0 is the
-     * middle of the back, 0.5 the middle of the belly. */
+    /* `girth` is the surface coordinate v of the right flank at the height of the eye. 0 is the
+     * middle of the back, and 0.5 is the middle of the belly. */
     const double up = ((double)eye->y - (double)s.offset) / (0.5 * (double)s.depth);
     const double share = pow(fmin(fabs(up), HIGHEST), 0.5 * (double)s.exponent);
     const double girth =
@@ -178,13 +179,13 @@ struct ball shape_eye_ball(const struct key_text *key, uint32_t side)
     return ball;
 }
 
-/* ---- Size of a drawing ----------------------------------------------------------------------- */
+/* ---- Size of a drawing before scaling -------------------------------------------------------- */
 
-/* This section computes the size of a drawing before the drawing is scaled to the species'
- * length measure. */
+/* This section computes the length of a fish in the units of its drawing. The length is measured as
+ * the species' length measure (enum species_measure) defines. */
 
-/* Number of sample points on the rear edge of a tail fin, among which the rearmost point is
- * searched. */
+/* Number of points on the rear edge of a tail fin. The length functions use the rearmost of these
+ * points. */
 #define TIPS 64
 
 double shape_unit_length(const struct key_text *key, enum species_measure measure)
@@ -192,8 +193,9 @@ double shape_unit_length(const struct key_text *key, enum species_measure measur
     const bool tail = key->fins[PART_TAIL].ray_count > 0;
     double length = measure == MEASURE_DISC ? 0.0 : 1.0;
     if (measure == MEASURE_DISC) {
-        /* The length is the width. Only the stations are examined, because the body is nowhere
-         * wider than at its widest station. */
+        /* For a species that is measured by its disc, the length is the greatest width of the body.
+         * Only the stations are examined, because the body is nowhere wider than at its widest
+         * station. */
         for (uint32_t i = 0; i < key->substep_count; i++) {
             length = fmax(length, (double)key->stations[i].width);
         }

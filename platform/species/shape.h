@@ -74,18 +74,20 @@ v3d shape_body_point(const struct key_text *key, double u, double v);
 /* Returns the normal of the body's surface at (u, v), with the ranges of shape_body_point(). */
 v3d shape_body_normal(const struct key_text *key, double u, double v);
 
-/* Angle at the ball's centre between the pupil and the rim, at which the eye's ball meets the skin:
- * 80 degrees. */
+/* Angle in rad at the centre of an eye's ball, between the pupil and the rim, where the ball meets
+ * the skin. The value is 80 degrees. */
 #define EYE_RIM_RAD 1.4
 
-/* An eye's ball at (u, v) on the skin. The ball consists of two halves of ellipsoids with radius
- * `radius`: the outer half with depth `out`, and the inner half with depth `in`. The ball's centre
- * is `sunk` below the skin. v is outside [0, 1) for an eye that has migrated over the back. */
+/* The ball of an eye at (u, v) on the skin. The ball consists of two halves of ellipsoids with
+ * radius `radius`: the outer half with depth `out`, and the inner half with depth `in`. The ball's
+ * centre is at depth `sunk` below the skin. v is outside [0, 1) for an eye that has migrated over
+ * the back. */
 struct ball {
     double u, v;
     double radius, out, in, sunk;
 };
-/* Returns the eye's ball of a key. `side` is 0 for the right eye, 1 for the left eye. */
+/* Returns the ball of one eye in the drawing `key`. `side` is 0 for the right eye, 1 for the left
+ * eye. */
 struct ball shape_eye_ball(const struct key_text *key, uint32_t side);
 
 /* Returns the z coordinate of the body's last point, which is slightly behind the tail root. */
@@ -108,12 +110,11 @@ v3d shape_fin_normal(const struct key_text *key, enum species_part part, double 
  * the front end of the base, 1 the rear end of the base, and 2 the tip. */
 v3d shape_finlet_point(const struct key_text *key, uint32_t row, double at, uint32_t corner);
 
-/* Returns the fish's length in the species' own measure, in the drawing's units. The mesh uses this
- * length as its unit. */
+/* Returns the fish's length in the drawing's units, as the length measure `measure` defines it. The
+ * mesh uses this length as its unit. */
 double shape_unit_length(const struct key_text *key, enum species_measure measure);
 
-/* Returns an upper bound for the coordinates of all points of the fish. The bound applies to each
- * axis. */
+/* Returns a number that no coordinate of any point of the fish exceeds, on any axis. */
 double shape_farthest(const struct key_text *key);
 
 #endif

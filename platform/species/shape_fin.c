@@ -10,23 +10,25 @@
 /* Depth of the fins' roots below the skin, as a fraction of the fish's length. The roots are below
  * the skin so that no gap is visible. */
 #define FIN_SINK 0.014
-/* Minimum visible length of a ray, because a shorter ray has no usable normal. */
+/* Minimum visible length of a fin ray, as a fraction of the distance from the snout to the tail
+ * root. A shorter ray has no usable normal. */
 #define SHOWN_MIN 0.004
 /* Upper limit of the depth of the fins' roots in a thin body, as a fraction of the body's
  * thickness. */
 #define SINK_SHARE 0.3
-/* Distance between the tail root and the start of the tail fin's rays, which is in front of the
- * tail root, as a fraction of the fish's length. */
+/* Depth of the start of the tail fin's rays inside the body, measured forward from the tail root,
+ * as a fraction of the distance from the snout to the tail root. */
 #define TAIL_SINK 0.035
-/* Upper limit of TAIL_SINK for a thin tail stalk, as a multiple of the stalk's height. */
+/* Upper limit of the depth TAIL_SINK for a thin tail stalk, as a multiple of the stalk's height. */
 #define STALK_SINK 1.2
-/* Distance between the tail root and the body's last point, which is behind the tail root, as a
- * fraction of the fish's length. */
+/* Maximum distance from the tail root backward to the body's last point, as a fraction of the
+ * distance from the snout to the tail root. */
 #define END_MAX 0.03
-/* Upper limit of END_MAX for a thin tail stalk, as a multiple of the stalk's height. */
+/* Maximum distance from the tail root backward to the body's last point for a thin tail stalk, as a
+ * multiple of the stalk's height. The smaller of END_MAX and this limit applies. */
 #define END_SHARE 0.25
-/* Fraction of its sideways angle that a ray of a median fin has at its root. The angle increases to
- * its full value at the tip. */
+/* Angle at the root of a ray of an unpaired fin, as a fraction of the ray's sideways angle at its
+ * tip. */
 #define SIDE_AT_ROOT 0.4
 /* Minimum extent of the tail fin's base upward and downward from the stalk's middle, as a fraction
  * of half of the stalk's height. */
@@ -34,10 +36,11 @@
 #define RAY_STEPS 12
 /* Number of steps in the search for the point at which a ray leaves the body. */
 #define EXIT_STEPS 24
-/* Maximum fraction of a ray that is treated as inside the body. The rest of the ray is always
- * visible. */
+/* Maximum fraction of a ray's length that is treated as inside the body. The rest of the ray is
+ * always visible. */
 #define EXIT_MAX 0.85
-/* Distance behind the tail stalk at which a cupped tail fin reaches its full width. */
+/* Distance behind the tail stalk, as a fraction of the distance from the snout to the tail root, at
+ * which a tail fin with sideways angles reaches its full width. */
 #define CUP_OPENS 0.05
 /* Position along the base of an eel's dorsal or anal fin, [0, 1]. Behind this position, the fin
  * merges with the tail fin. */
@@ -56,8 +59,8 @@ double shape_body_end(const struct key_text *key)
     return 1.0 + fmin(END_MAX, END_SHARE * stalk_depth(key));
 }
 
-/* Returns the size of the cross section in the body's round end, as a fraction of the size at the
- * tail root. `t` is 0 at the tail root and 1 at the body's last point. */
+/* Returns the ratio of a cross section in the body's round end to the cross section at the tail
+ * root. `t` is 0 at the tail root and 1 at the body's last point. */
 static double closing(double t)
 {
     return sqrt(fmax(1.0 - t * t, 0.0));
@@ -96,9 +99,9 @@ static double base_x(const struct fin *fin, double at)
     return (double)fin->start + ((double)fin->end - (double)fin->start) * at;
 }
 
-/* Returns the point of a fin's base at position `at`, at depth `inside` below the skin. The base of
- * a fin on the body runs along x. The base of the tail fin is vertical and lies inside the tail
- * stalk; `at` = 0 is its top. For the tail fin, `inside` is ignored. */
+/* Returns the point of a fin's base at position `at` and at depth `inside` below the skin. The base
+ * of a fin on the body runs along x. The base of the tail fin is vertical and lies inside the tail
+ * stalk. For the tail fin, `at` = 0 is the top of the base, and `inside` is ignored. */
 static v3d fin_base(const struct key_text *key, enum species_part part, double at, double inside)
 {
     const struct fin *fin = &key->fins[part];
@@ -203,8 +206,8 @@ static double outness(const struct key_text *key, v3d p)
     return pow(pow(x, e) + pow(y, e), 1.0 / e);
 }
 
-/* Returns the root of a ray (along = 0) or a point of the ray's visible part (along > 0). The
- * merging of an eel's fins is not applied. */
+/* Returns the root of a ray (along = 0) or a point of the ray's visible part (along > 0). Does not
+ * include the merging of an eel's dorsal or anal fin with its tail fin. */
 static v3d own_point(const struct key_text *key, enum species_part part, double at, double along)
 {
     if (along <= 0.0) {
@@ -238,8 +241,8 @@ v3d shape_fin_point(const struct key_text *key, enum species_part part, double a
     const v3d own = own_point(key, part, at, along);
     const bool is_seam = key->confluent && (part == PART_DORSAL || part == PART_ANAL);
     const double t = is_seam ? fmax((at - JOIN_FROM) / (1.0 - JOIN_FROM), 0.0) : 0.0;
-    /* Share of the tail fin in the point. 0 means that an eel's dorsal or anal fin has not merged
-     * with the tail fin at position `at`. */
+    /* `share` is the weight of the tail fin at this point of an eel's dorsal or anal fin. 0 means
+     * that the fin has not merged with the tail fin at position `at`. */
     const double share = t * t * (3.0 - 2.0 * t);
     if (share <= 0.0) {
         return own;

@@ -1,10 +1,10 @@
 /* text.h -- the parser of species texts, and functions that read untrusted text files.
  *
- * The functions text_file_*() open any regular text file and read the file line by line. Other
- * modules use them for meshes and landmarks too. The rest of this header is shared by the files
- * text*.c. Each line of a species text is split into words. A function that returns bool returns
- * true on success. On an error the function writes one line with the error message and returns
- * false. */
+ * The functions text_file_*() open any regular text file and read the file line by line. The code
+ * that reads meshes and landmarks also uses these functions. The rest of this header is shared by
+ * the files text*.c. Each line of a species text is split into words. A function that returns bool
+ * returns true on success. On an error the function writes one line with the error message and
+ * returns false. */
 #ifndef KINGYO_PLATFORM_SPECIES_TEXT_H
 #define KINGYO_PLATFORM_SPECIES_TEXT_H
 
@@ -42,8 +42,8 @@ enum text_file_line text_file_line(FILE *file, char *text, size_t size);
 
 #define TEXT_LINE_SIZE 256
 #define TEXT_WORD_MAX 24
-/* Minimum width of a cross section. A leptocephalus larva of 64 mm is 0.6 mm wide. A thinner body
- * has no usable flank. */
+/* Minimum width of a cross section, as a fraction of the distance from the snout to the tail root.
+ * A leptocephalus larva of 64 mm is 0.6 mm wide. A thinner body has no usable flank. */
 #define THIN_MIN 0.002f
 
 struct species_reader {
@@ -93,8 +93,7 @@ bool species_reader_choice(const struct species_reader *r, uint32_t index, const
  * message that shows the syntax with the parameter names `names`, and returns false. */
 bool species_reader_expect(const struct species_reader *r, uint32_t count, const char *names);
 
-/* The following functions parse the lines that describe the whole species. Implemented in
- * text_life.c. */
+/* Declarations of the functions in text_life.c that parse the lines about the whole species. */
 bool text_read_species(struct species_reader *r);
 bool text_read_measure(struct species_reader *r);
 bool text_read_form(struct species_reader *r);
@@ -107,7 +106,8 @@ bool text_read_point(struct species_reader *r);
 bool text_read_scale(struct species_reader *r);
 bool text_read_thesis(struct species_reader *r);
 
-/* The following functions parse the lines of a key. Implemented in text_key.c. */
+/* Declarations of the functions in text_key.c that parse the lines of a key (modelled growth
+ * stage). */
 bool text_read_key(struct species_reader *r);
 bool text_read_gill(struct species_reader *r);
 bool text_read_station(struct species_reader *r);
@@ -116,18 +116,19 @@ bool text_read_fin(struct species_reader *r);
 bool text_read_ray(struct species_reader *r);
 bool text_read_finlets(struct species_reader *r);
 
-/* The following functions parse the lines of a coat (a key's paint). Implemented in text_key.c. */
+/* Declarations of the functions in text_key.c that parse the lines of a key's coat (its paint). */
 bool text_read_coat(struct species_reader *r);
 bool text_read_mark(struct species_reader *r);
 
-/* The following functions parse the lines of a deformation graph. Implemented in text_life.c. */
+/* Declarations of the functions in text_life.c that parse the lines of a deformation graph. */
 bool text_read_curve(struct species_reader *r);
 bool text_read_area(struct species_reader *r);
 bool text_read_knot(struct species_reader *r);
 bool text_read_line_kind(struct species_reader *r);
 bool text_read_template(struct species_reader *r);
 
-/* Returns true if the species is complete and can be lofted. Implemented in text_check.c. */
+/* Checks that the species is complete and that its meshes can be built. Returns true on success. On
+ * an error writes the error message and returns false. Implemented in text_check.c. */
 bool text_check_species(struct species_reader *r);
 
 #endif

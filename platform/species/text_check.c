@@ -6,11 +6,11 @@
 #include "core/morph/morph.h"
 #include "platform/species/shape.h"
 
-/* Maximum coordinate of a point, in units of the fish's length in the species' own measure. The
- * quantized mesh can represent coordinates up to 4. */
+/* Maximum coordinate of a point, as a multiple of the fish's length. The quantized mesh can
+ * represent coordinates up to 4. */
 #define REACH_MAX 3.9
-/* Minimum length in the species' own measure, as a fraction of the drawing's length. A smaller
- * value indicates an error in the drawing. */
+/* Minimum length of the fish as its length measure (enum species_measure) defines it, as a fraction
+ * of the drawing's length. A smaller value indicates an error in the drawing. */
 #define UNIT_MIN 0.2
 #define EEL_SEAM (1u << PART_TAIL | 1u << PART_DORSAL | 1u << PART_ANAL)
 /* Maximum relative difference between a key's length and the length on the growth curve at the
@@ -112,8 +112,8 @@ static bool check_ages(struct species_reader *r)
                 r, "key %s (%.4g days) is not older than key %s (%.4g days)", key->name,
                 (double)key->age_days, key[-1].name, (double)key[-1].age_days);
         }
-        /* The age, the progress and the length of a key must be consistent, because each of the
-         * three values is computed from the others in some part of the program. */
+        /* The age, the progress and the length of a key must be consistent, because some parts of
+         * the program compute one of the three values from the others. */
         if (apart) {
             return species_reader_error(
                 r, "key %s is %.4g mm at %.4g days, and growth says %.4g mm: write a point",
@@ -139,7 +139,7 @@ static bool check_curves(struct species_reader *r)
         if (i > 0 && curve->parts == 0 && curve->area_count == 0) {
             return species_reader_error(r, "curve %s moves no part and no area", curve->name);
         }
-        /* graph_solve() must succeed for a graph of the line kind "solved". */
+        /* The deformation graph must have a solution if its line kind is "solved". */
         float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
         uint32_t stuck = 0;
         if (curve->graph.solved &&
@@ -184,7 +184,8 @@ bool text_check_species(struct species_reader *r)
         }
     }
     if (!r->has_thesis) {
-        /* The species text has no `thesis` line. The following defaults are used. */
+        /* Without a `thesis` line in the species text, the three keys of the 2005 thesis have the
+         * following defaults. */
         s->thesis_key[1] = (uint8_t)(s->key_count / 2u);
         s->thesis_key[2] = (uint8_t)(s->key_count - 1u);
         s->thesis_template = TEMPLATE_PAIRWISE;

@@ -209,8 +209,8 @@ static const char *const kinds[MARK_COUNT] = {
     [MARK_ROWS] = "rows",   [MARK_MOUTH] = "mouth", [MARK_GILL] = "gill",
 };
 
-/* Default values of the settings of each kind of mark. `to` of a gill mark is the rear edge of the
- * key's gill cover, if the text has a `gill` line. */
+/* Default values of the settings of each kind of mark. For a gill mark, `to` is the rear edge of
+ * the key's gill cover if the text has a `gill` line. */
 static const struct species_mark defaults[MARK_COUNT] = {
     [MARK_SPOTS] = { .count = 24, .seed = 1, .to = 1, .high = 1, .width = 0.02f },
     [MARK_BANDS] = { .count = 5, .seed = 1, .to = 1, .high = 1, .width = 0.04f },

@@ -108,8 +108,8 @@ bool text_read_point(struct species_reader *r)
     return true;
 }
 
-/* Parses the line `scale PROGRESS MM`, which gives a length in mm at a progress through life. These
- * lines replace the growth curve. */
+/* Parses the line `scale PROGRESS MM`, which gives a length in mm at a progress through life [0,
+ * 1]. The `scale` lines of a species replace its growth curve. */
 bool text_read_scale(struct species_reader *r)
 {
     struct species_text *s = r->species;
@@ -237,7 +237,7 @@ bool text_read_area(struct species_reader *r)
 }
 
 /* Checks that the most recently started graph may receive knots or a template. Graphs must be
- * defined after all keys, because a knot has one weight for each key. */
+ * defined after all keys (modelled growth stages), because a knot has one weight for each key. */
 static bool graph_open(const struct species_reader *r, bool from_knot)
 {
     const struct graph *graph = &newest_curve(r)->graph;
@@ -302,7 +302,8 @@ bool text_read_line_kind(struct species_reader *r)
     return true;
 }
 
-/* Parses the line `template NAME [PEAK]`, which defines a whole graph. */
+/* Parses the line `template NAME [PEAK]`, which defines all knots of a deformation graph by a named
+ * template. */
 bool text_read_template(struct species_reader *r)
 {
     static const char *const names[] = { [TEMPLATE_ORDINARY] = "ordinary",

@@ -7,11 +7,13 @@
 
 #include "core/morph/morph.h"
 
-#define AGE_MAX_DAYS 14610.0f /* Maximum age in days. 40 years is the range of growth.c. */
-/* Minimum length of a key. The smallest fish larvae are 1.5 mm long. A length below a third of this
- * size is certainly an error. */
+#define AGE_MAX_DAYS                                                                               \
+    14610.0f /* Maximum age in days. The growth curves (growth.c) are defined for ages of up to
+                40 years. */
+/* Minimum length of a key in metres. The smallest fish larvae are 1.5 mm long. A length below a
+ * third of this size is certainly an error. */
 #define LENGTH_MIN_M 0.0005f
-#define LENGTH_MAX_M 20.0f /* Maximum length of a key. A whale shark is 20 m long. */
+#define LENGTH_MAX_M 20.0f /* Maximum length of a key in metres. A whale shark is 20 m long. */
 /* Maximum relative difference between a key's length and the length on the growth curve at the
  * key's age. */
 #define LENGTH_APART 0.02f
@@ -27,7 +29,7 @@ bool validate_refuse(struct vetting *v, const char *format, ...)
 
 bool validate_number(struct vetting *v, const char *what, float x, float low, float high)
 {
-    if (!(x >= low && x <= high)) { /* This form of the comparison also rejects NaN. */
+    if (!(x >= low && x <= high)) { /* The negated comparison also rejects NaN. */
         return validate_refuse(v, "%s: %g is outside %g .. %g", what, (double)x, (double)low,
                                (double)high);
     }
@@ -246,8 +248,8 @@ bool species_validate(const struct species *species, char why[VALIDATE_WHY_SIZE]
                                    (double)point->age_days);
         }
     }
-    /* The age, the progress and the length of each key must be consistent, because each of the
-     * three values is computed from the others in some part of the program. */
+    /* The age, the progress and the length of each key must be consistent, because some parts of
+     * the program compute one of the three values from the others. */
     for (uint32_t key = 0; key < card->key_count; key++) {
         const float age = card->key_age_days[key], length = card->key_length_m[key];
         const float grown = growth_length_m(&card->growth, age);

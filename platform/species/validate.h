@@ -1,4 +1,4 @@
-/* validate.h -- validates an untrusted species before it is shown.
+/* validate.h -- validates an untrusted species before the species is shown.
  *
  * core/morph/species.h states conditions that the core asserts. A species from a file may violate
  * these conditions. A species that passes the validation triggers no assertion of core/morph and
@@ -33,7 +33,7 @@ bool species_validate_graph(const struct graph *graph, uint32_t key_count, const
  * bytes. */
 bool species_name_is_good(const char name[SPECIES_NAME_SIZE]);
 
-/* ---- Shared by validate.c (the card) and validate_mesh.c (the meshes) ----------------------- */
+/* ---- Functions that validate.c and validate_mesh.c share ------------------------------------- */
 
 #define VALIDATE_WHAT_SIZE 64u
 
@@ -42,7 +42,8 @@ struct vetting {
     char *why; /* Buffer of VALIDATE_WHY_SIZE bytes for the reason why the species is invalid. */
 };
 
-/* Writes the reason to `why` of struct vetting and returns false. */
+/* Writes the reason to `v->why` and returns false. The reason is the text that `format` and its
+ * arguments produce. */
 __attribute__((format(printf, 2, 3))) bool validate_refuse(struct vetting *v, const char *format,
                                                            ...);
 

@@ -7,11 +7,11 @@
 
 #include "core/morph/morph.h"
 
-/* Maximum relative difference between the measured size of a mesh and 1. The far mesh of a tail fin
- * has few rays, so that its outermost tip may be missing. */
+/* Maximum relative difference between the measured length of a mesh and the required length of 1.
+ * The far mesh of a tail fin has few rays, so that its outermost tip may be missing. */
 #define SIZE_TOLERANCE 0.04f
-/* Permitted range of the body coordinate u. No surface has a u outside this range. An eye's u
- * exceeds 1 behind its rim. */
+/* Minimum permitted body coordinate u. Together with U_MAX, the range contains the u of every
+ * surface. The u of an eye exceeds 1 behind the rim of the eye's ball. */
 #define U_MIN (-2.0f)
 #define U_MAX 4.0f
 #define FRONT_Z (-0.5f)
@@ -107,8 +107,9 @@ static bool vet_grid(struct vetting *v, const char *lod, const struct species_me
     return true;
 }
 
-/* Checks each key of a mesh. The length in the species' own measure must be 1, because only the
- * scale curve sets the fish's size. The snout must be at z = -0.5. */
+/* Checks the size of a mesh in each key. The length must be 1 as the species' length measure (enum
+ * species_measure) defines it, because only the scale curve sets the fish's size. The snout must be
+ * at z = -0.5. */
 static bool vet_size(struct vetting *v, const char *lod, const char *key,
                      const struct species_mesh *mesh, const vec3 *positions)
 {
