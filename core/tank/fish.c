@@ -10,8 +10,8 @@ void fish_grow(struct fish *fish, float length_m, const struct behavior_params *
     fish->length_m = length_m;
     fish->height_m = params->height_per_length * length_m;
     fish->width_m = params->width_per_length * length_m;
-    fish->speed_up_keep = 0.0f; /* The value 0 makes the next call of swim_resolve() compute the
-                                   member for the new length. */
+    fish->speed_up_keep = 0.0f; /* The value 0 makes the next call of swim_resolve() compute
+                                   `speed_up_keep` for the new length. */
 }
 
 struct box fish_box(const struct fish *fish)

@@ -8,7 +8,7 @@
 #include "core/tank/behavior_params.h"
 #include "core/tank/collision/box.h"
 
-/* Largest number of fish in the kiosk. A tank preset can have a lower limit
+/* Largest number of fish in a tank of the kiosk program. A tank preset can have a lower limit
  * (tank_preset_fish_max()). */
 #define TANK_FISH_KIOSK 2048u
 /* Capacity of struct tank. `kingyoctl tank` and the benchmark are compiled with a larger capacity
@@ -31,8 +31,8 @@ static inline uint32_t fish_capacity(uint32_t fish_count)
     return fish_count <= TANK_FISH_KIOSK ? TANK_FISH_KIOSK : TANK_FISH_MAX;
 }
 
-/* Height above the still surface. A fish is in the air if the top of its body is higher. Ripples of
- * the surface are lower than this height. */
+/* Height above the still water surface. A fish is in the air if the top of its body is higher.
+ * Ripples of the surface are lower than this height. */
 #define FISH_AIRBORNE_M 0.003f
 
 enum fish_gait {
@@ -79,7 +79,7 @@ struct fish {
     vec3 push_m_s;     /* Velocity that is added to the fish's own motion: repulsion by near fish
                           (as in the 2013 thesis), the flow around a poi, and sidesteps. */
     float climb_m_s;   /* Vertical speed caused by swim bladder, fins and pitch; > 0 is upward. */
-    float heading_rad; /* Goal of the yaw before the attraction of shades. The yaw approaches its
+    float heading_rad; /* Goal of the yaw, without the attraction of shades. The yaw approaches its
                           goal at a bounded rate. */
     float drawn_rad;   /* Angle by which the attraction of shades turns the goal of the yaw away
                           from `heading_rad`. A value > 0 means to the left. */
@@ -115,9 +115,8 @@ struct fish {
     uint32_t look;        /* Random bits that select the fish's appearance and individual traits. */
     uint8_t gait;         /* Present gait (enum fish_gait). */
     uint8_t avoiding;     /* Present avoidance of another fish (enum fish_avoiding). */
-    uint8_t holder;       /* Index of the poi that holds the fish (GAIT_HELD) or of the bowl that
-                             holds the fish (GAIT_BOWL). FISH_HOLDER_WATER in GAIT_HELD means
-                             reentry. */
+    uint8_t holder;       /* Index of the poi or bowl that holds the fish: a poi in GAIT_HELD, a
+                             bowl in GAIT_BOWL. FISH_HOLDER_WATER in GAIT_HELD means reentry. */
     uint8_t thought_tick; /* Low 8 bits of the tick in which the fish last decided. */
     float gait_left_s;    /* Time until the fish chooses its next gait. For a fish in reentry: time
                              since the fish came back into the water. */

@@ -14,8 +14,8 @@
 #define STILL_M_H 0.03f
 /* Exchange rate kLa of an air stone. Published values are 2 to 10 per hour. */
 #define PUMP_PER_H 5.0f
-/* Oxygen that a fish consumes for swimming, mg per kg of fish and metre of path (goldfish of 5 cm;
- * Li). */
+/* Oxygen that a fish consumes for swimming, in mg per kg of fish and per metre of path (goldfish of
+ * 5 cm; Li). */
 #define COST_MG_KG_M 0.6f
 /* Longest step of the oxygen balance. All rates are constant within a step. */
 #define STEP_H 0.005f

@@ -153,8 +153,9 @@ static const struct tank_preset presets[TANK_PRESET_COUNT] = {
         .time_compression = 1.0f,
         .params = LIVING_WAKIN,
         .view = {
-            .eye_m = { 0.0f, 1.622f, 0.421f }, /* From this position the camera sees the water over
-                                                  a wall that stands 13 cm above the surface. */
+            .eye_m = { 0.0f, 1.622f, 0.421f }, /* From this camera position the water is visible
+                                                  over a wall that stands 13 cm above the
+                                                  surface. */
             .target_m = { 0.0f, -0.02f, -0.019f },
             .half_height_tan = 0.274f,
             .aspect_min = 16.0f / 9.0f,

@@ -10,13 +10,13 @@
 /* Factor S in eq. 3.5 of the 2013 thesis, converted to 1/s: 0.01 per frame at 60 frames per
  * second. */
 #define PULL_PER_S 0.60f
-/* Smallest speed at which the sum of course and attraction has a usable direction. Below that speed
- * the fish keeps its yaw. */
+/* Smallest speed at which the sum of course velocity and attraction has a usable direction. Below
+ * that speed the fish keeps its yaw. */
 #define HARDLY_M_S 0.005f
 /* Speed of an opposing push by near fish that cancels the attraction completely, in body lengths
  * per second. */
 #define FULL_LENGTHS_PER_S 0.1f
-/* Distance from a shade's edge at which a fish outside the shade already sees the shade. */
+/* Distance outside a shade's edge within which a fish already sees the shade. */
 #define FRIGHT_RIM_M 0.02f
 /* Time in which the shade of a hand-held fan raises the alarm of a fish from 0 to 1. The nerve
  * latency (startle.h) begins afterwards. */
@@ -118,8 +118,8 @@ int shade_draw(const struct shade *shades, uint32_t count, const struct behavior
     }
     const float yaw_rad = fish->angles.yaw_rad;
     const vec3 own = v3(-f_sin(course->heading_rad), 0.0f, -f_cos(course->heading_rad));
-    /* The attraction decreases if fish in the shade push the fish in the opposite direction.
-     * Therefore no fish presses into a full shade. */
+    /* The attraction decreases if the fish in the shade push the fish outward. Therefore no fish
+     * presses into a full shade. */
     CORE_ASSERT(fish->length_m > 0.0f);
     const vec3 toward = v3_normalize_or(pull_m_s, pull_m_s);
     const float against_m_s = -v3_dot(toward, fish->push_m_s);
@@ -144,8 +144,8 @@ float shade_alarm(const struct shade *shade, const struct behavior_params *param
         shade_distance_m(cast, position_m) > cast->radius_m + FRIGHT_RIM_M) {
         return 0.0f;
     }
-    /* Limits the time to the age of the shade, because the fish cannot have seen the shade earlier.
-     * The fish's last decision may be older than the shade. */
+    /* Limits the time since the fish's last decision to the age of the shade, because the fish
+     * cannot have seen the shade earlier. */
     /* A weak shade causes little alarm, however fast it moves. The paper of a poi takes a third of
      * the light, and a hand-held fan takes two thirds. The paper causes a twentieth of the alarm
      * that the fan causes. */

@@ -20,12 +20,12 @@
 #define BUBBLE_M 0.0011f /* Height by which a bubble lifts the surface. */
 #define GULP_RADIUS_M 0.010f
 #define GULP_DEPTH_M 0.0004f
-/* Fraction of the difference between the new and the old push by which each query changes the push
- * of a fish. Pushes therefore rise and decay with a time constant of a twelfth of a second. */
+/* Factor with which each query moves the push of a fish toward the new push: the fraction of their
+ * difference. Pushes therefore rise and decay with a time constant of a twelfth of a second. */
 #define PUSH_SHARE 0.344f
 #define BORNE_M_S 0.05f
-/* Increase of the member `room` per second. A fish whose turn other fish blocked regains its full
- * turning rate in half a second. */
+/* Increase per second of a fish's `room`, the factor on its turning rate. A fish that turned slowly
+ * because of other fish beside it regains its full turning rate in half a second. */
 #define ROOM_PER_S 2.0f
 
 struct tank_bounds tank_bounds(const struct tank *tank)
@@ -83,8 +83,8 @@ static void think_in_turn(struct tank *tank, struct perception around)
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *fish = &tank->fish[i];
         if (fish_swims(fish) && fish_behavior_is_due(fish, i, &around)) {
-            /* The fish fell into the water, and other fish carry it. A fish that nothing carries
-             * sinks at 12 cm/s. */
+            /* 1 if the fish fell onto other fish, which carry it. A fish that nothing carries sinks
+             * at 12 cm/s or faster. */
             const int fell =
                 fish->falls && (fish->position_m.y < 0.0f && fish->velocity_m_s.y > -BORNE_M_S);
             around.dt_s = fish_behavior_dt_s(fish, around.tick);
@@ -96,7 +96,7 @@ static void think_in_turn(struct tank *tank, struct perception around)
                 water_press(&tank->water, tank->size_m, nose_m, GULP_RADIUS_M, GULP_DEPTH_M);
             }
             if (fell && fish->falls) { /* Reentry (reentry.c) separates the fallen fish from the
-                                          fish below it. */
+                                          fish that carry it. */
                 fish->alarm = 1.0f;
                 reentry_begin(tank, fish, fish->velocity_m_s);
             }
@@ -190,9 +190,8 @@ void tank_tick(struct tank *tank, uint32_t tick, struct obstacle *obstacles,
     CORE_ASSERT(obstacles || obstacle_count == 0);
     CORE_ASSERT(obstacle_count <= TANK_OBSTACLE_MAX);
     const struct perception around = tank_perception(tank, tick, obstacles, obstacle_count);
-    /* `stirs` is 1 if an obstacle moves faster than STIRS_M per tick. A bowl that rocks on ripples
-     * is slower. Near a moving poi, other bodies may push a fish farther in one tick, so that fish
-     * make way for the poi. */
+    /* Near a moving poi, other bodies may push a fish farther in one tick, so that fish make way
+     * for the poi. */
     int stirs = 0; /* 1 if an obstacle moves faster than STIRS_M per tick. A bowl that rocks on
                       ripples is slower. */
     for (uint32_t o = 0; o < obstacle_count; o++) {

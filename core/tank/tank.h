@@ -39,8 +39,8 @@ struct tank {
     struct water water;
     struct shade shade[TANK_SHADE_MAX];
     struct oxygen oxygen;
-    uint32_t reentry_count; /* Upper bound of the number of fish in reentry. reentry_tick() sets it
-                               to the exact number. */
+    uint32_t reentry_count; /* Upper bound of the number of fish in reentry. reentry_tick() sets
+                               `reentry_count` to the exact number. */
     /* Results of the last broad-phase query. Later ticks use the results, so tank_hash() includes
      * them. */
     struct broad_phase broad_phase;

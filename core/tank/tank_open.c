@@ -115,16 +115,16 @@ static int under_bowl(vec3 point_m, const vec3 *bowls_m, uint32_t bowl_count, fl
     return 0;
 }
 
-/* The part of the floor in which a fish is placed, in fractions of the floor. `x` and `z` are the
- * corner of the part, `width` and `breadth` its size. */
+/* Rectangle of the tank floor in which one fish is placed, in fractions of the floor. `x` and `z`
+ * are the corner of the rectangle, `width` and `breadth` its size. */
 struct plot {
     float x, z, width, breadth;
 };
 
-/* Returns the plot of a fish. Each fish has its own, nearly square plot, and the plots are numbered
- * row by row. Therefore fish that are near each other at the start are also near each other in
- * memory. A tank of 100,000 fish runs a third faster as long as this order remains, which is about
- * ten minutes. */
+/* Returns the rectangle of the floor in which fish `index` is placed. The rectangles are nearly
+ * square, do not overlap and are numbered row by row. Therefore fish that are near each other at
+ * the start are also near each other in memory. A tank of 100,000 fish runs a third faster as long
+ * as this order remains, which is about ten minutes. */
 static struct plot plot_of(const struct tank *tank, uint32_t index)
 {
     CORE_ASSERT(index < tank->fish_count);
@@ -137,8 +137,8 @@ static struct plot plot_of(const struct tank *tank, uint32_t index)
                           breadth };
 }
 
-/* Returns a random place in the plot of the fish, or in the whole tank if a bowl covers the first
- * place. `draw` is the number of earlier placements, less than START_DRAWS_MAX. */
+/* Returns a random place in the plot of the fish. If a bowl covers the place, tries random places
+ * in the whole tank. `draw` is the number of earlier placements, less than START_DRAWS_MAX. */
 static vec3 start_place(const struct tank *tank, const struct fish *fish, uint32_t index,
                         const struct tank_config *config, uint32_t draw)
 {

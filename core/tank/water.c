@@ -34,8 +34,8 @@ void water_init(struct water *water)
     memset(water, 0, sizeof *water);
 }
 
-/* First and last cell whose centre can lie within `radius` cells of the position `at`. If `first`
- * is greater than `last`, no cell lies within the radius. */
+/* First and last cell, along one axis, whose centre can lie within `radius` cells of the position
+ * `at`. If `first` is greater than `last`, no cell lies within the radius. */
 struct span {
     int32_t first, last;
 };
@@ -137,8 +137,8 @@ void water_step(struct water *water, vec3 size_m)
     const float kx = courant(size_m.x / (float)RIPPLE_X), kz = courant(size_m.z / (float)RIPPLE_Z);
     const uint32_t last = RIPPLE_Z - 1u;
     float(*now)[RIPPLE_X] = water->height_m[water->newest];
-    float(*next)[RIPPLE_X] = water->height_m[1u - water->newest]; /* Heights of the previous
-                                                                     step, which the new heights
+    float(*next)[RIPPLE_X] = water->height_m[1u - water->newest]; /* Older layer of heights,
+                                                                     whose values the new heights
                                                                      replace. */
     for (uint32_t row = 0; row <= last; row++) {
         const float *above = now[row == 0 ? 0 : row - 1u];
@@ -186,8 +186,8 @@ uint64_t water_hash(uint64_t hash, const struct water *water)
 /* Smallest distance from the disc's sharp edge, in disc radii, that the formulas of the flow use.
  * At the edge the computed speed would be infinite. */
 #define BODY_SHARE 0.3f
-/* A level disc counts as dry at this height above the surface and as submerged at this depth below
- * the surface. */
+/* Half the range of heights over which a level disc submerges. The disc counts as dry at this
+ * height above the surface and as submerged at this depth below the surface. */
 #define ENTRY_HALF_M 0.005f
 #define STILL_M_S 1e-4f
 /* Distance from the disc's centre, in disc radii, beyond which the flow counts as zero. At this

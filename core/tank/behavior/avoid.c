@@ -15,8 +15,8 @@
  * 3.4). */
 #define YAW_TIME_S 0.5f
 #define PITCH_TIME_S 0.5f
-/* Time for which a fish keeps its depth after it avoided another fish by pitch. The preferred depth
- * would lead the fish back to the other fish. */
+/* Time for which a fish keeps its depth after it avoided another fish by pitch. Without this time,
+ * the fish would return to its preferred depth and meet the other fish again. */
 #define HOLD_DEPTH_S 0.5f
 /* Closing speed below which fish do not avoid each other. Two resting fish can drift toward each
  * other at this speed, and repulsion then separates them. */
@@ -93,8 +93,9 @@ static struct encounter encounter(const struct avoid_party *a, const struct avoi
                                 : new_encounter(a, b, a_faces, b_faces, tick);
 }
 
-/* Sets the advice for an encounter from the side. The hitter passes behind the struck fish, which
- * turns away a little. In one of ten encounters the hitter passes in front of the struck fish. */
+/* Sets the advice for an encounter from the side. The fish `hitter` passes behind the struck fish,
+ * which turns away a little. In one of ten encounters the hitter passes in front of the struck
+ * fish. */
 static void meet_side(struct avoid_advice *hitter, vec3 hitter_forward, struct avoid_advice *struck,
                       vec3 struck_forward, vec3 to_struck, uint32_t draw)
 {
@@ -237,7 +238,8 @@ void avoid_tick(struct fish *fish, const struct avoid_advice *advice, float brak
     const int meets = advice->kind != MEET_NONE;
     /* The factor `brake` rises from 0 to 1 in a third of a second at the earliest. */
     fish->brake = f_min(brake, fish->brake + 3.0f * around->dt_s);
-    /* The time left runs three times as fast if the fish meets no other fish any more. */
+    /* The remaining avoidance time runs three times as fast if the fish meets no other fish any
+     * more. */
     const float pace = fish->avoiding != AVOID_NONE && !meets ? 3.0f : 1.0f;
     fish->avoid_left_s = f_max(0.0f, fish->avoid_left_s - pace * around->dt_s);
     if (fish->avoiding == AVOID_NONE) {

@@ -89,10 +89,9 @@ struct avoid_pair {
     float brake_a, brake_b; /* Factor [0, 1] on the speed of fish a and of fish b. */
 };
 
-/* Returns the advice for both fish of a pair. `gap_m` is the gap between their bodies. All
- * random choices of an encounter depend on one random number. The key of the random number
- * contains the tick in which the first fish began to avoid, so that the second fish gets the
- * same number later. */
+/* Returns the advice for both fish of a pair. `gap_m` is the gap between their bodies. All random
+ * choices of an encounter depend on one random number, so that both fish choose consistently. The
+ * key of the random number contains the tick in which the first fish began to avoid. */
 struct avoid_pair avoid_meet(const struct avoid_party *a, const struct avoid_party *b, float gap_m,
                              const struct behavior_params *params, uint32_t seed, uint32_t tick);
 

@@ -33,14 +33,16 @@
 #define AWAY_CHANCE_WALL 0.45f
 #define WALL_FELT_LENGTHS 2.0f /* Distance in body lengths within which a wall blocks the way. */
 
-/* BEND_PER_TURN is the curvature of the C-bend per angle of the head's turn. HEAD_SHARE is the
- * fraction of the curve in front of the pivot around which assets/shaders/fish.vert.glsl bends the
- * fish. */
+/* BEND_PER_TURN is the curvature of the C-bend divided by the angle of the head's turn. HEAD_SHARE
+ * is the fraction of the body's curve that lies in front of the pivot of the bend
+ * (assets/shaders/fish.vert.glsl). */
 #define BEND_PER_TURN 1.3f
 #define HEAD_SHARE 0.38f
-/* Bend in the opposite direction after the flip, as a fraction of the C-bend. */
+/* Bend in the opposite direction after the flip of stage 2, as a fraction of the C-bend. */
 #define RECOIL 0.4f
-#define RECOIL_STAGES 2.0f /* Duration of the recoil after the flip, in multiples of a stage. */
+/* Duration of the recoil (the bend after the flip of stage 2), as a multiple of the duration of a
+ * stage. */
+#define RECOIL_STAGES 2.0f
 
 /* Lowest and highest peak speed of individual fish, in body lengths per second. */
 #define PEAK_LENGTHS_MIN 8.0f
@@ -69,8 +71,8 @@ float escape_stage_s(float length_m)
     return CORE_TICK_S * f_max(1.0f, f_floor(stage_s * (float)CORE_TICK_HZ + 0.5f));
 }
 
-/* Returns 1 if the time since the beginning of the C-start is below `end_s`, otherwise 0. Times are
- * sums of ticks, so a tolerance of half a tick suffices. */
+/* Returns 1 if the time since the beginning of the C-start is below `end_s`, otherwise 0. The
+ * comparison has a tolerance of half a tick, because times are rounded sums of ticks. */
 static int is_escape_before(const struct fish *fish, float end_s)
 {
     return fish->escape_s < end_s - 0.5f * CORE_TICK_S;
@@ -91,8 +93,8 @@ int escape_on_path(const struct fish *fish)
     return fish->gait == GAIT_ESCAPE && is_escape_before(fish, end_s);
 }
 
-/* Returns the distance that a fish can swim along a course before it reaches a wall of one axis, m.
- * `course` is the component of the course on that axis. */
+/* Returns the distance along a course from the fish to the wall, m, computed on one horizontal
+ * axis. `course` is the component of the course on that axis. */
 static float room_m(float at_m, float course, float half_m)
 {
     CORE_ASSERT(half_m > 0.0f);
@@ -133,7 +135,7 @@ static void enter_escape_gait(struct fish *fish, uint32_t index, const struct pe
     fish->avoid_left_s = 0.0f;
     fish->startle = 0;
     fish->startle_s = 0.0f;
-    fish->drawn_rad = 0.0f; /* The attraction of shades ends. */
+    fish->drawn_rad = 0.0f; /* A startled fish is no longer attracted by shades. */
     fish->bend_goal_rad = 0.0f;
 }
 
@@ -165,8 +167,8 @@ void escape_start(struct fish *fish, vec3 from_m, uint32_t index, const struct p
     fish->escape_turn_rad = turn_rad;
     const float back_rad = open < 1.0f ? FLIP_BARRED_RAD : FLIP_BACK_RAD;
     fish->escape_course_rad = turn_rad + side * f_clamp(rest_rad, -back_rad, FLIP_ON_RAD);
-    fish->escape_s = -around->dt_s; /* The negative time makes escape_tick() begin with time 0 in
-                                       the next tick. */
+    fish->escape_s = -around->dt_s; /* escape_tick() adds `dt_s`, so the negative value makes the
+                                       C-start begin at time 0 in the next tick. */
     fish->stamina = f_max(0.0f, fish->stamina - COST);
 }
 

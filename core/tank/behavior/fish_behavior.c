@@ -15,14 +15,15 @@
 #include "core/tank/shade.h"
 #include "core/tank/water.h"
 
-/* Time constant with which `drawn_rad` follows the attraction of a shade. Because of the delay, a
- * fish does not turn at every small change of the attraction. */
+/* Time constant with which `drawn_rad` follows the attraction of a shade. The delay keeps a fish
+ * from turning at every small change of the attraction. */
 #define DRAWN_TAU_S 0.5f
-/* Rate at which a push decays. A lasting push is multiplied by this rate, and therefore moves the
- * fish at the speed of the push. */
+/* Decay rate of `push_m_s`, the velocity that the flow around a poi and the sidestep add to a fish.
+ * Each decision adds their velocity multiplied by this rate. Therefore a constant push moves the
+ * fish at exactly the speed of the push. */
 #define PUSH_PER_S 12.0f
-/* A fish does not turn away from a bowl if the fish's back is deeper than the bottom of the bowl by
- * at least this distance. */
+/* Vertical distance between the fish's back and the bottom of a bowl. A fish that is deeper than
+ * the bottom by at least this distance does not turn away from the bowl. */
 #define HULL_SHUN_DEPTH_M 0.01f
 
 int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct perception *around)
@@ -36,8 +37,8 @@ int fish_behavior_is_due(const struct fish *fish, uint32_t index, const struct p
 
 float fish_behavior_dt_s(const struct fish *fish, uint32_t tick)
 {
-    /* Ticks since the last decision, modulo 256. The upper limit of the result is for a fish that
-     * did not decide for a long time, because a poi or bowl carried it. */
+    /* Ticks since the last decision, modulo 256. The limit FISH_BEHAVIOR_TICKS applies to a fish
+     * that did not decide for a long time, because a poi or bowl carried it. */
     const uint32_t ticks = (uint8_t)(tick - fish->thought_tick);
     return CORE_TICK_S * f_clamp((float)ticks, 1.0f, (float)FISH_BEHAVIOR_TICKS);
 }

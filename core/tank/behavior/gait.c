@@ -9,8 +9,8 @@
 #include "core/tank/behavior/startle.h"
 #include "core/tank/behavior/surface_breathing.h"
 
-/* Change of stamina per second in each gait. Section 3.2 of the 2013 thesis gives -1 (burst), -0.2
- * (swim) and +0.1 (rest) for stamina from 0 to 100. */
+/* Stamina that a burst costs per second. Section 3.2 of the 2013 thesis gives changes per second of
+ * -1 (burst), -0.2 (swim) and +0.1 (rest) for stamina from 0 to 100. */
 #define BURST_COST_PER_S 0.010f
 #define SWIM_COST_PER_S 0.002f
 #define REST_GAIN_PER_S 0.001f
@@ -278,9 +278,10 @@ float gait_cycle_share(const struct fish *fish, float mean_m_s)
     const float beat_s = (float)beat * CORE_TICK_S;
     const float glide_s = (float)(cycle - beat) * CORE_TICK_S;
     float share = 1.25f;
-    for (int round = 0; round < 3; round++) { /* Each round computes `share` from its previous
-                                                 estimate. The dependence is weak, so three rounds
-                                                 suffice. */
+    for (int round = 0; round < 3; round++) { /* Each iteration computes `share` from the previous
+                                                 estimate of `share`. Three iterations suffice,
+                                                 because the result depends only weakly on the
+                                                 estimate. */
         const float x = share * mean_m_s * glide_s / glide_m;
         const float lost = x / (1.0f + x); /* Fraction of its initial speed that the fish loses in
                                               the glide. */

@@ -9,13 +9,14 @@
 
 #define ALARM_FADE_PER_S 0.6f
 #define ALARM_AFTER 0.2f /* Alarm that remains after a C-start. */
-/* Time in which a stimulus of strength 1 raises the alarm by 1. GROWTH_SPAN_RAD_S and
- * PUSH_SPAN_M2_S2 define the strength. */
+/* Time in which a stimulus of strength 1 raises the alarm of a fish by 1. GROWTH_SPAN_RAD_S
+ * (vision) and PUSH_SPAN_M2_S2 (pressure) define which stimulus has the strength 1. */
 #define FRIGHT_S 0.12f
 #define STRENGTH_MAX 12.0f
 
-/* An approaching object must have a visual angle of 20 degrees (most timid fish) to 30 degrees
- * (boldest fish). Its visual angle must grow by more than 260 degrees per second. */
+/* Visual angle from which an approaching object is a stimulus: 20 degrees for the most timid fish,
+ * 30 degrees for the boldest fish. The visual angle must also grow by more than 260 degrees per
+ * second. */
 #define SEEN_RAD (20.0f * F_DEG)
 #define SEEN_SPREAD_RAD (10.0f * F_DEG)
 #define GROWTH_RAD_S 4.5f
@@ -23,19 +24,19 @@
 /* Factor on the strength of a visual stimulus that the fish sees through the rippled surface. */
 #define IN_AIR_SHARE 0.25f
 
-/* Smallest pressure, divided by the water density, that fish detect. A paper that rises at 0.1 m/s
- * under a fish causes less pressure. */
+/* Smallest pressure, divided by the water density, that fish detect. The pressure below a paper
+ * that rises at 0.1 m/s is smaller. */
 #define PUSH_M2_S2 0.005f
-/* Excess of the pressure over PUSH_M2_S2 that is a stimulus of strength 1. A paper that rises at
- * 0.15 m/s causes this excess. */
+/* Pressure above PUSH_M2_S2, divided by the water density, that counts as a stimulus of strength 1.
+ * A paper that rises at 0.15 m/s causes such a stimulus. */
 #define PUSH_SPAN_M2_S2 0.016f
 #define WAKE_SHARE 0.5f
 /* Length of a fish whose sensitivity to pressure is 1. Smaller fish are more sensitive: fish of
  * 1.6 g hear sounds that are 15 dB fainter than fish of 23.6 g do (Asa et al.). 15 dB is a factor
  * of 5.6 in pressure, and the masses differ by a factor of 2.5 in length. */
 #define LENGTH_M 0.05f
-/* Smallest ratio of the apparent height of a disc to its apparent width. The image of a disc seen
- * edge-on is as high as the disc's ring. */
+/* Smallest ratio of the apparent height of a disc to its apparent width. The ratio applies to a
+ * disc seen edge-on, of which only the thickness of the ring is visible. */
 #define LINE_THICKNESS 0.07f
 
 #define GULPING_LATE 1.5f /* Factor on the startle latency of a gulping fish, which reacts late. */
@@ -43,8 +44,8 @@
 /* Alarm threshold of the most timid fish. The boldest fish has twice this threshold. */
 #define THRESHOLD 0.45f
 #define THRESHOLD_MAX 0.95f
-/* Fraction of the difference to full habituation that a C-start adds. Full habituation doubles the
- * threshold. */
+/* Increase of the habituation per C-start, as a fraction of the difference between the present
+ * habituation and full habituation. Full habituation doubles the startle threshold. */
 #define HABIT_STEP 0.25f
 #define HABIT_FADE_S 60.0f
 #define HABIT_NONE 1e-3f
@@ -74,8 +75,8 @@ struct startle_view startle_view(const struct obstacle *disc, vec3 eye_m)
     const float distance_m = f_max(v3_length(to), 0.2f * disc->radius_m);
     const vec3 toward = v3_scale(to, 1.0f / distance_m);
     const float face = f_max(f_abs(v3_dot(toward, disc->normal)), LINE_THICKNESS);
-    const float half_m = disc->radius_m * f_sqrt(face); /* Radius of the circle whose area equals
-                                                           the area of the disc's image. */
+    const float half_m = disc->radius_m * f_sqrt(face); /* Radius of a circle with the same area as
+                                                           the image of the disc. */
     const float closing_m_s = v3_dot(obstacle_goes_m_s(disc), toward);
     return (struct startle_view){
         .size_rad = 2.0f * f_atan2(half_m, distance_m),

@@ -12,8 +12,8 @@
  * surface. For goldfish the range is 3 to 5 kPa, which equals 1.2 to 2 mg/L. */
 #define CHANCE_HALF_MG_L 1.8f
 #define CHANCE_WIDTH_MG_L 0.25f
-/* An exhausted fish rises in half of its choices at a concentration that is higher by TIRED_MG_L
- * than the concentration for a rested fish. */
+/* Difference of the oxygen concentrations at which an exhausted fish and a rested fish rise in half
+ * of their choices of gait. The exhausted fish rises at the higher concentration. */
 #define TIRED_MG_L 0.4f
 /* Oxygen concentration below which a fish loses stamina; see `stifle_per_s` in struct
  * behavior_params. */
@@ -35,8 +35,8 @@
 #define NOD_RAD (5.0f * F_DEG)
 #define CLIMB_MAX_M_S 0.03f
 #define CLIMB_GAIN_PER_S 3.0f
-/* Amplitude of the goal of the vertical speed while the fish bobs. The fish moves by only half a
- * millimetre, because its vertical speed follows the goal slowly. */
+/* Amplitude of the goal of the vertical speed while the fish bobs. The real motion is only half a
+ * millimetre, because the vertical speed of the fish follows the goal slowly. */
 #define BOB_M_S 0.012f
 #define DUCK_M_S 0.06f
 #define DUCK_HASTE 8.0f

@@ -93,14 +93,14 @@ void swim_avoid_turn(struct fish *fish, const struct swim_avoidance *avoidance, 
         f_wrap_angle(fish->heading_rad + (1.0f - decay_fraction(dt_s, SHUN_TAU_S)) * off_rad);
 }
 
-/* Returns 1 if the fish turns at the full rate of a C-start, otherwise 0. A fish that has other
- * fish close beside it turns more slowly. */
+/* Returns 1 if the fish turns at the full rate of a C-start, otherwise 0. A fish with other fish
+ * close beside it turns more slowly. */
 static int starts_freely(const struct fish *fish)
 {
     return fish->room >= 1.0f && escape_on_path(fish);
 }
 
-/* Returns 1 if the fish turns at the rate of a kick, otherwise 0. A fish that has other fish close
+/* Returns 1 if the fish turns at the rate of a kick, otherwise 0. A fish with other fish close
  * beside it turns more slowly, so that the other fish can move away. */
 static int kicks(const struct fish *fish, const struct perception *around)
 {
@@ -190,13 +190,14 @@ void swim_resolve(struct fish *fish, const struct perception *around)
                   : kicks(fish, around)         ? GAIT_KICK_HASTE
                                                 : 1.0f;
     fish->climb_goal_m_s = climb_speed_goal_m_s(fish);
-    /* The pitch follows the path. The constant that is added to the speed keeps a fish that hardly
-     * moves nearly level. */
+    /* The pitch follows the direction of the path. The constant that is added to the speed keeps a
+     * slow fish nearly level. */
     const float pitch_rad = f_atan2(fish->climb_m_s, fish->speed_m_s + 0.035f);
     fish->pitch_goal_rad = f_clamp(pitch_rad, -PITCH_MAX, PITCH_MAX);
     if (starts) { /* A C-start ignores the brake. */
         fish->brake = 1.0f;
-    } else { /* This reset is also needed for a fish that a poi scooped during its C-start. */
+    } else { /* Removes the bend of a C-start. The reset is also needed after a poi scooped the fish
+                during its C-start. */
         fish->bend_goal_rad = 0.0f;
     }
     surface_resolve(fish, around);

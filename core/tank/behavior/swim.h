@@ -11,7 +11,7 @@
  * the drag of a koi that beats its tail. */
 #define SWIM_GLIDE_TAU_S 0.55f
 
-/* Sum over the surfaces near a fish. A surface is a wall or a bowl. Because of the sum, a fish
+/* Surfaces near a fish, added into one sum. A surface is a wall or a bowl. With the sum, a fish
  * avoids a corner as one obstacle and does not turn back and forth between two walls. All zeros
  * mean that no surface is near. */
 struct swim_avoidance {

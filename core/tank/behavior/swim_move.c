@@ -13,8 +13,8 @@ static float ease(float from, float to, float tau_s)
     return from + (to - from) * f_min(1.0f, DT / tau_s);
 }
 
-/* Returns the fraction of a difference that the fish covers in one tick. The fraction grows with
- * `haste`. */
+/* Returns the fraction of the difference to a goal that the fish covers in one tick. The fraction
+ * grows with `haste`. */
 static float hasten(const struct fish *fish, float tau_s)
 {
     return f_min(1.0f, fish->haste * (DT / tau_s));

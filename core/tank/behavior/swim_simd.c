@@ -6,18 +6,20 @@
 #include "core/base/panic.h"
 #include "core/base/simd_vec.h"
 
-/* Index of a quad (four floats) at the start of struct fish. QUAD_HOLDS() verifies which members
- * each quad holds. */
+/* Index of a quad at the start of struct fish. A quad is a group of four consecutive float members,
+ * which SIMD code loads together. QUAD_HOLDS() verifies which members each quad holds. */
 enum quad {
-    QUAD_PLACE,  /* Quad of position_m and speed_m_s. */
-    QUAD_ANGLES, /* Quad of angles and yaw_rate_rad_s. */
-    QUAD_PUSH,   /* Quad of push_m_s and climb_m_s. */
-    QUAD_COURSE, /* Quad of heading_rad, drawn_rad, brake and room. */
-    QUAD_PACE,   /* Quad of speed_goal_m_s, speed_up_keep, slow_keep and turn_rate_max_rad_s. */
-    QUAD_ORDERS, /* Quad of haste, climb_goal_m_s, pitch_goal_rad and beats. */
-    QUAD_SIZE,   /* Quad of length_m, height_m, width_m and stamina. */
-    QUAD_TRUE,   /* Quad of velocity_m_s and bend_rad. */
-    QUAD_TAIL,   /* Quad of tail_phase_rad, tail_beat_hz, tail_amplitude and bend_goal_rad. */
+    QUAD_PLACE,  /* Quad of four floats: position_m and speed_m_s. */
+    QUAD_ANGLES, /* Quad of four floats: angles and yaw_rate_rad_s. */
+    QUAD_PUSH,   /* Quad of four floats: push_m_s and climb_m_s. */
+    QUAD_COURSE, /* Quad of four floats: heading_rad, drawn_rad, brake and room. */
+    QUAD_PACE,   /* Quad of four floats: speed_goal_m_s, speed_up_keep, slow_keep and
+                    turn_rate_max_rad_s. */
+    QUAD_ORDERS, /* Quad of four floats: haste, climb_goal_m_s, pitch_goal_rad and beats. */
+    QUAD_SIZE,   /* Quad of four floats: length_m, height_m, width_m and stamina. */
+    QUAD_TRUE,   /* Quad of four floats: velocity_m_s and bend_rad. */
+    QUAD_TAIL,   /* Quad of four floats: tail_phase_rad, tail_beat_hz, tail_amplitude and
+                    bend_goal_rad. */
 };
 
 #define QUAD_HOLDS(quad, first, last)                                                              \
@@ -187,7 +189,8 @@ void SIMD_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
         simd_select(commands[3] > 0.0f, STROKE_SLOW + wider, STROKE_GLIDE + STROKE_TRAIL * wider),
         hasten(commands[0], STROKE_TAU_S));
     const flanes phase = tail[0] + F_TAU * hz * DT;
-    /* The bend approaches its goal plus the arc of the turn. In a C-start the arc is left out. */
+    /* The goal of the bend is `bend_goal_rad` plus a bend along the arc of the turn. In a C-start
+     * no bend along the arc is added. */
     const flanes arc_rad = clamp_magnitude(BEND_PER_RAD_S * angles[3], 1.0f);
     const flanes wanted_rad =
         tail[3] + simd_select(commands[0] < HASTE_START, arc_rad, simd_splat(0.0f));

@@ -26,7 +26,7 @@
  * spread pectoral fins: exp(-tick / 80 ms). */
 #define BRAKE_KEEP 0.9010756f
 
-/* Fraction of its blocked speed that a blocked fish loses in one tick. */
+/* Fraction of the difference to its lower real speed that a blocked fish loses in one tick. */
 #define BLOCKED_SHARE 0.25f
 #define TAIL_TAU_S 0.15f
 #define STROKE_TAU_S 0.20f
@@ -34,8 +34,9 @@
 #define BEND_PER_RAD_S (-0.20f)
 #define BEND_TAU_S 0.08f
 
-/* With this or a larger value of `haste`, turn and bend reach their goals within one tick, and the
- * arc of the turn does not bend the body. A C-start must follow its path exactly in every tick. */
+/* Value of `haste` from which turn and bend reach their goals within one tick, and the arc of the
+ * turn does not bend the body. A C-start uses this value, because it must follow its path exactly
+ * in every tick. */
 #define HASTE_START (1.0f / (TURN_GAIN_PER_S * DT))
 
 /* The next three constants define the frequency f of the tail beat at speed U and length L
@@ -45,9 +46,9 @@
 #define BEAT_FAST_LENGTHS_PER_S 4.0f
 #define BEAT_MIN_HZ 0.5f
 
-/* Width of the tail's stroke, where 1 is a fifth of the body length from tip to tip. The stroke
- * widens with the frequency up to 5 Hz and then keeps its width (Bainbridge 1958). In a glide the
- * tail only trails. */
+/* The width of the tail's stroke is a number, where 1 is a fifth of the body length from tip to
+ * tip. The stroke widens with the frequency up to 5 Hz and then keeps its width (Bainbridge 1958).
+ * In a glide the tail only trails. */
 #define STROKE_SLOW 0.25f /* Stroke width at the lowest frequency. */
 #define STROKE_FULL_HZ 5.0f
 #define STROKE_GLIDE 0.15f

@@ -13,8 +13,8 @@ struct frame {
     float half[3];
 };
 
-/* The largest gap of the boxes (`gap_m`), and of the boxes enlarged by their margins (`space_m`),
- * over the axes tried so far. */
+/* Largest gap of the boxes over the axes tried so far: `gap_m` for the boxes themselves, `space_m`
+ * for the boxes enlarged by their margins. */
 struct verdict {
     float gap_m, space_m;
     int axis; /* Index of the axis with the largest `gap_m`, as in box_axis(). */
@@ -33,11 +33,11 @@ static inline void try_axis(struct verdict *verdict, float gap_m, float margins_
  * tried. */
 struct view_of_b {
     const struct box *a, *b;
-    vec3 way; /* Vector from the centre of a to the centre of b. */
+    vec3 way; /* Vector from the centre of box a to the centre of box b. */
     float margin_a_m, margin_b_m;
     float half_a[3], half_b[3];
-    float cosine[3][3], size[3][3]; /* Cosines between the axes of a and the axes of b (`cosine`),
-                                       and their magnitudes (`size`). */
+    float cosine[3][3], size[3][3]; /* Cosines between the axes of box a and the axes of box b
+                                       (`cosine`), and their magnitudes (`size`). */
     float d[3];                     /* Coordinates of the vector `way` along the axes of box a. */
 };
 
@@ -76,9 +76,9 @@ static inline int try_face_of_b(struct verdict *verdict, const struct view_of_b 
     return verdict->space_m > 0.0f;
 }
 
-/* Tries the cross product of edge i of a and edge j of b. Dividing by the length of the cross
- * product gives true distances. Nearly parallel edges have no usable cross product and are skipped,
- * because the face normals already cover that case. */
+/* Tries the cross product of edge i of box a and edge j of box b. Dividing by the length of the
+ * cross product gives true distances. Nearly parallel edges are skipped, because their cross
+ * product is too short, and the face normals already cover parallel edges. */
 static inline int try_edges(struct verdict *verdict, const struct view_of_b *view, int i, int j)
 {
     static const int after[3] = { 1, 2, 0 }, before[3] = { 2, 0, 1 };
@@ -121,7 +121,8 @@ struct box_gap box_gap(const struct box *a, float margin_a_m, const struct box *
     view.margin_b_m = margin_b_m;
     MEM_COPY(view.half_a, &a->half_m, sizeof view.half_a);
     MEM_COPY(view.half_b, &b->half_m, sizeof view.half_b);
-    /* For most pairs of near fish, the order right, back, up finds a separating axis soonest. */
+    /* Order of the face axes (right, back, up) that finds a separating axis soonest for most pairs
+     * of near fish. */
     static const int order[3] = { 0, 2, 1 };
     int apart = 0;
     for (int k = 0; k < 3 && !apart; k++) {

@@ -8,11 +8,12 @@
 #include "core/input.h"
 #include "core/tank/behavior/swim.h"
 
-/* The predicted motion of a fish until the next query is REACH_SPARE times its present motion plus
- * REACH_SPARE_M. This margin covers most starts and turns. */
+/* Constant part of the predicted motion of a fish until the next query. The whole prediction is
+ * REACH_SPARE times the present motion plus REACH_SPARE_M, which covers most starts and turns. */
 #define REACH_SPARE_M 0.0035f
 #define REACH_SPARE 1.2f
-/* Largest number of fish that are queried one by one. For more fish a full query is as fast. */
+/* Largest number of fish that are queried one by one. For more fish, a query of all fish is as
+ * fast. */
 #define AGAIN_MAX 8u
 #define RADIUS_PER_LENGTH 0.55f /* Half of the diagonal of a body of 5 x 2 x 1 cm, per length. */
 
@@ -113,9 +114,9 @@ int broad_phase_is_stale(const struct broad_phase *broad_phase)
     return farther;
 }
 
-/* Adds the pair to the contact list if the fish could touch before the next query. The stored gap
- * is the present gap plus the motion of `other` since its last query, because contact_is_apart()
- * subtracts that motion. */
+/* Adds the pair to the contact list if its two fish could touch before the next query. The stored
+ * gap is the present gap plus the motion of `other` since its last query, because
+ * contact_is_apart() subtracts that motion. */
 static void meet_again(struct broad_phase *broad_phase, uint32_t fish, uint32_t other)
 {
     CORE_ASSERT(fish != other);

@@ -10,8 +10,8 @@
  * a few ticks of a fast turn. */
 #define ROOM_GAP_M 0.005f
 #define ROOM_MIN 0.2f
-/* Number of pairs by which prefetching precedes the test of a pair. Testing that many pairs takes
- * as long as one memory access. */
+/* Number of pairs between a prefetch and the use of the prefetched data. The test of this number of
+ * pairs takes as long as one memory access. */
 #define FETCH_AHEAD 8u
 
 static void take_advice(struct avoid_advice *kept, const struct avoid_advice *advice)
@@ -48,9 +48,9 @@ static void push_apart(struct neighbours *neighbours, vec3 forward, vec3 axis, f
     neighbours->push_m_s = v3_muladd(neighbours->push_m_s, push, speed_m_s);
 }
 
-/* Adds a contact to the list. If the list is full, the contact replaces a random contact or is left
- * out (reservoir sampling). Every pair has the same probability to be listed, and no pair is left
- * out for long. */
+/* Adds a contact to the list. If the list is full, the new contact replaces a random contact or is
+ * not listed (reservoir sampling). Every pair has the same probability to be listed, and no pair
+ * stays unlisted for long. */
 static void list_contact(struct broad_phase *broad_phase, struct contact contact, uint32_t seed,
                          uint32_t tick)
 {

@@ -9,15 +9,15 @@
 
 /* Gap that the contact solver leaves between two bodies that it separates. */
 #define SKIN_M 0.0001f
-/* Largest number of rounds of pushes in a substep. Most ticks need two rounds. A dense group of
- * fish that a poi pushes needs all rounds. */
+/* Largest number of rounds in a substep; each round pushes every overlapping pair apart. Most ticks
+ * need two rounds. A dense group of fish that a poi pushes needs all rounds. */
 #define PART_ROUNDS_MAX 12
 /* First round of the solver in which vertical pushes are tilted. Pairs that earlier rounds could
  * not separate are jammed. */
 #define TOPPLE_ROUND 5
-#define PART_STEP_MAX_M 0.002f /* Largest push in a round. */
+#define PART_STEP_MAX_M 0.002f /* Largest push of a body in one round of the contact solver. */
 #define CLEAR_ROUNDS 4u
-#define CLOSE_MAX 64u /* Number of contacts whose gaps are measured at a time. */
+#define CLOSE_MAX 64u /* Number of contacts whose gaps are measured together by SIMD code. */
 
 vec3 contact_kept_inside_m(const struct solver_step *all, uint32_t index, const struct body *body)
 {
@@ -102,7 +102,7 @@ static void know_apart(const struct solver_step *all, struct contact *contact, f
     contact->gap_m = f_max(contact->gap_m, gap_m);
 }
 
-/* Separates a pair. Returns 1 if the bodies had to be moved, otherwise 0. */
+/* Separates the two bodies of a contact. Returns 1 if the bodies had to be moved, otherwise 0. */
 static int part_pair(const struct solver_step *all, struct contact *contact, int round)
 {
     CORE_ASSERT(contact->a != contact->b);
@@ -122,7 +122,7 @@ static int part_pair(const struct solver_step *all, struct contact *contact, int
     const vec3 left_a = shove(all, contact->a, v3_scale(solver, -share_a));
     const vec3 left_b = shove(all, contact->b, v3_sub(v3_scale(solver, 1.0f - share_a), left_a));
     /* If a fish cannot move by its full part of the separation, the other fish moves by the
-     * rest. */
+     * remaining part. */
     shove(all, contact->a, v3_scale(left_b, -1.0f));
     return 1;
 }
@@ -192,7 +192,7 @@ static float look_beside(const struct solver_step *all, uint32_t index)
     return excess_m;
 }
 
-/* Moves a pushed fish out of obstacles. */
+/* Moves a fish that other fish pushed into an obstacle out of the obstacle. */
 static void clear_shoved(const struct solver_step *all, uint32_t index)
 {
     clear_if_beside(all, index);
@@ -225,8 +225,8 @@ static void measure_close_pairs(const struct solver_step *all, struct close *clo
     close->count = 0;
 }
 
-/* Runs the rounds. Returns 1 if the last round separated no pair, otherwise 0. The result 1 means
- * that no two fish overlap. */
+/* Runs the rounds of pushes. Returns 1 if the last round separated no pair, otherwise 0. The result
+ * 1 means that no two fish overlap. */
 static int relax(const struct solver_step *all)
 {
     CORE_ASSERT(all->broad_phase->contact_count <= all->broad_phase->near_count);

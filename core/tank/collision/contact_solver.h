@@ -56,7 +56,8 @@ enum solver_result {
     SOLVER_REVERTED = 1,
     /* The fish moved and obstacle 0 was in its way. SOLVER_PRESSED + k means obstacle k. */
     SOLVER_PRESSED = 2,
-    /* The fish moves along with obstacle 0. SOLVER_CARRIED + k means obstacle k. */
+    /* The fish moves along with obstacle 0, which carries it. SOLVER_CARRIED + k means obstacle
+     * k. */
     SOLVER_CARRIED = SOLVER_PRESSED + TANK_OBSTACLE_MAX,
 };
 

@@ -10,7 +10,8 @@ _Static_assert(sizeof(struct angles) == 12u && sizeof(vec3) == 12u, "three float
 
 static inline flanes keep_between(const struct body_simd *all, int axis, float low_m, float high_m)
 {
-    /* `extent` is the component of body_extent_m() along one world axis for each lane. */
+    /* For each lane, `extent` is half the size of the body's axis-aligned bounding box along the
+     * world axis `axis`, as in body_extent_m(). */
     const flanes extent = simd_abs(all->right[axis]) * all->centre[3] +
                           simd_abs(all->up[axis]) * all->right[3] +
                           simd_abs(all->back[axis]) * all->up[3];

@@ -6,8 +6,8 @@
 #include "core/base/panic.h"
 #include "core/tank/collision/narrow_phase_simd.h"
 
-/* Writes the indices of the fish that the search includes to `member` and returns their number.
- * Fills the rest of the last SIMD block with the last index. */
+/* Writes the indices of the fish that the search includes to `member`, and returns the number of
+ * these fish. Fills the rest of the last SIMD block with the last index. */
 static uint32_t gather_members(fish_index member[TANK_FISH_MAX + SIMD_LANES_MAX],
                                const struct narrow_phase_query *of)
 {
@@ -87,9 +87,9 @@ void narrow_grid_layout(struct spatial_grid *grid, float width_m, float breadth_
     const uint32_t cell_max = fish_capacity(fish_count) / (TANK_FISH_MAX / SPATIAL_GRID_CELL_MAX);
     CORE_ASSERT(width_m > 0.0f && breadth_m > 0.0f);
     CORE_ASSERT(reach_m > 0.0f);
-    /* A cell is so large that the floor plan has at most `cell_max` cells along a side. A cell is
-     * also slightly larger than `reach_m`, so that rounding never puts two near fish two cells
-     * apart. */
+    /* A cell is so large that the floor of the tank has at most `cell_max` cells along a side. A
+     * cell is also slightly larger than `reach_m`, so that rounding never puts two near fish two
+     * cells apart. */
     grid->cell_m = f_max(1.0001f * reach_m, f_max(width_m, breadth_m) / (float)cell_max);
     grid->columns = cells_along(width_m, grid->cell_m);
     grid->rows = cells_along(breadth_m, grid->cell_m);

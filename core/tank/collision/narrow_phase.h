@@ -27,7 +27,7 @@
 
 _Static_assert((fish_index)TANK_FISH_MAX == TANK_FISH_MAX, "all may be before a cell's start");
 
-/* Largest number of cells: one cell for two fish. Tanks with fewer fish have larger cells. */
+/* Largest number of cells: one cell for every two fish. Tanks with fewer fish have larger cells. */
 #define SPATIAL_GRID_CELL_MAX (TANK_FISH_MAX / 2u)
 
 struct spatial_grid {

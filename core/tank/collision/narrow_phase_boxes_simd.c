@@ -7,9 +7,10 @@
 #define APART_M 1e9f
 #define PARALLEL simd_splat(1e-6f) /* Value of PARALLEL in box.c. */
 
-/* Largest gaps of SIMD_LANES pairs over the axes tried so far. A gap is squared and keeps its sign,
- * so that a cross product of any length costs a division but no root. The last four bits of a
- * square hold the index of its axis, so that the maximum of the squares also selects the axis. */
+/* Largest gaps of SIMD_LANES pairs over the axes tried so far. Each gap is stored as its square
+ * with the sign of the gap, so that a cross product of any length costs a division but no square
+ * root. The last four bits of a square hold the index of its axis. Therefore the maximum of the
+ * squares also selects the axis. */
 struct verdict {
     flanes square; /* Square of the largest gap between the bodies, with the sign of the gap. */
     flanes space;  /* Largest gap between the personal spaces. A value > 0 means that the spaces are
@@ -48,8 +49,8 @@ static inline flanes dot_lanes(const flanes a[3], const flanes b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Cosines `c` between the axes of a and the axes of b, their magnitudes `m`, and the vector `d`
- * between the centres in the coordinates of a. */
+/* Cosines `c` between the axes of box a and the axes of box b, their magnitudes `m`, and the vector
+ * `d` between the centres in the coordinates of box a. */
 struct view {
     flanes c[3][3], m[3][3], d[3];
 };
@@ -76,8 +77,8 @@ static inline void view_row(struct view *view, int i, const flanes axis[3], cons
              hb[j] + (view.m[0][j] * ha[0] + view.m[1][j] * ha[1] + view.m[2][j] * ha[2]),         \
              mb + ma * (view.m[0][j] + view.m[1][j] + view.m[2][j]), 3 + j)
 
-/* Tries the cross product of edge i of a and edge j of b. In cyclic order, p and q are the axes
- * after i, and r and s are the axes after j. */
+/* Tries the cross product of edge i of box a and edge j of box b. In cyclic order, p and q are the
+ * axes after i, and r and s are the axes after j. */
 #define EDGES(i, p, q, j, r, s)                                                                    \
     try_edges(&verdict, view.d[q] * view.c[p][j] - view.d[p] * view.c[q][j],                       \
               ha[p] * view.m[q][j] + ha[q] * view.m[p][j] + hb[r] * view.m[i][s] +                 \

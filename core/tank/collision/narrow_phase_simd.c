@@ -86,7 +86,8 @@ NARROW_PHASE_COLUMNS(SIMD_NAME(narrow_phase_columns))
     CORE_ASSERT(narrow_phase->grid.count <= TANK_FISH_MAX);
     const struct spatial_grid *grid = &narrow_phase->grid;
     for (uint32_t k = 0; k < grid->count; k += SIMD_LANES) {
-        /* In a large tank the bodies are scattered in memory. */
+        /* In a large tank the bodies are scattered in memory, so a later body is prefetched
+         * here. */
         const uint32_t then = k + NARROW_PHASE_PREFETCH;
         for (uint32_t lane = 0; lane < SIMD_LANES && then + lane < grid->count; lane++) {
             __builtin_prefetch(&of->body[grid->item[then + lane]]);
@@ -97,8 +98,8 @@ NARROW_PHASE_COLUMNS(SIMD_NAME(narrow_phase_columns))
         simd_store(&narrow_phase->y_m[k], all.centre[1]);
         simd_store(&narrow_phase->z_m[k], all.centre[2]);
         simd_store(&narrow_phase->ball_m[k], ball_of(&all, reach));
-        /* Half the height of a search volume contains both the personal space and the body enlarged
-         * by its reach. */
+        /* Half the height of the search volume of each body. The search volume contains both the
+         * personal space and the body enlarged by its reach. */
         const flanes x = simd_abs(all.right[1]), y = simd_abs(all.up[1]), z = simd_abs(all.back[1]);
         const flanes height = x * all.centre[3] + y * all.right[3] + z * all.up[3];
         simd_store(&narrow_phase->slab_m[k],
@@ -202,7 +203,7 @@ NARROW_PHASE_NEAR(SIMD_NAME(narrow_phase_near))
     const struct spatial_grid *grid = &narrow_phase->grid;
     const int by_cells = narrow_phase->search == PAIR_SEARCH_GRID;
     uint32_t item = narrow_phase->item, other = narrow_phase->other, noted = 0;
-    uint32_t end = by_cells ? item : grid->count; /* One more than the last item of the current
+    uint32_t end = by_cells ? item : grid->count; /* Index after the last item of the current
                                                      cell. */
     struct grid_range range[2] = { { 0, grid->count }, { 0, 0 } };
     for (; item < grid->count; item++, other = 0) {

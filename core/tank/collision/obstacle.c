@@ -65,7 +65,7 @@ vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m)
 /* Largest number of times that a poi gives up a part of its motion in one tick; afterwards the poi
  * stops. */
 #define GIVE_MAX 8u
-/* Extra distance by which a poi gives up motion, so that rounding does not leave a penetration. */
+/* Extra distance by which a poi moves back, so that rounding does not leave a penetration. */
 #define GIVE_MIN_M 0.00002f
 /* Smallest distance between a fish's centre and the paper that the contact solver allows. */
 #define SIDE_GAP_M 0.0005f

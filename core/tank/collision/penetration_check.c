@@ -6,8 +6,8 @@
 /* Largest number of overlaps per fish with which a full contact list still reverts fish. More
  * overlaps occur only if tank_stage_all() placed fish that overlap. */
 #define PILE 2u
-/* Limit of rounds in which only obstacles react (give up motion): eight reactions of each of eight
- * obstacles, and the last check, with a reserve. */
+/* Limit of rounds in which only obstacles give up motion. Eight obstacles with eight reactions each
+ * and one last check need 65 rounds; the rest is a reserve. */
 #define ROUNDS_SPARE 256u
 
 static int is_inside(const struct solver_step *all, uint32_t index, const struct body *body)

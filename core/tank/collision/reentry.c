@@ -24,13 +24,16 @@
 #define BURST_LENGTHS 4.0f
 #define SWIM_S 0.5f /* Time after reentry until the fish chooses its next gait. */
 
-/* Ticks in which only pushes move the fish. Afterwards the fish moves toward the nearest gap. */
+/* Ticks in which only pushes move a fish in reentry. Afterwards the fish moves toward the nearest
+ * gap between other fish. */
 #define SEEK_TICKS 16u
-#define PUT_TICKS 48u  /* Ticks after which the fish is placed into the nearest gap. */
-#define AGAIN_TICKS 8u /* Ticks between two searches for a gap. */
+#define PUT_TICKS                                                                                  \
+    48u                /* Ticks after which a fish in reentry is placed directly into the nearest
+                          gap between other fish. */
+#define AGAIN_TICKS 8u /* Ticks between two searches for a gap between other fish. */
 #define SEEK_M_S 0.3f
-/* Largest distance from the fish to a gap, about one body length. obstacle.c detects paper on
- * the way only within 6 cm. */
+/* Largest distance from a fish in reentry to a gap between other fish: about one body length.
+ * obstacle.c detects paper on the way only within 6 cm. */
 #define SEEK_M 0.05f
 #define SEEK_SHELLS 14u
 
@@ -82,9 +85,9 @@ void reentry_begin(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
     fish->heading_rad = fish->angles.yaw_rad;
     fish->push_m_s = v3(0.0f, 0.0f, 0.0f);
     fish->gait_left_s = 0.0f;
-    stay_within(tank, fish, fish->position_m.y); /* Allows the fish's present height, so that a
-                                                    fish over paper is not pushed down through
-                                                    the paper. */
+    stay_within(tank, fish, fish->position_m.y); /* The limit is the fish's present height, so that
+                                                    a fish over paper is not pushed down through the
+                                                    paper. */
     tank->reentry_count++;
 }
 
@@ -201,8 +204,8 @@ static int find_gap(const struct tank *tank, uint32_t index, const struct obstac
         struct fish there = *fish;
         vec3 unused_m = { 0.0f, 0.0f, 0.0f };
         const float out_m = SEEK_M * (float)(k / 26u + 1u) / (float)SEEK_SHELLS;
-        /* Each `which` selects one of the 26 directions from the middle cell of a 3 x 3 x 3 cube to
-         * the other cells. */
+        /* `which` selects one of 26 directions: from the middle cell of a 3 x 3 x 3 cube to each
+         * other cell. */
         const uint32_t which = k % 26u;
         const uint32_t cell = which < 13u ? which : which + 1u;
         const vec3 way = v3((float)(cell % 3u) - 1.0f, (float)(cell / 9u) - 1.0f,

@@ -116,9 +116,9 @@ static void try_turn(struct nearest *best, const struct circle *circle, struct t
 }
 
 /* Returns the number of coarse points on each side of `east` that cover all points of the circle
- * within `reach_m` of the box's centre. The vector from the ring's centre to the box's centre has
- * the length `away_m` and the component `in_plane_m` along `east`. `middle_m` is the radius of the
- * circle. */
+ * within `reach_m` of the box's centre. `away_m` is the length of the vector from the ring's centre
+ * to the box's centre, and `in_plane_m` is the component of that vector along `east`. `middle_m` is
+ * the radius of the circle. */
 static int window_of(float in_plane_m, float away_m, float middle_m, float reach_m)
 {
     /* A point of the circle is within `reach_m` if 2 * middle_m * in_plane_m * cos(angle) > least
@@ -153,9 +153,9 @@ static struct nearest nearest_on(const struct circle *circle, int window, float 
         const float after_m =
             step < last ? circle_distance_m(circle, turn_of(step + 1)) : SHAPE_TOUCH_FAR_M;
         if (here_m < maybe_m && here_m <= before_m && here_m <= after_m) {
-            /* Halving the step refines the point of least distance. Along a chord, the distance
-             * from a convex box has one minimum, and an arc of this length deviates from its chord
-             * by at most 0.05 mm. */
+            /* Refines the nearest point by halving the step. A short arc of the ring deviates from
+             * a straight line by at most 0.05 mm, and the distance from a convex box has only one
+             * minimum along a straight line. */
             struct nearest fine = { turn_of(step), here_m };
             for (int k = 0; k < RING_HALVINGS; k++) {
                 const struct turn about = fine.turn;
