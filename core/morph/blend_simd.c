@@ -24,7 +24,7 @@ _Static_assert(sizeof(vec3) == 12 && sizeof(struct anchor_pose) == 28, "floats, 
 #define AHEAD 96u
 #define LINE 64u /* Size of a cache line in bytes. */
 
-/* Values that are common to all vertex blocks of a fish. */
+/* Values that are equal for all vertices of one fish. */
 struct blending {
     const struct species_mesh *mesh;
     const struct morph_pose *pose;
@@ -177,8 +177,8 @@ static inline struct simd_v3 rotate_axis(struct simd_v3 axis, flanes w, struct s
 
 static const struct anchor_pose at_rest = { .turn = { 0.0f, 0.0f, 0.0f, 1.0f } };
 
-/* Rotates and moves each point by its anchor. A point without an anchor keeps its bits, because
- * adding 0 changes only the value -0, and no blended coordinate is -0. */
+/* Rotates and moves each point by its anchor. The result for a point without an anchor is bit for
+ * bit unchanged. Adding 0 changes only the value -0, and no blended coordinate is -0. */
 static inline struct point_lanes carry(const struct blending *b, uint32_t first,
                                        struct point_lanes p)
 {
@@ -217,7 +217,7 @@ static inline void store_quad(vec3 *to, const flanes *row, int high)
 }
 
 /* Stores SIMD_LANES consecutive vectors of three floats. Each vector is stored as four floats, and
- * the next vector overwrites the fourth float. The last vector writes one float behind the block. A
+ * the next vector overwrites the fourth float. The last vector writes one float beyond the block. A
  * later block or vertex overwrites this float. */
 static inline void store(vec3 *to, struct simd_v3 a)
 {
@@ -236,9 +236,9 @@ static inline void store(vec3 *to, struct simd_v3 a)
     }
 }
 
-/* Returns the values that are common to all blocks, and prefetches the first AHEAD vertices of
- * every table. blend_points() and load_block() prefetch only vertices at a distance of AHEAD or
- * more. */
+/* Returns the values that are equal for all blocks of vertices, and prefetches the first AHEAD
+ * vertices of every table. The functions blend_points() and load_block() prefetch only the vertices
+ * that lie AHEAD or more vertices later. */
 static struct blending begin_blending(const struct species_mesh *mesh, uint32_t key_count,
                                       const struct morph_pose *pose)
 {

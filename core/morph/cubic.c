@@ -9,8 +9,9 @@ static float rise(const struct cubic_point *from)
     return (from[1].value - from->value) / (from[1].at - from->at);
 }
 
-/* Returns the slope at the first or the last point. h0 and d0 are the width and the slope of the
- * interval at that point. h1 and d1 are those of the next interval toward the middle. */
+/* Returns the slope of the curve at the first or the last point. h0 and d0 are the width and the
+ * slope of the interval at that end. h1 and d1 are the width and the slope of the next interval
+ * toward the middle. */
 static float end_slope(float h0, float d0, float h1, float d1)
 {
     const float slope = ((2.0f * h0 + h1) * d0 - h0 * d1) / (h0 + h1);

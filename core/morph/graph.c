@@ -102,15 +102,15 @@ void graph_weights(const struct graph *graph, uint32_t key_count, float progress
 
 /* ---- Exaggerated key shapes ----------------------------------------------------------------- */
 
-/* A solved graph exaggerates its key shapes, so that the blended fish passes through every drawn
- * shape. If a graph never gives key i the weight 1, the fish never has exactly the drawn shape of
- * key i. For example, TEMPLATE_SIMULTANEOUS gives an inner key a weight of at most 0.7. In the 2005
- * thesis, the drawing is exaggerated by hand until the blend is right. In this code, the drawn
- * shape K_i is the true growth stage, and the exaggerated shapes C_j, which are blended, are
- * computed. M is the matrix of the graph's weights at the progress of each key, and therefore K = M
- * * C and C = M^-1 * K. For three keys S, T and U, the exaggerated middle shape is T' = (T - 0.15 *
- * (S + U)) / 0.7. The shapes C are never stored, because blending C with the weights V equals
- * blending K with the weights V * M^-1. */
+/* For a solved graph, the code exaggerates the key shapes, so that the blended fish passes through
+ * every drawn shape. If a graph never gives key i the weight 1, the fish never has exactly the
+ * drawn shape of key i. For example, TEMPLATE_SIMULTANEOUS gives an inner key a weight of at most
+ * 0.7. In the 2005 thesis, the artist exaggerates the drawing by hand until the blended fish has
+ * the desired shape. In this code, the drawn shape K_i is the true growth stage, and the
+ * exaggerated shapes C_j are computed and blended. M is the matrix of the graph's weights at the
+ * progress of each key. Therefore K = M * C and C = M^-1 * K. For three keys S, T and U, the
+ * exaggerated middle shape is T' = (T - 0.15 * (S + U)) / 0.7. The shapes C are never stored,
+ * because blending C with the weights V equals blending K with the weights V * M^-1. */
 struct system {
     float left[MORPH_KEY_MAX][MORPH_KEY_MAX];
     float (*right)[MORPH_KEY_MAX];

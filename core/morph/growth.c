@@ -15,8 +15,8 @@
 #define DAYS_PER_YEAR 365.25f
 /* Highest age that the growth functions use. The oldest goldfish on record lived for 43 years. */
 #define AGE_MAX_DAYS (40.0f * DAYS_PER_YEAR)
-/* Time constant of half a minute, with which the length follows von Bertalanffy's curve
- * practically from the start. */
+/* Time constant of half a minute for growth_shifted(). With this short time, the length follows von
+ * Bertalanffy's curve practically from hatching. */
 #define FADE_NONE_YEAR 1e-6f
 /* Number of bisections of an age range. After 24 bisections, a range of 14,610 days is 0.001 days
  * wide. */

@@ -97,9 +97,9 @@ static uint32_t key_before(const struct species_card *card, float progress, floa
     while (key + 1u < last_key(card) && progress >= (float)(key + 1u) / last) {
         key++;
     }
-    *part = f_clamp(progress * last - (float)key, 0.0f, 1.0f); /* At the progress of a key, progress
-                                                                  * last is exactly the index of the
-                                                                  key. */
+    *part = f_clamp(progress * last - (float)key, 0.0f, 1.0f); /* At the progress of a key,
+                                                                  `progress * last` is exactly the
+                                                                  index of the key. */
     return key;
 }
 

@@ -21,10 +21,10 @@
 /* Width of the margin within which a spot's cell never contains the spot's centre, as a fraction of
  * the cell. */
 #define CELL_RIM 0.2f
-/* Assumed height of a flank in body lengths, which converts the height of the gill slit to body
- * lengths. */
+/* Assumed height of a flank in body lengths. The constant converts the height of the gill slit to
+ * body lengths. */
 #define BOW_HEIGHT 0.35f
-/* Threshold of mark_point.right beyond which the soft edge of a one-sided mark begins. */
+/* Value of mark_point.right at which the soft edge of a one-sided mark begins. */
 #define SIDE_RIM 0.25f
 /* Factor that converts the width of the mouth slit from body lengths to a fraction of the head's
  * height. The head is assumed to be 0.14 body lengths high. */
@@ -216,7 +216,8 @@ float mark_cover(const struct species_mark *m, const struct mark_point *at)
         return disc(f_abs(at->height - f_lerp(m->high, m->low, part)), width) *
                (1.0f - f_smoothstep(0.92f, 1.06f, along));
     }
-    case MARK_GILL: { /* The slit is an arc whose middle is farthest back. */
+    case MARK_GILL: { /* The gill slit is an arc, and the middle of the arc is farthest toward the
+                         tail. */
         const float half = f_max(0.5f * (m->high - m->low), 1e-3f);
         const float t = (at->height - 0.5f * (m->low + m->high)) / half;
         const float bow = m->slant * 2.0f * half * BOW_HEIGHT;

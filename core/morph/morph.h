@@ -35,15 +35,15 @@ float growth_age_between(const struct growth *growth, float from_days, float to_
  * which a conger first grows and then shrinks. */
 bool growth_is_one_way(const struct growth *growth, float from_days, float to_days);
 
-/* Returns the growth curve of the 2005 thesis, section 3.2: eq. 3.3 with a time constant t0 that is
- * shifted until the fish hatches at its measured length. All later measurements are ignored, and
- * therefore the adults are too small. */
+/* Returns the growth curve of the 2005 thesis, section 3.2. The curve is eq. 3.3, with its time
+ * constant t0 shifted until the fish has its measured length at hatching. All later measurements
+ * are ignored, and therefore the adults are too small. */
 struct growth growth_shifted(const struct growth *growth);
 
-/* Returns the progress in [0, 1] of a fish at an age of at least 0 days (life.c). Between two keys,
- * progress is a linear function of the logarithm of length if the length only increases or only
- * decreases there, because growth multiplies the length. Otherwise progress is a linear function of
- * age. */
+/* Returns the progress in [0, 1] of a fish at an age of at least 0 days (life.c). If the length
+ * only increases or only decreases between two keys, progress is a linear function of the
+ * logarithm of length, because growth multiplies the length. Otherwise progress is a linear
+ * function of age. */
 
 float life_progress(const struct species_card *card, float age_days);
 

@@ -76,9 +76,9 @@ static struct paint mean_paint(const struct species *species, const float *share
     return paint;
 }
 
-/* Returns true if two marks at the same index in two coats are one mark that changes its place or
- * colour. For scattered spots, the two areas must also be equal, because spots in a different area
- * have different random places. */
+/* Returns true if two marks at the same index in two coats count as one mark that changes its place
+ * or colour. For scattered spots, both marks must also cover equal areas, because spots in a
+ * different area have different random places. */
 static bool same_mark(const struct species_mark *a, const struct species_mark *b)
 {
     const bool field =

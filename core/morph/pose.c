@@ -80,7 +80,7 @@ struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_coun
     const struct cell cell = skin_cell(mesh, u, v);
     struct anchor_pose at = { .turn = { 0.0f, 0.0f, 0.0f, 1.0f } };
     vec3 normal = { 0.0f, 0.0f, 0.0f };
-    /* Two triangles make up the cell, and their common diagonal joins corner 1 and corner 2. The
+    /* The cell consists of two triangles, whose common side joins corner 1 and corner 2. The
      * interpolation with these weights of the corners gives a point exactly on the drawn
      * surface. */
     const float along = cell.along, round = cell.round;

@@ -95,9 +95,9 @@ struct species_anchor {
                       cross x. 0 if the vertices keep the body's axes, as the vertices of a fin's
                       ray do. */
     float u[MORPH_KEY_MAX]; /* Body coordinate u of the anchor in each key, in [0, 1]. */
-    float v[MORPH_KEY_MAX]; /* Body coordinate v of the anchor in each key. A value outside [0, 1)
-                               selects the direction around the girth in which the anchor moves
-                               between keys. */
+    float v[MORPH_KEY_MAX]; /* Body coordinate v of the anchor in each key. Between keys, the values
+                               are blended. A value outside [0, 1) therefore selects in which
+                               direction around the girth the anchor moves. */
 };
 
 /* Triangle mesh of one level of detail. Triangles are counter-clockwise as seen from outside. The
@@ -163,7 +163,8 @@ enum species_measure { MEASURE_TOTAL, MEASURE_STANDARD, MEASURE_FORK, MEASURE_DI
 enum species_motion {
     MOTION_TAIL, /* The tail beats (fusiform and compressed bodies). */
     MOTION_EEL,  /* A wave runs along the whole body (eels). */
-    MOTION_FINS, /* The dorsal and anal fins scull, and the body is stiff (puffers). */
+    MOTION_FINS, /* The dorsal and anal fins move like oars, and the body does not bend
+                    (puffers). */
     MOTION_TUNA, /* Only the tail fin beats (tunas). */
     MOTION_WING, /* A wave runs along the edges of the disc (rays). */
 };

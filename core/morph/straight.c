@@ -1,5 +1,6 @@
-/* straight.c -- implements the method of the 2005 thesis on the same key shapes, for comparison
- * with core/morph: vertices move in straight lines, and a species has only three keys. */
+/* straight.c -- converts a species to the method of the 2005 thesis, for comparison with
+ * core/morph. In that method, vertices move in straight lines, and a species has only three keys.
+ * The key shapes are those of the species. */
 #include "core/morph/morph.h"
 
 #include "core/base/panic.h"
@@ -110,8 +111,9 @@ void straight_thesis(const struct species *from, struct straight_memory *memory,
         }
         card->thesis_key[i] = (uint8_t)i;
     }
-    card->scale_knot_count = 0; /* The knots are removed, because their progress refers to all keys
-                                   of the species, and the progress of three keys differs. */
+    card->scale_knot_count = 0; /* The knots of the hand-drawn size curve are removed, because their
+                                   progress refers to all keys of the species, and a species with
+                                   three keys has a different progress. */
     graph_from_template(&card->curves[0], (enum graph_template)card->thesis_template, 3,
                         SIMULTANEOUS_PEAK);
 }

@@ -96,7 +96,7 @@ float disc_turn_pa(float radius_m, float rate_rad_s)
 
 /* ---- Loads on the ring and its paper --------------------------------------------------------- */
 
-/* Time constant of the low-pass filter for the acceleration. A pointing device reports whole
+/* Time constant of the low-pass filter for the ring's acceleration. A pointing device reports whole
  * pixels, which causes a jitter of half a pixel at 8 to 30 Hz. Without the filter, this jitter
  * would act on the paper as water pressure. The filter has two stages, because a single stage would
  * need twice the delay. */
@@ -153,8 +153,8 @@ float poi_kick_n(const struct poi *poi)
 
 float poi_paper_pa(struct poi *poi, const struct basis *axes)
 {
-    /* Updates the filtered acceleration from the actual motion of the ring. If the hand pulls at a
-     * blocked ring, the acceleration is therefore 0. */
+    /* Updates the filtered acceleration from the actual motion of the ring. Therefore the
+     * acceleration is 0 if the hand pulls at a blocked ring. */
     const vec3 gain_m_s = v3_sub(poi->velocity_m_s, poi->before_m_s);
     const vec3 jolt_m_s2 = v3_limit(v3_scale(gain_m_s, 1.0f / CORE_TICK_S), 8.0f * FEEL_M_S2_MAX);
     const float share = CORE_TICK_S / (FEEL_TAU_S + CORE_TICK_S);

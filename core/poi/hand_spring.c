@@ -156,16 +156,15 @@ vec3 hand_spring_force_n(const struct poi *poi, const struct basis *axes)
 /* Largest angle of the automatic tip. At this angle, a fish rolls over the ring. */
 #define TIP_RAD (55.0f * F_DEG)
 #define TIP_PER_S 3.0f
-/* Limit below which the ring tips fully. The limit is compared with the horizontal distance between
- * the centres of the ring and the bowl's mouth, divided by the sum of their radii. */
+/* Distance below which the ring tips fully: the horizontal distance between the centres of the ring
+ * and the bowl's mouth, divided by the sum of their radii. */
 #define TIP_NEAR 0.45f
-/* Limit above which the ring does not tip. The limit is compared with the horizontal distance
- * between the centres of the ring and the bowl's mouth, divided by the sum of their radii. */
+/* Distance above which the ring does not tip: the horizontal distance between the centres of the
+ * ring and the bowl's mouth, divided by the sum of their radii. */
 #define TIP_FAR 0.95f
 #define TIP_FALL_M 0.040f /* Distance from the ring's centre at which a fish falls off the ring. */
-/* Limit below which the ring tips fully. The limit is compared with the distance between the
- * landing point of a fish and the centre of the bowl's mouth, divided by the radius of the
- * mouth. */
+/* Distance below which the ring tips fully: the distance from the centre of the bowl's mouth to the
+ * point where a fish would land, divided by the radius of the mouth. */
 #define TIP_HIT 0.65f
 #define TIP_BACK_SHARE 0.4f
 /* Number of ticks for which the poi stays tipped after its last fish left. A fish that still rolls
@@ -222,8 +221,8 @@ void poi_wrist_tip(struct poi *poi, const struct bowl *bowl, int has_wrist)
     poi->tip += f_clamp(goal - poi->tip, -step, step);
 }
 
-/* The function also lifts the ring while the poi is tipped, because the fish would otherwise slide
- * out below the bowl's mouth. */
+/* While the poi is tipped, this function also lifts the ring, because the fish would otherwise
+ * slide out below the bowl's mouth. */
 struct poi_target poi_wrist_target(const struct poi *poi, const struct bowl *bowl,
                                    struct poi_target target)
 {

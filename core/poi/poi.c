@@ -50,8 +50,8 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     } else if (was_immersed > 0.0f && poi->immersed <= 0.0f) {
         poi->splash_m_s = -v3_length(poi->velocity_m_s) - 0.01f;
     }
-    /* A dip counts as a scoop if more than SCOOP_IMMERSED of the disc is under water and a player
-     * controls the poi. */
+    /* An entry into the water (dip) counts as a scoop if more than SCOOP_IMMERSED of the disc is
+     * under water and a player controls the poi. */
     if (poi->immersed <= 0.0f) {
         poi->is_in = 0;
     } else if (!poi->is_in && poi->immersed > SCOOP_IMMERSED) {

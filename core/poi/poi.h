@@ -58,8 +58,8 @@ struct poi {
                                     of the player's hand. */
     float pace_m_s;              /* Highest recent speed of the hand; the stored value decreases
                                     with time. */
-    uint8_t reaction;  /* Bits of enum obstacle_reaction, one for each motion of the ring that fish
-                          blocked in the last tick. */
+    uint8_t reaction;  /* Motions of the ring that fish blocked in the last tick (bits of enum
+                          obstacle_reaction). */
     uint8_t stopped;   /* 1 if walls, floor, a bowl or another ring blocked the ring in this
                           tick, otherwise 0. */
     uint8_t jam_ticks; /* Number of consecutive ticks in which fish block the ring while the hand
@@ -82,7 +82,8 @@ struct poi {
     float meniscus_n;            /* Downward pull of the meniscus at the edge of the ring. */
     float immersed;              /* Share [0, 1] of the disc that is below the water surface. */
     float splash_m_s;            /* Speed at which the ring entered the water (> 0) or left the
-                                    water (< 0) in this tick; 0 if it did neither. */
+                                    water (< 0) in this tick. 0 means that the ring neither entered
+                                    nor left the water. */
     float water_kg;              /* Mass of the water on the paper. Its weight counts only for the
                                     fraction of the disc that is in air. */
     float film_kg, pool_kg;      /* The two parts of `water_kg`: the film on both faces of the paper

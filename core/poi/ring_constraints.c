@@ -121,8 +121,8 @@ void poi_constrain_again(struct poi *poi, const struct tank *tank, const struct 
 
 /* ---- Contact of two rings -------------------------------------------------------------------- */
 
-/* Speed at which two rings slide sideways while they press against each other, equal to ASIDE_M_S
- * in ring_constraints.c. */
+/* Speed at which two rings slide sideways while they press against each other. The value equals the
+ * speed at which a ring slides off the hull of a bowl. */
 #define ASIDE_M_S 0.6f
 /* Squared sine of the angle between two normals below which the normals count as parallel. */
 #define PARALLEL 1e-4f

@@ -14,12 +14,13 @@
 #define HEAVE_MAX_M 0.003f
 #define PLUNGE_MAX_M 0.004f
 #define BOW_RADIUS_M 0.012f
-/* Depth of the dent at a cutting point of the edge, as a fraction of the edge's horizontal
- * motion. */
+/* Depth by which the edge of the ring presses the surface down at each point where the edge cuts
+ * through it. The depth is a fraction of the edge's horizontal motion in the tick. */
 #define BOW_SHARE 0.25f
-#define BOW_MAX_M 0.0012f /* Largest depth of the dent at a cutting point in one tick. */
-/* Sine of the tilt (9 degrees) below which a ring counts as level. The edge of a level ring has no
- * cutting points. */
+#define BOW_MAX_M                                                                                  \
+    0.0012f /* Largest depth by which the edge presses the surface down at one point in one tick. */
+/* Sine of the tilt (9 degrees) below which a ring counts as level. The edge of a level ring does
+ * not cut through the surface. */
 #define LEVEL_SLOPE 0.15f
 #define DROP_RADIUS_M 0.008f
 #define DROP_M 0.0005f

@@ -52,15 +52,16 @@ struct behavior_params {
                               fish swims in this time. */
 
     /* The next parameters add the behavior of living fish to the rules of the 2013 thesis. */
-    float kick_rad;    /* Standard deviation of the random turn at each kick of the tail
-                          (gait.h). 0 means that a fish keeps its course until its gait changes. */
-    uint8_t glides;    /* 1 if a swimming fish alternates between tail beats and glides,
-                          otherwise 0. */
-    uint8_t banks;     /* 1 if the fish rolls into its turns, otherwise 0. */
-    float flow_share;  /* Fraction [0, 1] of the flow velocity around a poi (water.h) at which
-                          fish drift along. */
-    float wall_follow; /* Strength [0, 1] of the attraction of walls (fish_behavior.h). */
-    float shade_dwell_s;        /* Time that a shade must be still before it attracts fish. */
+    float kick_rad;      /* Standard deviation of the random turn at each kick of the tail
+                            (gait.h). 0 means that a fish keeps its course until its gait
+                            changes. */
+    uint8_t glides;      /* 1 if a swimming fish alternates between tail beats and glides,
+                            otherwise 0. */
+    uint8_t banks;       /* 1 if the fish rolls into its turns, otherwise 0. */
+    float flow_share;    /* Fraction [0, 1] of the flow velocity around a poi (water.h) at which
+                            fish drift along. */
+    float wall_follow;   /* Strength [0, 1] of the attraction of walls (fish_behavior.h). */
+    float shade_dwell_s; /* Time that a shade must be still before it attracts fish. */
     uint8_t shade_draws_bursts; /* 1 if a shade also attracts fish in a burst, otherwise 0. In
                                    section 3.5 of the 2013 thesis a shade attracts every fish. */
     uint8_t shade_frights;      /* 1 if a new or moving shade startles fish, otherwise 0. */

@@ -29,8 +29,8 @@ float bowl_hull_radius_m(float below_m)
     return BOWL_RADIUS_M * f_sqrt(1.0f - share * share);
 }
 
-/* The result is the integral of pi * r^2 over the depth, from `below_m` to the bottom of the hull.
- * r is the radius of the hull at a depth. */
+/* The result is the integral of pi * r^2 over the depth, from `below_m` to the bottom of the hull,
+ * where r is the radius of the hull at each depth. */
 float bowl_room_m3(float below_m)
 {
     const float share = f_clamp(below_m / BOWL_DEPTH_M, 0.0f, 1.0f);

@@ -24,7 +24,8 @@
 #define BOWL_RADIUS_M 0.080f
 #define BOWL_DEPTH_M 0.059f
 #define BOWL_HULL_KG 0.030f
-/* Number of 4 cm fish that fit into the bowl without overlap. The record catch is 107 fish. */
+/* Number of 4 cm fish that fit into the bowl without overlap. The largest catch on record is 107
+ * fish. */
 #define BOWL_FISH_MAX 112u
 /* Mass of 112 fish that are 4 cm long. This mass limits the number of larger fish in the bowl. */
 #define BOWL_FISH_KG_MAX 0.172f
@@ -98,7 +99,7 @@ uint64_t bowl_hash(uint64_t hash, const struct bowl *bowl);
 struct poi;
 
 /* Advances every bowl of the stall by one tick (1/120 s). The caller must call this function after
- * the tick of the pois and before the tick of the fish. For each i < `poi_count` with live[i] set,
+ * the tick of the pois and before the tick of the fish. If live[i] is 1 (`i` < `poi_count`),
  * pois[i] pushes the bowls that its ring touches. A bowl above its largest mass loses water. */
 void bowl_buoyancy_tick(const struct stall *stall, const struct poi *pois, const uint8_t *live,
                         uint32_t poi_count);

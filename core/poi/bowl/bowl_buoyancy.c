@@ -33,7 +33,7 @@
 #define HEEL_DAMP 0.22f
 /* Largest tilt (8 degrees). At a larger tilt, water would flow into the mouth. */
 #define HEEL_MAX 0.14f
-/* Tilt in radians that a horizontal push causes if the push is equal to the weight of the bowl. */
+/* Tilt in radians caused by a horizontal push whose force equals the weight of the bowl. */
 #define HEEL_SHARE 0.25f
 #define WALL_GAP_M 0.001f
 /* Number of passes in which overlapping bowls are separated. Four passes are enough for a row of

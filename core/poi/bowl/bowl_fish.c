@@ -17,9 +17,11 @@
 /* Half the length of the capsule's axis, in body lengths. The capsule excludes the thin snout and
  * tail fin. */
 #define SPINE_HALF 0.32f
-#define GIRTH 0.40f        /* Radius of the capsule as a fraction of the body width. */
-#define PART_SHARE 0.6f    /* Fraction of an overlap that is removed in each tick. */
-#define PART_MAX_M 0.0012f /* Largest separation step in one tick, equal to 14 cm/s. */
+#define GIRTH 0.40f     /* Radius of the capsule as a fraction of the body width. */
+#define PART_SHARE 0.6f /* Fraction of the overlap of two fish that is removed in each tick. */
+#define PART_MAX_M                                                                                 \
+    0.0012f /* Largest step by which overlapping fish are separated in one tick. The value equals
+               14 cm/s. */
 #define CROSSED 0.3f
 #define ENDS 0.45f /* Distance of the snout and the tail from the fish's centre, in body lengths. */
 #define SPEED_MAX_M_S 0.22f
@@ -43,7 +45,7 @@ struct round { /* Circle on which a fish would swim if there were no other fish.
 };
 
 /* Returns a random circle on which the snout and the tail of the fish stay inside the hull. A
- * shallow circle can have a larger radius, because the bowl is wider at the top. */
+ * circle near the water surface can have a larger radius, because the bowl is wider at the top. */
 static struct round round_of(const struct fish *fish, uint32_t index, const struct bowl *bowl,
                              float level_m, uint32_t seed)
 {
@@ -151,8 +153,8 @@ static void separate_bowl_fish(struct fish *a, struct spine on_a, struct fish *b
     if (square >= girths * girths) {
         return;
     }
-    /* If the axes of two fish cross, their distance is 0. The vector between the centres then gives
-     * the direction of the separation. */
+    /* If the axes of two fish cross, their distance is 0. The fish are then separated along the
+     * vector between their centres. */
     const float deep = 1.0f - f_sqrt(square) / girths;
     const vec3 out = v3_normalize_or(v3_muladd(way, d, CROSSED * deep), v3(0.0f, 1.0f, 0.0f));
     const float step_m = f_min(PART_SHARE * deep * girths, PART_MAX_M);

@@ -10,8 +10,8 @@
 
 #define ZONE_M 0.06f /* Distance from the paper's plane beyond which no fish can touch the paper. */
 #define SQUEEZE_GAP_M 0.0005f
-/* Height of the hand's target above a ring that fish block. From this height on, the ring counts as
- * jammed (a pull of 6.5 N). */
+/* Distance from the ring up to the hand's target, above which a ring that fish block counts as
+ * jammed. At this distance, the hand pulls with 6.5 N. */
 #define JAM_PULL_M 0.03f
 /* Number of ticks (0.1 s) after which all fish over a jammed ring have left. The fish leave from
  * the edge inward. */
@@ -23,8 +23,8 @@
 
 /* Returns 1 if a point is less than ZONE_M above the paper's plane and near the poi, otherwise 0.
  * `away` is the vector from the ring's centre to the point in world axes. Writes the coordinates of
- * the point in the poi's axes to `place`. For most fish, the cheap test of the distance is
- * sufficient. */
+ * the point in the poi's axes to `place`. The function tests the distance first, because this cheap
+ * test already rejects most fish. */
 static int over_paper(const struct basis *axes, vec3 away, vec3 *place)
 {
     if (v3_dot(away, away) >= ZONE_M * ZONE_M + POI_RADIUS_M * POI_RADIUS_M) {

@@ -41,12 +41,12 @@
  * for 80 ms, but only the tail slaps. */
 #define HOP_S 0.060f
 #define HOP_SLIP 0.05f /* Coefficient of kinetic friction during a hop. */
-/* Fraction of the weight that water does not support. Above this fraction, a fish can slap, and the
- * ring can block the fish. */
+/* Smallest fraction of a fish's weight on the paper (not supported by water) with which the fish
+ * can slap and the ring can block the fish. */
 #define AGROUND 0.3f
 #define FOOT_M 0.010f /* Radius of the patch of paper that supports a body. */
-/* Limit of the slope that a single body causes. The limit exists because the ring supports part of
- * the load near it. */
+/* Largest slope of the paper that a single body causes. A limit is necessary because the formula
+ * for the sag ignores that the ring supports part of a load near the ring. */
 #define LEAN_MAX 0.25f
 /* Speed of a fish that swims off the paper with full vigour, in body lengths per second. */
 #define SWIM_LENGTHS 4.0f

@@ -10,7 +10,7 @@
 #include "core/base/physics.h"
 #include "core/poi/poi.h"
 
-#define BODY_FOOT_M 0.020f /* Diameter of the patch of paper on which a body acts. */
+#define BODY_FOOT_M 0.020f /* Diameter of the patch of paper that carries the body of a fish. */
 
 float carried_load_dryness(const struct poi *poi, const struct basis *axes,
                            const struct carried_fish *carried, const struct fish *fish)
@@ -145,9 +145,11 @@ int carried_support_holds(const struct sheet *sheet, const struct carried_fish *
 /* Drainage rate through holes, multiplied by the fraction of the paper that is torn. */
 #define HOLES_PER_S 8.0f
 #define DROP_KG 0.00005f /* Mass of a drop with a diameter of 4.6 mm. */
-/* Largest number of drops in one tick. More drops are a trickle, which is not louder. */
+/* Largest number of drops in one tick. More drops would merge into a trickle, which is not
+ * louder. */
 #define DROPS_MAX 4u
-/* Capacity of an upside-down ring of radius a, which holds water 3 mm deep: pi * a^2 * 3 mm. */
+/* Mass of the water that an upside-down, level ring holds: pi * a^2 * 3 mm times the density of
+ * water. a is the radius of the ring, and 3 mm is its height. */
 #define RING_KG 0.0151f
 
 /* Returns the capacity of the sag of the paper in a tilted poi. The sag is a paraboloid of depth w0

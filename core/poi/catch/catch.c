@@ -18,7 +18,8 @@
 #define SLAP_EVERY_TICKS 8u /* Lowest number of ticks between two slap sounds of a poi. */
 #define TEAR_EVERY_TICKS 14u
 
-struct scoop { /* Poi, tank and results that the functions of one tick use. */
+struct scoop { /* The poi, the tank and the results, which the functions in this file need in one
+                  tick. */
     struct poi *poi;
     uint32_t poi_index;
     const struct stall *stall;

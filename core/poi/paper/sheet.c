@@ -19,10 +19,11 @@
  * abruptly. */
 #define SAG_TAU_S 0.03f
 
-/* ---- Stress concentration -------------------------------------------------------------------- */
+/* Raises `ratio` of a cell beside a tear to the cell's load times the stress factor of the tear. A
+ * higher ratio stays unchanged. */
 
-/* Raises `ratio` of a cell beside a tear to the load times the stress factor of the tear. A ratio
- * that is already higher does not change. */
+/* Multiplies `ratio` of the cells in a row by the stress factor of the line between wet and dry
+ * paper. Then applies the stress factors of tears. */
 static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uint32_t row,
                            uint32_t column)
 {
@@ -60,9 +61,9 @@ static void relieve_row(struct strain *strain, uint32_t row)
     }
 }
 
-/* Recomputes the ratios near holes that changed in this tick. Bit i of `changed` is set if a hole
- * in row i grew. Ratios never decrease here, because the stress beside a growing tear never
- * decreases. */
+/* Recomputes `ratio` (load times stress factor, divided by strength) of the cells near holes that
+ * changed in this tick. Bit i of `changed` is set if a hole in row i grew. A ratio never decreases
+ * here, because the stress beside a growing tear never decreases. */
 static void regather(struct strain *strain, const struct sheet *sheet, uint32_t changed)
 {
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
@@ -145,8 +146,8 @@ static uint32_t wear_tick(struct strain *strain, struct sheet *sheet)
 
 /* ---- Tick of the sheet ---------------------------------------------------------------------- */
 
-/* Returns 1 if the tension at the centre is too low to damage any cell, even beside a tear.
- * Otherwise returns 0. */
+/* Returns 1 if the tension at the centre of the sheet is too low to damage any cell, even beside a
+ * tear. Otherwise returns 0. */
 static int is_calm(const struct sheet *sheet, const struct paper_grade *grade, float centre_n_m)
 {
     CORE_ASSERT(centre_n_m >= 0.0f);
@@ -172,8 +173,8 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
     strain.load_count = load_count;
     const float belly = sheet_belly(sheet_grade(sheet->grade), pressure_pa, sheet->radius_m);
     const float goal = pressure_pa > 0.0f ? -belly : belly; /* A pressure toward the poi's up axis
-                                                               makes the paper bulge up, which is a
-                                                               negative sag. */
+                                                               makes the paper bulge up. An upward
+                                                               bulge is a negative sag. */
     sheet->sag_m += (goal - sheet->sag_m) * (CORE_TICK_S / (SAG_TAU_S + CORE_TICK_S));
     paper_wetting_tick(sheet, wet);
     if (load_count == 0 && is_calm(sheet, grade, strain.centre_n_m)) {

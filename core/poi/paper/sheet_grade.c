@@ -5,11 +5,11 @@
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 
-/* Standard deviation of the mean strength among the sheets of one grade, as a fraction of the
+/* Standard deviation of the mean strength of the sheets of one grade, as a fraction of the
  * strength. */
 #define STRENGTH_SD 0.12f
-/* Standard deviation of the strength among the clouds of pulp within one sheet, as a fraction of
- * the strength. */
+/* Standard deviation of the strength between thick and thin patches of pulp (cloud()) within one
+ * sheet, as a fraction of the strength. */
 #define PATCH_SD 0.05f
 /* Amplitude of the random strength from cell to cell, as a fraction of the strength. This variation
  * makes tears change direction. */
@@ -102,8 +102,8 @@ static struct spot weak_spot(float radius_m, uint32_t seed, uint32_t which)
     };
 }
 
-/* Returns smooth random noise that imitates clouds of pulp about four cells wide. The noise is
- * interpolated between random values on a coarse lattice. */
+/* Returns smooth random noise that imitates thick and thin patches of pulp about four cells wide.
+ * The noise is interpolated between random values on a coarse lattice. */
 static float cloud(uint32_t seed, uint32_t column, uint32_t row)
 {
     const uint32_t cx = column / 4u, cz = row / 4u;

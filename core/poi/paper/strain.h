@@ -16,8 +16,8 @@
 
 _Static_assert(SHEET_SIDE == 32u, "a row is a word");
 
-/* Factor by which the stress is higher beside a hole of one cell. The factor increases with the
- * square root of the hole's length. */
+/* Factor by which a hole of one cell increases the stress in adjacent cells. The factor increases
+ * with the square root of the hole's length. */
 #define TEAR_FACTOR 2.5f
 /* Upper limit of the stress factor, reached beside a hole that is 2.56 cells long. */
 #define TEAR_FACTOR_MAX 4.0f

@@ -231,7 +231,8 @@ void paper_wetting_tick(struct sheet *sheet, struct sheet_wetting wet)
         wet_cells(sheet, wet);
     }
     if (sheet->touched) {
-        /* Wet cells soften under water and in air, because their fibres swell in both cases. */
+        /* Cells that are wet become softer under water and in air, because their fibres swell in
+         * both cases. */
         for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
             const uint16_t ticks = sheet->soak_ticks[cell];
             const uint16_t more = sheet->wetness[cell] >= SOFTENS_FROM && ticks < SHEET_SOAK_TICKS;
