@@ -15,7 +15,8 @@ struct font_glyph {
     uint16_t x, y;          /* Top left corner in the atlas, in atlas pixels. */
     uint16_t width, height; /* Size in atlas pixels. 0 means a glyph without ink, such as the
                                space. */
-    float left_em, top_em;  /* Offset from the pen on the baseline to the top left corner. */
+    float left_em, top_em;  /* Offset in ems from the pen position on the baseline to the glyph's
+                               top left corner. */
     float advance_em;       /* Distance from the pen to the pen of the next glyph, in ems. */
 };
 
@@ -23,9 +24,12 @@ struct font {
     const char *name;
     const struct font_glyph *glyphs; /* Glyphs in ascending order of `code`. */
     uint32_t glyph_count;
-    float em_px;                 /* Atlas pixels of one em. */
-    float ascent_em, descent_em; /* Both positive; their sum is a line's height. */
-    float cap_em;                /* Height of a capital or a digit, for vertical centring. */
+    float em_px;                 /* Number of atlas pixels per em. */
+    float ascent_em, descent_em; /* Height of the font above the baseline and below the baseline, in
+                                    ems. Both values are positive, and their sum is the height of a
+                                    line. */
+    float cap_em;                /* Height of a capital letter or a digit in ems, used to centre
+                                    text vertically. */
 };
 
 #endif

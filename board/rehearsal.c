@@ -1,7 +1,6 @@
-/* rehearsal.c -- opens a board for the demonstration: draws off screen, and simulates all other
- * devices.
- *
- * Shared by all boards. The file is in the board folder because it connects drivers. */
+/* rehearsal.c -- opens the devices for a demonstration (rehearsal) on any board. The picture is
+ * drawn off screen, and all other devices are simulated. The file is in the board folder because it
+ * connects drivers. */
 #include "platform/board.h"
 
 #include "core/input.h"

@@ -12,12 +12,15 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* The following sizes are in texels. bake_header() writes them to a header for the renderer. */
+/* Sizes of the baked textures in texels. bake_header() writes these sizes to a header for the
+ * renderer. */
 #define CAUSTICS_SIZE 256u /* Side of one tile of caustics, a power of two for mipmaps. */
-/* Number of layers of one loop of caustics, explained at choose_waves(). */
+/* Number of layers of one loop of caustics. choose_waves() in caustics.c states how the number
+ * relates to the waves. */
 #define CAUSTICS_FRAMES 32u
 #define PATTERN_WIDTH 128u /* Width of a pattern, from snout to tail root. */
-#define PATTERN_HEIGHT 64u /* Height of a pattern, once round the girth, beginning at the back. */
+#define PATTERN_HEIGHT                                                                             \
+    64u /* Height of a pattern, which covers the body's girth once, beginning at the back. */
 #define PATTERN_LAYERS 12u
 #define ENVIRONMENT_SIZE 128u
 #define WOOD_SIZE 256u
@@ -33,7 +36,8 @@
 /* Change of the distance value per atlas pixel. The values reach 10 px outward and 6 px inward. */
 #define FONT_STEP 16u
 #define FONT_MAX 8u
-/* Number of languages, equal to LANGUAGE_COUNT of core/scene.h and in the same order. */
+/* Number of languages. Must equal LANGUAGE_COUNT of core/scene.h, with the languages in the same
+ * order. */
 #define TEXT_LANGUAGES 2u
 #define TEXT_KEYS_MAX 1024u
 
@@ -51,7 +55,7 @@ FILE *bake_open(const char *path);
 void bake_close(FILE *file, const char *path);
 void *bake_alloc(size_t size); /* Returns zeroed memory. Ends the bake if no memory is left. */
 
-/* Each of the following functions fills the texels of one texture, beginning with row 0. The
+/* Declarations of functions that each fill the texels of one texture, beginning with row 0. The
  * channels are interleaved. */
 void bake_caustics(uint8_t *r8);
 void bake_patterns(uint8_t *rg8);

@@ -16,7 +16,7 @@
 #include "assets/bake/noise.h"
 
 #define WAVES 28
-/* Number of rays per texel in each direction, enough for a smooth picture. */
+/* Number of light rays per texel in each direction, which is enough for a smooth picture. */
 #define RAYS_PER_TEXEL 4u
 #define RAYS (CAUSTICS_SIZE * RAYS_PER_TEXEL)
 #define WAVE_NUMBER_MIN 1.9f /* Minimum wave number of a wave, in cycles per tile. */
@@ -24,7 +24,8 @@
 /* Distance in tiles by which a ray is shifted per unit of surface slope. The distance is
  * proportional to the water depth. */
 #define FOCUS 0.033f
-/* Exposure: a brightness of 1, as under flat water, is stored as 1 - exp(-0.30). */
+/* Exposure of the stored brightness. A brightness of b is stored as 1 - exp(-EXPOSURE * b). Flat
+ * water has the brightness 1. */
 #define EXPOSURE 0.30f
 
 struct wave {

@@ -31,7 +31,8 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
     static const float rows[3][3] = { { -0.85f, 0.50f, 7.0f },
                                       { -0.45f, 0.80f, 6.0f },
                                       { 0.35f, 0.90f, 5.0f } }; /* Position z, height, and number of
-                                                                   lanterns of each string. */
+                                                                   lanterns of each string of
+                                                                   lanterns. */
     for (uint32_t row = 0; row < 3; row++) {
         const int32_t count = (int32_t)rows[row][2];
         for (int32_t i = 0; i < count; i++) {
@@ -52,7 +53,8 @@ static void add_lanterns(struct colour *at, float x, float y, float z)
 /* Adds the beam and the striped edge of the awning at the far side of the stall. */
 static void add_awning(struct colour *at, float x, float y, float z)
 {
-    const float up = y / fmaxf(-z, 0.02f); /* Tangent of the elevation angle in the direction -z. */
+    const float up = y / fmaxf(-z, 0.02f); /* `up` is the tangent of the elevation angle of a
+                                              direction toward the far side (-z). */
     const float inside =
         z < 0.0f ? noise_ramp(0.22f, 0.25f, up) * noise_ramp(0.42f, 0.39f, up) : 0.0f;
     const float stripe = noise_ramp(-0.12f, 0.12f, sinf(x / fmaxf(-z, 0.02f) * 14.0f));

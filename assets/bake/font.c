@@ -94,8 +94,8 @@ static uint32_t read_faces(struct face faces[FONT_MAX], const char *path)
     return count;
 }
 
-/* Returns 1 if a pattern of the font matches `key`, otherwise 0. `?` stands for any character, and
- * a final `*` stands for any rest. */
+/* Returns 1 if a key pattern of the font matches `key`, otherwise 0. In a pattern, `?` matches any
+ * character, and a final `*` matches any remaining characters. */
 static int draws_key(const struct face *face, const char *key)
 {
     assert(face->pattern_count <= KEY_PATTERNS_MAX);
@@ -120,7 +120,8 @@ static void open_face(struct face *face)
     }
     fclose(file);
     size_t size;
-    /* The file is never freed, because stb_truetype reads it until the end of the program. */
+    /* The memory is never freed, because stb_truetype reads the file's bytes until the program
+     * ends. */
     const uint8_t *bytes = bake_read(face->path, &size);
     const int offset = stbtt_GetFontOffsetForIndex(bytes, 0);
     if (size < 12 || offset < 0 || !stbtt_InitFont(&face->info, bytes, offset)) {

@@ -1,4 +1,5 @@
-/* noise.c -- repeatable noise and small numeric functions for the baking of textures. */
+/* noise.c -- implementation of noise.h: repeatable noise, and small numeric functions for the
+ * baking of textures. */
 #include "assets/bake/noise.h"
 
 #include <assert.h>

@@ -24,8 +24,8 @@ void noise_add_light(float *sum, uint32_t size, float x, float y, float amount);
 
 float noise_clamp01(float x);
 float noise_mix(float a, float b, float t);
-/* Returns 0 at `from`, 1 at `to`, a smooth transition between them, and a constant beyond. `from`
- * may be greater than `to`. */
+/* Returns 0 at and before `from`, 1 at and after `to`, and a smooth transition between them. If
+ * `from` is greater than `to`, the direction is reversed. */
 float noise_ramp(float from, float to, float x);
 uint8_t noise_to_u8(float x01);
 

@@ -20,12 +20,13 @@
 #define GILL 0.23f /* Position u of the border between head and trunk. The head has no scales. */
 
 struct patch {
-    float u, v, length, width; /* Centre (u, v) of a patch, and its half length and half width in
-                                  body lengths. */
+    float u, v, length, width; /* Centre (u, v), half length and half width of a patch. The lengths
+                                  are in body lengths. */
 };
 
 struct design {
-    float base;   /* Redness outside the patches. 1 makes the fish red, 0 leaves it white. */
+    float base;   /* Redness of the skin outside the patches. 1 makes this skin red, and 0 leaves
+                     this skin white. */
     float belly;  /* Height on the flanks up to which the belly stays white. 0 is the belly, 1 is
                      the back. */
     float ragged; /* Strength of the noise that deforms the edges of patches. */
@@ -91,8 +92,8 @@ static float patch_depth(const struct design *design, float u, float v)
         const float dv = round_distance(v, patch->v) / patch->width;
         sum += expf(-1.6f * (du * du + dv * dv));
     }
-    return sum - 0.202f; /* The constant is exp(-1.6), so that a single patch ends at its half
-                            length and half width. */
+    return sum - 0.202f; /* The constant 0.202 is exp(-1.6). With this value, a single patch ends at
+                            its half length and half width. */
 }
 
 static float redness(uint32_t layer, float u, float v)
@@ -104,8 +105,9 @@ static float redness(uint32_t layer, float u, float v)
     const float fine = noise_2d_sum(u * 19.0f, v * 16.0f, 64, 16, 104u + layer * 8u, 2) - 0.5f;
     const float edge = design->ragged * (2.2f * coarse + 0.55f * fine);
     float depth = fmaxf(patch_depth(design, u, v), design->base > 0.0f ? 0.5f : -1.0f) + edge;
-    const float from_belly = fabsf(round_distance(v, 0.5f)) / GIRTH * 2.0f; /* Height on the flank.
-                                                                               0 is the belly, 1 is
+    const float from_belly = fabsf(round_distance(v, 0.5f)) / GIRTH * 2.0f; /* Height of the point
+                                                                               on the flank. 0 is
+                                                                               the belly, and 1 is
                                                                                the back. */
     depth = fminf(depth, (from_belly - design->belly) * 2.0f + 0.6f * edge);
     if (design->belly <= 0.0f) {
@@ -133,8 +135,9 @@ static float scale_light(float u, float v)
     }
     const float back = 0.5f + 0.5f * cosf(TAU * v);
     const float fade = noise_ramp(GILL - 0.01f, GILL + 0.06f, u) * noise_ramp(0.05f, 0.35f, back);
-    const float flank = 0.25f - fabsf(v - 0.5f); /* Distance from the middle of a flank. 0 means the
-                                                    middle of the right or left flank. */
+    const float flank = 0.25f - fabsf(v - 0.5f); /* Distance of the point from the middle of the
+                                                    right or left flank, as a fraction of the girth.
+                                                    0 means the middle. */
     const float gill = expf(-powf((u - GILL - 0.03f * (fabsf(flank) - 0.12f)) / 0.011f, 2.0f));
     return noise_mix(0.80f, 0.46f + 0.54f * best, fade) -
            0.26f * gill * noise_ramp(0.13f, 0.05f, fabsf(flank));

@@ -141,7 +141,8 @@ static void write_quoted(FILE *file, const char *words)
         }
         fputc(*c, file);
         if (*c == '?') {
-            fputs("\"\"", file); /* The split of the string literal prevents trigraphs. */
+            fputs("\"\"", file); /* The string literal is split so that the C compiler finds no
+                                    trigraph. */
         }
     }
     fputs("\",\n", file);
@@ -158,7 +159,8 @@ void text_write_table(const struct text_file files[TEXT_LANGUAGES], const char *
         fprintf(file, "    { /* %s */\n", language_names[i]);
         for (uint32_t k = 0; k < files[0].count; k++) {
             const struct text_line *line = find_key(&files[i], files[0].lines[k].key);
-            assert(line); /* text_read() found the same keys in all files. */
+            assert(line); /* text_read() has checked that all text files have the same keys, so the
+                             line exists. */
             write_quoted(file, line->words);
         }
         fputs("    },\n", file);

@@ -1,8 +1,8 @@
 /* board.c -- the desktop board: a window, all kinds of controllers, a keyboard as buttons, sound
  * and disk.
  *
- * Opens all drivers and connects them to struct hal, part by part (parts.h). This file opens the
- * sound and the store itself, and connects the watchdog of the service manager. */
+ * Opens all drivers and connects each driver to its part of struct hal (parts.h). Also opens the
+ * sound and the store, and connects the watchdog of the service manager. */
 #include "platform/board.h"
 
 #include <stdlib.h>
@@ -41,7 +41,8 @@ static void store_open(struct hal *hal, const struct board_options *options)
     }
 }
 
-/* Connects the watchdog of the service manager; without one, the null watchdog remains. */
+/* Connects the watchdog of the service manager. If the service manager has no watchdog, the null
+ * watchdog of struct hal stays connected. */
 static void store_open_watchdog(struct hal *hal)
 {
     const char *usec = getenv("WATCHDOG_USEC");
@@ -68,7 +69,7 @@ void board_open(struct hal *hal, const struct board_options *options)
 void board_release_store(struct hal *hal)
 {
     hal->audio.ops->close(hal->audio.self);
-    /* The store may already be closed; a second close() has no effect. */
+    /* The store may already be closed. A second call of close() has no effect. */
     hal->storage.ledger.ops->close(hal->storage.ledger.self);
     panel_close();
     controllers_close();

@@ -18,10 +18,13 @@
 
 /* ---- USB ------------------------------------------------------------------------------------- */
 
-#define PATH_SIZE 1100u /* Size of a path; large enough for a data folder and a file name. */
+#define PATH_SIZE                                                                                  \
+    1100u /* Maximum size of a path in bytes, enough for the path of a data folder and a file
+             name. */
 
 static struct {
-    struct usb_seats *seats; /* The USB transport; null means that it is not started. */
+    struct usb_seats *seats; /* State of the USB transport. Null means that the transport has not
+                                been started. */
     struct poi_hid poi[POI_MAX];
     struct hid_mapping_store book;
     struct controller_manager desk;
@@ -43,8 +46,8 @@ static void log_controller_warning(void *self, const char *line)
     log_print(LOG_LEVEL_WARNING, "%s", line);
 }
 
-/* Reports a rejected file in the log and on the operator's screen. Called only before threads
- * start. */
+/* Reports a rejected mapping file in the log and on the operator's screen. Called only before
+ * threads start. */
 static void complain_of_file(void *self, const char *line)
 {
     const struct board_options *options = self;
@@ -137,8 +140,9 @@ static void usb_fill_exclusion(struct gamepad_exclusion *out, uint16_t vendor, u
 _Static_assert(GAMEPADS_EXCLUSION_MAX >= USB_REQUEST_MAX + CONTROLLER_MAX,
                "every one of both finds room");
 
-/* Copies the selected controllers, which SDL must not open from the start, and the controllers that
- * play or were lost. Returns their number. */
+/* Copies two groups of USB controllers to `out`, which SDL must not open: the selected controllers,
+ * and the controllers that are in use or were disconnected. Returns the number of controllers in
+ * `out`. */
 static uint32_t usb_exclusions(struct gamepad_exclusion out[GAMEPADS_EXCLUSION_MAX])
 {
     struct usb_key wanted[USB_REQUEST_MAX];
@@ -246,8 +250,8 @@ static const char *missing_poi(uint8_t poi)
 void controllers_open(struct hal *hal, const struct board_options *options)
 {
     CORE_ASSERT(hal->clock.ops && options);
-    /* Pointer devices in use, as bits of enum pointer_filter. Mouse and touch screen control the
-     * same poi; the device that moved last sets the position. */
+    /* Pointer devices in use, as bits of enum pointer_filter. The mouse and the touch screen
+     * control the same poi. The device that moved last sets the position of the poi. */
     const uint32_t heeds = (wants(options, BOARD_POI_MOUSE) ? (uint32_t)POINTER_FILTER_MOUSE : 0u) |
                            (wants(options, BOARD_POI_TOUCH) ? (uint32_t)POINTER_FILTER_TOUCH : 0u);
     usb_open(hal, options);

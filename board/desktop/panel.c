@@ -59,7 +59,8 @@ static void open_lines(struct hal *hal, const struct board_options *options)
     struct gpio_wire wires[GPIO_ROLE_COUNT] = { 0 };
     char why[HAL_TEXT_SIZE];
     if (options->line_count == 0 || read_wires(wires, options->line, options->line_count, why)) {
-        return; /* board_check_lines() has already validated the options. */
+        return; /* board_check_lines() has already validated the options, so an error is impossible
+                   here. */
     }
     devices.has_gpio =
         buttons_gpio_start(&devices.gpio, gpio_lines_device(), wires, hal->clock) == HAL_OK;
@@ -72,7 +73,7 @@ static void open_lines(struct hal *hal, const struct board_options *options)
     hal->switches = buttons_gpio_switches(&devices.gpio);
 }
 
-/* Makes SDL drop key events, because no driver reads them while the keyboard is disabled. */
+/* Makes SDL drop key events, because no driver reads key events while the keyboard is disabled. */
 static void ignore_keys(void)
 {
     static const Uint32 types[] = { SDL_KEYDOWN,     SDL_KEYUP,           SDL_TEXTINPUT,
@@ -96,8 +97,9 @@ void panel_open(struct hal *hal, const struct board_options *options)
     devices.join = (struct buttons_mux){ 0 };
     add_keys(options);
     controllers_add_buttons(&devices.join);
-    /* The GPIO lines are added last, because the descriptions are joined in this order. The other
-     * parts name the keys to press, and the lines report what is missing. */
+    /* The GPIO lines are added last, because buttons_mux joins the descriptions in the order of
+     * addition. The earlier descriptions name the keys to press. The description of the GPIO lines
+     * names the missing lines. */
     open_lines(hal, options);
     hal->buttons = buttons_mux_device(&devices.join);
 }

@@ -3,19 +3,19 @@
 
 #include <assert.h>
 
-/* Rate in 1/s with which gravity corrects the orientation. An error is corrected in about one
- * second. */
+/* Correction rate of the orientation by gravity, in 1/s. With this rate, an error is corrected in
+ * about one second. */
 #define PULL_PER_S 1.0f
-/* Relative difference from the gravity g above which an acceleration is not used as the vertical
- * direction. */
+/* Maximum difference between the measured acceleration and the gravity g, as a fraction of g, at
+ * which the acceleration is used as the vertical direction. */
 #define TRUST_G 0.15f
-/* Rotation rate in rad/s below which the poi counts as still, 3 degrees per second. A poi that is
- * held in a hand rotates faster. */
+/* Rotation rate in rad/s below which the poi counts as still. The value is 3 degrees per second. A
+ * poi that is held in a hand rotates faster. */
 #define STILL_RAD_S 0.05f
 #define STILL_S 1.0f
 #define BIAS_PER_S 0.5f
-/* Greatest plausible bias of the gyroscope in rad/s, 11 degrees per second. Cheap chips have at
- * most this bias. */
+/* Maximum plausible bias of the gyroscope in rad/s. The value is 11 degrees per second. Cheap chips
+ * have at most this bias. */
 #define BIAS_MAX_RAD_S 0.2f
 
 struct quaternion attitude_quaternion_product(struct quaternion a, struct quaternion b)
@@ -55,8 +55,8 @@ struct quaternion attitude_quaternion_of_angles(struct angles angles)
     return attitude_quaternion_product(attitude_quaternion_product(yaw, pitch), roll);
 }
 
-/* Converts a quaternion to angles. The columns of the rotation matrix are the axes of the poi in
- * the world. */
+/* Converts a quaternion to yaw, pitch and roll. The columns of the rotation matrix are the axes of
+ * the poi in world coordinates. */
 struct angles attitude_quaternion_angles(struct quaternion q)
 {
     const float right_y = 2.0f * (q.x * q.y + q.w * q.z);
@@ -100,7 +100,8 @@ void attitude_add_motion(struct attitude *attitude, vec3 gyro_rad_s, vec3 accel_
         return;
     }
     learn_bias(attitude, gyro_rad_s, trust, seconds);
-    /* The middle row of the rotation matrix is the world's up direction in the axes of the poi. */
+    /* `world_up` is the middle row of the rotation matrix, which is the world's up direction in the
+     * axes of the poi. */
     const struct quaternion q = attitude->turn;
     const vec3 world_up = v3(2.0f * (q.x * q.y + q.w * q.z), 1.0f - 2.0f * (q.x * q.x + q.z * q.z),
                              2.0f * (q.y * q.z - q.w * q.x));

@@ -1,14 +1,14 @@
 /* attitude.h -- computes the orientation of the poi (a paper scoop with sensors) from its inertial
  * sensor. The functions are pure.
  *
- * Some chips compute a quaternion themselves (BNO055). For other chips, a complementary filter
- * combines the rotation rate with the acceleration (Mahony, Hamel, Pflimlin 2008). The gyroscope
- * gives fast motion, and gravity corrects pitch and roll. The bias of the gyroscope is measured
- * while the poi is still.
+ * Some inertial chips, for example the BNO055, compute the orientation as a quaternion. For other
+ * chips, a complementary filter combines the rotation rate with the acceleration (Mahony, Hamel,
+ * Pflimlin 2008). The gyroscope measures fast motion, and gravity corrects pitch and roll. The bias
+ * of the gyroscope is measured while the poi is still.
  *
  * No sensor measures the heading. The heading therefore decays to straight ahead, so that the drift
- * of the gyroscope does not accumulate. The decay is not visible on the round ring, only on the
- * handle. */
+ * of the gyroscope does not accumulate. The decay is not visible on the round ring of the poi, only
+ * on its handle. */
 #ifndef KINGYO_BOARD_POI_GADGET_ATTITUDE_H
 #define KINGYO_BOARD_POI_GADGET_ATTITUDE_H
 
@@ -28,7 +28,7 @@ struct attitude {
     struct quaternion turn;
     vec3 bias_rad_s; /* Bias of the gyroscope in rad/s, in the axes of the poi. */
     float still_s;   /* Time in seconds for which the poi has been still. */
-    float ahead_rad; /* Heading in rad that is reported as 0, straight ahead. */
+    float ahead_rad; /* Heading in rad that is reported as 0, which means straight ahead. */
     uint8_t has_ahead;
 };
 
@@ -44,7 +44,7 @@ void attitude_set(struct attitude *attitude, struct quaternion turn);
 
 /* Returns the orientation as angles. The heading decays to 0 with a time constant of about
  * `ahead_s` seconds. An `ahead_s` of 0 disables the decay. `seconds` is the time since the last
- * call. Asserts that both times are at least 0. */
+ * call. Asserts that `ahead_s` and `seconds` are at least 0. */
 struct angles attitude_angles(struct attitude *attitude, float ahead_s, float seconds);
 
 /* Returns the product a * b, the rotation that applies `b` first and then `a`. */

@@ -1,12 +1,15 @@
-/* board_pose.c -- computes the pose of the ring. The draw wires give the position of the eye on the
- * poi's neck, and the inertial chip gives the direction from the eye to the ring. */
+/* board_pose.c -- computes the pose of the poi's ring. The draw wires give the position of the eye
+ * (the point on the poi's neck at which the wires meet). The inertial chip gives the direction from
+ * the eye to the ring. */
 #include "board/poi-gadget/board_pose.h"
 
 #include <assert.h>
 
-#define STEADY_REST_HZ 4.0f     /* Corner frequency of the position filter at rest, in Hz. */
-#define STEADY_HZ_PER_M_S 60.0f /* Increase of the corner frequency in Hz for each m/s of speed. */
-#define STEADY_SPEED_HZ 6.0f    /* Corner frequency of the speed filter, in Hz. */
+#define STEADY_REST_HZ 4.0f /* Corner frequency of the position filter at rest, in Hz. */
+#define STEADY_HZ_PER_M_S                                                                          \
+    60.0f                    /* Increase of the position filter's corner frequency in Hz for each
+                                m/s of speed. */
+#define STEADY_SPEED_HZ 6.0f /* Corner frequency of the speed filter, in Hz. */
 
 /* Returns the weight of the new value in one step of a first-order low-pass filter. */
 static float steady_share_of(float corner_hz, float seconds)
@@ -15,8 +18,9 @@ static float steady_share_of(float corner_hz, float seconds)
     return t / (1.0f + t);
 }
 
-/* Returns the filtered position. `seconds` is the time since the previous call and must be above
- * 0. The filtered speed controls the corner frequency of the position filter. */
+/* Returns the filtered position for the unfiltered position `raw_m`. `seconds` is the time since
+ * the previous call and must be above 0. The corner frequency of the position filter depends on the
+ * filtered speed. */
 static vec3 steady_step(struct steady *steady, vec3 raw_m, float seconds)
 {
     if (!steady->begun) {
@@ -69,9 +73,9 @@ void board_pose_init(struct board_pose *pose, const struct poi_config *config)
     pose->attitude.bias_rad_s = config->gyro_bias_rad_s;
 }
 
-/* Computes the position of the eye, where the draw wires meet, from the lengths of the wires. A
- * broken or released wire is pulled to the end stop of its potentiometer. A wire that is not
- * connected gives no reading. In these two cases, the length of the wire is invalid. */
+/* Computes the position of the eye, where the draw wires meet, from the lengths of the wires. The
+ * length of a wire is invalid in two cases. A broken or released wire is pulled to the end stop of
+ * its potentiometer. A wire that is not connected gives no reading. */
 static enum draw_wires_result feel_wires(struct board_pose *pose, const struct readings *readings)
 {
     const struct poi_config *config = pose->config;
@@ -91,9 +95,9 @@ void board_pose_step(struct board_pose *pose, const struct readings *readings, f
     const struct poi_config *config = pose->config;
     assert(seconds > 0.0f);
     if (readings->fuses) {
-        /* In the chip's world +z points up, and in Kingyo's world +y points up. A quarter turn
-         * about x converts between the two worlds. `back` converts from the axes of the poi to the
-         * axes of the chip. */
+        /* In the inertial chip's world, +z points up. In Kingyo's world, +y points up. A quarter
+         * turn about x converts between the two worlds. `back` converts from the axes of the poi to
+         * the axes of the chip. */
         const struct quaternion upright = { 0.70710678f, -0.70710678f, 0.0f, 0.0f };
         const struct quaternion mount = pose->mount,
                                 back = { mount.w, -mount.x, -mount.y, -mount.z };

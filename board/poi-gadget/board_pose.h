@@ -12,36 +12,39 @@
 #include "board/poi-gadget/poi_config.h"
 #include "drivers/hid/poi_report.h"
 
-/* Converter steps below which a reading counts as the end stop of the potentiometer, with its
- * noise. */
+/* Limit in converter steps. A reading below this limit counts as the end stop of the potentiometer.
+ * The limit allows for noise. */
 #define BOARD_POSE_STEPS_MIN 8.0f
 
-/* Readings of all sensors at one moment, in the steps and the axes of the chips. */
+/* Readings of all sensors at one moment, in the steps of the converter and in the axes of the
+ * inertial chip. */
 struct readings {
     float wire[DRAW_WIRE_COUNT]; /* Mean of several samples for each draw wire, in steps of the
                                     analog-to-digital converter. */
-    /* 1 if the chip computes a quaternion, and then `turn` is valid. 0 if `gyro_rad_s` and
-     * `accel_m_s2` are valid. */
+    /* 1 if the inertial chip computes a quaternion and `turn` is valid. 0 if `gyro_rad_s` and
+     * `accel_m_s2` are valid instead. */
     uint8_t fuses;
-    struct quaternion turn; /* Rotation from the axes of the chip to a world whose +z axis points
-                               up. */
+    struct quaternion turn; /* Rotation from the axes of the inertial chip to a world whose +z axis
+                               points up. */
     vec3 gyro_rad_s, accel_m_s2;
     uint8_t buttons; /* Bit mask of the pressed buttons (enum poi_button). */
 };
 
-/* Position filter. Corner frequencies and speeds are in the constants of board_pose.c. */
+/* State of the position filter. The constants of the filter are in board_pose.c. */
 struct steady {
     uint8_t begun;                  /* 1 after the first position, otherwise 0. */
     vec3 place_m, speed_m_s, raw_m; /* Filtered position, filtered speed, and last unfiltered
-                                       position. */
+                                       position. Positions are in metres. */
 };
 
 struct board_pose {
     const struct poi_config *config;
     struct attitude attitude;
     struct steady steady;
-    struct quaternion mount;      /* Rotation from the axes of the chip to the axes of the poi. */
-    enum draw_wires_result wires; /* Result of the position from the draw wires in the last step. */
+    struct quaternion mount;      /* Rotation from the axes of the inertial chip to the axes of the
+                                     poi. */
+    enum draw_wires_result wires; /* Result of the last computation of the position from the draw
+                                     wires. */
     vec3 eye_m;                   /* Unfiltered position of the eye, the point at which the draw
                                      wires meet, in metres. */
 };

@@ -20,8 +20,8 @@
 
 #define READINGS 50u
 #define BETWEEN_NS 20000000
-/* Greatest range of the converter steps while the user holds the eye on a mark. 20 steps are 5 mm
- * of wire. */
+/* Maximum range of the converter steps while the user holds the eye (the point where the wires
+ * meet) on a mark. 20 steps are 5 mm of wire. */
 #define STILL_STEPS 20.0f
 
 /* Computes the mean and the range of the sensor readings during one second. Returns 1, or 0 if a
@@ -139,13 +139,13 @@ enum exit_code commands_calibrate(const struct poi_config *config, const char *r
 
 #define LOOKS 50u /* Number of readings of the sensors while the poi is at rest. */
 #define LOOK_S 0.02f
-/* Greatest range of the converter steps at rest. 8 steps are 2 mm of wire. Means of four readings
- * vary less if the converter works. */
+/* Maximum range of the converter steps while the poi is at rest. 8 steps are 2 mm of wire. With a
+ * working converter, the means of four readings vary less. */
 #define NOISE_STEPS_MAX 8.0f
-/* Greatest relative difference of the measured gravity from g. A larger difference means that the
- * chip is defective or that the poi moves. */
+/* Maximum difference between the measured gravity and g, as a fraction of g. A larger difference
+ * means that the inertial chip is defective or that the poi moves. */
 #define GRAVITY_OFF_MAX 0.08f
-#define SPIN_REST_MAX 0.2f /* Greatest rotation rate in rad/s while the poi is at rest. */
+#define SPIN_REST_MAX 0.2f /* Maximum rotation rate in rad/s while the poi is at rest. */
 
 struct verdicts {
     uint32_t good, bad;
@@ -175,8 +175,8 @@ print_verdict(struct verdicts *verdicts, int good, const char *what, const char 
 struct looks {
     struct readings last;
     float low[DRAW_WIRE_COUNT], high[DRAW_WIRE_COUNT];
-    float spin_rad_s, pull_m_s2; /* Mean magnitudes of the rotation rate and of the acceleration
-                                    over all readings. */
+    float spin_rad_s, pull_m_s2; /* Mean magnitude of the rotation rate and mean magnitude of the
+                                    acceleration over all readings. */
     uint32_t missed;
     struct timespec began, ended;
 };

@@ -55,10 +55,10 @@ enum draw_wires_result draw_wires_meet(const vec3 spool_m[DRAW_WIRE_COUNT],
     const float d = axes.second_x_m, i = axes.third_x_m, j = axes.third_y_m;
     const float x_m = (a - b + d * d) / (2.0f * d);
     const float y_m = (a - c + i * i + j * j - 2.0f * i * x_m) / (2.0f * j);
-    /* Square of the eye's depth below the plane of the spools, in m^2. */
+    /* `below` is the square of the eye's depth below the plane of the spools, in m^2. */
     const float below = a - x_m * x_m - y_m * y_m;
-    /* If the wires are too short to meet by DRAW_WIRE_SLACK_M, the square of the depth is about
-     * this negative value. */
+    /* The square of the depth is negative if the wires are too short to meet. The limit is the
+     * value for wires that are too short by DRAW_WIRE_SLACK_M. */
     if (below < -2.0f * DRAW_WIRE_SLACK_M * length_m[0]) {
         return DRAW_WIRES_APART;
     }
@@ -92,7 +92,7 @@ const char *draw_wires_text(enum draw_wires_result result)
 
 /* ---- Calibration ----------------------------------------------------------------------------- */
 
-/* The coordinates of the marks are relative to the mean of the marks to reduce rounding errors. */
+/* The fit uses steps and lengths relative to their means over all marks, to reduce rounding errors. */
 
 void draw_wires_fit_add(struct wire_fit *fit, float step, float length_m)
 {

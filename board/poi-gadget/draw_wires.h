@@ -17,22 +17,24 @@
 #include "core/base/vec.h"
 
 #define DRAW_WIRE_COUNT 3u
-/* Greatest length of a wire in metres, the longest wire of cheap spools. */
+/* Maximum length of a wire in metres. The longest wire of cheap spools has this length. */
 #define DRAW_WIRE_MAX_M 3.0f
-/* Distance in metres by which the wires may fail to meet, because wires sag and stretch and the eye
- * is 5 mm wide. */
+/* Maximum distance in metres by which the wires may fail to meet in a point. Wires sag and stretch,
+ * and the eye in which they end is 5 mm wide. */
 #define DRAW_WIRE_SLACK_M 0.020f
-/* Depth in metres below the plane of the spools that the eye must exceed. Nearer to the plane, the
+/* Minimum depth in metres of the eye below the plane of the spools. For a smaller depth, the
  * computed height is too inaccurate. */
 #define DRAW_WIRE_NEAR_M 0.100f
 
 enum draw_wires_result {
     DRAW_WIRES_OK = 0,
-    /* A length is invalid, because the wire is not connected or not calibrated. */
+    /* The length of at least one wire is invalid, because the wire is not connected or not
+     * calibrated. */
     DRAW_WIRES_LENGTH,
     /* The wires do not meet in a point, because a wire is slack, caught or broken. */
     DRAW_WIRES_APART,
-    DRAW_WIRES_HIGH, /* The wires meet less than DRAW_WIRE_NEAR_M below the plane of the spools. */
+    DRAW_WIRES_HIGH, /* The wires meet too high: less than DRAW_WIRE_NEAR_M below the plane of the
+                        spools. */
     DRAW_WIRES_RESULT_COUNT,
 };
 
@@ -55,11 +57,11 @@ void draw_wires_lengths(const vec3 spool_m[DRAW_WIRE_COUNT], vec3 eye_m,
 
 /* ---- Calibration ----------------------------------------------------------------------------- */
 
-/* Minimum range of the converter steps over all marks. A smaller range gives no accurate step
- * size. */
+/* Minimum difference between the largest and the smallest converter step of the calibration marks.
+ * With a smaller difference, the fitted step size is inaccurate. */
 #define WIRE_FIT_STEPS_MIN 100.0f
-/* Maximum error of a mark in metres. A larger error means that a mark is wrong, or that the wire is
- * wound in several layers. */
+/* Maximum error of a calibration mark in metres. A larger error means that a mark is wrong, or that
+ * the wire is wound in several layers. */
 #define WIRE_FIT_MISS_MAX_M 0.005f
 
 struct wire_fit {
@@ -67,10 +69,10 @@ struct wire_fit {
     /* Converter steps (`step`) and wire length in metres (`length_m`) of each mark. The arrays have
      * POI_CONFIG_MARK_MAX elements. */
     float step[8], length_m[8];
-    float zero_m, step_m; /* Results in metres. `zero_m` is the length at step 0, and `step_m` is
-                             the length of one step. */
-    float miss_m;         /* Greatest difference in metres between the measured and the fitted
-                             length of a mark. */
+    float zero_m, step_m; /* Results of the fit in metres. `zero_m` is the wire length at converter
+                             step 0, and `step_m` is the length of one step. */
+    float miss_m;         /* Maximum difference in metres between the measured and the fitted wire
+                             length, over all marks. */
 };
 
 /* Adds a mark with its converter steps and its wire length in metres. Asserts that the arrays have

@@ -11,8 +11,8 @@
 #include "drivers/hid/poi_report.h"
 
 struct hid_gadget {
-    /* Path of the device. "-" means that reports are written to standard output and no force
-     * feedback is received. */
+    /* Path of the device /dev/hidgN. "-" means that reports are written to standard output and that
+     * no force feedback is received. */
     const char *path;
     int fd;              /* File descriptor, or -1 if the device is not open. */
     uint8_t sequence;    /* Sequence number of the next report to the host. */

@@ -1,6 +1,6 @@
-/* motor.c -- adds the decaying levels of drag, slap and tear to the level of the motor, and writes
- * the duty and the brightness as text to sysfs files. A file is written only if its value has
- * changed. */
+/* motor.c -- computes the level of the vibration motor from the decaying levels of drag, slap and
+ * tear. Writes the duty of the motor and the brightness of the light as text to sysfs files. A file
+ * is written only if its value has changed. */
 #include "board/poi-gadget/motor.h"
 
 #include <assert.h>

@@ -1,10 +1,10 @@
-/* motor.h -- converts the host's force feedback to the levels of one vibration motor and one light,
- * and controls a motor on a PWM channel and a light on an LED through files of sysfs.
+/* motor.h -- converts the host's force feedback to the levels of one vibration motor and one light.
+ * Controls a motor on a PWM channel and a light on an LED through files of sysfs.
  *
  * A vibration motor cannot push or turn the hand. Only the levels of the force feedback report are
- * used, and the force and the torque are ignored. Drag in the water gives a hum, a slap of a fish's
- * tail gives a pulse that decays, and a tear of the paper gives a rattle. The motor stops if the
- * host sends no more reports. */
+ * used, and the force and the torque are ignored. Drag in the water gives a hum. A slap of a fish's
+ * tail gives a pulse that decays. A tear of the paper gives a rattle. The motor stops if the host
+ * sends no more reports. */
 #ifndef KINGYO_BOARD_POI_GADGET_MOTOR_H
 #define KINGYO_BOARD_POI_GADGET_MOTOR_H
 
@@ -19,8 +19,8 @@
 #define FEEL_DRAG_SHARE 0.5f
 #define FEEL_SLAP_S 0.060f /* Time constant in seconds with which the pulse of a slap decays. */
 #define FEEL_TEAR_S 0.150f
-/* Frequency of the rattle in Hz. A higher frequency feels like an engine and not like tearing
- * paper. */
+/* Frequency of the rattle of a tear in Hz. A higher frequency feels like an engine and not like
+ * tearing paper. */
 #define FEEL_RATTLE_HZ 25.0f
 
 struct motor_mix {
@@ -40,13 +40,13 @@ struct feel_levels motor_mix_step(struct motor_mix *mix, const struct poi_force 
 
 struct motor {
     struct motor_mix mix;
-    /* File descriptors of the PWM duty file and of the LED brightness file. -1 means that the part
-     * is absent. */
+    /* File descriptors of the PWM duty file and of the LED brightness file. -1 means that the motor
+     * or the light is absent. */
     int duty_fd, light_fd;
     uint32_t period_ns;
-    float least; /* Lowest duty at which the motor turns, in [0, 1). */
+    float least; /* Lowest PWM duty at which the motor turns, in [0, 1). */
     uint32_t light_most;
-    uint32_t duty_ns, light_value; /* Duty in ns and brightness that were written last. */
+    uint32_t duty_ns, light_value; /* PWM duty in ns and light brightness that were written last. */
 };
 
 #define MOTOR_WHY_SIZE 160u

@@ -13,7 +13,8 @@
 
 #define MM 0.001f
 #define NUMBERS_MAX 4u
-/* Greatest coordinate of a position in mm, in each direction. */
+/* Maximum coordinate of a position in mm, in the positive and in the negative direction of each
+ * axis. */
 #define PLACE_MAX_MM 3000.0f
 
 void poi_config_init(struct poi_config *config)
@@ -39,15 +40,17 @@ void poi_config_init(struct poi_config *config)
 struct setting {
     const char *name;
     int (*set)(struct poi_config *config, const struct setting *setting, const char *value);
-    const char *expects; /* Error text for an invalid value. */
-    /* Number of a spool or of a wire, or offset of the setting's field in struct poi_config. */
+    const char *expects; /* Part of the error message that describes the valid values. */
+    /* Meaning depends on `set`: the number of a spool or of a wire, or the offset of the setting's
+     * field in struct poi_config. */
     size_t at;
-    /* Number, range and unit of the numbers of read_floats(). */
+    /* For read_floats(): how many numbers are parsed, their minimum and maximum, and the factor
+     * that converts the numbers to the stored unit. */
     uint32_t count;
     float least, most, unit;
 };
 
-/* Parses exactly `count` numbers, each in [`least`, `most`]. Returns 1, or 0 if the text is
+/* Parses exactly `count` numbers, each from `least` to `most`. Returns 1, or 0 if the text is
  * invalid. */
 static int read_numbers(const char *text, uint32_t count, float least, float most,
                         float out[NUMBERS_MAX])
@@ -64,8 +67,8 @@ static int read_numbers(const char *text, uint32_t count, float least, float mos
     return text[strspn(text, " \t")] == '\0';
 }
 
-/* Parses numbers that are stored one after the other at `setting->at`, each multiplied by its
- * unit. */
+/* Parses `setting->count` numbers and stores them one after the other at the offset `setting->at`.
+ * Each number is multiplied by `setting->unit`. */
 static int read_floats(struct poi_config *config, const struct setting *setting, const char *value)
 {
     float n[NUMBERS_MAX];
@@ -111,8 +114,8 @@ static int poi_config_read_wire(struct poi_config *config, const struct setting 
     return 1;
 }
 
-/* Parses three axes of the chip, for example "+x -z +y". Returns 1, or 0 if the axes do not form a
- * rotation matrix. A reflection is invalid. */
+/* Parses three axes of the inertial chip, for example "+x -z +y". Returns 1, or 0 if the axes do
+ * not form a rotation matrix. A reflection is invalid. */
 static int read_axes(struct poi_config *config, const struct setting *setting, const char *value)
 {
     (void)setting;

@@ -35,11 +35,12 @@ struct poi_config {
     /* Offset in metres from the eye, where the wires meet, to the ring's centre, in the axes of the
      * poi. */
     vec3 ring_m;
-    /* Directions right, up and back of the poi as unit vectors in the axes of the inertial chip. */
+    /* Directions right, up and back of the poi, each as a unit vector in the axes of the inertial
+     * chip. */
     vec3 imu_row[3];
     vec3 gyro_bias_rad_s; /* Bias of the gyroscope in rad/s, in the axes of the poi. */
-    /* Time constant in seconds with which the heading decays to straight ahead (see
-     * attitude_angles()). 0 disables the decay. */
+    /* Time constant in seconds of the heading's decay to straight ahead (see attitude_angles()). 0
+     * disables the decay. */
     float ahead_s;
     int32_t pwm_chip; /* Number N of the PWM chip /sys/class/pwm/pwmchipN. -1 means that there is no
                          motor. */

@@ -55,8 +55,8 @@ static int read_number(const char *word, float most, float *out)
     return 1;
 }
 
-/* Parses the six numbers of a pose. Positions are limited to 1,000 mm and angles to 360 degrees in
- * each direction. */
+/* Parses the six numbers of a pose. Positions must be within +-1,000 mm, and angles within +-360
+ * degrees. */
 static int read_pose(struct poi_target *out, char *word, char **rest, const char **why)
 {
     const float most[6] = { 1000.0f, 1000.0f, 1000.0f, 360.0f, 360.0f, 360.0f };
@@ -169,8 +169,8 @@ void pose_glide_step(struct pose_glide *glide, float seconds, struct poi_report 
     assert(seconds >= 0.0f);
     const struct poi_target *from = &glide->from.target, *to = &glide->to.target;
     glide->at_s += seconds;
-    /* `t` is the completed share of the motion at the share `s` of its duration. The speed and the
-     * acceleration are 0 at the start and at the end. */
+    /* `t` is the completed part of the motion, [0, 1], when the part `s` of its duration has
+     * passed. The speed and the acceleration are 0 at the start and at the end. */
     const float s = glide->at_s / glide->to.glide_s;
     const float t =
         pose_glide_is_there(glide) ? 1.0f : s * s * s * (10.0f - s * (15.0f - 6.0f * s));
@@ -200,8 +200,8 @@ void pose_tape_wrote(struct pose_tape *tape, uint32_t count)
     tape->size += count;
 }
 
-/* Moves one line from the buffer to `line`. Returns 1, 0 if the buffer has no complete line, or -1
- * after setting `why` if the line is too long or not text. */
+/* Moves one line from the buffer to `line`. Returns 1 if a line was moved, or 0 if the buffer has
+ * no complete line. If the line is too long or not text, sets `why` and returns -1. */
 static int cut_line(struct pose_tape *tape, char line[POSE_LINE_SIZE])
 {
     const char *end = memchr(tape->text, '\n', tape->size);
@@ -248,7 +248,7 @@ int pose_tape_step(struct pose_tape *tape, float seconds, struct poi_report *out
 
 /* ---- Source of poses ------------------------------------------------------------------------- */
 
-/* Advances the script by all cycles in `seconds`, and reports the last pose. */
+/* Advances the script by all cycles of the main loop in `seconds`, and reports the last pose. */
 static enum pose_result script_step(void *self, float seconds, struct poi_report *out)
 {
     struct pose_script_source *script = self;
@@ -278,8 +278,8 @@ static enum pose_result script_step(void *self, float seconds, struct poi_report
     if (!any) {
         return script->tape.ended ? POSE_END : POSE_NONE;
     }
-    /* An alternating tremor of half a step of the report is added to the position. A real hand is
-     * never exactly still, and the kiosk treats a sensor with constant values as failed. */
+    /* A tremor of half a position step of the report is added, with alternating sign. A real hand
+     * is never exactly still, and the kiosk treats a sensor with constant values as failed. */
     const float half_m = 0.5f * POI_REPORT_REACH_M / 32767.0f;
     out->target.position_m.x += script->step++ & 1u ? half_m : -half_m;
     return POSE_NEW;

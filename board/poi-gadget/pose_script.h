@@ -50,7 +50,7 @@ void pose_line_write(const struct poi_report *report, char text[POSE_LINE_SIZE])
 /* ---- Motion from pose to pose ---------------------------------------------------------------- */
 
 struct pose_glide {
-    uint8_t begun; /* 1 after the hand has had a first pose, otherwise 0. */
+    uint8_t begun; /* 1 after the first pose has been set, otherwise 0. */
     struct pose_line from, to;
     float at_s; /* Time in seconds since the start of the present motion, at most `to.glide_s`. */
 };
@@ -68,7 +68,7 @@ void pose_glide_step(struct pose_glide *glide, float seconds, struct poi_report 
 
 /* ---- Buffered text --------------------------------------------------------------------------- */
 
-/* Size of the text buffer in bytes. The caller keeps further text until the buffer has room. */
+/* Size of the text buffer in bytes. If the buffer is full, the caller must keep further text. */
 #define POSE_TAPE_SIZE 4096u
 
 struct pose_tape {
@@ -77,7 +77,7 @@ struct pose_tape {
     uint32_t line; /* Number of the line that was used last, counted from 1. */
     uint8_t ended; /* 1 if the caller will append no more text, otherwise 0. */
     struct pose_glide glide;
-    const char *why; /* Static text with the error in line number `line`. */
+    const char *why; /* Error message for line number `line`, as a static text. */
 };
 
 /* pose_tape_room() returns the unused part of the buffer and sets `room` to its size in bytes, at

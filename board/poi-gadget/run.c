@@ -1,4 +1,5 @@
-/* run.c -- runs the main loop at absolute times, so that delays do not accumulate. */
+/* run.c -- runs the main loop of the poi's board. Each cycle starts at an absolute time, so that
+ * delays do not accumulate. */
 #include "board/poi-gadget/run.h"
 
 #include <assert.h>
@@ -28,7 +29,7 @@ static void on_signal(int number)
 
 struct beat {
     uint64_t next_ns, period_ns, begin_ns;
-    uint64_t count; /* Number of cycles that were due since the start. */
+    uint64_t count; /* Number of cycles that were due since the start of the loop. */
     uint32_t late;  /* Number of due cycles that were skipped because the board was too slow. */
 };
 
@@ -84,7 +85,7 @@ static void exchange(struct hid_gadget *gadget, struct feel_sink sink, float sec
     }
 }
 
-/* Runs the loop. If `gadget` is null, new poses are printed as text. Returns EXIT_OK, or
+/* Runs the main loop. If `gadget` is null, prints each new pose as text. Returns EXIT_OK, or
  * EXIT_BAD_DATA if the source has an invalid pose. */
 static enum exit_code run_loop(const struct run_options *options, struct pose_source source,
                                struct hid_gadget *gadget, struct feel_sink sink)

@@ -19,8 +19,8 @@ enum pose_result {
 };
 
 struct pose_source {
-    /* Computes the next report. `seconds` is the time since the previous call. Never blocks. The
-     * caller sets the sequence number of the report. */
+    /* Function that computes the next report. `seconds` is the time since the previous call. The
+     * function never blocks. The caller sets the sequence number of the report. */
     enum pose_result (*step)(void *self, float seconds, struct poi_report *out);
     void *self;
 };
@@ -32,8 +32,8 @@ struct pose_source {
 
 /* Receiver of the host's force feedback, for example the motor. */
 struct feel_sink {
-    /* Handles force feedback. `newest` is the newest report, or null if no report has arrived since
-     * the last call. `seconds` is the time since the last call. */
+    /* Function that handles force feedback. `newest` is the newest report, or null if no report has
+     * arrived since the last call. `seconds` is the time since the last call. */
     void (*feel)(void *self, const struct poi_force *newest, float seconds);
     void (*stop)(void *self);
     void *self;

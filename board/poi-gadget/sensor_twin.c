@@ -1,6 +1,6 @@
 /* sensor_twin.c -- moves the simulated hand through a table of strokes, each scoop at a different
- * target position, and computes simulated readings by inverting board_pose.c, with quantization and
- * noise. */
+ * target position. Computes the simulated readings by inverting board_pose.c, and adds quantization
+ * and noise. */
 #include "board/poi-gadget/sensor_twin.h"
 
 #include <assert.h>
@@ -18,7 +18,7 @@
 #define SPOT_RIGHT_M 0.16f
 #define SPOT_FAR_M (-0.12f)
 #define SPOT_NEAR_M 0.12f
-/* Position at the bowl in metres at which the poi is tipped. The position is left of the bowl's
+/* Position in metres at which the poi is tipped over the bowl. The position is left of the bowl's
  * centre, because a fish slides sideways off a ring that is tilted by 58 degrees. */
 #define BOWL_X_M 0.289f
 #define BOWL_Y_M 0.062f
@@ -52,8 +52,8 @@ void sensor_twin_scoop(struct scoop *scoop, float seconds, struct poi_report *ou
 {
     if (pose_glide_is_there(&scoop->glide)) {
         const struct stroke *stroke = &strokes[scoop->stroke % SCOOP_STROKES];
-        /* Multiples of the plastic number's powers, modulo 1, fill the region of the target
-         * positions evenly without repetition. */
+        /* Powers of the plastic number (about 1.3247) give a low-discrepancy sequence. The sequence
+         * places the target positions evenly in the region without repetition. */
         const uint32_t number = scoop->stroke / SCOOP_STROKES % 4096u;
         const float u = 0.5f + (float)number * 0.7548777f, v = 0.5f + (float)number * 0.5698403f;
         const vec3 spot_m = v3(f_lerp(SPOT_LEFT_M, SPOT_RIGHT_M, u - f_floor(u)), 0.0f,
@@ -74,9 +74,9 @@ void sensor_twin_scoop(struct scoop *scoop, float seconds, struct poi_report *ou
 
 /* ---- Sensors --------------------------------------------------------------------------------- */
 
-#define STEPS 4096.0f /* Number of steps of a 12-bit converter. */
+#define STEPS 4096.0f /* Number of steps of a 12-bit analog-to-digital converter. */
 /* Change of the wire's length in metres over the full range of the converter. The potentiometer
- * makes ten turns, and the drum has a circumference of 100 mm. */
+ * makes ten turns, and the wire's drum has a circumference of 100 mm. */
 #define WIRE_SPAN_M 1.0f
 #define WIRE_LEAST_M 0.25f
 #define SAMPLES 4u
@@ -147,8 +147,9 @@ void sensor_twin_step(struct sensor_twin *twin, const struct poi_report *pose, f
         out->wire[i] = converted(twin, steps, i);
     }
     compute_readings(twin, &axes, turn, eye_m, seconds, out);
-    /* Combines three rotations: from the chip to the poi, from the poi to the world with +y up, and
-     * to the world with +z up. */
+    /* Combines three rotations. The first leads from the axes of the chip to the axes of the poi.
+     * The second leads to Kingyo's world, in which +y points up. The third leads to the chip's
+     * world, in which +z points up. */
     const struct quaternion lying = { 0.70710678f, 0.70710678f, 0.0f, 0.0f };
     out->turn = attitude_quaternion_product(attitude_quaternion_product(lying, turn),
                                             board_pose_quaternion_of_rows(config->imu_row));

@@ -35,8 +35,8 @@ void sensor_twin_scoop(struct scoop *scoop, float seconds, struct poi_report *ou
 
 struct sensor_twin {
     const struct poi_config *config;
-    /* Amplitude of the converter's noise in steps. One sample is wrong by at most this amount in
-     * each direction. A reading is a mean of four samples and therefore has less noise. */
+    /* Amplitude of the simulated converter's noise in steps. One sample is wrong by at most this
+     * amount. A reading is a mean of four samples and therefore has less noise. */
     float noise_steps;
     vec3 gyro_bias_rad_s; /* Simulated bias of the gyroscope in rad/s. */
     uint8_t fuses;        /* 1 if the simulated chip computes a quaternion, as a BNO055 does. 0 if
@@ -47,12 +47,13 @@ struct sensor_twin {
     vec3 place_m, speed_m_s;
 };
 
-/* Sets the calibration in `config` for a 12-bit converter whose range is one metre of wire. The
- * caller guarantees that `config` is valid. */
+/* Sets the calibration in `config` to that of a 12-bit converter whose range is one metre of wire.
+ * The caller guarantees that `config` is valid. */
 void sensor_twin_calibrate(struct poi_config *config);
 
-/* Computes the readings for a ring at `pose`. `seconds` is the time since the previous call and
- * must be above 0. The position of the pose must be known. */
+/* Computes the sensor readings for a poi whose ring has the pose `pose`. `seconds` is the time
+ * since the previous call and must be above 0. The caller guarantees that the position of the pose
+ * is known. */
 void sensor_twin_step(struct sensor_twin *twin, const struct poi_report *pose, float seconds,
                       struct readings *out);
 

@@ -39,24 +39,26 @@ void sensors_close_keys(struct keys *keys);
 
 struct sensors {
     int wire_fd[DRAW_WIRE_COUNT];
-    /* File descriptor of the quaternion, or -1 if the chip does not compute a quaternion. */
+    /* File descriptor of the attribute that contains the quaternion. -1 means that the inertial
+     * chip does not compute a quaternion. */
     int turn_fd;
     int gyro_fd[3], accel_fd[3];
     /* Size of one step of the gyroscope in rad/s (`gyro_scale`) and of the accelerometer in m/s^2
      * (`accel_scale`). */
     float gyro_scale, accel_scale;
-    /* 1 if the driver writes the scalar part of the quaternion first, 0 if last (see sensors.c). */
+    /* 1 if the driver writes the scalar part of the quaternion first, 0 if the driver writes the
+     * scalar part last (see sensors.c). */
     uint8_t scalar_first;
     struct keys keys;
     uint32_t failed_count; /* Number of readings that failed because a chip did not respond. */
 };
 
-/* Size in bytes of the error text of sensors_open().
- *
- * sensors_open() opens the sensors that `config` names. `root` is the prefix of all paths: "" for
- * this machine, or a test folder. Returns 1. If a sensor is missing, writes one line to `why` and
- * returns 0. The caller must call sensors_close() in either case. */
+/* Size in bytes of the buffer for the error text of sensors_open(). */
 #define SENSORS_WHY_SIZE 160u
+
+/* Opens the sensors that `config` names. `root` is the prefix of all paths: "" for this machine, or
+ * a test folder. `why` is a buffer of SENSORS_WHY_SIZE bytes. Returns 1. If a sensor is missing,
+ * writes one line to `why` and returns 0. The caller must call sensors_close() in either case. */
 int sensors_open(struct sensors *sensors, const struct poi_config *config, const char *root,
                  char why[SENSORS_WHY_SIZE]);
 
@@ -64,7 +66,8 @@ int sensors_open(struct sensors *sensors, const struct poi_config *config, const
  * the readings of the sensors that responded. */
 int sensors_read(struct sensors *sensors, struct readings *out);
 
-/* Number of consecutive failed readings after which the position counts as unknown. */
+/* Number of consecutive failed readings of the sensors after which the poi's position counts as
+ * unknown. */
 #define SENSOR_GONE_BEATS 25u
 
 struct sensor_source {
