@@ -1,5 +1,5 @@
-/* graph_file.c -- writes edits of the growth lab to files atomically and loads them at program
- * start; see graph_file.h. */
+/* graph_file.c -- writes graph edits of the growth lab to text files atomically and loads the files
+ * at program start; see graph_file.h. */
 #include "platform/store/graph_file.h"
 
 #include <errno.h>

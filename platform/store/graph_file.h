@@ -57,7 +57,7 @@ struct graph_file_warn {
 };
 
 /* Loads the saved graphs of all species into `book`. A file that cannot be used is reported through
- * `warn`, and its species keeps its own graph. */
+ * `warn`, and the graph of its species stays unchanged. */
 void graph_file_load(const char *data, struct lab_book *book, struct graph_file_warn warn);
 
 #endif

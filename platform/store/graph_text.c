@@ -71,8 +71,8 @@ struct reading {
                               white space. */
     uint32_t knot_line[GRAPH_KNOT_MAX], scale_line[GRAPH_KNOT_MAX];
     char *why;
-    int is_unreadable; /* 1 if the file has ended or a line is malformed. `why` then has the reason,
-                          and the parser skips all later checks. */
+    int is_unreadable; /* 1 if the file has ended or a line is malformed, otherwise 0. If the value
+                          is 1, `why` has the reason and the parser skips all later checks. */
 };
 
 __attribute__((format(printf, 2, 3))) static int graph_text_error(struct reading *reading,
@@ -92,7 +92,7 @@ __attribute__((format(printf, 2, 3))) static int graph_text_error(struct reading
 
 static int end_reading(struct reading *reading, const char *what)
 {
-    reading->line += reading->line == 0; /* For an empty file the error names line 1. */
+    reading->line += reading->line == 0; /* For an empty file the error message names line 1. */
     graph_text_error(reading, "%s", what);
     reading->is_unreadable = 1;
     return 0;
@@ -233,8 +233,8 @@ static int read_scale(struct reading *reading, const char *rest, struct lab_edit
     return 1;
 }
 
-/* Checks the graph. Returns 1. If the graph is invalid, reports the wrong knot and the reason, and
- * returns 0. */
+/* Checks the graph. Returns 1. If the graph is invalid, reports the number of the wrong knot and
+ * the reason, and returns 0. */
 static int judge_graph(struct reading *reading, const struct species_card *card,
                        const struct graph *graph)
 {

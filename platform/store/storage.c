@@ -1,5 +1,5 @@
-/* storage.c -- the functions of the store that the frame loop calls, and the status text of the
- * store. Only open() and close() may block. */
+/* storage.c -- implements the functions of the store that the frame loop calls, and the status text
+ * of the store. Only open() and close() may block. */
 #include "platform/store/storage.h"
 
 #include <signal.h>
@@ -186,8 +186,8 @@ static int storage_edits_failed(void *self)
 
 /* ---- Status -------------------------------------------------------------------------------- */
 
-/* Returns how long the card has not responded, in milliseconds. Returns 0 if the time is less than
- * STORAGE_STUCK_MS. */
+/* Returns the time in milliseconds for which the card (the disk with the database) has not
+ * responded. Returns 0 if the time is less than STORAGE_STUCK_MS. */
 int64_t storage_stuck_ms(const struct storage *storage)
 {
     CORE_ASSERT(storage);
@@ -231,11 +231,11 @@ static uint32_t storage_close(void *self)
         storage->has_thread = false;
         atomic_store(&storage->stop, false);
     }
-    storage->closes = true; /* No new backup is started during the close, so that a power cut leaves
-                               the previous backup. */
+    storage->closes = true; /* No new backup is started during the close. After a power cut the
+                               previous backup therefore still exists. */
     ledger_backup_drop(&storage->backup);
-    storage_work(storage); /* Writes entries that arrived after the last write of the store's
-                              thread, and retries failed writes once. */
+    storage_work(storage); /* Write the entries that arrived after the last write of the store's
+                              thread, and retry failed writes once. */
     storage_save_deleted(storage);
     /* An entry that is missing only in the mirror is in the database and therefore not lost. */
     const unsigned pushed = atomic_load(&storage->pushed);

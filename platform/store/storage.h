@@ -49,26 +49,29 @@
 
 #define STORAGE_BACKUP_SUFFIX ".backup"
 #define STORAGE_MIRROR_SUFFIX ".tail"
-/* Suffix of the complete replacement of a damaged database, before the replacement is renamed to
- * STORAGE_FILE. */
+/* Suffix of the complete replacement of a damaged database. The replacement has the suffix until it
+ * is renamed to STORAGE_FILE. */
 #define STORAGE_NEW_SUFFIX ".new"
 /* Suffix of an old backup that is kept when the operator restores a copy of the database. The old
  * backup belongs to the replaced database. */
 #define STORAGE_BEFORE_SUFFIX ".before-restore"
-/* Suffix of an old database that is kept when the operator restores a copy. A number follows. */
+/* Suffix of the replaced database, which is kept when the operator restores a copy. A number
+ * follows the suffix. */
 #define STORAGE_REPLACED_SUFFIX ".before-"
-/* Suffix of a damaged database that is kept but no longer used (quarantined). A number follows. */
+/* Suffix of a damaged database that is kept but no longer used (quarantined). A number follows the
+ * suffix. */
 #define STORAGE_QUARANTINE_SUFFIX ".damaged-"
-/* Suffix of the empty marker file that records that the database was missing. A number follows. */
+/* Suffix of the empty marker file that records that the database was missing. A number follows the
+ * suffix. */
 #define STORAGE_MISSING_SUFFIX ".missing-"
 /* Suffix of a quarantined backup or ledger mirror that belongs to a foreign ledger. A number
- * follows. */
+ * follows the suffix. */
 #define STORAGE_OTHER_SUFFIX ".other-"
 /* Suffix of the empty marker file that records that the operator has acknowledged a quarantined
  * file. The suffix follows the full name of the quarantined file. */
 #define STORAGE_SEEN_SUFFIX ".seen"
-/* Time in milliseconds after which a blocked write makes the store unhealthy. The longest internal
- * pause of good cards is one second. */
+/* Time in milliseconds after which a blocked write makes the store unhealthy. Good cards pause for
+ * at most one second. */
 #define STORAGE_STUCK_MS 3000
 /* STORAGE_RETRY_MS is the shortest and STORAGE_RETRY_MS_MAX the longest interval in milliseconds
  * between two attempts to open an unusable file, which is read completely each time. The interval
@@ -85,7 +88,7 @@
 /* Capacity of the queue of ledger entries: twice the number of unwritten entries that the core can
  * hold. While the card responds, the queue is therefore never full. */
 #define STORAGE_QUEUE_MAX (2u * LEDGER_RING)
-/* Capacity of the queue of growth-lab edits. The operator's menu permits far less than four edits
+/* Capacity of the queue of growth-lab edits. The operator's menu permits far fewer than four edits
  * per second. */
 #define STORAGE_EDITS_MAX 4u
 /* Time in milliseconds after which the store stops trying to write a replay that the card
@@ -105,8 +108,8 @@ struct storage_replay {
     uint32_t round_id;
     const uint8_t *bytes; /* Bytes to write. The caller must not change them until the request is
                              complete. */
-    uint8_t *room;        /* Buffer for the bytes that are read. The buffer must stay valid until
-                             the request is complete. */
+    uint8_t *room;        /* Buffer that receives the bytes of the replay. The buffer must stay
+                             valid until the request is complete. */
     size_t size;
     struct ledger_entry *round; /* Destination for the ledger entry of the round. */
     atomic_int state;           /* State of the request (enum storage_replay_state). */
@@ -119,8 +122,8 @@ struct storage_replay {
  * (-shm). */
 #define STORAGE_PLACES 3u
 
-/* Identity of a monitored file when the store first saw the file. Zeros mean that the file did not
- * exist yet. */
+/* Identity of a monitored file at the time when the store first saw the file. A structure of zeros
+ * means that the file did not exist yet. */
 struct storage_place {
     uint64_t device, inode;
 };
@@ -161,13 +164,13 @@ struct storage_chore {
 struct storage {
     const char *dir; /* Folder of the database. Must outlive the store. Null means that nothing is
                         stored. */
-    struct ledger_file_options how; /* Options for opening the database. Zeros mean the defaults.
-                                       With a custom vfs no backup is made. */
+    struct ledger_file_options how; /* Options for opening the database. A structure of zeros means
+                                       the defaults. With a custom vfs no backup is made. */
     uint8_t by_hand; /* 1 if no thread is started and the caller calls storage_work() instead. */
     struct storage_chore chore;
 
-    struct ledger_file file;     /* Open database. While the store's thread runs, only this thread
-                                    uses the database. */
+    struct ledger_file file;     /* Open database. While the store's thread runs, only the store's
+                                    thread uses the database. */
     struct ledger_content start; /* Content of the database when open() read it. */
     char path[STORAGE_PATH_SIZE];
     char text[HAL_TEXT_SIZE];
@@ -184,7 +187,7 @@ struct storage {
                              yet. */
     atomic_uint aside;    /* Number at the end of the quarantined database's file name. 0 means that
                              no database was quarantined. */
-    /* Identifies the last object that was renamed because it had the name of a database file but
+    /* Identifies the object that was renamed last because it had the name of a database file but
      * was not a regular file. The value is 1 plus the index of the name's suffix in
      * storage_suffixes. 0 means that no object was renamed. */
     atomic_uint strange;
@@ -204,7 +207,8 @@ struct storage {
      * thread). `pushed` and `written` only increase. */
     struct ledger_entry queue[STORAGE_QUEUE_MAX];
     atomic_uint pushed, written;
-    /* Queue of edits of the growth lab. Each edit becomes a text file (graph_file.h). */
+    /* Queue of graph edits of the growth lab, in which growth curves of the fish are edited. Each
+     * edit becomes a text file (graph_file.h). */
     struct graph_edit_record edits[STORAGE_EDITS_MAX];
     atomic_uint edits_pushed, edits_written;
     uint32_t accepted_edit_id;
@@ -212,8 +216,8 @@ struct storage {
 
     int hold;             /* Descriptor of the locked folder plus 1. The lock excludes other kiosk
                              processes. 0 means not locked. */
-    uint32_t accepted_id; /* Newest entry id that append() has accepted. A second call with the same
-                             entry stores nothing. */
+    uint32_t accepted_id; /* Newest entry id that append() has accepted. Another append() call with
+                             an accepted entry stores nothing. */
     atomic_uint saved_id;
     atomic_bool is_unproven; /* True if the write-ahead log that the store has read may not be on
                                 disk. committed_id() then returns 0 and the store counts as
@@ -240,7 +244,8 @@ struct storage {
                                     mirror is complete. Used by the store's thread only. */
     atomic_int tail_error;       /* errno of the last write to the ledger mirror. 0 means that the
                                     write succeeded. */
-    struct ledger_backup backup; /* Backup in progress. Used by the store's thread only. */
+    struct ledger_backup backup; /* State of the backup that is in progress. Used by the store's
+                                    thread only. */
     uint32_t backup_id;          /* Newest entry id when the last backup was started. */
     int64_t backup_due_s;        /* Time of the next backup on the monotonic clock. */
 
@@ -248,8 +253,10 @@ struct storage {
     struct storage_replay put, get;
     int64_t put_since_ms; /* Time when the card first rejected the requested replay. 0 means that
                              the card has not rejected the replay. */
-    atomic_uint put_id;   /* Round id of the newest replay that was written or abandoned. */
-    atomic_int got;       /* Value that fetched() returns when the request is complete. */
+    atomic_uint put_id;   /* Round id of the newest replay that was written, or that was abandoned
+                             because the card rejected it. */
+    atomic_int got;       /* Result of the last read of a replay, which fetched() returns when the
+                             request is complete. */
     atomic_uint sealed[STORAGE_RANKS]; /* Round id of each ranking row whose replay is on disk. 0
                                           means that the row has no replay on disk. */
 };

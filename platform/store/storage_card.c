@@ -1,8 +1,7 @@
-/* storage_card.c -- detects a card that was removed, replaced or full, reopens the database, and
- * detects that the open database is no longer at its path.
- *
- * An absent card is checked once per second because the check is cheap. An unusable file is read
- * completely at each attempt. The interval between attempts therefore grows from one second to one
+/* storage_card.c -- detects that the memory card was removed, replaced or full, and reopens the
+ * database. The module also detects that the open database is no longer at its path. An absent card
+ * is checked once per second because the check is cheap. An unusable file is read completely at
+ * each attempt to open it. The interval between attempts therefore grows from one second to one
  * minute, unless an attribute of the file or its card changes. */
 #include <errno.h>
 #include <string.h>
@@ -113,17 +112,17 @@ void storage_unlock(struct storage *storage)
 static int storage_card_probe(struct storage *storage)
 {
     int code = storage_open_exclusive(storage);
-    /* A file that replaced a moved file may lack entries that were acknowledged. */
+    /* A file that has replaced a moved database may lack entries that were acknowledged. */
     if (code == SQLITE_OK && storage->moved &&
         storage->file.content.memory.ledger.last_id < atomic_load(&storage->saved_id)) {
         storage_close_file(storage);
         storage_unlock(storage);
         return LEDGER_FILE_MOVED;
     }
-    /* Returns true if the open file contains a foreign ledger. A foreign ledger comes from
-     * another card, or from a card that was absent at program start. A new card or a backup has
-     * fewer entries and is accepted. The file may also contain queued entries, because a write
-     * that reported an error may have succeeded. */
+    /* Returns true if the open file contains a foreign ledger, which comes from another card, or
+     * from a card that was absent at program start. A new card or a backup has fewer entries and is
+     * accepted. The file may also contain queued entries, because a write that reported an error
+     * may have succeeded. */
     const unsigned pushed = atomic_load(&storage->pushed);
     const uint32_t saved_id = atomic_load(&storage->saved_id);
     const uint32_t last_id = storage->file.content.memory.ledger.last_id;
@@ -158,7 +157,7 @@ static int storage_card_probe(struct storage *storage)
 /* Returns true if the store may open the file that is now at the database's path, in place of the
  * open file that moved. The first call only reports the loss. The status therefore shows each loss,
  * even if the next call repairs the loss. During close() the first call may also return true,
- * because there is no next call. */
+ * because there is no later call. */
 static bool leave_moved(struct storage *storage)
 {
     const bool is_first = !storage->moved;
@@ -181,7 +180,7 @@ bool storage_has_card(struct storage *storage)
 {
     CORE_ASSERT(storage->hold >= 0);
     if (storage->file.db && !storage->file.refusal && !storage_has_moved(storage)) {
-        if (storage->moved) { /* The file is back at its path. */
+        if (storage->moved) { /* The database file is back at its path. */
             storage->moved = false;
             storage_note_result(storage, SQLITE_OK);
             storage_restore_log(storage);
@@ -192,8 +191,8 @@ bool storage_has_card(struct storage *storage)
     if (has_left && !leave_moved(storage)) {
         return false;
     }
-    /* The file is opened early if the last write failed because the card was full and the card
-     * has more free space now. */
+    /* The file is opened before the end of the interval if the last write failed because the card
+     * was full and the card has more free space now. */
     if (!storage->path[0] || !(storage_now_ms() >= storage->look_due_ms ||
                                atomic_load(&storage->late.state) == OFFLINE_CREDITS_NEW ||
                                sight_of(storage) != storage->sight ||
@@ -227,13 +226,12 @@ bool storage_has_card(struct storage *storage)
 
 /* ---- Moved database ------------------------------------------------------------------------ */
 
-/* Detects that the open database is no longer at its path.
- *
- * The database or its folder may have been removed, renamed, replaced or mounted over, so that the
- * next program start would not find it. The open file can still be written and synced, but its
- * content is lost or hidden. Therefore no entry is acknowledged, which locks the coin slot. A
- * folder that is put back is used again. A deleted database stays open, and close() copies it to
- * the path of the backup, where the next start finds it. */
+/* Detects that the open database is no longer at its path. The database or its folder may have been
+ * removed, renamed, replaced or mounted over, so that the next program start would not find it. The
+ * open file can still be written and synced, but its content is lost or hidden. Therefore no entry
+ * is acknowledged. Without acknowledgements the coin slot is locked. A folder that is put back is
+ * used again. A deleted database stays open, and close() copies it to the path of the backup, where
+ * the next program start finds it. */
 
 /* Suffixes of the monitored files. SQLite owns the descriptors of the log and its index. These
  * files are therefore identified by the inode that was seen first. */
@@ -251,8 +249,8 @@ void storage_note_place(struct storage *storage)
     storage->moved = false;
 }
 
-/* Returns true if the file is absent or was replaced. The identity of a new file is stored when the
- * file is first seen. */
+/* Returns true if the monitored file is absent or was replaced. The identity of a new file is
+ * stored when the store first sees the file. */
 static bool has_left(struct storage *storage, size_t index)
 {
     struct storage_place *place = &storage->places[index];
@@ -310,7 +308,8 @@ static bool is_deleted(const struct storage *storage)
     if (storage->hold > 0 && fstat(storage->hold - 1, &held) == 0 && held.st_nlink == 0) {
         return true;
     }
-    /* A database in a folder that was renamed or mounted over still has its name. */
+    /* If only the folder was renamed or mounted over, the database still has a name in its
+     * folder. */
     return !has_folder_left(storage) &&
            !(lstat(storage->path, &about) == 0 && storage_moved_is_same(&about, place));
 }

@@ -58,7 +58,7 @@ void storage_note_write(struct storage *storage, int code);
  * temporary errors. */
 bool storage_needs_reopening(int code);
 
-/* storage_card.c: clears the stored identities of the files. Called after a database was
+/* storage_card.c: clears the stored identities of the monitored files. Called after a database was
  * opened. */
 void storage_note_place(struct storage *storage);
 /* Returns true if the open database, its log or its folder is no longer at its path. */
@@ -103,14 +103,14 @@ int64_t storage_stuck_ms(const struct storage *storage);
 int storage_mirror_write(struct storage *storage, const struct ledger_entry *entries,
                          uint32_t count);
 
-/* Copies missing entries from the database to the ledger mirror after a failed write, if no entry
- * waits. */
+/* Copies missing entries from the database to the ledger mirror after a failed write. Does nothing
+ * while an entry waits in the queue. */
 void storage_mirror_repair(struct storage *storage);
 
 /* storage_thread.c: closes the database and aborts a backup that is in progress. */
 void storage_close_file(struct storage *storage);
 /* Closes a database that was opened on a full card, because other programs cannot read the database
- * until it is closed. */
+ * while it is open. */
 void storage_share_file(struct storage *storage);
 /* Thread function of the store. Runs until storage->stop is set. */
 void *storage_thread(void *storage);
@@ -129,12 +129,12 @@ int storage_has_replay(void *storage, uint32_t round_id);
  * thread calls both functions. */
 void storage_put_replay(struct storage *storage);
 void storage_get_replay(struct storage *storage);
-/* Updates storage->sealed, which lists the ranked rounds that have a replay. Called by the thread
- * that uses the database. */
+/* Updates storage->sealed, the list of ranked rounds that have a replay. Called by the thread that
+ * uses the database. */
 void storage_update_sealed(struct storage *storage);
 
-/* storage_unwritten() returns the number of queued entries, storage_unwritten_edits() the number of
- * queued edits. */
+/* storage_unwritten() returns the number of queued entries. storage_unwritten_edits() returns the
+ * number of queued edits. */
 uint32_t storage_unwritten(const struct storage *storage);
 uint32_t storage_unwritten_edits(const struct storage *storage);
 

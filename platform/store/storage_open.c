@@ -184,7 +184,7 @@ static int open_whole(struct storage *storage)
 /* ---- Opening ------------------------------------------------------------------------------- */
 
 /* Opens the database. Creates a new database only if there is no database, backup or mirror. A
- * custom vfs has no other files than the database. */
+ * database on a custom vfs has no backup and no mirror. */
 int storage_open_file(struct storage *storage)
 {
     CORE_ASSERT(storage->path[0]);
@@ -192,8 +192,8 @@ int storage_open_file(struct storage *storage)
         return ledger_file_open(&storage->file, storage->path, &storage->how);
     }
     storage->has_to_rebuild = false;
-    /* Returns true if the database path is a symbolic link. The link may lead to a card that is
-     * not mounted yet. Therefore the link is neither removed nor followed. */
+    /* If the database path is a symbolic link, the link may lead to a card that is not mounted yet.
+     * Therefore the link is neither removed nor followed. */
     struct stat about;
     if (lstat(storage->path, &about) == 0 && S_ISLNK(about.st_mode)) {
         return LEDGER_FILE_LINK;

@@ -25,7 +25,7 @@
 #include "platform/store/sqlite/sql.h"
 #include "platform/store/storage_internal.h"
 
-/* Suffix of the incomplete replacement. */
+/* Suffix of the replacement while it is incomplete. */
 #define PART_SUFFIX STORAGE_NEW_SUFFIX LEDGER_PART_SUFFIX
 
 static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
@@ -33,9 +33,9 @@ static const char *const suffixes[] = { "-wal", "-journal", "-shm" };
 
 /* ---- Quarantine ---------------------------------------------------------------------------- */
 
-/* Returns one more than the highest number of all quarantined files and markers. The operator may
- * have deleted an acknowledged file. Its marker remains, and would hide a new file with the same
- * number. */
+/* Returns the highest number in the names of all quarantined files and markers, plus one. The
+ * operator may have deleted an acknowledged file. Its marker remains, and would hide a new file
+ * with the same number. */
 static unsigned next_number(const struct storage *storage)
 {
     static const char *const kinds[] = { STORAGE_QUARANTINE_SUFFIX, STORAGE_MISSING_SUFFIX,
@@ -68,8 +68,8 @@ int storage_quarantine_other(struct storage *storage, const char *suffix)
     return file_rename_durable(from, to) == 0 ? 0 : -1;
 }
 
-/* Renames the damaged database first and then its log and journal. A journal that remained would be
- * applied to the new database. Returns true on success. */
+/* Renames the damaged database first and then its log and journal. SQLite would apply a log or
+ * journal that kept its name to the new database. Returns true on success. */
 static bool set_aside(struct storage *storage, unsigned number)
 {
     char from[LEDGER_PATH_SIZE], to[LEDGER_PATH_SIZE], suffix[40];
@@ -89,7 +89,7 @@ static bool set_aside(struct storage *storage, unsigned number)
 }
 
 /* Creates an empty marker for a missing database. The marker stays until the operator acknowledges
- * it. Returns true if the marker is on disk. */
+ * the loss. Returns true if the marker is on disk. */
 static bool leave_note(struct storage *storage, unsigned number)
 {
     char path[LEDGER_PATH_SIZE], suffix[40];
@@ -112,8 +112,8 @@ static void remove_all(const struct storage *storage, const char *suffix)
     }
 }
 
-/* Copies entries that `to` lacks from the damaged database and the mirror into `to`. Returns an
- * SQLite code. */
+/* Copies the entries that `to` lacks into `to`. Reads the entries from the damaged database and
+ * from the ledger mirror. Returns an SQLite code. */
 static int salvage_into(struct storage *storage, struct ledger_file *to)
 {
     struct stat about;
@@ -145,8 +145,8 @@ static int make_new(struct storage *storage, bool is_missing, unsigned number)
     storage_sibling_path(storage, PART_SUFFIX, "", part);
     storage_sibling_path(storage, STORAGE_NEW_SUFFIX, "", fresh);
     remove_all(storage, PART_SUFFIX);
-    /* Makes the replacement under its temporary name. The single writes are not synced because
-     * no process reads the file before it is complete. One sync at the end saves time on a slow
+    /* Makes the replacement under its temporary name. Single writes are not synced, because no
+     * process reads the file before it is complete. Syncing once at the end saves time on a slow
      * card. */
     static const struct ledger_file_options unsynced = { .journal = "MEMORY OFF" };
     struct ledger_file file;

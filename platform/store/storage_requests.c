@@ -170,8 +170,8 @@ int storage_merge_offline(void *self, const struct balance_change *step,
     }
     late->count = count < OFFLINE_CREDITS_MAX ? count : OFFLINE_CREDITS_MAX;
     memcpy(late->entries, entries, late->count * sizeof *entries);
-    late->entries[0].id = 0; /* An id of 0 means that the entries did not get ids in the database
-                                yet. */
+    late->entries[0].id = 0; /* An id of 0 means that the entries have not been assigned ids of the
+                                database yet. */
     late->step = *step;
     atomic_store(&late->state, OFFLINE_CREDITS_NEW);
     sem_post(&storage->wake);
@@ -218,8 +218,8 @@ void storage_apply_offline(struct storage *storage)
     const bool has_ids = list->last_id <= LEDGER_ID_MAX - OFFLINE_CREDITS_MAX;
     int code = storage->file.refusal ? storage->file.refusal : has_ids ? SQLITE_OK : SQLITE_FULL;
     /* The database may already contain the offline entries, because an earlier commit may have
-     * succeeded although it reported an error. Entries that are found here are on disk, because
-     * opening the database made its content durable. */
+     * succeeded although it reported an error. Entries that are found in the database are on disk,
+     * because opening the database made its content durable. */
     const struct ledger_entry *first = &storage->late.entries[0];
     struct ledger_entry there;
     if (code == SQLITE_OK &&

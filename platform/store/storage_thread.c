@@ -14,9 +14,8 @@
 
 /* Interval between two attempts to write to a card after a failure, in milliseconds. */
 #define RETRY_MS 1000
-/* Interval in milliseconds between two checks that the open database is still at its path. The
- * status file is written immediately after a change, so that a loss is reported within one
- * second. */
+/* Interval in milliseconds between two checks that the open database is still at its path. A loss
+ * is reported within one second, because the status file is written immediately after a change. */
 #define CHECK_MS 200
 
 uint32_t storage_unwritten(const struct storage *storage)
@@ -109,7 +108,8 @@ static int64_t wall_clock_s(void)
     return storage_now_ms() / 1000;
 }
 
-/* Advances the backup in steps while no entry waits. A failed backup is retried after one hour. */
+/* Advances the backup in steps while no entry waits. After a failure the next backup is started one
+ * hour later. */
 static void back_up(struct storage *storage)
 {
     char path[LEDGER_PATH_SIZE];
@@ -208,8 +208,8 @@ void storage_work(struct storage *storage)
     do_chore(storage);
 }
 
-/* Thread function. Calls storage_work() when there is new work, and at least once per second,
- * because a failed card is retried and a backup may be due. */
+/* Thread function of the store. Calls storage_work() when there is new work, and at least once per
+ * second to retry a failed card and to start a backup that is due. */
 void *storage_thread(void *context)
 {
     struct storage *storage = context;
@@ -251,7 +251,8 @@ static int open_tail(struct storage *storage)
     char path[LEDGER_PATH_SIZE];
     storage_mirror_path(storage, path);
     int result = ledger_mirror_open(&storage->tail, path);
-    /* A foreign mirror, for example after a user copied a card, must not be used. */
+    /* A mirror of a foreign ledger must not be used. For example, a user may have copied files from
+     * another card. */
     struct ledger_entry entry;
     if (result == 0 &&
         ledger_mirror_entry(&storage->tail, atomic_load(&storage->saved_id), &entry) &&

@@ -1,8 +1,6 @@
 /* ledger_aggregates.c -- updates, writes and reads the aggregates of the ledger's entries
- * (settings, audits and ranking) and their checksums.
- *
- * The aggregates have rows of their own, so that the kiosk starts without reading the entries of
- * years. */
+ * (settings, audits and ranking) and their checksums. The aggregates have their own rows, so that
+ * the kiosk can start without reading all entries of several years. */
 #include <string.h>
 
 #include <sqlite3.h>
@@ -149,7 +147,7 @@ int ledger_aggregates_put(struct ledger_file *file, const struct ledger_content 
     return code == SQLITE_OK ? ledger_checksum_put(file->db) : code;
 }
 
-/* ---- Reading (rows that this version does not know stay in the file and are ignored) ------- */
+/* ---- Reading (rows that only another version writes stay in the file and are ignored) ------- */
 
 typedef void take_row(struct ledger_content *content, sqlite3_stmt *row);
 
@@ -252,9 +250,9 @@ int ledger_aggregates_read(struct ledger_file *file, struct ledger_content *out)
  * Without these checksums, a flipped bit in a setting, an audit or a score would not be detected,
  * because SQLite has no checksums. Each ledger entry has its own checksum. */
 
-/* SQL text for reading and writing each checksum, and for reading the rows that it covers. The
- * checksum of the audits is stored in the table of the audits, because both change with nearly
- * every entry. Writing one table saves one page per write. */
+/* SQL text for each table checksum: to read the checksum, to write it, and to read the rows that it
+ * covers. The checksum of the audits is stored in the table of the audits, because the checksum and
+ * the audits change with nearly every entry. Writing one table saves one page per write. */
 #define STATE_TALLY "SELECT value FROM state WHERE name = "
 static const struct tally {
     const char *get, *put;
@@ -294,8 +292,8 @@ static int hash_rows(sqlite3 *db, const char *text, uint64_t *hash)
     return sql_end(row, code);
 }
 
-/* Computes the checksum of a table. The result is never 0, because 0 means that no checksum is
- * stored. */
+/* Computes the checksum of a table and writes it to `out`. The checksum is never 0, because 0 means
+ * that no checksum is stored. */
 static int add_up(sqlite3 *db, const struct tally *tally, int64_t *out)
 {
     uint64_t hash = HASH_START;
@@ -334,8 +332,8 @@ int ledger_checksum_put(sqlite3 *db)
 int ledger_checksum_check(sqlite3 *db)
 {
     int code = sql_run(db, "BEGIN"); /* The transaction prevents another program from writing
-                                        between the read of the checksum and the read of its
-                                        rows. */
+                                        between the read of a checksum and the read of the rows that
+                                        the checksum covers. */
     for (size_t i = 0; code == SQLITE_OK && i < TALLY_COUNT; i++) {
         /* A file without a checksum is accepted, because a version of Kingyo without checksums
          * may have written the file last. */

@@ -86,8 +86,9 @@ int ledger_backup_step(struct ledger_backup *backup)
         return code == SQLITE_OK ? SQLITE_OK : SQLITE_BUSY;
     }
     if (code == SQLITE_DONE) {
-        /* Complete the copy as a file that can be read without a log. The copy is validated like
-         * a database, because a damaged copy must not replace the last backup. */
+        /* Convert the copy to a file that can be read without a write-ahead log. The copy is
+         * validated like a database, because a damaged copy must not replace the previous
+         * backup. */
         char name[LEDGER_PATH_SIZE];
         name_part(backup, name);
         code = sqlite3_backup_finish(backup->copy);
@@ -119,7 +120,7 @@ int ledger_backup_make(struct ledger_file *from, const char *path, bool is_marke
     return code == SQLITE_DONE ? SQLITE_OK : code;
 }
 
-/* ---- Leaving out data after panics --------------------------------------------------------- */
+/* ---- Deleting data after panics ----------------------------------------------------------- */
 
 static int ledger_leave_delete_rows(struct ledger_file *file, enum panics_left left)
 {
@@ -129,9 +130,9 @@ static int ledger_leave_delete_rows(struct ledger_file *file, enum panics_left l
         code =
             sqlite3_prepare_v2(file->db, "DELETE FROM settings WHERE name = ?1", -1, &forget, NULL);
         for (uint32_t id = 0; code == SQLITE_OK && id < SETTING_COUNT; id++) {
-            /* The PIN and the money settings must stay, and they do not affect a round. Without a
-             * PIN everyone could open the menu, and without money settings the game would be
-             * free. */
+            /* The PIN and the money settings are not deleted, because they do not affect a round.
+             * Without a PIN everyone could open the operator's menu, and without money settings the
+             * game would be free. */
             if (settings_entry(id)->group != GROUP_MONEY && id != SET_PIN) {
                 sqlite3_bind_text(forget, 1, settings_entry(id)->name, -1, SQLITE_STATIC);
                 code = sqlite3_step(forget) == SQLITE_DONE ? SQLITE_OK : sqlite3_errcode(file->db);
@@ -155,8 +156,8 @@ static int ledger_leave_delete_rows(struct ledger_file *file, enum panics_left l
     return ledger_log_result(file, code);
 }
 
-/* Writes the path of the first unused copy to `copy` and returns its number. Returns 0 if all
- * numbers are used. */
+/* Finds the first unused number of a copy. Writes the path of the copy to `copy` and returns the
+ * number. Returns 0 if all numbers are used. */
 static uint32_t free_number(const char *path, char copy[LEDGER_PATH_SIZE])
 {
     struct stat about;

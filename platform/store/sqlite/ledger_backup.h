@@ -11,7 +11,7 @@
 /* Name of the database in its folder. */
 #define STORAGE_FILE "kingyo.db"
 /* Suffix of the copy of the database that ledger_leave_out() makes before it deletes data. A number
- * follows. */
+ * follows the suffix. */
 #define STORAGE_LEFT_SUFFIX ".left-out-"
 /* Size in bytes of the database's path. */
 #define STORAGE_PATH_SIZE 512u
@@ -20,13 +20,15 @@
 /* Suffix of temporary files. A temporary file may be deleted at any program start. */
 #define LEDGER_PART_SUFFIX ".kingyo-part"
 
-/* Mark in `application_id` of a copy that the operator may restore. A marked copy may have fewer
- * entries than the kiosk's backup and is not treated as a damaged database. */
+/* Value of `application_id` that marks a copy that the operator may restore. A marked copy may have
+ * fewer entries than the kiosk's backup. Because of the mark, the missing entries are not treated
+ * as damage. */
 #define LEDGER_COPY_MARK 0x6b6e6779
 
 struct sqlite3_backup;
 
-/* Backup in progress. The caller owns the structure. Zeros mean that no backup is in progress. */
+/* State of a backup in progress. The caller owns the structure. A structure of zeros means that no
+ * backup is in progress. */
 struct ledger_backup {
     struct sqlite3 *to;
     struct sqlite3_backup *copy;
@@ -39,9 +41,9 @@ struct ledger_backup {
  * backup is in progress. */
 int ledger_backup_begin(struct ledger_backup *backup, struct ledger_file *from, const char *path);
 
-/* Copies 256 KiB. Returns SQLITE_OK if more is left, SQLITE_BUSY if the caller must retry later, or
- * SQLITE_DONE if `path` is the complete copy and on disk. After any other code the copy is aborted
- * and the file at `path` is unchanged. */
+/* Copies 256 KiB. Returns SQLITE_OK if a part remains to be copied. Returns SQLITE_BUSY if the
+ * caller must retry later. Returns SQLITE_DONE if `path` is the complete copy and is on disk. After
+ * any other code the copy is aborted and the file at `path` is unchanged. */
 int ledger_backup_step(struct ledger_backup *backup);
 
 /* Aborts the copy and deletes its temporary file. */
@@ -51,11 +53,11 @@ void ledger_backup_drop(struct ledger_backup *backup);
 int ledger_backup_make(struct ledger_file *from, const char *path, bool is_marked);
 
 /* ledger_is_marked() returns true if the open database is a marked copy. ledger_unmark() removes
- * the mark, so that the copy becomes the kiosk's database. */
+ * the mark from a restored copy, which then is the kiosk's database. */
 bool ledger_is_marked(struct ledger_file *file);
 int ledger_unmark(struct ledger_file *file);
 
-/* ---- Leaving out data after panics --------------------------------------------------------- */
+/* ---- Deleting data after panics ----------------------------------------------------------- */
 
 /* Deletes a part of the stored data after panics, because the data may have caused the panics.
  *
@@ -63,10 +65,10 @@ int ledger_unmark(struct ledger_file *file);
  * `kingyoctl backup --restore` can restore the copy. Coins, credits, entries, audits and scores
  * are never deleted. The PIN and the money settings are never deleted either. */
 
-/* Maximum number N in the name of a copy. If all numbers are in use, no copy can be made, and
- * therefore no more data are deleted. */
+/* Maximum number N in the name of a copy. If all numbers are in use, no copy can be made. In this
+ * case no further data are deleted. */
 #define LEDGER_LEFT_MAX 99u
-/* Size in bytes of the result text. */
+/* Size in bytes of the buffer for the result text of ledger_leave_out(). */
 #define LEDGER_LEAVE_WORDS 160u
 /* Value that ledger_leave_out() returns if the folder has no database. */
 #define LEDGER_LEAVE_NONE 1

@@ -57,9 +57,10 @@ int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entri
     code = code == SQLITE_OK ? ledger_aggregates_put(file, &file->content, &after) : code;
     code = code == SQLITE_OK ? sql_run(file->db, "COMMIT") : code;
     if (code != SQLITE_OK) {
-        /* Roll back and read the content again, because the entries may have been written in
-         * spite of the error, or by another program. The content that this connection reads
-         * never includes a transaction whose sync failed. */
+        /* Roll back and read the content again, because SQLite may have written the entries
+         * although it reported an error, or another program may have written entries. A connection
+         * that reported a failed sync of a transaction does not return the content of that
+         * transaction. */
         sql_run(file->db, "ROLLBACK");
         struct ledger_content found;
         if (ledger_aggregates_read(file, &found) == SQLITE_OK) {
@@ -116,11 +117,11 @@ const char *ledger_file_error(int code)
 /* Number of log pages after which the log is copied into the database. With this limit one
  * transaction copies at most half a MiB. */
 #define CHECKPOINT_PAGES 128
-/* Number of bytes that are written again at a time. */
+/* Number of bytes of the write-ahead log that one write call rewrites. */
 #define CHUNK 4096
 
 /* Commit hook, which SQLite calls after each commit. SQLite's default hook ignores a failed
- * checkpoint; this hook sets `is_suspect`. */
+ * checkpoint. Kingyo's hook sets `is_suspect` if a checkpoint fails. */
 static int after_commit(void *context, sqlite3 *db, const char *name, int page_count)
 {
     struct ledger_file *file = context;
@@ -145,8 +146,8 @@ void ledger_log_before_close(struct ledger_file *file)
     }
 }
 
-/* Writes the log again. The write lock prevents another program from restarting the log during the
- * rewrite. */
+/* Writes the write-ahead log again. The write lock prevents another program from restarting the log
+ * during the rewrite. */
 int ledger_log_secure(struct ledger_file *file)
 {
     CORE_ASSERT(file->db);
@@ -169,8 +170,8 @@ int ledger_log_secure(struct ledger_file *file)
         code = code == SQLITE_OK && size > 0 ? log->pMethods->xSync(log, SQLITE_SYNC_NORMAL) : code;
     }
     if (code == SQLITE_OK) {
-        /* Sync the folder of the database, because SQLite ignores an error when it syncs the
-         * folder for a new log. */
+        /* Sync the folder of the database. SQLite also syncs the folder for a new log, but ignores
+         * an error of this sync. */
         const char *path = sqlite3_db_filename(file->db, "main");
         code = !path || !path[0] || file_sync_parent(path) == 0 ? SQLITE_OK : SQLITE_IOERR;
     }

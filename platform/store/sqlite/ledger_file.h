@@ -1,11 +1,10 @@
-/* ledger_file.h -- the SQLite database of all data that must survive a power cut.
- *
- * The database contains the entries of the ledger (core/ledger.h) and their aggregates: settings,
- * audits, ranking, rounds. The ledger is the append-only list of money events and rounds. Entries
- * and aggregates are written in one transaction, which is on disk when the function returns. A
- * power cut therefore leaves the file either before or after the transaction. The current balance
- * is the balance of the newest entry. A file of an older version is migrated in one transaction
- * when it is opened. Only one thread at a time may use a file. */
+/* ledger_file.h -- the SQLite database of all data that must survive a power cut. The database
+ * contains the entries of the ledger (core/ledger.h) and their aggregates: settings, audits,
+ * ranking, rounds. The ledger is the append-only list of money events and rounds. Entries and
+ * aggregates are written in one transaction, which is on disk when the function returns. After a
+ * power cut the file therefore contains either the whole transaction or no part of it. The current
+ * balance is the balance of the newest entry. A file of an older version is migrated in one
+ * transaction when it is opened. Only one thread at a time may use a file. */
 #ifndef KINGYO_PLATFORM_STORE_SQLITE_LEDGER_FILE_H
 #define KINGYO_PLATFORM_STORE_SQLITE_LEDGER_FILE_H
 
@@ -37,7 +36,7 @@ struct sqlite3_stmt;
 /* Error codes of this module. All other codes are SQLite result codes; SQLITE_OK (0) means
  * success. */
 #define LEDGER_FILE_NEWER (-1) /* A newer version wrote the file. The file stays unchanged. */
-/* The file is valid, but contains the entries of a foreign kiosk. */
+/* The file is valid but contains entries of a different kiosk. */
 #define LEDGER_FILE_FOREIGN (-2)
 #define LEDGER_FILE_LOCKED (-3) /* Another process holds the lock of the folder. */
 #define LEDGER_FILE_MOVED (-4)  /* The file or its folder was removed, renamed or replaced. */
@@ -60,7 +59,7 @@ enum ledger_statement {
     LEDGER_STATEMENT_COUNT,
 };
 
-/* Content of the database on disk, without entries and replays. */
+/* Content of the database on disk, except entries and replays. */
 struct ledger_content {
     struct persistent_state memory;     /* Persistent state of the core. ledger.boots is the boot
                                            number of the newest entry. */
@@ -70,7 +69,8 @@ struct ledger_content {
     bool has_read;                      /* True if the content was read from a database. */
 };
 
-/* Open database. The caller owns the structure. Zeros mean that no database is open. */
+/* Open database. The caller owns the structure. A structure of zeros means that no database is
+ * open. */
 struct ledger_file {
     struct sqlite3 *db;
     struct sqlite3_stmt *statement[LEDGER_STATEMENT_COUNT];
@@ -78,16 +78,16 @@ struct ledger_file {
     bool is_suspect; /* True if a sync may have failed. The write-ahead log must then be written
                         again (ledger_file.c) before SQLite copies the log into the database. */
     int refusal;     /* Reason why the file is read-only. 0 means that the file can be written.
-                        SQLITE_FULL means that the card has no space for the log's index. Other
-                        values are SQLITE_READONLY, or the reason why a damaged file could not be
-                        replaced. */
+                        SQLITE_FULL means that the card has no space for the index of the
+                        write-ahead log. Other values are SQLITE_READONLY, or the reason why a
+                        damaged file could not be replaced. */
 };
 
 /* Options for opening a file. Each field may be null, which means the default. */
 struct ledger_file_options {
     const char *vfs;     /* SQLite's name of a file system layer (vfs). */
-    const char *journal; /* Values of journal_mode and synchronous, for example "WAL FULL". Used to
-                            benchmark other modes. */
+    const char *journal; /* Values of the pragmas journal_mode and synchronous, for example "WAL
+                            FULL". Benchmarks use the field to measure other modes. */
 };
 
 /* Opens or creates the file `path`, then validates, migrates and reads it. `how` may be null.
@@ -121,9 +121,9 @@ bool ledger_schema_foreign(struct sqlite3 *db, struct ledger_foreign *out);
  * holds the write lock. After an error `is_suspect` stays true. */
 int ledger_log_secure(struct ledger_file *file);
 
-/* Writes entries with rising ids in one transaction. Entries that the file already contains are
+/* Writes entries whose ids rise, in one transaction. Entries that the file already contains are
  * skipped. Returns SQLITE_OK if all entries are written. After a failed transaction, `content` is
- * read again, because SQLite may have written all entries in spite of the error. */
+ * read again, because SQLite may have written all entries although it reported an error. */
 int ledger_file_write(struct ledger_file *file, const struct ledger_entry *entries, uint32_t count);
 
 /* Reads the entry `id`. Returns SQLITE_NOTFOUND if there is no such entry, or SQLITE_CORRUPT if its
@@ -149,8 +149,8 @@ int ledger_file_put_replay(struct ledger_file *file, uint32_t round_id, const vo
 int ledger_file_get_replay(struct ledger_file *file, uint32_t round_id, void *bytes, size_t size,
                            size_t *size_out);
 
-/* Writes the id of the first round after `round_id` that has a replay to `out`. Returns
- * SQLITE_NOTFOUND if there is none. */
+/* Finds the first round after `round_id` that has a replay, and writes its id to `out`. Returns
+ * SQLITE_NOTFOUND if no later round has a replay. */
 int ledger_file_next_replay(struct ledger_file *file, uint32_t round_id, uint32_t *out);
 
 /* Replaces a replay that contains a PIN by a replay without the PIN, in one transaction, and

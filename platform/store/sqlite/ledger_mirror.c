@@ -18,9 +18,9 @@
 
 #define FILE_SIZE ((off_t)LEDGER_MIRROR_SLOTS * LEDGER_MIRROR_SLOT_SIZE)
 
-/* Versions of the layout of a slot. A slot of version 4 has padding in place of the balance's
- * fields `returned` and `tickets`. Both fields are then read as 0. The number 100 is higher than
- * any schema version of the database. */
+/* Version of the layout of a slot. A slot of version 4 has padding in place of the balance's fields
+ * `returned` and `tickets`, which are then read as 0. The number 100 is higher than any schema
+ * version of the database. */
 #define SLOT_VERSION 100u
 #define SLOT_VERSION_4 4u
 
@@ -93,9 +93,9 @@ static int ledger_mirror_allocate(int handle)
     return fsync(handle);
 }
 
-/* Writes each byte of the file again. A sync may have failed in this process or in a process
- * that was killed. After a failed sync, a slot may be readable without being on disk. Returns 0
- * or -1. */
+/* Writes each byte of the file again. A sync may have failed in the current process or in a process
+ * that was killed. After a failed sync, a slot may be readable although it is not on disk. Returns
+ * 0 or -1. */
 static int rewrite(int handle)
 {
     uint8_t bytes[64 * LEDGER_MIRROR_SLOT_SIZE];
@@ -123,8 +123,8 @@ int ledger_mirror_open(struct ledger_mirror *tail, const char *path)
         return -1;
     }
     const bool is_whole = fstat(tail->handle, &about) == 0 && about.st_size == FILE_SIZE;
-    fchmod(tail->handle, S_IRUSR | S_IWUSR); /* Older versions created the file readable for all
-                                                users. */
+    fchmod(tail->handle, S_IRUSR | S_IWUSR); /* Older versions of Kingyo created the file with read
+                                                permission for all users. */
     int result = is_whole ? rewrite(tail->handle) : ledger_mirror_allocate(tail->handle);
     result = result == 0 && is_whole ? hide_pins(tail) : result;
     if (result != 0 || file_sync_parent(path) != 0) {
@@ -198,8 +198,8 @@ int ledger_mirror_erase_name(struct ledger_mirror *tail, uint32_t round_id, uint
     int result = 0;
     for (uint32_t i = 0; result == 0 && i < LEDGER_MIRROR_SLOTS; i++) {
         struct ledger_entry *entry = &slot.entry;
-        /* A slot whose name is already empty is also written, because its earlier sync may have
-         * failed. */
+        /* A slot whose name is already empty is also written again, because its earlier sync may
+         * have failed. */
         if (read_slot(tail, i, &slot) && entry->kind == LEDGER_NAME && entry->count == round_id &&
             entry->detail == seat) {
             memset(entry->name, 0, sizeof entry->name);

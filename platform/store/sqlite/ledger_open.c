@@ -15,10 +15,11 @@
  * the file. */
 #define BUSY_MS 2000
 
-/* Journal mode and synchronous mode: a write-ahead log with a sync per transaction. Of all journals
- * that lose no data in a power cut, this journal has the fewest writes and syncs (`make
- * bench-journals`). A rollback journal at EXTRA needs three times as many syncs. ledger_file.c
- * copies the log into the database. cache_size is the memory in KiB that one transaction needs. */
+/* Journal mode and synchronous mode: a write-ahead log with a sync per transaction. Of all journal
+ * modes that lose no data in a power cut, WAL FULL has the fewest writes and syncs (`make
+ * bench-journals`). A rollback journal with the synchronous mode EXTRA needs three times as many
+ * syncs. ledger_file.c copies the log into the database. cache_size is the memory in KiB that one
+ * transaction needs. */
 #define JOURNAL "WAL FULL"
 static const char settings[] = "PRAGMA cache_size = -1024";
 
@@ -60,8 +61,8 @@ static int secure(struct ledger_file *file, const struct ledger_file_options *ho
 /* ---- Validation ---------------------------------------------------------------------------- */
 
 /* Returns SQLITE_CORRUPT if `code` is an error that a damaged schema may cause, otherwise `code`. A
- * schema with a flipped bit may still be valid SQL, and a later statement may then fail. The caller
- * has excluded other causes of the error, such as a full card. */
+ * schema with a flipped bit may still be valid SQL, but a later statement may fail. The caller must
+ * have excluded other causes of the error, such as a full card. */
 static int as_damage(int code)
 {
     return code == SQLITE_ERROR || code == SQLITE_SCHEMA || code == SQLITE_MISMATCH ||
@@ -70,7 +71,8 @@ static int as_damage(int code)
                : code;
 }
 
-/* The schema is validated first, because the page check evaluates expressions of the schema. */
+/* The schema is validated first, because SQLite's integrity check evaluates expressions of the
+ * schema. */
 int ledger_check(sqlite3 *db)
 {
     int64_t version = 0;
@@ -107,8 +109,8 @@ static int read_version(struct ledger_file *file, int64_t *version)
     return sql_number(file->db, "PRAGMA user_version", version);
 }
 
-/* Migrates the file in one transaction. If two programs open an old file, the second program finds
- * the migration done. Returns an SQLite code. */
+/* Migrates the file in one transaction. If two programs open an old file, the second program
+ * detects that the first program has already migrated the file. Returns an SQLite code. */
 static int bring_up_to_date(struct ledger_file *file)
 {
     int64_t version;
@@ -153,8 +155,8 @@ static int ledger_open_begin(struct ledger_file *file, const struct ledger_file_
            : file->refusal                  ? file->refusal
                                             : bring_up_to_date(file);
     if (code == SQLITE_OK) {
-        /* If the card has no space, the next start tries again, and the plain PIN opens the menu
-         * until then. */
+        /* If the card has no space, the next program start tries again. Until then the PIN stays in
+         * the file as plain digits and still opens the menu. */
         code = file->refusal ? SQLITE_OK : ledger_pin_hide(file);
         code = code == SQLITE_CORRUPT || code == SQLITE_NOTADB ? code : SQLITE_OK;
     }
@@ -177,9 +179,9 @@ static bool has_log(const char *path)
     return strlen(path) >= PATH_MAX || (stat(log, &about) == 0 && about.st_size > 0);
 }
 
-/* Opens a file that cannot be written. SQLite can read a log only if it can write the log's index.
- * A file without a log, which a closed kiosk leaves, is read without a lock because no process can
- * write it. */
+/* Opens a file that cannot be written. SQLite can read a write-ahead log only if it can write the
+ * log's index. A kiosk that was closed leaves a file without a log. A file without a log is read
+ * without a lock, because no process can write the file. */
 static int open_unwritable(struct ledger_file *file, const char *path)
 {
     if (has_log(path)) {
@@ -194,8 +196,8 @@ static bool is_unwritable(int code)
     return code == SQLITE_CANTOPEN || code == SQLITE_READONLY;
 }
 
-/* Returns true if the card is full. SQLite returns only a general I/O error if it cannot create the
- * index of the log. */
+/* Returns true if the card is full. The error code alone is not sufficient, because SQLite returns
+ * only a general I/O error if it cannot create the index of the write-ahead log. */
 static bool is_card_full(struct ledger_file *file, int code)
 {
     return code == SQLITE_FULL ||
@@ -257,22 +259,21 @@ int ledger_file_inspect(struct ledger_file *file, const char *path)
 
 /* ---- Hiding a PIN -------------------------------------------------------------------------- */
 
-/* Hides a PIN that an older version stored as plain digits.
- *
- * The digits are in the PIN setting and in each entry that records a change of the PIN setting.
- * All copies of a PIN are hidden with the same salt. Settings that are rebuilt from the entries
- * are therefore equal to the stored settings. Old bytes remain in free pages and in gaps of pages.
- * VACUUM rewrites the file, and the following checkpoint empties the log. Each of the two steps
- * may fail after the rows were committed. Therefore a row of `state` marks the file until both
- * steps have succeeded. */
+/* Hides a PIN that an older version stored as plain digits. The digits are in the PIN setting and
+ * in each entry that records a change of the PIN setting. All copies of a PIN are hidden with the
+ * same salt. Settings that are rebuilt from the entries are therefore equal to the stored settings.
+ * Old bytes remain in free pages and in gaps of pages. VACUUM rewrites the file, and the following
+ * checkpoint empties the write-ahead log. Each of the two steps may fail after the rows were
+ * committed. Therefore a row of the table `state` marks the file until VACUUM and the checkpoint
+ * have succeeded. */
 
 /* Name of the `state` row that exists while old bytes of a PIN may be in the file. */
 #define MARK "'pin-vacuum'"
 /* SQL text that selects the entries with a PIN as plain digits. */
 #define PLAIN_ENTRIES "FROM entries WHERE kind = %d AND detail = %d AND count = 0 AND value > 0"
 
-/* Hides the PIN in its entries. The entries are few: one for each PIN that was ever set. Returns an
- * SQLite code. */
+/* Hides the PIN in the entries that contain it. There are few entries to hide: one for each PIN
+ * that was ever set. Returns an SQLite code. */
 static int hide_entries(struct ledger_file *file, uint32_t salt)
 {
     struct ledger_entry entry;
@@ -312,8 +313,8 @@ int ledger_pin_hide(struct ledger_file *file)
 {
     uint32_t salt = 0;
     int64_t reasons = 0;
-    /* Count the rows because of which the file must be rewritten: rows with a plain PIN and the
-     * row MARK. */
+    /* Count the rows that require a rewrite of the file: rows with a plain PIN, and the row
+     * MARK. */
     char text[320];
     snprintf(text, sizeof text,
              "SELECT (SELECT count(*) " PLAIN_ENTRIES ") +"
@@ -343,8 +344,9 @@ int ledger_pin_hide(struct ledger_file *file)
         code = end_transaction(file, code);
     }
     if (code == SQLITE_OK) {
-        /* Rewrite the file with VACUUM. VACUUM attaches its new file, which a limit of
-         * sql_open() forbids. The limit is raised for this call. */
+        /* Rewrite the file with VACUUM. VACUUM attaches its new file as a second database.
+         * sql_open() has set the limit of attached databases to 0, therefore the limit is raised
+         * during VACUUM. */
         sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 1);
         code = sql_run(file->db, "VACUUM");
         sqlite3_limit(file->db, SQLITE_LIMIT_ATTACHED, 0);

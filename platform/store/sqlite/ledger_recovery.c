@@ -20,10 +20,11 @@ struct salvage {
     const struct ledger_mirror *tail;
     struct ledger_entry entries[BATCH];
     uint32_t count;       /* Number of entries in `entries` that are not yet written. */
-    uint32_t first, last; /* First and last id that the recovery reads. */
-    uint32_t newest_id;   /* Newest id that is known to have existed. */
+    uint32_t first, last; /* Ids of the first and the last entry that the recovery reads. */
+    uint32_t newest_id;   /* Newest id that is known to have been assigned to an entry. */
     bool has_from;        /* True if the damaged file has a readable table of entries. */
-    bool knows_last;      /* True if `last` is the true end of the ledger. */
+    bool knows_last;      /* True if the id `last` is certainly the newest id of the ledger. False
+                             if newer entries may have existed. */
     struct ledger_recovered done;
 };
 
@@ -73,8 +74,8 @@ static bool has_others_tail(struct salvage *salvage)
     if (kin == LEDGER_RELATION_UNKNOWN && salvage->to->db) {
         kin = ledger_recovery_relation_of_mirror(salvage->to, last_id, salvage->tail);
     }
-    /* Without a common entry, the mirror belongs to a foreign ledger if the mirror is older than
-     * `content`. An empty mirror is accepted. */
+    /* If the database and the mirror have no common entry and the mirror is older than `content`,
+     * the mirror belongs to a foreign ledger. An empty mirror is accepted. */
     struct ledger_entry newest;
     return kin == LEDGER_RELATION_OTHER ||
            (kin == LEDGER_RELATION_UNKNOWN &&
@@ -92,9 +93,9 @@ static bool reads_well(struct salvage *salvage, int64_t id)
            ledger_file_entry(&salvage->from, (uint32_t)id, &entry) == SQLITE_OK;
 }
 
-/* Extends the range of ids to the end of the mirror. The mirror is written before an entry is
- * acknowledged. If the mirror reaches at least the end of the backup, its last id is therefore the
- * newest id. Otherwise the mirror was not written completely. */
+/* Extends the range of ids to the end of the mirror. Each entry is written to the mirror before it
+ * is acknowledged. If the mirror reaches at least the end of the backup, the last id of the mirror
+ * is therefore the newest id. Otherwise the mirror was not written completely. */
 static void reach_to_tail(struct salvage *salvage)
 {
     const uint32_t last_id = ledger_mirror_last_id(salvage->tail);

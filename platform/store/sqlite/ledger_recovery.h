@@ -1,5 +1,5 @@
-/* ledger_recovery.h -- the ledger mirror, and the recovery of entries that are newer than a backup
- * from a damaged database and from the mirror. */
+/* ledger_recovery.h -- accesses the ledger mirror, and recovers entries that are newer than the
+ * backup. The entries are recovered from a damaged database and from the mirror. */
 #ifndef KINGYO_PLATFORM_STORE_SQLITE_LEDGER_RECOVERY_H
 #define KINGYO_PLATFORM_STORE_SQLITE_LEDGER_RECOVERY_H
 
@@ -7,23 +7,23 @@
 
 /* ---- Ledger mirror ------------------------------------------------------------------------- */
 
-/* The ledger mirror is a second copy of the newest ledger entries, in a file beside the database.
- *
- * Without the mirror, entries newer than the last backup would exist only in the database. A
- * damaged first page or a deleted file would lose up to one hour of entries. Therefore each entry
- * is also written to the mirror before it is acknowledged.
- *
- * The file is a ring of slots of 512 bytes, each with a checksum. The file has its full size from
- * the start, so that a sync writes only existing blocks and no file system metadata. A power cut
- * may damage a block and the neighbouring slots in it. The database has the entries of these slots
- * because it is synced first. The mirror is read only if the database has lost entries. */
+/* The ledger mirror is a second copy of the newest ledger entries, in a file in the folder of
+ * the database. Without the mirror, entries newer than the last backup would exist only in the
+ * database. A damaged first page or a deleted database would lose up to one hour of entries.
+ * Therefore each entry is also written to the mirror before it is acknowledged. The file is a
+ * ring buffer of slots of 512 bytes, each with a checksum. The file has its full size from the
+ * start, so that a sync writes only existing blocks and no file system metadata. A power cut may
+ * damage a disk block and all slots in the block. The database has the entries of these slots
+ * because the database is synced before the mirror. The mirror is read only if the database has
+ * lost entries. */
 
 /* Number of slots (512 KiB). The next backup is made before half of the slots are used. */
 #define LEDGER_MIRROR_SLOTS 1024u
 /* Size of a slot in bytes, equal to one disk sector. */
 #define LEDGER_MIRROR_SLOT_SIZE 512u
 
-/* Open mirror. The caller owns the structure. Zeros mean that the mirror is closed. */
+/* Open ledger mirror. The caller owns the structure. A structure of zeros means that the mirror is
+ * closed. */
 struct ledger_mirror {
     int handle; /* Descriptor of the file. 0 means closed, because descriptor 0 is standard
                    input. */
@@ -36,10 +36,12 @@ int ledger_mirror_open(struct ledger_mirror *tail, const char *path);
 /* Closes the mirror. Has no effect on a closed mirror. */
 void ledger_mirror_close(struct ledger_mirror *tail);
 
-/* Opens the mirror for reading. Returns a closed mirror if there is no file. */
+/* Opens the mirror for reading. Returns the open mirror, or a closed mirror if the file does not
+ * exist. */
 struct ledger_mirror ledger_mirror_inspect(const char *path);
 
-/* Writes entries with rising ids. Returns 0 when the entries are on disk, or -1 and sets errno. */
+/* Writes entries whose ids rise. Returns 0 when the entries are on disk. On an error sets errno and
+ * returns -1. */
 int ledger_mirror_write(struct ledger_mirror *tail, const struct ledger_entry *entries,
                         uint32_t count);
 
@@ -60,12 +62,13 @@ uint32_t ledger_mirror_last_id(const struct ledger_mirror *tail);
 enum ledger_relation {
     LEDGER_RELATION_UNKNOWN = 0, /* The ledgers have no common entry. */
     LEDGER_RELATION_SAME,
-    LEDGER_RELATION_OTHER, /* The ledgers differ: one is foreign or was started again. */
+    LEDGER_RELATION_OTHER, /* The ledgers differ: one ledger belongs to another kiosk or was started
+                              again from its first entry. */
 };
 
-/* Each function compares entry `last_id` of `file` and the entries before it with the mirror `tail`
- * or the file `other`. At most LEDGER_MIRROR_SLOTS entries are compared. The newest common entry
- * determines the result. */
+/* Each of the functions below compares the entry `last_id` of `file` and earlier entries with the
+ * mirror `tail` or the file `other`. At most LEDGER_MIRROR_SLOTS entries are compared. The newest
+ * common entry determines the result. */
 enum ledger_relation ledger_recovery_relation_of_mirror(struct ledger_file *file, uint32_t last_id,
                                                         const struct ledger_mirror *tail);
 enum ledger_relation ledger_recovery_relation_of_file(struct ledger_file *file, uint32_t last_id,
@@ -75,18 +78,18 @@ struct ledger_recovered {
     uint32_t entries;     /* Number of recovered entries. */
     uint32_t lost;        /* Number of lost entries: ids between the last id of `to` and the newest
                              known id that were not recovered. */
-    bool is_open_ended;   /* True if the newest id is unknown. More entries than `lost` may then be
-                             lost. */
+    bool is_open_ended;   /* True if the newest id is unknown. The number of lost entries may then
+                             be greater than `lost`. */
     bool has_others_tail; /* True if the ledger mirror belongs to a foreign ledger and was not
                              used. */
 };
 
 /* Copies all valid entries that are newer than the entries of `to` into `to`. An entry is read from
- * the file `path`, which may be damaged anywhere, or otherwise from the mirror `tail`. `path` is
- * null if the file is missing or empty, because SQLite would delete the log of an empty file.
- * Missing entries are skipped, and the newest valid entry sets the balance. If to->refusal is not
- * 0, only to->content is updated. Returns an SQLite code. An error means that writing failed and
- * `to` is incomplete. */
+ * the file `path`, which may be damaged at any position. An entry that cannot be read from the file
+ * is read from the mirror `tail`. `path` is null if the file is missing or empty, because SQLite
+ * would delete the log of an empty file. Missing entries are skipped, and the newest valid entry
+ * sets the balance. If to->refusal is not 0, only to->content is updated. Returns an SQLite code.
+ * An error means that writing failed and `to` is incomplete. */
 int ledger_recover(const char *path, const struct ledger_mirror *tail, struct ledger_file *to,
                    struct ledger_recovered *out);
 

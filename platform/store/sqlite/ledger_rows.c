@@ -57,8 +57,8 @@ static uint64_t round_sum(uint64_t sum, const struct round_record *round)
     return sum;
 }
 
-/* Returns the checksum of an entry. The checksum is needed because SQLite detects a torn page, but
- * not a flipped bit. */
+/* Returns the checksum of an entry. The checksum is needed because SQLite detects an incompletely
+ * written page but not a flipped bit. */
 static int64_t entry_sum(const struct ledger_entry *entry)
 {
     const struct balance *balance = &entry->balance;
@@ -100,8 +100,8 @@ static int put_entry(struct ledger_file *file, const struct ledger_entry *entry)
     return sql_put_one(put, values, COUNT(values));
 }
 
-/* Stores a player's name. An empty name revokes the player's earlier names, which are then also
- * erased in the ledger's entries. Returns an SQLite code. */
+/* Stores a player's name. An empty name revokes the player's earlier names. Revoked names are also
+ * erased in the entries of the ledger. Returns an SQLite code. */
 static int put_name(struct ledger_file *file, const struct ledger_entry *entry)
 {
     const int64_t whose[] = { entry->count, entry->detail, LEDGER_NAME };

@@ -12,8 +12,9 @@
 
 /* ---- SQL text of the migrations ------------------------------------------------------------ */
 
-/* SQL text that migrates a file of version 1. Version 1 had one mode (the festival with paper No.
- * 6) and one player. Version 1 recorded neither the number of scoops nor the paper's damage. */
+/* SQL text that migrates a file of version 1. Version 1 had only one game mode (the festival with
+ * paper No. 6) and one player. Version 1 recorded neither the number of scoops nor the damage of
+ * the paper. */
 static const char to_2[] =
     "ALTER TABLE rounds ADD COLUMN mode INTEGER NOT NULL DEFAULT 0;" /* Game mode of the round (enum
                                                                         game_mode). */
@@ -82,8 +83,8 @@ static const char select_old_players[] =
     "SELECT player, caught, coalesce(scoops, 0), coalesce(hole_area_mm2, 0),"
     " coalesce(torn_tick, 0), fouls FROM old_round_players WHERE round = ?1";
 
-/* Converts an old round to an entry. A round of an unknown mode is marked as unscored, so that it
- * is not ranked. */
+/* Converts a round of an old file to an entry. A round of an unknown mode is marked as unscored, so
+ * that it is not ranked. */
 static struct ledger_entry old_entry(sqlite3_stmt *old, uint32_t id)
 {
     const struct sql_day ended = sql_day_of(sqlite3_column_int64(old, 6));
@@ -107,8 +108,8 @@ static struct ledger_entry old_entry(sqlite3_stmt *old, uint32_t id)
     };
 }
 
-/* Writes an entry for each old round, as if the current version had recorded it. The functions for
- * new entries then also compute the aggregates. Returns an SQLite code. */
+/* Writes a ledger entry for each round of the old file, as if the current version had recorded the
+ * round. The functions for new entries then also compute the aggregates. Returns an SQLite code. */
 static int carry_over(struct ledger_file *file, sqlite3_stmt *old, sqlite3_stmt *players)
 {
     struct ledger_content *content = &file->content;
@@ -228,8 +229,8 @@ static const struct table {
       " caught INTEGER NOT NULL," /* Total of all players' caught fish. */
       " by_bot INTEGER NOT NULL,"
       " ended_at INTEGER NOT NULL)" }, /* Unix time in seconds. */
-    { 2, 2, "rounds",                  /* The table of version 1 with columns appended by ALTER
-                                          TABLE. */
+    { 2, 2, "rounds",                  /* The definition is the table of version 1 with the columns
+                                          that ALTER TABLE has appended. */
       "CREATE TABLE rounds ("
       " number INTEGER PRIMARY KEY, id INTEGER NOT NULL, seed INTEGER NOT NULL,"
       " start_tick INTEGER NOT NULL, end_tick INTEGER NOT NULL, caught INTEGER NOT NULL,"
@@ -260,7 +261,7 @@ static const struct table {
       " minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,"
       " end_tick INTEGER NOT NULL, caught INTEGER NOT NULL, by_bot INTEGER NOT NULL,"
       " mode INTEGER NOT NULL, grade INTEGER NOT NULL,"
-      " players INTEGER NOT NULL," /* Players of the round, one bit each. */
+      " players INTEGER NOT NULL," /* Bit set of the players of the round. */
       " unscored INTEGER NOT NULL)" },
     { 4, NOW, "rounds",
       "CREATE TABLE rounds ("
@@ -268,7 +269,7 @@ static const struct table {
       " minute INTEGER NOT NULL, seed INTEGER NOT NULL, start_tick INTEGER NOT NULL,"
       " end_tick INTEGER NOT NULL, caught INTEGER NOT NULL, by_bot INTEGER NOT NULL,"
       " mode INTEGER NOT NULL, grade INTEGER NOT NULL,"
-      " players INTEGER NOT NULL," /* Players of the round, one bit each. */
+      " players INTEGER NOT NULL," /* Bit set of the players of the round. */
       " unscored INTEGER NOT NULL,"
       " fish_count INTEGER NOT NULL," /* Number of fish. 0 means that fish_count, round_s and preset
                                          are unknown. */

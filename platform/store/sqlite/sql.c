@@ -116,8 +116,8 @@ static const struct {
  * database. */
 #define SQLITE_NEW_FILE 0644
 
-/* Replaces SQLite's open(2) for the database, the log, the log's index and the journal. Only
- * regular files are opened, with two exceptions: the folder, which SQLite syncs, and SQLite's
+/* Replaces SQLite's open(2) for the database, the write-ahead log, the log's index and the journal.
+ * Only regular files are opened, with two exceptions: the folder, which SQLite syncs, and SQLite's
  * source of random numbers. */
 static int open_regular(const char *path, int flags, int mode)
 {
@@ -125,9 +125,9 @@ static int open_regular(const char *path, int flags, int mode)
     if (strcmp(path, "/dev/urandom") == 0) {
         return open(path, flags | O_CLOEXEC);
     }
-    /* Databases, logs and copies contain the hash of the operator's PIN and all takings, therefore
-     * only the owner may read a new file. If an older file is readable for all users, only its
-     * owner and group may read its new companion files. */
+    /* Databases, logs and copies contain the hash of the operator's PIN and the income of the
+     * kiosk. Therefore only the owner may read a new file. If an older database is readable for all
+     * users, only its owner and group may read new files that belong to it. */
     const mode_t private = mode == SQLITE_NEW_FILE ? S_IRUSR | S_IWUSR : (mode_t)mode & 0770;
     const int handle = file_handle(path, flags, private);
     if (handle >= 0 && fstat(handle, &about) == 0) {

@@ -9,10 +9,10 @@ struct sqlite3;
 struct sqlite3_stmt;
 
 /* Opens a database with SQLite's defensive options: the schema is not trusted, triggers and views
- * never run, and only regular files are opened, including the log and the journal. `flags` is
- * SQLITE_OPEN_READONLY, or SQLITE_OPEN_READWRITE with an optional SQLITE_OPEN_CREATE. `vfs` may be
- * null. Returns SQLITE_CANTOPEN if the file is a symbolic link. The caller closes `*out`, also
- * after an error. */
+ * never run, and only regular files are opened, including the write-ahead log and the journal.
+ * `flags` is SQLITE_OPEN_READONLY, or SQLITE_OPEN_READWRITE with an optional SQLITE_OPEN_CREATE.
+ * `vfs` may be null. Returns an SQLite code, which is SQLITE_CANTOPEN if the file is a symbolic
+ * link. The caller closes `*out`, also after an error. */
 int sql_open(const char *path, int flags, const char *vfs, struct sqlite3 **out);
 
 /* Opens a database read-only, without a lock and without reading its write-ahead log. The caller
@@ -29,12 +29,12 @@ int sql_number(struct sqlite3 *db, const char *text, int64_t *out);
  * all other parameters first. */
 int sql_put(struct sqlite3_stmt *statement, const int64_t *values, int count);
 
-/* Runs a statement that inserts or replaces one row, otherwise as sql_put(). Returns SQLITE_CORRUPT
+/* Runs a statement that inserts or replaces one row. Works as sql_put(), but returns SQLITE_CORRUPT
  * if no row was stored. */
 int sql_put_one(struct sqlite3_stmt *statement, const int64_t *values, int count);
 
-/* Returns the value of a column if it is in 0 .. `max`, otherwise 0, because a file may contain any
- * value. */
+/* Returns the value of a column if the value is in 0 .. `max`, otherwise 0. The check is necessary
+ * because a file may contain any value. */
 uint32_t sql_uint(struct sqlite3_stmt *statement, int column, uint32_t max);
 
 /* Copies a text column: at most `size` - 1 bytes. Fills the rest of `out` with zeros. */
