@@ -19,8 +19,8 @@
 
 /* Time for which the bot keeps a torn poi before its paper is replaced. */
 #define SWAP_TICKS (2u * CORE_TICK_HZ)
-/* Number of fish in the bot's bowl at which the bowl is emptied. Otherwise the bot would empty the
- * tank overnight. */
+/* Number of fish in the bot's bowl at which the bowl is emptied into the tank. Without this limit
+ * the bot would catch all fish of the tank during a night. */
 #define BOWL_MAX 10u
 
 void attract_begin(struct game *game, struct world *world, const struct core_config *config)
@@ -110,7 +110,7 @@ static void point_by_pois(struct game *game, const struct world *world,
             player->points = 0;
             continue;
         }
-        /* A poi beyond a wall selects the section nearest to that wall. */
+        /* A poi outside the tank selects the section nearest to the poi. */
         const vec3 hand_m = game->validation[i].newest.position_m;
         const float share = hand_m.x / world->tank.size_m.x + 0.5f;
         const uint32_t section = (uint32_t)f_clamp(share * count, 0.0f, count - 0.5f);

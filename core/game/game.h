@@ -29,8 +29,8 @@ struct core_config;
 #define GAME_READY_TICKS (RULES_READY_S * CORE_TICK_HZ)
 /* Duration of the result screen, long enough to read the result and to call a friend. */
 #define GAME_RESULT_TICKS (12u * CORE_TICK_HZ)
-/* Time between the last player's end and the result, so that the player sees the hole in the
- * paper. */
+/* Time between the moment when the last player is out and the result screen, so that the player
+ * sees the hole in the paper. */
 #define GAME_GONE_TICKS (3u * CORE_TICK_HZ)
 /* Time after the end of the round in which the last fish can be carried to the bowl. */
 #define GAME_CARRY_TICKS (3u * CORE_TICK_HZ)
@@ -40,7 +40,7 @@ struct core_config;
 /* Time in the result screen before a dip starts the next game. The time is longer than for START,
  * because a dip happens more easily by accident. */
 #define GAME_AGAIN_DIP_TICKS (5u * CORE_TICK_HZ / 2u)
-/* Time without input after which the mode selection returns to attract mode. */
+/* Time without input after which the mode selection ends and attract mode begins. */
 #define GAME_MODE_SELECT_TICKS (15u * CORE_TICK_HZ)
 /* Longest duration of the mode selection. Motion that lasts longer comes from a poi that swings on
  * its cord. */
@@ -56,12 +56,12 @@ struct core_config;
 /* Distance from the rest position within which a controller counts as resting. */
 #define PLAYER_STIR_M 0.03f
 
-/* Whether a controller has moved since READY began. */
+/* Motion of a controller since READY (the phase before a round) began. */
 enum player_stance { STANCE_UNSEEN = 0, STANCE_RESTS, STANCE_MOVED };
 
 struct player {
     uint8_t plays;      /* 1 if the player has had a poi in use in this round, otherwise 0. */
-    uint8_t out;        /* 1 if the player's round ended before time was up, otherwise 0. */
+    uint8_t out;        /* 1 if the player's round ended before the end of the time, otherwise 0. */
     uint8_t handed;     /* 1 if the player has received fresh paper for this round, otherwise 0. */
     uint8_t points;     /* In the mode selection: section of the tank under the poi, from 1; 0 means
                            none. */
@@ -71,12 +71,14 @@ struct player {
     uint32_t offence_tick[FOUL_COUNT]; /* Tick at which the player last committed each kind of foul,
                                           counted or not. */
     uint32_t caught;
-    uint32_t scoops;          /* Number of dips with the earlier sheets of this round. */
+    uint32_t scoops;          /* Number of dips that the player made with the earlier sheets of this
+                                 round. */
     uint32_t torn_tick;       /* Tick at which the current sheet became useless; 0 means that the
                                  sheet is usable. */
     uint32_t first_torn_tick; /* Tick at which the first sheet became useless, reduced by the
                                  earlier pauses of the round; 0 means that the sheet is usable. */
-    uint32_t sheets_before;   /* Number of sheets that the player used before the current sheet. */
+    uint32_t sheets_before;   /* Number of sheets that the player used up before the current
+                                 sheet. */
     uint32_t lost_ticks;      /* Duration in ticks of the current pause in which other players wait
                                  for this controller. */
     uint32_t waited_ticks; /* Total ticks in this round for which other players have waited for this
@@ -110,11 +112,13 @@ struct hints {
     uint32_t learned;     /* Bit mask (1 << enum scene_hint) of the hints whose actions the player
                              has done. */
     uint32_t haste_tick;  /* Tick at which fast motion last tore the paper; 0 means never. */
-    uint32_t haste_cells; /* Cells torn by fast motion since the last evaluation. */
+    uint32_t haste_cells; /* Number of paper cells torn by fast motion since the hint rules were
+                             last evaluated. */
     uint32_t paper_cells; /* Number of paper cells that the player's poi had in the last tick. */
     uint32_t dips_before; /* Number of dips of the player's poi at the last catch, or 0 for a new
                              poi. */
-    uint32_t caught;      /* Number of fish that the player had caught at the last evaluation. */
+    uint32_t caught;      /* Number of fish that the player had caught when the hint rules were last
+                             evaluated. */
     float moved_m;        /* Distance that the poi has moved in this round, up to 1 m. */
 };
 
@@ -133,7 +137,7 @@ struct hints {
 
 struct name {
     uint32_t round_id; /* Ledger id of the last round with a ranked player; 0 means none. */
-    uint8_t ranked;    /* Bit mask of the ranked slots of that round. */
+    uint8_t ranked;    /* Bit mask of the slots that are ranked in the round `round_id`. */
     uint8_t waits;     /* Bit mask of the ranked slots that still need a name. */
     uint8_t seat;      /* Slot of the player who enters a name. */
     uint8_t alphabet;  /* Displayed alphabet (enum name_alphabet). */
@@ -154,7 +158,8 @@ struct game {
     uint32_t tick;       /* Number of the current tick, counted from 0 at the start of the kiosk. */
     uint8_t phase;       /* Current phase (enum scene_phase). */
     uint8_t language;    /* Display language (enum language). */
-    uint8_t mode;        /* Mode of this round, or the selected mode (enum game_mode). */
+    uint8_t mode;        /* Mode (enum game_mode) of the running round; in the mode selection, the
+                            mode that is selected. */
     uint8_t lab_chosen;  /* 1 if the growth lab is selected in the mode selection, otherwise 0. */
     uint8_t bot_played;  /* 1 if the bot controlled a poi in this round, otherwise 0. */
     uint8_t played;      /* 1 if a player or the bot has had a poi in use in this round, otherwise
@@ -199,10 +204,10 @@ struct game {
     uint32_t immunity_ticks[POI_MAX]; /* Ticks of damage immunity that each poi has used during
                                          returns. The number decreases while the player controls the
                                          poi. */
-    uint32_t outlier_ticks[POI_MAX];  /* Ticks for which the reported pose has required a motion
-                                         that no arm can make. */
-    uint32_t rest_ticks[POI_MAX];     /* Number of ticks in a row in which the player has not used
-                                         the poi. */
+    uint32_t outlier_ticks[POI_MAX];  /* Number of ticks for which the reported pose has required a
+                                         motion that no arm can make (an outlier). */
+    uint32_t rest_ticks[POI_MAX];     /* Number of consecutive ticks in which the player has not
+                                         used the poi. */
     struct hints hints;
     struct bot bot[POI_MAX];
     struct health_log health_log;

@@ -131,7 +131,8 @@ void game_tick(struct game *game, struct world *world, struct core_config *confi
     self_test_tick(game, said, output);
     settings_edit_tick(game, &config->persistent.settings, output);
     controller_assign(game, world,
-                      input); /* A new phase may change the source of a poi in the same tick. */
+                      input); /* The source of a poi may change when a new phase begins, so the pois
+                                 are assigned after the phase. */
     controller_tick_all(game, world, config, input, targets, live);
     hints_tick(&game->hints, game, world, config);
     show_outputs(game, config, output);

@@ -8,17 +8,19 @@
 #include "core/game/game.h"
 #include "core/poi/world.h"
 
-/* Ticks between two evaluations of the rules: ten evaluations per second. */
+/* Ticks between two evaluations of the hint rules: ten evaluations per second. */
 #define LOOK_TICKS 12u
-#define MOVED_M 0.15f   /* Distance that counts as a deliberate motion. */
-#define HASTE_M_S 0.35f /* Speed through water that counts as too fast. */
+/* Distance that a player's poi must move so that the motion counts as deliberate. */
+#define MOVED_M 0.15f
+/* Speed of the ring through water above which its motion counts as too fast. */
+#define HASTE_M_S 0.35f
 /* Number of cells torn between two evaluations that triggers the hint about fast motion. */
 #define HASTE_CELLS 3u
 #define HASTE_TICKS (3u * CORE_TICK_HZ)
 #define TILT_RAD 0.15f /* Pitch that counts as a deliberate tilt. */
 /* Number of dips without a catch after which a hint explains the technique. */
 #define FRUITLESS_DIPS 2u
-/* Horizontal distance at which a fish counts as above the ring. */
+/* Horizontal distance from the ring within which a fish counts as above the ring. */
 #define ABOVE_M 0.045f
 #define WET_CELL 0.2f /* Wetness that a cell reaches after a quarter of a second under water. */
 /* Shares of wet paper between which the paper counts as partly wet. */
@@ -184,8 +186,8 @@ static uint8_t choose_hint(const struct hints *hints, const struct game *game,
 void hints_tick(struct hints *hints, const struct game *game, const struct world *world,
                 const struct core_config *config)
 {
-    const int edge = game->tick == game->phase_tick; /* The hint is evaluated in the first tick of a
-                                                        new phase. */
+    const int edge = game->tick == game->phase_tick; /* 1 in the first tick of a new phase, in which
+                                                        the hint is always evaluated. */
     watch_pupil(hints, world);
     if (!edge && game->tick % LOOK_TICKS != 0) {
         return;

@@ -88,7 +88,8 @@ enum time_call round_call_at(uint32_t elapsed_ticks, uint32_t total_ticks)
     }
 }
 
-#define RENEW_TICKS CORE_TICK_HZ /* Time to see the hole before the paper is replaced. */
+/* Time for which the player sees the hole before the paper is replaced. */
+#define RENEW_TICKS CORE_TICK_HZ
 
 void round_begin(struct game *game, struct world *world, struct output *output)
 {
@@ -103,8 +104,8 @@ void round_begin(struct game *game, struct world *world, struct output *output)
 
 /* ---- Paper ---------------------------------------------------------------------------------- */
 
-/* Handles useless paper. Torn paper is replaced when the poi is out of the water, because a
- * replacement under water would make the poi jump. */
+/* Handles paper that cannot hold a fish any more. The paper is replaced when the poi is out of the
+ * water, because a replacement under water would make the poi jump. */
 static void watch_paper(struct game *game, struct world *world, const struct core_config *config,
                         struct output *output)
 {
@@ -204,7 +205,8 @@ void round_result_begin(struct game *game, struct world *world, const struct cor
 {
     game->paused = 0;
     for (uint32_t i = 0; i < POI_MAX; i++) {
-        world->poi[i].carried_count = 0; /* The time is up, so the fish return to the water. */
+        world->poi[i].carried_count = 0; /* After the end of the time, the fish on the paper return
+                                            to the water. */
     }
     game_enter_phase(game, PHASE_RESULT);
     name_note_round(game, &config->persistent.settings, 0);

@@ -13,7 +13,7 @@
 
 #include "core/scene.h"
 
-#define RULES_STALLS_TANK 0xffu /* Value of `tank` that stands for the configured tank. */
+#define RULES_STALLS_TANK 0xffu /* Value of `tank` that means the configured tank of the kiosk. */
 /* Time to take the poi and find the bowl, in modes without an umpire. */
 #define RULES_READY_S 3u
 
@@ -22,9 +22,11 @@ struct rules {
     uint8_t tank;     /* Preset of the tank (enum tank_preset_id), or RULES_STALLS_TANK. */
     uint8_t grade;    /* Grade of the paper; 0 means the configured grade. */
     uint32_t round_s;
-    uint32_t ready_s;     /* Seconds for taking the poi before the start. */
-    uint8_t renews_paper; /* 1 if useless paper is replaced after a second, when the poi is out of
-                             the water. 0 if the player is out when the paper is useless. */
+    uint32_t ready_s;     /* Length of READY in seconds, in which the player takes the poi before
+                             the start. */
+    uint8_t renews_paper; /* 1 if useless paper (paper that cannot hold a fish) is replaced after a
+                             second, when the poi is out of the water. 0 if the player is out when
+                             the paper is useless. */
     uint8_t judges;       /* 1 if fouls are counted and fish caught by a foul do not count. 0 if
                              every fish in the bowl counts, as at a real stall. */
     uint8_t calls;        /* 1 if the time is announced, otherwise 0. */

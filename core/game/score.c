@@ -57,8 +57,8 @@ static void watch_stance(struct game *game, const struct world *world, uint32_t 
     }
 }
 
-/* The time of a shadow that was already present when READY began counts only from the start of
- * READY. */
+/* The time of a shadow counts only from the start of READY, even if the shadow was already present
+ * before. */
 void score_fouls_before_start(struct game *game, const struct world *world, struct output *output)
 {
     const float ready_s = (float)(game->tick - game->phase_tick) * CORE_TICK_S;
@@ -68,7 +68,8 @@ void score_fouls_before_start(struct game *game, const struct world *world, stru
         const struct shade *const shades[] = { &tank->shade[i], &tank->shade[SHADE_MAX + i] };
         int is_foul = 0;
         watch_stance(game, world, i);
-        /* A fan's shadow is always a foul, a poi's shadow only after its controller moved. */
+        /* A shadow of a fan is always a foul. A shadow of a poi is a foul only if the player moved
+         * the controller. */
         for (uint32_t k = 0; k < (game->player[i].stance == STANCE_MOVED ? 2u : 1u); k++) {
             is_foul |= shades[k]->cast.present &&
                        f_min(shades[k]->still_s, ready_s) >= FOUL_SHADE_S &&

@@ -20,7 +20,7 @@ void session_request(struct game *game)
     }
 }
 
-/* Assumes that the caller has already incremented `game->tick`. */
+/* The caller has already incremented `game->tick`. */
 int session_is_over(const struct game *game)
 {
     return game->phase == PHASE_ATTRACT && game->turn_tick != 0 && game->tick >= game->turn_tick;

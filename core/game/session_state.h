@@ -18,7 +18,8 @@ struct health_log {
                                               otherwise 0. */
     uint32_t told_tick;                    /* Tick of the last LEDGER_HEALTH. */
     uint32_t dropped_ticks, device_faults; /* Values of `input->dropped_ticks` and
-                                              `input->device_faults` at the last LEDGER_HEALTH. */
+                                              `input->device_faults` when the last LEDGER_HEALTH was
+                                              written. */
     uint32_t told_shakes;
     uint32_t away_ticks[POI_MAX]; /* Number of ticks for which each slot in play has been without
                                      its controller. */
@@ -29,16 +30,16 @@ struct health_log {
 /* Time without a controller that counts as a loss. A shorter interruption is treated as a
  * glitch. */
 #define HEALTH_LOG_LOSS_TICKS CORE_TICK_HZ
-/* A loss within this time after the previous loss of the same slot is logged as a repeated loss
- * (LEDGER_LOSS). */
+/* Time after a loss of a slot's controller within which another loss counts as a repeated loss and
+ * is logged (LEDGER_LOSS). */
 #define HEALTH_LOG_LOSS_AGAIN_TICKS (600u * CORE_TICK_HZ)
 
 /* Ticks without a change after which a setting is logged. */
 #define SETTINGS_EDIT_REST_TICKS (CORE_TICK_HZ / 2u)
 
 struct settings_edit {
-    struct settings told; /* Settings as logged in the ledger. */
-    uint32_t turn_tick;   /* Tick of the last change. */
+    struct settings told; /* Settings as last logged in the ledger. */
+    uint32_t turn_tick;   /* Tick of the last change of a setting. */
     uint32_t entry_id;    /* Id of the newest entry that logged a setting; 0 means none since the
                              kiosk started. */
     uint32_t pin_wrong;   /* Number of wrong PINs since the last correct PIN, 0 .. 255. */

@@ -104,8 +104,8 @@ static void open_tank(struct world *world, const struct core_config *config, uin
     const int opened = tank_open(&world->tank, &opening);
     CORE_ASSERT(opened);
     for (uint32_t i = 0; i < world->tank.fish_count; i++) {
-        world->tank.fish[i].thought_tick = (uint8_t)tick; /* Each fish starts as if its behavior
-                                                             had last been updated in the current
+        world->tank.fish[i].thought_tick = (uint8_t)tick; /* The fish decides as if its last
+                                                             decision had been made in the current
                                                              tick. */
     }
 }

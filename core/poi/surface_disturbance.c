@@ -17,8 +17,8 @@
 /* Depth by which the edge of the ring presses the surface down at each point where the edge cuts
  * through it. The depth is a fraction of the edge's horizontal motion in the tick. */
 #define BOW_SHARE 0.25f
-#define BOW_MAX_M                                                                                  \
-    0.0012f /* Largest depth by which the edge presses the surface down at one point in one tick. */
+/* Largest depth by which the edge presses the surface down at one point in one tick. */
+#define BOW_MAX_M 0.0012f
 /* Sine of the tilt (9 degrees) below which a ring counts as level. The edge of a level ring does
  * not cut through the surface. */
 #define LEVEL_SLOPE 0.15f

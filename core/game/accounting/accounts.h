@@ -15,8 +15,9 @@
 #include "core/input.h"
 #include "core/ledger.h"
 
-/* Longest wait for a saved entry while the store counts as responding. A working SD card syncs in a
- * tenth of this time; a card that hangs never reports. */
+/* Longest time for which the core waits for an entry to reach the disk. After this time the store
+ * counts as not responding. A working SD card needs a tenth of this time; a broken card never
+ * responds. */
 #define LEDGER_WAIT_TICKS_MAX (2u * CORE_TICK_HZ)
 
 struct ledger {
@@ -25,8 +26,8 @@ struct ledger {
     uint32_t boot;
     uint32_t uncommitted; /* Number of entries that were dropped because the ledger had no room.
                              Payments are never dropped. */
-    uint32_t wait_ticks;  /* Number of ticks for which entries have waited without any of them being
-                             saved. */
+    uint32_t wait_ticks;  /* Number of ticks for which entries have waited for the disk since the
+                             last entry was saved. */
     uint16_t day, minute;
     uint8_t is_healthy;                /* 1 if the store was healthy according to the last input,
                                           otherwise 0. */
@@ -36,13 +37,13 @@ struct ledger {
                                           index n % LEDGER_RING. */
 };
 
-/* Highest price of a round in units. A more expensive round would be paid with banknotes. */
+/* Highest price of a round in coin units. A more expensive round would be paid with banknotes. */
 #define CREDIT_COINS_MAX 20u
-/* Highest setting for the number of fish per ticket, more fish than most players catch. */
+/* Highest setting for the number of fish per prize ticket. Most players catch fewer fish. */
 #define CREDIT_TICKET_FISH_MAX 20u
 /* Time for which the coin slot stays closed after a tilt. */
 #define CREDIT_TILT_TICKS (3u * CORE_TICK_HZ)
-/* Time for which a START press waits for the coin to reach the disk. */
+/* Time for which a START press waits until the paid credit is on disk. */
 #define CREDIT_AWAIT_TICKS (3u * CORE_TICK_HZ)
 
 /* Bit flags of conditions that close the coin slot and are displayed as warnings. */
@@ -58,8 +59,8 @@ enum credit_warning {
 struct pending_coins {
     uint32_t pulses;
     uint32_t units; /* Value of the pulses in units. */
-    uint32_t owed;  /* Units that must be added to the balance. Coins inserted during free play add
-                       nothing to `owed`. */
+    uint32_t owed;  /* Units of the pending coins that must be added to the balance. Coins inserted
+                       during free play add nothing to `owed`. */
 };
 
 struct credit {
@@ -75,9 +76,11 @@ struct credit {
     uint32_t asked_tick; /* Tick of the last start attempt without a credit; 0 means never. */
     uint32_t await_tick; /* Tick of the last start attempt whose credit was not on disk yet; 0 means
                             never. */
-    uint32_t act_tick;   /* Tick at which a person last changed the balance. */
-    uint32_t stand_id;   /* Id of the newest LEDGER_STAND of the open round; 0 means none. */
-    struct ledger_stand stand; /* Fields of the newest LEDGER_STAND. */
+    uint32_t act_tick;   /* Tick of the last action of a person that changed the balance. */
+    uint32_t stand_id;   /* Id of the newest LEDGER_STAND entry (state of an open round); 0 means
+                            none. */
+    struct ledger_stand stand; /* Fields of the newest LEDGER_STAND entry (state of an open
+                                  round). */
     uint32_t ticket_id; /* Id of the LEDGER_TICKET that must reach the disk before its pulse starts;
                            0 means none. */
 };

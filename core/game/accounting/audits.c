@@ -134,8 +134,8 @@ static uint32_t rounded_seconds(uint32_t ticks)
     return (ticks + CORE_TICK_HZ / 2u) / CORE_TICK_HZ;
 }
 
-/* Adds a round. The lifetime of paper counts only for the first sheet, because a player receives
- * one sheet in scored modes. */
+/* Adds a round to the counters. The lifetime of paper counts only for the first sheet, because in
+ * scored modes a player receives only one sheet. */
 static void note_round(struct audits *audits, const struct ledger_entry *entry)
 {
     CORE_ASSERT(entry->kind == LEDGER_ROUND);

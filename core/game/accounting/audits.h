@@ -63,9 +63,10 @@ enum audit_id {
     AUDIT_FORMAT_7_COUNT, /* Number of counters in recordings of format 7. */
     AUDIT_LOST_AGAIN = AUDIT_FORMAT_7_COUNT, /* First of the counters of repeated controller losses,
                                                 one for each slot. */
-    AUDIT_TICKETS_OUT = AUDIT_LOST_AGAIN + (int)POI_MAX, /* Tickets passed to the dispenser, which
-                                                            AUDIT_TICKETS includes. The counter
-                                                            belongs to group 0. */
+    AUDIT_TICKETS_OUT = AUDIT_LOST_AGAIN + (int)POI_MAX, /* Number of tickets sent to the ticket
+                                                            dispenser. AUDIT_TICKETS includes
+                                                            these tickets. The counter belongs to
+                                                            group 0. */
     AUDIT_COUNT,
 };
 

@@ -65,7 +65,8 @@ static void close_what_is_over(struct game *game, struct output *output)
     }
 }
 
-/* Logs the next ticket, or starts its pulse, if the previous step is complete. */
+/* Logs the next ticket, or starts the pulse of the ticket dispenser, if the previous step is
+ * complete. */
 static void tick_tickets(struct accounts *accounts, const struct core_config *config, uint32_t tick,
                          const struct input *input, struct output *output)
 {
@@ -131,9 +132,9 @@ void credit_tick(struct game *game, const struct world *world, const struct core
 
 /* ---- Rounds --------------------------------------------------------------------------------- */
 
-/* Returns the kind of credit to use next (enum round_payment); PAYMENT_NONE means that no credit
- * can be used. A refunded credit comes first, because it cannot be refunded a second time. Service
- * credits come next, so that an operator's test leaves paid credits unused. */
+/* Returns the kind of credit to use next (enum round_payment). PAYMENT_NONE means that no credit
+ * can be used. A refunded credit is used first, because it cannot be refunded a second time.
+ * Service credits are used next, so that an operator's test leaves paid credits unused. */
 static uint8_t next_credit(const struct ledger *ledger)
 {
     const struct ledger_credits sure = ledger_committed_credits(ledger);
@@ -147,7 +148,7 @@ static uint8_t next_credit(const struct ledger *ledger)
     return sure.service > 0 ? PAYMENT_SERVICE : sure.paid > 0 ? PAYMENT_PAID : PAYMENT_NONE;
 }
 
-/* If the ledger has no room, no round can be bought, because the end of the round could not be
+/* If the ledger has no room, a round cannot be bought, because the end of the round could not be
  * logged either. */
 int credit_can_play(const struct ledger *ledger, const struct core_config *config)
 {

@@ -41,8 +41,8 @@ int credit_can_play(const struct ledger *ledger, const struct core_config *confi
 uint32_t credit_coming(const struct ledger *ledger);
 
 /* Handles a start attempt without a playable credit. If a credit is not on disk yet, the attempt
- * waits for the credit (credit_is_awaited()). Otherwise the display highlights the request for a
- * coin for a moment. */
+ * waits for the credit (credit_is_awaited()). Otherwise the screen briefly highlights the request
+ * for a coin. */
 void credit_ask(struct accounts *accounts, uint32_t tick, struct output *output);
 
 /* Returns 1 if a start attempt that waited for its credit can now start a game, otherwise 0. */
@@ -55,13 +55,13 @@ void credit_take(struct game *game, const struct core_config *config, uint8_t wh
                  struct output *output);
 
 /* Ends the running round early. The credit is refunded if one was taken and
- * round_standing_is_spent() is 0. Otherwise the balance keeps its open round, which the caller must
- * close. A free round that lost its pois counts as a normal round. */
+ * round_standing_is_spent() is 0. Otherwise `balance.open` stays set, and the caller must close the
+ * round. A free round in which all controllers were lost counts as a normal round. */
 void credit_refund(struct game *game, const struct core_config *config, enum refund_cause cause,
                    struct output *output);
 
-/* Returns the tickets that the round has won so far, computed from each player's catch; 0 if the
- * bot played. */
+/* Returns the number of tickets that the round has won so far, computed from each player's catch.
+ * Returns 0 if the bot played. */
 uint32_t credit_tickets_won(const struct game *game, const struct core_config *config);
 
 /* Adds the tickets of a finished round that was not refunded to the balance. Returns the number of
@@ -91,7 +91,7 @@ void coins_insert(struct accounts *accounts, const struct core_config *config, u
 void coins_test(struct accounts *accounts, uint32_t tick, const struct input *input,
                 struct output *output);
 
-/* Adds units to the balance that were not logged before the last power cut (`unlogged`). */
+/* Adds units that were not logged before the last power cut (`balance.unlogged`) to the balance. */
 void coins_convert_pending(struct ledger *ledger, const struct core_config *config);
 
 /* Logs pending coins, and converts units to credits while the balance has fewer than SET_CREDIT_MAX

@@ -71,8 +71,8 @@ static uint8_t detail_max(uint8_t kind)
     }
 }
 
-/* The audits add the value of most kinds as an unsigned number, so the value of those kinds must be
- * >= 0. The grade of a round is 0 in records of an earlier version. */
+/* The value of most entry kinds must be >= 0, because the audits add it as an unsigned number. The
+ * grade of a round is 0 in records of an earlier version. */
 int ledger_entry_is_valid(const struct ledger_entry *entry)
 {
     const struct round_record *round = &entry->round;

@@ -63,7 +63,7 @@ int ledger_has_room(const struct ledger *ledger, uint8_t kind)
            unsaved_entry_count(ledger) < LEDGER_RING - (is_of_a_round ? 0u : LEDGER_RESERVE);
 }
 
-/* In a kiosk without a store, no entry was ever reported as safe, so the oldest entry may be
+/* In a kiosk without a store, no entry ever reaches a disk, so the oldest entry may be
  * overwritten. */
 int ledger_may_write(const struct ledger *ledger, uint8_t kind)
 {
@@ -118,8 +118,8 @@ int ledger_needs_sync(const struct ledger *ledger)
                ledger_balance_hash(HASH_START, &ledger->committed);
 }
 
-/* Returns the part of `sure` that is left after a count changed from `before` to `after`. An
- * increase of the count leaves `sure` unchanged. */
+/* Returns the part of the count `sure` (credits on disk) that is left after the whole count changed
+ * from `before` to `after`. An increase leaves `sure` unchanged. */
 static uint32_t less_spent(uint32_t sure, uint32_t before, uint32_t after)
 {
     const uint32_t spent = before > after ? before - after : 0u;

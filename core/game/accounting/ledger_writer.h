@@ -19,7 +19,8 @@ struct game_session;
 /* Initializes `ledger` from the state that the store loaded at startup. */
 void ledger_init(struct ledger *ledger, const struct ledger_start *start);
 
-/* Reads the store's state from `input`. Call before any entry of the tick is written. */
+/* Reads from `input` which entries the store has saved. Call before any entry of the tick is
+ * written. */
 void ledger_tick(struct ledger *ledger, const struct input *input);
 
 /* Returns 1 if the ledger's ring buffer has room for an entry of kind `kind` (enum ledger_kind),

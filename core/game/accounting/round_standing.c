@@ -9,14 +9,16 @@
 #include "core/game/rules.h"
 #include "core/game/table_setup.h"
 
-#define SEAT_BITS 8u /* Number of bits of `count` that hold the catch of each slot. */
+#define SEAT_BITS 8u /* Number of bits of the member `count` that hold the catch of each slot. */
 #define SEAT_MAX 255u
-/* Mask of the tickets in `value`. The higher bits hold the players and the bot. */
+/* Mask of the tickets in the member `value`. The higher bits hold the players and the bot. */
 #define TICKETS_MASK 0xffffu
 #define PLAYERS_SHIFT 16u
 #define PLAYERS_MASK 15u
 #define BOT_SHIFT 20u
-#define GRADE_SHIFT 4u /* Position of the grade in `detail`. The lower bits hold the mode. */
+/* Number of the lowest bit of the paper grade in the member `detail`. The lower bits of `detail`
+ * hold the mode. */
+#define GRADE_SHIFT 4u
 #define MODE_MASK 15u
 _Static_assert(POI_MAX *SEAT_BITS <= 32u && POI_MAX <= 4u, "every seat has its byte and its bit");
 _Static_assert(CHOICE_COUNT <= MODE_MASK + 1u && SHEET_GRADE_MAX <= 15u, "mode and grade fit");

@@ -89,8 +89,9 @@ struct poi_target bot_tick(struct bot *bot, const struct vision *vision)
         const struct snapshot_fish followed = bot->known.prey;
         bot->known = bot->seen;
         if (bot->known.prey.fish != bot->prey) {
-            bot->known.prey = followed; /* The snapshot was taken before the present target was
-                                           selected, so the earlier data of the target is copied. */
+            bot->known.prey = followed; /* The snapshot was taken before the present target fish was
+                                           selected, so the earlier data of the target fish is
+                                           copied. */
         }
         snapshot_take(&bot->seen, &bot->known, vision, bot->prey, bot_attention_m(bot));
         bot->act_tick = tick + (uint32_t)(int32_t)(wait_s * (float)CORE_TICK_HZ + 0.5f);

@@ -27,8 +27,9 @@ static float bot_age_s(const struct bot *bot, uint32_t tick)
     return (float)(tick - bot->known.tick) * CORE_TICK_S;
 }
 
-/* Returns 1 if the snapshot `known` was captured at least `after_s` seconds after the start of the
- * stage, otherwise 0. A negative `after_s` also accepts a capture shortly before the start. */
+/* Returns 1 if the snapshot `known` was taken at least `after_s` seconds after the start of the
+ * stage, otherwise 0. With a negative `after_s`, a snapshot from shortly before the start also
+ * counts. */
 static int bot_saw_since(const struct bot *bot, float after_s)
 {
     const float seen_s = ((float)bot->known.tick - (float)bot->stage_tick) * CORE_TICK_S;
@@ -74,7 +75,7 @@ static int bot_way_to_prey(const struct bot *bot, uint32_t tick, float ahead_s,
                               way);
 }
 
-/* Returns 1 if the target fish is still in the tank, otherwise 0. */
+/* Returns 1 if the target fish still swims in the tank, otherwise 0. */
 static int bot_prey_swims(const struct bot *bot)
 {
     return bot->prey != SNAPSHOT_NO_FISH && bot->known.prey.place == SCENE_IN_TANK;
@@ -174,7 +175,9 @@ static void bot_choose(struct bot *bot, uint32_t tick)
 
 #define CALM_M_S 0.05f
 #define CHASE_LOST_M 0.25f
-#define LOST_M 0.075f /* Distance from the ring beyond which the bot stops following a fish. */
+/* Horizontal distance from the ring to the target fish beyond which the bot stops following the
+ * fish. */
+#define LOST_M 0.075f
 #define GLIDE_S_MAX 0.9f
 #define DIP_S_MAX 1.2f
 #define APPROACH_S_MAX 1.5f
@@ -271,8 +274,8 @@ static void bot_glide(struct bot *bot, uint32_t tick)
 #define LIFTED_Y_M 0.058f /* Height at which a ring with a fish is out of the water. */
 #define HASTY_EASE_S 0.06f
 #define HASTY_SHARE 2.5f /* Ratio of the speed of a fast lift to the speed of a draining lift. */
-/* Pitch of the poi while lifting; 0 is level. A negative pitch lowers the far edge, so that water
- * runs off and the fish moves to the rim. */
+/* Pitch of the poi during the lift; 0 is level. With a negative pitch, the far edge is lower, so
+ * that water runs off and the fish moves to the rim. */
 #define CRADLE_RAD (0.0f * F_DEG)
 /* Largest distance of the ring below the arm's position. If fish push the ring further down, the
  * arm waits. */
@@ -286,9 +289,9 @@ static void bot_glide(struct bot *bot, uint32_t tick)
 
 /* Pitch at which a fish slides over the ring. */
 #define TIP_RAD (58.0f * F_DEG)
-/* Distance from the ring's centre to the point where the fish leaves the ring. */
+/* Distance from the ring's centre to the point where a fish leaves the tipped ring. */
 #define TIP_FALL_M 0.046f
-#define TIP_EDGE_M 0.010f /* Height of the ring's lower edge above the bowl's mouth. */
+#define TIP_EDGE_M 0.010f /* Height of the tipped ring's lower edge above the bowl's mouth. */
 #define TIP_HOLD_S 0.42f
 #define TIP_LAST_S 1.5f
 

@@ -47,8 +47,9 @@ struct snapshot_fish {
 struct snapshot_paper {
     float wet;      /* Mean wetness of the remaining paper, [0, 1]. */
     float left;     /* Remaining share of the paper, [0, 1]. */
-    uint8_t holds;  /* 1 if some patch of the paper is large enough for a fish, otherwise 0. */
-    uint8_t middle; /* 1 if the patch for a fish is at or near the middle of the ring, otherwise
+    uint8_t holds;  /* 1 if an undamaged patch of the paper is large enough for a fish, otherwise
+                       0. */
+    uint8_t middle; /* 1 if this undamaged patch is at or near the middle of the ring, otherwise
                        0. */
     float x_m, z_m; /* Centre of the patch for a fish in the poi's plane; (0, 0) while the paper is
                        undamaged. */
@@ -100,12 +101,12 @@ struct bot {
     struct technique technique;
     uint32_t seed;          /* Seed of the bot's random numbers. */
     uint8_t stage;          /* Current stage (enum bot_stage). */
-    uint16_t prey;          /* Target fish, or SNAPSHOT_NO_FISH. */
+    uint16_t prey;          /* Index of the target fish, or SNAPSHOT_NO_FISH. */
     uint32_t stage_tick;    /* Tick at which the stage began. */
     uint32_t act_tick;      /* Tick at which `seen` becomes usable. */
     uint32_t tries;         /* Number of attempts to catch a fish so far. */
     float yaw_rad;          /* Handle yaw for the target fish. */
-    vec3 miss_m;            /* Aiming error of this attempt. */
+    vec3 miss_m;            /* Random aiming error of the present attempt to catch a fish. */
     struct poi_target goal; /* Pose toward which the arm moves. */
     float speed_m_s;        /* Maximum speed of the motion to `goal`. */
     float ease_s;           /* Time to reach `speed_m_s`, in seconds. */

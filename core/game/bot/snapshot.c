@@ -11,9 +11,11 @@
 /* Weight of the depth in the ranking of nearby fish. A fish that is 1 cm deeper has the same rank
  * as a fish that is 4 cm farther away. */
 #define DEPTH_WEIGHT 4.0f
-/* Distance that is subtracted for a gulping fish, because gulping attracts attention. */
+/* Distance that the ranking subtracts for a gulping fish, because gulping attracts the bot's
+ * attention. */
 #define GULP_M 0.04f
-#define OVER_M 0.045f /* Height of the water above the paper in which fish are counted. */
+/* Height of the water layer above the paper in which fish are counted as above the paper. */
+#define OVER_M 0.045f
 #define RIDE_M 0.025f /* Greatest height above the paper of a fish that lies on the paper. */
 
 static struct snapshot_fish see_fish(const struct vision *vision, uint32_t index)
@@ -30,8 +32,8 @@ static struct snapshot_fish see_fish(const struct vision *vision, uint32_t index
     };
 }
 
-/* Sets the velocity of `now` from the fish's position in the snapshot `before`, if the fish was
- * seen there. */
+/* Sets the velocity of `now` from the fish's position in the snapshot `before`, if `before`
+ * contains the fish. */
 static void judge_speed(struct snapshot_fish *now, const struct snapshot *before, uint32_t tick)
 {
     const struct snapshot_fish *then = before->prey.fish == now->fish ? &before->prey : NULL;

@@ -5,8 +5,8 @@
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 
-#define WALL_ROOM_M 0.052f  /* Smallest distance from a wall to the ring's centre. */
-#define FLOOR_ROOM_M 0.012f /* Smallest distance from the floor to the ring. */
+#define WALL_ROOM_M 0.052f  /* Smallest distance from a tank wall to the ring's centre. */
+#define FLOOR_ROOM_M 0.012f /* Smallest distance from the tank floor to the ring. */
 #define BOWL_ROOM_M 0.050f
 /* Height of the ring's lowest edge above the water before the dip. */
 #define CLEAR_M 0.010f
@@ -41,9 +41,11 @@ static const float yaws_rad[] = { YAW_EASY_RAD, -0.30f, 0.90f, 1.45f, -0.80f };
 /* Cost reduction for a gulping fish, because the fish notices the poi late and dives late. */
 #define GULP_S 0.30f
 #define COMPANY_M 0.030f
-/* Cost reduction for each further fish nearby, because it needs no complete path of its own. */
+/* Cost reduction for each further fish near the target fish, because the bot can scoop such a fish
+ * on the same path. */
 #define COMPANY_S 0.25f
-#define RIVAL_M 0.10f /* Distance at which another player's poi interferes. */
+/* Distance from a fish to another player's poi below which the poi interferes. */
+#define RIVAL_M 0.10f
 #define RIVAL_S 0.60f /* Cost of a nearby poi of another player. */
 
 vec3 targeting_forward(float yaw_rad)
@@ -65,8 +67,8 @@ int targeting_approach(const struct technique *technique, const struct snapshot 
     const vec3 ahead = targeting_forward(yaw_rad), right = v3(-ahead.z, 0.0f, ahead.x);
     const struct snapshot_paper *paper = &snapshot->paper;
     const struct vision_bowl *bowl = &snapshot->bowl;
-    /* With level paper the path below the water surface goes straight down. With more tilt the path
-     * follows the paper's plane more closely. */
+    /* With level paper, the path below the water surface leads straight down. With a larger tilt,
+     * the path follows the plane of the paper more closely. */
     const float entry_rad = technique->entry_deg * F_DEG;
     const float slope =
         f_lerp(0.5f * F_PI, f_max(entry_rad, STEEP_RAD), f_min(entry_rad / STEEP_RAD, 1.0f));

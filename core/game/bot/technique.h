@@ -21,13 +21,13 @@ enum technique_place {
     PLACE_COUNT
 }; /* Part of the paper under the fish. */
 /* Style of the lift. LIFT_FAST lifts at 2.5 times `lift_m_s` and reaches that speed in less than
- * half the time, even if the ring lags behind the arm. LIFT_FAST does not wait for the water to
- * drain, whatever `drain_s` is. */
+ * half the time, even if the ring lags behind the arm. LIFT_FAST ignores `drain_s` and does not
+ * wait for the water to drain. */
 enum technique_lift { LIFT_DRAINED = 0, LIFT_FAST, LIFT_COUNT };
-/* Style of the hunt. HUNT_CHASE selects the nearest fish, however fast or deep, and does not wait
- * over the water. Under water the poi moves at `arm_m_s` instead of `glide_m_s`, for at most
- * `patience_s`. The poi follows the fish for 25 cm instead of 7.5 cm. The next fish is searched
- * from the poi's current position, not from beside the bowl. */
+/* Style of the hunt. HUNT_CHASE selects the nearest fish, even if it is fast or deep, and does not
+ * wait over the water. Under water the poi moves at `arm_m_s` instead of `glide_m_s`, for at most
+ * `patience_s`. The poi follows the fish for 25 cm instead of 7.5 cm. The search for the next fish
+ * starts at the poi's current position, not beside the bowl. */
 enum technique_hunt { HUNT_SHADE = 0, HUNT_CHASE, HUNT_COUNT };
 
 struct technique {

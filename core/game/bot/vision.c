@@ -1,5 +1,5 @@
-/* vision.c -- the only file of the bot that reads the game and the world. The file reads the fields
- * that core/core_scene.c shows, and no others. */
+/* vision.c -- the only file of the bot that reads the game and the world. The file reads only the
+ * fields that core/core_scene.c shows. */
 #include "core/game/bot/vision.h"
 
 #include "core/base/panic.h"

@@ -21,8 +21,8 @@ vec3 calibration_mark(vec3 tank_size_m, uint32_t corner)
 
 /* ---- Checks of the corners ------------------------------------------------------------------ */
 
-/* Sine of three degrees. If the change of direction is smaller, three corners are nearly on one
- * line, and the map across that line is undetermined. */
+/* Sine of three degrees. If the direction changes by a smaller angle at a corner, three corners are
+ * nearly on one line, and the calibration across that line cannot be computed. */
 #define STRAIGHT_SIN 0.05f
 
 /* Checks the shape of the measured corners. The sine of the change of direction at each corner is
@@ -146,8 +146,8 @@ enum calibration_fault calibration_solve(const struct calibration_said *said, ve
 
 /* ---- Correction of a pose ------------------------------------------------------------------- */
 
-/* A mixture of old and new settings has a matching check value with a probability of one in ten
- * million. */
+/* If the settings are a mixture of old and new values, the check value still matches with a
+ * probability of one in ten million. */
 int32_t calibration_check(const int32_t value[CALIBRATION_VALUES])
 {
     const uint64_t most = (uint64_t)settings_entry(SET_CALIBRATION_CHECK)->max;

@@ -27,7 +27,8 @@
 #define CALIBRATE_CORNERS 4u
 /* Distance of a mark from each of the two nearest walls, at which the ring can lie flat. */
 #define CALIBRATE_INSET_M 0.08f
-#define CALIBRATE_NEAR_M 0.02f /* Largest distance of two corners that count as one corner. */
+/* Distance of two measured corners below which they count as the same corner. */
+#define CALIBRATE_NEAR_M 0.02f
 /* Largest allowed root mean square error at the marks. With careful aiming and a working sensor the
  * error stays below this limit. */
 #define CALIBRATE_RESIDUAL_M 0.015f

@@ -16,18 +16,21 @@
  * m/s. */
 #define GRIP_TICKS 144u
 #define DOUBT_TICKS 8u /* Longest time for which an outlier is ignored, a fifteenth of a second. */
-#define FAR_M 0.30f    /* Distance beyond which the poi moves gently to a new pose. */
-#define FAR_TURN 0.3f  /* Rotation beyond which the poi moves gently to a new pose. */
-/* Rotation limit for a pointer instead of FAR_TURN. The limit is larger, because a pointer tilts
- * its poi during fast motion. */
+/* Distance to a new pose beyond which the poi moves slowly to the pose instead of immediately. */
+#define FAR_M 0.30f
+/* Rotation to a new pose beyond which the poi moves slowly to the pose instead of immediately. */
+#define FAR_TURN 0.3f
+/* Value that replaces FAR_TURN if the controller is a pointer. The value is larger, because a
+ * pointer tilts its poi during fast motion. */
 #define FAR_LEAN 0.8f
 #define WET_BELOW_M 0.020f /* Height below which part of a tilted ring may be under water. */
-/* Longest total damage immunity of several returns in a row. */
+/* Longest total damage immunity of several successive returns from an input loss. */
 #define SPARE_TICKS_ALL (2u * FAILSAFE_IMMUNITY_TICKS_MAX)
-/* Ticks of normal control after which one used tick of immunity becomes available again. */
+/* Number of ticks of normal control after which one used tick of damage immunity is available
+ * again. */
 #define REFILL_TICKS 8u
-#define REACH_SIDE_M 0.20f   /* Reach of an arm beyond the walls. */
-#define REACH_HEIGHT_M 0.35f /* Reach of an arm above the water. */
+#define REACH_SIDE_M 0.20f   /* Distance beyond the tank walls to which an arm reaches. */
+#define REACH_HEIGHT_M 0.35f /* Height above the water to which an arm reaches. */
 
 int controller_is_active(const struct world *world, uint32_t index)
 {
@@ -141,8 +144,9 @@ static struct poi_target blend_to_holder(struct game *game, const struct world *
     CORE_ASSERT(game->holder[index] != POI_SOURCE_ABSENT);
     const int begins = game->phase == PHASE_ROUND && game->tick == game->phase_tick;
     if (begins && wanted.position_m.y < CLEAR_Y_M) {
-        game->grip_tick[index] = game->tick; /* If the player already holds the button when the
-                                                round begins, the poi dips gently. */
+        game->grip_tick[index] = game->tick; /* If the player already holds the button of the
+                                                controller when the round begins, the poi dips
+                                                slowly. */
     }
     const float age = (float)(game->tick - game->grip_tick[index]) / (float)GRIP_TICKS;
     wanted = within_reach(world, wanted, lowest_m(game, world, index));
@@ -158,7 +162,7 @@ static struct poi_target steady(struct game *game, const struct world *world, ui
     const struct poi *poi = &world->poi[index];
     const struct poi_target hand = game->hand_pose[index];
     const float low_m = f_min(f_min(hand.position_m.y, poi->position_m.y), next.position_m.y);
-    /* An outlier could damage the paper or lose a fish. */
+    /* 1 if an outlier could damage the paper or lose a fish, otherwise 0. */
     const int at_stake = low_m < WET_BELOW_M || poi->carried_count > 0;
     const int is_arm = has_wrist || at_stake;
     const float way_m = v3_length(v3_sub(next.position_m, hand.position_m));
@@ -221,8 +225,8 @@ static void tick_parked(struct game *game, struct world *world, uint32_t index)
     }
 }
 
-/* Moves a poi without input out of the water. The return later starts from the position reached,
- * when the input is restored or the pause ends. */
+/* Moves a poi without input out of the water. When the input is restored or the pause ends, the
+ * return starts from the position that the poi has reached. */
 static void tick_failsafe(struct game *game, const struct world *world, uint32_t index)
 {
     CORE_ASSERT(world->poi[index].damage_immune);
@@ -288,7 +292,7 @@ void controller_tick_all(struct game *game, struct world *world, const struct co
     }
 }
 
-/* A controller with invalid input counts as lost. */
+/* A controller with invalid input counts as a lost controller. */
 void controller_assign(const struct game *game, struct world *world, const struct input *input)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {

@@ -45,7 +45,8 @@ void controller_tick_all(struct game *game, struct world *world, const struct co
                          const struct input *input, struct poi_target targets[POI_MAX],
                          uint8_t live[POI_MAX]);
 
-/* Cancels the return of a poi that has a new source or a new position. */
+/* Cancels the return of a poi to its controller, because the poi has a new source or a new
+ * position. */
 void controller_forget_path(struct game *game, uint32_t index);
 
 /* ---- Failsafe -------------------------------------------------------------------------------- */
@@ -90,8 +91,8 @@ int failsafe_is_returned(struct poi_target hand, struct poi_target wanted, uint3
  * takes no damage, its shadow fades, and fish on the poi fall. Once out of the water, a parked poi
  * is no obstacle. When a controller uses the poi again, the poi starts from its rest position. */
 
-/* Delay of one second between the end of a player's round and parking, so that the player sees the
- * reason. */
+/* Delay of one second between the end of a player's round and parking. In this second the player
+ * can see why the round ended. */
 #define PARKING_LINGER_TICKS 120u
 
 /* Returns the rest position of player `index`. The position is on the open tank's rim beside the

@@ -10,27 +10,30 @@
 /* Deceleration at which a fish on level paper does not slide. */
 #define COAST_M_S2 2.0f
 #define THROW_M_S_MAX 0.3f /* Highest speed of a released fish, so that the fish is not thrown. */
-#define COAST_LAG_S 0.025f /* Time by which the ring lags behind its target in air. */
+#define COAST_LAG_S 0.025f /* Time by which the ring lags behind its target position in air. */
 #define COAST_DONE_M_S 0.15f
-/* Speed upward that half-wet paper of grade 7 withstands broadside (test_failsafe). */
+/* Highest upward speed that half-wet paper of grade 7 withstands broadside (test_failsafe). */
 #define RISE_M_S 0.08f
 #define TURN_RAD_S 1.5f
 #define SLANT_RAD (45.0f * F_DEG)
 #define SLANT_NEAR_RAD (10.0f * F_DEG) /* Tilt at which the upward motion starts. */
-/* Speed above the water, enough to move from the bowl to the far corner within a second. */
+/* Speed of a returning poi above the water. At this speed the poi moves from the bowl to the far
+ * corner within a second. */
 #define BACK_DRY_M_S 1.0f
-/* Speed downward into the water, which the paper also withstands broadside. */
+/* Downward speed of a returning poi in the water. The paper withstands this speed even
+ * broadside. */
 #define BACK_WET_M_S 0.10f
 #define WET_BELOW_M 0.035f /* Height below which part of a tilted ring may be under water. */
 #define BACK_TURN_RAD_S 4.0f
-/* Share of the remaining distance that the poi moves per tick. The poi therefore slows down near
- * its goal. */
+/* Fraction of the remaining distance that a returning poi moves per tick. The poi therefore slows
+ * down near its goal. */
 #define BACK_SHARE 0.08f
 /* Increase of the speed factor for each second after the damage immunity ends. */
 #define BACK_HASTE_PER_S 5.0f
 /* Increase of BACK_SHARE for each second after the damage immunity ends. */
 #define BACK_SHARE_PER_S 0.5f
-/* Distance that the spring between the controller's pose and the poi covers without an impact. */
+/* Distance to the controller's pose at which a return is complete. The spring between pose and poi
+ * covers this distance without an impact. */
 #define BACK_NEAR_M 0.006f
 #define BACK_NEAR_RAD 0.02f
 /* Horizontal distance to the goal above which the poi leaves the water before it moves sideways. */
@@ -46,8 +49,8 @@ struct poi_target failsafe_begin(const struct poi *poi, struct poi_target hand)
 }
 
 /* Moves a poi without fish out of the water along its own plane. For a tilted ring the higher edge
- * leaves the water first. For a level ring the edge is first that lets the poi leave toward the
- * middle of the tank. */
+ * leaves the water first. For a level ring, the edge nearer to the middle of the tank leaves the
+ * water first. */
 static struct poi_target slip_out(struct poi_target hand)
 {
     const float pitch_rad = hand.angles.pitch_rad;

@@ -45,9 +45,9 @@ enum input_status {
 struct input_validation {
     uint8_t verdict;          /* Result of the last tick (enum input_status). */
     uint8_t knows;            /* 1 if `newest` is valid, otherwise 0. */
-    uint16_t same_ticks;      /* Number of ticks in a row in which the sensor has repeated identical
-                                 bits. */
-    uint16_t agree_ticks;     /* Number of ticks in a row with consistent reports, up to
+    uint16_t same_ticks;      /* Number of consecutive ticks in which the sensor has repeated
+                                 identical bits. */
+    uint16_t agree_ticks;     /* Number of consecutive ticks with consistent reports, up to
                                  INPUT_AGREE_TICKS. */
     uint16_t silent_ticks;    /* Age of the newest report in ticks if the report is late, otherwise
                                  0. */

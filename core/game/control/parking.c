@@ -7,7 +7,8 @@
 #include "core/poi/world.h"
 #include "core/tank/preset.h"
 
-/* Distance of the parked poi beyond the bowl's centre, so that the handle lies beside the bowl. */
+/* Distance from the bowl's centre to the parked poi along the rim, so that the handle lies beside
+ * the bowl. */
 #define ALONG_M 0.105f
 /* Distance of the parked ring inside the wall, so that the ring stays visible. */
 #define INSIDE_M 0.005f
@@ -15,7 +16,7 @@
 #define OVER_RIM_M 0.020f /* Height of the poi above the rim while it moves. */
 #define LIFT_M_S 0.30f    /* Speed at which the poi rises; the paper takes no damage. */
 #define AWAY_M_S 0.80f
-/* Share of the remaining distance that the poi moves per tick. The poi therefore slows down near
+/* Fraction of the remaining distance that the poi moves per tick. The poi therefore slows down near
  * its goal. */
 #define AWAY_SHARE 0.06f
 /* Ticks in which the poi accelerates, so that the motion starts gently. */

@@ -84,11 +84,13 @@ void album_show(const struct game *game, struct scene_album *out)
         const uint32_t begin = i * ALBUM_STAGGER_TICKS;
         const float share =
             (float)(elapsed > begin ? elapsed - begin : 0u) / (float)ALBUM_LIFE_TICKS;
-        /* The progress is slow at both ends of the life, where the fish changes most. */
+        /* The progress changes slowly at the beginning and at the end of the life, where the fish
+         * changes most. */
         const float progress = f_smoothstep(0.0f, 1.0f, f_min(share, 1.0f));
         const float age_days = life_age_days(card, progress);
-        /* The length starts at the species' usual length. At the age of the catch, the fish's
-         * length has its own ratio to the usual length. After that age the ratio stays constant. */
+        /* The length starts at the usual length of the species. Until the age of the catch, the
+         * ratio of the fish's length to the usual length changes gradually to the ratio of this
+         * fish. After that age the ratio stays constant. */
         const float usual_m = life_length_m(card, life_progress(card, fish->age_days));
         const float part = f_min(age_days / f_max(fish->age_days, 1.0f), 1.0f);
         out->fish[i] = (struct scene_grown){

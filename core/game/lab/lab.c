@@ -31,7 +31,8 @@ void lab_begin(struct game *game, struct world *world, const struct core_config 
     game_enter_phase(game, PHASE_LAB);
     lab->stir_tick = lab->act_tick = game->tick;
     lab->start_ticks = 0;
-    lab->presses = 1; /* The dip that opened the lab must not press a part of the page. */
+    lab->presses = 1; /* The player opened the lab by a dip. The same dip must not press a part of
+                         the page. */
     lab_take(&game->lab, &config->book, lab->species);
     output_sound(output, SOUND_START, 0.7f, 0.0f);
 }

@@ -199,9 +199,9 @@ static bool is_in_a_turn(const struct species_card *card, float age_days)
     return false;
 }
 
-/* The points at which the length reverses are drawn before all other points, because not all points
- * may fit. A knot is added in the middle between distant knots, because a straight line would cut
- * off a curved part. */
+/* The points at which the length reverses are added before all other points, because not all points
+ * may fit. A knot is added in the middle between two distant knots, because a straight line between
+ * them would differ from the curve. */
 uint32_t lab_edit_scale_knots(const struct lab_edit *edit, const struct species_card *card,
                               struct scale_knot out[GRAPH_KNOT_MAX])
 {

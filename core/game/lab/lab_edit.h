@@ -27,8 +27,9 @@ void lab_edit_template(struct lab_edit *edit, const struct species_card *card,
 void lab_edit_apply(const struct lab_edit *edit, const struct species_card *card,
                     struct species_card *out);
 
-/* Returns true if `edit` is valid for `card`: its graph is valid, the progress of its scale knots
- * rises from 0 to 1, and each length is within LAB_LENGTH_MIN_M .. LAB_LENGTH_MAX_M. */
+/* Returns true if `edit` is valid for `card`, otherwise false. The graph of `edit` must be valid,
+ * the progress of its scale knots must rise from 0 to 1, and each length must be within
+ * LAB_LENGTH_MIN_M .. LAB_LENGTH_MAX_M. */
 bool lab_edit_is_valid(const struct lab_edit *edit, const struct species_card *card);
 
 /* Returns true if both edits give the same shapes and lengths. */

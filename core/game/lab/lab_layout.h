@@ -38,8 +38,8 @@ enum lab_part {
 
     LAB_STAGE = LAB_PRESSED_COUNT, /* Area in which the displayed fish swims. */
     LAB_NAME,
-    LAB_CARD, /* Background below the graph. LAB_CHART_CARD is the background below the growth
-                 curve. */
+    LAB_CARD, /* Background of the field below the graph. LAB_CHART_CARD is the background below the
+                 growth curve. */
     LAB_CHART_CARD,
     LAB_PART_COUNT,
 };

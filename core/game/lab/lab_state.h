@@ -41,13 +41,13 @@ struct album {
 /* Element that the pointer drags, from the press to the release. */
 enum lab_hold {
     HOLD_NOTHING = 0,
-    HOLD_AGE,    /* Position on the age axis. */
-    HOLD_CHART,  /* Position on the growth curve. */
-    HOLD_PLOT,   /* Position on the graph. */
-    HOLD_WEIGHT, /* Knot of the weight curve of the key in `layer`. */
-    HOLD_SIZE,   /* Knot of the scale curve. */
+    HOLD_AGE,    /* The pointer drags the position on the age axis. */
+    HOLD_CHART,  /* The pointer drags the position on the growth curve, which selects an age. */
+    HOLD_PLOT,   /* The pointer drags the position on the graph, which selects a progress. */
+    HOLD_WEIGHT, /* The pointer drags a knot of the weight curve of the key in `layer`. */
+    HOLD_SIZE,   /* The pointer drags a knot of the scale curve. */
     HOLD_BUTTON,
-    HOLD_LEAVE, /* Leave button, which acts when it is released. */
+    HOLD_LEAVE, /* The pointer presses the leave button, which acts when it is released. */
 };
 
 /* Value of `layer` for the scale curve. A smaller value is the index of a key. */
@@ -68,11 +68,12 @@ struct lab {
                                       otherwise 0. */
     uint8_t has_edit[SPECIES_MAX]; /* 1 for each species of which the kiosk has a saved edit,
                                       otherwise 0. */
-    uint32_t stir_tick, act_tick;  /* Tick of the last motion, and tick of the last press. */
+    uint32_t stir_tick, act_tick;  /* Tick of the last pointer motion (`stir_tick`), and tick of the
+                                      last press (`act_tick`). */
     uint32_t rest_ticks;           /* Ticks since the playback of the life ended. */
     uint32_t start_ticks;          /* Ticks for which START has been held. */
-    uint32_t save_id, saved_id;    /* Id of the newest edit sent to the store, and id of the newest
-                                      edit confirmed on disk. */
+    uint32_t save_id, saved_id;    /* Id of the newest edit sent to the store (`save_id`), and id of
+                                      the newest edit confirmed on disk (`saved_id`). */
     uint32_t asked_id;             /* Id of the save request for the current edit; 0 means that
                                       saving was not requested. */
     float x, y;                    /* Pointer position on the canvas. */

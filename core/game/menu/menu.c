@@ -44,7 +44,7 @@ static void open_menu(struct game *game, struct world *world, const struct core_
     *menu = (struct menu){
         .controllers = input->controllers,
         .upright = input->upright != 0,
-        .presses = 1, /* A poi that is under water when the menu opens selects nothing. */
+        .presses = 1, /* A poi that is already under water when the menu opens selects no item. */
         .command_count = menu->command_count,
         .take_tick = game->tick,
         .act_tick = game->tick,
@@ -109,7 +109,7 @@ void menu_turn(struct game *game, const struct settings *settings, enum menu_pag
     CORE_ASSERT(page < MENU_PAGE_COUNT);
     struct menu *menu = &game->menu;
     menu->page = (uint8_t)page;
-    menu->points = 0; /* An item under a pointer at rest does not count as pointed at. */
+    menu->points = 0; /* An item is not selected by a pointer that does not move. */
     if (menu_page_desc_of(menu->page)->enter) {
         menu_page_desc_of(menu->page)->enter(game, settings);
     }
@@ -221,8 +221,8 @@ static void point_at_tag_by_hand(struct game *game, struct world *world, struct 
     }
     if (!hand.present || uses_motion(menu)) {
         menu->has_hand = menu->points = 0;
-        menu->presses = 1; /* When a pointer is present again, it selects nothing until it has been
-                              above the water. */
+        menu->presses = 1; /* After a pointer was absent, it selects nothing until it has been above
+                              the water. */
         return;
     }
     const int was_down = menu->presses || hand.player != menu->hand;
@@ -295,9 +295,9 @@ static void watch_input_test(struct game *game, const struct settings *settings,
     point_at_something(menu);
 }
 
-/* The selecting button is held, or the selecting poi is still under water over the item, while a
- * settings page repeats a change. The menu closes if no activity occurred for the timeout, or if
- * only motion occurred for MENU_SWING_SPANS timeouts. */
+/* Runs one tick of the menu. On a settings page, a change repeats while the selecting button is
+ * held or the selecting poi is still under water over the item. The menu closes if no activity
+ * occurred for the timeout, or if only motion occurred for MENU_SWING_SPANS timeouts. */
 void menu_tick(struct game *game, struct world *world, struct core_config *config,
                const struct input *input, struct output *output)
 {

@@ -17,9 +17,9 @@ void menu_book_activate(struct game *game, struct core_config *config, uint32_t 
     menu_turn(game, &config->persistent.settings, MENU_RESET);
 }
 
-/* If the ledger has no room, the page that requests confirmation stays open. The ledger entry
- * stores the sum of the group's counters, so that later reports can show the amount that was
- * removed. */
+/* Resets the group of counters. If the ledger has no room, the page that requests confirmation
+ * stays open. The ledger entry stores the sum of the group's counters, so that later reports can
+ * show the amount that was removed. */
 void menu_reset_activate(struct game *game, struct core_config *config, uint32_t tag,
                          struct output *output)
 {
@@ -79,7 +79,7 @@ void menu_ranking_open(struct game *game, const struct settings *settings)
 }
 
 /* Selects the next leaderboard, or opens the page of the selected score. Modes without a score,
- * such as practice, are skipped. A new day may have cleared the row of the score. */
+ * such as practice, are skipped. Nothing happens if a new day has removed the selected score. */
 void menu_ranking_activate(struct game *game, struct core_config *config, uint32_t tag,
                            struct output *output)
 {

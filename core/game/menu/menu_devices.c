@@ -45,12 +45,12 @@ uint16_t menu_row_enabled(const struct menu *menu)
     static const uint16_t by_state[CONTROLLER_STATE_COUNT] = {
         [CONTROLLER_FREE] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_LEARN),
         [CONTROLLER_ACTIVE] = MENU_TAG(ROW_RELEASE) | MENU_TAG(ROW_LEARN),
-        [CONTROLLER_LOST] = MENU_TAG(ROW_RELEASE), /* The learn wizard needs a connected
+        [CONTROLLER_LOST] = MENU_TAG(ROW_RELEASE), /* The item for the learn wizard is missing,
+                                                      because the wizard needs a connected
                                                       controller. */
-        [CONTROLLER_DENIED] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_RELEASE), /* The permission may
-                                                                               have been granted
-                                                                               after the first
-                                                                               attempt. */
+        /* The controller can be chosen again, because the operating system's permission may have
+         * been granted after the first attempt. */
+        [CONTROLLER_DENIED] = MENU_TAG(ROW_CHOOSE) | MENU_TAG(ROW_RELEASE),
     };
     return by_state[menu->controllers.state[menu->row]] | MENU_TAG(ROW_BACK);
 }
@@ -77,7 +77,7 @@ uint16_t menu_learn_enabled(const struct menu *menu)
         return MENU_TAG(LEARNS_END); /* The wizard has not started, or the controller is
                                         disconnected. */
     case LEARN_TRY:
-    case LEARN_NOT_SAVED: /* Another attempt to save may succeed, for example after an SD card was
+    case LEARN_NOT_SAVED: /* The operator may try to save again, for example after an SD card was
                              inserted. */
         return MENU_TAG(LEARNS_KEEP) | MENU_TAG(LEARNS_AGAIN) | MENU_TAG(LEARNS_END);
     case LEARN_FAILED:

@@ -104,9 +104,9 @@ const struct menu_page_desc *menu_page_desc_of(uint8_t page)
 
 /* ---- Content of a body ---------------------------------------------------------------------- */
 
-/* Returns child page `nth` of `parent`, or MENU_PAGE_COUNT if the parent has fewer children.
- * `*count` receives the number of children that were counted. A page that is opened by a row of
- * data, such as a controller, is not counted. */
+/* Returns child page `nth` of `parent`, or MENU_PAGE_COUNT if the parent has fewer children. Writes
+ * the number of children counted until then to `*count`. A page that is opened by a row of data,
+ * such as a controller, is not counted. */
 static uint8_t nth_child(uint8_t parent, uint32_t nth, uint32_t *count)
 {
     CORE_ASSERT(parent <= MENU_PAGE_COUNT);

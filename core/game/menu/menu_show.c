@@ -13,15 +13,13 @@
 /* Sizes and distances that differ between the wide and the portrait canvas. */
 struct measures {
     struct layout_box body;
-    uint32_t hung_max;                                  /* Largest number of large items side by
-                                                           side. */
-    float hung_width, hung_height, hung_gap, hung_drop; /* Size and distance of large items.
-                                                           `hung_drop` is the space above the
-                                                           next row for the pole on which its
-                                                           tags hang. */
+    uint32_t hung_max; /* Largest number of large items in one row. */
+    /* Width, height and horizontal distance of large items. `hung_drop` is the vertical space above
+     * the next row, in which the renderer draws the pole that carries the items. */
+    float hung_width, hung_height, hung_gap, hung_drop;
     float row_height, row_pitch;
-    float settings_height; /* Height of the settings in the body. A help text is below the
-                              settings. */
+    float settings_height; /* Height of the list of settings in the body. The help text is below the
+                              list. */
     uint32_t key_columns;
     float key_top, key_width, key_height, key_gap;
     float foot_y, foot_width, foot_height, foot_gap;

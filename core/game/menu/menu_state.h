@@ -38,8 +38,8 @@ struct calibrate {
     int32_t before[POI_MAX][CALIBRATION_VALUES];
     uint8_t has_anchor, must_move;
     uint16_t still_ticks;
-    struct poi_target anchor; /* Pose at which the poi came to rest. Deviations are measured from
-                                 it. */
+    struct poi_target anchor; /* Pose at which the poi was first held still. Deviations are measured
+                                 from this pose. */
     struct poi_target sum;    /* Sum of the deviations from `anchor` over the ticks in which the poi
                                  was still. */
     struct calibration_said said;
@@ -141,9 +141,10 @@ enum menu_page {
     MENU_LINES,       /* Test of the buttons and the coin lines. */
     MENU_AXES,        /* Reported pose and report rate of each poi. */
     MENU_CALIBRATION, /* Calibration: corners of the tank, water level and tilt of each slot. */
-    MENU_MONEY,       /* First of the settings pages, one for each group of settings. */
+    MENU_MONEY,       /* First of the settings pages: settings about money. Each group of settings
+                         has one page. */
     MENU_GAME,
-    MENU_MODES, /* Selection of the modes that players can choose. */
+    MENU_MODES, /* Page on which the operator chooses the modes that players can select. */
     MENU_SOUND,
     MENU_PICTURE,
     MENU_CARD,  /* Test picture that covers the whole screen. */
@@ -166,8 +167,8 @@ enum menu_page {
     MENU_PAGE_COUNT,
 };
 
-/* Items of the pages that have code of their own. On the page of all
- * controllers, the items of the first enum follow one item for each controller. */
+/* Items of the pages that have code of their own. This enum belongs to the page of all controllers,
+ * where these items follow one item for each controller. */
 enum { ROWS_BACK = CONTROLLER_MAX, ROWS_TAGS };
 enum { ROW_CHOOSE = 0, ROW_RELEASE, ROW_LEARN, ROW_BACK, ROW_TAGS };
 enum { LEARNS_NEXT = 0, LEARNS_KEEP, LEARNS_AGAIN, LEARNS_END, LEARNS_TAGS };
@@ -185,7 +186,7 @@ enum {
     RANKING_NEXT = SCENE_LEADERBOARD_ROWS,
     RANKING_BACK,
     RANKING_TAGS
-}; /* On the leaderboard page, these items follow one item for each row. */
+}; /* On the leaderboard page, these items follow one item for each row of the leaderboard. */
 enum { SCORE_REPLAY = 0, SCORE_UNNAME, SCORE_CONFIRM, SCORE_BACK, SCORE_TAGS };
 enum { FILES_MORE = 0, FILES_SEEN, FILES_BACK, FILES_TAGS };
 enum { BOOK_RESET = 0, BOOK_BACK, BOOK_TAGS };
@@ -217,7 +218,7 @@ struct menu {
     uint16_t pin;       /* PIN digits typed so far, as a number. */
     uint8_t turn_count; /* Number of automatic repeats of the current change, up to 255. */
     uint32_t turn_tick; /* Tick of the last change of a value. */
-    uint8_t row;        /* Row of the selected controller on the controller page. */
+    uint8_t row;        /* Row of the selected controller in the list of controllers. */
     uint8_t upright;    /* 1 if the last input reported a portrait screen, otherwise 0. */
     uint8_t file_first; /* First row that the file page shows. */
     uint8_t board;      /* Selected leaderboard: the mode's number * RANK_PERIOD_COUNT + the
@@ -234,7 +235,8 @@ struct menu {
     uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Presses of each button since the menu was
                                                    opened. */
     uint32_t held;
-    uint32_t test_coins, coin_tick; /* Number of test coins, and tick of the last one. */
+    uint32_t test_coins, coin_tick; /* Number of test coins (`test_coins`), and tick of the last
+                                       test coin (`coin_tick`). */
     uint32_t command_count;
     uint32_t ask_tick;  /* Tick of a TEST press during a round; 0 means none. */
     uint32_t take_tick; /* Tick of the last selection. */

@@ -54,8 +54,8 @@ static int self_test_is_open(const struct game *game)
     return game->phase == PHASE_MENU && game->menu.page == MENU_SELF_TEST;
 }
 
-/* In its second tick the self-test logs the unchanged volume as a test entry. The entry changes no
- * setting for any reader. */
+/* In its second tick, the self-test logs the present volume setting as a test entry. A program that
+ * reads the ledger sees no changed setting. */
 void self_test_tick(struct game *game, const struct input *input, struct output *output)
 {
     struct self_test *self = &game->menu.self;

@@ -119,7 +119,7 @@ void settings_edit_tick(struct game *game, struct settings *settings, struct out
             continue;
         }
         if (!ledger_may_write(&game->accounts.ledger, LEDGER_SETTING)) {
-            return; /* The next tick tries again, because every change of a setting must be
+            return; /* The next tick tries to log again, because every change of a setting must be
                        logged. */
         }
         const struct ledger_entry entry = { .kind = LEDGER_SETTING,
@@ -150,8 +150,9 @@ uint64_t settings_edit_hash(uint64_t hash, const struct settings_edit *settings_
 #define HOLD_TICKS (CORE_TICK_HZ / 2u)
 #define AGAIN_TICKS (CORE_TICK_HZ / 8u)
 
-/* Number of repeats after which a value with a long range changes by ten steps (two seconds), and
- * by a hundred steps (five seconds). */
+/* HURRY_COUNT is the number of repeats (two seconds) after which a value with a long range changes
+ * by ten steps at a time. After RUSH_COUNT repeats (five seconds), such a value changes by a
+ * hundred steps at a time. */
 #define HURRY_COUNT 12u
 #define RUSH_COUNT 36u
 #define HURRY_STEPS_MIN 40
@@ -162,8 +163,8 @@ static int is_settings(const struct menu *menu)
     return menu_page_desc_of(menu->page)->body == MENU_BODY_SETTINGS;
 }
 
-/* Before any change, the item that restores the default applies to the first row whose value
- * differs from its default. */
+/* Before the first change on a page, the item "restore the default" applies to the first row whose
+ * value differs from its default. */
 void menu_settings_open(struct game *game, const struct settings *settings)
 {
     struct menu *menu = &game->menu;

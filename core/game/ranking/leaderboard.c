@@ -63,8 +63,9 @@ static struct pick in_attract(const struct game *game, const struct core_config 
                           within + LEADERBOARD_TICKS - LEADERBOARD_EVERY_TICKS };
 }
 
-/* Returns the leaderboard to show: in the operator's menu the selected one, and after a round the
- * one on which a player of the round has the best place. */
+/* Returns the leaderboard to show. In the operator's menu, the result is the selected
+ * leaderboard. After a round, the result is the leaderboard on which a player of the round has
+ * the best place. */
 static struct pick shown_ranking(const struct game *game, const struct core_config *config)
 {
     const struct menu *menu = &game->menu;

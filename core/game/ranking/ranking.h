@@ -30,8 +30,8 @@ struct rank_row {
 };
 
 struct ranking {
-    uint32_t boot;      /* Number of the kiosk start in which the current day was last played or
-                           dated. */
+    uint32_t boot;      /* Number of the kiosk start in which the newest entry of the current day
+                           was written. */
     uint16_t day;       /* Current day; 0 means that the day began without a clock. */
     uint16_t week;      /* Current week, counted from 1999-12-27; 0 means that the week began
                            without a clock. */

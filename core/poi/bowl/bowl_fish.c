@@ -19,9 +19,8 @@
 #define SPINE_HALF 0.32f
 #define GIRTH 0.40f     /* Radius of the capsule as a fraction of the body width. */
 #define PART_SHARE 0.6f /* Fraction of the overlap of two fish that is removed in each tick. */
-#define PART_MAX_M                                                                                 \
-    0.0012f /* Largest step by which overlapping fish are separated in one tick. The value equals
-               14 cm/s. */
+/* Largest step by which overlapping fish are separated in one tick. The value equals 14 cm/s. */
+#define PART_MAX_M 0.0012f
 #define CROSSED 0.3f
 #define ENDS 0.45f /* Distance of the snout and the tail from the fish's centre, in body lengths. */
 #define SPEED_MAX_M_S 0.22f

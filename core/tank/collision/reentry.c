@@ -27,9 +27,9 @@
 /* Ticks in which only pushes move a fish in reentry. Afterwards the fish moves toward the nearest
  * gap between other fish. */
 #define SEEK_TICKS 16u
-#define PUT_TICKS                                                                                  \
-    48u                /* Ticks after which a fish in reentry is placed directly into the nearest
-                          gap between other fish. */
+/* Ticks after which a fish in reentry is placed directly into the nearest gap between other
+ * fish. */
+#define PUT_TICKS 48u
 #define AGAIN_TICKS 8u /* Ticks between two searches for a gap between other fish. */
 #define SEEK_M_S 0.3f
 /* Largest distance from a fish in reentry to a gap between other fish: about one body length.
