@@ -52,8 +52,8 @@ static int join_poll(void *self, struct button_sample *out)
     return result;
 }
 
-/* Joins the descriptions of the parts with "; ". If consecutive parts have equal descriptions, as
- * four controllers may have, the description is written once. */
+/* Joins the descriptions of the parts with "; ". If consecutive parts have equal descriptions, the
+ * description is written only once. For example, four controllers may have equal descriptions. */
 static const char *join_describe(void *self)
 {
     struct buttons_mux *join = self;

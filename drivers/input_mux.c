@@ -6,8 +6,9 @@
 
 /* ---- Assignment of sources to slots --------------------------------------------------------- */
 
-/* Selects at most POI_MAX available sources, best kinds first. Within a kind, sources that already
- * have a slot are selected first. Returns one bit for each selected source. */
+/* Selects at most POI_MAX available sources (controllers), best kinds first. Among sources of one
+ * kind, sources that already have a slot are selected first. Returns one bit for each selected
+ * source. */
 static uint32_t invited(const uint8_t seat[POI_MAX], const uint8_t *kind, uint32_t count,
                         uint32_t there)
 {

@@ -52,7 +52,8 @@ struct input_mux {
     struct display_settings display_settings; /* Image geometry that was set last; a source that
                                                  gets a slot receives it. */
     uint8_t has_view;
-    const char *empty_line; /* Description of the first slot while the slot is empty. */
+    const char *empty_line; /* Text that describe() returns for the first slot while the slot is
+                               empty. The text names the missing device and the remedy. */
     struct seat {
         struct input_mux *mux;
         uint8_t index;

@@ -10,12 +10,13 @@
 
 #define G_M_S2 9.81f
 /* Time constant with which the accelerometer corrects the upward direction. The time constant is
- * ten times the period of shaking, and much shorter than the minutes in which a gyroscope
+ * ten times the period of a shaking hand, and much shorter than the minutes in which a gyroscope
  * drifts. */
 #define DOWN_TAU_S 0.5f
 /* Time constant of the rest attitude, longer than the time for which a player aims at a fish. */
 #define REST_TAU_S 4.0f
-/* Angle around the rest attitude within which the tilt is 0, because a human hand trembles. */
+/* Angle around the rest attitude within which the tilt of the ring is 0, because a human hand
+ * trembles. */
 #define REST_BAND_RAD (2.0f * F_DEG)
 /* Limit of the rotation rate. Game pads measure at most 2,000 degrees/s (35 rad/s); larger values
  * are noise. */
@@ -136,8 +137,8 @@ void gamepad_decoder_set_view(struct gamepad_decoder *hand, const struct view *v
 
 /* ---- Sticks and motion sensors --------------------------------------------------------------- */
 
-/* Returns the deflection of a stick beyond its dead zone as a vector. The direction is that of the
- * stick, and the length is 0 to 1. */
+/* Returns the deflection of a stick beyond its dead zone as a vector. The vector has the direction
+ * of the stick and a length of 0 to 1. */
 static vec3 read_stick(int16_t x_raw, int16_t y_raw)
 {
     const float dead = (float)GAMEPAD_DEAD / AXIS_FULL;
@@ -149,8 +150,8 @@ static vec3 read_stick(int16_t x_raw, int16_t y_raw)
 
 /* ---- Pose ------------------------------------------------------------------------------------ */
 
-/* Passes the deflection, the buttons, and the sum of the tilts from stick and motion sensors to
- * stick_motion. */
+/* Passes the deflection, the buttons, and the sum of the two tilts (from the right stick and from
+ * the motion sensors) to stick_motion. */
 static void tell_fly(struct gamepad_decoder *hand)
 {
     CORE_ASSERT(v3_is_finite(hand->stick_twist));
@@ -180,7 +181,7 @@ static void come_to(struct gamepad_decoder *hand, uint64_t time_ns)
 void gamepad_decoder_report(struct gamepad_decoder *hand, const struct gamepad_report *report)
 {
     const uint32_t before = hand->now.buttons;
-    /* Most pad buttons act as OK in the menus. */
+    /* Most buttons of a game pad act as OK in the menus. */
     const uint32_t buttons = report->buttons;
     const uint32_t held = (buttons & GAMEPAD_START ? (uint32_t)INPUT_START : 0u) |
                           (buttons & GAMEPAD_LEFT ? (uint32_t)INPUT_LEFT : 0u) |
@@ -204,7 +205,7 @@ void gamepad_decoder_report(struct gamepad_decoder *hand, const struct gamepad_r
         gamepad_imu_filter_add_gravity(&hand->tilt, hand->time_ns, hand->now.weight_m_s2);
     }
     /* Pushing the right stick away from the player lifts the far edge of the ring, as the mouse
-     * wheel does. Pushing right lowers the right edge. */
+     * wheel does. Pushing the stick to the right lowers the right edge of the ring. */
     const vec3 twist = read_stick(axis[GAMEPAD_TILT_X], axis[GAMEPAD_TILT_Y]);
     hand->stick_twist = v3(-twist.y * STICK_TWIST, 0.0f, twist.x * STICK_TWIST);
     if (report->buttons & ~before & (GAMEPAD_WEST | GAMEPAD_STICK_RIGHT)) {
@@ -299,8 +300,8 @@ uint32_t gamepad_queue_pop(struct gamepad_queue *track, uint64_t now_ns, struct 
         return 0;
     }
     const uint64_t span_ns = now_ns > track->sampled_ns ? now_ns - track->sampled_ns : 0;
-    /* After a stall of the caller the steps are larger, so that `max` samples cover the whole
-     * time. */
+    /* If the caller was delayed, the interval between samples is larger, so that `max` samples
+     * cover the whole time. */
     const uint64_t even_ns = span_ns / max + 1u;
     const uint64_t step_ns = even_ns > SAMPLE_NS ? even_ns : SAMPLE_NS;
     uint32_t count = 0;

@@ -30,22 +30,22 @@
 /* Largest pitch and largest roll that the filter returns. */
 #define GAMEPAD_IMU_FILTER_MAX_RAD (45.0f * F_DEG)
 
-/* State of the filter. The axes are SDL's: +x points right, +y up out of the buttons, +z toward the
- * player. */
+/* State of the filter. The axes are SDL's: +x points to the right, +y upward out of the surface
+ * with the buttons, and +z toward the player. */
 struct gamepad_imu_filter {
     vec3 up;            /* Upward direction in the axes of the pad, a unit vector. */
     uint8_t knows_down; /* 1 after the first valid acceleration was processed, otherwise 0. */
     uint8_t knows_rest; /* 1 after the rest attitude was set, otherwise 0. */
     float rest_pitch_rad, rest_roll_rad; /* Pitch and roll of the rest attitude. */
-    uint64_t turn_ns;                    /* Time up to which the rotation of the pad is included in
-                                            `up`. */
+    uint64_t turn_ns;                    /* Time of the attitude in `up`: all rotations of the pad
+                                            before this time are included. */
     uint64_t weigh_ns;                   /* Time of the newest acceleration. */
     uint64_t rest_ns;                    /* Time of the last update of the rest attitude. */
     vec3 rate_rad_s;                     /* Rotation rate from the newest measurement. */
 };
 
-/* Sets the rotation rate that applies from `time_ns` on. Returns 0, or -1 if a component is not
- * finite; the state is then unchanged. */
+/* Sets the rotation rate of the pad for all times after `time_ns`. Returns 0, or -1 if a component
+ * is not finite; the state is then unchanged. */
 int gamepad_imu_filter_add_rotation(struct gamepad_imu_filter *tilt, uint64_t time_ns,
                                     vec3 rate_rad_s);
 
@@ -91,13 +91,13 @@ enum gamepad_button {
     GAMEPAD_RIGHT = 1u << 14,
 };
 
-/* Dead zone of a stick: 15 % of the largest axis value, because worn sticks do not return exactly
- * to the center. */
+/* Dead zone of a stick as an axis value: 15 % of the largest value, because worn sticks do not
+ * return exactly to the center. */
 #define GAMEPAD_DEAD 4915
-/* Axis value at which a trigger counts as pressed: half its travel. */
+/* Axis value at which a trigger counts as pressed: half of the trigger's travel. */
 #define GAMEPAD_TRIGGER_ON 16384
-/* Axis value at which a pressed trigger counts as released: 30 % of its travel. The hysteresis
- * prevents repeated dips. */
+/* Axis value at which a pressed trigger counts as released: 30 % of the trigger's travel. The
+ * difference from GAMEPAD_TRIGGER_ON (hysteresis) prevents repeated dips. */
 #define GAMEPAD_TRIGGER_OFF 9830
 /* Tilt of the ring at full deflection of the right stick. */
 #define GAMEPAD_TILT_RAD (45.0f * F_DEG)
@@ -114,16 +114,19 @@ struct gamepad_report {
 };
 
 struct gamepad_decoder {
-    struct stick_motion fly;        /* Motion of the ring by the sticks. */
-    struct gamepad_imu_filter tilt; /* Tilt from the motion sensors. */
+    struct stick_motion fly;        /* Decoder state that converts the deflection of the sticks to
+                                       the motion of the ring. */
+    struct gamepad_imu_filter tilt; /* Filter that computes the tilt of the ring from the motion
+                                       sensors. */
     struct gamepad_report now;      /* The newest report. */
     vec3 stick_twist;               /* Pitch, yaw and roll from the right stick, as fractions of
                                        STICK_MOTION_TILT_MAX_RAD. */
     uint64_t time_ns;               /* Time of the newest report or sample. */
-    uint8_t trigger_down;           /* 1 while a trigger is pressed, otherwise 0. */
-    uint32_t held, pressed;         /* Buttons that are pressed (`held`), and buttons that were
-                                       pressed since the last call of gamepad_decoder_buttons()
-                                       (`pressed`), as bits of enum input_button. */
+    uint8_t trigger_down;           /* 1 while a trigger of the game pad is pressed, otherwise 0. */
+    uint32_t held, pressed;         /* `held` contains the buttons that are pressed now. `pressed`
+                                       contains the buttons that were pressed after the last call of
+                                       gamepad_decoder_buttons(). Both are bits of enum
+                                       input_button. */
 };
 
 /* Initializes the decoder with the poi over the middle of the water. `view` is copied. */
@@ -162,8 +165,9 @@ struct gamepad_rumble gamepad_decoder_rumble(const struct poi_force *force);
 #define GAMEPAD_REPORTS_MAX 64u /* Capacity of the queue, equal to HAL_POI_SAMPLES_MAX. */
 
 struct gamepad_queue {
-    struct gamepad_decoder hand;                       /* Decoder, whose state includes all decoded
-                                                          reports. */
+    struct gamepad_decoder hand;                       /* Decoder that has already processed all
+                                                          reports before the first report in
+                                                          `report`. */
     struct gamepad_report report[GAMEPAD_REPORTS_MAX]; /* Reports that are not decoded yet, oldest
                                                           first. */
     uint32_t report_count;

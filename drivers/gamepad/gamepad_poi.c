@@ -9,7 +9,7 @@
 /* Duration of a motor command. SDL stops the motors after this time if the kiosk hangs. */
 #define RUMBLE_MS 250
 #define RUMBLE_AGAIN_NS 100000000ull
-/* Smallest change of a motor level that a thumb can feel; full level is 65,535. */
+/* Smallest change of a motor level that a thumb can feel. The full motor level is 65,535. */
 #define RUMBLE_STEP 2048
 
 int gamepad_poi_is_present(void *self)

@@ -203,9 +203,9 @@ static void gamepads_take_event(struct gamepads *gamepads, const SDL_Event *even
     }
 }
 
-/* Processes all pending events. SDL sets the time stamp of an event when the queue is pumped, not
- * when the event occurs. Therefore the events are spread evenly over the time from the previous
- * call to the current call. */
+/* Processes all pending events. SDL sets the time stamp of an event when SDL moves the event into
+ * its queue, not when the event occurs. Therefore the events are spread evenly over the time from
+ * the previous call to the current call. */
 void gamepads_poll(struct gamepads *gamepads)
 {
     SDL_Event events[EVENT_BATCH];
@@ -285,8 +285,8 @@ int gamepads_open(struct gamepads *gamepads, const char *database)
         return HAL_ERR_ABSENT;
     }
     if (database) {
-        SDL_GameControllerAddMappingsFromFile(database); /* The result is ignored, because the file
-                                                            may be missing. */
+        SDL_GameControllerAddMappingsFromFile(database); /* The result is ignored, because the
+                                                            mapping file may be missing. */
     }
     gamepads->is_open = 1;
     gamepads->pumped_ns = hal_now_ns(gamepads->clock);

@@ -59,11 +59,12 @@ struct gamepads {
     struct hal_clock clock;
     struct view view;
     struct gamepad pad[GAMEPADS_MAX];
-    struct gamepad_exclusion bar[GAMEPADS_EXCLUSION_MAX]; /* Devices that must not be opened here,
-                                                             because other drivers use them. */
+    struct gamepad_exclusion bar[GAMEPADS_EXCLUSION_MAX]; /* List of devices that must not be opened
+                                                             as game pads, because other drivers use
+                                                             them. */
     uint32_t bar_count;
     uint8_t is_open;
-    uint64_t pumped_ns; /* Time up to which SDL's events were processed. */
+    uint64_t pumped_ns; /* Time at which SDL's events were processed last. */
     char text[HAL_TEXT_SIZE];
 };
 

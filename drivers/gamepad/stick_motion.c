@@ -7,23 +7,26 @@
 /* Time constant that smooths the velocity. The ring then moves as if an arm held it, even if the
  * thumb flicks the stick. */
 #define PUSH_TAU_S 0.07f
-/* Time constant that smooths the tilt, the same as for the wheel in pointer_poi.c. */
+/* Time constant that smooths the tilt. The value equals the time constant of the mouse wheel in
+ * pointer_poi.c. */
 #define TWIST_TAU_S 0.06f
 /* Largest integration step. The step is so small that its size does not affect the motion. */
 #define STEP_MAX_S 0.008f
-/* Longest time between calls that is integrated. After a longer pause the poi has not moved. */
+/* Longest time between two calls over which the motion is integrated. During a longer pause the poi
+ * does not move. */
 #define GAP_MAX_S 1.0f
 
-/* Largest distance of the poi from the middle of the image, as a fraction of half the image's width
- * and height. */
+/* Largest distance of the poi from the middle of the image, as a fraction of half the width and
+ * half the height of the image. */
 #define SEEN 0.94f
 #define VIEW_ASPECT (16.0f / 9.0f)
 
-/* Lean of the ring for each m/s of its speed, as in pointer_poi.c. */
+/* Angle in radians by which the ring leans for each m/s of its speed, as in pointer_poi.c. */
 #define LEAN_RAD_PER_M_S (28.0f * F_DEG)
 #define LEAN_MAX_RAD (20.0f * F_DEG)
 
-/* Distance from the hover height within which the return by LEVEL slows down. */
+/* Distance from the hover height at which the ring slows down while the LEVEL button returns the
+ * ring to this height. */
 #define LEVEL_FROM_M 0.03f
 
 #define LAP_M 0.35f /* Distance beyond the tank's near edge at which the idle fan rests. */

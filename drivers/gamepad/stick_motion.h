@@ -21,8 +21,8 @@
 /* Speed of the ring under water at full deflection. Wet paper withstands 0.4 m/s even if it moves
  * broadside. */
 #define STICK_MOTION_WATER_M_S 0.26f
-/* Vertical speed of the ring at full deflection, equal to the speed of the fastest part of a
- * dip. */
+/* Vertical speed of the ring at full deflection. The value equals the speed of the fastest part of
+ * a dip. */
 #define STICK_MOTION_HEIGHT_M_S 0.30f
 /* Upper limit of the ring's height, above the rim of the tank. */
 #define STICK_MOTION_HIGH_M 0.12f
@@ -47,7 +47,7 @@ struct stick_motion {
     vec3 low_m[2], high_m[2];
     struct stick_report report;
     struct dip dip;
-    vec3 place_m;     /* Position of the ring without the motion of the dip. */
+    vec3 place_m;     /* Position of the ring, not including the vertical motion of a dip. */
     vec3 speed_m_s;   /* Smoothed velocity of the ring. */
     vec3 twist_rad;   /* Smoothed pitch, yaw and roll of the ring. */
     vec3 shade_m;     /* Position over the water to which the player has moved the fan; only x and z

@@ -139,12 +139,12 @@ static void *run_gpio_thread(void *context)
     return NULL;
 }
 
-/* Signals that the kernel sends to a thread because of its own fault, such as an invalid memory
- * access. */
+/* Signals that the kernel sends to a thread because of an error in this thread, such as an invalid
+ * memory access. */
 static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
 
-/* Starts the thread with all signals blocked except `panics`, because the main thread handles all
- * other signals. */
+/* Starts the GPIO thread. The signals in `panics` are not blocked in the thread. All other signals
+ * are blocked, because the main thread handles them. */
 int buttons_gpio_start(struct buttons_gpio *gpio, struct gpio_lines lines,
                        const struct gpio_wire wires[GPIO_ROLE_COUNT], struct hal_clock clock)
 {

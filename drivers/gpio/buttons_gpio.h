@@ -25,8 +25,8 @@ struct hal_buttons buttons_gpio_device(struct buttons_gpio *gpio);
  * Lamps and locks change within GPIO_WAIT_MS_MAX. */
 struct hal_switches buttons_gpio_switches(struct buttons_gpio *gpio);
 
-/* Copies the reason why the line of `role` is missing to `out`, or "" if the line is held or not
- * wired. */
+/* Copies the reason why the line of `role` is missing to `out`. Writes "" if the line is held
+ * (requested successfully) or not wired. */
 void buttons_gpio_why(struct buttons_gpio *gpio, enum gpio_role role, char out[HAL_TEXT_SIZE]);
 
 /* Waits at most two seconds for unfinished pulses and ends the GPIO thread. Coins are locked out,

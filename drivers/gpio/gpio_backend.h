@@ -34,8 +34,8 @@ void gpio_dev_end(struct gpio_dev_walk *walk);
 /* Copies a text of libgpiod, truncated to GPIO_TEXT_SIZE. A null text becomes "". */
 void gpio_dev_text(char out[GPIO_TEXT_SIZE], const char *text);
 
-/* Result of gpio_dev_wait(): one bit in `readable` for each role with events, and one bit in `gone`
- * for each role whose chip was removed. */
+/* Result of gpio_dev_wait(). `readable` has one bit for each role with pending events. `gone` has
+ * one bit for each role whose chip was removed. */
 struct gpio_dev_ready {
     uint32_t readable, gone;
 };

@@ -25,8 +25,8 @@ static const struct {
     const char *name;
     uint32_t debounce_us;
 } roles[GPIO_ROLE_COUNT] = {
-    [GPIO_START] = { "start", 5000 }, /* Microswitches bounce for 1 to 5 ms, which is shorter than a
-                                         frame of 16 ms. */
+    [GPIO_START] = { "start", 5000 }, /* Microswitches bounce for 1 to 5 ms. The debounce time is
+                                         shorter than a frame of 16 ms. */
     [GPIO_LEFT] = { "left", 5000 },
     [GPIO_RIGHT] = { "right", 5000 },
     [GPIO_OK] = { "ok", 5000 },
@@ -234,7 +234,7 @@ static bool reads_timing(struct token word, enum gpio_role role, struct gpio_wir
            parse_times(word, '/', &wire->pulse_on_us, &wire->pulse_off_us);
 }
 
-/* Writes why a word is invalid. Returns false. */
+/* Writes the reason why the word is invalid to `why`. Returns false. */
 static bool refuse_word(struct token word, enum gpio_role role, char why[HAL_TEXT_SIZE])
 {
     CORE_ASSERT(role < GPIO_ROLE_COUNT);
@@ -289,8 +289,8 @@ bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
             return refuse_word(word, role, why);
         }
     }
-    if (!has_bias) { /* The default bias keeps an undriven button released, and an undriven coin
-                        lock locked. */
+    if (!has_bias) { /* The default bias sets a button whose wire is disconnected to "released", and
+                        a disconnected coin lock to "locked". */
         const bool is_up = gpio_role_is_input(role) == (wire.active_low != 0);
         wire.bias = is_up ? GPIO_BIAS_UP : GPIO_BIAS_DOWN;
     }

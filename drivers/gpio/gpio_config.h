@@ -30,8 +30,8 @@
 
 #include "drivers/gpio/gpio_lines.h"
 
-/* Upper limit of all times in a wiring text. No button, coin acceptor or coin meter needs more than
- * 10 s. */
+/* Upper limit of all times in a wiring text in microseconds. No button, coin acceptor or coin meter
+ * needs more than 10 s. */
 #define GPIO_TIME_US_MAX 10000000u
 
 /* Returns the name of a role in wiring texts, logs and tables, such as "coin-lockout". */
@@ -41,14 +41,14 @@ const char *gpio_role_name(enum gpio_role role);
  * none. '_' matches '-', and upper case matches lower case. */
 enum gpio_role gpio_role_find(const char *name, size_t length);
 
-/* Parses `text` and replaces the wire of its role; times that the text omits get their defaults.
- * Returns true. On an error, returns false, leaves `wires` unchanged, and names the invalid word in
- * `why`. */
+/* Parses `text` and replaces the wire of its role. Times that the text omits get their defaults.
+ * Returns true. On an error, returns false, leaves `wires` unchanged, and writes the invalid word
+ * to `why`. */
 bool gpio_wire_read(const char *text, struct gpio_wire wires[GPIO_ROLE_COUNT],
                     char why[HAL_TEXT_SIZE]);
 
-/* Returns true if no two roles use the same line. Otherwise returns false and names the two roles
- * and the line in `why`. */
+/* Returns true if no two roles use the same line. Otherwise returns false and writes the names of
+ * the two roles and of the line to `why`. */
 bool gpio_config_agrees(const struct gpio_wire wires[GPIO_ROLE_COUNT], char why[HAL_TEXT_SIZE]);
 
 /* Returns the number of wired roles. */

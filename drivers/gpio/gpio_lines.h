@@ -127,8 +127,8 @@ struct gpio_lines_ops {
      * Returns HAL_ERR_GONE after a chip was removed. The lines of the removed chip are then closed,
      * and all other lines remain held. */
     int (*wait)(void *self, struct gpio_edge *out, uint32_t max, uint32_t timeout_ms);
-    /* Returns the level: 1 means active, 0 means inactive (see active_low). Returns HAL_ERR_GONE if
-     * the line is not held. */
+    /* Returns the level of the line: 1 means active, 0 means inactive (see active_low). Returns
+     * HAL_ERR_GONE if the line is not held. */
     int (*level)(void *self, enum gpio_role role);
     /* Sets the level of an output. Returns HAL_OK, HAL_ERR_GONE if the line is not held, or
      * HAL_ERR_IO on another error. */

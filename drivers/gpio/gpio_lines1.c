@@ -156,7 +156,7 @@ static int gpio_lines1_set(enum gpio_role role, int active)
     return gpiod_line_set_value(lines[role].line, active != 0);
 }
 
-/* Returns 0, because the first version of the interface cannot debounce. */
+/* Returns 0, because the first version of the kernel's GPIO interface cannot debounce a line. */
 static int has_debounce_v1(enum gpio_role role)
 {
     (void)role;

@@ -99,7 +99,7 @@ static bool take_late(struct gpio_edge_filter *input, uint64_t time_ns,
     CORE_ASSERT(is_proof(&input->other));
     input->late++;
     input->blinked_ns = NEVER;
-    /* Later edge events of the same pulse, up to this time, are ignored. */
+    /* Later edge events of the same pulse, with time stamps up to `believed_ns`, are ignored. */
     input->believed_ns = back_ns == NEVER ? input->other.last_ns : back_ns;
     end_looks(input, true);
     const bool turned = gpio_debounce_edge(debounce, time_ns, !before, out);

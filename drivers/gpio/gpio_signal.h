@@ -101,8 +101,8 @@ struct gpio_edge_filter {
     /* Number of pairs of null edges that are either two glitches or a missed pulse. The caller may
      * set it to 0 after reading it. */
     uint32_t doubtful;
-    uint32_t lost; /* Number of edges that were lost or arrived too late. The caller may set it to 0
-                      after reading it. */
+    uint32_t lost; /* Number of edges that were lost or arrived too late. The caller may set the
+                      number to 0 after reading it. */
 };
 
 /* Returns the state of a line whose level has been `active` since the time `now_ns`. */
@@ -153,8 +153,8 @@ struct coin_mech {
     uint64_t begin_ns, end_ns;           /* Times at which the current pulse started (`begin_ns`)
                                             and ended (`end_ns`). */
     uint8_t state;                       /* State of the current pulse (enum coin_state). */
-    bool spoilt;       /* True if the current pulse does not count, because its start was not
-                          observed. */
+    bool spoilt;       /* True if the current pulse is not counted as a coin, because its start was
+                          not observed. */
     bool sticks;       /* True if the current pulse is too long and was already counted in
                           `stuck`. */
     uint64_t width_ns; /* Width of the last coin's pulse; 0 means no coin yet. */
@@ -164,8 +164,8 @@ struct coin_mech {
                                          set it to 0 after reading it. */
 };
 
-/* Returns the initial state. If `active` is true, a coin covers the sensor already at `now_ns`;
- * this coin is not counted. */
+/* Returns the initial state. If `active` is true, a coin already covers the sensor at `now_ns`.
+ * This coin is not counted. */
 struct coin_mech gpio_coin_begin(uint64_t width_min_ns, uint64_t width_max_ns, bool active,
                                  uint64_t now_ns);
 

@@ -64,8 +64,8 @@ static void begin_input(struct gpio_thread *reader, enum gpio_role role)
     if (gpio_role_is_coin(role)) {
         reader->coin[role - GPIO_COIN] = gpio_coin_begin(wire->pulse_min_us * 1000ull,
                                                          wire->pulse_max_us * 1000ull, active, now);
-    } else if (active) { /* The button was pressed before the line was requested, so no press is
-                            reported. */
+    } else if (active) { /* The button was already pressed when the line was requested. Therefore no
+                            press is reported. */
         reader->levels |= role_bit(role);
     }
 }

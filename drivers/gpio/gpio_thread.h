@@ -38,7 +38,8 @@ struct gpio_thread {
     struct gpio_wire wires[GPIO_ROLE_COUNT]; /* Wiring of each role, with the default times filled
                                                 in. */
 
-    /* Only the GPIO thread uses the fields from `had` to `total`. */
+    /* Only the GPIO thread uses the fields from `had` to `total`. `total` may also be read by the
+     * caller of gpio_thread_step(). */
     uint32_t had;                           /* Lines that the GPIO thread has requested successfully
                                                (held lines), one bit for each role. */
     uint32_t lit;                           /* Outputs whose last set level is active, one bit for
@@ -82,7 +83,8 @@ struct gpio_thread {
 
     pthread_mutex_t mutex; /* Protects `why` and `text`. */
     char why[GPIO_ROLE_COUNT][HAL_TEXT_SIZE];
-    char text[HAL_TEXT_SIZE]; /* Description of the held lines and of the missing lines. */
+    char text[HAL_TEXT_SIZE]; /* Description of the held lines (requested successfully) and of the
+                                 missing lines. */
 };
 
 /* Initializes `reader` and requests the lines once, without starting a thread. A caller without a

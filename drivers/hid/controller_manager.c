@@ -136,7 +136,8 @@ static void sit_down(struct controller_manager *manager)
     }
     manager->learn_waits = 0;
     manager->learn_seat = row->seat;
-    /* Copied again, because some devices report their serial number only after they are opened. */
+    /* The identity is copied again, because some devices report their serial number only after they
+     * are opened. */
     manager->learn_identity = row->identity;
     hid_learn_begin(&manager->learn, &seat->face);
     if (manager->learn.step == LEARN_FAILED) {
@@ -150,7 +151,8 @@ static void go_on(struct controller_manager *manager)
 {
     struct poi_hid *seat = learning_seat(manager);
     if (!seat) {
-        return; /* The controller is not attached yet, so there is no learning step to finish. */
+        return; /* The controller is not attached to a slot yet. Therefore there is no learning step
+                   to finish. */
     }
     hid_learn_next(&manager->learn);
     if (manager->learn.step == LEARN_TRY) {
@@ -204,8 +206,8 @@ static int controller_manager_release(struct controller_manager *manager, uint32
     CORE_ASSERT(row < CONTROLLER_MAX);
     if (manager->learn.step != LEARN_NONE && manager->learn_row == row) {
         stop_learning(manager, NULL);
-        manager->gives_back = 0; /* No other release is needed, because this function releases the
-                                    row below. */
+        manager->gives_back = 0; /* A release of the previously learned controller is not needed,
+                                    because this function releases the row below. */
     }
     if (manager->row[row].state != CONTROLLER_NONE) {
         manager->forget_identity = manager->row[row].identity;

@@ -79,7 +79,7 @@ static void read_binding(struct hid_pose_decoder *hand, uint32_t index, struct h
     const int64_t raw =
         binding->is_signed ? hid_signed_bits(bits, binding->bit_size) : (int64_t)bits;
     const int64_t from_rest = raw - binding->rest;
-    /* 0 at `rest` and 1 at `full`. Values beyond the ends are not clamped. */
+    /* `way` is 0 at `rest` and 1 at `full`. Values beyond these ends are not clamped. */
     const float way = (float)from_rest / (float)(binding->full - binding->rest);
     float *value = &hand->value[index];
     CORE_ASSERT(index < HID_BINDING_MAX);

@@ -215,8 +215,8 @@ enum hid_error hid_descriptor_read(struct hid_descriptor *out, const uint8_t *by
 {
     CORE_ASSERT(bytes || size == 0);
     struct reader reader = { .out = out };
-    /* The arrays from `group` on occupy 61 KB. They need no clearing, because entries beyond the
-     * counts are not read. */
+    /* The arrays after the member `group`, including `group`, occupy 61 KB. They need no clearing,
+     * because entries beyond the counts are not read. */
     memset(out, 0, offsetof(struct hid_descriptor, group));
     if (size > HID_DESCRIPTOR_SIZE_MAX) {
         out->error = HID_ERR_TOO_LONG;
@@ -284,8 +284,8 @@ hid_usage hid_usage_at(const struct hid_descriptor *descriptor, const struct hid
                        uint32_t index)
 {
     CORE_ASSERT((uint32_t)group->range_first + group->range_count <= HID_RANGE_MAX);
-    uint32_t low = 0, high = group->range_count; /* The usage is in one of the ranges from index
-                                                    `low` to index `high` - 1. */
+    uint32_t low = 0, high = group->range_count; /* The usage is in one of the ranges with the
+                                                    indices `low` to `high` - 1. */
     if (high == 0) {
         return 0;
     }

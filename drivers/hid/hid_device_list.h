@@ -20,10 +20,10 @@ struct hid_device_list_ops {
     /* Copies the list to `out`. A controller keeps its row while it is connected, and while its
      * state is CONTROLLER_LOST after it was unplugged. */
     void (*rows)(void *self, struct hid_row out[CONTROLLER_MAX]);
-    /* Selects the controller of `row` to play, now and after each reconnection. Returns HAL_OK if
-     * the command was accepted; the result appears later in the row. Returns HAL_ERR_BUSY if
-     * POI_MAX controllers play already. Returns HAL_ERR_ABSENT if the row is empty or the
-     * controller may not be used. */
+    /* Selects the controller of `row` to play. The controller also plays after each reconnection.
+     * Returns HAL_OK if the command was accepted; the result appears later in the row. Returns
+     * HAL_ERR_BUSY if POI_MAX controllers play already. Returns HAL_ERR_ABSENT if the row is empty
+     * or the controller may not be used. */
     int (*choose)(void *self, uint32_t row);
     int (*release)(void *self, uint32_t row);
     /* Returns one line with the number of controllers, or with a problem and its remedy. */

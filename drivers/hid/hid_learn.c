@@ -1,4 +1,4 @@
-/* hid_learn.c -- records the range of every field in every learning step. */
+/* hid_learn.c -- records the lowest and the highest value of every field in every learning step. */
 #include "drivers/hid/hid_learn.h"
 
 #include <string.h>
@@ -114,7 +114,7 @@ static void hear_arrays(struct hid_learn *learn, int report_id, struct hid_repor
         for (uint32_t j = 0; j < group->count; j++) {
             const hid_usage usage =
                 hid_selected(descriptor, group, hid_field_value(descriptor, group, j, report));
-            if (usage & 0xffffu) { /* Usage 0 of a page means that no key is pressed. */
+            if (usage & 0xffffu) { /* Usage id 0 on any usage page means that no key is pressed. */
                 hear_key(learn, i, usage);
             }
         }

@@ -19,8 +19,8 @@ struct place {
     uint32_t bit_offset, bit_size;
 };
 
-/* Axes of Kingyo's poi controller. The sequence number before the axes has no HID usage and is not
- * checked. */
+/* Axes of Kingyo's poi controller in the order of its report. The sequence number before the axes
+ * has no HID usage and is not checked. */
 static const struct place own_places[] = {
     { USAGE_X, 8, 16 },   { USAGE_Y, 24, 16 },  { USAGE_Z, 40, 16 },
     { USAGE_RX, 56, 16 }, { USAGE_RY, 72, 16 }, { USAGE_RZ, 88, 16 },

@@ -44,7 +44,8 @@ enum hid_role {
                           controller then moves the fan, and the poi stands still. */
     HID_ROLE_IN_RANGE, /* Flag that is 1 while a pen is near its tablet. While the flag is 0, the
                           axes of the pen are invalid. */
-    HID_ROLE_SEQUENCE, /* Report counter. A gap means that reports were lost. */
+    HID_ROLE_SEQUENCE, /* Counter of the reports. A gap in the sequence means that reports were
+                          lost. */
     HID_ROLE_START,    /* START button on the controller. LEFT, RIGHT and OK are further cabinet
                           buttons on the controller. */
     HID_ROLE_LEFT,
@@ -71,8 +72,8 @@ enum hid_binding_kind {
 };
 
 struct hid_binding {
-    uint8_t role, manner; /* `role` is the role in the game (enum hid_role). `manner` is the meaning
-                             of the value (enum hid_binding_kind). */
+    uint8_t role, manner; /* `role` is the role of the field in the game (enum hid_role). `manner`
+                             is the meaning of the field's value (enum hid_binding_kind). */
     uint8_t report_id;
     uint32_t bit_offset; /* Bit offset in the payload, counted from the end of the report id. */
     uint8_t bit_size;    /* Number of bits, 1 to 32. */
@@ -112,8 +113,8 @@ struct hid_mapping {
                               `style` is the kind of control (enum hid_style). */
     uint8_t trembles;      /* 1 if the position sensor is noisy (see struct poi_input), otherwise
                               0. */
-    uint8_t feels;         /* 1 if the device accepts the force feedback report of poi_report.h,
-                              otherwise 0. */
+    uint8_t feels;         /* 1 if the device accepts the force feedback report that poi_report.h
+                              defines, otherwise 0. */
     uint32_t count;        /* Number of bindings, at most HID_BINDING_MAX. */
     struct hid_binding binding[HID_BINDING_MAX];
 };

@@ -222,7 +222,8 @@ static int is_surface(const struct hid_descriptor *descriptor, const struct hid_
 
 /* ---- Mappings of each kind of surface ------------------------------------------------------- */
 
-/* Rule for one binding of a surface. `here` is 1 if the field must be in the surface's report. */
+/* Rule for one binding of a control surface. `here` is 1 if the field must be in the report of the
+ * surface, otherwise 0. */
 struct rule {
     hid_usage usage;
     uint8_t role, manner, turned, here;

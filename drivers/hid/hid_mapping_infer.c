@@ -11,8 +11,8 @@
 #define WAY_MIN 0.12f
 /* Smallest travel of the control that dips the poi, as a fraction of the field's range. */
 #define PRESS_MIN 0.30f
-/* Travel at which a learning step counts as clearly demonstrated, as a fraction of the field's
- * range. */
+/* Travel of a field at which a learning step counts as clearly demonstrated, as a fraction of the
+ * field's range. */
 #define CLEAR_WAY 0.4f
 /* Weight of a vendor-defined field. With this weight the field must move twice as far as a standard
  * field. */
@@ -60,7 +60,8 @@ static int64_t rest_of(const struct learn_field *field)
     return (field->rest_low + field->rest_high) / 2;
 }
 
-/* Returns the largest deflection of a field from its rest value in `step`, with its sign. */
+/* Returns the largest deflection of a field from its rest value in the learning step `step`. The
+ * sign is the direction of the deflection. */
 static int64_t way_in(const struct learn_field *field, enum learn_step step)
 {
     CORE_ASSERT(step < LEARN_STEP_COUNT);

@@ -148,7 +148,7 @@ static void *write_down(void *self)
             pthread_cond_wait(&store->changed, &store->lock);
             continue;
         }
-        /* No other thread changes `job` until has_job is 0. */
+        /* Until the writer thread sets has_job to 0, no other thread changes `job`. */
         const struct hid_mapping_store_job job = store->job;
         void (*const tell)(void *self, const char *line) = store->tell;
         void *const tell_self = store->tell_self;

@@ -39,9 +39,12 @@ struct hid_mapping_store {
     /* `lock` protects has_job, stops and all following fields. */
     uint8_t has_thread, has_job, stops;
     struct hid_mapping_store_job job;
-    uint8_t last_failed;                  /* 1 if the last finished job failed, otherwise 0. */
-    uint32_t written_count, failed_count; /* Number of jobs that succeeded and number of jobs that
-                                             failed, since hid_mapping_store_open(). */
+    uint8_t last_failed;                  /* 1 if the last finished file operation failed, otherwise
+                                             0. */
+    uint32_t written_count, failed_count; /* `written_count` is the number of file operations that
+                                             succeeded, and `failed_count` the number that failed.
+                                             Both are counted from the call of
+                                             hid_mapping_store_open(). */
     void (*tell)(void *self, const char *line);
     void *tell_self;
 };

@@ -10,7 +10,7 @@
 #define WINDOW_WIDTH 1920u
 #define WINDOW_HEIGHT 1080u
 
-/* Time in which the poi returns to the controller's position after FAN is released. */
+/* Time in which the poi returns to the controller's position after the FAN button is released. */
 #define POI_FAN_BACK_S 0.5f
 
 /* ---- Fan of Kingyo's poi controller ---------------------------------------------------------- */
@@ -207,8 +207,8 @@ static void update_pointer(struct hid_pose_decoder *hand)
     }
 }
 
-/* Returns the deflection of the sticks that are bound to an axis, and of a hat (-1 to 1) that is
- * bound to the axis, as for a four-switch joystick. */
+/* Returns the sum of the deflections (-1 to 1) of the sticks and hats that are bound to an axis. A
+ * hat is bound to an axis if the controller is a four-switch joystick. */
 static float push_of(const struct hid_pose_decoder *hand, enum hid_role role)
 {
     static const int8_t right[] = { 0, 1, 1, 1, 0, -1, -1, -1 };

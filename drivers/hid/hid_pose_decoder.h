@@ -23,8 +23,8 @@
  * over the water, and the poi stands still. */
 struct poi_fan {
     struct poi_target hand;  /* Newest pose of the controller. */
-    struct poi_target waits; /* Pose at which the poi stands still, or from which it returns to the
-                                controller. */
+    struct poi_target waits; /* Pose at which the poi stands still while the fan is used, or from
+                                which the poi returns to the controller. */
     uint8_t held;            /* 1 while the FAN key is pressed, otherwise 0. */
     float swing;             /* Progress of the fan's entry: 0 means that the fan is out of sight, 1
                                 means that it is at the controller's position. */
@@ -76,8 +76,9 @@ void hid_pose_decoder_set_view(struct hid_pose_decoder *hand, const struct view 
 int hid_pose_decoder_report(struct hid_pose_decoder *hand, const struct hid_raw *raw);
 
 /* Writes the pose at `time_ns`, which must not decrease from call to call. Sticks and dips are
- * extrapolated to `time_ns`. With HID_STYLE_POSE, the pose is that of the newest report. Returns 1,
- * or 0 if the controller is absent, because no report arrived yet or the pen was put aside. */
+ * extrapolated to `time_ns`. With HID_STYLE_POSE, the pose is that of the newest report. Returns 1.
+ * Returns 0 if the controller is absent, because no report has arrived yet or the pen was out of
+ * range for HID_PEN_AWAY_NS. */
 int hid_pose_decoder_sample(struct hid_pose_decoder *hand, uint64_t time_ns,
                             struct poi_sample *out);
 

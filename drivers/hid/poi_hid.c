@@ -50,8 +50,8 @@ int poi_hid_remap(struct poi_hid *poi, const struct hid_mapping *map)
     if (map) {
         chosen = *map;
     } else {
-        /* The decoder's memory is only scratch memory here, because hid_pose_decoder_init() parses
-         * the descriptor again. */
+        /* The memory of poi->hand.descriptor is used only as scratch memory, because
+         * hid_pose_decoder_init() parses the descriptor again. */
         struct hid_descriptor *descriptor = &poi->hand.descriptor;
         const uint32_t size =
             face->descriptor_size < HID_DESCRIPTOR_MAX ? face->descriptor_size : HID_DESCRIPTOR_MAX;
@@ -134,8 +134,9 @@ static int poi_hid_poll(void *self, struct poi_sample *out, uint32_t max)
             poi_hid_add_sample(&basket, &now);
         }
     }
-    /* The pose of a pointer or a stick changes between reports, so it is also sampled without a
-     * report. An absolute pose is sampled only with its reports. */
+    /* The pose of a pointer or a stick also changes between reports. Therefore it is sampled in
+     * each poll, even if no report has arrived. An absolute pose is sampled only with its
+     * reports. */
     const int goes_on = poi->plays && poi->hand.map.style != HID_STYLE_POSE;
     if (goes_on && hid_pose_decoder_sample(&poi->hand, hal_now_ns(poi->clock), &now)) {
         poi_hid_add_sample(&basket, &now);

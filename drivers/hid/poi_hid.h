@@ -25,7 +25,8 @@ struct poi_hid {
     struct hid_device_info face; /* Identity and descriptor of the attached controller. */
     struct hid_pose_decoder hand;
     uint8_t is_open;       /* 1 while a controller is attached, otherwise 0. */
-    uint8_t plays;         /* 1 if the current mapping can control the poi, otherwise 0. */
+    uint8_t plays;         /* 1 if the current mapping can control the poi, so that the controller
+                              can play. Otherwise 0. */
     uint8_t feel_sequence; /* Sequence number of the next force feedback report. */
     char text[HAL_TEXT_SIZE];
 };

@@ -53,15 +53,17 @@ static int poi_mouse_open(void *self)
                  "no mouse: there is no window for it to move over");
         return HAL_ERR_ABSENT;
     }
-    SDL_ShowCursor(SDL_DISABLE); /* The drawn poi serves as the cursor. */
+    SDL_ShowCursor(SDL_DISABLE); /* SDL's cursor is hidden because the drawn poi serves as the
+                                    cursor. */
     static const char *const names[] = { "", "mouse", "touch screen", "mouse or touch screen" };
     const char *video = SDL_GetCurrentVideoDriver();
     snprintf(mouse->text, sizeof mouse->text, "%s (SDL %s)", names[mouse->heeds & 3u],
              video ? video : "?");
     SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, mouse->heeds & POINTER_FILTER_TOUCH ? "0" : "1");
     mouse->last_poll_ns = hal_now_ns(mouse->clock);
-    SDL_DelEventWatch(watch_key, mouse); /* The event watch for key F is removed first, so that it
-                                            is registered only once after reopening. */
+    SDL_DelEventWatch(watch_key, mouse); /* An existing event watch for key F is removed first.
+                                            After reopening, the watch is therefore registered only
+                                            once. */
     SDL_AddEventWatch(watch_key, mouse);
     return HAL_OK;
 }
@@ -145,8 +147,8 @@ static void mouse_poi_take_event(struct mouse_poi *mouse, const SDL_Event *event
             .kind = (uint8_t)(finger->type == SDL_FINGERDOWN ? TOUCH_DOWN
                               : finger->type == SDL_FINGERUP ? TOUCH_UP
                                                              : TOUCH_MOVE),
-            .id = finger->fingerId, /* `time_ns` is not set, because the pointer report has the
-                                       time. */
+            .id = finger->fingerId, /* The field `time_ns` is not set, because the pointer report
+                                       contains the time. */
             .x = finger->x,
             .y = finger->y,
         };

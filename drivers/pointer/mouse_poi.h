@@ -24,12 +24,12 @@ struct mouse_poi {
     struct hal_clock clock;
     struct pointer_poi pointer;
     struct pointer_fan fan;
-    uint8_t fan_key;        /* 1 while key F is pressed, otherwise 0. */
+    uint8_t fan_key;        /* 1 while the F key is pressed, otherwise 0. */
     uint8_t heeds;          /* Enabled devices, as bits of enum pointer_filter. */
     uint32_t mouse_buttons; /* Pressed mouse buttons, as bits of enum pointer_button. */
     struct touch_fingers fingers;
     uint64_t used_ns; /* Time of the last use by a person; 0 means never. */
-    float crept_px;   /* Sum of the mouse motion since `used_ns`, in pixels. */
+    float crept_px;   /* Distance that the mouse has moved after `used_ns`, in pixels. */
     /* Image geometry from set_view(). If all fields are 0, the image fills the window. */
     struct display_settings display_settings;
     /* Last state of the pointer. The wheel motion is reset to 0 for each event. */

@@ -76,7 +76,7 @@ float pointer_dip_slant_rad(float speed_m_s)
 
 /* Shortest duration of the poi's return to the pointer, slow enough not to damage the paper. */
 #define BACK_S 0.30f
-/* Additional duration of the poi's return to the pointer, for a distance of one window width. */
+/* Additional duration of the poi's return to the pointer for each window width of distance. */
 #define BACK_S_PER_WIDTH 0.9f
 /* Height of the ring above which the poi's return to the pointer has its full speed. */
 #define BACK_FREE_M 0.025f
@@ -110,7 +110,8 @@ static void pointer_poi_update_speed(struct pointer_poi *pointer, vec3 hand_m)
         const vec3 along = v3(speed.x, 0.0f, speed.z);
         pointer->hand_m_s = v3_lerp(pointer->hand_m_s, along, dt / (dt + LEAN_TAU_S));
     } else {
-        return; /* No time has passed, so no velocity can be computed. */
+        return; /* No time has passed after the previous call. Therefore no velocity can be
+                   computed. */
     }
     pointer->hand_m = hand_m;
     pointer->hand_ns = pointer->time_ns;
@@ -146,8 +147,8 @@ struct pointer_report pointer_report_on(const struct pointer_report *report,
     return on;
 }
 
-/* Returns the fraction of the poi's return to the pointer that remains: 1 at the start and 0 at the
- * end. The fraction decreases smoothly. */
+/* Returns the fraction of the poi's return to the pointer that is not completed yet: 1 at the start
+ * and 0 at the end. The fraction decreases smoothly. */
 static float lag_left(const struct pointer_poi *pointer)
 {
     CORE_ASSERT(pointer->back_s >= 0.0f);

@@ -68,17 +68,18 @@ void pointer_dip_begin(struct dip *dip, uint64_t time_ns, int down);
  * returns the state at the start. */
 struct dip_state pointer_dip_at(const struct dip *dip, uint64_t time_ns);
 
-/* Returns the slant of the ring in radians (0 or more), proportional to its vertical speed up to a
- * limit. The far edge enters and leaves the water first. The ring also moves away from the player
- * on its way down, so that the slanted paper moves more edge-on and displaces less water. The paper
- * lasts four dips with a flat ring and eight dips with a slanted ring. */
+/* Returns the slant of the ring in radians (0 or more). The slant is proportional to the vertical
+ * speed of the ring, up to a limit. The far edge of the ring enters and leaves the water first. The
+ * ring also moves away from the player on its way down, so that the slanted paper moves more
+ * edge-on and displaces less water. The paper lasts four dips with a flat ring and eight dips with
+ * a slanted ring. */
 float pointer_dip_slant_rad(float speed_m_s);
 
 /* ---- Poi ------------------------------------------------------------------------------------- */
 
 enum pointer_button {
     POINTER_DIP = 1u << 0,   /* Left button, which holds the ring under water while pressed. */
-    POINTER_LEVEL = 1u << 1, /* Right button, which levels the ring. */
+    POINTER_LEVEL = 1u << 1, /* Right button, which levels the ring while pressed. */
     POINTER_FAN = 1u << 2,   /* Key that lets the pointer move the fan while pressed. */
 };
 
@@ -148,7 +149,8 @@ struct poi_target pointer_poi_target(struct pointer_poi *pointer, uint64_t time_
 
 /* ---- Fan ------------------------------------------------------------------------------------- */
 
-/* Radius of the fan's shadow: the value of the 2013 thesis, and the size of a small uchiwa. */
+/* Radius of the fan's shadow. The value is that of the 2013 thesis and equals the size of a small
+ * uchiwa (a hand-held fan). */
 #define POINTER_FAN_RADIUS_M 0.10f
 /* Time in which the fan moves from beyond the tank's near edge to the pointer, or back. */
 #define POINTER_FAN_SWING_S 0.40f

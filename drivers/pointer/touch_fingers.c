@@ -48,7 +48,8 @@ int touch_fingers_take(struct touch_fingers *fingers, const struct touch_event *
     if (event->kind == TOUCH_DOWN && !is_known) {
         changed = put_down(fingers, event);
     } else if (event->kind != TOUCH_UP || is_known) {
-        /* A finger that is known may touch again, if the event of its lifting was lost. */
+        /* A known finger may touch the screen again if the event that lifted the finger was
+         * lost. */
         changed = is_leader ? lead(fingers, event) : 0;
     }
     if (event->kind == TOUCH_UP && is_known) {

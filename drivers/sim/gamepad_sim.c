@@ -1,4 +1,5 @@
-/* gamepad_sim.c -- implements the simulated game pad, which replaces SDL's game pads in tests. */
+/* gamepad_sim.c -- implements the simulated game pad, which tests use in place of SDL's game
+ * pads. */
 #include "drivers/sim/gamepad_sim.h"
 
 #include "core/base/panic.h"

@@ -32,7 +32,8 @@ static void queue_edge(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
         if (!sim->is_numbered) {
             return;
         }
-        line->first++; /* The second version of the kernel's interface drops the oldest edge. */
+        line->first++; /* The second version of the kernel's GPIO interface drops the oldest edge
+                          when the queue is full. */
         line->count--;
     }
     const uint32_t at = (line->first + line->count++) % GPIO_SIM_QUEUE_MAX;
@@ -49,8 +50,8 @@ static void serve(struct gpio_lines_sim *sim, struct gpio_sim_line *line)
     CORE_ASSERT(time_ns > 0);
     queue_edge(sim, line);
     line->busy_until_ns = 0;
-    if (line->pending) { /* The edge that arrived while the kernel served this edge is served next.
-                            Its time stamp is the current time. */
+    if (line->pending) { /* An edge that arrived while the kernel served the current edge is served
+                            next. The time stamp of the next edge is the current time. */
         line->pending = 0;
         line->stamp_ns = time_ns;
         line->busy_until_ns = time_ns + lateness_ns(sim);

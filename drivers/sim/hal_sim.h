@@ -19,7 +19,7 @@ struct hal_clock sim_clock_device(struct clock_sim *sim);
 
 /* ---- Buttons: buttons and coins follow a script of events ------------------------------------ */
 
-/* An event of the script. The events are sorted by time. */
+/* An event of the button script. The events of a script are sorted by time. */
 struct button_event {
     uint64_t time_ns;
     uint32_t pressed;  /* Buttons that the event presses, as bits of enum input_button. */
@@ -30,9 +30,10 @@ struct button_event {
 
 struct buttons_sim {
     struct hal_clock clock;
-    const struct button_event *events; /* Script, owned by the caller; must outlive the device. */
+    const struct button_event *events; /* Script of button events, owned by the caller. The script
+                                          must outlive the device. */
     uint32_t event_count;
-    uint32_t next; /* Index of the next event to play. */
+    uint32_t next; /* Index of the next script event to play. */
     uint32_t held;
 };
 

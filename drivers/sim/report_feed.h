@@ -56,11 +56,13 @@ int report_feed_open(struct report_feed *feed);
 /* Returns true if no reports arrive at `now_ns`. */
 bool report_feed_is_silent(const struct report_feed *feed, uint64_t now_ns);
 
-/* Takes the next report and fills `out`. Returns false if the device is unplugged instead. The
- * caller guarantees that there is a next report and that the device is present. */
+/* Takes the next report and fills `out`. Returns true. Returns false if the device is unplugged
+ * instead of the report. The caller guarantees that there is a next report and that the device is
+ * present. */
 bool report_feed_take(struct report_feed *feed, struct report_fault *out);
 
-/* Returns 32 random bits. `stream` separates the kinds of devices. */
+/* Returns 32 random bits that depend only on the arguments. `stream` identifies the kind of
+ * device. */
 uint32_t report_feed_random(uint32_t stream, uint32_t index, uint32_t what);
 /* Returns a float with random bits, which may be infinite or NaN. */
 float report_feed_random_float(uint32_t stream, uint32_t index, uint32_t what);

@@ -31,8 +31,8 @@ struct sensor_sim {
     struct poi_target hand;  /* True pose, which the caller moves. */
     uint64_t period_ns;      /* Time between two reports. */
     uint8_t fault;           /* The selected fault (enum sensor_fault). */
-    uint64_t from_ns, to_ns; /* Start and end of the fault. The fault is active from `from_ns` on,
-                                and no longer at `to_ns`. */
+    uint64_t from_ns, to_ns; /* Start and end of the fault. The fault is active if the time is at
+                                least `from_ns` and less than `to_ns`. */
 
     uint64_t next_ns;       /* Time of the next report. */
     uint32_t count;         /* Number of reports so far. The number of a report also selects its

@@ -271,8 +271,8 @@ uint32_t usb_choice_similarity(const struct hid_identity *a, const struct hid_id
     if (same_port) {
         return 2u; /* A different device of the same product was plugged into the same port. */
     }
-    return same_serial ? 1u : 0u; /* The device has the same product and no serial number, but
-                                     another port. */
+    return same_serial ? 1u : 0u; /* The devices have the same product and no serial number, but
+                                     different ports. */
 }
 
 /* Returns the vacant slot whose last controller is most similar to `identity`, or POI_MAX if there

@@ -48,8 +48,8 @@ struct usb_key usb_key_of(const struct hid_identity *identity);
 
 struct usb_request {
     struct usb_key key;
-    uint8_t plays; /* 1 if the controller may play. 0 if it must not play, even if it would play
-                      without the rule. */
+    uint8_t plays; /* 1 if the controller may play. 0 if the controller must not play, even if it
+                      would play without the rule. */
     uint8_t kept;  /* 1 if the rule is stored in the file, otherwise 0. */
 };
 

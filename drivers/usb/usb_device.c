@@ -151,8 +151,8 @@ void usb_device_refresh(struct usb_device *device, const struct usb_evaluation *
 {
     CORE_ASSERT(device->device);
     if (usb_device_read_descriptors(device, judge)) {
-        /* The device cannot be read, so it must not be claimed. Its configuration changed, or it is
-         * being unplugged. */
+        /* The device's configuration has changed, or the device is being unplugged. A device that
+         * cannot be read must not be claimed. */
         device->verdict = USB_BARRED;
     }
 }

@@ -43,8 +43,8 @@ struct usb_device {
                                     that the descriptor is not known yet. */
 };
 
-/* Inputs of the classification besides the device: root of sysfs, rules of the operator, and
- * scratch memory for a parsed descriptor. */
+/* Inputs of the classification in addition to the device: the root of sysfs, the rules of the
+ * operator, and scratch memory for a parsed descriptor. */
 struct usb_evaluation {
     const char *sysfs;
     const struct usb_choice *choice;
