@@ -63,8 +63,8 @@ struct player {
     uint8_t plays;      /* 1 if the player has had a poi in use in this round, otherwise 0. */
     uint8_t out;        /* 1 if the player's round ended before the end of the time, otherwise 0. */
     uint8_t handed;     /* 1 if the player has received fresh paper for this round, otherwise 0. */
-    uint8_t points;     /* In the mode selection: section of the tank under the poi, from 1; 0 means
-                           none. */
+    uint8_t points;     /* Section of the tank under the poi in the mode selection, counted from 1.
+                           0 means no section. */
     uint8_t fouls;      /* Number of counted fouls, 0 .. FOUL_MAX. */
     uint8_t foul;       /* Kind of the latest foul (enum foul). */
     uint32_t foul_tick; /* Tick of the latest counted foul. */
@@ -142,7 +142,7 @@ struct name {
     uint8_t seat;      /* Slot of the player who enters a name. */
     uint8_t alphabet;  /* Displayed alphabet (enum name_alphabet). */
     uint8_t key;       /* Highlighted key: the index of a letter's cell, or an enum name_key. */
-    uint8_t points;    /* Key under the pointer, from 1; 0 means none. */
+    uint8_t points;    /* Key under the pointer, counted from 1. 0 means no key. */
     uint8_t upright, has_hand, presses;
     uint8_t refusals; /* Number of names of the current player that were rejected. */
     uint8_t letter_count;

@@ -105,7 +105,7 @@ int player_has_poi(const struct world *world, uint32_t index);
  * FOUL_APART_TICKS. The third counted foul ends a player's round. */
 
 #define FOUL_APART_TICKS (2u * CORE_TICK_HZ)
-/* Time for which a shadow must rest over fish before the start to be a foul. */
+/* Time for which a shadow must rest over fish before the start of a round to count as a foul. */
 #define FOUL_SHADE_S 1.5f
 /* First 1.2 s of READY, in which the player's stance is not checked. In that time a poi moves from
  * the rest position to its controller, and two of the longest frames pass. */

@@ -44,8 +44,8 @@ struct settings_edit {
                              kiosk started. */
     uint32_t pin_wrong;   /* Number of wrong PINs since the last correct PIN, 0 .. 255. */
     uint32_t pin_tick;    /* Tick of the last wrong PIN. If the database contained wrong PINs at
-                             startup, the tick of the kiosk's start. The field is not in struct
-                             menu, because that struct is reset when the menu opens. */
+                             startup, the value is the tick of the kiosk's start. The field is not
+                             in struct menu, because struct menu is reset when the menu opens. */
 };
 
 /* Length of one loop of attract mode, equal to AUDIO_OUTPUT_SHOW_S. */

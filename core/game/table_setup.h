@@ -24,8 +24,9 @@ uint32_t game_poi_seed(uint32_t seed, uint32_t index, uint32_t number, enum game
 uint8_t table_setup_modes(const struct core_config *config);
 uint8_t table_setup_first_mode(const struct core_config *config);
 
-/* Return the tank preset (enum tank_preset_id), the paper grade and the round length of `mode`,
- * from the mode's rules and the configuration. */
+/* table_setup_preset() returns the tank preset (enum tank_preset_id) of `mode`, table_setup_grade()
+ * the paper grade, and table_setup_round_s() the round length in seconds. The values come from the
+ * mode's rules and the configuration. */
 uint8_t table_setup_preset(const struct core_config *config, uint8_t mode);
 uint8_t table_setup_grade(const struct core_config *config, uint8_t mode);
 uint32_t table_setup_round_s(const struct core_config *config, uint8_t mode);

@@ -74,8 +74,8 @@ static inline flanes signed_as(flanes t, flanes x)
 /* Returns the result of unfold() in blend.c, except that z has the opposite sign. */
 static inline struct simd_v3 unfold_down(ilanes words)
 {
-    const ilanes code = (words >> 16) + 255; /* The value equals the variable `code` in unfold() of
-                                                blend.c minus 127 * 256. */
+    const ilanes code = (words >> 16) + 255; /* The value of `code` equals the value of `code` in
+                                                unfold() of blend.c minus 127 * 256. */
     const flanes x = __builtin_convertvector((ilanes)(code >> 8), flanes);
     const flanes y = __builtin_convertvector((ilanes)((code & 255) - 127), flanes);
     const flanes down = simd_abs(x) + simd_abs(y) - 127.0f;

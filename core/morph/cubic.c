@@ -29,8 +29,8 @@ float cubic_slope(const struct cubic_point *points, uint32_t count, uint32_t ind
     }
     const uint32_t last = count - 1u;
     const struct cubic_point *middle = &points[index == 0 ? 1u : index == last ? last - 1u : index];
-    /* h0 and d0 are the width and the slope of the interval before `middle`, and h1 and d1 are
-     * those of the interval after it. */
+    /* h0 and d0 are the width and the slope of the interval before `middle`. h1 and d1 are the
+     * width and the slope of the interval after `middle`. */
     const float h0 = middle->at - middle[-1].at, d0 = rise(middle - 1);
     const float h1 = middle[1].at - middle->at, d1 = rise(middle);
     if (index == 0) {

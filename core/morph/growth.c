@@ -34,8 +34,8 @@ static float curve_lead_m(const struct growth *growth, float age_days)
 }
 
 /* Returns the growth rate at a measured point, in metres per day. At the last point, the growth
- * rate equals the initial growth rate of the following curve, limited so that the table stays
- * monotone. */
+ * rate is the initial growth rate of the curve that continues the table. This rate is limited so
+ * that the table stays monotone. */
 static float point_slope(const struct growth *growth, const struct cubic_point *points,
                          uint32_t index)
 {

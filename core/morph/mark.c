@@ -107,8 +107,8 @@ static float to_middle(float x)
 
 /* Returns the cover of a mark with about `count` spots on each flank. The area of the mark is a
  * grid of cells, and each cell has one spot at a random place. Only the nine cells around the point
- * are tested. Toward the tail, a column keeps its number of cells, but the cells are lower and the
- * spots are smaller. Therefore no spot is cut off. */
+ * are tested. Every column of the grid has the same number of cells. Toward the tail, where the
+ * body is lower, the cells are lower and the spots are smaller. Therefore no spot is cut off. */
 static float spots(const struct species_mark *m, const struct mark_point *at)
 {
     const float top = down_of(at, m->high), bottom = down_of(at, m->low);

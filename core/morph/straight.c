@@ -35,8 +35,8 @@ static float straight_reach(const struct species_mesh *mesh, uint32_t key_count,
     return reach;
 }
 
-/* Writes the points of key `key` with all vertices in the body frame. If the reach does not change,
- * a vertex without an anchor is copied unchanged. */
+/* Writes the points of key `key` with all vertices in the body frame. If `reach` equals the reach
+ * of the mesh, a vertex without an anchor is copied unchanged. */
 static void bake_key(const struct species_mesh *mesh, uint32_t key_count, uint32_t key, float reach,
                      struct straight_memory *memory, struct species_point *out)
 {

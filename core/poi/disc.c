@@ -77,8 +77,9 @@ float disc_turn_added_kg_m2(float radius_m, float added_kg)
     return 2.0f / 15.0f * added_kg * radius_m * radius_m;
 }
 
-/* The torque is the integral of the drag over the disc. The integral of |x|^3 over a disc of radius
- * a is (8/15) * a^5. */
+/* The torque is the integral of the drag over a disc of radius a. The drag is proportional to the
+ * square of x, the distance from the axis of rotation. The integral of |x|^3 over the disc is
+ * (8/15) * a^5. */
 float disc_turn_n_m_s(float radius_m, float rate_rad_s)
 {
     const float square = radius_m * radius_m;
@@ -86,7 +87,8 @@ float disc_turn_n_m_s(float radius_m, float rate_rad_s)
     return 0.5f * WATER_KG_M3 * CN_BROADSIDE * integral * f_abs(rate_rad_s);
 }
 
-/* The pressure is computed from the mean square of the speed. The mean of x^2 over a disc of radius
+/* The pressure is computed from the mean square of the normal speed. The normal speed is
+ * proportional to x, the distance from the axis of rotation. The mean of x^2 over a disc of radius
  * a is a^2 / 4. */
 float disc_turn_pa(float radius_m, float rate_rad_s)
 {
@@ -165,9 +167,9 @@ float poi_paper_pa(struct poi *poi, const struct basis *axes)
     const float lift_m_s2 = v3_dot(poi->acceleration_m_s2, axes->up);
     const float drag_n = -poi->drag_n_s_m * v3_dot(poi->velocity_m_s, axes->up);
     const float water_n = poi->slam_n + drag_n - poi->added_kg * lift_m_s2;
-    /* The burden is the force on the paper along the normal. The force consists of the weight of
-     * paper, water and fish in air, of their inertia at the acceleration `lift_m_s2`, and of the
-     * half of the meniscus force that acts on the lower face. */
+    /* Three other forces act on the paper along its normal: the weight of paper, water and fish in
+     * air, the inertia of these masses at the acceleration `lift_m_s2`, and the half of the
+     * meniscus force that acts on the lower face. */
     const float paper_kg = sheet_grade(poi->sheet.grade)->areal_kg_m2 * area_m2;
     const float burden_kg = (paper_kg + poi->water_kg + poi->carried_kg) * (1.0f - poi->immersed);
     const float even_pa = (water_n - (burden_kg * (GRAVITY_M_S2 * axes->up.y + lift_m_s2) +

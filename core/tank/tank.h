@@ -79,8 +79,8 @@ struct tank_config {
                                        bowl. */
     uint8_t lanes;                  /* Number of SIMD lanes: 0, 4 or 8 (core/base/simd.h). The
                                        number affects only speed. */
-    uint8_t search;                 /* Pair search (enum pair_search). The search affects only
-                                       speed. */
+    uint8_t search;                 /* Algorithm of the pair search (enum pair_search), which
+                                       affects only speed. */
 };
 
 #define TANK_OXYGEN_SATURATED (-1.0f) /* Value of `oxygen_mg_l` for water saturated with oxygen. */

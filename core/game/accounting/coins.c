@@ -72,8 +72,9 @@ void coins_test(struct accounts *accounts, uint32_t tick, const struct input *in
     accounts->credit.metered += input_coin_pulses(input);
 }
 
-/* Adds units to the counter for the bonus. Without a configured bonus the counter stays 0. Units
- * inserted earlier therefore do not count towards a bonus that is configured later. */
+/* Adds units to the counter of the units that earn a bonus credit. Without a configured bonus the
+ * counter stays 0. Units inserted earlier therefore do not count towards a bonus that is configured
+ * later. */
 static void note_for_bonus(struct ledger *ledger, const struct settings *settings, uint32_t units)
 {
     struct balance *balance = &ledger->balance;

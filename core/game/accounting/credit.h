@@ -152,9 +152,9 @@ int round_standing_is_spent(const struct game *game, const struct core_config *c
 void round_standing_tick(struct game *game, const struct core_config *config,
                          struct output *output);
 
-/* Finishes a round that was open at startup and counts. Writes the round's LEDGER_ROUND from
- * config->persistent.ledger.stand and closes the balance. Returns 1, or 0 without an entry if no
- * player had joined the round. */
+/* Finishes a round that was open at startup and whose credit is not refundable. Writes the round's
+ * LEDGER_ROUND from config->persistent.ledger.stand and closes the balance. Returns 1, or 0 without
+ * an entry if no player had joined the round. */
 int round_standing_finish(struct accounts *accounts, const struct core_config *config,
                           uint32_t tick, struct output *output);
 

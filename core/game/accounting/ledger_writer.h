@@ -88,9 +88,9 @@ uint64_t round_standing_hash(uint64_t hash, const struct ledger_stand *stand);
 /* Returns 1 if every field of `entry` is in its range, otherwise 0. */
 int ledger_entry_is_valid(const struct ledger_entry *entry);
 
-/* Returns 1 if the ledger start, the balance and the leaderboards in `memory` are in their ranges,
- * otherwise 0. Settings are not checked, because settings_sanitize() corrects invalid settings. Any
- * value of an audit counter is allowed. */
+/* Returns 1 if the start of the ledger, the balance and the leaderboards in `memory` are in their
+ * ranges, otherwise 0. Settings are not checked, because settings_sanitize() corrects invalid
+ * settings. Any value of an audit counter is allowed. */
 int ledger_state_is_valid(const struct persistent_state *memory);
 
 /* Returns 1 if every field of the state carried over from the previous session is in its range,

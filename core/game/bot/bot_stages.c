@@ -13,7 +13,7 @@
 #define WRIST_THERE_RAD (3.0f * F_DEG)
 #define EASE_S 0.15f /* Time in which the arm accelerates to its maximum speed. */
 #define BESIDE_BOWL_M 0.14f
-#define BOT_THERE_M 0.012f /* Distance from the goal within which the arm has arrived. */
+#define BOT_THERE_M 0.012f /* Distance from the goal within which the arm counts as arrived. */
 
 /* Returns the seconds since the stage began. */
 static float bot_stage_s(const struct bot *bot, uint32_t tick)

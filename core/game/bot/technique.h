@@ -14,7 +14,7 @@ enum technique_side {
     SIDE_HEAD,
     SIDE_TAIL,
     SIDE_COUNT
-}; /* End of the fish that the ring passes under first. */
+}; /* End of the fish under which the ring passes first. */
 enum technique_place {
     PLACE_CENTRE = 0,
     PLACE_RIM,
@@ -36,7 +36,8 @@ struct technique {
                          level. */
     float glide_deg;  /* Angle in degrees between the paper and its motion under water, [0, 90]; 90
                          is broadside. */
-    uint8_t side;     /* End of the fish that is above the ring first (enum technique_side). */
+    uint8_t side;     /* End of the fish (head or tail) under which the ring passes first (enum
+                         technique_side). */
     uint8_t place;    /* Part of the paper under the fish (enum technique_place). */
     uint8_t lift;     /* Style of the lift (enum technique_lift). */
     uint8_t hunt;     /* Style of the hunt (enum technique_hunt). */

@@ -47,8 +47,8 @@ struct vision_game vision_game(const struct vision *vision);
 vec3 vision_tank_m(const struct vision *vision); /* Returns width, water depth and breadth of the
                                                     tank. */
 
-/* Return the number of fish, and the visible state of one fish. vision_fish() asserts that `fish` <
- * vision_fish_count(). */
+/* vision_fish_count() returns the number of fish. vision_fish() returns the visible state of fish
+ * `fish`, and asserts that `fish` < vision_fish_count(). */
 uint32_t vision_fish_count(const struct vision *vision);
 struct vision_fish vision_fish(const struct vision *vision, uint32_t fish);
 
@@ -58,10 +58,10 @@ struct vision_poi vision_poi(const struct vision *vision, uint32_t index);
 struct vision_bowl vision_bowl(const struct vision *vision, uint32_t index);
 struct vision_fan vision_fan(const struct vision *vision, uint32_t index);
 
-/* Return the integrity and the wetness of cell `cell` of the player's own paper. `cell` is <
- * SHEET_SIDE * SHEET_SIDE, row by row from the far edge. Integrity runs from 255 (whole) to 1
- * (nearly torn); 0 means a hole or a cell outside the ring. Wetness runs from 0 (dry) to 255
- * (wet). */
+/* vision_integrity() and vision_wetness() return the integrity and the wetness of cell `cell` of
+ * the player's own paper. `cell` is < SHEET_SIDE * SHEET_SIDE, row by row from the far edge.
+ * Integrity is from 255 (whole) to 1 (nearly torn); 0 means a hole or a cell outside the ring.
+ * Wetness is from 0 (dry) to 255 (wet). */
 uint8_t vision_integrity(const struct vision *vision, uint32_t cell);
 uint8_t vision_wetness(const struct vision *vision, uint32_t cell);
 

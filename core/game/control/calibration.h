@@ -52,7 +52,7 @@ enum calibration_value {
  * checks. */
 enum calibration_fault {
     CALIBRATION_GOOD = 0,
-    CALIBRATION_NEAR,     /* Two corners are at the same place. */
+    CALIBRATION_NEAR,     /* Two measured corners are at the same place. */
     CALIBRATION_CROSSED,  /* The corners were not measured in the order of a rectangle's corners, or
                              all lie on one line. */
     CALIBRATION_MIRRORED, /* The corners are in mirrored order, which no rotation of the sensor can
@@ -60,7 +60,7 @@ enum calibration_fault {
     CALIBRATION_FAR,      /* The correction exceeds the range of the settings, which is a factor of
                              10 or 10 m. */
     CALIBRATION_UNEVEN,   /* No linear map brings all four corners close to their marks. */
-    CALIBRATION_TILTED,   /* The poi did not lie flat. */
+    CALIBRATION_TILTED,   /* The poi did not lie flat on the water. */
     CALIBRATION_FAULTS,
 };
 

@@ -11,7 +11,7 @@
 #include "core/poi/pose.h"
 #include "core/poi/world.h"
 
-#define CLEAR_Y_M 0.035f /* Lowest height of a poi while dips are not allowed. */
+#define CLEAR_Y_M 0.035f /* Lowest height of a poi while its player may not dip it. */
 /* Time for blending after a change of the source, 1.2 s. Across the tank the poi then moves at 1
  * m/s. */
 #define GRIP_TICKS 144u
@@ -287,8 +287,8 @@ void controller_tick_all(struct game *game, struct world *world, const struct co
         targets[i] = game->hand_pose[i];
         game->live_y_m[i] = is_believed(game, i)
                                 ? input->poi[i].target.position_m.y
-                                : -1.0f; /* After invalid input, the next valid pose does not count
-                                            as a downward crossing. */
+                                : -1.0f; /* The value -1 marks invalid input, so that the next valid
+                                            pose does not count as a dip (downward crossing). */
     }
 }
 

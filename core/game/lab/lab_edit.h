@@ -77,9 +77,10 @@ void lab_edit_size_move(struct lab_edit *edit, const struct species_card *card, 
 uint32_t lab_edit_size_add(struct lab_edit *edit, const struct species_card *card, float progress);
 bool lab_edit_size_remove(struct lab_edit *edit, const struct species_card *card, float progress);
 
-/* Convert between a length and its position on the graph's right axis, where 0 is the lower end and
- * 1 the upper end. The axis is logarithmic, from half of the smallest key length to twice the
- * largest. The position is not clamped. */
+/* lab_length_share() converts a length to its position on the graph's right axis, where 0 is the
+ * lower end and 1 the upper end. lab_length_of_share() converts a position to a length. The axis is
+ * logarithmic, from half of the smallest key length to twice the largest. The position is not
+ * clamped. */
 float lab_length_share(const struct species_card *card, float length_m);
 float lab_length_of_share(const struct species_card *card, float share);
 
@@ -99,8 +100,8 @@ struct lab_book {
     struct lab_edit edits[SPECIES_MAX];
 };
 
-/* Return the number of species, and the card of species `species`, which must be below that
- * number. */
+/* lab_book_count() returns the number of species. lab_book_card() returns the card of species
+ * `species`, which must be below that number. */
 uint32_t lab_book_count(const struct lab_book *book);
 const struct species_card *lab_book_card(const struct lab_book *book, uint32_t species);
 

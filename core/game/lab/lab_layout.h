@@ -51,10 +51,10 @@ struct layout_box lab_box(int upright, uint32_t key_count, enum lab_part part);
 /* Returns the part that a press at `at` selects, or LAB_NOTHING. */
 enum lab_part lab_part_at(int upright, uint32_t key_count, struct layout_point at);
 
-/* Convert between progress and the x coordinate on the age axis. The axis runs from below the first
- * key's picture to below the last key's picture. */
+/* lab_age_x() returns the x coordinate of `progress` on the age axis, and lab_age_progress()
+ * returns the progress at `x`. The axis runs from below the first key's picture to below the last
+ * key's picture. */
 float lab_age_x(int upright, uint32_t key_count, float progress);
-float lab_age_progress(int upright, uint32_t key_count, float x); /* The result is clamped to [0,
-                                                                     1]. */
+float lab_age_progress(int upright, uint32_t key_count, float x); /* Progress, clamped to [0, 1]. */
 
 #endif

@@ -231,7 +231,7 @@ static void point_at_tag_by_hand(struct game *game, struct world *world, struct 
     menu->x = hand.at.x;
     menu->y = hand.at.y;
     const uint16_t offered = menu_enabled(menu);
-    uint8_t points = 0; /* Item under the pointer, from 1; 0 means none. */
+    uint8_t points = 0; /* Item under the pointer, counted from 1. 0 means no item. */
     for (uint32_t tag = 0; tag < menu_tag_count(menu->page) && points == 0; tag++) {
         const struct layout_box box = menu_box(menu->upright, menu->page, offered, tag);
         points = pointer_is_inside(box, 0.0f, hand.at) ? (uint8_t)(tag + 1u) : 0u;

@@ -34,8 +34,8 @@ struct menu_page_desc {
     uint8_t about;      /* Topic of the page: an enum setting_group for MENU_BODY_SETTINGS, an enum
                            setting_id for MENU_BODY_BITS, or an enum audit_group for a page of
                            statistics. */
-    uint8_t returns;    /* 1 if the last item leads to the page from which this page was opened, 0
-                           if it leads to the parent. */
+    uint8_t returns;    /* 1 if the last item leads back to the page from which this page was
+                           opened. 0 if the last item leads to the parent page. */
     uint16_t (*offers)(const struct menu *menu); /* Returns a bit mask of the available items. NULL
                                                     means that all items are available. */
     /* Called when the page opens; NULL means that nothing needs to be done. */
@@ -52,7 +52,8 @@ struct menu_page_desc {
 /* Returns the description of `page`. Asserts that `page` < MENU_PAGE_COUNT. */
 const struct menu_page_desc *menu_page_desc_of(uint8_t page);
 
-/* Return the number of items in the page's body, and the number of all items of the page. */
+/* menu_body_count() returns the number of items in the page's body. menu_tag_count() returns the
+ * number of all items of the page. */
 uint32_t menu_body_count(uint8_t page);
 uint32_t menu_tag_count(uint8_t page);
 
@@ -72,7 +73,7 @@ uint16_t menu_enabled(const struct menu *menu);
  * item. */
 void menu_turn(struct game *game, const struct settings *settings, enum menu_page page);
 
-/* Activates the highlighted item. The last item leads back. */
+/* Activates the highlighted item. The last item opens the parent page or closes the menu. */
 void menu_activate(struct game *game, struct world *world, struct core_config *config,
                    struct output *output);
 

@@ -134,36 +134,40 @@ struct self_test {
 /* Pages of the menu. Pages with the same parent are listed in the order of the enum. */
 enum menu_page {
     MENU_TOP = 0,
-    MENU_DEVICES,     /* List of the pages about devices and wiring. */
+    MENU_DEVICES,     /* Page that lists the pages about devices and wiring. */
     MENU_CONTROLLERS, /* Page of all plugged-in controllers. */
     MENU_CONTROLLER,  /* Page of one controller. */
     MENU_LEARN,       /* Page of the learn wizard of a controller. */
-    MENU_LINES,       /* Test of the buttons and the coin lines. */
-    MENU_AXES,        /* Reported pose and report rate of each poi. */
-    MENU_CALIBRATION, /* Calibration: corners of the tank, water level and tilt of each slot. */
+    MENU_LINES,       /* Page that tests the buttons and the coin lines. */
+    MENU_AXES,        /* Page that shows the reported pose and the report rate of each poi. */
+    MENU_CALIBRATION, /* Calibration page: corners of the tank, water level and tilt of each
+                         slot. */
     MENU_MONEY,       /* First of the settings pages: settings about money. Each group of settings
                          has one page. */
     MENU_GAME,
     MENU_MODES, /* Page on which the operator chooses the modes that players can select. */
     MENU_SOUND,
     MENU_PICTURE,
-    MENU_CARD,  /* Test picture that covers the whole screen. */
-    MENU_BOOKS, /* List of the pages with statistics. */
+    MENU_CARD,  /* Page with a test picture that covers the whole screen. */
+    MENU_BOOKS, /* Page that lists the pages with statistics. */
     MENU_EARNINGS,
     MENU_PLAYS,
     MENU_HOURS,
     MENU_MACHINE,
-    MENU_RESET,     /* Confirmation of a reset of a group of statistics. */
-    MENU_RANKING,   /* Leaderboard of a mode: today, this week, or all time. */
-    MENU_SCORE,     /* One score, with its replay and the removal of its name. */
-    MENU_SELF_TEST, /* Self-test before the kiosk opens. */
-    MENU_UPKEEP,    /* List of rarely needed pages. */
-    MENU_FILES,     /* List of the files found in the data folder, and of the rejected files. */
-    MENU_ABOUT,     /* Versions of the software and names of the devices. */
+    MENU_RESET,     /* Page that requests confirmation before a group of statistics is reset. */
+    MENU_RANKING,   /* Page with the leaderboard of one mode for today, for this week or for all
+                       time. */
+    MENU_SCORE,     /* Page of one score, which plays its replay or removes its name. */
+    MENU_SELF_TEST, /* Page of the self-test before the kiosk opens. */
+    MENU_UPKEEP,    /* Page that lists rarely needed pages. */
+    MENU_FILES,     /* Page that lists the files found in the data folder, and the rejected
+                       files. */
+    MENU_ABOUT,     /* Page with the versions of the software and the names of the devices. */
     MENU_NEW_PIN,
     MENU_RESTART,
-    MENU_FACTORY, /* Factory reset. */
-    MENU_PIN,     /* PIN entry before all other pages, if a PIN is set. */
+    MENU_FACTORY, /* Page of the factory reset. */
+    MENU_PIN,     /* Page for the PIN entry. If a PIN is set, this page opens before all other
+                     pages. */
     MENU_PAGE_COUNT,
 };
 
@@ -229,7 +233,8 @@ struct menu {
                                            confirmation. */
     uint16_t scores;                    /* Bit mask of the leaderboard rows that have a score. */
     uint8_t has_hand, hand, presses;
-    uint8_t points;                             /* Item under the pointer, from 1; 0 means none. */
+    uint8_t points;                             /* Item under the pointer, counted from 1. 0 means
+                                                   no item. */
     uint8_t tag[MENU_PAGE_COUNT];               /* Highlighted item of each page. */
     struct controller_status controllers;       /* State of the controllers, from the last input. */
     uint16_t pressed_count[INPUT_BUTTON_COUNT]; /* Presses of each button since the menu was
@@ -238,7 +243,8 @@ struct menu {
     uint32_t test_coins, coin_tick; /* Number of test coins (`test_coins`), and tick of the last
                                        test coin (`coin_tick`). */
     uint32_t command_count;
-    uint32_t ask_tick;  /* Tick of a TEST press during a round; 0 means none. */
+    uint32_t ask_tick;  /* Tick of a TEST press during a round; 0 means that no press waits for
+                           confirmation. */
     uint32_t take_tick; /* Tick of the last selection. */
     uint32_t act_tick;  /* Tick of the last activity. */
     uint32_t use_tick;  /* Tick of the last activity other than pointer motion. */

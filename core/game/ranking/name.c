@@ -204,7 +204,7 @@ static void point_at_key_by_hand(struct game *game, const struct world *world,
     struct name *name = &game->name;
     const struct pointer_state hand = pointer_of_player(world, input, name->upright, name->seat);
     const int was_down = name->presses || !name->has_hand;
-    uint8_t points = 0; /* Key under the pointer, from 1; 0 means none. */
+    uint8_t points = 0; /* Key under the pointer, counted from 1. 0 means no key. */
     name->has_hand = hand.present;
     if (!hand.present) {
         name->points = 0;

@@ -36,7 +36,8 @@ static inline flanes feet(const struct strain *strain, flanes x_m, float z_m, fl
 static inline flanes holds_n_m(const struct strain *strain, const struct sheet *sheet,
                                uint32_t cell)
 {
-    /* `keeps` holds the results of paper_wetting_strength() for SIMD_LANES cells. */
+    /* `wet` is the strength of SIMD_LANES wet cells after softening, as in
+     * paper_wetting_strength(). */
     short_lanes ticks;
     MEM_COPY(&ticks, &sheet->soak_ticks[cell], sizeof ticks);
     const flanes soaked = __builtin_convertvector(__builtin_convertvector(ticks, ilanes), flanes);

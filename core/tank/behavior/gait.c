@@ -34,9 +34,12 @@ struct gait_chance gait_chance(float stamina)
     }
     const float tired = 1.0f - stamina;
     return (struct gait_chance){
-        .burst = 0.1f - tired / 10.0f,                      /* Eq. 3.1 of the 2013 thesis. */
-        .swim = 0.5f - 2.0f * tired / 5.0f,                 /* Eq. 3.2 of the 2013 thesis. */
-        .rest = 0.4f + tired / 10.0f + 2.0f * tired / 5.0f, /* Eq. 3.3 of the 2013 thesis. */
+        .burst = 0.1f - tired / 10.0f,                      /* Probability of a burst (2013 thesis,
+                                                               eq. 3.1). */
+        .swim = 0.5f - 2.0f * tired / 5.0f,                 /* Probability of swimming (2013 thesis,
+                                                               eq. 3.2). */
+        .rest = 0.4f + tired / 10.0f + 2.0f * tired / 5.0f, /* Probability of resting (2013 thesis,
+                                                               eq. 3.3). */
     };
 }
 

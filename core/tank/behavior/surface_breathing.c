@@ -180,9 +180,9 @@ int surface_tick(struct fish *fish, uint32_t index, const struct perception *aro
 {
     CORE_ASSERT(fish->air <= AIR_DUCKS);
     const int was_up = fish->air != AIR_ENOUGH && fish->air != AIR_RISES;
-    if (was_up && fish->gait != GAIT_SURFACE) { /* A poi lifted the fish out of the water during its
-                                                   surface breathing, and the fish is now back in
-                                                   the water. */
+    if (was_up && fish->gait != GAIT_SURFACE) { /* 1 if a poi lifted the fish out of the water
+                                                   during its surface breathing, and the fish is now
+                                                   back in the water. */
         fish->air = AIR_ENOUGH;
     }
     /* The stamina grows while the mouth is in the film, and falls in water with little oxygen. */

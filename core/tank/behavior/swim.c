@@ -1,5 +1,5 @@
-/* swim.c -- converts the decisions of a fish into goals with bounded rates, so that every path is a
- * smooth arc. */
+/* swim.c -- computes the goals that a fish follows until its next decision. The fish approaches
+ * every goal at a bounded rate, so that every path is a smooth arc. */
 #include "core/tank/behavior/swim.h"
 
 #include "core/base/panic.h"

@@ -26,7 +26,8 @@
  * spread pectoral fins: exp(-tick / 80 ms). */
 #define BRAKE_KEEP 0.9010756f
 
-/* Fraction of the difference to its lower real speed that a blocked fish loses in one tick. */
+/* Fraction by which the speed of a blocked fish approaches its real speed in one tick. The real
+ * speed is lower because an obstacle blocks the fish. */
 #define BLOCKED_SHARE 0.25f
 #define TAIL_TAU_S 0.15f
 #define STROKE_TAU_S 0.20f

@@ -45,8 +45,8 @@ struct neighbours {
 /* Two fish whose bodies could touch before the next query. */
 struct contact {
     fish_index a, b;
-    float gap_m; /* Lower bound of the gap between the bodies at the query; a value < 0 means an
-                    overlap. */
+    float gap_m; /* Lower bound of the gap between the two bodies at the time of the query. A value
+                    < 0 means an overlap. */
 };
 
 struct broad_phase {
@@ -91,7 +91,7 @@ void broad_phase_gather(struct broad_phase *broad_phase, const struct fish *fish
 
 /* Options of a query. `search` and `lanes` affect only speed, not results. */
 struct broad_phase_search {
-    uint8_t search;        /* Pair search (enum pair_search). */
+    uint8_t search;        /* Algorithm of the pair search (enum pair_search). */
     uint8_t lanes;         /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
     uint8_t contacts_only; /* 1 if the query finds only contacts and leaves `neighbours` unchanged,
                               otherwise 0. */

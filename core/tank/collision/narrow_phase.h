@@ -113,7 +113,7 @@ struct narrow_phase_query {
                              finds the body. */
     uint32_t count;
     uint8_t which;
-    uint8_t search;           /* Pair search (enum pair_search). */
+    uint8_t search;           /* Algorithm of the pair search (enum pair_search). */
     uint8_t lanes;            /* Number of SIMD lanes: 0, 4 or 8, as in simd_is_built(). */
     uint8_t bodies_only;      /* 1 if the search may omit pairs whose personal spaces overlap but
                                  whose bodies are not near, otherwise 0. */

@@ -7,7 +7,7 @@
 
 #define SIDESTEP_RANGE_M 0.05f
 #define SIDESTEP_M_S 0.012f
-#define STILL_M_S 0.01f /* Speed of a disc below which fish do not step aside. */
+#define STILL_M_S 0.01f /* Speed of a disc below which fish beside the disc do not step aside. */
 
 struct touch obstacle_touch(const struct obstacle *obstacle, const struct box *box)
 {
@@ -74,8 +74,8 @@ vec3 obstacle_sidestep_m_s(const struct obstacle *disc, vec3 position_m)
 #define PAPER_PUSH_M 0.0025f
 /* Speed of the paper at which the paper carries a fish on it along at half of the paper's speed. */
 #define PIN_M_S 0.12f
-/* Largest move of a body along the ring's normal, as a multiple of the body's penetration into the
- * ring. Because of the move, the body slides over the ring. */
+/* Largest distance by which a body is moved along the ring's normal, as a multiple of the body's
+ * penetration into the ring. The move makes the body slide over the ring. */
 #define GLIDE 1.5f
 /* Largest distance from the plane of the paper at which a fish can touch the paper in one tick. */
 #define NEAR_PLANE_M 0.06f
@@ -141,8 +141,8 @@ static struct side disc_side_of(const struct obstacle *disc, const struct body *
     const vec3 q1 = vec_basis_to_body(&disc->axes, away);
     const vec3 q0 = vec_basis_to_body(&old.axes, v3_sub(before_m, old.centre_m));
     const float side = q0.y < 0.0f ? -1.0f : 1.0f;
-    /* Fraction of the path at which the fish crossed the plane of the paper. 1 means that the fish
-     * did not cross the plane, so its present place is tested. */
+    /* Fraction of the fish's path in this substep after which the fish crossed the plane of the
+     * paper. 1 means that the fish did not cross the plane, so its present place is tested. */
     const float t = side * q1.y < 0.0f ? q0.y / (q0.y - q1.y) : 1.0f;
     if (!paper_holds(disc, f_lerp(q0.x, q1.x, t), f_lerp(q0.z, q1.z, t)) ||
         f_abs(q1.y) > NEAR_PLANE_M) {

@@ -10,14 +10,16 @@
 #define SPEED_MAX_M_S 0.5f
 #define DRAG_PER_S 6.0f
 #define SINK_M_S 0.03f /* Speed at which a fish in reentry sinks. */
-/* Largest push per tick. The value equals 0.3 m/s, the speed of a fish that slips between other
- * fish. */
+/* Largest push per tick on a fish in reentry. The value equals 0.3 m/s, the speed of a fish that
+ * slips between other fish. */
 #define PUSH_MAX_M 0.0025f
 /* Largest descent per tick of a fish that slides off paper above the water. */
 #define FALL_MAX_M 0.010f
 /* Speed at which a fish slides off paper that would otherwise lift it. */
 #define SLIDE_M_S 0.3f
-#define ASIDE_M_S 0.06f /* Speed at which swimming fish move aside for a fish in reentry. */
+/* Initial speed of a fish that bursts away at the end of its reentry, in body lengths per
+ * second. */
+#define ASIDE_M_S 0.06f
 #define HURRY_ALARM 0.5f
 #define BURST_S 0.6f
 /* Initial speed of a fish that bursts away, in body lengths per second. */

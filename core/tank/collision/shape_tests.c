@@ -7,7 +7,8 @@
 /* Number of coarse points on a ring. The points are 4 mm apart on the ring of a poi, so that no
  * corner of a fish fits between two points. */
 #define RING_POINTS 64
-/* Number of halvings that refine a point to a thirtieth of a millimetre along the ring. */
+/* Number of times that the step along the ring is halved. The last step is a thirtieth of a
+ * millimetre. */
 #define RING_HALVINGS 7
 /* Number of sweeps of the coordinate descent over three coordinates. The box of a fish needs five
  * sweeps. */
