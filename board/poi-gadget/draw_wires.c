@@ -92,7 +92,8 @@ const char *draw_wires_text(enum draw_wires_result result)
 
 /* ---- Calibration ----------------------------------------------------------------------------- */
 
-/* The fit uses steps and lengths relative to their means over all marks, to reduce rounding errors. */
+/* The fit uses steps and lengths relative to their means over all marks. This reduces rounding
+ * errors. */
 
 void draw_wires_fit_add(struct wire_fit *fit, float step, float length_m)
 {

@@ -13,7 +13,8 @@
 
 #define WINDOW_WIDTH 1280
 #define WINDOW_HEIGHT 720
-/* Interval in ns between two reads of the connectors. One read takes 40 microseconds. */
+/* Interval in ns between two reads of the display connectors' states. One read takes 40
+ * microseconds. */
 #define LOOK_NS 1000000000ull
 #define LOOKS 2u
 /* Number of frames that are drawn before a capture of the growth lab or the album. In these frames,
@@ -82,9 +83,9 @@ static int create_window(struct display_gl *display)
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
         return display_gl_fail(display, "SDL video does not start", SDL_GetError());
     }
-    /* SDL chooses a driver without a visible picture ("offscreen" or "dummy"), for example, if the
-     * window system has stopped. Only `off_screen` or the environment variable SDL_VIDEODRIVER may
-     * request such a driver. */
+    /* SDL may choose a video driver without a visible picture ("offscreen" or "dummy"), for example
+     * if the window system has stopped. Such a driver is accepted only if `off_screen` or the
+     * environment variable SDL_VIDEODRIVER requests it. */
     const char *driver = SDL_GetCurrentVideoDriver();
     if (!display->config.off_screen && !SDL_getenv("SDL_VIDEODRIVER") && driver &&
         (strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0)) {
@@ -106,8 +107,8 @@ static int create_window(struct display_gl *display)
         return error;
     }
     if (!config->off_screen) {
-        /* An off-screen picture has exactly the requested size. The minimum window size does not
-         * apply. */
+        /* An off-screen picture has exactly the requested size, without the minimum size of a
+         * window. */
         SDL_SetWindowMinimumSize(display->window, HAL_WINDOW_WIDTH_MIN, HAL_WINDOW_HEIGHT_MIN);
     }
     display->full_screen = (flags & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
@@ -143,13 +144,15 @@ static int create_context(struct display_gl *display)
     return HAL_OK;
 }
 
-/* Lowers the picture's quality after late frames or on a hot machine. Called after each frame. */
+/* Reports the frame time and the temperature to the quality governor, which may lower or raise the
+ * picture's quality. Called after each frame. */
 static int govern(struct display_gl *display, const struct scene *scene)
 {
     const uint32_t looks = atomic_load(&display->thermal.looks);
     if (!display->is_governed || display->renderer.transform.light <= 0.0f) {
-        return HAL_OK; /* The picture of the configured night hours is black and costs nothing to
-                          draw. Its frame time would therefore mislead the governor. */
+        return HAL_OK; /* During the configured night hours, the picture is black and costs nothing
+                          to draw. The frame time of a black picture would mislead the quality
+                          governor. */
     }
     if (looks != display->heat_looks) {
         display->heat_looks = looks;
@@ -198,9 +201,9 @@ static int display_open(void *self)
     const char *driver = SDL_GetCurrentVideoDriver();
     display->is_bare = driver && strcasecmp(driver, "kmsdrm") == 0;
     renderer_describe(&display->renderer, display->text, sizeof display->text);
-    /* The quality governor does not run if the display is off-screen, because off-screen pictures
-     * must be identical on every machine, or if the configuration sets the scene scale or the
-     * samples. */
+    /* The quality governor does not run in two cases. Off-screen pictures must be identical on
+     * every machine. If the configuration sets the scene scale or the samples, these values must
+     * not change. */
     const struct display_gl_config *const config = &display->config;
     SDL_DisplayMode mode = { 0 };
     display->is_governed =
@@ -214,9 +217,9 @@ static int display_open(void *self)
     return HAL_OK;
 }
 
-/* Closes the display after the set of connectors with a screen has changed, so that no frame blocks
- * on an absent screen. The change must persist in LOOKS reads, because the contacts of a plug close
- * and open several times while the plug is pushed in. */
+/* Closes the display if the set of connectors with a screen has changed. Otherwise a frame could
+ * block on an absent screen. The change must persist in LOOKS consecutive reads, because the
+ * contacts of a plug close and open several times while the plug is pushed in. */
 static void watch_plugs(struct display_gl *display)
 {
     const uint64_t now = display_gl_now_ns();
@@ -346,8 +349,8 @@ static int display_capture(void *self, struct hal_image *image)
     if (!display->has_shown) {
         return HAL_ERR_IO;
     }
-    /* If the display draws only on demand, the fish of the growth lab and of the album are drawn
-     * until they are painted at full resolution. */
+    /* If pictures are drawn only on demand, the growth lab or the album is drawn PAINT_DRAWS times.
+     * After these draws, the fish textures are painted at full resolution. */
     const uint8_t phase = display->shown.phase;
     const int paints = display->config.on_demand && (phase == PHASE_LAB || phase == PHASE_ALBUM);
     for (uint32_t i = 0; i < (paints ? PAINT_DRAWS : 1u); i++) {

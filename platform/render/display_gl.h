@@ -26,12 +26,12 @@ struct display_gl_config {
     bool on_demand;    /* True to draw only when a picture is captured. Used together with
                           `off_screen`. */
     const char *title; /* Window title. Null means "Kingyo". */
-    float scene_scale; /* Scene pixels per screen pixel along each axis, [0.25, 2]. 0 means that the
-                          renderer chooses the value (quality.h). */
+    float scene_scale; /* Ratio of scene pixels to screen pixels along each axis, [0.25, 2]. 0 means
+                          that the renderer chooses the ratio (quality.h). */
     uint32_t samples;  /* Number of multisampling samples. 0 means that the renderer chooses the
                           number. */
     const struct library *library; /* Library of the makers' species, as in struct renderer_config.
-                                      Null means none. */
+                                      Null means no library. */
     const char *sockets;           /* Directory in which the kernel lists the connectors. Null means
                                       /sys/class/drm. */
 };
@@ -55,8 +55,8 @@ struct display_gl {
     struct connectors plugged; /* Connectors that had a screen when the display was opened. */
     uint64_t looked_ns;        /* Time of the last read of the connectors, in ns of the monotonic
                                   clock. */
-    uint8_t changed_looks;     /* Number of consecutive reads in which the connectors differed from
-                                  `plugged`. */
+    uint8_t changed_looks;     /* Number of consecutive reads in which the connectors with a screen
+                                  differed from `plugged`. */
     void (*on_lost)(void *context);
     void *on_lost_context;
     struct governor governor;
@@ -73,7 +73,7 @@ struct hal_display display_gl_device(struct display_gl *display);
 /* Registers `hook`, which is called when the connection to the X server breaks. A null `hook` means
  * that no function is called. The call comes from inside the SDL or OpenGL function that detected
  * the break. Without screen_guard_x11(), Xlib would end the process in that function. The next
- * poll() also reports `lost`. This program cannot connect to the X server again.
+ * poll() also reports `lost`. After the break, this process cannot connect to the X server again.
  *
  * In contrast, an unplugged screen or a reset of the graphics driver causes HAL_ERR_GONE. A later
  * open() succeeds when the screen is available again. */

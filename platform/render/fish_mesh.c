@@ -1,4 +1,5 @@
-/* fish_mesh.c -- implementation of fish_mesh.h. */
+/* fish_mesh.c -- packs the meshes of fish into OpenGL buffers, and the poses of fish into a
+ * texture. */
 #include "platform/render/fish_mesh.h"
 
 #include <stdio.h>
@@ -8,10 +9,12 @@
 #include "platform/render/paint_atlas.h"
 
 #define KEY_SIZE sizeof(struct species_point)
-#define SURFACE_SIZE 4u /* Size in bytes of the attribute with u, v, part and flexibility. */
-/* Size in bytes of the attribute with the anchor, the side, and two bytes of padding. */
+#define SURFACE_SIZE                                                                               \
+    4u /* Size in bytes of the vertex attribute with u, v, body part and flexibility. */
+/* Size in bytes of the vertex attribute with the anchor, the side, and two bytes of padding. */
 #define RIDES_SIZE 4u
-/* Size in bytes of the attribute with the paint coordinates, which are two 16-bit fractions. */
+/* Size in bytes of the vertex attribute with the paint coordinates, which are two 16-bit
+ * fractions. */
 #define PAINT_SIZE_BYTES 4u
 #define BYTES_SIZE (SURFACE_SIZE + MORPH_CURVE_MAX + RIDES_SIZE)
 #define REST_SIZE (BYTES_SIZE + PAINT_SIZE_BYTES)
@@ -82,9 +85,10 @@ static void describe_vertex(uint32_t key_count)
     const size_t rest = key_count * KEY_SIZE;
     const GLsizei stride = (GLsizei)(rest + REST_SIZE);
     for (uint32_t key = key_count; key < MORPH_KEY_MAX; key++) {
-        glDisableVertexAttribArray(key); /* The species has fewer keys, so that this attribute has
-                                            no data. The shader reads a disabled attribute as a
-                                            constant, whose weight in the blend is 0. */
+        glDisableVertexAttribArray(key); /* The species has fewer key shapes (modelled growth
+                                            stages) than the shader has attributes. The shader reads
+                                            a disabled attribute as a constant, which has the weight
+                                            0 in the blend. */
     }
     for (uint32_t key = 0; key < key_count; key++) {
         glEnableVertexAttribArray(key);

@@ -33,8 +33,8 @@ enum fish_attribute {
 struct fish_mesh {
     GLuint vertex_array, vertex_buffer, index_buffer;
     GLsizei body_index_count, fin_index_count;
-    float reach; /* Length that the largest packed coordinate stands for, in body lengths. The
-                    shaders read it as the uniform `reach`. */
+    float reach; /* Length, in body lengths, of the largest coordinate that the packed vertices can
+                    store. The shaders read this value as the uniform `reach`. */
 };
 
 /* Buffer in which a mesh is packed before its upload. The caller owns the buffer and may reuse it
@@ -80,8 +80,8 @@ void fish_poses_defines(char *out, size_t size, const struct species *species, b
 struct fish_poses {
     const struct species_mesh *mesh;
     GLuint texture;
-    uint32_t curve_count, width;    /* Number of curves in a pose, and number of texels in a texture
-                                       row. */
+    uint32_t curve_count, width;    /* Number of deformation curves in a pose (`curve_count`), and
+                                       number of texels in a texture row (`width`). */
     float progress[SCENE_FISH_MAX]; /* Progress through life that each texture row shows, [0, 1].
                                        A negative value means that the row has not been written
                                        yet. */
@@ -97,13 +97,15 @@ void fish_poses_open(struct gl_status *status, struct fish_poses *poses,
                      const struct species *species, uint32_t lod);
 void fish_poses_close(struct fish_poses *poses);
 
-/* Starts an update of the poses. Call fish_poses_set() for each fish, then fish_poses_end(). */
+/* Starts an update of the poses. The caller then calls fish_poses_set() for each fish, and
+ * fish_poses_end() once. */
 void fish_poses_begin(struct fish_poses *poses);
-/* Writes the pose of a fish with the curves of `rig` at `progress` [0, 1] to the texture row `row`.
- * Fastest if the rows are written in ascending order. */
+/* Writes the pose of one fish to the texture row `row`. The pose is computed with the deformation
+ * graphs of `rig` at `progress` through life, [0, 1]. Fastest if the rows are written in ascending
+ * order. */
 void fish_poses_set(struct fish_poses *poses, const struct morph_rig *rig, uint32_t row,
                     float progress);
-/* Uploads the rows that are not uploaded yet. */
+/* Uploads the written rows that have not been uploaded yet. */
 void fish_poses_end(struct fish_poses *poses);
 
 #endif

@@ -1,4 +1,5 @@
-/* fish_texture.c -- implementation of fish_texture.h. */
+/* fish_texture.c -- paints the sheets of a fish texture in small portions, and uploads the
+ * sheets. */
 #include "platform/render/fish_texture.h"
 
 #include <string.h>
@@ -7,8 +8,8 @@
 
 /* Minimum number of rows of a dot mark whose dots are drawn as fish scales. */
 #define SCALE_ROWS_MIN 6u
-/* Minimum number of bands of a mark round the body that the shader draws as lines, because so many
- * bands are too fine for a painted sheet. */
+/* Minimum number of bands of a mark round the body from which the shader draws the bands as lines.
+ * So many bands are too fine for a painted sheet. */
 #define LINES_MIN 40u
 
 static GLuint make_sheet_array(struct gl_status *status, GLenum internal_format, GLenum format)
@@ -35,8 +36,8 @@ void fish_texture_close(struct fish_texture *skin)
 
 float fish_texture_scales(const struct fish_texture *skin)
 {
-    /* Number of fish scales from head to tail for each body form. A carp has about 30, a bream
-     * 50. */
+    /* Number of fish scales from head to tail for each body form. A carp has about 30 scales, and a
+     * bream has about 50. */
     static const float along[] = { [FORM_FUSIFORM] = 31.0f,
                                    [FORM_COMPRESSED] = 50.0f,
                                    [FORM_DEPRESSED] = 80.0f,
@@ -47,10 +48,10 @@ float fish_texture_scales(const struct fish_texture *skin)
     return bare ? 0.0f : along[card->form];
 }
 
-/* Removes from the painting the marks that the shader draws: the lines round the body, whose copies
- * are stored in skin->lined, and the dots that stand for fish scales if the shader draws the scales
- * with rims. The marks keep their place in the array, because marks of two key shapes correspond to
- * each other by their index. */
+/* Removes the marks that the shader draws from the marks to paint. The first kind is lines round
+ * the body, whose copies are stored in skin->lined. The second kind is dots that stand for fish
+ * scales, if the shader draws the scales with rims. A removed mark keeps its place in the array,
+ * because marks of two key shapes correspond to each other by their index. */
 static void leave_out_marks(struct fish_texture *skin)
 {
     const bool has_scales = fish_texture_scales(skin) > 0.0f;
@@ -119,8 +120,8 @@ void fish_texture_request(struct fish_texture *skin, struct paint_brush *brush,
     CORE_ASSERT(length_px >= 0.0f && skin->sheet_count > 0);
     float mean = 0.0f, sum = 0.0f;
     for (uint32_t key = 0; key < skin->species.card.key_count; key++) {
-        const float weight = f_max(weights[key], 0.0f); /* paint_at() clamps the weights in the same
-                                                           way. */
+        const float weight = f_max(weights[key], 0.0f); /* Negative weights are clamped to 0, as in
+                                                           paint_at(). */
         mean += weight * (float)(key * skin->per_key);
         sum += weight;
     }

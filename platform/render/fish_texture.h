@@ -14,10 +14,12 @@
 #include "platform/render/gl_util.h"
 #include "platform/render/paint_atlas.h"
 
-/* Maximum number of sheets. The distance from one key to the next is six sheets in a species with
- * three keys, three sheets with five keys, and one sheet with eight keys. */
+/* Maximum number of painted sheets of a fish texture. With three key shapes, the sheets of
+ * neighbouring key shapes are six sheets apart. With five key shapes the distance is three sheets,
+ * and with eight key shapes one sheet. */
 #define FISH_TEXTURE_SHEETS 13u
-#define FISH_TEXTURE_BANDS (PAINT_SIZE / PAINT_BAND) /* Number of bands of a sheet. */
+#define FISH_TEXTURE_BANDS                                                                         \
+    (PAINT_SIZE / PAINT_BAND) /* Number of bands (groups of PAINT_BAND texel rows) of a sheet. */
 
 struct fish_texture {
     struct species species; /* Copy of the species, because its coats are read as long as the
@@ -29,8 +31,8 @@ struct fish_texture {
     uint32_t bands_done[FISH_TEXTURE_SHEETS];
     bool is_coarse[FISH_TEXTURE_SHEETS]; /* True for each sheet that is painted at least
                                             coarsely. */
-    float shown;    /* Sheet number that the largest fish with this texture shows. A fraction means
-                       a blend of two neighbouring sheets. */
+    float shown;    /* Number of the sheet that the largest fish with this texture shows. A fraction
+                       means a blend of two neighbouring sheets. */
     float shown_px; /* Length in pixels of the largest fish with this texture. 0 means that no fish
                        in the current frame has this texture. */
     GLuint paints;  /* Array texture of the sheets' colour and transparency. */
@@ -50,8 +52,8 @@ void fish_texture_bind(struct fish_texture *skin, const struct species *species)
 void fish_texture_request(struct fish_texture *skin, struct paint_brush *brush,
                           const float weights[MORPH_KEY_MAX], float length_px, float sheets[3]);
 
-/* Paints up to `bands` more bands finely, in about 1 ms each. Stops early when all sheets are
- * finished. Returns how many of the `bands` were left over. */
+/* Paints up to `bands` more bands of a sheet finely, in about 1 ms each. Stops early when all
+ * sheets are finished. Returns `bands` minus the number of painted bands. */
 uint32_t fish_texture_work(struct fish_texture *skin, struct paint_brush *brush, uint32_t bands);
 
 /* Returns true if the sheets that the largest fish shows are painted finely. See
@@ -75,7 +77,7 @@ struct fish_texture_lines {
 void fish_texture_lines(const struct fish_texture *skin, const float weights[MORPH_KEY_MAX],
                         struct fish_texture_lines lines[FISH_TEXTURE_LINES]);
 
-/* Returns the transparency of the body's skin beside the marks, [0, 1]. 0 means opaque. */
+/* Returns the transparency of the body's skin between the marks, [0, 1]. 0 means opaque. */
 float fish_texture_opacity(const struct fish_texture *skin, const float weights[MORPH_KEY_MAX]);
 /* Returns the number of fish scales from head to tail. 0 means that no scales are visible. */
 float fish_texture_scales(const struct fish_texture *skin);

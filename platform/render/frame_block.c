@@ -15,14 +15,15 @@
 /* Width of the shadow map divided by the width of the floor. The shadow map is larger than the
  * floor, so that it contains the whole shadow of a fish near a wall. */
 #define SHADOW_MARGIN 1.06f
-/* Tangent, along x, of the angle between the vertical and the light that reaches the floor. The
- * lamps hang to the right of the player and behind the player. */
+/* Tangent of the light's angle from the vertical, in the direction x, for the light that reaches
+ * the floor. The lamps hang to the right of the player and behind the player. */
 #define SHADOW_DRIFT_X 0.26f
-/* Tangent, along z, of the angle between the vertical and the light that reaches the floor. */
+/* Tangent of the light's angle from the vertical, in the direction z, for the light that reaches
+ * the floor. */
 #define SHADOW_DRIFT_Z 0.16f
 
-/* Light absorption of the water multiplied by the depth. The product is constant, so that a shallow
- * tank looks as blue as a deep tank. */
+/* Light absorption of the water in 1/m, multiplied by the water depth in m. The product is
+ * constant, so that a shallow tank looks as blue as a deep tank. */
 #define ABSORPTION_OVER_DEPTH 0.55f
 
 /* Displacement of the refracted picture per unit of surface slope, in water depths. Physically the
@@ -103,7 +104,7 @@ static void set_camera(struct frame *frame, const struct view *view,
     projection[11] = -1.0f;
     projection[14] = 2.0f * FAR_M * NEAR_M / (NEAR_M - FAR_M);
     multiply(seen, projection, rotation);
-    /* The matrix `placed` leads from the picture's clip space to the screen's clip space. Every
+    /* The matrix `placed` converts from the picture's clip space to the screen's clip space. Every
      * pass can therefore draw directly at the final place on the screen. */
     float turned[4], move[2];
     memset(placed, 0, 16 * sizeof *placed);
@@ -130,9 +131,9 @@ void frame_begin(struct frame *frame, const struct scene *scene,
     const float loops = f_floor(layers / (float)ASSET_CAUSTICS_FRAMES);
     const vec3 size = scene->tank_size_m;
     set_camera(frame, &scene->view, transform);
-    /* `bend` is how far the refracted picture moves on the screen per unit of surface slope. The
-     * distance is computed for a point at the camera's target. Elsewhere in the tank the error is
-     * a few per cent. */
+    /* `bend` is the displacement of the refracted picture on the screen per unit of surface slope.
+     * The displacement is computed for a point at the camera's target. Elsewhere in the tank the
+     * error is a few per cent. */
     const struct view *const view = &scene->view;
     const struct basis axes = view_basis(view);
     const float distance = v3_length(v3_sub(view->eye_m, view->target_m));
@@ -141,10 +142,10 @@ void frame_begin(struct frame *frame, const struct scene *scene,
     frame_block_set(frame->block.bend, 0.5f * shift_m / (half_height_m * aspect),
                     0.5f * shift_m / half_height_m * v3_dot(axes.up, v3(0.0f, 0.0f, 1.0f)), 0.0f,
                     0.0f);
-    /* `shades` lists the circular shadows of the fans, then the circular shadows of the pois. Only
-     * fish under water receive both kinds. All other objects receive only the fans' shadows. The
-     * floor gets the pois' shadows from the shadow map instead, because the map shows the holes in
-     * the paper. */
+    /* `shades` lists the circular shadows of the hand-held fans, then the circular shadows of the
+     * pois. Only fish under water receive the shadows of fans and pois. All other objects receive
+     * only the fans' shadows. The floor gets the pois' shadows from the shadow map, because the
+     * shadow map shows the holes in the paper. */
     uint32_t count = 0;
     for (uint32_t i = 0; i < SHADE_MAX; i++) {
         const struct scene_fan *const fan = &scene->fan[i];

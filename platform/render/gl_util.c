@@ -198,8 +198,8 @@ void gl_target_close(struct gl_target *target)
 {
     const GLuint framebuffers[2] = { target->framebuffer, target->resolve };
     const GLuint buffers[2] = { target->color, target->depth };
-    glDeleteFramebuffers(2, framebuffers); /* OpenGL ignores the name 0 in this call and in the
-                                              following delete calls. */
+    glDeleteFramebuffers(2, framebuffers); /* OpenGL ignores an object with the name 0 in this call
+                                              and in the following delete calls. */
     glDeleteRenderbuffers(2, buffers);
     glDeleteTextures(1, &target->texture);
     *target = (struct gl_target){ 0 };
@@ -321,8 +321,9 @@ static GLuint build(struct gl_status *status, const char *name, const char *defi
         gl_compile(status, name, GL_FRAGMENT_SHADER, fragment_parts, 4),
     };
     const GLuint program = gl_link(status, name, stages[0], stages[1]);
-    glDeleteShader(stages[0]); /* OpenGL keeps the shader until the program is deleted. The name 0
-                                  of a failed shader is ignored. */
+    glDeleteShader(stages[0]); /* OpenGL keeps the shader until the program is deleted. If the
+                                  compilation failed, the shader's name is 0, which OpenGL
+                                  ignores. */
     glDeleteShader(stages[1]);
     if (program) {
         gl_program_bind(program, samplers);

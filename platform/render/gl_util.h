@@ -40,7 +40,7 @@ struct gl_texture_desc {
     const uint8_t *pixels; /* Initial texels. Null leaves the content undefined. */
     bool mipmaps;
     bool nearest; /* True for nearest filtering, the only filter that 32-bit floats support. */
-    GLenum wrap;  /* Wrap mode. 0 means GL_CLAMP_TO_EDGE. */
+    GLenum wrap;  /* Wrap mode of the texture. 0 means GL_CLAMP_TO_EDGE. */
 };
 
 /* Creates a texture. If the size is larger than the driver supports, the failure message contains
@@ -65,7 +65,8 @@ void gl_ring_open(struct gl_status *status, const char *name, struct gl_ring *ri
                   const struct gl_texture_desc *desc);
 void gl_ring_close(struct gl_ring *ring);
 
-/* Advances to the texture that was filled the longest time ago, and returns its name. */
+/* Advances to the texture whose last filling was the longest time ago, and returns the name of this
+ * texture. */
 GLuint gl_ring_turn(struct gl_ring *ring);
 /* Returns the texture that gl_ring_turn() returned last. */
 GLuint gl_ring_texture(const struct gl_ring *ring);
@@ -74,10 +75,12 @@ GLuint gl_ring_texture(const struct gl_ring *ring);
 struct gl_target {
     GLuint framebuffer;
     uint32_t width, height;
-    GLuint color;   /* Texture, or renderbuffer if `samples` > 1. */
+    GLuint color;   /* Name of the object with the drawn colours: a texture, or a renderbuffer if
+                       `samples` > 1. */
     GLuint depth;   /* Depth renderbuffer. 0 means that the target has no depth buffer. */
-    GLuint resolve; /* Framebuffer whose colour buffer is `texture`. gl_target_resolve() fills this
-                       framebuffer. 0 means no multisampling. */
+    GLuint resolve; /* Framebuffer whose colour buffer is `texture`. gl_target_resolve() copies the
+                       drawn picture to this framebuffer. 0 means that the target has no
+                       multisampling. */
     GLuint texture; /* Texture with the finished picture, from which later passes read. */
 };
 
@@ -86,7 +89,7 @@ struct gl_target_desc {
     uint32_t width, height;
     uint32_t samples; /* Samples per pixel. 0 and 1 mean no multisampling. */
     bool depth;
-    GLenum wrap; /* Wrap mode. 0 means GL_CLAMP_TO_EDGE. */
+    GLenum wrap; /* Wrap mode of the render target's texture. 0 means GL_CLAMP_TO_EDGE. */
 };
 
 void gl_target_open(struct gl_status *status, const char *name, struct gl_target *target,
@@ -94,8 +97,8 @@ void gl_target_open(struct gl_status *status, const char *name, struct gl_target
 void gl_target_close(struct gl_target *target);
 void gl_target_bind(const struct gl_target *target);
 
-/* Copies the drawn picture to `texture`. Then invalidates the samples and the depth buffer, so that
- * a tiled GPU does not write them to memory. */
+/* Copies the drawn picture of a render target to its texture. Then invalidates the target's samples
+ * and depth buffer, so that a tiled GPU does not write these data to memory. */
 void gl_target_resolve(const struct gl_target *target);
 
 void gl_bind_texture(uint32_t unit, GLenum kind, GLuint texture);

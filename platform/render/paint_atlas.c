@@ -1,4 +1,5 @@
-/* paint_atlas.c -- implementation of paint_atlas.h. */
+/* paint_atlas.c -- computes which body part each texel of the paint atlas shows, and paints the
+ * texels. */
 #include "platform/render/paint_atlas.h"
 
 #include <string.h>
@@ -6,8 +7,8 @@
 #include "core/base/fmath.h"
 #include "core/base/panic.h"
 
-/* Maximum colour difference, of 255, between neighbouring texels. If the difference is larger, both
- * texels are painted from four points. */
+/* Maximum difference of a colour component (0 to 255) between neighbouring texels. If the
+ * difference is larger, each of the two texels is painted as the mean of four points. */
 #define EDGE 20
 #define BAND_TEXELS (PAINT_BAND * PAINT_SIZE)
 
@@ -66,7 +67,8 @@ void paint_atlas_find(const struct species_vertex *vertex, float uv[2])
     uv[1] = texel_centre(place.y, place.height, vertex->v);
 }
 
-/* Returns the share of a row or column of `count` texels that lies before texel position `at`. */
+/* Returns the fraction of `count` texel rows or columns, beginning with number `first`, that lies
+ * before texel position `at`. */
 static float share_along(float at, uint32_t first, uint32_t count)
 {
     return f_clamp((at - (float)first - 0.5f) / (float)(count - 1u), 0.0f, 1.0f);
@@ -94,8 +96,7 @@ bool paint_atlas_at(float x, float y, struct species_vertex *vertex)
     return true;
 }
 
-/* ---- Painting of a band of texels
- * ------------------------------------------------------------- */
+/* ---- Painting of a group of texel rows ------------------------------------------------------- */
 
 static uint8_t paint_byte_of(float x)
 {
@@ -138,9 +139,9 @@ void paint_atlas_coarse_points(const struct painting *painting)
     }
 }
 
-/* Writes the indices of the two coarse points between which texel `at` lies. Both points are within
- * the texel's atlas cell, which is `size` texels wide. Returns the interpolation weight of the
- * second point. */
+/* Writes the indices of the two coarse points between which texel `at` lies to `points`. Both
+ * points are within the texel's atlas cell, which is `size` texels wide. Returns the interpolation
+ * weight of the second point. */
 static float find_coarse_points(uint32_t at, uint32_t size, uint32_t points[2])
 {
     CORE_ASSERT(size >= PAINT_COARSE && size % PAINT_COARSE == 0);

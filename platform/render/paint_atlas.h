@@ -29,7 +29,8 @@ bool paint_atlas_at(float x, float y, struct species_vertex *vertex);
 #define PAINT_COARSE 4u /* Distance in texels between two points of the coarse painting. */
 #define PAINT_COARSE_SIZE (PAINT_SIZE / PAINT_COARSE)
 
-/* Scratch memory for painting a band of PAINT_BAND texel rows. All sheets may share one brush. */
+/* Scratch memory for painting PAINT_BAND texel rows at a time. All sheets may share one struct
+ * paint_brush. */
 struct paint_brush {
     uint8_t paint[PAINT_BAND * PAINT_SIZE][4]; /* Colour and transparency of each texel. */
     uint8_t shine[PAINT_BAND * PAINT_SIZE];    /* Reflectance of each texel. */
@@ -44,13 +45,14 @@ struct painting {
     struct paint_brush *brush;
 };
 
-/* Computes the coarse points of the whole sheet. Call before paint_atlas_coarse_band(). */
+/* Computes the coarse points of the whole sheet. Must be called before
+ * paint_atlas_coarse_band(). */
 void paint_atlas_coarse_points(const struct painting *painting);
-/* Paints the band that begins at texel row `first`, a multiple of PAINT_BAND, by interpolation
- * between the coarse points. */
+/* Paints PAINT_BAND texel rows of the sheet by interpolation between the coarse points. `first` is
+ * the first row and a multiple of PAINT_BAND. */
 void paint_atlas_coarse_band(const struct painting *painting, uint32_t first);
-/* Paints the band that begins at texel row `first`, a multiple of PAINT_BAND, with the paint of
- * each texel. */
+/* Paints PAINT_BAND texel rows of the sheet, with the paint computed for each texel. `first` is the
+ * first row and a multiple of PAINT_BAND. */
 void paint_atlas_fine_band(const struct painting *painting, uint32_t first);
 
 #endif

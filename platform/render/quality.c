@@ -8,7 +8,7 @@
 #include "core/base/fmath.h"
 #include "core/base/panic.h"
 
-/* Kind of graphics hardware, and the amount of drawing that it can do in a frame. */
+/* Kind of graphics hardware with the amount of drawing that the hardware can do in a frame. */
 struct machine {
     bool software;
     float pixels;      /* Maximum number of scene pixels in a frame, regardless of the screen
@@ -16,22 +16,24 @@ struct machine {
     float floor_scale; /* Resolution of the floor and the walls, which have no fine detail, as a
                           fraction of the scene's resolution. */
     uint32_t samples;
-    float lod_near_px; /* Fish length in pixels from which the near mesh is used. In a shorter fish,
-                          the triangles of the near mesh would cover only a few pixels each. */
+    float lod_near_px; /* Minimum fish length in pixels from which the near mesh is used. In a
+                          shorter fish, the triangles of the near mesh would cover only a few pixels
+                          each. */
 };
 
 #define SCALE_MIN 0.4f
 
-/* Two CPU cores of a single-board computer draw 1280x720 scene pixels in a fiftieth of a second. */
+/* Limits for rendering on a CPU. Two CPU cores of a single-board computer draw 1280x720 scene
+ * pixels in 20 ms. */
 static const struct machine cpu = { true, 1280.0f * 720.0f, 0.6f, 1, 130.0f };
-/* The GPU of a single-board computer shares its memory with the CPU. On a V3D GPU, writing and
- * resolving 4 samples of a full screen takes most of the memory bandwidth of a frame. Instead of
- * multisampling, the shaders blend the outlines, as they do on a CPU. */
+/* Limits for the GPU of a single-board computer, which shares its memory with the CPU. On a V3D
+ * GPU, writing and resolving 4 samples of a full screen takes most of the memory bandwidth of a
+ * frame. Instead of multisampling, the shaders blend the outlines, as they do on a CPU. */
 static const struct machine board = { false, 1600.0f * 900.0f, 0.75f, 1, 60.0f };
 static const struct machine desktop = { false, 3840.0f * 2160.0f, 1.0f, 4, 24.0f };
 
-/* Parts of the GL_RENDERER string. The first entry that the string contains is used. A string that
- * contains no entry counts as a desktop GPU. */
+/* Table of parts of the GL_RENDERER string. The first entry that occurs in the string is used. If
+ * no entry occurs in the string, the hardware counts as a desktop GPU. */
 static const struct {
     const char *name;
     const struct machine *machine;
@@ -67,8 +69,8 @@ struct quality quality_choose(const struct quality_wish *wish)
         quality.samples = wish->samples_max ? wish->samples_max : 1u;
     }
     /* The largest texture size of the driver limits the sizes of the render targets. If the screen
-     * is larger than this limit, the scene is drawn at the limit, and the screen is drawn without
-     * multisampling. */
+     * is larger than this limit, the scene is drawn with this limit as its size. The screen is then
+     * drawn without multisampling. */
     const uint32_t side = wish->width > wish->height ? wish->width : wish->height;
     const float scale_max = (float)wish->side_max / (float)side;
     quality.scene_scale = f_min(quality.scene_scale, scale_max);
@@ -86,8 +88,9 @@ struct quality quality_lower(const struct quality *best, uint32_t step)
     struct quality quality = *best;
     const float of_best = share[step < QUALITY_STEP_MAX ? step : QUALITY_STEP_MAX];
     if (step > 0) {
-        quality.samples = 1; /* Multisampling is removed first because it costs the most time and
-                                its absence is the least visible. */
+        quality.samples = 1; /* Multisampling is the first quality to be removed, because
+                                multisampling costs the most time and its absence is the least
+                                visible. */
         quality.scene_scale = f_max(of_best * best->scene_scale, 0.25f);
         quality.floor_scale = f_max(of_best * best->floor_scale, 0.2f);
         quality.lod_near_px = best->lod_near_px / of_best;
@@ -97,13 +100,15 @@ struct quality quality_lower(const struct quality *best, uint32_t step)
 
 #define NS_PER_S 1000000000ull
 #define STALL_NS (NS_PER_S / 4u)
-/* Number of consecutive stalls after which slow drawing is assumed to be their cause. */
+/* Number of consecutive stalls (very long frames) from which slow drawing is assumed to be the
+ * cause. */
 #define STALLS 3u
 #define HZ 60u
-/* Limit of the mean frame duration, in per cent of a refresh period. At the limit, one frame in
- * nine is late by one refresh period. */
+/* Maximum mean frame duration that counts as on time, in per cent of a refresh period. At this
+ * maximum, one frame in nine is late by one refresh period. */
 #define LATE_PERCENT 111u
-/* Number of seconds without late frames after which the trial of a finer step has succeeded. */
+/* Number of seconds without late frames after which the trial of a finer quality step has
+ * succeeded. */
 #define HELD_S 60u
 
 void quality_governor_begin(struct governor *governor, uint32_t refresh_hz)

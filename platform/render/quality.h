@@ -45,8 +45,8 @@ struct quality_wish {
  * requests. */
 struct quality quality_choose(const struct quality_wish *wish);
 
-/* Number of quality steps below the best quality. The last step draws the scene with a sixth of its
- * pixels, which is the lowest usable resolution. */
+/* Maximum number of quality steps below the best quality. The last step draws the scene with a
+ * sixth of its pixels, which is the lowest usable resolution. */
 #define QUALITY_STEP_MAX 4u
 
 /* Returns the quality that is `step` steps below `best`. Steps above QUALITY_STEP_MAX count as
@@ -55,17 +55,16 @@ struct quality quality_lower(const struct quality *best, uint32_t step);
 
 /* Measurement interval in seconds. The mean frame duration is computed over this interval. */
 #define GOVERNOR_LOOK_S 2u
-/* Number of seconds without late frames after which a finer quality step is tried. */
+/* Initial number of seconds without late frames after which a finer quality step is tried. */
 #define GOVERNOR_PATIENCE_S 30u
-/* Maximum wait in seconds before a trial, about half an hour. Each failed trial doubles the
- * wait. */
+/* Maximum number of seconds without late frames before a finer quality step is tried, about half an
+ * hour. Each failed trial doubles the number, up to this maximum. */
 #define GOVERNOR_PATIENCE_MAX_S 1920u
-/* Temperature margin in m°C. The margin of a machine is the temperature at which it throttles
- * itself, minus its present temperature. A machine with a smaller margin than GOVERNOR_HOT_MDEG is
- * hot. */
+/* Temperature margin in m°C below which a machine is hot. The margin is the difference between the
+ * temperature at which the machine throttles itself and its present temperature. */
 #define GOVERNOR_HOT_MDEG 3000
-/* Temperature margin in m°C. A hot machine has cooled down when its margin (the temperature at
- * which it throttles itself, minus its present temperature) is larger than GOVERNOR_COOL_MDEG. */
+/* Temperature margin in m°C above which a hot machine has cooled down. The margin is the difference
+ * between the temperature at which the machine throttles itself and its present temperature. */
 #define GOVERNOR_COOL_MDEG 8000
 
 struct governor {
@@ -74,15 +73,15 @@ struct governor {
     uint64_t last_ns;       /* Time of the previous frame in ns. 0 means no previous frame. */
     uint64_t sum_ns, count; /* Total duration in ns of the frames in the current measurement
                                interval, and number of these frames. */
-    uint32_t stalls;        /* Number of consecutive stalls. A stall is a frame that took too long
-                               for drawing to be the cause. */
+    uint32_t stalls;        /* Number of consecutive stalls. A stall is a frame whose duration is
+                               too long to be caused by drawing. */
     uint32_t timely_s;      /* Number of consecutive seconds without late frames. */
-    /* Number of seconds without late frames that must pass before the next trial of a finer
-     * step. */
+    /* Number of seconds without late frames that must pass before a finer quality step is tried. */
     uint32_t patience_s;
-    uint8_t step;      /* Number of quality steps below the best that the drawing speed requires. */
-    uint8_t heat;      /* Number of quality steps below the best that keeps the machine cool, at
-                          most QUALITY_STEP_MAX. */
+    uint8_t step;      /* Number of quality steps below the best quality that the drawing speed
+                          requires. */
+    uint8_t heat;      /* Number of quality steps below the best quality that keep the machine cool,
+                          at most QUALITY_STEP_MAX. */
     uint8_t is_trying; /* 1 while a finer quality step is on trial, otherwise 0. */
 };
 
@@ -90,13 +89,15 @@ struct governor {
  * counts as 60 Hz, which is enough for the game. */
 void quality_governor_begin(struct governor *governor, uint32_t refresh_hz);
 
-/* Updates the governor. Call after each frame. `may_refine` is true between two games. A frame
- * longer than a quarter of a second is a stall. A stall counts as drawing time only if at least two
- * stalls directly precede it. Returns the argument `step` of quality_lower() for the next frame. */
+/* Updates the governor. Must be called after each frame. `may_refine` is true between two games. A
+ * frame longer than a quarter of a second is a stall. A stall counts as drawing time only if at
+ * least two stalls directly precede it. Returns the argument `step` of quality_lower() for the next
+ * frame. */
 uint32_t quality_governor_frame(struct governor *governor, uint64_t now_ns, bool may_refine);
 
-/* Updates the quality step `heat`. Call every few seconds. `margin_mdeg` is the difference in m°C
- * between the temperature at which the machine throttles itself and its current temperature. */
+/* Updates the quality step `heat`. Must be called every few seconds. `margin_mdeg` is the
+ * temperature margin in m°C: the difference between the temperature at which the machine throttles
+ * itself and its current temperature. */
 void quality_governor_set_temperature(struct governor *governor, int32_t margin_mdeg);
 
 #endif

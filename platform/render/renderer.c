@@ -1,4 +1,4 @@
-/* renderer.c -- defines the order of the render passes in a frame. */
+/* renderer.c -- draws one frame by calling the render passes in order. */
 #include "platform/render/renderer.h"
 
 #include "core/base/panic.h"
@@ -11,8 +11,8 @@ static void step_done(const struct renderer *renderer, enum render_step step)
     }
 }
 
-/* Draws all objects below the surface except the tank. Opaque bodies are drawn first, then
- * translucent objects from the lowest to the highest. */
+/* Draws all objects below the water surface except the tank. Opaque bodies are drawn first. Then
+ * translucent objects are drawn from the lowest to the highest. */
 static void draw_life(const struct renderer *renderer, const struct scene *scene)
 {
     const GLuint caustics = renderer->light.caustics.texture;
@@ -55,13 +55,13 @@ static void bind_screen(const struct renderer *renderer)
     }
 }
 
-/* Draws the objects above the water. The rim may hide a bowl. A poi always hides the rim. A fan
- * hides all other objects. */
+/* Draws the objects above the water in an order without depth conflicts: the rim may hide a bowl, a
+ * poi (paper scoop) always hides the rim, and a hand-held fan hides all other objects. */
 static void draw_above(const struct renderer *renderer, const struct scene *scene)
 {
     const GLuint caustics = renderer->light.caustics.texture;
-    /* Of a gulping fish, the parts above the surface are drawn without the water's tint. The depth
-     * of the surface hides the parts below the surface. */
+    /* The parts of a gulping fish that are above the surface are drawn without the water's tint.
+     * The depth of the surface hides the parts below the surface. */
     fish_pass_rings(&renderer->fish);
     fish_pass_snouts(&renderer->fish, &renderer->textures, caustics);
     for (uint32_t i = 0; i < POI_MAX; i++) {
@@ -99,7 +99,8 @@ static void finish_screen(const struct renderer *renderer)
     static const GLenum spent = GL_DEPTH;
     const struct gl_target *const screen = &renderer->screen;
     if (!screen->framebuffer) {
-        glInvalidateFramebuffer(GL_FRAMEBUFFER, 1, &spent); /* The user interface, which is drawn
+        glInvalidateFramebuffer(GL_FRAMEBUFFER, 1, &spent); /* Invalidates the depth buffer, because
+                                                               the user interface, which is drawn
                                                                next, needs no depth. */
         return;
     }
@@ -131,8 +132,9 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
                       renderer->light.shadows.texture);
     step_done(renderer, STEP_GROUND);
     draw_life(renderer, scene);
-    /* The water surface is drawn with depth, so that objects drawn later are visible only above the
-     * surface. Inside the mouth of each bowl, the surface's depth is removed again. */
+    /* The water surface writes depth, so that objects drawn later are visible only above the
+     * surface. Inside the mouth of each bowl, the depth of the tank's water surface is then
+     * removed. */
     bind_screen(renderer);
     glClearColor(0.02f, 0.015f, 0.02f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -147,8 +149,8 @@ static void draw_tank(struct renderer *renderer, const struct scene *scene)
     draw_above(renderer, scene);
 }
 
-/* Draws the user interface. Outside a round, first continues painting the fish of the growth lab
- * and the album. */
+/* Draws the user interface. Outside a round, first paints a further part of the fish textures of
+ * the growth lab and the album. */
 static void draw_ui(struct renderer *renderer, const struct scene *scene)
 {
     if (scene->phase != PHASE_READY && scene->phase != PHASE_ROUND) {
@@ -170,13 +172,14 @@ void renderer_draw(struct renderer *renderer, const struct scene *scene)
     glFrontFace(GL_CCW);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     if (renderer->transform.light <= 0.0f) {
-        glClearColor(0.0f, 0.0f, 0.0f, 1.0f); /* At brightness 0 the screen is black. */
+        glClearColor(0.0f, 0.0f, 0.0f, 1.0f); /* At brightness 0 the screen is black, and nothing
+                                                 else is drawn. */
         glClear(GL_COLOR_BUFFER_BIT);
         return;
     }
     if (scene->phase == PHASE_LAB || scene->phase == PHASE_ALBUM) {
-        /* The growth lab and the album cover the tank. Their specimens use multisampling if it is
-         * enabled. */
+        /* The pages of the growth lab and of the album cover the tank completely. Their specimens
+         * use multisampling if multisampling is enabled. */
         bind_screen(renderer);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         draw_ui(renderer, scene);

@@ -1,5 +1,5 @@
-/* renderer.h -- draws one scene. renderer.c alone defines the order of drawing in a frame.
- * renderer_open.c creates all objects.
+/* renderer.h -- draws one scene (the data that the core provides for a picture). renderer.c alone
+ * defines the order of drawing in a frame. renderer_open.c creates all objects.
  *
  * The renderer requires a current OpenGL ES 3.0 context and does not use SDL. The picture depends
  * only on the scene and the size. Drawing a scene twice on one machine therefore produces the same
@@ -26,7 +26,7 @@
 
 struct renderer_config {
     uint32_t width, height; /* Picture size in pixels, > 0. */
-    float scene_scale;      /* Ratio of scene pixels to screen pixels, as in struct
+    float scene_scale;      /* Ratio of scene pixels to screen pixels along each axis, as in struct
                                display_gl_config. */
     /* Number of multisampling samples. 0 means that the renderer chooses the number. */
     uint32_t samples;
@@ -37,7 +37,7 @@ struct renderer_config {
 
 /* Steps of drawing a frame, whose durations are measured. */
 enum render_step {
-    STEP_PREPARE = 0, /* Sorting of the fish, and uploads. */
+    STEP_PREPARE = 0, /* Sorting of the fish, and uploads of the data of this frame. */
     STEP_LIGHT,       /* Caustics and shadows. */
     STEP_GROUND,      /* Floor and walls. */
     STEP_LIFE,        /* Fish, and the parts of pois and bowls that are below the water surface. */
@@ -49,7 +49,8 @@ enum render_step {
 
 struct renderer {
     struct gl_status status;
-    struct renderer_config config; /* Configuration. Its width and height follow the window. */
+    struct renderer_config config; /* Configuration of the renderer. The fields `width` and `height`
+                                      follow the window size. */
     struct display_settings display_settings;
     struct display_transform transform; /* Display geometry of the picture on a screen of the
                                            current size. */
@@ -70,8 +71,8 @@ struct renderer {
     struct specimen_pass specimens;
     struct ui ui;
     struct gl_target ground, life;
-    struct gl_target screen; /* Multisampled render target of the screen. Without multisampling, its
-                                framebuffer is 0, the default framebuffer. */
+    struct gl_target screen; /* Multisampled render target for the screen. Without multisampling,
+                                its framebuffer is 0, which is the default framebuffer. */
     uint8_t row[RENDERER_WIDTH_MAX * 4u]; /* Buffer of one pixel row, used to read back a captured
                                              image. */
     /* Optional callback after each step. A benchmark calls glFinish() in the callback and reads a
@@ -100,8 +101,9 @@ int renderer_lower(struct renderer *renderer, uint32_t step);
 /* Draws the scene into the default framebuffer. The caller swaps the buffers. */
 void renderer_draw(struct renderer *renderer, const struct scene *scene);
 
-/* Copies the default framebuffer to `image`, top row first. Call before a buffer swap. Returns
- * HAL_ERR_IO if `image` is too small. */
+/* Copies the default framebuffer to `image`, with the top row first. Must be called before a buffer
+ * swap. Returns HAL_OK, or HAL_ERR_IO if `image` is too small or the picture is wider than
+ * RENDERER_WIDTH_MAX. */
 int renderer_read(struct renderer *renderer, struct hal_image *image);
 
 /* Returns false after OpenGL has reported a lost device or a lack of memory. After that,

@@ -1,4 +1,5 @@
-/* screen.c -- implementation of screen.h. The directory /sys/class/drm lists cards ("card1") and
+/* screen.c -- reads the states of the graphics cards and of the display connectors, and handles a
+ * broken connection to the X server. The directory /sys/class/drm lists cards ("card1") and
  * connectors ("card1-HDMI-A-1"). */
 #include "platform/render/screen.h"
 
@@ -15,8 +16,8 @@
 #define HASH_BASIS 0xcbf29ce484222325ull /* Initial value of the FNV-1a hash function. */
 #define HASH_PRIME 0x100000001b3ull      /* Factor of the FNV-1a hash function. */
 
-/* State of a connector, in ascending order: absent, without a screen, with a screen. The state of
- * a card is the highest state of its connectors. */
+/* State of a display connector, in ascending order: absent, without a screen, with a screen. The
+ * state of a card is the highest state of its connectors. */
 enum connector_state {
     CONNECTOR_NONE = 0,
     CONNECTOR_FREE,
@@ -89,8 +90,8 @@ void screen_card_prefer(void)
     }
 }
 
-/* The result `which` is the sum of the hashes of the connectors' names. A sum is independent of the
- * order of the names, which may differ each time that the kernel lists the directory. */
+/* `which` is the sum of the hashes of the connectors' names. A sum is independent of the order of
+ * the names. The kernel may list the names in a different order each time. */
 struct connectors screen_connectors(const char *root)
 {
     CORE_ASSERT(root);
@@ -136,7 +137,8 @@ typedef void (*set_exit_handler)(Display *display, exit_handler handler, void *c
 
 static int keep_quiet(Display *display)
 {
-    (void)display; /* After this error handler returns, Xlib calls the exit handler. */
+    (void)display; /* After this error handler returns, Xlib calls the exit handler of the
+                      connection. */
     return 0;
 }
 
@@ -170,8 +172,8 @@ void screen_guard_x11(SDL_Window *window, void (*on_broken)(void *context), void
             set_exit(info.info.x11.display, connection_broken, &guard);
             set_error(keep_quiet);
         }
-        dlclose(library); /* SDL has also opened the library. Therefore the functions stay
-                             loaded. */
+        dlclose(library); /* The functions stay loaded after dlclose(), because SDL has also opened
+                             the library. */
     }
 }
 #else

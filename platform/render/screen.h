@@ -1,9 +1,9 @@
 /* screen.h -- detects which screens are connected, and when the connection to the screen breaks.
  *
  * SDL without a window system does not detect that a screen was unplugged or replaced. The kernel
- * lists the graphics cards, and the state of each connector, in /sys/class/drm. Reading this
- * directory causes no traffic to the screen. With a window system, only the X server's connection
- * can break. */
+ * lists the graphics cards and the state of each connector in /sys/class/drm. Reading this
+ * directory causes no traffic to the screen. With a window system, only the connection to the X
+ * server can break. */
 #ifndef KINGYO_PLATFORM_RENDER_SCREEN_H
 #define KINGYO_PLATFORM_RENDER_SCREEN_H
 
@@ -14,8 +14,8 @@
 #define SCREEN_CARD_MAX 64
 
 struct connectors {
-    uint32_t count;     /* Number of connectors. 0 means that there is no card or that the directory
-                           is unreadable. */
+    uint32_t count;     /* Number of connectors that the kernel lists. 0 means that there is no card
+                           or that the directory is unreadable. */
     uint32_t connected; /* Number of connectors with a screen. */
     uint64_t which;     /* Hash of the names of all connectors with a screen. 0 means that no
                            connector has a screen. */
@@ -36,20 +36,20 @@ struct connectors screen_connectors(const char *root);
 int screen_card_find(const char *root);
 
 /* Makes SDL's KMSDRM driver use the card that screen_card_find() returns. Has no effect if
- * SDL_KMSDRM_DEVICE_INDEX in the environment selects a card. Call before each
+ * SDL_KMSDRM_DEVICE_INDEX in the environment selects a card. Must be called before each
  * SDL_InitSubSystem(SDL_INIT_VIDEO). */
 void screen_card_prefer(void);
 
-/* Prevents that Xlib ends the process when the X server closes the connection of `window`.
+/* Prevents Xlib from ending the process when the X server closes the connection of `window`.
  * `on_broken` is called once with `context`, from inside a call to SDL or OpenGL. Does nothing if
  * the window system is not X11.
  *
  * On a broken connection, Xlib prints a line and calls exit(). Xlib calls exit() in its default
  * error handler, and also after a replaced error handler returns. In libX11 1.7 and later, a
- * program can replace the error handler and the exit handler. The functions that replace them are
- * loaded with dlsym(). Therefore the program does not link against X11, and other window systems
- * need no X11. After the break every further Xlib call on the connection fails without a
- * message. */
+ * program can replace the error handler and the exit handler. This module loads the functions that
+ * replace the handlers with dlsym(). Therefore the program does not link against X11, and other
+ * window systems need no X11. After the break every further Xlib call on the connection fails
+ * without a message. */
 void screen_guard_x11(SDL_Window *window, void (*on_broken)(void *context), void *context);
 
 #endif

@@ -1,4 +1,4 @@
-/* shape.c -- implementation of shape.h. */
+/* shape.c -- builds the grids of vertices of small solids, and uploads the meshes. */
 #include "platform/render/shape.h"
 
 #include "core/base/panic.h"

@@ -1,11 +1,12 @@
-/* specimen.c -- implementation of specimen.h. */
+/* specimen.c -- computes the projection and the size of a specimen (one fish on a screen). */
 #include "platform/render/specimen.h"
 
 #include <stddef.h>
 
 #include "core/base/panic.h"
 
-/* Angle by which the portrait of a fish turns toward the viewer, which makes its depth visible. */
+/* Angle in rad by which a fish in the portrait view turns toward the viewer. The turn makes the
+ * depth of the fish visible. */
 #define THREE_QUARTER_RAD (14.0f * F_DEG)
 
 /* Rotates the pair of vectors (x, y) by an angle whose cosine is `c` and whose sine is `s`. */

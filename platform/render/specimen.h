@@ -21,13 +21,13 @@ struct specimen {
     const struct species *species; /* Species data, which must not change until the frame has been
                                       drawn. */
     uint32_t edition;              /* Number that changes whenever the memory at `species` receives
-                                      the data of another fish. */
+                                      the data of a different species. */
     const struct morph_rig *rig;   /* Prepared deformation graphs, which must be valid until the
                                       frame has been drawn. Null means the species' own graphs. */
     float progress;                /* Progress through life, [0, 1]. */
     float x_px, y_px;              /* Screen position in pixels of the body's centre, which is the
                                       point z = 0 of the body's coordinate system. */
-    float length_px;               /* Length in pixels that stands for one body length of the
+    float length_px;               /* Length on the screen in pixels of one body length of the
                                       species, > 0. */
     /* Rotation. Zero shows the left side with the nose to the left. Yaw turns the nose toward the
      * viewer, pitch turns the back toward the viewer, and roll lowers the nose on the screen. */

@@ -46,8 +46,8 @@ void textures_open(struct gl_status *status, struct textures *textures)
 
 /* Returns the pattern layer for the appearance number `look`. All sixteen entries of `layers` are
  * equally likely. A frequent pattern has several entries, so that the patterns are as frequent as
- * at breeders and fairs: a third of the fish is all red or has a pale belly, few fish are white,
- * and the rest has patches. */
+ * at breeders and fairs. A third of the fish are all red or have a pale belly, few fish are white,
+ * and the others have patches. */
 float textures_pattern(uint32_t look)
 {
     static const uint8_t layers[16] = { 0, 0, 0, 1, 1, 1, 2, 3, 3, 4, 5, 6, 7, 9, 10, 8 };

@@ -8,7 +8,8 @@
 struct textures {
     GLuint caustics;    /* Array texture of the light pattern (caustics) on the floor. The layers
                            are the frames of one animation loop. */
-    GLuint patterns;    /* Array texture: the red patches and the scales of the goldfish. */
+    GLuint patterns;    /* Array texture of the goldfish patterns: the red patches and the
+                           scales. */
     GLuint environment; /* Environment map that the water reflects. */
     GLuint wood;
     GLuint paper;

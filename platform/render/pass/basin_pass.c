@@ -1,4 +1,5 @@
-/* basin_pass.c -- implementation of basin_pass.h. */
+/* basin_pass.c -- draws the tank with the water surface, its rim and the counter from one vertex
+ * buffer. */
 #include "platform/render/pass/basin_pass.h"
 
 #include <string.h>
@@ -14,7 +15,8 @@ struct corner {
 };
 
 struct face {
-    float a[3], b[3], c[3], d[3]; /* Corners of the face, in order around the face. */
+    float a[3], b[3], c[3], d[3]; /* Four corners of a face of the tank, in order around the
+                                     face. */
     float normal[3];
 };
 
@@ -30,10 +32,12 @@ enum basin_part {
 
 #define UP { 0.0f, 1.0f, 0.0f }
 #define VERTICES_PER_FACE 6u
-/* Slope that stands for a difference of 1 in the scene's surface data. */
+/* Surface slope in units of the scene's surface data. A value of 1 in these data means a slope of
+ * 1/508. */
 #define SLOPE_UNIT (1.0f / 508.0f)
-/* Period after which the time of the wind waves restarts at 0, so that the arguments of the sines
- * stay small and exact. The surface jumps slightly at each restart. */
+/* Period of the wind waves' animation in ticks. The time restarts at 0 after each period, so that
+ * the arguments of the sine functions stay small and exact. The water surface jumps slightly at
+ * each restart. */
 #define WIND_WRAP_TICKS (600u * CORE_TICK_HZ)
 
 static const struct face faces[] = {
@@ -46,7 +50,7 @@ static const struct face faces[] = {
     { { 1, -1, -1 }, { 1, -1, 1 }, { 1, 0, 1 }, { 1, 0, -1 }, { -1, 0, 0 } },
     /* Water surface. */
     { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 0, 1 }, { -1, 0, 1 }, UP },
-    /* Counter, in the order far, near, left, right. */
+    /* Counter (the table around the tank), in the order far, near, left, right. */
     { { -3, -1, -3 }, { 3, -1, -3 }, { 3, -1, -2 }, { -3, -1, -2 }, UP },
     { { -3, -1, 2 }, { 3, -1, 2 }, { 3, -1, 3 }, { -3, -1, 3 }, UP },
     { { -3, -1, -2 }, { -2, -1, -2 }, { -2, -1, 2 }, { -3, -1, 2 }, UP },
@@ -112,8 +116,8 @@ void basin_pass_open(struct gl_status *status, struct basin_pass *pass)
     gl_ring_open(
         status, "slopes", &pass->slope_ring,
         &(struct gl_texture_desc){
-            /* The texels are 16-bit floats because 8-bit slopes would make steps visible in the
-             * reflections of the lanterns. */
+            /* The texels are 16-bit floats. With 8-bit slopes, the reflections of the lanterns
+             * would have visible steps. */
             .internal_format = GL_RGBA16F,
             .format = GL_RGBA,
             .width = RIPPLE_X,
@@ -133,9 +137,9 @@ void basin_pass_close(struct basin_pass *pass)
     gl_ring_close(&pass->slope_ring);
 }
 
-/* A surface wave of a light wind. A few long, low waves are added to the surface slopes that the
- * core computes, so that the reflections of the lanterns always move. `slope` is in the scene's
- * units of 1/508. */
+/* A wave that a light wind causes on the water surface. The renderer adds a few long, low waves to
+ * the surface slopes that the core computes, so that the reflections of the lanterns always move.
+ * `slope` is in the scene's units of 1/508. */
 struct wind_wave {
     float x_rad_m, z_rad_m, rad_s, slope;
 };
@@ -221,8 +225,9 @@ void basin_pass_deck(const struct basin_pass *pass, const struct textures *textu
 {
     gl_bind_texture(0, GL_TEXTURE_2D, textures->wood);
     glDepthMask(GL_FALSE);
-    glUseProgram(pass->counter_program); /* The counter writes no depth. Therefore the faces are
-                                            drawn from the lowest to the highest. */
+    glUseProgram(pass->counter_program); /* The faces of the counter and of the rim are drawn from
+                                            the lowest to the highest, because the counter does not
+                                            write depth. */
     draw_part(pass, PART_COUNTER);
     glUseProgram(pass->side_program);
     draw_part(pass, PART_SIDES);

@@ -12,9 +12,10 @@ struct basin_pass {
     GLuint vertex_array, vertex_buffer;
     struct gl_ring slope_ring;
     float waves[RIPPLE_Z][RIPPLE_X][2];
-    float slopes[RIPPLE_Z][RIPPLE_X][4]; /* Four slopes for each point of the surface: along x and
-                                            along z for the reflection, then along x and along z for
-                                            the refraction, limited to SEEN_SLOPE_MAX. */
+    /* Four slopes for each point of the water surface. The first two are the slopes along x and
+     * along z for the reflection. The last two are the slopes along x and along z for the
+     * refraction, limited to SEEN_SLOPE_MAX. */
+    float slopes[RIPPLE_Z][RIPPLE_X][4];
 };
 
 void basin_pass_open(struct gl_status *status, struct basin_pass *pass);
@@ -26,11 +27,11 @@ void basin_pass_prepare(struct basin_pass *pass, const struct scene *scene);
 /* Draws the floor and the walls. The render target needs no depth buffer. */
 void basin_pass_ground(const struct basin_pass *pass, GLuint caustics, GLuint shadows);
 
-/* Draws the rim and the counter. Nearer objects hide them by the depth buffer. The rim and the
- * counter write no depth, because a poi is always held over the rim. */
+/* Draws the rim and the counter. The depth test hides the parts behind nearer objects. The rim and
+ * the counter write no depth, because a poi (paper scoop) is always held over the rim. */
 void basin_pass_deck(const struct basin_pass *pass, const struct textures *textures);
-/* Draws the water surface and writes its depth. `ground` is the picture of the floor and the walls.
- * `life` is the picture of all other objects under water. */
+/* Draws the water surface and writes its depth. `ground` is the texture with the floor and the
+ * walls. `life` is the texture with all other objects under water. */
 void basin_pass_water(const struct basin_pass *pass, const struct textures *textures, GLuint ground,
                       GLuint life);
 

@@ -1,5 +1,5 @@
-/* bowl_pass.c -- implementation of bowl_pass.h. The bowl's shell is a surface of revolution.
- * Horizontal lengths are in mouth radii, and vertical lengths in bowl depths. */
+/* bowl_pass.c -- draws the floating bowls. The bowl's shell is a surface of revolution. Horizontal
+ * lengths are in mouth radii, and vertical lengths in bowl depths. */
 #include "platform/render/pass/bowl_pass.h"
 
 #include "core/base/panic.h"
@@ -10,13 +10,15 @@
 #define SHELL_COLUMNS 49u
 #define SHELL_ROWS 12u
 #define LIP_ROWS 4u
-#define WALL 0.030f  /* Wall thickness in mouth radii, which stands for 2 mm of enamelled steel. */
+#define WALL                                                                                       \
+    0.030f           /* Thickness of the bowl's wall in mouth radii. The value corresponds to 2 mm
+                        of enamelled steel. */
 #define BOTTOM 0.94f /* Depth of the inner floor, in bowl depths. */
 #define DISC_ROWS 2u
 
 struct lathe {
-    float from, to; /* Range of the profile parameter t of profile(). 0 is the bottom, 1 is the
-                       lip. */
+    float from, to; /* Range of the parameter t of profile(). t is 0 at the bottom of the bowl and 1
+                       at the lip. */
     bool outside;
 };
 
@@ -115,7 +117,7 @@ static void use(const struct bowl_part *part, const struct scene_bowl *bowl)
     glUseProgram(part->program);
     glUniformMatrix3fv(part->heel, 1, GL_FALSE, heel);
     glUniform4f(part->mouth, at.x, at.y, at.z, bowl->radius_m);
-    /* The loop computes the profile's inner radius at height `level` (in bowl depths), by
+    /* The loop finds the inner radius of the profile at height `level` (in bowl depths) by
      * bisection. */
     float low = 0.0f;
     float high = 1.0f;

@@ -1,4 +1,4 @@
-/* fish_pass.c -- implementation of fish_pass.h. */
+/* fish_pass.c -- sorts the fish into groups and draws each group with instanced draw calls. */
 #include "platform/render/pass/fish_pass.h"
 
 #include <stdio.h>
@@ -94,7 +94,7 @@ static enum fish_group group_of(const struct scene_fish *fish, const struct fram
     }
     const float distance = v3_length(v3_sub(fish->position_m, view->eye_m));
     const bool near = fish->length_m * view->focal_px >= near_px * distance;
-    /* The fish gulps if its snout or its back is above the water surface. */
+    /* The fish counts as gulping if its snout or its back is above the water surface. */
     const float nose_m = 0.5f * fish->length_m * f_sin(fish->angles.pitch_rad);
     return (fish->position_m.y + f_max(nose_m, 0.15f * fish->length_m) > 0.0f)
                ? (near ? FISH_GULPING : FISH_GULPING_FAR)
@@ -198,7 +198,7 @@ static void draw_group(const struct fish_pass *pass, const struct fish_program *
     fish_mesh_draw(mesh, fins, (GLsizei)pass->count[group]);
 }
 
-/* Draws the bodies of the groups from `first` to `last`. */
+/* Draws the bodies of all groups of fish from group `first` to group `last`. */
 static void draw_bodies(const struct fish_pass *pass, const struct fish_program *program,
                         enum fish_group first, enum fish_group last,
                         const struct textures *textures, GLuint caustics)

@@ -14,8 +14,8 @@
 enum fish_group {
     FISH_FAR = 0, /* In the tank and small on the screen. Drawn with the far mesh. */
     FISH_NEAR,
-    FISH_GULPING_FAR, /* In the tank with the snout above the water surface, and small on the
-                         screen. */
+    FISH_GULPING_FAR, /* In the tank, with the snout above the water surface, and small on the
+                         screen. Drawn with the far mesh. */
     FISH_GULPING,
     FISH_ON_POI,
     FISH_IN_BOWL,
@@ -31,8 +31,8 @@ struct fish_instance {
 
 struct fish_program {
     GLuint name;
-    GLint reach; /* Location of the shader uniform `reach`, the length that the largest packed
-                    coordinate stands for. */
+    GLint reach; /* Location of the shader uniform `reach`, which is the `reach` of struct
+                    fish_mesh. */
 };
 
 struct fish_pass {
@@ -58,24 +58,26 @@ void fish_pass_close(struct fish_pass *pass);
 void fish_pass_prepare(struct fish_pass *pass, const struct scene *scene,
                        const struct frame_view *view, const struct quality *quality);
 
-/* Draws the bodies of one group of fish into a render target with depth, without blending. For
- * gulping fish, draws only the part below the water surface. */
+/* Draws the bodies of one group of fish into a render target with a depth buffer. For gulping fish,
+ * draws only the part below the water surface. */
 void fish_pass_bodies(const struct fish_pass *pass, enum fish_group group,
                       const struct textures *textures, GLuint caustics);
 /* Draws the fins of one group of fish with premultiplied blending. */
 void fish_pass_fins(const struct fish_pass *pass, enum fish_group group, GLuint caustics);
 
-/* Draws the snouts of gulping fish. Each whole fish is drawn into a render target whose depth hides
- * the part below the surface. */
+/* Draws the parts of gulping fish that are above the water surface. Each fish is drawn completely
+ * into a render target with a depth buffer, and the depth of the water surface hides the lower
+ * part. */
 void fish_pass_snouts(const struct fish_pass *pass, const struct textures *textures,
                       GLuint caustics);
 
-/* Draws the rings on the water surface that gulping fish cause. Call after the water and before
- * objects above the water. */
+/* Draws the rings on the water surface that gulping fish cause. Must be called after the water is
+ * drawn and before the objects above the water. */
 void fish_pass_rings(const struct fish_pass *pass);
 
-/* Binds the instances of the fish that cast shadows to attributes 0, 1 and 2 of the bound vertex
- * array. These fish are in the tank or on a poi. Returns the number of these instances. */
+/* Binds the instances of the fish that cast shadows to the vertex attributes 0, 1 and 2 of the
+ * bound vertex array. Fish in the tank and fish on a poi (paper scoop) cast shadows. Returns the
+ * number of these instances. */
 GLsizei fish_pass_shadow_casters(const struct fish_pass *pass);
 
 #endif

@@ -1,4 +1,5 @@
-/* light_pass.c -- implementation of light_pass.h. */
+/* light_pass.c -- draws the caustics (the pattern of focused light) and the shadow map of the
+ * tank's floor. */
 #include "platform/render/pass/light_pass.h"
 
 #include <stdio.h>
@@ -63,8 +64,8 @@ static void disc_shadow(const struct light_pass *pass, const float pose[16], flo
                         float radius_m, const float shape[3])
 {
     CORE_ASSERT(radius_m > 0.0f);
-    /* The width of a shadow's soft edge increases with the height of the object above the floor, as
-     * for the shadows of fish. */
+    /* The width of the soft edge of a shadow increases with the height of the object above the
+     * floor. The shadows of fish follow the same rule. */
     const float blur = (0.004f + f_max(height_m, 0.0f) * 0.10f) / radius_m;
     glUniformMatrix4fv(pass->disc_pose, 1, GL_FALSE, pose);
     glUniform4f(pass->disc_softness, f_clamp(blur, 0.08f, 0.9f), shape[0], shape[1], shape[2]);

@@ -11,8 +11,8 @@
 struct light_pass {
     GLuint caustics_program, fish_program, disc_program;
     GLint disc_pose, disc_softness, disc_slant;
-    GLuint no_attributes, casters; /* Vertex array without attributes, and vertex array with the
-                                      instances of the shadow casters. */
+    GLuint no_attributes, casters; /* Vertex array without attributes (`no_attributes`), and vertex
+                                      array with the instances of the shadow casters (`casters`). */
     struct gl_target caustics;     /* One tile of the caustics texture, which is repeated over the
                                       floor. */
     struct gl_target shadows;      /* Shadow map of the floor, seen from above. A value of 0 means
@@ -25,7 +25,7 @@ void light_pass_close(struct light_pass *pass);
 /* Draws the tile of caustics at the current time. */
 void light_pass_caustics(const struct light_pass *pass, const struct textures *textures);
 
-/* Draws the shadow map. Call after fish_pass_prepare() and poi_pass_prepare(). */
+/* Draws the shadow map. Must be called after fish_pass_prepare() and poi_pass_prepare(). */
 void light_pass_shadows(const struct light_pass *pass, const struct scene *scene,
                         const struct fish_pass *fish, const struct poi_pass *poi);
 

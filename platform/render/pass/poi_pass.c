@@ -1,5 +1,5 @@
-/* poi_pass.c -- implementation of poi_pass.h. The meshes of the ring and the handle have lengths in
- * inner radii of the ring. */
+/* poi_pass.c -- draws the pois (paper scoops). The meshes of the ring and the handle have lengths
+ * in inner radii of the ring. */
 #include "platform/render/pass/poi_pass.h"
 
 #include <string.h>
@@ -11,8 +11,8 @@
 /* Number of samples along each side of the square around the paper. Neighbouring samples are 6.7 mm
  * apart. */
 #define LINES 12u
-/* Number of bisection steps. They narrow a range of some centimetres to a hundredth of a
- * millimetre. */
+/* Number of bisection steps. This number of steps narrows a range of some centimetres to a
+ * hundredth of a millimetre. */
 #define HALVINGS 12
 
 /* Heights of the paper above the ring's centre, at the sample points on the paper. */
@@ -53,8 +53,8 @@ struct poi_pool poi_pool_of(const struct scene_poi *poi)
         for (uint32_t k = 0; k < relief.count; k++) {
             sum_m += f_max(middle_m - relief.height_m[k], 0.0f);
         }
-        /* The quotient is the mean depth of the water, over the whole paper, if the water's surface
-         * is at `middle_m`. */
+        /* sum_m / relief.count is the mean depth of the water over the whole paper if the surface
+         * of the water is at the height `middle_m`. */
         if (sum_m / (float)relief.count < depth_m) {
             low_m = middle_m;
         } else {
@@ -65,22 +65,25 @@ struct poi_pool poi_pool_of(const struct scene_poi *poi)
     return pool;
 }
 
-/* Middle radius of the ring. The inner radius is 40 mm, and the outer radius is 46.5 mm. */
+/* Radius of the middle of the ring's rim, in inner radii of the ring. In a real poi, the inner
+ * radius is 40 mm and the outer radius is 46.5 mm. */
 #define RING_MIDDLE 1.08f
 #define RING_HALF_WIDTH 0.085f
 #define RING_HALF_HEIGHT 0.062f
 #define RING_COLUMNS 57u
 #define RING_ROWS 11u
 #define HANDLE_START 1.10f
-#define HANDLE_LENGTH 2.55f /* Length of the handle, 10 cm in the real poi. */
+#define HANDLE_LENGTH                                                                              \
+    2.55f /* Length of the handle in inner radii of the ring. In a real poi, the length is 10 cm. */
 #define HANDLE_ROWS 22u
 #define HANDLE_COLUMNS 13u
 #define PAPER_COLUMNS 49u
 #define PAPER_ROWS 11u
-/* Maximum number of fish that darken the paper from below. Must equal the array size of `rests` in
- * poi_paper.frag.glsl. More fish would add no visible shade. */
+/* Maximum number of fish on the paper that darken the paper. Must equal the array size of `rests`
+ * in poi_paper.frag.glsl. More fish would add no visible shade. */
 #define RESTS_MAX 2
-#define REACH 3.8f /* Distance from the ring's centre to the handle's end, in ring radii. */
+#define REACH                                                                                      \
+    3.8f /* Distance from the ring's centre to the handle's end, in inner radii of the ring. */
 
 const float *poi_paint(uint8_t owner)
 {
@@ -126,10 +129,9 @@ static struct shape_vertex paper_point(float u, float v, const void *context)
 {
     (void)context;
     const float around = -u * F_TAU;
-    const float r = f_sqrt(v) * 1.01f; /* Because of the square root, the areas between
-                                          consecutive rings of vertices are equal. The factor
-                                          1.01 places the outermost vertices inside the plastic
-                                          of the poi's ring. */
+    const float r = f_sqrt(v) * 1.01f; /* The square root gives equal areas between consecutive
+                                          circles of vertices. The factor 1.01 places the outermost
+                                          vertices inside the plastic of the poi's ring. */
     return (struct shape_vertex){ .position = v3(r * f_cos(around), r * f_sin(around), 0.0f) };
 }
 

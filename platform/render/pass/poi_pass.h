@@ -1,6 +1,6 @@
 /* poi_pass.h -- draws the pois (paper scoops): the ring, the handle, and the paper with the wet
- * cells and holes that the simulation computes. Also computes where the water lies that a poi
- * carries. */
+ * cells and holes that the simulation computes. Also computes the place and the level of the water
+ * that a poi carries. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_POI_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_POI_PASS_H
 
@@ -12,18 +12,17 @@
 /* Maximum thickness of the water film on each face of the paper. Further water collects in the
  * pool. */
 #define POI_FILM_M 0.0006f
-/* Level of a water pool that is far below all objects. The value means that a poi carries no
- * pool. */
+/* Level of the water pool of a poi that carries no pool. The level is far below all objects. */
 #define POI_NO_POOL_M -1e3f
 
 struct poi_pool {
-    float level_m; /* World height of the pool's surface. POI_NO_POOL_M means no pool. */
-    float film_m;  /* Thickness of the water film on the paper, at most POI_FILM_M. */
+    float level_m; /* World height of the pool's surface in metres. POI_NO_POOL_M means no pool. */
+    float film_m;  /* Thickness of the water film on the paper in metres, at most POI_FILM_M. */
 };
 
-/* Returns the pool of a poi. The pool's surface is horizontal in every pose of the poi. The water
- * lies in the sagging paper, against the low side of the ring, or, if the poi is upside down,
- * inside the ring. The pool's volume equals the scene's `water_m`. */
+/* Returns the pool of water that a poi carries. The pool's surface is horizontal in every pose of
+ * the poi. The water lies in the sagging paper or against the low side of the ring. If the poi is
+ * upside down, the water lies inside the ring. The pool's volume equals the scene's `water_m`. */
 struct poi_pool poi_pool_of(const struct scene_poi *poi);
 
 struct poi_pass {
@@ -43,7 +42,8 @@ const float *poi_paint(uint8_t owner);
 void poi_pass_open(struct gl_status *status, struct poi_pass *pass);
 void poi_pass_close(struct poi_pass *pass);
 
-/* Uploads the paper sheet of each poi. */
+/* Uploads the state of each poi's paper (wetness, integrity, presence and stress of each cell) to
+ * the textures. */
 void poi_pass_prepare(struct poi_pass *pass, const struct scene *scene);
 
 /* Returns true if any part of the poi may be below the water surface. */
@@ -51,10 +51,10 @@ bool poi_is_below(const struct scene_poi *poi);
 /* Returns true if any part of the poi may be above the water surface. */
 bool poi_is_above(const struct scene_poi *poi);
 
-/* Draws the ring and the handle of one poi into a render target with depth. */
+/* Draws the ring and the handle of one poi into a render target with a depth buffer. */
 void poi_pass_frame(const struct poi_pass *pass, const struct scene_poi *poi);
-/* Draws the paper of poi number `index` of the scene with blending, into a render target with
- * depth. The paper is darker where fish lie on it. */
+/* Draws the paper of poi number `index` of the scene with blending, into a render target with a
+ * depth buffer. The paper is darker where fish lie on it. */
 void poi_pass_paper(const struct poi_pass *pass, const struct scene *scene, uint32_t index,
                     const struct textures *textures);
 

@@ -1,4 +1,4 @@
-/* quad_pass.c -- implementation of quad_pass.h. */
+/* quad_pass.c -- draws the bubbles, the drops, the hand-held fans and the edge of the picture. */
 #include "platform/render/pass/quad_pass.h"
 
 #include "core/base/panic.h"
@@ -11,28 +11,30 @@
  * surface. */
 #define BUBBLE_COUNT 72
 #define DROPS_MAX 5
-/* Minimum mean depth of the water on the paper at which drops fall. A thinner layer adheres to the
- * paper. */
+/* Minimum mean depth in metres of the water on the paper at which drops fall. A thinner layer of
+ * water adheres to the paper. */
 #define DRIPS_FROM_M 0.0002f
-/* Mean depth of the water on the paper at which DROPS_MAX drops fall. */
+/* Mean depth in metres of the water on the paper at which DROPS_MAX drops fall. */
 #define DRIPS_FULL_M 0.0015f
-/* Minimum height above the water surface of the poi's low side at which drops fall. */
+/* Minimum height in metres of the poi's low side above the water surface at which drops fall. */
 #define CLEAR_M 0.008f
 /* Distance of the drops from the paper's centre, in paper radii. Drops fall from the ring's outer
  * edge. */
 #define RING_REACH 1.17f
-/* Height of the hand-held fan above the water. At this height, from the player's eye, the fan hides
- * half of its shadow on the water and little of the floor. */
+/* Height in metres of the hand-held fan above the water. From the player's eye, a fan at this
+ * height hides half of its shadow on the water and little of the floor. */
 #define FAN_HEIGHT_M 0.15f
 /* Tilt of the hand-held fan. The far edge is lower, so that the player sees the picture on the
  * fan. */
 #define FAN_PITCH_RAD (-7.0f * F_DEG)
-/* Amplitude of the fan's sway. The sway imitates a human hand, which is never quite still. */
+/* Amplitude of the hand-held fan's sway in rad. The sway imitates a human hand, which is never
+ * quite still. */
 #define SWAY_RAD (1.6f * F_DEG)
 #define SWAY_HZ 0.23f
-/* Transparency of a fan that has not been moved for SEEN_TO_S seconds. */
+/* Transparency of a hand-held fan that has not been moved for SEEN_TO_S seconds. */
 #define SEEN_THROUGH 0.34f
-/* Time in seconds without motion after which a fan becomes transparent. */
+/* Time in seconds without motion after which a hand-held fan begins to become transparent. The
+ * transparency increases until SEEN_TO_S. */
 #define SEEN_FROM_S 0.6f
 #define SEEN_TO_S 2.0f
 
@@ -77,7 +79,8 @@ void quad_pass_air(const struct quad_pass *pass, const struct scene *scene)
     if (pump->present) {
         glUseProgram(pass->bubble_program);
         glUniform3f(pass->stone, pump->stone_m.x, pump->stone_m.y, pump->stone_m.z);
-        /* The first quad is the air stone. */
+        /* The first quad is the air stone (the outlet of the air pump). The following quads are its
+         * bubbles. */
         draw_translucent(pass, 1 + (pump->runs ? BUBBLE_COUNT : 0));
     }
 }
@@ -87,7 +90,7 @@ void quad_pass_air(const struct quad_pass *pass, const struct scene *scene)
 static vec3 low_side(const struct scene_poi *poi)
 {
     const vec3 up = vec_basis_from_angles(poi->angles).up;
-    /* Direction of steepest descent in the plane of the poi's ring. */
+    /* `down` is the direction of steepest descent in the plane of the poi's ring. */
     const vec3 down = v3(up.x * up.y, up.y * up.y - 1.0f, up.z * up.y);
     const float steep = v3_length(down);
     const float reach_m = RING_REACH * poi->ring_radius_m * f_smoothstep(0.03f, 0.20f, steep);
@@ -130,8 +133,8 @@ void quad_pass_fans(const struct quad_pass *pass, const struct scene *scene,
                                        .roll_rad = SWAY_RAD * f_cos(sway) };
         frame_pose(pose, v3(fan->x_m, FAN_HEIGHT_M, fan->z_m), angles, fan->radius_m);
         glUniformMatrix4fv(pass->fan_pose, 1, GL_FALSE, pose);
-        /* A fan that is not moved becomes partly transparent, so that its player sees the fish
-         * behind the fan. */
+        /* A hand-held fan that is not moved becomes partly transparent, so that its player sees the
+         * fish behind the fan. */
         const float through = SEEN_THROUGH * f_smoothstep(SEEN_FROM_S, SEEN_TO_S, fan->still_s);
         const float *const paint = poi_paint(fan->owner);
         glUniform4f(pass->fan_trim, paint[0], paint[1], paint[2], 1.0f - through);

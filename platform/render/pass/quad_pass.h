@@ -1,6 +1,6 @@
 /* quad_pass.h -- draws the objects that need no mesh, because their shaders compute each object
- * from a few quads: the air stone with its bubbles, the drops that fall from a wet poi, the
- * hand-held fans, and the black edge of the picture. */
+ * from a few quads. These objects are the air stone (the outlet of the air pump) with its bubbles,
+ * the drops that fall from a wet poi, the hand-held fans, and the black edge of the picture. */
 #ifndef KINGYO_PLATFORM_RENDER_PASS_QUAD_PASS_H
 #define KINGYO_PLATFORM_RENDER_PASS_QUAD_PASS_H
 
@@ -17,12 +17,13 @@ void quad_pass_open(struct gl_status *status, struct quad_pass *pass);
 void quad_pass_close(struct quad_pass *pass);
 
 /* Draws the air stone on the tank's floor, and its bubbles while the air pump runs, into a render
- * target with depth. Call after all opaque objects have been drawn. Draws nothing if the tank has
- * no air stone. */
+ * target with a depth buffer. Must be called after all opaque objects have been drawn. Draws
+ * nothing if the tank has no air stone. */
 void quad_pass_air(const struct quad_pass *pass, const struct scene *scene);
 
-/* Draws the drops that fall from each wet poi (the paper scoop) that is held over the water, into a
- * render target with depth. Call after the bowls and before the pois. */
+/* Draws the drops that fall from each wet poi (the paper scoop) that is held over the water,
+ * into a render target with a depth buffer. Must be called after the bowls and before the pois
+ * are drawn. */
 void quad_pass_drips(const struct quad_pass *pass, const struct scene *scene);
 
 /* Draws the hand-held fans over all other objects of the scene, with blending. The render target

@@ -1,4 +1,5 @@
-/* specimen_pass.c -- implementation of specimen_pass.h. */
+/* specimen_pass.c -- draws specimens, and manages the cache slots and the textures of their
+ * species. */
 #include "platform/render/pass/specimen_pass.h"
 
 #include <string.h>
@@ -10,15 +11,17 @@
 
 #define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"
 #define SAMPLERS "paints shines patterns"
-#define NEAR_PX 150.0f /* Fish length in pixels. A shorter fish is drawn with the far mesh. */
-/* Maximum distance, in body lengths, by which the swimming motion moves a vertex beyond the mesh's
- * extent. */
+#define NEAR_PX                                                                                    \
+    150.0f /* Minimum fish length in pixels from which the near mesh is drawn. A shorter fish is
+              drawn with the far mesh. */
+/* Maximum distance by which the swimming motion moves a vertex beyond the extent of the resting
+ * mesh, in body lengths. */
 #define SWAY_LENGTHS 0.3f
-/* Maximum painting time per frame in ns while a visible texture is coarse. */
+/* Maximum painting time per frame in ns while a visible texture is only coarsely painted. */
 #define WORK_NS 10000000u
-/* Maximum painting time per frame in ns while no visible texture is coarse. */
+/* Maximum painting time per frame in ns while no visible texture is only coarsely painted. */
 #define REST_NS 3000000u
-#define CLEAR_MIN 0.02f /* Minimum transparency at which a body is drawn as transparent. */
+#define CLEAR_MIN 0.02f /* Minimum transparency from which a fish's body is drawn as transparent. */
 
 static struct specimen_screen screen_of(GLuint program)
 {
@@ -126,7 +129,8 @@ static void specimen_pass_fill_slot(struct specimen_pass *pass, struct specimen_
 }
 
 /* Returns the cache slot that is reserved for a built-in species. Returns null for any other
- * species. `edition` is not compared because the data of built-in species never change. */
+ * species. Compares only the address of the species, because the data of built-in species never
+ * change. */
 static struct specimen_slot *home_of(struct specimen_pass *pass, const struct species *species)
 {
     for (uint32_t i = 0; i < species_table_count && i < SPECIES_BUILT_IN; i++) {
@@ -138,7 +142,7 @@ static struct specimen_slot *home_of(struct specimen_pass *pass, const struct sp
 }
 
 /* Returns the cache slot that holds a species that is not built in. If no slot holds the species,
- * returns the least recently used of the slots for species that are not built in. */
+ * returns the least recently used slot among the slots for species that are not built in. */
 static struct specimen_slot *other_of(struct specimen_pass *pass, const struct specimen *specimen)
 {
     struct specimen_slot *rested = &pass->slots[SPECIES_BUILT_IN];
@@ -229,7 +233,8 @@ void specimen_pass_finish(struct specimen_pass *pass, const struct specimen *spe
                       FISH_TEXTURE_SHEETS * FISH_TEXTURE_BANDS);
 }
 
-/* Values of the uniforms that the shader programs of the body and of the fins share. */
+/* Values of the shader uniforms that are identical in the programs for the body and for the
+ * fins. */
 struct told {
     float sheets[3];
     float look[4];
@@ -337,7 +342,7 @@ void specimen_pass_draw(struct specimen_pass *pass, const struct specimen *speci
     send_specimen_uniforms(&pass->body, specimen, slot, &told);
     send_specimen_uniforms(&pass->fin, specimen, slot, &told);
     /* The depth is cleared around the specimen. The depth of earlier specimens is not needed
-     * because specimens do not overlap on a page. */
+     * because specimens on a screen do not overlap. */
     const float reach = (mesh->reach + SWAY_LENGTHS) * specimen->length_px;
     const float x = transform->x + transform->xx * specimen->x_px + transform->xy * specimen->y_px;
     const float y = transform->y + transform->yx * specimen->x_px + transform->yy * specimen->y_px;

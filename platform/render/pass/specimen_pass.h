@@ -41,7 +41,7 @@ struct specimen_slot {
     struct fish_texture *worn; /* Texture with which the species is drawn: the slot's own `skin`, or
                                   the texture of a built-in species with identical paint. */
     struct fish_mesh mesh[SPECIES_LOD_COUNT];
-    struct morph_rig rig; /* Prepared deformation graphs of the species. */
+    struct morph_rig rig; /* Prepared deformation graphs of the species in the cache slot. */
     struct fish_texture skin;
 };
 
@@ -49,7 +49,7 @@ struct specimen_pass {
     struct specimen_program body, fin, shadow;
     struct specimen_slot slots[SPECIMEN_SLOTS];
     GLuint pose_buffer, no_attributes;
-    GLuint patterns; /* Pattern texture owned by struct textures. */
+    GLuint patterns; /* Texture with the goldfish patterns, which struct textures owns. */
     uint32_t draw_count;
     struct morph_pose pose;
     float texels[POSE_TEXELS_MAX][4];
@@ -57,8 +57,8 @@ struct specimen_pass {
     struct paint_brush brush;
 };
 
-/* Creates programs and buffers. `textures` must stay open until the pass is closed, because the
- * pass uses its patterns. */
+/* Creates the shader programs and buffers. The caller must keep `textures` open until
+ * specimen_pass_close(), because the pass uses the pattern texture. */
 void specimen_pass_open(struct gl_status *status, struct specimen_pass *pass,
                         const struct textures *textures);
 void specimen_pass_close(struct specimen_pass *pass);
