@@ -107,16 +107,16 @@ struct sink {
     size_t used, size;
 };
 
-/* Appends bytes to the sink and drops the bytes that do not fit. Patterns contain no multi-byte
- * character, so that no character of a pattern is cut in the middle. */
+/* Appends text to the output buffer. If the text does not fit, appends only the characters that fit
+ * and drops all later text. */
 static void sink_put(struct sink *sink, const char *at, size_t size)
 {
     CORE_ASSERT(sink->used < sink->size);
     size_t room = sink->size - 1u - sink->used;
     if (size > room) {
         size = printable_fit(at, (uint32_t)room);
-        sink->size = sink->used + size + 1u; /* After this assignment the sink has no room left, so
-                                                that later bytes are dropped. */
+        sink->size = sink->used + size + 1u; /* After this assignment the output buffer has no free
+                                                space, so that later bytes are dropped. */
     }
     memcpy(sink->out + sink->used, at, size);
     sink->used += size;
@@ -141,8 +141,8 @@ static size_t find_literal(struct span text, const char *literal, size_t size)
 }
 
 /* Returns true if `line` matches `pattern`, and writes the text of each gap {} to `gap`. A gap ends
- * at the first occurrence of the literal text that follows the gap in the pattern. The last literal
- * text must be at the end of the line. */
+ * where the literal text that follows the gap in the pattern first occurs. The last literal text
+ * must be at the end of the line. */
 static bool matches(struct span line, const char *pattern, struct span gap[GAPS_MAX])
 {
     const char *brace = strstr(pattern, "{}");
@@ -181,8 +181,8 @@ static enum text_key pattern_of(struct span line, struct span gap[GAPS_MAX])
 static void write_translated_line(struct sink *sink, uint8_t language, struct span line,
                                   uint32_t depth);
 
-/* Writes the translation of `key` with the gaps filled in. The text of a gap is translated too if
- * it is a message, such as the reason of a failure. */
+/* Writes the translation of `key` with the gaps filled in. If the text of a gap is itself a
+ * message, such as the reason of a failure, this text is translated too. */
 static void write_pattern(struct sink *sink, uint8_t language, enum text_key key,
                           const struct span gap[GAPS_MAX], uint32_t depth)
 {
@@ -196,8 +196,8 @@ static void write_pattern(struct sink *sink, uint8_t language, enum text_key key
     sink_put(sink, words, strlen(words));
 }
 
-/* Translates the whole line if its pattern is known. Otherwise translates each part that "; "
- * separates. The recursion depth is at most DEPTH_MAX. */
+/* Translates the whole line if a pattern matches the line. Otherwise translates each part of the
+ * line between separators "; ". The recursion depth is at most DEPTH_MAX. */
 static void write_translated_line(struct sink *sink, uint8_t language, struct span line,
                                   uint32_t depth)
 {

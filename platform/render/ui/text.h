@@ -17,11 +17,12 @@
 /* Maximum size of a text line in bytes, including the inserted number and the terminating zero. */
 #define TEXT_LINE_MAX 256u
 
-/* Returns the text of `key`, never null. Returns Japanese for an unknown language. */
+/* Returns the text of `key` in `language`, never null. If `language` is unknown, returns the
+ * Japanese text. */
 const char *text_words(uint8_t language, enum text_key key);
 
-/* Copies `words` with the first {} replaced by `number`. If `out` is too small, the text is cut
- * after a whole character. */
+/* Copies `words` to `out`, and replaces the first {} by `number`. If `out` is too small, the text
+ * is cut after a whole character. */
 void text_number(char *out, size_t out_size, const char *words, uint32_t number);
 
 /* Returns the glyph of a character, or null if the font was baked without the character. */
@@ -32,8 +33,8 @@ const struct font_glyph *text_glyph(enum font_id font, uint32_t code);
  * 0. */
 const struct font_glyph *text_glyph_or_mark(enum font_id font, uint32_t code);
 
-/* Returns the width of a text in ems, from the first pen position to the last. `spacing_em` is
- * added between characters. */
+/* Returns the width of a text in ems, from the pen position before the first character to the pen
+ * position after the last. `spacing_em` is added between characters. */
 float text_width_em(enum font_id font, const char *words, float spacing_em);
 
 /* Maximum size of a translated line in bytes. A Japanese character needs up to three bytes. */

@@ -1,5 +1,5 @@
-/* ui.c -- draws the batch of quads from one vertex buffer. Consecutive quads of one kind are drawn
- * by one draw call. */
+/* ui.c -- draws the batch of quads from one vertex buffer. Consecutive quads of the same kind are
+ * drawn by one draw call. */
 #include "platform/render/ui/ui.h"
 
 #include <GLES3/gl3.h>
@@ -22,8 +22,8 @@ static void add_attribute(GLuint location, GLint count, GLenum type, size_t offs
                           (const void *)offset);
 }
 
-/* Creates the vertex buffer and the index buffer. The indices of all quads are constant, and only
- * the vertices change from frame to frame. */
+/* Creates the vertex buffer and the index buffer. The indices of all quads are constant. Only the
+ * vertices change from frame to frame. */
 static void make_buffers(struct ui *ui)
 {
     static uint16_t indices[UI_QUADS_MAX * INDICES_PER_QUAD];
@@ -120,7 +120,7 @@ static void draw_quads(const struct ui *ui, uint32_t first, uint32_t limit,
         set_state(ui, transform);
     }
     while (first < limit) {
-        /* Consecutive quads of one kind, with the indices from `first` to `end` - 1, are drawn in
+        /* All consecutive quads of one kind, from index `first` to index `end` - 1, are drawn in
          * one draw call. */
         const uint8_t kind = ui->batch.kinds[first];
         float turn[4], move[2];

@@ -22,14 +22,14 @@
 struct ui {
     struct ui_batch batch;
     struct ui_memory memory;
-    uint32_t programs[UI_KIND_COUNT];                 /* OpenGL programs, one for each enum
+    uint32_t programs[UI_KIND_COUNT];                 /* OpenGL shader programs, indexed by enum
                                                          ui_kind. */
-    int32_t to_clip[UI_KIND_COUNT];                   /* Locations of the shader uniforms for the
-                                                         factors that convert pixels to clip
-                                                         space. */
-    int32_t turn[UI_KIND_COUNT], move[UI_KIND_COUNT]; /* Locations of the shader uniforms for the
-                                                         rotation and the position of the
-                                                         picture. */
+    int32_t to_clip[UI_KIND_COUNT];                   /* Location in each shader program of the
+                                                         uniform with the factors that convert
+                                                         pixels to clip space. */
+    int32_t turn[UI_KIND_COUNT], move[UI_KIND_COUNT]; /* Locations in each shader program of the
+                                                         uniforms for the rotation (`turn`) and the
+                                                         position (`move`) of the picture. */
     uint32_t vertex_array, vertex_buffer, index_buffer;
     uint32_t font_texture, paper_texture;
 };
@@ -50,8 +50,8 @@ int ui_init(struct ui *ui, char *why, size_t why_size);
 void ui_draw(struct ui *ui, struct specimen_pass *specimens, const struct scene *scene,
              const struct display_transform *transform);
 
-/* Draws the current content of the batch. The requirements and the OpenGL state afterwards are
- * those of ui_draw(). */
+/* Draws the current content of the batch without filling the batch. The requirements and the OpenGL
+ * state after the call are those of ui_draw(). */
 void ui_show(struct ui *ui, struct specimen_pass *specimens,
              const struct display_transform *transform);
 

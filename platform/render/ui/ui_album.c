@@ -9,7 +9,8 @@
 
 #define TAU 6.28318531f
 #define SEAL_SIZE 19.0f
-/* Length of the hatchling, as a fraction of its full length in the picture. */
+/* Length on the screen of the newly hatched fish, as a fraction of the full-grown fish's length in
+ * the picture. */
 #define YOUNG_SIZE 0.40f
 
 /* ---- Layout of the pictures ----------------------------------------------------------------- */
@@ -55,7 +56,8 @@ static float ripe(const struct scene_grown *fish)
     return ui_smooth(whole - key, whole, fish->progress);
 }
 
-/* Draws the seal of the catch, which appears when the animated age reaches the day of the catch. */
+/* Draws the seal of the catch. The seal appears when the animated age reaches the fish's age on the
+ * day of the catch. */
 static void met_seal(const struct ui_frame *frame, struct ui_box water,
                      const struct scene_grown *fish)
 {
@@ -164,7 +166,7 @@ void ui_album(const struct ui_frame *frame, const struct scene *scene)
     ui_text_at(frame, &small, 0.5f * frame->width, 92.0f * u, words);
     for (uint32_t i = 0; i < album->fish_count; i++) {
         const float in = ui_smooth(0.15f * (float)i, 0.15f * (float)i + 0.4f, scene->phase_s);
-        /* A last row of pictures that is not full is centred. */
+        /* If the last row of pictures is not full, the row is centred. */
         const uint32_t row = i / grid.columns, column = i % grid.columns;
         const uint32_t in_row =
             row + 1u < grid.rows ? grid.columns : album->fish_count - row * grid.columns;

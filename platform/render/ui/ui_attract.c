@@ -34,7 +34,7 @@ void ui_attract(const struct ui_frame *frame, const struct scene *scene)
         ui_credits(frame, scene, 0.5f * frame->width, frame->height - 230.0f * u);
     }
     ui_start_ribbon(frame, scene, frame->height - 108.0f * u, TEXT_START);
-    /* The line about the mouse is omitted if no poi is present. */
+    /* The line about the mouse is omitted if no poi (paper scoop) is present. */
     const struct ui_text text = { .font = FONT_BODY,
                                   .size_px = 17.0f * u,
                                   .align = 0.5f,
@@ -57,8 +57,8 @@ void ui_ready(const struct ui_frame *frame, const struct scene *scene,
 {
     const float u = frame->unit, x = 0.5f * frame->width, y = 0.42f * frame->height;
     const float whole = ceilf(scene->seconds_left), radius = 128.0f * u;
-    const float gone = whole - scene->seconds_left; /* Fraction of the current second that has
-                                                       elapsed, [0, 1]. */
+    const float gone = whole - scene->seconds_left; /* `gone` is the fraction of the current second
+                                                       that has elapsed, [0, 1]. */
     const float in = ui_smooth(0.15f, 0.5f, scene->phase_s);
     ui_noren(frame, ui_smooth(0.0f, 0.6f, scene->phase_s));
     frame->batch->opacity = in;
@@ -151,8 +151,8 @@ static void tag_words(const struct ui_frame *frame, const struct scene *scene, u
         ui_text(frame->batch, &line, x, box.y + 188.0f * u, ui_words(frame, TEXT_LAB_SHAPES));
         ui_text(frame->batch, &line, x, box.y + 228.0f * u, ui_words(frame, TEXT_LAB_GRAPH));
     } else {
-        /* The duration is a text such as "3 minutes" or "90 seconds". Minutes are used only for a
-         * whole number of minutes from two upward. */
+        /* The duration is written as a text such as "3 minutes" or "90 seconds". Minutes are used
+         * only if the duration is a whole number of at least two minutes. */
         const uint32_t seconds = scene->offer[mode].round_s;
         const int even = seconds >= 120u && seconds % 60u == 0;
         text_number(words, sizeof words,
@@ -214,9 +214,9 @@ void ui_choose(const struct ui_frame *frame, const struct scene *scene,
     for (uint8_t mode = 0; mode < CHOICE_COUNT; mode++) {
         count += scene->modes >> mode & 1u;
     }
-    const float tags_max = fmaxf((float)count, 3.0f); /* Two tags together are as wide as three
-                                                         tags, because two wider tags would be too
-                                                         broad. */
+    const float tags_max = fmaxf((float)count, 3.0f); /* If there are only two tags, each tag is as
+                                                         wide as in a row of three tags. Otherwise
+                                                         the two tags would be too broad. */
     const float gap = (count > 3u ? 14.0f : 24.0f) * u, height = 300.0f * u;
     const float room = frame->width - (count > 3u ? 36.0f : 60.0f) * u;
     const float width = fminf(316.0f * u, (room - (tags_max - 1.0f) * gap) / tags_max);

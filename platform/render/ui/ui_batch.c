@@ -4,8 +4,8 @@
 #include "assets.h"
 #include "core/base/panic.h"
 
-/* Maximum width of an outline in atlas pixels. Beyond this width the distance field of the font is
- * constant. The font atlas leaves a margin of this width around each letter. */
+/* Width in atlas pixels of the margin around each letter in the font atlas. An outline cannot be
+ * wider, because the distance field is constant beyond this distance. */
 #define REACH_PX ((float)ASSET_FONT_EDGE / (float)ASSET_FONT_STEP)
 
 void ui_batch_clear(struct ui_batch *batch)
@@ -25,8 +25,8 @@ static void unpack(uint8_t out[4], uint32_t colour, float opacity)
     out[3] = (uint8_t)((float)(colour & 0xffu) * opacity + 0.5f);
 }
 
-/* Adds a quad that fills the box of `shape`. Returns the first of its four vertices. Returns null
- * if the batch is full or its opacity is 0. */
+/* Adds a quad that fills the box of `shape`. Returns the first of the quad's four vertices. Returns
+ * null if the batch is full or the batch's opacity is 0. */
 static struct ui_vertex *add_quad(struct ui_batch *batch, const struct ui_shape *shape)
 {
     CORE_ASSERT((uint32_t)shape->kind < UI_KIND_COUNT && batch->quad_count <= UI_QUADS_MAX);
@@ -128,9 +128,9 @@ static void add_glyph(struct ui_batch *batch, const struct ui_text *style, float
     const float room = REACH_PX - shape.shape[0] - shape.shape[1], soft = style->soft_em * em;
     shape.shape[2] = soft < room ? soft : room > 0.0f ? room : 0.0f;
     shape.shape[3] = texel_px;
-    /* `trim` is the width, in atlas pixels, of the part of the letter's margin that is not painted.
-     * The quad omits this part. `trim` is at least half a texel, because otherwise texture
-     * filtering would mix in the neighbouring letter. */
+    /* `trim` is the width, in atlas pixels, of the unpainted part of the letter's margin. The quad
+     * omits this part. `trim` is at least half a texel, because otherwise texture filtering would
+     * mix in the neighbouring letter. */
     const float painted =
         shape.shape[0] + shape.shape[1] + shape.shape[2] + 0.5f / shape.shape[3] + 0.5f;
     const float trim = f_max(REACH_PX - painted, 0.5f);

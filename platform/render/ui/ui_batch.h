@@ -48,7 +48,8 @@ struct ui_vertex {
                    position relative to the shape's centre, in pixels. */
     float shape[4];
     uint8_t fill[4]; /* Main colour, with straight alpha. */
-    uint8_t line[4]; /* Colour of the outline or border, or a second colour. */
+    uint8_t line[4]; /* Colour of the outline or border. Some kinds of quads use this field as a
+                        second colour. */
 };
 
 struct ui_batch {
@@ -60,9 +61,10 @@ struct ui_batch {
                                full. Tests check that the number is 0. */
     uint32_t unbaked_count; /* Number of drawn characters for which the font has no glyph. Tests
                                check that the number is 0. */
-    float opacity;          /* Opacity that is applied to all quads that are added later, [0, 1]. */
+    float opacity;          /* Opacity of all quads that are added later, [0, 1]. */
     struct specimen specimens[SPECIMEN_MAX];
-    uint16_t specimen_quad[SPECIMEN_MAX]; /* Number of quads that are drawn before each specimen. */
+    uint16_t specimen_quad[SPECIMEN_MAX]; /* For each specimen, the number of quads that are drawn
+                                             before the specimen. */
     uint32_t specimen_count;
 };
 
@@ -73,8 +75,8 @@ struct ui_box {
 struct ui_shape {
     struct ui_box box;
     enum ui_kind kind;
-    float shape[4]; /* Values whose meaning enum ui_kind defines. ui_shape() computes half widths
-                       and half heights from `box`. */
+    float shape[4]; /* Values whose meaning enum ui_kind defines for each kind. ui_shape() computes
+                       half widths and half heights from `box`. */
     uint32_t fill, line;
     float lean_px; /* Distance in pixels by which the lower edge is shifted to the right, for cloth
                       that moves in the wind. */
@@ -102,23 +104,25 @@ struct ui_text {
     float align;   /* Horizontal alignment. 0 means that x is the left end of the text, 0.5 its
                       middle, 1 its right end. */
     float spacing_em;
-    float weight_em;  /* Distance in ems by which the strokes are thickened on each side. */
+    float weight_em;  /* Distance in ems by which the strokes of letters are thickened on each
+                         side. */
     float outline_em; /* Width of the outline around the strokes, in colour `line`. 0 means no
                          outline. */
     float soft_em;    /* Additional width in ems over which the outline fades out, for a shadow or a
                          glow. */
     uint32_t fill, line;
-    float fit_px; /* Maximum width in pixels, to which a longer text is shrunk. 0 means no
-                     maximum. */
+    float fit_px; /* Maximum width of the text in pixels. A longer text is shrunk to this width. 0
+                     means no maximum. */
 };
 
 /* Adds one line of text with its baseline at `y`. Returns the width of the text in pixels. */
 float ui_text(struct ui_batch *batch, const struct ui_text *style, float x, float y,
               const char *words);
 
-/* Returns the width in pixels of the text as ui_text() draws it. */
+/* Returns the width in pixels that the text `words` has when ui_text() draws the text. */
 float ui_text_width(const struct ui_text *style, const char *words);
-/* Returns the em size in pixels with which ui_text() draws the text. */
+/* Returns the em size in pixels with which ui_text() draws the text `words`. The size is smaller
+ * than `size_px` if the text is shrunk to `fit_px`. */
 float ui_text_size(const struct ui_text *style, const char *words);
 
 /* Returns the y of the baseline at which capitals and digits are vertically centred on `y`. */

@@ -66,7 +66,7 @@ static void row_at(const struct ui_frame *frame, const struct scene_row *row, ui
         const float glow = 0.30f + 0.20f * ui_pulse(frame->time_s, 1.2f);
         ui_panel(frame, UI_PANEL, box, 9.0f * u, 2.0f * u, ui_fade(colour, glow), colour);
     }
-    /* The numbers of the places 1 to 3 have a medal of gold, silver or bronze. */
+    /* The numbers of the places 1 to 3 are drawn on a medal of gold, silver or bronze. */
     const float x = box.x + 34.0f * u, radius = 19.0f * u;
     const int has_medal = place < sizeof medals / sizeof *medals;
     char place_number[12];

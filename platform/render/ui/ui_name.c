@@ -11,9 +11,11 @@ _Static_assert(SCENE_NAME_LETTERS == NAME_LETTERS_MAX, "every letter can be show
 #define KEY_PAPER_LIT 0xffd978ffu
 #define WARN_PAPER 0xb8301ee8u
 
-/* Position and scale of the canvas on the screen, and the name that the player enters. */
+/* Drawing context of the name entry: position and scale of the canvas on the screen, and the name
+ * that the player enters. */
 struct slate {
-    struct ui_frame frame; /* Drawing context whose `unit` is one canvas unit. */
+    struct ui_frame frame; /* Drawing context of the user interface. Its `unit` is the size of one
+                              canvas unit in pixels. */
     const struct scene_name *name;
     float x, y; /* Position of the upper left corner of the canvas on the screen, in pixels. */
     uint32_t colour;

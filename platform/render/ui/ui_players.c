@@ -68,16 +68,16 @@ void ui_foul_lamps(const struct ui_frame *frame, float x, float y, float radius,
     }
 }
 
-/* Draws at the right of a player's plate either the player's paper or the reason why the player
- * does not play. */
+/* Draws the right part of a player's plate. This part shows either the player's paper or the reason
+ * why the player does not play. */
 static void player_state(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                          float x, float y)
 {
     const float u = frame->unit;
     const struct scene_player *state = &scene->player[player];
     if (state->out) {
-        /* `out` is also set for a player whose waiting time has expired, besides a player who is
-         * out of the round. */
+        /* `out` is set for a player who is out of the round, and also for a player whose waiting
+         * time has expired. */
         const struct ui_text stamp =
             ui_style(frame, FONT_STALL, 28.0f, 0.5f, 0xff9a80ffu, 46.0f * u);
         ui_text_at(frame, &stamp, x, y, ui_words(frame, TEXT_OUT));
@@ -149,7 +149,8 @@ void ui_bowl_marks(const struct ui_frame *frame, const struct scene *scene, floa
     for (uint32_t i = 0; i < POI_MAX && ui_seat_count(scene) > 1u; i++) {
         const int wanted = scene->phase == PHASE_READY || scene->player[i].plays;
         if (wanted && scene->bowl[i].present) {
-            /* The bowl's position in the tank is projected to screen pixels. */
+            /* Computes the position of the bowl on the screen in pixels from its position in the
+             * tank. */
             const float aspect = frame->width / frame->height;
             const float tan_y = view_half_height_tan(&scene->view, aspect);
             const struct basis axes = view_basis(&scene->view);

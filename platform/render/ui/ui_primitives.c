@@ -199,8 +199,8 @@ void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct u
 void ui_card(const struct ui_frame *frame, struct ui_box box)
 {
     const float u = frame->unit;
-    /* Only the visible lower part of the card's shadow is drawn, because drawing all of it would
-     * cost many pixels. */
+    /* Only the visible lower part of the card's shadow is drawn, because drawing the hidden part
+     * would cost time for many pixels. */
     const struct ui_box shade = { box.x - 2.0f * u, box.y + box.height - 28.0f * u,
                                   box.width + 4.0f * u, 38.0f * u };
     ui_panel(frame, UI_PANEL, shade, 16.0f * u, 0.0f, 0x05061c80u, 0);

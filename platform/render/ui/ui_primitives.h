@@ -15,12 +15,12 @@
 #define UI_INK 0x241a20ffu
 #define UI_INK_SOFT 0x5a4648ffu
 
-/* Drawing context of all screens. `unit` is the layout unit in pixels, which is 1 px on a 1280x720
- * screen. */
+/* Drawing context of all screens. `unit` is the size of the layout unit in pixels, which is 1 px on
+ * a 1280x720 screen. */
 struct ui_frame {
     struct ui_batch *batch;
     float width, height, unit;
-    float time_s; /* Time in seconds that animates swaying and pulsing objects. */
+    float time_s; /* Time in seconds for the animation of swaying and pulsing objects. */
     uint8_t language;
 };
 
@@ -34,9 +34,9 @@ float ui_pulse(float time_s, float period_s);
 /* Returns the text with the key `key` in the language of the screen. */
 const char *ui_words(const struct ui_frame *frame, enum text_key key);
 
-/* Returns a plain text style. `size` is in layout units. `align` is 0 for text that begins at x,
- * 0.5 for text that is centred at x, and 1 for text that ends at x. A text that is longer than
- * `fit_px` is shrunk, unless `fit_px` is 0. */
+/* Returns a text style without outline. `size` is in layout units. `align` is 0 for text that
+ * begins at x, 0.5 for text that is centred at x, and 1 for text that ends at x. A text that is
+ * longer than `fit_px` is shrunk, unless `fit_px` is 0. */
 struct ui_text ui_style(const struct ui_frame *frame, enum font_id font, float size, float align,
                         uint32_t fill, float fit_px);
 
@@ -45,7 +45,7 @@ struct ui_text ui_style(const struct ui_frame *frame, enum font_id font, float s
  * the border. */
 void ui_panel(const struct ui_frame *frame, enum ui_kind kind, struct ui_box box, float radius_px,
               float border_px, uint32_t fill, uint32_t line);
-/* Draws a plain disc with a border, centred at (x, y). */
+/* Draws a disc of one colour with a border, centred at (x, y). */
 void ui_disc(const struct ui_frame *frame, float x, float y, float radius_px, float border_px,
              uint32_t fill, uint32_t line);
 /* Draws a ring that is centred at (x, y). The fraction `part` [0, 1] of the ring has the colour
@@ -59,8 +59,8 @@ void ui_glow(const struct ui_frame *frame, struct ui_box box, uint32_t fill);
 float ui_text_at(const struct ui_frame *frame, const struct ui_text *style, float x, float y,
                  const char *words);
 
-/* Draws the shop curtain: a pole, strips of dyed cloth, and the title. `lift` in [0, 1] is how far
- * the curtain is raised. At 1 the curtain is out of view. */
+/* Draws the shop curtain: a pole, strips of dyed cloth, and the title. `lift` in [0, 1] states how
+ * far the curtain is raised. At 1 the curtain is outside the picture. */
 void ui_noren(const struct ui_frame *frame, float lift);
 /* Draws a paper lantern that hangs from (x, y). `size` is the height of its body in pixels. */
 void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size, float phase);
@@ -69,7 +69,7 @@ void ui_hang_lantern(const struct ui_frame *frame, float x, float y, float size,
 void ui_pole(const struct ui_frame *frame, float x, float y, float width);
 /* Draws the two cords by which a tag hangs from the pole at height `pole_y`. */
 void ui_cords(const struct ui_frame *frame, struct ui_box box, float pole_y);
-/* Draws a blank wooden tag. The tag is brighter if `pointed` is 1. */
+/* Draws a wooden tag without text. The tag is brighter if `pointed` is 1. */
 void ui_wooden_tag(const struct ui_frame *frame, struct ui_box box, int pointed);
 
 /* Draws a large card of paper with a shadow. */
@@ -79,7 +79,8 @@ void ui_card(const struct ui_frame *frame, struct ui_box box);
 void ui_words_in(const struct ui_frame *frame, struct ui_box box, const struct ui_text *style,
                  const char *words);
 
-/* Parameters of ui_ribbon(). A field that is 0 has its default value if its comment names one. */
+/* Parameters of ui_ribbon(). The comment on a field states the default value for which the value 0
+ * stands. */
 struct ui_ribbon {
     float x, y; /* Centre of the ribbon in pixels. An `x` of 0 means the middle of the screen. */
     float size_px;

@@ -12,9 +12,9 @@
 #define CALL_TIME_S 1.3f
 
 struct grade {
-    uint32_t at_least; /* Minimum number of fish for this grade. A visitor of a festival stall
-                          catches three to five fish. Winners of national championships caught 35 to
-                          87. */
+    uint32_t at_least; /* Minimum number of caught fish for this grade of the result. A visitor of a
+                          festival stall catches three to five fish. Winners of national
+                          championships caught 35 to 87 fish. */
     enum text_key praise, words;
 };
 
@@ -101,8 +101,8 @@ static void one_players_result(const struct ui_frame *frame, const struct scene 
     }
 }
 
-/* Returns the number of players who caught more fish than `player`. Players with equal catches get
- * an equal place. */
+/* Returns the number of players who caught more fish than `player`. Players with equal catches
+ * therefore have the same place. */
 static uint32_t ui_result_place_of(const struct scene *scene, uint32_t player)
 {
     CORE_ASSERT(player < POI_MAX);
@@ -155,15 +155,15 @@ static void draw_result_ranking(const struct ui_frame *frame, const struct scene
     }
 }
 
-/* Returns the opacity of the result card. The announcement "time!" stays visible for CALL_TIME_S
- * before the card fades in. */
+/* Returns the opacity of the result card. The announcement "time!" is visible for CALL_TIME_S
+ * seconds before the card fades in. */
 static float after_call(const struct scene *scene)
 {
     return scene->call == CALL_TIME ? ui_smooth(CALL_TIME_S, CALL_TIME_S + 0.4f, scene->call_s)
                                     : 1.0f;
 }
 
-/* Draws the result card of a refunded round. A refunded round does not count, so that the card
+/* Draws the result card of a refunded round. Because a refunded round does not count, the card
  * shows no score, place or seal. */
 static void given_back(const struct ui_frame *frame, struct ui_box box)
 {
@@ -178,8 +178,8 @@ static void given_back(const struct ui_frame *frame, struct ui_box box)
     ui_text(frame->batch, &style, x, box.y + 338.0f * u, ui_words(frame, TEXT_GIVEN_BACK_WORDS));
 }
 
-/* Draws the best score of the day in the mode of the round. After a practice round, draws a comment
- * of the stallkeeper instead. */
+/* Draws the last line of the result card, which is the day's best score in the mode of the round.
+ * After a practice round, the line is a comment of the stallkeeper instead. */
 static void last_line(const struct ui_frame *frame, const struct scene *scene, struct ui_box box)
 {
     const float u = frame->unit;

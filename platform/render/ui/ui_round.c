@@ -163,8 +163,8 @@ static int is_long(const struct scene *scene)
     return scene->phase_s + scene->seconds_left > LONG_ROUND_S;
 }
 
-/* Draws the remaining time, centred at (x, y): in minutes and seconds for a long round, otherwise
- * in seconds inside a ring. */
+/* Draws the remaining time, centred at (x, y). In a long round the time is in minutes and seconds.
+ * Otherwise the time is in seconds inside a ring. */
 static void clock_at(const struct ui_frame *frame, const struct scene *scene, float x, float y)
 {
     const float u = frame->unit, radius = 37.0f * u;
@@ -189,8 +189,9 @@ static void clock_at(const struct ui_frame *frame, const struct scene *scene, fl
     ui_text(frame->batch, &digits, x, ui_text_middle(&fitted, y), number);
 }
 
-/* Draws the paper and the remaining time at the top right. If the player has several papers, draws
- * their number instead of their state. Returns the plate's width. */
+/* Draws the state of the player's paper and the remaining time at the top right. If the player has
+ * several papers, draws the number of papers instead of the state. Returns the plate's width in
+ * pixels. */
 static float state_plate(const struct ui_frame *frame, const struct scene *scene, uint32_t player,
                          int alone)
 {

@@ -7,7 +7,7 @@
 #include "core/base/panic.h"
 #include "platform/render/ui/ui_widgets.h"
 
-/* Size of the progress bar in layout units. */
+/* Width and height of the progress bar in layout units. */
 #define BAR_WIDTH 360.0f
 #define BAR_HEIGHT 8.0f
 
@@ -58,7 +58,7 @@ static void playback_ribbon(const struct ui_frame *frame, const struct scene *sc
                                       .line = UI_GOLD };
     frame->batch->opacity = 1.0f;
     ui_ribbon(frame, &ribbon, ui_words(frame, verdicts[scene->playback].words));
-    if (seeks) { /* The bar shows how much of the recording has been searched. */
+    if (seeks) { /* The bar shows the fraction of the recording that has been searched. */
         const float width = BAR_WIDTH * u, share = ui_clamp01(scene->encore_progress);
         struct ui_box bar = { 0.5f * (frame->width - width), ribbon.y + 44.0f * u, width,
                               BAR_HEIGHT * u };
@@ -101,8 +101,8 @@ static void phase_screen(const struct ui_frame *frame, struct ui_memory *memory,
         break;
     case PHASE_MENU:
         ui_menu(frame, scene);
-        return; /* The menu draws the warnings itself. */
-    default:    /* In the remaining phase, PHASE_WORDLESS, the screen has no text. */
+        return; /* ui_menu() has already drawn the warnings. */
+    default:    /* Only PHASE_WORDLESS reaches this case. The screen of this phase has no text. */
         return;
     }
     ui_warnings(frame, scene);

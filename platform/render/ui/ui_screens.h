@@ -18,10 +18,11 @@ struct ui_memory {
                                       fish. */
     uint32_t caught[POI_MAX];
     uint32_t pointed_tick;           /* Tick of the last change of the selected mode. */
-    uint8_t pointed, pointed_before; /* Selected mode, and the mode that was selected before the
-                                        last change. */
+    uint8_t pointed, pointed_before; /* Selected mode (`pointed`), and the mode that was selected
+                                        before the last change (`pointed_before`). */
     uint8_t hint;
-    const struct library *library; /* Library of the makers' species. Null means none. */
+    const struct library *library; /* Library of the makers' species. Null means that there is no
+                                      library. */
     struct ui_lab_preview bench;   /* State of the growth lab between frames. */
 };
 

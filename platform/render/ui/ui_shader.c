@@ -1,4 +1,4 @@
-/* ui_shader.c -- the user interface's shaders.
+/* ui_shader.c -- source code of the user interface's shaders.
  *
  * Every shape is defined by its signed distance in pixels, so that each edge is smoothed over
  * exactly one pixel. The output has premultiplied alpha. Additive light has alpha 0. Names in the
@@ -94,7 +94,7 @@ const char *const ui_fragment_head =
     "    colour = framed(vec4(body, inner.a));\n"                                                  \
     "}\n"
 
-/* Fragment shader of the stress colours (UI_HEAT), which are those of
+/* Fragment shader of the stress colours (UI_HEAT). The colours equal those in
  * assets/shaders/poi_paper.frag.glsl. */
 #define HEAT                                                                                       \
     "void main() {\n"                                                                              \

@@ -32,8 +32,8 @@ void ui_poi_sign(const struct ui_frame *frame, float x, float y, float radius, f
                  uint32_t ring)
 {
     CORE_ASSERT(radius > 0.0f);
-    const float reach = 1.5f * radius; /* The box is larger than the ring because the poi's handle
-                                          extends to the lower right. */
+    const float reach = 1.5f * radius; /* The box of the sign is larger than the ring because the
+                                          poi's handle extends to the lower right. */
     ui_shape(frame->batch,
              &(struct ui_shape){ .box = { x - reach, y - reach, 2.0f * reach, 2.0f * reach },
                                  .kind = UI_POI,
@@ -112,14 +112,15 @@ void ui_start_ribbon(const struct ui_frame *frame, const struct scene *scene, fl
     const float u = frame->unit, pulse = ui_pulse(frame->time_s, 2.4f);
     const struct scene_credit *credit = &scene->credit;
     const int lacks_poi = ui_lacks_poi(scene);
-    /* The strength of the emphasis is 1 when a player tries to start without credit, and then
-     * decreases to 0. */
+    /* `asking` is the strength of the emphasis. The strength is 1 when a player tries to start
+     * without credit, and then decreases to 0. */
     const float asking = credit->unpaid ? 1.0f - ui_smooth(0.0f, ASK_S, credit->asked_s) : 0.0f;
     const struct ui_box halo = { 0.5f * frame->width - 400.0f * u, y - 64.0f * u, 800.0f * u,
                                  128.0f * u };
     char coins[TEXT_LINE_MAX];
     if (credit->unpaid && credit->warnings != 0 && !lacks_poi) {
-        return; /* An inserted coin would be returned. The screen shows only the reason. */
+        return; /* While a warning is active, an inserted coin would be returned. The screen then
+                   shows only the warning and no request for coins. */
     }
     const uint32_t worth = credit->coin_units > 0 ? credit->coin_units : 1u;
     const uint32_t missing = credit->price > credit->units ? credit->price - credit->units : 0u;
@@ -213,7 +214,8 @@ void ui_credits(const struct ui_frame *frame, const struct scene *scene, float x
         .room_px = 2.0f * fminf(x, frame->width - x) - 8.0f * u,
     };
     const float width = ui_ribbon(frame, &plate, words);
-    /* An outlined text beside the plate shows the number of credits that are not on disk yet. */
+    /* A text with an outline beside the plate shows the number of credits that are not on disk
+     * yet. */
     const float left = x + 0.5f * width + 10.0f * u;
     const float room = frame->width - left - 8.0f * u;
     char coming_words[16];
@@ -256,7 +258,8 @@ void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
                                           TEXT_WARN_STORE };
     const int in_round = scene->phase == PHASE_ROUND || scene->phase == PHASE_READY;
     uint32_t shown = scene->credit.warnings;
-    /* The warnings are below the curtain in attract mode, and below the plates during a round. */
+    /* The warnings are below the shop curtain in attract mode (the demonstration between rounds),
+     * and below the plates during a round. */
     float y = (scene->phase == PHASE_ATTRACT ? 0.335f : 0.215f) * frame->height;
     const float beside = in_round && y < PLATES_REACH * frame->unit ? PLATES_WIDTH : 16.0f;
     const float room_px = frame->width - 2.0f * beside * frame->unit;
@@ -269,7 +272,7 @@ void ui_warnings(const struct ui_frame *frame, const struct scene *scene)
         y += 58.0f * frame->unit;
     }
     if (in_round) {
-        shown &= ~(uint32_t)WARN_NO_POI; /* During a round, the pause sign shows the warning
+        shown &= ~(uint32_t)WARN_NO_POI; /* During a round, the pause sign already shows the warning
                                             WARN_NO_POI in larger letters. */
     }
     for (uint32_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {

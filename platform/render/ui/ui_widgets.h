@@ -45,8 +45,8 @@ int ui_lacks_poi(const struct scene *scene);
  * its door is open, or that no controller is present. */
 void ui_warnings(const struct ui_frame *frame, const struct scene *scene);
 
-/* Writes a line such as "Best today: 12 fish". If there is no score yet, the line states this
- * fact. */
+/* Writes a line such as "Best today: 12 fish". If no score exists yet, writes a line that states
+ * this. */
 void ui_best_words(const struct scene *scene, char *out, size_t out_size);
 
 /* Draws one word in the horizontal middle of the screen, centred at height `y`. */
@@ -85,7 +85,7 @@ void ui_bowl_marks(const struct ui_frame *frame, const struct scene *scene, floa
  * pause after a loss of controller input. */
 void ui_umpire(const struct ui_frame *frame, const struct scene *scene);
 
-/* The following functions draw one whole screen each. */
+/* Declarations of functions that each draw one whole screen. */
 void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_memory *memory);
 void ui_album(const struct ui_frame *frame, const struct scene *scene);
 void ui_menu(const struct ui_frame *frame, const struct scene *scene);
@@ -101,8 +101,8 @@ void ui_round(const struct ui_frame *frame, const struct scene *scene,
 void ui_result(const struct ui_frame *frame, const struct scene *scene,
                const struct ui_memory *memory);
 
-/* Returns the visible fraction of the leaderboard, which fades in and out, [0, 1]. 0 means
- * hidden. */
+/* Returns the opacity of the leaderboard, [0, 1]. The leaderboard fades in and out. 0 means that
+ * the leaderboard is hidden. */
 float ui_leaderboard_in(const struct scene_leaderboard *board);
 
 /* Draws the leaderboard, vertically centred between `top` and `bottom` in pixels. Draws nothing

@@ -1,5 +1,5 @@
-/* ui_lab.c -- draws the screen of the growth lab: an aquarium at night beside a sheet of paper with
- * graphs. */
+/* ui_lab.c -- draws the screen of the growth lab, in which players watch a fish grow: an aquarium
+ * at night beside a sheet of paper with graphs. */
 #include "platform/render/ui/lab/ui_lab.h"
 
 #include <math.h>
@@ -62,8 +62,8 @@ struct ui_text lab_text(const struct lab_page *page, float size, uint32_t fill)
 struct button {
     enum lab_part part;
     const char *words;
-    int is_on, is_idle; /* `is_on` is 1 if the button is selected. `is_idle` is 1 if the button
-                           currently has no effect. */
+    int is_on, is_idle; /* `is_on` is 1 if the button is selected, otherwise 0. `is_idle` is 1 if
+                           the button currently has no effect, otherwise 0. */
 };
 
 /* Returns the box of a button. The box is slightly lower while the button is pressed. */
@@ -175,8 +175,8 @@ static void name_plate(const struct lab_page *page)
     ui_text_at(&page->frame, &small, box.x + box.width - 18.0f * u, box.y + 0.5f * box.height, of);
 }
 
-/* Returns the box of the help line. The box is beside the species' name. On a tall upright screen,
- * the box is above the name. */
+/* Returns the box of the help line. The box is beside the species' name, or above the name on a
+ * tall upright screen. */
 static struct ui_box line_room(const struct lab_page *page)
 {
     const float u = page->frame.unit;
@@ -189,8 +189,8 @@ static struct ui_box line_room(const struct lab_page *page)
     return (struct ui_box){ left, next.y, leave.x - left - 18.0f * u, next.height };
 }
 
-/* Draws the help line. In turn, the help line is replaced by messages for the operator: the number
- * of rejected makers' files, then the reason for each rejected file. */
+/* Draws the help line. Messages for the operator replace the help line in turn: the number of
+ * rejected makers' files, then the reason for each rejected file. */
 static void help_line(const struct lab_page *page)
 {
     const struct ui_box room = line_room(page);
@@ -211,7 +211,7 @@ static void help_line(const struct lab_page *page)
         ui_words_in(&page->frame, room, &refused_style, words);
     } else {
         const struct library_line fault = library_fault(page->library, turn - 1u - counted);
-        /* The reason is below the name of the rejected file. */
+        /* The reason for a rejected file is written below the name of the file. */
         const float half = 0.5f * room.height;
         const struct ui_box upper = { room.x, room.y, room.width, half };
         const struct ui_box lower = { room.x, room.y + half, room.width, half };
@@ -227,7 +227,7 @@ static void help_line(const struct lab_page *page)
 void ui_lab(const struct ui_frame *frame, const struct scene *scene, struct ui_memory *memory)
 {
     /* A recording may show a maker's species that exists only on another kiosk. In this case
-     * `species` is null, and the graph is shown without a fish. */
+     * `species` is null, and the graphs are drawn without a fish. */
     const uint32_t index = scene->lab.species;
     const struct species *found = NULL;
     if (index < species_table_count) {

@@ -20,10 +20,11 @@
 #define LAB_MIST 0xdff3f2ffu /* Colour of text that is drawn on the water. */
 
 struct lab_page {
-    struct ui_frame frame; /* Drawing context whose `unit` is one canvas unit. */
+    struct ui_frame frame; /* Drawing context of the growth lab. Its `unit` is the size of one
+                              canvas unit in pixels. */
     const struct scene_lab *lab;
-    struct ui_lab_preview *bench; /* State of the previewed species. Null means that this kiosk
-                                     lacks the species. */
+    struct ui_lab_preview *bench; /* State of the previewed species. Null means that this kiosk does
+                                     not have the species. */
     /* Species library, which also lists the rejected makers' files. Null means no library. */
     const struct library *library;
     float x, y; /* Position of the upper left corner of the canvas on the screen, in pixels. */
@@ -36,15 +37,15 @@ float lab_px_x(const struct lab_page *page, float x);
 /* Converts a vertical canvas coordinate to pixels on the screen. */
 float lab_px_y(const struct lab_page *page, float y);
 
-/* Returns the colour of a key (modelled growth stage) as opaque 0xRRGGBBAA. The colour is that of
+/* Returns the colour of a key (modelled growth stage) as opaque 0xRRGGBBAA, computed by
  * key_colour(). */
 uint32_t lab_key_colour(uint32_t key_count, uint32_t key);
 
 /* Returns 1 if the pointer is over the part or drags the part, otherwise 0. */
 int lab_is_pointed(const struct lab_page *page, enum lab_part part);
 
-/* Returns a text style. `size` is in canvas units. A standing player can read sizes of at least
- * 22. */
+/* Returns a text style. `size` is in canvas units. A standing player can read texts of size 22 or
+ * more. */
 struct ui_text lab_text(const struct lab_page *page, float size, uint32_t fill);
 
 /* Writes an age such as "45 days" or "3.2 years". */

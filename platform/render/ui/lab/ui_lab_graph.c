@@ -1,5 +1,6 @@
 /* ui_lab_graph.c -- draws the deformation graph on paper, with one weight curve for each key
- * (modelled growth stage) and one curve for the fish's length. Below it, draws the growth curve. */
+ * (modelled growth stage) and one curve for the fish's length. Draws the growth curve below the
+ * deformation graph. */
 #include <math.h>
 #include <stdio.h>
 
@@ -53,7 +54,7 @@ static void percent_axis(const struct lab_page *page, struct ui_box field)
     const float u = page->frame.unit;
     struct ui_text style = lab_text(page, 15.0f, LAB_INK_SOFT);
     style.align = 1.0f;
-    style.fit_px = 38.0f * u; /* The maximum width separates the label from the paper's frame and
+    style.fit_px = 38.0f * u; /* The maximum width keeps the label away from the paper's frame and
                                  from a dragged knot. */
     for (uint32_t i = 0; i <= 4u; i++) {
         const float share = 0.25f * (float)i;
@@ -69,8 +70,8 @@ static void percent_axis(const struct lab_page *page, struct ui_box field)
     }
 }
 
-/* Draws the right-hand axis of lengths. Of the labels 1 mm, 10 mm, 100 mm and 1 m, draws those
- * within the curve's range. */
+/* Draws the right-hand axis of lengths. Its labels are those of 1 mm, 10 mm, 100 mm and 1 m that
+ * lie in the range of the length curve. */
 static void length_axis(const struct lab_page *page, struct ui_box field)
 {
     static const struct {
@@ -93,7 +94,8 @@ static void length_axis(const struct lab_page *page, struct ui_box field)
     }
 }
 
-/* Draws the weight curve of a key. A straight line between two knots is drawn as one segment. */
+/* Draws the weight curve of a key (modelled growth stage). A straight line between two knots is
+ * drawn as one segment. */
 static void weight_curve(const struct lab_page *page, struct ui_box field, uint32_t key,
                          float width)
 {
@@ -149,7 +151,7 @@ static void weight_knots(const struct lab_page *page, struct ui_box field, uint3
     }
 }
 
-/* Draws all curves. The curve that the player drags is drawn last. */
+/* Draws all curves of the deformation graph. The curve that the player drags is drawn last. */
 static void draw_graph_curves(const struct lab_page *page, struct ui_box field)
 {
     const struct scene_lab *lab = page->lab;
@@ -266,8 +268,8 @@ void lab_chart(const struct lab_page *page)
     style.align = 0.0f;
     ui_text(page->frame.batch, &style, field.x, field.y + field.height + 20.0f * u,
             ui_words(&page->frame, TEXT_LAB_CHART));
-    /* The growth curve has equal steps of the square root of age. Equal steps of progress through
-     * life would put most points in the first weeks. */
+    /* The points of the growth curve have equal distances in the square root of age. With equal
+     * distances in the progress through life, most points would lie in the first weeks. */
     struct moment before = moment_at(card, 0.0f, most_days, most_m);
     for (uint32_t i = 1; i <= CHART_STEPS; i++) {
         const float share = (float)i / (float)CHART_STEPS;

@@ -11,7 +11,7 @@
 #include "platform/render/ui/text.h"
 
 #define DAYS_PER_YEAR 365.25f
-#define DAYS_TO_TELL 700.0f /* Minimum age in days that is written in years. */
+#define DAYS_TO_TELL 700.0f /* Minimum age in days from which an age is written in years. */
 
 const char *lab_name(uint8_t language, const char *id)
 {

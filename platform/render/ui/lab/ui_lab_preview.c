@@ -66,8 +66,8 @@ void ui_lab_preview_set(struct ui_lab_preview *bench, const struct species *spec
         morph_rig_init(&bench->rig, card, TEMPLATE_OWN);
         trace_vertex_path(bench, part_vertex_range(&species->lod[0], PART_DORSAL, SIDE_MIDDLE),
                           &bench->ways[LAB_PREVIEW_DORSAL]);
-        /* If the right eye migrates to the left side, the right eye is traced. Otherwise the left
-         * eye is traced, because a side view shows the left eye. */
+        /* If the right eye migrates to the left side, as in a flatfish, the right eye is traced.
+         * Otherwise the left eye is traced, because a side view shows the left eye. */
         const struct species_mesh *mesh = &bench->species->lod[0];
         struct lab_preview_path *way = &bench->ways[LAB_PREVIEW_EYE];
         trace_vertex_path(bench, part_vertex_range(mesh, PART_EYE, SIDE_RIGHT), way);

@@ -1,6 +1,7 @@
 /* ui_lab_preview.h -- the growth lab's state between frames: the selected species and the
  * trajectories of two points of the fish. Each trajectory is computed twice: with the deformation
- * graphs of the growth lab, and with the ordinary morph (2005 thesis, eq. 3.1). */
+ * graphs of the growth lab, and with the ordinary morph (linear interpolation between two keys,
+ * 2005 thesis, eq. 3.1). */
 #ifndef KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_PREVIEW_H
 #define KINGYO_PLATFORM_RENDER_UI_LAB_UI_LAB_PREVIEW_H
 
@@ -10,7 +11,8 @@
 #include "core/scene.h"
 #include "platform/render/specimen.h"
 
-/* Number of steps of a trajectory, which begins at hatching and ends at the adult. */
+/* Number of steps into which a trajectory is divided. A trajectory is the path of a point of the
+ * fish from hatching to the adult. */
 #define LAB_PREVIEW_STEPS 64u
 
 enum lab_preview_point { LAB_PREVIEW_DORSAL = 0, LAB_PREVIEW_EYE, LAB_PREVIEW_POINT_COUNT };
@@ -18,9 +20,10 @@ enum lab_preview_point { LAB_PREVIEW_DORSAL = 0, LAB_PREVIEW_EYE, LAB_PREVIEW_PO
 struct lab_preview_path {
     bool is_there; /* True if the species has the traced point. A stingray, for example, has no
                       dorsal fin. */
-    vec3 at[LAB_PREVIEW_STEPS + 1u]; /* Positions of the point from hatching on, in body lengths, in
-                                        the body's coordinate system. */
-    vec3 ordinary[LAB_PREVIEW_STEPS + 1u]; /* Positions of the point in the ordinary morph. */
+    vec3 at[LAB_PREVIEW_STEPS + 1u]; /* Positions of the traced point from hatching to the adult, in
+                                        body lengths, in the body's coordinate system. */
+    vec3 ordinary[LAB_PREVIEW_STEPS + 1u]; /* Positions of the traced point in the ordinary morph,
+                                              in body lengths. */
     float bow; /* Largest distance between the trajectory and the straight line from its start to
                   its end, in body lengths. */
 };
@@ -28,8 +31,9 @@ struct lab_preview_path {
 /* State of the growth lab's picture. The size is about 180 KB, mostly the tables of the ordinary
  * morph. A zeroed struct means that no species is selected yet. */
 struct ui_lab_preview {
-    const struct species *species; /* Selected species. Null means none. */
-    uint32_t edition;              /* Number that increases with each selection of a species. */
+    const struct species *species; /* Selected species. Null means that no species is selected. */
+    uint32_t edition;              /* Counter that increases by 1 with each selection of a
+                                      species. */
     struct species_card card;      /* Copy of the species card from which the other fields were
                                       computed. */
     struct morph_rig rig;          /* Prepared deformation graphs with the player's edits. */
@@ -37,7 +41,7 @@ struct ui_lab_preview {
     struct species ordinary;
     struct straight_memory memory;
     struct lab_preview_path ways[LAB_PREVIEW_POINT_COUNT];
-    struct specimen_bounds bounds; /* Extent of the fish over all ages, in the usual view
+    struct specimen_bounds bounds; /* Extents of the fish over all ages, in the usual view
                                       (specimen_portrait()). */
     struct morph_pose pose;        /* Scratch memory for computing trajectories. */
 };

@@ -8,11 +8,11 @@
 
 #define TAU 6.28318531f
 #define BEAT_HZ 1.1f
-/* Maximum number of marks on the ruler. A ruler has about 110 marks, because marks are at least
- * 7 px apart. */
+/* Maximum number of marks on the ruler. In practice a ruler has about 110 marks, because marks are
+ * at least 7 px apart. */
 #define RULE_MARKS_MAX 260u
-/* Length of the hatchling, as a fraction of the adult's length on the stage. The value is below 1
- * so that growth is visible. */
+/* Length on the screen of the newly hatched fish, as a fraction of the adult's length on the
+ * screen. The value is below 1 so that growth is visible. */
 #define YOUNG_SIZE 0.74f
 #define WAY_GOLD 0xffd24affu
 #define WAY_PINK 0xff8fb0ffu
@@ -22,7 +22,7 @@
 #define TOP 40.0f
 #define TOP_CAPTION 62.0f /* Margin above the fish in canvas units if a caption is shown. */
 #define FOOT 12.0f        /* Margin above the ruler in canvas units. */
-/* Minimum length, in pixels, of a trajectory whose dots have their full size. */
+/* Minimum length in pixels of a trajectory from which its dots have their full size. */
 #define DOT_WAY 120.0f
 
 /* ---- Area of a fish ------------------------------------------------------------------------- */
@@ -147,7 +147,7 @@ static void ruler(const struct lab_page *page, const struct tank_room *room,
                        0x4a3018ffu);
         }
         if (x >= rule.x + 6.0f * u && is_coarse && x < end - 34.0f * u) {
-            /* Only the first number of the ruler is followed by the unit. */
+            /* Only the first number of the ruler is followed by the unit of length. */
             const float length_m = (float)i * fine;
             const int is_first = length_m <= 0.0f;
             char number[24];
@@ -164,7 +164,7 @@ static void ruler(const struct lab_page *page, const struct tank_room *room,
         return; /* A disc-shaped body is measured by its width, which a ruler below the fish cannot
                    show. */
     }
-    /* A bracket marks the measured length. */
+    /* A bracket marks the measured length of the fish on the ruler. */
     const float left[2] = { zero, rule.y + 1.5f * u };
     const float right[2] = { zero + fish->length_px, rule.y + 1.5f * u };
     ui_segment(page->frame.batch, left, right, 4.0f * u, LAB_PURPLE);
@@ -284,7 +284,8 @@ static void one_way(const struct lab_page *page, const struct specimen *fish,
             (uint32_t)((float)key / (float)(keys - 1u) * (float)LAB_PREVIEW_STEPS + 0.5f);
         way_dot(page, fish, way->at[step], 6.5f * size, lab_key_colour(keys, key), 0xffffffffu);
     }
-    /* The ring is large enough that the eye is visible inside it. */
+    /* The ring at the current position is so large that the fish's eye is visible inside the
+     * ring. */
     way_dot(page, fish, way->at[now], 12.0f, 0x00000000u, colour);
 }
 
@@ -296,8 +297,8 @@ static void draw_vertex_paths(const struct lab_page *page, const struct specimen
 
 /* ---- Whole stage ---------------------------------------------------------------------------- */
 
-/* Draws the comparison fish, which is the ordinary morph (2005 thesis, eq. 3.1) between the first
- * and the last key. */
+/* Draws the comparison fish, which shows the ordinary morph (2005 thesis, eq. 3.1) from the first
+ * key to the last key (modelled growth stage). */
 static void rival(const struct lab_page *page)
 {
     const struct tank_room room = room_of(page, 1);

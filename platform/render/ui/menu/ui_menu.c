@@ -65,8 +65,8 @@ struct ui_box menu_tag_board(const struct menu_view *view, uint32_t tag)
     return box;
 }
 
-/* Draws the sign in the upper corner of a tag. The sign is an exclamation mark on red for a page to
- * check, or the seal for a changed setting. */
+/* Draws the sign in the upper corner of a tag. The sign is an exclamation mark on red for a page
+ * that the operator should check, or the seal for a changed setting. */
 static void draw_tag_corner_sign(const struct menu_view *view, struct ui_box box, uint8_t page)
 {
     const float u = view->frame.unit, r = 17.0f * u;
@@ -157,7 +157,7 @@ static void draw_menu_tags(const struct menu_view *view)
     }
 }
 
-/* ---- Whole page of the menu ----------------------------------------------------------------- */
+/* ---- Whole page of the menu ------------------------------------------------------------------ */
 
 static void draw_menu_title(const struct menu_view *view)
 {
@@ -173,7 +173,7 @@ static void draw_menu_title(const struct menu_view *view)
 }
 
 /* Returns the view with the largest scale at which the whole canvas fits on the screen. On an
- * upright screen the scale equals the camera's scale, because the pointer uses the camera's
+ * upright screen, the scale equals the camera's scale, because the pointer also uses the camera's
  * scale. */
 static struct menu_view open_view(const struct ui_frame *frame, const struct scene *scene)
 {

@@ -14,7 +14,8 @@
 #define MENU_CREAM 0xfff6e2ffu
 
 struct menu_view {
-    struct ui_frame frame; /* Drawing context whose `unit` is one canvas unit. */
+    struct ui_frame frame; /* Drawing context of the menu. Its `unit` is the size of one canvas unit
+                              in pixels. */
     const struct scene *scene;
     const struct scene_menu *menu; /* The menu of `scene`. */
     const struct scene_devices *devices;
@@ -23,8 +24,9 @@ struct menu_view {
 
 /* Texts of a page and of its tags, and the function that draws the page. */
 struct menu_words {
-    enum text_key title, about;        /* Name and description of the page. They are shown on the
-                                          tag that leads to the page. */
+    enum text_key title, about;        /* Name of the page (`title`) and description of the page
+                                          (`about`). The tag that leads to the page shows both
+                                          texts. */
     enum text_key foot[MENU_FOOT_MAX]; /* Texts of the tags at the bottom of the page, in order. */
     enum text_key names[8], lines[8];  /* Names and descriptions of the hanging tags that lead to no
                                           page. */
@@ -41,8 +43,9 @@ const struct menu_words *menu_words_of(uint8_t page);
  * which no setting uses. */
 struct setting_words {
     enum text_key name, help;
-    enum text_key unit, zero, one; /* `unit` is the pattern of the value, such as "{} min". `zero`
-                                      and `one` are texts that replace the values 0 and 1. */
+    enum text_key unit, zero, one; /* `unit` is the text pattern of the value, such as "{} min".
+                                      `zero` is the text that replaces the value 0, and `one` is the
+                                      text that replaces the value 1. */
     enum text_key choices[SETTING_CHOICES_MAX];
 };
 const struct setting_words *menu_setting_words_of(uint32_t id);
@@ -72,8 +75,8 @@ const char *menu_text(const struct menu_view *view, enum text_key key);
  * of one metre if `size` is at least 22. */
 struct ui_text menu_style(const struct menu_view *view, float size, uint32_t fill);
 
-/* Returns the style of menu_style() with another font: a brush font for Japanese, and the stall's
- * font for other languages. */
+/* Returns the style of menu_style() with a decorative font: a brush font for Japanese, and the
+ * festival stall's font for other languages. */
 struct ui_text menu_brush(const struct menu_view *view, float size, uint32_t fill);
 
 /* Draws text whose start (align 0), centre (0.5) or end (1) is at `x`. The text is vertically
@@ -91,12 +94,12 @@ void menu_seal(const struct menu_view *view, float x, float y);
 size_t menu_fill_line(const struct ui_text *style, const char *words, float room_px);
 
 /* Copies the bytes of `*words` that fit on one line of `room_px` pixels to `out`, and advances
- * `*words` past these bytes. If `is_last` is 1, copies the whole rest, which the caller shrinks to
- * fit. A line that is too long for `out` is cut. */
+ * `*words` past these bytes. If `is_last` is 1, copies the complete remaining text, which the
+ * caller shrinks to fit. A line that is too long for `out` is cut. */
 void menu_take_line(const struct ui_text *style, const char **words, float room_px, int is_last,
                     char *out, size_t out_size);
 
-/* The following functions draw the content of one page each, beside its tags. */
+/* Declarations of functions that each draw the content of one page beside the page's tags. */
 void menu_settings(const struct menu_view *view);
 void menu_bits(const struct menu_view *view);
 void menu_rows(const struct menu_view *view);

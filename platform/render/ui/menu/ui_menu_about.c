@@ -10,8 +10,8 @@
 
 struct places {
     struct layout_box page;
-    float name_width; /* Width of the column of names. 0 means that a name is above its status
-                         line. */
+    float name_width; /* Width of the column of device names. 0 means that each name is above its
+                         status line. */
     float head, pitch, line;
     uint32_t line_count;
 };
@@ -68,8 +68,9 @@ void menu_about(const struct menu_view *view)
     const float u = view->frame.unit;
     const struct ui_box box = menu_place(view, places->page);
     ui_panel(&view->frame, UI_WASHI, box, 10.0f * u, 2.0f * u, UI_WASHI_WHITE, 0xb5762fffu);
-    /* The heading is a line such as "Kingyo 0.1.0 Start no. 12 Running for 340 min", and the
-     * numbers of the last entry of the account books and of the last entry on disk. */
+    /* The heading has two parts. The first part is a line such as "Kingyo 0.1.0 Start no. 12
+     * Running for 340 min". The second part is the number of the last entry of the account books
+     * and the number of the last entry on disk. */
     const struct scene_menu *menu = view->menu;
     const struct ui_text style = menu_style(view, 27.0f, UI_INK);
     char boots[TEXT_LINE_MAX / 2u], up[TEXT_LINE_MAX / 2u], first[TEXT_LINE_MAX];
@@ -98,8 +99,8 @@ void menu_about(const struct menu_view *view)
 struct file_places {
     float x, y, width, pitch, height;
     float name_height, line_height;
-    uint32_t line_count; /* Number of lines that are available for a reason. SCENE_LINE_SIZE letters
-                            of average width fit in these lines. */
+    uint32_t line_count; /* Number of lines that are available for the reason of a fault. A text of
+                            SCENE_LINE_SIZE letters of average width fits in these lines. */
     struct layout_box count;
 };
 
@@ -167,8 +168,8 @@ void menu_take_line(const struct ui_text *style, const char **words, float room_
 
 /* ---- Paper slips, one for each file --------------------------------------------------------- */
 
-/* Writes the text beside a file's state to `out` and returns `out`. The store's text begins with
- * the number of lost scores. */
+/* Writes the text beside a file's state to `out` and returns `out`. The text of the store begins
+ * with the number of lost scores. */
 static const char *words_of(const struct menu_view *view, uint32_t row,
                             const struct scene_file *file, char *out, size_t out_size)
 {
@@ -208,8 +209,8 @@ static void slip(const struct menu_view *view, const struct file_places *places,
     name.fit_px = box.width - slip_width - 48.0f * u;
     ui_text_at(&view->frame, &name, reason.x, box.y + 0.5f * places->name_height * u + 2.0f * u,
                words);
-    /* The reason has several lines. The last line is shrunk so that it contains the rest of the
-     * text. */
+    /* The reason of a fault has several lines. The last line is shrunk so that the complete
+     * remaining text fits. */
     const char *rest = words_of(view, row, file, said, sizeof said);
     const struct ui_text style = menu_style(view, 22.0f, UI_INK_SOFT);
     const float pitch = places->line_height * view->frame.unit;

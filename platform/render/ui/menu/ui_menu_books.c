@@ -17,9 +17,9 @@
 /* A line of an account book shows a name, and a counter or the quotient of two counters. */
 struct book_line {
     enum text_key name;
-    uint8_t audit, by; /* Index of the shown counter, and index of the counter by which it is
-                          divided. A divisor index of 0 means no division, because counter 0 is
-                          never a divisor. */
+    uint8_t audit, by; /* `audit` is the index of the shown counter. `by` is the index of the
+                          counter by which the shown counter is divided. A `by` of 0 means no
+                          division, because counter 0 is never a divisor. */
     uint16_t over;     /* Additional constant divisor, for example 3600 to convert seconds to hours.
                           0 means no division. */
 };
@@ -73,8 +73,8 @@ static void draw_book_lines(const struct menu_view *view, struct ui_box box, uin
         const float x = box.x + (float)(i / rows) * column + 28.0f * u;
         const float y = box.y + 12.0f * u + ((float)(i % rows) + 0.5f) * pitch;
         const float width = column - 56.0f * u;
-        /* The value of a line is a count, a quotient with one decimal place, or a dash if the
-         * divisor is 0. */
+        /* The value of a line is a count, a quotient with one decimal place, or a dash. A dash
+         * means that the divisor is 0. */
         const uint32_t *audit = view->menu->audit;
         if (line[i].by != 0 && audit[line[i].by] == 0) {
             snprintf(words, NUMBER_SIZE, "-");
@@ -89,8 +89,8 @@ static void draw_book_lines(const struct menu_view *view, struct ui_box box, uin
         menu_words_at(view, x, y, 0.62f * width, 0.0f, &name, menu_text(view, line[i].name));
         menu_words_at(view, x + width, y, 0.36f * width, 1.0f, &number, words);
         if (i % rows + 1u < rows && i + 1u < count) {
-            /* The last line of a column needs no separating rule, because the border of the sheet
-             * is below it. */
+            /* The last line of a column needs no separating rule, because the border of the paper
+             * sheet is below this line. */
             draw_book_rule(view, x, y + 0.5f * pitch, width);
         }
     }
@@ -146,7 +146,8 @@ void menu_machine(const struct menu_view *view)
 
 /* ---- Page of the numbers of plays ----------------------------------------------------------- */
 
-/* Draws a table of plays with a row for each mode and a column for each paper grade. */
+/* Draws a table of the numbers of plays, with a row for each game mode and a column for each paper
+ * grade. */
 static void by_mode(const struct menu_view *view, struct ui_box box)
 {
     static const enum text_key modes[MODE_COUNT] = { TEXT_FESTIVAL, TEXT_CHAMPIONSHIP,
@@ -156,8 +157,9 @@ static void by_mode(const struct menu_view *view, struct ui_box box)
     const float first = box.x + 0.36f * box.width;
     const float column = (box.x + box.width - 24.0f * u - first) / (float)AUDIT_GRADES;
     const struct ui_text name = menu_style(view, 24.0f, UI_INK_SOFT);
-    const struct ui_text number = menu_style(view, 22.0f, UI_INK); /* Four digits of this size fit
-                                                                      in one column of the table. */
+    const struct ui_text number = menu_style(view, 22.0f, UI_INK); /* Style of the numbers in the
+                                                                      table. A number of four digits
+                                                                      fits in one column. */
     char words[TEXT_LINE_MAX];
     menu_words_at(view, box.x + 0.5f * box.width, box.y + 28.0f * u, box.width - 40.0f * u, 0.5f,
                   &name, menu_text(view, TEXT_AUD_BY_MODE));
@@ -239,7 +241,7 @@ static void bars(const struct menu_view *view, struct ui_box box, enum text_key 
                      (struct ui_box){ x - 0.34f * pitch, base - height, 0.68f * pitch, height },
                      3.0f * u, 0.0f, BAR_PAINT, 0);
         }
-        if (plays == most) { /* Only the highest bars show their value as a number. */
+        if (plays == most) { /* Only the highest bars have their value written as a number. */
             write_count(words, plays);
             menu_words_at(view, x, base - height - 18.0f * u, 3.0f * pitch, 0.5f, &top, words);
         }
@@ -286,8 +288,8 @@ void menu_hours(const struct menu_view *view)
 
 /* ---- Leaderboard page, and the page of one score --------------------------------------------- */
 
-/* Draws the name of the shown leaderboard beside the title. On an upright screen the name is below
- * the title. */
+/* Draws the name of the shown leaderboard beside the page's title. On an upright screen the name is
+ * below the title. */
 static void board_words(const struct menu_view *view)
 {
     const int upright = view->menu->upright;
@@ -351,7 +353,8 @@ void menu_ranking(const struct menu_view *view)
     }
 }
 
-/* Draws the page of one score. The tags below the score are the operator's actions. */
+/* Draws the page of one score. The tags below the score are actions that the operator can
+ * select. */
 void menu_score(const struct menu_view *view)
 {
     const int upright = view->menu->upright;

@@ -94,8 +94,8 @@ static void draw_calibration_ring(const struct menu_view *view, float x, float y
     ui_ring(&view->frame, x, y, radius, 7.0f * view->frame.unit, part, UI_GOLD, 0xffffff60u);
 }
 
-/* Converts a position on the water to a point in the box `pool`, which shows the tank from
- * above. */
+/* Converts a position on the water in metres to a point in the box `pool`, which shows the tank
+ * from above. */
 static void place_in(const struct menu_view *view, struct ui_box pool, vec3 at_m, float *x,
                      float *y)
 {
@@ -212,9 +212,12 @@ void menu_calibration(const struct menu_view *view)
 /* ---- Learning page: the axes of a controller ------------------------------------------------- */
 
 #define LOOP_S 2.4f /* Period of the demonstrated motion in seconds. */
-/* Time in seconds from the start of the period to the end of the outward motion. */
+/* Time in seconds at which the demonstrated outward motion ends, counted from the start of each
+ * period of LOOP_S seconds. */
 #define WAY_S 0.9f
-#define BACK_S 2.1f /* Time in seconds from the start of the period to the poi's return. */
+#define BACK_S                                                                                     \
+    2.1f /* Time in seconds at which the demonstrating poi has returned, counted from the start
+            of each period of LOOP_S seconds. */
 #define STEPS (LEARN_DIP - LEARN_REST + 1)
 
 struct step_words {
@@ -256,8 +259,8 @@ static const struct learn_places learn_upright = {
 
 static void teacher(const struct menu_view *view, struct ui_box box, uint8_t step)
 {
-    /* `t` is how far the demonstrating poi has moved outward, [0, 1]. The poi moves outward, waits,
-     * and moves back. */
+    /* `t` is how far the demonstrating poi (paper scoop) has moved outward, [0, 1]. The poi moves
+     * outward, waits, and moves back. */
     const float loop_s = fmodf(view->frame.time_s, LOOP_S);
     const float t =
         ui_smooth(0.2f, WAY_S, loop_s) * (1.0f - ui_smooth(BACK_S - 0.5f, BACK_S, loop_s));
@@ -267,7 +270,8 @@ static void teacher(const struct menu_view *view, struct ui_box box, uint8_t ste
     float x = 0.5f, y = 0.5f;
     const int plays = step == LEARN_TRY || step == LEARN_NOT_SAVED;
     float paper = step == LEARN_FAILED ? 0.15f : 1.0f, radius = 46.0f * u;
-    if (plays && menu->has_hand) { /* The controller that is being taught moves this poi. */
+    if (plays && menu->has_hand) { /* The poi in the picture follows the controller that is being
+                                      taught. */
         x = menu->x / canvas.x;
         y = menu->y / canvas.y;
         radius *= menu->presses ? 0.75f : 1.0f;
@@ -317,7 +321,7 @@ void menu_learning(const struct menu_view *view)
     const struct ui_text words = menu_style(view, 30.0f, MENU_CREAM);
     draw_basin_water(view, box, 16.0f * u, 10.0f * u, step == LEARN_DIP);
     if (step >= LEARN_LEFT && step <= LEARN_NEAR) {
-        /* An arrow points in the direction of the motion. */
+        /* An arrow points in the direction of the motion that the operator must make. */
         const float half = 0.44f * (steps[step].x != 0.0f ? box.width : box.height);
         const float norm = fmaxf(fabsf(steps[step].x) + fabsf(steps[step].y), 0.01f);
         const float dx = steps[step].x / norm, dy = steps[step].y / norm, head = 22.0f * u;

@@ -16,8 +16,8 @@
 #define CARD_GREY 0x404040ffu
 #define CARD_WHITE 0xffffffffu
 #define CARD_AMBER 0xffa800ffu
-/* Number of grid squares from top to bottom. On an upright screen, number of grid squares from left
- * to right. */
+/* Number of grid squares from top to bottom on a landscape screen, or from left to right on an
+ * upright screen. */
 #define GRID_ROWS 9.0f
 /* Maximum number of grid lines on each side of the middle. The number is enough for an aspect ratio
  * of 14 to 1. */
@@ -50,7 +50,7 @@ static void line_down(const struct menu_view *view, float x, float from, float t
         view, (struct ui_box){ floorf(x), floorf(from), px, floorf(to) - floorf(from) }, colour);
 }
 
-/* Draws the outline of a box. The lines are inside the box. */
+/* Draws the outline of a box. The lines of the outline are inside the box. */
 static void draw_card_outline(const struct menu_view *view, struct ui_box box, float px,
                               uint32_t colour)
 {
@@ -129,7 +129,8 @@ void menu_card(const struct menu_view *view)
     const struct ui_box whole = { 0.0f, 0.0f, width, height };
     ui_menu_card_fill_box(view, whole, CARD_BLACK);
     /* The grid is drawn from the middle of the picture to the edges, so that the grid is symmetric.
-     * The limit of grid_lines() ends the loops even if a square is smaller than a pixel. */
+     * The maximum GRID_LINES_MAX of grid_lines() ends the loops even if a square is smaller than a
+     * pixel. */
     const float across = view->frame.width, down = view->frame.height;
     for (uint32_t i = 0; i < grid_lines(across, side); i++) {
         line_down(view, 0.5f * across + (float)i * side, 0.0f, down, 1.0f, CARD_GREY);

@@ -37,7 +37,7 @@ static void name_of(const struct menu_view *view, uint32_t row, char *out, size_
     }
 }
 
-/* Draws a paper slip with the controller's state as a word. */
+/* Draws a paper slip on which the controller's state is written as a word. */
 static void state_slip(const struct menu_view *view, struct ui_box box, uint8_t state)
 {
     CORE_ASSERT(state < CONTROLLER_STATE_COUNT);
@@ -145,13 +145,12 @@ void menu_one_controller(const struct menu_view *view)
 
 struct axis {
     char name[4];
-    float full; /* Axis value, in metres or radians, at which the bar is drawn to the end of its
-                   half. */
+    float full; /* Axis value, in metres or radians, that a bar of full length stands for. */
 };
 
-/* The axes of a controller. A full half of the bar stands for half of the tank's length (x), half
- * of the tank's width (z), the height of an arm (y), half a turn (yaw), or a quarter turn (pitch
- * and roll). */
+/* Table of a controller's axes. A bar of full length stands for half of the tank's length (x), half
+ * of the tank's width (z), the height that an arm can reach (y), half a turn (yaw), or a quarter
+ * turn (pitch and roll). */
 static const struct axis axes[AXIS_COUNT] = {
     { "x", 0.70f },        { "y", 0.30f },        { "z", 0.40f },
     { "yaw", 3.1415927f }, { "pit", 1.5707964f }, { "rol", 1.5707964f },
@@ -187,8 +186,8 @@ static void ui_menu_axes_bar(const struct menu_view *view, const struct scene_ax
     menu_words_at(view, box.x + box.width, y, 84.0f * u, 1.0f, &number, words);
 }
 
-/* Draws the slot, the controller's state, the report rate and the longest time between two reports
- * above the bars. */
+/* Draws the heading above the bars: the slot (place of one of up to four controllers), the
+ * controller's state, the report rate and the longest time between two reports. */
 static void ui_menu_axes_heading(const struct menu_view *view, const struct scene_axes *seat,
                                  uint32_t index, struct ui_box box)
 {

@@ -17,8 +17,8 @@ static const enum text_key names[INPUT_BUTTON_COUNT + 1u] = {
     TEXT_LINE_START, TEXT_LINE_LEFT,    TEXT_LINE_RIGHT, TEXT_LINE_OK,   TEXT_LINE_LANGUAGE,
     TEXT_LINE_TEST,  TEXT_LINE_SERVICE, TEXT_LINE_TILT,  TEXT_LINE_DOOR, TEXT_LINE_COIN,
 };
-/* Index of the page's cell for the coin input line. The cells for the buttons come before it, in
- * the order of the buttons' bits. */
+/* Index of the page's cell for the coin input line. The cells of the buttons have the lower
+ * indices, in the order of the buttons' bits. */
 #define COIN INPUT_BUTTON_COUNT
 
 static struct ui_box input_line_cell(const struct menu_view *view, uint32_t index)
@@ -147,7 +147,8 @@ static void draw_input_line_notes(const struct menu_view *view)
     ui_words_in(&view->frame,
                 menu_place(view, (struct layout_box){ x, y + 28.0f * STATE_ROWS, width, 32.0f }),
                 &warm, words);
-    if (upright) { /* On an upright screen, one row is too narrow for both notes. */
+    if (upright) { /* On an upright screen, one row is too narrow for the note about coins and the
+                      number of faults. */
         ui_words_in(&view->frame,
                     menu_place(view, (struct layout_box){ x, y + 28.0f * STATE_ROWS + 32.0f, width,
                                                           32.0f }),

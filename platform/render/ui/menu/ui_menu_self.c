@@ -16,8 +16,8 @@
 #define ROW_FILL 0.88f /* Letter height as a fraction of the height of a text line. */
 
 struct places {
-    uint32_t columns, rows; /* Number of columns and number of rows of the list of checks. Each
-                               column is filled from top to bottom. */
+    uint32_t columns, rows; /* Number of columns (`columns`) and number of rows (`rows`) of the list
+                               of checks. Each column is filled from top to bottom. */
     float x, y, width, height, gap, pitch;
     float name_width;
     struct layout_box verdict;
@@ -67,8 +67,8 @@ static const enum text_key names[SELF_CHECKS] = {
     [SELF_COINS] = TEXT_CHECK_COINS,     [SELF_POIS] = TEXT_CHECK_POIS,
 };
 
-/* Texts of each check for the states whose text contains no number. 0 means that figures_say()
- * supplies the text, or that the check never has the state. */
+/* Texts of each check in each state, for texts without a number. 0 means that figures_say() returns
+ * the text, or that the check never has the state. */
 static const enum text_key plain[SELF_CHECKS][SELF_STATES] = {
     [SELF_STORE] = { [SELF_GOOD] = TEXT_CHECK_STORE_GOOD,
                      [SELF_LOOK] = TEXT_CHECK_STORE_LOOK,
@@ -215,8 +215,8 @@ static void draw_check_sheet(const struct menu_view *view, struct ui_box box, ui
     ui_panel(&view->frame, UI_WASHI, box, 8.0f * u, 2.0f * u, UI_WASHI_WHITE, edge);
 }
 
-/* Returns the position after the last comma or full stop behind which the rest of the text fits on
- * one line. This position is the best line break in a Japanese text. 0 means that the text has no
+/* Returns the byte position of the best line break in a Japanese text. The break is after the last
+ * comma or full stop from which the remaining text fits on one line. 0 means that the text has no
  * such position. */
 static size_t sentence_end(const struct ui_text *style, const char *words, float room_px)
 {
@@ -281,7 +281,8 @@ static void self_test_check_row(const struct menu_view *view, const struct place
 
 /* ---- Summary of all checks ------------------------------------------------------------------ */
 
-/* Draws the summary of all checks, and below the summary the next step for the operator. */
+/* Draws the summary of all checks. Below the summary, draws the next step that the operator must
+ * take. */
 static void draw_check_verdict(const struct menu_view *view, const struct places *places,
                                uint32_t next, const uint8_t state[SELF_CHECKS])
 {

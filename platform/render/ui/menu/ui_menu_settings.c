@@ -15,8 +15,8 @@ struct places {
     float name_size, value_size, range_size;
     float inset, name_width, value_width;
     float range_x, range_width;
-    int two_lines; /* 1 if the range is below the name, 0 if the range and the name are in one
-                      line. */
+    int two_lines; /* 1 if the range of a setting is below its name, 0 if the range and the name are
+                      in one line. */
     struct layout_box help, saved;
     uint32_t help_lines;
 };
@@ -103,8 +103,8 @@ static void choice_words(const struct menu_view *view, uint32_t id, char *out, s
 }
 
 /* Writes the range of a setting, such as "5 - 240 min" or "0.0 - 10.0 %". If the value 0 has its
- * own text, the text is listed before the range ("silent / 1 - 10"), unless the default beside the
- * range already shows this text. */
+ * own text, this text is listed before the range ("silent / 1 - 10"). The text is omitted if the
+ * default value beside the range already shows the text. */
 static void span_words(const struct menu_view *view, uint32_t id, char *out, size_t out_size)
 {
     const struct setting_words *words = menu_setting_words_of(id);
@@ -267,8 +267,8 @@ void menu_settings(const struct menu_view *view)
     draw_saved_state(view, places);
 }
 
-/* Draws the board of one bit of a setting. Like the board of a whole setting, the board shows a
- * range, a default and a seal. */
+/* Draws the board of one bit of a setting that is a bit mask. Like the board of a whole setting,
+ * the board shows a range, a default and a seal. */
 static void bit_board(const struct menu_view *view, const struct places *places, uint32_t id,
                       uint32_t bit)
 {
