@@ -12,9 +12,11 @@
 #include "core/base/panic.h"
 
 #define NS_PER_MS 1000000ull
-#define IDLE_MS 1000 /* Longest wait of the thread in ms if no output report is being sent. */
-#define BUSY_MS 50   /* Longest wait of the thread in ms while an output report is being sent. */
-/* Longest time to wait for cancelled transfers when the thread ends. */
+#define IDLE_MS                                                                                    \
+    1000 /* Longest wait of the event thread in ms while no output report is being sent. */
+#define BUSY_MS                                                                                    \
+    50 /* Longest wait of the event thread in ms while an output report is being sent. */
+/* Longest time in ns to wait for cancelled transfers when the event thread ends. */
 #define LAST_WAIT_NS 2000000000ull
 
 void usb_event_thread_wake(void *self)
@@ -167,12 +169,12 @@ static void free_links(struct usb_event_thread *usb_thread)
     }
 }
 
-/* Signals that the kernel sends to a thread because of its own fault, such as an invalid memory
- * access. */
+/* Signals that the kernel sends to a thread because of an error in this thread, such as an invalid
+ * memory access. */
 static const int panics[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
 
-/* Starts the thread with all signals blocked except `panics`, because the main thread handles all
- * other signals. */
+/* Starts the event thread. The signals in `panics` are not blocked in the thread. All other signals
+ * are blocked, because the main thread handles them. */
 static int start_thread(struct usb_event_thread *usb_thread)
 {
     sigset_t all, before;
@@ -231,8 +233,9 @@ int usb_event_thread_begin(struct usb_event_thread *usb_thread, char why[HAL_TEX
     return 0;
 }
 
-/* Stops the thread. If a transfer never returned from the kernel, the memory of libusb and of the
- * transfers is leaked. Freeing the memory of a transfer in use would be worse. */
+/* Stops the event thread. If a transfer never returned from the kernel, the memory of libusb and of
+ * the transfers is not freed, because freeing memory that the kernel still uses would be worse than
+ * a leak. */
 void usb_event_thread_end(struct usb_event_thread *usb_thread)
 {
     CORE_ASSERT(usb_thread->context);

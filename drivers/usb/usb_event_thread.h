@@ -31,10 +31,10 @@
 
 /* Entry of the device table: a device on the bus and its state. */
 struct usb_device_entry {
-    struct usb_device device; /* The device; a null `device.device` means that the entry is
-                                 empty. */
-    uint8_t trouble; /* Current fault of the device (enum usb_device_fault); `told_trouble` is the
-                        fault that was reported last. */
+    struct usb_device device; /* The USB device of the entry. A null `device.device` means that the
+                                 entry is empty. */
+    uint8_t trouble; /* `trouble` is the current fault of the device (enum usb_device_fault).
+                        `told_trouble` is the fault that was reported last. */
     uint8_t told_trouble;
     uint8_t failures; /* Number of consecutive attempts to open the device without a response. Each
                          of these attempts blocked the event thread. */
@@ -72,8 +72,8 @@ struct usb_event_thread {
     libusb_hotplug_callback_handle hotplug;
     uint8_t has_hotplug;
     uint8_t bus_changed, fds_changed, rows_changed;
-    uint64_t compare_ns; /* Time of the next comparison with the bus. A hot-plug event causes an
-                            earlier comparison. */
+    uint64_t compare_ns; /* Time of the next comparison of the bus with the device table. A hot-plug
+                            event causes an earlier comparison. */
     uint64_t settled_ns; /* Time until which the comparisons with the bus are repeated at short
                             intervals. */
     uint32_t fd_count;
@@ -122,7 +122,7 @@ void usb_event_thread_detach(struct usb_event_thread *usb_thread, struct usb_dev
  * next. */
 uint64_t usb_event_thread_due_ns(const struct usb_event_thread *usb_thread);
 
-/* Passes the fault of an entry to the callback `tell`, once for each new fault. */
+/* Passes the fault of a table entry to the callback `tell`. Each new fault is passed once. */
 void usb_event_thread_report_fault(struct usb_event_thread *usb_thread,
                                    struct usb_device_entry *entry);
 

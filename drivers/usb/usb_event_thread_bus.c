@@ -8,7 +8,8 @@
 #include "drivers/usb/usb_event_thread.h"
 
 #define NS_PER_MS 1000000ull
-/* Time after which even devices on slow hubs are configured. */
+/* Time in ns after the last bus change. After this time even devices on slow hubs are
+ * configured. */
 #define SETTLE_NS (2000u * NS_PER_MS)
 #define AGAIN_NS (100u * NS_PER_MS)
 /* Interval of the comparisons with the bus if libusb does not support hot-plug events. */
@@ -99,7 +100,8 @@ static void compare_bus_and_table(struct usb_event_thread *usb_thread)
     libusb_device **list;
     const ssize_t count = libusb_get_device_list(usb_thread->context, &list);
     if (count < 0) {
-        return; /* libusb has no memory; the next comparison is the next attempt. */
+        return; /* libusb could not allocate memory. The next comparison with the bus tries
+                   again. */
     }
     for (uint32_t i = 0; i < USB_DEVICE_MAX; i++) {
         usb_thread->entry[i].is_seen = 0;
@@ -184,7 +186,7 @@ static void obey(struct usb_event_thread *usb_thread, const struct usb_command *
         entry->failures = 0;
     }
     if (!order->plays) {
-        /* The slot and the row that were kept for a lost controller are released. */
+        /* Release the slot and the row that were kept for a lost controller. */
         const uint32_t row = usb_device_table_find(&usb_thread->rows, &order->identity);
         for (uint32_t i = 0; i < POI_MAX; i++) {
             struct usb_place *place = &usb_thread->place[i];

@@ -35,7 +35,8 @@ void usb_event_thread_update_row(struct usb_event_thread *usb_thread,
                                  struct usb_device_entry *entry, uint8_t state)
 {
     CORE_ASSERT(entry->device.device);
-    if (entry->row >= CONTROLLER_MAX) { /* No row was free when the device was added. */
+    if (entry->row >= CONTROLLER_MAX) { /* No row of the operator's menu was free when the device
+                                           was added. */
         entry->row = usb_device_table_enter(&usb_thread->rows, &entry->device.face.identity,
                                             state == CONTROLLER_UNSUPPORTED);
     }
@@ -85,7 +86,8 @@ static void seat_it(struct usb_event_thread *usb_thread, struct usb_device_entry
     }
     for (uint32_t i = 0; i < USB_LINK_MAX; i++) {
         if (usb_thread->link[i].seat == &usb_thread->seat[seat]) {
-            usb_transfers_detach(&usb_thread->link[i]); /* The link is still closing. */
+            usb_transfers_detach(&usb_thread->link[i]); /* The previous link of the slot is still
+                                                           closing and must be detached first. */
         }
     }
     usb_thread->place[seat] = (struct usb_place){ .was_taken = 1,
@@ -141,8 +143,8 @@ static void open_it(struct usb_event_thread *usb_thread, struct usb_device_entry
         entry->due_ns =
             hal_now_ns(usb_thread->clock) + (wait_ns < RETRY_NS_MAX ? wait_ns : RETRY_NS_MAX);
     } else {
-        /* The report descriptor shows that the controller may not play, so the device is examined
-         * again. */
+        /* The report descriptor that was read after claiming shows that the controller may not
+         * play. Therefore the device is examined again. */
         entry->due_ns = hal_now_ns(usb_thread->clock);
     }
 }

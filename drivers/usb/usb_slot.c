@@ -129,7 +129,8 @@ uint32_t usb_slot_outgoing(struct usb_slot *seat)
         return 0u;
     }
     if (seat->out_generation != atomic_load_explicit(&seat->generation, memory_order_relaxed)) {
-        usb_slot_sent(seat); /* The report was written for the previous controller. */
+        usb_slot_sent(seat); /* The output report was written for a previous controller and is not
+                                sent. */
         return 0u;
     }
     atomic_store_explicit(&seat->outgoing, USB_OUT_SUBMITTED, memory_order_relaxed);
@@ -160,8 +161,8 @@ static int port_open(void *self, struct hid_device_info *out)
     triple_buffer_fetch(&seat->mail);
     const struct usb_attachment *attachment = &seat->attachment[seat->mail.reading];
     if (!(generation & 1u) || attachment->generation != generation) {
-        return HAL_ERR_GONE; /* No controller is attached, or the controller changed during this
-                                call. */
+        return HAL_ERR_GONE; /* No controller is attached, or the attached controller changed during
+                                the call. */
     }
     *out = attachment->face;
     seat->opened = generation;
@@ -179,7 +180,8 @@ static int port_take(void *self, struct hid_raw *out)
      * reports are then already in the queue. */
     const uint32_t generation = generation_now(seat);
     const struct usb_ring_slot *slot = usb_ring_peek(&seat->ring);
-    while (slot && slot->generation < seat->opened) { /* A report of an earlier controller. */
+    while (slot && slot->generation < seat->opened) { /* A report of an earlier controller is
+                                                         removed. */
         usb_ring_drop(&seat->ring);
         slot = usb_ring_peek(&seat->ring);
     }

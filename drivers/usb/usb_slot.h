@@ -56,7 +56,7 @@ void usb_ring_init(struct usb_ring *ring);
 int usb_ring_push(struct usb_ring *ring, uint32_t generation, uint64_t time_ns,
                   const uint8_t *bytes, uint32_t size);
 
-/* Counts one more lost report. Called only by the writer. */
+/* Increases the number of lost reports by 1. Called only by the writer. */
 void usb_ring_lose(struct usb_ring *ring);
 
 /* Returns the oldest report, which stays valid until usb_ring_drop(), or null if there is no
@@ -103,8 +103,8 @@ struct usb_slot {
                          succeeded. */
     uint8_t is_never; /* 1 if USB is not available at all, otherwise 0. */
     struct hid_identity identity;
-    void (*wake)(void *self); /* Wakes the event thread for an output report. The callback must not
-                                 block. */
+    void (*wake)(void *self); /* Callback that wakes the event thread for an output report. The
+                                 callback must not block. */
     void *wake_self;
     char text[HAL_TEXT_SIZE];
 };

@@ -6,7 +6,8 @@
 
 #include "core/base/panic.h"
 
-/* Delay after an error before transfers are submitted again; longer than a glitch on the cable. */
+/* Delay in ns after an error before transfers are submitted again. The delay is longer than a
+ * glitch on the cable. */
 #define RETRY_NS 10000000ull
 
 /* ---- Allocation of transfers ---------------------------------------------------------------- */
@@ -274,7 +275,8 @@ static void LIBUSB_CALL on_sent(struct libusb_transfer *transfer)
     if (transfer->status == LIBUSB_TRANSFER_NO_DEVICE) {
         transfer_slot->link->is_gone = 1;
     }
-    /* A lost report is not sent again, because the next report is newer. */
+    /* An output report that could not be sent is not sent again, because the next report is
+     * newer. */
     usb_slot_sent(transfer_slot->link->seat);
 }
 

@@ -20,8 +20,8 @@
 #define USB_TRANSFER_MAX 1024u
 /* Number of consecutive errors after which the device is closed and opened again. */
 #define USB_ERRORS_MAX 8u
-/* Time in ms after the transfers were cancelled, in which returning transfers still deliver
- * reports. */
+/* Time in ms after the cancellation of the transfers. During this time, returning transfers still
+ * deliver reports. */
 #define USB_DETACH_MS 50u
 /* Timeout of an output report in ms. After a longer time the player would feel the force feedback
  * too late. */
@@ -32,8 +32,9 @@ struct usb_pipe {
     uint8_t interface_number;
     uint8_t in_endpoint;
     uint8_t has_report_ids;
-    uint8_t out_endpoint; /* Address of the output endpoint. 0 means that output reports use the
-                             control pipe (HID 1.11, section 7.2.2). */
+    uint8_t out_endpoint; /* Address of the output endpoint. 0 means that there is no output
+                             endpoint and output reports use the control pipe (HID 1.11, section
+                             7.2.2). */
     uint16_t in_packet_size;
     uint32_t report_size_max; /* Size of the longest input report in bytes, including its id. */
 };

@@ -19,8 +19,8 @@ struct usb_seats;
 /* Configuration of the transport. All members are copied; the objects behind `clock` and the
  * callback must stay valid. */
 struct usb_transport_config {
-    struct hal_clock clock;       /* Clock of the reports' time stamps. The event thread calls the
-                                     clock too. */
+    struct hal_clock clock;       /* Clock from which the time stamps of reports are read. The event
+                                     thread calls the clock too. */
     const char *choices;          /* Path of the file of rules (usb_choice.h); null means that rules
                                      are not stored. */
     const struct usb_key *listed; /* Controllers that the option --usb names. These controllers play

@@ -55,18 +55,19 @@ static const struct {
     { 0x00010091, "pad down" },
     { 0x00010092, "pad right" },
     { 0x00010093, "pad left" },
-    /* Usages of the Simulation Controls page (section 5). */
+    /* Usages of the Simulation Controls page (HID Usage Tables 1.5, section 5). */
     { 0x000200ba, "rudder" },
     { 0x000200bb, "throttle" },
     { 0x000200c4, "accelerator" },
     { 0x000200c5, "brake" },
     { 0x000200c8, "steering" },
-    /* Usages of the Generic Device Controls page (section 9) and the Consumer page (section 15). */
+    /* Usages of the Generic Device Controls page (HID Usage Tables 1.5, section 9) and the Consumer
+     * page (section 15). */
     { 0x00060020, "battery" },
     { 0x000c0001, "consumer control" },
     { 0x000c0224, "back" },
     { 0x000c0238, "pan" },
-    /* Usages of the Digitizers page (section 16). */
+    /* Usages of the Digitizers page (HID Usage Tables 1.5, section 16). */
     { 0x000d0001, "digitizer" },
     { 0x000d0002, "pen" },
     { 0x000d0004, "touch screen" },
@@ -205,17 +206,19 @@ static enum exit_code hid_rows_error(const char *path, unsigned row, const char 
     return EXIT_BAD_DATA;
 }
 
-/* State while a report file is decoded. Only rows with the id of the descriptor are decoded. */
+/* State of the decoding of a report file. A row of the file starts with an id. Only rows whose id
+ * is the id of the descriptor are decoded. */
 struct decoded {
     const struct hid_descriptor *descriptor;
     const char *id, *path;
-    uint32_t reports, whole; /* `reports` is the number of reports with the id. `whole` is the
-                                number of those reports that are as long as the descriptor
+    uint32_t reports, whole; /* `reports` is the number of rows with the descriptor's id. `whole` is
+                                the number of these reports that are as long as the descriptor
                                 declares. */
 };
 
-/* Decodes one row of a report file. Rows with another id are skipped. The header is printed only
- * before the first matching row, so that an unreadable file produces no output. */
+/* Decodes one row of a report file. A row whose id differs from the descriptor's id is skipped. The
+ * header is printed only before the first matching row, so that an unreadable file produces no
+ * output. */
 static enum exit_code decode_row(struct decoded *of, char *line, unsigned row)
 {
     line[strcspn(line, "\r\n")] = '\0';

@@ -25,8 +25,8 @@ struct hid_node {
     uint16_t vendor, product;
     int open_errno; /* Errno of the attempt to open the node. 0 means that the current user may read
                        the node. ENOENT means that /dev has no such node. */
-    char name[HID_NODE_TEXT];  /* Name that the device reports, with unprintable characters
-                                  replaced by dots. */
+    char name[HID_NODE_TEXT];  /* Name that the device reports. Unprintable characters are replaced
+                                  by dots. */
     char place[HID_NODE_TEXT]; /* Physical location, for example usb-0000:00:14.0-1/input0. */
     char serial[HID_NODE_TEXT];
     char driver[32]; /* Name of the kernel driver, for example hid-generic or logitech-djreceiver.

@@ -16,8 +16,8 @@
 
 #define SECONDS_MAX 86400u
 
-/* Seconds for which an output stays on if --seconds is absent. The time is long enough to check a
- * lamp. */
+/* Seconds for which an output stays on if the option --seconds is absent. The time is long enough
+ * to check a lamp. */
 #define SET_SECONDS 3u
 #define PULSES_MAX 1000u /* Maximum number of pulses in a test of a coin meter. */
 #define NS_PER_S 1000000000ull

@@ -14,9 +14,9 @@ static const char *or_dash(const char *text)
 static void tell_line(void *context, const struct gpio_line_info *line)
 {
     FILE *out = context;
-    struct gpio_line_info shown = *line; /* Copy whose texts are made printable. The consumer of a
-                                            line chooses its name, so the name may contain any
-                                            character. */
+    struct gpio_line_info shown = *line; /* Copy of the line's description, in which all texts are
+                                            made printable. The consumer of a line chooses its own
+                                            name, so the name may contain any character. */
     printable(shown.device);
     printable(shown.chip);
     printable(shown.name);
@@ -33,7 +33,8 @@ enum exit_code lines_list(struct gpio_lines lines, FILE *out)
     fputs("device\tchip\toffset\tname\tdirection\tactive\theld_by\n", out);
     const int count = lines.ops->list(lines.self, tell_line, out);
     if (print_flush(out) != 0) {
-        return EXIT_NOT_SO; /* The write to standard output failed. main() prints the error line. */
+        return EXIT_NOT_SO; /* A write to standard output failed. main() prints the error
+                               message. */
     }
     if (count == HAL_ERR_ABSENT) {
         print_error("kingyoctl lines: no GPIO chip in /dev (%s)", lines.ops->describe(lines.self));

@@ -113,7 +113,8 @@ static enum exit_code read_config(struct doctor_words *words, int argc, const ch
     }
     words->options = (struct options){ 0 };
     memcpy(words->options.config, path, sizeof path);
-    memcpy(doctor.options.config, path, sizeof path); /* doctor_warn() prints the path. */
+    memcpy(doctor.options.config, path, sizeof path); /* doctor_warn() prints the path of the
+                                                         configuration file. */
     const int failed = config_file_read(&words->options, path, doctor_warn);
     if (failed) {
         print_error("kingyoctl doctor: %s: %s", path, file_error(-failed));

@@ -121,11 +121,11 @@ int doctor_may_use(const struct doctor *doctor, const char *path)
     }
     if (doctor->user.id == geteuid() && access(whole, R_OK | W_OK) == 0) {
         return 0; /* The user may have access through an access control list, even if the mode bits
-                     allow no access. For example, the logged-in user at the machine has access to
-                     many devices through access control lists. */
+                     allow no access. For example, a user who is logged in at the machine has access
+                     to many devices through access control lists. */
     }
-    /* Like the kernel, uses only the mode bits of the first matching class: owner, group or
-     * others. */
+    /* The check uses only the mode bits of the first matching class (owner, group or others), as
+     * the kernel does. */
     bool is_member = false;
     CORE_ASSERT(doctor->user.group_count <= DOCTOR_GROUPS_MAX);
     for (uint32_t i = 0; i < doctor->user.group_count; i++) {

@@ -97,7 +97,8 @@ void doctor_screen(struct doctor *doctor)
         look_at_nodes(doctor, "display", "/dev/dri", "card", "video");
         look_at_nodes(doctor, "display", "/dev/dri", "renderD", "render");
     }
-    if (!doctor->root[0]) { /* Only the real machine can open windows, not a test folder. */
+    if (!doctor->root[0]) { /* The display is checked only on the real machine (an empty root). A
+                               test folder cannot open windows. */
         char why[HAL_TEXT_SIZE] = "";
         const bool has_screen = board_has_screen(why, sizeof why) != 0;
         struct doctor_finding *finding =

@@ -18,8 +18,8 @@
 #include "platform/store/storage.h"
 #include "platform/system_health.h"
 
-/* Free space in MiB below which doctor prints a warning. The space is enough for two copies of a
- * database that contains a replay of each ranked round. */
+/* Free space in MiB below which `kingyoctl doctor` prints a warning. The space is enough for two
+ * copies of a database that contains a replay of each ranked round. */
 #define ROOM_MIB 64u
 #define PATH_ROOM (OPTIONS_PATH_MAX + 400u)
 
@@ -45,7 +45,7 @@ static void look_at_room(struct doctor *doctor, const char *path)
 static int look_at_folder(struct doctor *doctor, const char *path)
 {
     struct statvfs mount;
-    /* The mode bits of a folder do not contain whether its file system is mounted read-only. */
+    /* The mode bits of a folder do not show whether its file system is mounted read-only. */
     const int error = statvfs(path, &mount) == 0 && (mount.f_flag & ST_RDONLY) != 0
                           ? EROFS
                           : doctor_may_use(doctor, doctor->options.data);
@@ -71,8 +71,8 @@ static int look_at_folder(struct doctor *doctor, const char *path)
 
 /* ---- Database -------------------------------------------------------------------------------- */
 
-/* Age in hours above which doctor reports a backup as old. The kiosk makes a backup at each program
- * start and every hour. */
+/* Age in hours above which `kingyoctl doctor` reports a backup as old. The kiosk makes a backup at
+ * each program start and every hour. */
 #define BACKUP_OLD_H 48
 
 static int64_t count_of(struct ledger_file *file, const char *sql)

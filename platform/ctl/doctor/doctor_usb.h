@@ -34,11 +34,9 @@ struct usb_interface {
 };
 
 /* Reads the device at `device->port` and selects its best interface for the kiosk
- * (usb_choice_is_better()): an interface that can be played, then one whose descriptor must be
- * read, then one that must be learned.
- *
- * For a HID interface, `best->subject` points to `device->identity`. `device` must therefore
- * outlive `best`. */
+ * (usb_choice_is_better()). An interface that can play is preferred, then an interface whose
+ * descriptor must be read, then an interface that must be learned. For a HID interface,
+ * `best->subject` points to `device->identity`. `device` must therefore outlive `best`. */
 void doctor_read_usb(const struct doctor *doctor, const struct usb_choice *choice,
                      struct usb_device *device, struct usb_interface *best);
 

@@ -34,8 +34,8 @@ struct builder {
     float reach;
     uint32_t key; /* Index of the last key shape, from which the body coordinates are computed. */
     struct corner corners[MESH_VERTEX_MAX];
-    uint32_t place[MESH_VERTEX_MAX]; /* For each vertex, the index of the first vertex of the same
-                                        part that has the same position. */
+    uint32_t place[MESH_VERTEX_MAX]; /* Index of a place for each vertex. The place is the first
+                                        vertex of the same part that has the same position. */
     uint32_t buckets[BUCKETS];       /* Hash table of the vertices. An entry is a vertex index + 1,
                                         or 0 if the bucket is empty. */
     struct part_box {
@@ -182,7 +182,7 @@ static bool vertex_of(struct builder *b, const struct corner *corner, uint32_t *
 static bool add_triangle(struct builder *b, uint32_t x, uint32_t y, uint32_t z)
 {
     if (x == y || y == z || z == x) {
-        return true; /* The triangle is omitted because two corners of the triangle became the same
+        return true; /* The triangle is omitted because two of its corners were merged into one
                         vertex. */
     }
     if (b->out->index_count + 3 > MESH_INDEX_MAX) {
@@ -328,8 +328,8 @@ enum exit_code import_build(const struct import_mesh *mesh, struct species_slot 
     if (!add_triangles(&b)) {
         return EXIT_BAD_DATA;
     }
-    /* Vertices with the same position get the same place. The surface is continuous at a
-     * texture seam, although different vertices lie on its two sides. */
+    /* Vertices with the same position get the same place. The surface is therefore continuous at a
+     * texture seam, although different vertices lie on the two sides of the seam. */
     for (uint32_t i = 0; i < b.out->vertex_count; i++) {
         b.place[i] = i;
         for (uint32_t j = 0; j < i && b.place[i] == i; j++) {

@@ -168,8 +168,8 @@ static bool refuse_scene(struct flattening *f, const char *text)
     return false;
 }
 
-/* Callback for assimp's log messages. assimp drops faces with invalid vertex indices and reports
- * the loss only in its log. */
+/* Callback for assimp's log messages. assimp drops faces with invalid vertex indices, and reports
+ * the dropped faces only in its log. */
 static void listen(const char *line, char *heard)
 {
     if (strstr(line, "out-of-range indices")) {
@@ -231,7 +231,7 @@ bool import_flatten(const char *path, struct import_mesh *mesh, char why[IMPORT_
     return good;
 }
 
-#else /* Replacements for a build without assimp follow. */
+#else /* The following functions replace the import in a build without assimp. */
 
 bool import_flat_is_available(void)
 {

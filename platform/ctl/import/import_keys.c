@@ -112,7 +112,8 @@ static double weight_of(const struct aiMeshMorphKey *moment, uint32_t target)
     return target != KEY_BASE ? own : sum > 1.0 && sum < 1.0 + 1e-5 ? 0.0 : 1.0 - sum;
 }
 
-/* Returns the mean animation time of a morph target, weighted by its weight. */
+/* Returns the mean of the animation times at which a morph target is shown. Each keyframe counts
+ * with the weight that the morph target has at the keyframe. */
 static double season_of(const struct aiMeshMorphAnim *channel, uint32_t target)
 {
     double sum = 0.0, when = 0.0;

@@ -13,8 +13,8 @@
 /* Days between two key shapes if neither the options nor the file contain ages. */
 #define KEY_DAYS 30.0
 
-/* Ratio of the asymptotic length to the length of the last key shape, if no growth parameters are
- * given. */
+/* Ratio of the fish's greatest possible (asymptotic) length to the length of the last key shape.
+ * Used if no growth parameters are given. */
 #define GROWN 1.05
 #define FADE_YEAR 0.3f
 

@@ -41,8 +41,8 @@ vec3 import_nodes_apply(const struct place *p, vec3 a)
 }
 
 /* Finds the interval between two keyframes that contains `time`. `keys` contains `count` keyframes
- * with rising times. Sets `*i` to the first keyframe of the interval. Returns the share, in [0, 1],
- * of the interval that has passed at `time`. */
+ * with rising times. Sets `*i` to the first keyframe of the interval. Returns the fraction, in [0,
+ * 1], of the interval that has passed at `time`. */
 static float between(const char *keys, size_t stride, uint32_t count, double time, uint32_t *i)
 {
     double low = 0.0, high = 0.0;

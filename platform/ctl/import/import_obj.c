@@ -174,7 +174,8 @@ static bool import_obj_read_line(struct obj *o, char *text)
         return read_face(o, word + 2);
     }
     if (strncmp(word, "g ", 2) == 0 || strncmp(word, "o ", 2) == 0) {
-        /* Only the groups of key shape 0 are used. Further key shapes may have other names. */
+        /* Only the groups of key shape 0 are used. The files of other key shapes may have other
+         * group names. */
         struct import_mesh *m = o->mesh;
         const char *name = strtok(word + 2, "\r\n");
         if (o->key > 0) {

@@ -8,16 +8,16 @@
 #include "core/base/panic.h"
 #include "platform/ctl/import/import.h"
 
-/* Distance between the body's centre and the middle of its extent, as a share of the length. Below
- * this distance, head and tail cannot be distinguished. */
+/* Distance between the body's centre and the middle of the body's extent, as a fraction of the
+ * body's length. If the distance is smaller, head and tail cannot be distinguished. */
 #define UNCLEAR_SHARE 0.015
 
-/* Ratio of the length to the width. Below this ratio, the direction of the head is ambiguous, for
- * example for a ray seen from above. */
+/* Ratio of the length to the width of a fish. If the ratio is smaller, the direction of the head is
+ * ambiguous, for example for a ray seen from above. */
 #define SQUARE_RATIO 1.15
 
-/* Range around the middle height of the body, as a share of the body's height. The shortest rays of
- * a forked tail fin lie in this range. */
+/* Height of a range around the middle of the body, as a fraction of the body's height. The shortest
+ * rays of a forked tail fin lie in this range. */
 #define MIDDLE_SHARE 0.1f
 
 /* Tolerance for the size of a mesh that kingyoctl wrote, because its polygons only approximate the

@@ -182,8 +182,8 @@ static enum exit_code import_scene_read_file(struct import_mesh *mesh, struct sh
         return EXIT_BAD_DATA;
     }
     for (uint32_t key = 0; key < mesh->key_count; key++) {
-        printable(mesh->key_names[key]); /* The names of key shapes are made printable, because
-                                            error messages quote them. */
+        printable(mesh->key_names[key]); /* Unprintable characters in the names of key shapes are
+                                            replaced, because error messages quote the names. */
     }
     return EXIT_OK;
 }

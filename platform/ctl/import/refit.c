@@ -9,25 +9,27 @@
 #include "platform/ctl/import/refit.h"
 
 #define ROUNDS 24u
-/* Number of Gauss-Seidel sweeps in each round. After 30 sweeps, neighbouring vertices are in
- * balance to a thousandth. */
+/* Number of Gauss-Seidel sweeps (passes over all vertices) in each round. After 30 sweeps the
+ * remaining error is about a thousandth. */
 #define SWEEPS 30u
-/* Stiffness of an edge relative to the pull of a vertex, in the first round. */
+/* Stiffness of an edge between two template vertices in the first fitting round. A pull of a vertex
+ * toward the mesh has the stiffness 1. */
 #define STIFF_FIRST 20.0f
-/* Stiffness of an edge relative to the pull of a vertex, in the last round. */
+/* Stiffness of an edge between two template vertices in the last fitting round. A pull of a vertex
+ * toward the mesh has the stiffness 1. */
 #define STIFF_LAST 0.15f
-/* Weight with which a vertex of the mesh pulls the nearest vertex of the template. */
+/* Weight of the pull that a vertex of the mesh exerts on the nearest vertex of the template. */
 #define BACK_PULL 0.5f
 /* Maximum number of vertices of the mesh that pull the template. A larger mesh is sampled
  * evenly. */
 #define BACK_MAX 6000u
 #define EDGE_MAX (3u * MESH_INDEX_MAX)
-/* Greatest distance of a pull, as a share of the fish's length. A vertex is not pulled to a surface
- * that is farther away. */
+/* Greatest distance over which a vertex is pulled, as a fraction of the fish's length. A vertex is
+ * not pulled to a surface that is farther away. */
 #define FAR_SHARE 0.30f
 
-/* State of the fit of one level of detail. Vertices of a part that have the same position share one
- * place. */
+/* State of the fit of one level of detail. All vertices of a part that have the same position move
+ * together as one point, which is called a place. */
 struct fitting {
     const struct species_mesh *mesh;
     const struct refit_tree *tree;
@@ -52,8 +54,8 @@ static void refit_draw(uint32_t place, vec3 toward, float weight)
     fit.weight[place] += weight;
 }
 
-/* Adds the pull of the mesh's vertices on the nearest vertices of the template. Without this pull,
- * the rims and the tips of fins would be too short. */
+/* Adds the pulls of the mesh's vertices on the nearest vertices of the template. Without these
+ * pulls, the rims and the tips of fins would be too short. */
 static void draw_from_mesh(const struct import_mesh *mesh)
 {
     const uint32_t step = mesh->triangle_count / BACK_MAX + 1u;
@@ -85,8 +87,8 @@ static void draw_from_mesh(const struct import_mesh *mesh)
     }
 }
 
-/* Moves each place to the balance between its pull and the edges to its neighbours. An edge resists
- * any change from its rest shape. */
+/* Moves each place to the position at which its pull and the edges to its neighbours are in
+ * balance. An edge resists any change from its rest shape. */
 static void refit_relax(float stiff)
 {
     for (uint32_t sweep = 0; sweep < SWEEPS; sweep++) {
@@ -316,7 +318,7 @@ static void fit_lod(struct species_slot *slot, uint32_t lod, uint32_t key,
         for (uint32_t i = 0; i < fit.mesh->vertex_count; i++) {
             fit.now[i] = fit.now[fit.place[i]];
         }
-        /* The new shape becomes the rest shape of the next round. */
+        /* The new shape becomes the rest shape of the edges in the next round. */
         memcpy(fit.rest, fit.now, sizeof fit.rest);
     }
     if (lod > 0) {

@@ -46,9 +46,9 @@ static void axis_from(const struct refit_marks *marks, const char *to, const cha
     }
 }
 
-/* Rotates and scales a mesh together with its landmarks. For this, the landmarks are appended to
- * the mesh as vertices without triangles. Returns false and writes the reason to `why` after an
- * error. */
+/* Rotates and scales a mesh together with its landmarks. The landmarks are temporarily appended to
+ * the mesh as vertices without triangles. After an error returns false and writes the reason to
+ * `why`. */
 static bool orient(struct import_mesh *mesh, struct refit_marks *marks,
                    const struct import_options *plan, char why[IMPORT_WHY_SIZE])
 {

@@ -200,8 +200,8 @@ bool refit_marks_of_template(const struct species_mesh *mesh, const vec3 *positi
 /* Regularization of the affine transform, in squared body lengths for each landmark. */
 #define RIDGE 0.0005
 #define REACH 0.8 /* Radius of the displacement around a landmark, in body lengths. */
-/* Regularization of the displacements. Two landmarks that nearly coincide may keep this share of
- * the difference between their displacements as an error. */
+/* Regularization of the displacements around landmarks. Two landmarks that nearly coincide may keep
+ * an error of this fraction of the difference between their displacements. */
 #define SLACK 1e-4
 
 static double point_distance(vec3 a, vec3 b)
@@ -268,8 +268,8 @@ static vec3 stretched(double m[SYSTEM_MAX][SYSTEM_MAX + 3], vec3 p, vec3 middle,
     return v3_add(v3_add(at, goal), v3((float)way[0], (float)way[1], (float)way[2]));
 }
 
-/* Computes the weights of the displacements around the landmarks. Together, the displacements move
- * `from` by the rest that the affine transform leaves. */
+/* Computes the weights of the displacements around the landmarks. The affine transform does not
+ * move each landmark exactly to its target. The displacements together add the missing distance. */
 static void fit_bumps(const vec3 *from, const vec3 *to, uint32_t n,
                       double m[SYSTEM_MAX][SYSTEM_MAX + 3])
 {

@@ -50,8 +50,8 @@ static vec3 componentwise_max(vec3 a, vec3 b)
     return v3(fmaxf(a.x, b.x), fmaxf(a.y, b.y), fmaxf(a.z, b.z));
 }
 
-/* A range of triangles that must still be split. `parent` is the branch whose second child the
- * range will be. */
+/* A range of triangles that must still be split. `parent` is the index of the tree node whose
+ * second child will be made from the range. */
 struct range {
     uint32_t first, count, parent;
 };

@@ -205,7 +205,8 @@ enum exit_code csv_row(struct csv *csv, double *values, int *is_end)
         while (index + 1u < csv->column_count && csv->field_of[index] != number) {
             index++;
         }
-        CORE_ASSERT(csv->field_of[index] == number); /* The header has this position. */
+        CORE_ASSERT(csv->field_of[index] == number); /* The header line has named a column for the
+                                                        position `number`. */
         const char *text = cut_field(&rest);
         if (!text) {
             return csv_error(csv, index, "is missing: the line ends before it");

@@ -30,8 +30,8 @@ struct csv_column {
                                  numbers. */
     uint8_t may_miss;         /* 1 if the file may lack the column. 0 if a file without the column
                                  is rejected. */
-    uint8_t unread;           /* 1 if the fields of the column are not parsed. The value is then
-                                 always `otherwise`. 0 for a column that is parsed. */
+    uint8_t unread;           /* 1 if the fields of the column are not parsed, so that the value is
+                                 always `otherwise`. 0 if the fields are parsed. */
     double otherwise;         /* Value that every row gets if the file does not have the column. */
 };
 

@@ -8,11 +8,13 @@
 #define FIN_ROOT_HIDES 0.92f
 #define FIN_TIP_HIDES 0.55f
 #define FIN_RAYS 13.0f /* Number of fin rays, equal to the number that the kiosk draws. */
-/* Reduction of a fin's opacity between two rays, compared with the opacity at a ray. */
+/* Loss of a fin's opacity halfway between two fin rays, as a fraction of the opacity on a fin
+ * ray. */
 #define RAY_HIDES 0.22f
-/* Reduction of a fin's brightness between two rays, compared with the brightness at a ray. */
+/* Loss of a fin's brightness halfway between two fin rays, as a fraction of the brightness on a fin
+ * ray. */
 #define RAY_LIGHT 0.18f
-/* Share of a glass body's transparency that is lost where the surface is seen edge-on, because the
+/* Fraction of a transparent body's transparency that is lost where the surface is seen edge-on. The
  * surface reflects light there. */
 #define GLASS_RIM 0.55f
 

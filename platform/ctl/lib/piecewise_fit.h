@@ -32,8 +32,9 @@ struct piecewise_fit {
 };
 
 /* Samples the function at every mark, and then adds samples until the error in the middle of each
- * interval is at most `tolerance`. The caller passes at least two marks in rising order from 0 to
- * 1. Returns false if memory allocation fails. */
+ * interval is at most `tolerance`. A mark is a value of progress at which a sample is required. The
+ * caller passes at least two marks in rising order from 0 to 1. Returns false if memory allocation
+ * fails. */
 bool piecewise_fit_fit(struct piecewise_fit *track, const struct piecewise_fit_function *function,
                        const float *marks, uint32_t mark_count, float tolerance);
 

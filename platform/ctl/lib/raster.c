@@ -220,7 +220,8 @@ static vec3 sample_colour(const struct raster *raster, uint32_t top, uint32_t s,
             const float depth =
                 layer->depth + layer->depth_dx * offset.x + layer->depth_dy * offset.y;
             if (pile.count == PILE_MAX && pile.depth[PILE_MAX - 1u] >= depth) {
-                continue; /* The pile is full, and the layer lies behind all stored layers. */
+                continue; /* The list of layers is full, and the new layer lies behind all stored
+                             layers. */
             }
             uint32_t at = pile.count < PILE_MAX ? pile.count++ : PILE_MAX - 1u;
             for (; at > 0 && pile.depth[at - 1] < depth; at--) {

@@ -19,7 +19,7 @@ struct svg {
     struct atomic_file out;
 };
 
-/* Creates a picture of the given size in pixels and fills its background. Returns false and sets
+/* Creates a picture of `width` x `height` pixels and fills its background. Returns false and sets
  * errno if the file cannot be created. */
 bool svg_open(struct svg *svg, const char *path, double width, double height, const char *title);
 

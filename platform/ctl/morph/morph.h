@@ -12,7 +12,8 @@ struct morph_command {
     const char *words;
     const char *summary;                /* Summary of the subcommand in one line. */
     const struct option_table *options; /* Options that --help lists, or null. */
-    uint32_t groups;                    /* Groups of the options (enum morph_requirement). */
+    uint32_t groups;                    /* Groups of options that the subcommand accepts (enum
+                                           morph_requirement). */
     const char *usage;                  /* Further text that --help prints after the options. */
     /* Runs the subcommand. argv[0] is the first argument after the subcommand's name. The caller of
      * `run` has already handled --help. */
@@ -26,7 +27,8 @@ extern const struct morph_command ctl_morph_growth;
 extern const struct morph_command ctl_morph_import;
 extern const struct morph_command ctl_morph_list;
 extern const struct morph_command ctl_morph_path;
-extern const struct morph_command ctl_morph_refit; /* Defined in platform/ctl/import. */
+extern const struct morph_command ctl_morph_refit; /* The subcommand `kingyoctl morph refit`, which
+                                                      is defined in platform/ctl/import. */
 extern const struct morph_command ctl_morph_weights;
 
 /* Prints one line, "kingyoctl morph COMMAND: ...", to standard error and returns EXIT_USAGE. */

@@ -130,7 +130,7 @@ void morph_inside_measure(struct morph_walk *w)
 /* Height of a triangle, in quantization steps of the mesh tables, below which rounding errors
  * determine the direction. */
 #define THIN_COUNTS 4.0f
-/* Step of progress for sampling between two moments. */
+/* Step of progress with which the interval between two moments is sampled. */
 #define CLOSELY 4e-5f
 
 static vec3 face_of(const struct morph_walk *w, uint32_t triangle)

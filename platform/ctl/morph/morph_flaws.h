@@ -15,7 +15,8 @@ struct morph_walk { /* State of a survey. The structure has about 10 MiB. */
     struct morph_pose pose, key_pose;
     vec3 positions[MESH_VERTEX_MAX], normals[MESH_VERTEX_MAX];
     vec3 key_positions[MESH_VERTEX_MAX];
-    /* Normal of each fin triangle, at the last moment at which the triangle was large enough. */
+    /* Normal of each fin triangle, measured at the last moment at which the triangle was large
+     * enough. */
     vec3 facing[MESH_INDEX_MAX / 3];
     bool flipped[MESH_INDEX_MAX / 3], doubtful[MESH_INDEX_MAX / 3];
     /* Progress at the previous moment. While the first moment is measured, `before` is at least as
@@ -39,8 +40,8 @@ static inline void morph_walk_keep(const struct morph_walk *w, struct finding *f
     }
 }
 
-/* morph_inside_find_roots() is called once before the first moment.
- * The other two functions are called at every moment for which a shape is computed. */
+/* morph_inside_find_roots() finds the root of each fin ray, and is called once before the first
+ * moment. The two functions after it are called at every moment for which a shape is computed. */
 void morph_inside_find_roots(struct morph_walk *w);
 void morph_inside_build_skins(struct morph_walk *w);
 void morph_inside_measure(struct morph_walk *w);

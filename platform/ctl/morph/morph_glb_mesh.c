@@ -236,7 +236,7 @@ static void add_look(struct aspect *sum, const struct aspect *look, float weight
     sum->hides += look->hides * weight;
 }
 
-/* Returns C_ck (see the start of this file) for one vertex. */
+/* Returns C_ck (defined in the section comment above) for one vertex. */
 static struct aspect solved_aspect(const struct morph_glb *fish, uint32_t vertex, uint32_t curve,
                                    uint32_t key)
 {

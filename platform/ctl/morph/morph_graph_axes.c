@@ -162,7 +162,7 @@ void morph_graph_axes(struct svg *svg, const struct species_card *card,
     svg_text(svg, MORPH_GRAPH_LEFT - 24.0, MORPH_GRAPH_BOTTOM + 24.0, 14.0, "end", SVG_INK,
              "progress");
     draw_ages(svg, card);
-    /* The scale has a round step, 1, 2 or 5 times a power of ten, and four to ten steps. */
+    /* The step of the scale is 1, 2 or 5 times a power of ten. The scale has four to ten steps. */
     const double power = pow(10.0, floor(log10(lengths->high_mm / 4.0)));
     const double part = lengths->high_mm / 4.0 / power;
     const double step = power * (part >= 5.0   ? 5.0

@@ -118,11 +118,16 @@ static bool take_template(const char *value, uint32_t index, void *out)
 /* An option and its value. Exactly one of `take` and `choices` is not null. */
 struct word_option {
     const char *name;
-    enum import_command command; /* The option exists for this command or for both commands. */
+    enum import_command command; /* Commands that accept the option: one command or both. */
     void *out;
-    bool (*take)(const char *piece, uint32_t index, void *out); /* Parses one item of the value. */
-    const char *const *choices; /* `most` allowed words. `out` points to the index of the word. */
-    uint32_t *count;            /* Number of items of a comma-separated list. Null for one value. */
+    bool (*take)(const char *piece, uint32_t index, void *out); /* Callback that parses one item of
+                                                                   the option's value. Null if
+                                                                   `choices` is not null. */
+    const char *const *choices; /* Words that the option accepts, `most` words in number. Null if
+                                   `take` is not null. `out` points to the index of the chosen
+                                   word. */
+    uint32_t *count;            /* Number of parsed items of a comma-separated list. Null if the
+                                   option has a single value. */
     uint32_t least, most;       /* Allowed number of items of a list. */
 };
 

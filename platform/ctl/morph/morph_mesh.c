@@ -130,12 +130,10 @@ void morph_mesh_paint(const struct species *species, const float weights[MORPH_K
 
 /* ---- Wavefront OBJ --------------------------------------------------------------------------- */
 
-/* This section this section writes a fish at one moment of its life as a Wavefront OBJ file for
- * other programs.
- *
- * The colour of a vertex follows its position (`v x y z r g b`, sRGB). MeshLab, Blender and
- * other programs read this extension. Texture coordinates are the body coordinates u and v. Each
- * piece of the mesh is one group. */
+/* This section writes a fish at one moment of its life as a Wavefront OBJ file for other programs.
+ * The colour of a vertex follows its position (`v x y z r g b`, sRGB). MeshLab, Blender and other
+ * programs read this extension. Texture coordinates are the body coordinates u and v. Each piece of
+ * the mesh is one group. */
 
 static const char command[] = "export";
 

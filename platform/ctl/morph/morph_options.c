@@ -122,7 +122,7 @@ enum exit_code morph_options_read(struct morph_options *pick, const char *comman
     if (code != EXIT_OK) {
         return code;
     }
-    /* --thesis and --template ordinary change the drawn species. */
+    /* The options --thesis and --template ordinary replace the drawn species by a reduced one. */
     static struct straight_memory memory;
     static struct species made;
     pick->fish = pick->drawn;

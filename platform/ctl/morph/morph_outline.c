@@ -10,8 +10,8 @@
 #include "core/base/panic.h"
 #include "platform/key_colour.h"
 
-/* Distance in body lengths below which two vertices count as one. The distance is less than a
- * quantization step of the mesh tables. */
+/* Distance in body lengths below which two vertices are treated as one vertex. The distance is less
+ * than a quantization step of the mesh tables. */
 #define JOIN_LENGTHS 1e-5f
 
 /* Layers of the drawing, from back to front. */

@@ -47,7 +47,7 @@ struct morph_survey {
     /* Number of moments at which the body's surface has a hole. Penetration depths are not measured
      * at these moments. */
     uint32_t moments_open;
-    /* The following findings are penetration depths. */
+    /* The findings from `body_in_body` to `eye_in_eye` are penetration depths. */
     struct finding body_in_body;  /* Depth to which a point of the skin lies inside the body
                                      because the skin has folded. */
     struct finding fin_in_body;   /* Depth of a fin point below the skin, minus the depth of the

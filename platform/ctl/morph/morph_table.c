@@ -32,7 +32,8 @@ static double von_bertalanffy_mm(const struct growth *growth, double age_days, d
 struct growth_plan {
     struct morph_options pick;
     uint32_t steps;
-    double to_days; /* 0 selects the age of about 95 % of the length. */
+    double to_days; /* Age in days at which the table ends. 0 selects the age at which the fish has
+                       about 95 % of its greatest length. */
     bool thesis;
 };
 

@@ -25,7 +25,7 @@ static void print_named(const struct audits *audits, uint32_t begin, uint32_t en
     }
 }
 
-/* Prints a row with the mean `sum` / `count` and its unit, or with "-" if `count` is 0. */
+/* Prints a row with the mean value `sum` / `count` and its unit, or with "-" if `count` is 0. */
 static void print_mean(const char *what, uint32_t sum, uint32_t count, const char *unit)
 {
     if (count == 0) {

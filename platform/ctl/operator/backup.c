@@ -293,7 +293,8 @@ static enum exit_code write_backup_copy(struct ledger_file *file, const char *pa
 struct request {
     struct books_words books;
     const char *path;
-    uint8_t restores; /* 1 if the database is replaced with the copy `path`. */
+    uint8_t restores; /* 1 if the database is replaced with the copy at `path`. 0 if the database is
+                         only copied. */
 };
 
 static const struct option options[] = {

@@ -22,7 +22,7 @@ struct books_words {
     uint8_t as_json;
 };
 
-/* The table of these options. Its target is struct books_words. */
+/* The table of the options in struct books_words, which is the target of the table. */
 extern const struct option_table books_options;
 
 /* Writes the path of the kiosk's ledger database to `out`. The file may not exist. */

@@ -26,8 +26,9 @@ struct scores_request {
     /* `mode` is the selected game mode, or MODE_COUNT for all modes. `period` is the selected
      * ranking period, or RANK_PERIOD_COUNT for all periods. */
     uint8_t mode, period;
-    uint8_t is_all;    /* 1 if all ranked rounds are verified. */
-    uint8_t with_pin;  /* 1 if the output file may contain the PIN of the operator's menu. */
+    uint8_t is_all;    /* 1 if all ranked rounds are verified, otherwise 0. */
+    uint8_t with_pin;  /* 1 if the output file may contain the PIN of the operator's menu, otherwise
+                          0. */
     uint32_t round_id; /* Number of the selected round, or 0 if no round is selected. */
     const char *out;   /* Path of the output file for the replay, or null. */
 };

@@ -17,8 +17,8 @@
 
 /* ---- Initial state --------------------------------------------------------------------------- */
 
-/* Sets columns of cells from the left to the wetness of the options, until the requested share of
- * the paper is wet. */
+/* Sets the wetness of the sheet's cells, column by column from the left, until the requested
+ * fraction of the paper is wet. */
 static void wet_paper(struct paper_lab *lab)
 {
     const struct paper_options *plan = lab->plan;
@@ -97,9 +97,9 @@ void paper_lab_open(struct paper_lab *lab, const struct paper_options *plan)
 
 /* ---- One tick -------------------------------------------------------------------------------- */
 
-/* Returns the force on the paper in N. `whole` is the share of the paper without holes. The force
- * perpendicular to the paper is the load on the sheet, and the force in the plane is the friction
- * of the water. */
+/* Returns the force on the paper in N. `whole` is the fraction of the paper without holes. The
+ * force perpendicular to the paper is the load on the sheet. The force in the plane of the paper is
+ * the friction of the water. */
 static float paper_force_n(const struct poi *poi, const struct basis *axes, float whole)
 {
     const float area_m2 = whole * F_PI * POI_RADIUS_M * POI_RADIUS_M;
@@ -137,7 +137,7 @@ void paper_lab_tick(struct paper_lab *lab)
     hand_spring_tick(poi, poi->position_m, &axes, poi->immersed);
     /* Restores the constant speed, because the carriage does not yield to forces. */
     poi->velocity_m_s = carriage_m_s;
-    /* Share of the paper without holes when the force was computed. */
+    /* Fraction of the paper without holes at the time when the force was computed. */
     const float whole = poi_whole(poi);
     const struct obstacle ring = poi_obstacle(poi);
     poi_apply_reaction(poi, &ring);

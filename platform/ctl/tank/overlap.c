@@ -227,8 +227,8 @@ static void forget_the_parted(struct tank_meetings *meetings, const struct tank 
         struct tank_meeting pair = meetings->open[i];
         pair.apart_ticks = spaces_overlap(tank, &pair) ? 0 : pair.apart_ticks + ticks;
         if (pair.apart_ticks < TANK_MEETINGS_PART_TICKS) {
-            /* open_pair() writes at or before index `i`, and the entry at `i` has already been
-             * read. */
+            /* The list may be changed inside the loop, because open_pair() writes at or before
+             * index `i` and the entry at `i` has already been read. */
             open_pair(meetings, &pair);
         }
     }
@@ -242,7 +242,7 @@ static void tank_meetings_begin(struct tank_meetings *meetings, const struct fis
                                        0 };
     for (uint32_t at = meetings->newest[pair.low]; at > 0; at = meetings->open[at - 1].older) {
         if (meetings->open[at - 1].high == pair.high) {
-            return; /* The pair is open already. */
+            return; /* The encounter of these two fish is already in the list of open pairs. */
         }
     }
     if (meetings->open_count < TANK_MEETINGS_OPEN_MAX) {

@@ -84,8 +84,8 @@ struct tank_meetings {
 
     uint32_t unlooked_ticks; /* Number of ticks since the last check of the open pairs. */
     uint32_t open_count;
-    /* Index + 1 of the newest open pair in which the fish is `low`. 0 means that there is no open
-     * pair. */
+    /* Index + 1 of the newest open pair in which the fish is the member `low`. 0 means that there
+     * is no open pair. */
     uint32_t newest[TANK_FISH_MAX];
     struct tank_meeting open[TANK_MEETINGS_OPEN_MAX];
     /* Avoidance of each fish at the previous call (enum fish_avoiding). */

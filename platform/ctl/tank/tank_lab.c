@@ -17,7 +17,7 @@
 #include "platform/ctl/tank/tank_files.h"
 #include "platform/os/print.h"
 
-#define POI_GRADE 5u /* Paper grade of the poi, the grade of the championship mode. */
+#define POI_GRADE 5u /* Paper grade of the poi. The championship mode has the same grade. */
 /* Default number of ticks between two observations for a tank with more fish than a kiosk has. 24
  * ticks give 5 observations per second. For 100,000 fish, one observation takes more computing time
  * than one tick. */
@@ -126,7 +126,7 @@ static void cast_shades(struct tank_lab *lab)
     tank_cast(&lab->tank, casts);
 }
 
-/* Advances the tank with a poi by one tick, in the order of core_tick(): poi, water, fish,
+/* Advances a tank that contains a poi by one tick, in the order of core_tick(): poi, water, fish,
  * captures. */
 static void tick_with_poi(struct tank_lab *lab)
 {
