@@ -201,9 +201,9 @@ struct game {
                                          pose; 0 means that the poi follows the controller. */
     uint8_t was_lost[POI_MAX];        /* 1 while the poi returns after an input loss, otherwise 0.
                                          The paper cannot be damaged until the poi arrives. */
-    uint32_t immunity_ticks[POI_MAX]; /* Ticks of damage immunity that each poi has used during
-                                         returns. The number decreases while the player controls the
-                                         poi. */
+    uint32_t immunity_ticks[POI_MAX]; /* Ticks of damage immunity that each poi has used while it
+                                         returned to its controller's pose. The number decreases
+                                         while the player controls the poi. */
     uint32_t outlier_ticks[POI_MAX];  /* Number of ticks for which the reported pose has required a
                                          motion that no arm can make (an outlier). */
     uint32_t rest_ticks[POI_MAX];     /* Number of consecutive ticks in which the player has not

@@ -122,8 +122,8 @@ float life_age_days(const struct species_card *card, float progress)
 }
 
 /* Returns the length by the hand-drawn size curve (the purple curve of the 2005 thesis). The curve
- * is interpolated logarithmically between two knots, like the length between two keys. Knots that
- * lie exactly on the keys therefore have no effect. */
+ * is interpolated logarithmically between two knots, like the length between two keys. Therefore a
+ * knot with the progress and the length of a key does not change the curve. */
 static float scale_by_hand_m(const struct species_card *card, float progress)
 {
     const struct scale_knot *to = &card->scale_knots[1];

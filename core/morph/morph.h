@@ -242,9 +242,9 @@ vec3 morph_normal(int16_t folded);
 /* Returns the 16-bit encoding of a unit normal. The function is the inverse of morph_normal(). */
 int16_t morph_fold_normal(vec3 normal);
 
-/* Returns the coordinate `x` as a count of reach / 32767, rounded to the nearest count with ties
- * away from 0. Coordinates beyond `reach` are clamped. For one axis, the function is the inverse of
- * morph_position(). */
+/* Converts the coordinate `x`, in body lengths, to the 16-bit unit of struct species_point, reach /
+ * 32767. Rounds to the nearest integer, with ties away from 0. Coordinates beyond `reach` are
+ * clamped. For one axis, the function is the inverse of morph_position(). */
 int16_t morph_count(float x, float reach);
 
 /* ---- straight.c: the method of the 2005 thesis, for comparison ------------------------------ */

@@ -19,7 +19,8 @@
 /* Largest number of random placements of all fish. In 1 % of the smallest tanks, the fish of the
  * first placement cannot be separated. */
 #define START_DRAWS_MAX 8u
-#define START_SHOVE_M 0.004f /* Largest push of a fish in one round. */
+/* Largest push of a fish in one round of the separation at the start. */
+#define START_SHOVE_M 0.004f
 
 /* ---- Validation of the configuration --------------------------------------------------------- */
 

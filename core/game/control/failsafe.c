@@ -1,5 +1,5 @@
-/* failsafe.c -- computes the failsafe motion, one step per tick, and converts carried fish of a poi
- * that disappears to falling fish. */
+/* failsafe.c -- computes the failsafe motion, one step per tick. If a poi disappears, converts its
+ * carried fish to falling fish. */
 #include "core/game/control/controller.h"
 
 #include "core/base/fmath.h"
@@ -36,9 +36,11 @@
  * covers this distance without an impact. */
 #define BACK_NEAR_M 0.006f
 #define BACK_NEAR_RAD 0.02f
-/* Horizontal distance to the goal above which the poi leaves the water before it moves sideways. */
+/* Horizontal distance to the controller's pose above which a returning poi leaves the water before
+ * it moves sideways. */
 #define BACK_FAR_M 0.15f
-#define BACK_ASIDE_M 0.03f /* Horizontal distance to the goal within which the poi may move down. */
+/* Horizontal distance to the controller's pose within which a returning poi may move down. */
+#define BACK_ASIDE_M 0.03f
 
 struct poi_target failsafe_begin(const struct poi *poi, struct poi_target hand)
 {

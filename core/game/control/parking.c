@@ -10,7 +10,8 @@
 /* Distance from the bowl's centre to the parked poi along the rim, so that the handle lies beside
  * the bowl. */
 #define ALONG_M 0.105f
-/* Distance of the parked ring inside the wall, so that the ring stays visible. */
+/* Distance from the tank wall to the parked ring. The ring lies inside the wall, so that it stays
+ * visible. */
 #define INSIDE_M 0.005f
 #define ON_RIM_M 0.004f
 #define OVER_RIM_M 0.020f /* Height of the poi above the rim while it moves. */

@@ -210,7 +210,7 @@ static void scrub_to(struct lab *lab, float progress)
     lab->playing = 0;
 }
 
-/* Returns the pointer position in a field, as shares of its width and height. The origin is the
+/* Returns the pointer position in a field, as fractions of its width and height. The origin is the
  * field's lower left corner. */
 static struct layout_point pointer_share_of(const struct lab *lab, struct layout_box field)
 {

@@ -214,9 +214,9 @@ static void rest_at(struct calibrate *calibrate, const struct poi_target *at)
     calibrate->still_ticks = 0;
 }
 
-/* Adds the pose to the sum while the poi is still. Sums the deviations from the anchor, because a
- * sum of positions would lose precision far from the origin. Returns 1 if the poi has been still
- * for CALIBRATE_STILL_TICKS, otherwise 0. */
+/* While the poi is held still, adds the deviation of its pose from `anchor` to `sum`. A sum of
+ * positions would lose precision far from the origin. Returns 1 if the poi has been still for
+ * CALIBRATE_STILL_TICKS, otherwise 0. */
 static int watch_still(struct calibrate *calibrate, const struct poi_input *poi)
 {
     const struct poi_target *at = &poi->target, *anchor = &calibrate->anchor;

@@ -19,11 +19,10 @@
  * abruptly. */
 #define SAG_TAU_S 0.03f
 
+/* ---- Stress concentration -------------------------------------------------------------------- */
+
 /* Raises `ratio` of a cell beside a tear to the cell's load times the stress factor of the tear. A
  * higher ratio stays unchanged. */
-
-/* Multiplies `ratio` of the cells in a row by the stress factor of the line between wet and dry
- * paper. Then applies the stress factors of tears. */
 static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uint32_t row,
                            uint32_t column)
 {
@@ -33,8 +32,8 @@ static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uin
     strain->ratio[cell] = f_max(strain->ratio[cell], tip);
 }
 
-/* Multiplies `ratio` of the cells in a row by the factor of the wet line, and then applies the
- * stress factors of tears. */
+/* Multiplies `ratio` of the cells in a row by the stress factor of the line between wet and dry
+ * paper. Then applies the stress factors of tears. */
 static void gather_row(struct strain *strain, const struct sheet *sheet, uint32_t row)
 {
     const uint32_t front = tear_front(&strain->map, row);

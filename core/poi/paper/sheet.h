@@ -109,12 +109,12 @@ const struct paper_grade *sheet_grade(uint8_t grade);
  * solution for Poisson's ratio 0.3). The sign of the pressure has no effect. */
 float sheet_tension_centre(const struct paper_grade *grade, float pressure_pa, float radius_m);
 
-/* Returns the line tension (N/m) at the edge of a circular membrane with a clamped edge. The
- * membrane is the one of sheet_tension_centre(). */
+/* Returns the line tension (N/m) at the edge of the circular membrane whose tension at the centre
+ * is sheet_tension_centre(). */
 float sheet_tension_edge(const struct paper_grade *grade, float pressure_pa, float radius_m);
 
-/* Returns the depth (m) of the sag at the centre of a circular membrane with a clamped edge. The
- * membrane is the one of sheet_tension_centre(). */
+/* Returns the depth (m) of the sag at the centre of the circular membrane whose tension at the
+ * centre is sheet_tension_centre(). */
 float sheet_belly(const struct paper_grade *grade, float pressure_pa, float radius_m);
 
 /* Initializes a dry sheet without holes. `seed` selects the random weak spots, fibre direction and

@@ -50,10 +50,9 @@
 #define HABIT_FADE_S 60.0f
 #define HABIT_NONE 1e-3f
 
-/* Largest distance from the rim of a moving disc at which a fish decides in every tick. At this
- * distance the disc has a visual angle of 21 degrees. If the disc is faster than 1 m/s, the
- * distance from its centre is multiplied by its speed in m/s, because the pressure of the water
- * reaches farther. */
+/* Distance from the rim of a moving disc within which a fish decides in every tick. At this
+ * distance the disc has a visual angle of 21 degrees. If the disc is faster than 1 m/s, the code
+ * multiplies the limit by the speed in m/s, because the pressure of the water reaches farther. */
 #define ALERT_M 0.20f
 #define ALERT_M_S 0.05f
 

@@ -47,9 +47,9 @@
 #define BEAT_FAST_LENGTHS_PER_S 4.0f
 #define BEAT_MIN_HZ 0.5f
 
-/* The width of the tail's stroke is a number, where 1 is a fifth of the body length from tip to
- * tip. The stroke widens with the frequency up to 5 Hz and then keeps its width (Bainbridge 1958).
- * In a glide the tail only trails. */
+/* Unit of the next constants: a stroke width of 1 means that the tail swings over a fifth of the
+ * body length from tip to tip. The stroke widens with the frequency up to 5 Hz and then keeps its
+ * width (Bainbridge 1958). In a glide the tail only trails. */
 #define STROKE_SLOW 0.25f /* Stroke width at the lowest frequency. */
 #define STROKE_FULL_HZ 5.0f
 #define STROKE_GLIDE 0.15f

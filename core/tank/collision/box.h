@@ -66,13 +66,14 @@ vec3 box_extent_m(const struct box *box);
 vec3 box_clear_rod(const struct box *box, vec3 point_m, vec3 along, float radius_m);
 
 struct touch {
-    float gap_m; /* A value > 0 is the gap, or a lower bound of the gap if the shape is not near. A
-                    value < 0 is the penetration depth, negated. */
+    float gap_m; /* A value > 0 is the gap between the box and the shape. If the shape is far away,
+                    the value is a lower bound of the gap. A value < 0 is the negated penetration
+                    depth. */
     vec3 out;    /* Unit vector along which the box leaves the shape soonest. The vector is
-                    undefined if the shape is not near. */
+                    undefined if the shape is far away. */
 };
 
-#define SHAPE_TOUCH_FAR_M 1.0f /* Value of `gap_m` if the shape is not near. */
+#define SHAPE_TOUCH_FAR_M 1.0f /* Value of `gap_m` if the shape is far away. */
 
 /* A torus: a tube of radius `tube_m` along the circle of radius `middle_m` around `centre_m`, in
  * the plane of the unit vector `normal`. shape_touch_ring() is exact to 0.05 mm for tubes and boxes

@@ -150,9 +150,9 @@ static int part_from_obstacles(const struct fish *fish, vec3 before_m,
     return clear;
 }
 
-/* Handles a fish that the paper of a poi presses although the fish has no room to move away. Moves
- * the fish along with the paper, even above the water surface. The fish later slides off over the
- * ring, so no fish passes through paper. Returns 1 if the fish was moved along, otherwise 0. */
+/* Handles a fish that touches the paper of a moving poi and has no room to move away. Moves the
+ * fish along with the paper, even above the water surface. The fish later slides off over the ring,
+ * so no fish passes through paper. Returns 1 if the fish was moved along, otherwise 0. */
 static int keep_off_paper(struct fish *fish, vec3 before_m, const struct obstacle *obstacles,
                           uint32_t obstacle_count)
 {
