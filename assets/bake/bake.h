@@ -19,8 +19,8 @@
  * relates to the waves. */
 #define CAUSTICS_FRAMES 32u
 #define PATTERN_WIDTH 128u /* Width of a pattern, from snout to tail root. */
-#define PATTERN_HEIGHT                                                                             \
-    64u /* Height of a pattern, which covers the body's girth once, beginning at the back. */
+/* Height of a pattern, which covers the body's girth once, beginning at the back. */
+#define PATTERN_HEIGHT 64u
 #define PATTERN_LAYERS 12u
 #define ENVIRONMENT_SIZE 128u
 #define WOOD_SIZE 256u

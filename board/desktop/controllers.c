@@ -18,9 +18,8 @@
 
 /* ---- USB ------------------------------------------------------------------------------------- */
 
-#define PATH_SIZE                                                                                  \
-    1100u /* Maximum size of a path in bytes, enough for the path of a data folder and a file
-             name. */
+/* Maximum size of a path in bytes, enough for the path of a data folder and a file name. */
+#define PATH_SIZE 1100u
 
 static struct {
     struct usb_seats *seats; /* State of the USB transport. Null means that the transport has not

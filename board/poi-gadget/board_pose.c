@@ -6,9 +6,8 @@
 #include <assert.h>
 
 #define STEADY_REST_HZ 4.0f /* Corner frequency of the position filter at rest, in Hz. */
-#define STEADY_HZ_PER_M_S                                                                          \
-    60.0f                    /* Increase of the position filter's corner frequency in Hz for each
-                                m/s of speed. */
+/* Increase of the position filter's corner frequency in Hz for each m/s of speed. */
+#define STEADY_HZ_PER_M_S 60.0f
 #define STEADY_SPEED_HZ 6.0f /* Corner frequency of the speed filter, in Hz. */
 
 /* Returns the weight of the new value in one step of a first-order low-pass filter. */

@@ -20,8 +20,8 @@
 /* ---- Hand ------------------------------------------------------------------------------------ */
 
 struct scoop {
-    uint32_t stroke; /* Number of strokes since the start. Each scoop consists of SCOOP_STROKES
-                        strokes. */
+    uint32_t stroke; /* Number of strokes (single motions of the hand) since the start of the
+                   simulation. Each scoop consists of SCOOP_STROKES strokes. */
     struct pose_glide glide;
 };
 

@@ -9,8 +9,8 @@
 #include "platform/render/paint_atlas.h"
 
 #define KEY_SIZE sizeof(struct species_point)
-#define SURFACE_SIZE                                                                               \
-    4u /* Size in bytes of the vertex attribute with u, v, body part and flexibility. */
+/* Size in bytes of the vertex attribute with u, v, body part and flexibility. */
+#define SURFACE_SIZE 4u
 /* Size in bytes of the vertex attribute with the anchor, the side, and two bytes of padding. */
 #define RIDES_SIZE 4u
 /* Size in bytes of the vertex attribute with the paint coordinates, which are two 16-bit

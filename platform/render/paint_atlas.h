@@ -45,7 +45,7 @@ struct painting {
     struct paint_brush *brush;
 };
 
-/* Computes the coarse points of the whole sheet. Must be called before
+/* Computes the paint at the points of a coarse grid over the whole sheet. Must be called before
  * paint_atlas_coarse_band(). */
 void paint_atlas_coarse_points(const struct painting *painting);
 /* Paints PAINT_BAND texel rows of the sheet by interpolation between the coarse points. `first` is

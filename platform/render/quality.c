@@ -88,7 +88,7 @@ struct quality quality_lower(const struct quality *best, uint32_t step)
     struct quality quality = *best;
     const float of_best = share[step < QUALITY_STEP_MAX ? step : QUALITY_STEP_MAX];
     if (step > 0) {
-        quality.samples = 1; /* Multisampling is the first quality to be removed, because
+        quality.samples = 1; /* Multisampling is switched off first, because
                                 multisampling costs the most time and its absence is the least
                                 visible. */
         quality.scene_scale = f_max(of_best * best->scene_scale, 0.25f);

@@ -35,7 +35,7 @@ struct renderer_config {
                                       open. */
 };
 
-/* Steps of drawing a frame, whose durations are measured. */
+/* Steps in which a frame is drawn. A benchmark can measure the duration of each step. */
 enum render_step {
     STEP_PREPARE = 0, /* Sorting of the fish, and uploads of the data of this frame. */
     STEP_LIGHT,       /* Caustics and shadows. */

@@ -52,8 +52,8 @@
 #define REPLAY_CHUNK_HEAD_SIZE 40u
 #define REPLAY_END_SIZE 40u
 #define REPLAY_SUM_SIZE 8u
-#define REPLAY_CHUNK_TICKS                                                                         \
-    CORE_TICK_HZ /* Number of ticks in a complete chunk, which lasts one second. */
+/* Number of ticks in a complete chunk, which lasts one second. */
+#define REPLAY_CHUNK_TICKS CORE_TICK_HZ
 #define REPLAY_PROGRAM_SIZE 16u
 
 #define REPLAY_DESK_BYTES (CONTROLLER_MAX + 4u)

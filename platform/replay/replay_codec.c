@@ -228,10 +228,10 @@ static bool walk_desk(struct replay_serializer *walk, const struct input *before
 
 /* ---- Poses ----------------------------------------------------------------------------------- */
 
-/* Stored form of a poi or a fan: one byte, floats and an age. */
+/* Stored form of the pose of a poi or a hand-held fan: a status byte, floats and an age. */
 struct stored_pose {
     uint8_t byte;
-    uint8_t has_age; /* 1 for a poi and 0 for a fan, because a fan has no age. */
+    uint8_t has_age; /* 1 for a poi. 0 for a hand-held fan, which has no age. */
     uint16_t age;
     uint32_t float_count;
     uint32_t bits[POI_FLOATS];

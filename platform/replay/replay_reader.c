@@ -14,9 +14,8 @@
 #include "platform/os/file.h"
 #include "platform/replay/replay_format.h"
 
-#define TICK_SIZE_MIN                                                                              \
-    1u /* Minimum size in bytes of a recorded tick. A tick without any change consists of one
-          mask byte. */
+/* Minimum size in bytes of a recorded tick. A tick without any change consists of one mask byte. */
+#define TICK_SIZE_MIN 1u
 
 /* Sets `problem`, closes the file and returns -1. */
 __attribute__((format(printf, 4, 5))) static int replay_reader_error(struct replay_reader *reader,

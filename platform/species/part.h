@@ -12,7 +12,7 @@ extern const char *const species_measure_names[MEASURE_DISC + 1];
 extern const char *const species_motion_names[MOTION_WING + 1];
 extern const char *const species_form_names[FORM_PUFFER + 1];
 
-/* Names of the body parts in a species text, in the order of enum species_part, PART_HEAD,
+/* Names of the body parts in a species text, in the order of enum species_part, then PART_HEAD,
  * PART_TRUNK. */
 extern const char *const part_names[OWNED_COUNT];
 

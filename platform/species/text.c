@@ -201,7 +201,7 @@ bool species_read(FILE *file, const char *path, FILE *complaints, struct species
                        ? species_reader_error(&r, "the line is longer than %d", TEXT_LINE_SIZE - 2)
                        : species_reader_error(&r, "a zero byte, and this is to be a text");
         }
-        /* Split the line into words, which blanks separate. A '#' starts a comment. */
+        /* Split the line at blanks into words. A '#' starts a comment. */
         r.text[strcspn(r.text, "#")] = '\0';
         r.word_count = 0;
         char *rest = NULL;

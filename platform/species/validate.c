@@ -7,9 +7,8 @@
 
 #include "core/morph/morph.h"
 
-#define AGE_MAX_DAYS                                                                               \
-    14610.0f /* Maximum age in days. The growth curves (growth.c) are defined for ages of up to
-                40 years. */
+/* Maximum age in days. The growth curves (growth.c) are defined for ages of up to 40 years. */
+#define AGE_MAX_DAYS 14610.0f
 /* Minimum length of a key in metres. The smallest fish larvae are 1.5 mm long. A length below a
  * third of this size is certainly an error. */
 #define LENGTH_MIN_M 0.0005f

@@ -10,9 +10,8 @@
 #define SHELL_COLUMNS 49u
 #define SHELL_ROWS 12u
 #define LIP_ROWS 4u
-#define WALL                                                                                       \
-    0.030f           /* Thickness of the bowl's wall in mouth radii. The value corresponds to 2 mm
-                        of enamelled steel. */
+/* Thickness of the bowl's wall in mouth radii. The value corresponds to 2 mm of enamelled steel. */
+#define WALL 0.030f
 #define BOTTOM 0.94f /* Depth of the inner floor, in bowl depths. */
 #define DISC_ROWS 2u
 

@@ -73,8 +73,8 @@ struct poi_pool poi_pool_of(const struct scene_poi *poi)
 #define RING_COLUMNS 57u
 #define RING_ROWS 11u
 #define HANDLE_START 1.10f
-#define HANDLE_LENGTH                                                                              \
-    2.55f /* Length of the handle in inner radii of the ring. In a real poi, the length is 10 cm. */
+/* Length of the handle in inner radii of the ring. In a real poi, the length is 10 cm. */
+#define HANDLE_LENGTH 2.55f
 #define HANDLE_ROWS 22u
 #define HANDLE_COLUMNS 13u
 #define PAPER_COLUMNS 49u
@@ -82,8 +82,8 @@ struct poi_pool poi_pool_of(const struct scene_poi *poi)
 /* Maximum number of fish on the paper that darken the paper. Must equal the array size of `rests`
  * in poi_paper.frag.glsl. More fish would add no visible shade. */
 #define RESTS_MAX 2
-#define REACH                                                                                      \
-    3.8f /* Distance from the ring's centre to the handle's end, in inner radii of the ring. */
+/* Distance from the ring's centre to the handle's end, in inner radii of the ring. */
+#define REACH 3.8f
 
 const float *poi_paint(uint8_t owner)
 {

@@ -11,9 +11,9 @@
 
 #define DEFINES "#define KEYS 8\n#define CURVES 4\n#define ANCHORS 2\n"
 #define SAMPLERS "paints shines patterns"
-#define NEAR_PX                                                                                    \
-    150.0f /* Minimum fish length in pixels from which the near mesh is drawn. A shorter fish is
-              drawn with the far mesh. */
+/* Minimum fish length in pixels from which the near mesh is drawn. A shorter fish is drawn with the
+ * far mesh. */
+#define NEAR_PX 150.0f
 /* Maximum distance by which the swimming motion moves a vertex beyond the extent of the resting
  * mesh, in body lengths. */
 #define SWAY_LENGTHS 0.3f

@@ -215,9 +215,9 @@ void menu_calibration(const struct menu_view *view)
 /* Time in seconds at which the demonstrated outward motion ends, counted from the start of each
  * period of LOOP_S seconds. */
 #define WAY_S 0.9f
-#define BACK_S                                                                                     \
-    2.1f /* Time in seconds at which the demonstrating poi has returned, counted from the start
-            of each period of LOOP_S seconds. */
+/* Time in seconds at which the demonstrating poi has returned, counted from the start of each
+ * period of LOOP_S seconds. */
+#define BACK_S 2.1f
 #define STEPS (LEARN_DIP - LEARN_REST + 1)
 
 struct step_words {
