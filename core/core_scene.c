@@ -122,7 +122,6 @@ static void show_players(const struct core *core, struct scene *scene)
 {
     for (uint32_t i = 0; i < POI_MAX; i++) {
         const struct player *player = &core->game.player[i];
-        CORE_ASSERT(core->game.tick >= player->foul_tick);
         const int in_round = core->game.phase == PHASE_ROUND;
         const struct leaderboard_place place = leaderboard_best_place(
             &core->game.accounts.ranking, core->game.mode, core->game.name.round_id, (uint8_t)i);

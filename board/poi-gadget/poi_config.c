@@ -285,9 +285,11 @@ int poi_config_load(struct poi_config *config, const char *path)
         return 0;
     }
     int result = 0;
-    while (result >= 0 && file_read_line(file, line, sizeof line) != FILE_LINE_END) {
+    enum file_line end;
+    while (result >= 0 && (end = file_read_line(file, line, sizeof line)) != FILE_LINE_END) {
         number++;
-        result = poi_config_line(config, line, &why);
+        why = "the line is too long or has a zero byte";
+        result = end == FILE_LINE_BAD ? -1 : poi_config_line(config, line, &why);
     }
     fclose(file);
     if (result >= 0 && !poi_config_is_sound(config, &why)) {

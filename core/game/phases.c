@@ -20,7 +20,6 @@ int game_may_scoop(const struct game *game, uint32_t index)
 
 int game_pumps(const struct game *game, uint32_t tick)
 {
-    CORE_ASSERT(tick >= game->phase_tick);
     const uint32_t elapsed = (tick - game->phase_tick) % (GAME_STALE_TICKS + GAME_AIR_TICKS);
     return game->phase == PHASE_ATTRACT ? elapsed >= GAME_STALE_TICKS : game->phase != PHASE_ROUND;
 }

@@ -323,9 +323,11 @@ int usb_choice_load(struct usb_choice *choice, const char *path, char why[HAL_TE
     const int error = !path[0] || file || errno == ENOENT ? 0 : -errno;
     char line[2u * USB_CHOICE_LINE_SIZE], invalid[USB_ERROR_SIZE];
     int result = error;
-    for (uint32_t number = 1; file && file_read_line(file, line, sizeof line) != FILE_LINE_END;
-         number++) {
-        if (usb_choice_read_line(choice, line, invalid)) {
+    enum file_line end = FILE_LINE_END;
+    for (uint32_t number = 1;
+         file && (end = file_read_line(file, line, sizeof line)) != FILE_LINE_END; number++) {
+        snprintf(invalid, sizeof invalid, "the line is too long or has a zero byte");
+        if (end == FILE_LINE_BAD || usb_choice_read_line(choice, line, invalid)) {
             snprintf(why, HAL_TEXT_SIZE, "%.60s:%u: %s", path, number, invalid);
             result++;
         }

@@ -228,7 +228,8 @@ static void config_file_read_lines(struct reading *reading, FILE *file, struct w
         const uint8_t had_fish = reading->options->file.is_set[SET_FISH];
         const int32_t fish = reading->options->file.value[SET_FISH];
         if (result == FILE_LINE_BAD) {
-            config_file_add_warning(warnings, number, "the line is too long, and passed over");
+            config_file_add_warning(warnings, number,
+                                    "the line is too long or has a zero byte, and is ignored");
         } else if (config_file_read_line(reading, line + mark)) {
             config_file_add_warning(warnings, number, reading->why);
         }

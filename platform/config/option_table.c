@@ -2,7 +2,6 @@
 #include "platform/config/option_table.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -50,7 +49,6 @@ int option_parse(const struct option *option, void *target, const char *value,
                  char why[OPTION_TEXT_MAX])
 {
     void *out = (char *)target + option->offset;
-    double number;
     why[0] = '\0';
     CORE_ASSERT(option->kind > OPTION_HEADING && option->kind <= OPTION_ARGUMENT);
     if (option->set) {
@@ -68,12 +66,7 @@ int option_parse(const struct option *option, void *target, const char *value,
         memcpy(out, value, strlen(value) + 1u);
         return 1;
     case OPTION_WHOLE:
-        if (!number_parse_decimal(value, option->min, option->max, &number) ||
-            floor(number) != number) {
-            return 0;
-        }
-        *(uint32_t *)out = (uint32_t)number;
-        return 1;
+        return number_parse(value, (uint32_t)option->min, (uint32_t)option->max, out);
     case OPTION_DECIMAL:
         return number_parse_decimal(value, option->min, option->max, out);
     case OPTION_CHOICE:
