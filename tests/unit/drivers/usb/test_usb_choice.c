@@ -427,9 +427,11 @@ static void test_bad_lines_are_counted_and_named(void **state)
     for (uint32_t i = 0; i < 400; i++) {
         fputc('x', file);
     }
-    fputs("\nrests 1209:0003", file);
+    static const char zero_inside[] = "\nplays 1209:0004 \0rests\n";
+    fwrite(zero_inside, 1, sizeof zero_inside - 1u, file);
+    fputs("rests 1209:0003", file);
     fclose(file);
-    assert_true(usb_choice_load(&choice, path, why) >= 3);
+    assert_int_equal(usb_choice_load(&choice, path, why), 4);
     assert_int_equal(choice.wish_count, 2);
     assert_non_null(strstr(why, path));
     unlink(path);

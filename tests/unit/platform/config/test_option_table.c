@@ -85,6 +85,7 @@ static void test_each_mistake_has_its_message(void **state)
         { { "--whole" }, "--whole needs a value: a whole number from 1 to 9" },
         { { "--whole", "--flag" }, "--whole needs a value: a whole number from 1 to 9" },
         { { "--whole", "1.5" }, "--whole: '1.5' is wrong; expected a whole number from 1 to 9" },
+        { { "--whole", "5.0" }, "--whole: '5.0' is wrong; expected a whole number from 1 to 9" },
         { { "--whole", "10" }, "--whole: '10' is wrong; expected a whole number from 1 to 9" },
         { { "--decimal", "nan" }, "--decimal: 'nan' is wrong; expected a number from -1 to 1" },
         { { "--choice", "pink" }, "--choice: 'pink' is wrong; expected red, green or blue" },
