@@ -16,8 +16,8 @@
 /* All sums of the entries 1 .. n. The sums are made entry by entry, and each struct starts as a
  * copy of the previous one. */
 struct books {
-    uint32_t coins, units_taken, services, rounds, caught, refunds; /* Totals that only this module
-                                                                       counts. */
+    /* Totals that only this module counts. */
+    uint32_t coins, services, rounds, caught, refunds;
     struct balance balance;
     struct ledger_stand stand; /* State of the open round. */
     struct settings settings;

@@ -191,9 +191,12 @@ static void hand_over(struct hour *hour, struct hal_storage store)
     }
 }
 
+/* Passes the newest replay to the store. The store's thread reads the buffer until the replay is
+ * stored, so the buffer must not change before. */
 static void hand_over_replay(struct hour *hour, struct hal_storage store)
 {
-    if (hour->replay_id != 0 && hour->replay_id != hour->replay_taken_id) {
+    const int is_buffer_free = hour->replay_acked_id == hour->replay_taken_id;
+    if (hour->replay_id != 0 && hour->replay_id != hour->replay_taken_id && is_buffer_free) {
         const size_t size = hour_replay(hour->replay_id, hour->replay);
         if (store.replays.ops->store(store.replays.self, hour->replay_id, hour->replay, size) ==
             HAL_OK) {
