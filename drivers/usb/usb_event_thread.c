@@ -12,10 +12,10 @@
 #include "core/base/panic.h"
 
 #define NS_PER_MS 1000000ull
-#define IDLE_MS                                                                                    \
-    1000 /* Longest wait of the event thread in ms while no output report is being sent. */
-#define BUSY_MS                                                                                    \
-    50 /* Longest wait of the event thread in ms while an output report is being sent. */
+/* Longest wait of the event thread in ms while no output report is being sent. */
+#define IDLE_MS 1000
+/* Longest wait of the event thread in ms while an output report is being sent. */
+#define BUSY_MS 50
 /* Longest time in ns to wait for cancelled transfers when the event thread ends. */
 #define LAST_WAIT_NS 2000000000ull
 

@@ -141,9 +141,8 @@ uint32_t output_lines_are_done(const struct output_lines *switches,
 /* ---- Brightness and position of the picture ------------------------------------------------ */
 
 #define NS_PER_MS 1000000ull
-#define FADE_DOWN_S                                                                                \
-    4.0f /* Duration of dimming in seconds. Dimming is slow so that players do not notice the
-            change. */
+/* Duration of dimming in seconds. Dimming is slow so that players do not notice the change. */
+#define FADE_DOWN_S 4.0f
 /* Duration of brightening in seconds. Brightening is fast because an arriving player needs
  * light. */
 #define FADE_UP_S 0.3f

@@ -4,8 +4,8 @@
 
 #include "core/base/panic.h"
 
-#define RETRY_NS                                                                                   \
-    1000000000ull /* Interval between two attempts to pass data to the store after a failure. */
+/* Interval between two attempts to pass data to the store after a failure. */
+#define RETRY_NS 1000000000ull
 
 /* Returns 1 if the store accepted the data or no store exists, otherwise 0. After a failure, delays
  * the next attempt. */
