@@ -126,21 +126,27 @@ const char *file_error(int error)
 
 /* ---- Lines ----------------------------------------------------------------------------------- */
 
+/* Number of bytes of a bad line that are skipped at most, so that a file of the kernel without an
+ * end stops after one bad line. The rest of a longer line is read as the next line. */
+#define SKIP_MAX (1u << 20)
+
 enum file_line file_read_line(FILE *file, char *line, size_t size)
 {
     assert(file && size >= 2);
     enum file_line result = FILE_LINE_READ;
-    size_t length = 0;
+    size_t length = 0, skipped = 0;
     int c = getc(file);
     if (c == EOF) {
         return FILE_LINE_END;
     }
-    for (; c != '\n' && c != EOF; c = getc(file)) {
+    for (; c != '\n' && c != EOF && skipped < SKIP_MAX; c = getc(file)) {
         if (c == 0 || length + 1u == size) {
             result = FILE_LINE_BAD;
         }
         if (result == FILE_LINE_READ) {
             line[length++] = (char)c;
+        } else {
+            skipped++;
         }
     }
     line[length] = '\0';

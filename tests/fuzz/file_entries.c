@@ -89,7 +89,7 @@ static void put_rows(struct ledger_file *file, const uint8_t *bytes, size_t size
         struct ledger_entry entry;
         memcpy(&entry, bytes + at, sizeof entry);
         at += sizeof entry;
-        entry.id %= IDS_MAX;
+        entry.id = 1u + entry.id % IDS_MAX; /* The writer asserts that ids begin at 1. */
         ledger_rows_put(file, &entry); /* The database refuses a second entry with the same id. */
     }
     for (uint32_t i = 0; i < cell_count && 1u + (i + 1u) * CELL_SIZE <= size; i++) {

@@ -35,6 +35,7 @@ static void put_entries(const uint8_t *bytes, size_t size)
     uint32_t count = 0;
     for (; count < ENTRIES_MAX && (count + 1u) * sizeof entries[0] <= size; count++) {
         memcpy(&entries[count], bytes + count * sizeof entries[0], sizeof entries[0]);
+        entries[count].id += entries[count].id == 0; /* The writer asserts that ids begin at 1. */
     }
     HOLD(ledger_mirror_open(&tail, path) == 0);
     HOLD(ledger_mirror_write(&tail, entries, count) == 0);
