@@ -291,7 +291,12 @@ int poi_config_load(struct poi_config *config, const char *path)
         why = "the line is too long or has a zero byte";
         result = end == FILE_LINE_BAD ? -1 : poi_config_line(config, line, &why);
     }
+    const int read_error = ferror(file) ? errno : 0;
     fclose(file);
+    if (result >= 0 && read_error) {
+        print_error("%s: %s", path, file_error(read_error));
+        return 0;
+    }
     if (result >= 0 && !poi_config_is_sound(config, &why)) {
         result = -1;
     }

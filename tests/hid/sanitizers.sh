@@ -13,7 +13,7 @@ tests=(drivers/hid/test_{hid_mapping,hid_pose_decoder,hid_learn,hid_mapping_stor
 mapfile -t sources < <(find core/game drivers/hid -name '*.c')
 sources+=(drivers/pointer/pointer_poi.c drivers/gamepad/stick_motion.c drivers/null.c
     drivers/sim/{hid_sim,hal_sim}.c
-    platform/kiosk/{kiosk,poi_sampler,resample,operator_view,file_notes}.c tests/unit/support/panic.c)
+    platform/kiosk/{kiosk,sampler,operator_view}.c tests/unit/support/panic.c)
 
 for sanitizers in address,undefined thread; do
     home=$build/hand-sanitizers/${sanitizers%%,*}
