@@ -12,14 +12,20 @@
  * to the time of the frame's ticks. If the limit is exceeded, the motion is not interpolated. */
 #define UNSEEN_NS 100000000ull
 
+/* Returns the enum poi_source of a device whose open() returned `result`. */
+static uint8_t link_after_open(int result)
+{
+    return result == HAL_OK           ? POI_SOURCE_LIVE
+           : result == HAL_ERR_ABSENT ? POI_SOURCE_ABSENT
+                                      : POI_SOURCE_LOST;
+}
+
 uint32_t sampler_poi_open(struct poi_sampler *hand, const struct hal_poi *device, uint64_t now_ns)
 {
     CORE_ASSERT(device->ops);
     const int result = device->ops->open(device->self);
     hand->retry_ns = now_ns + RETRY_NS;
-    hand->link = result == HAL_OK           ? POI_SOURCE_LIVE
-                 : result == HAL_ERR_ABSENT ? POI_SOURCE_ABSENT
-                                            : POI_SOURCE_LOST;
+    hand->link = link_after_open(result);
     return (uint32_t)hal_is_fault(result);
 }
 
@@ -234,9 +240,7 @@ uint32_t sampler_fan_open(struct fan_sampler *hand, const struct hal_fan *device
     CORE_ASSERT(device->ops);
     const int result = device->ops->open(device->self);
     hand->retry_ns = now_ns + RETRY_NS;
-    hand->link = result == HAL_OK           ? POI_SOURCE_LIVE
-                 : result == HAL_ERR_ABSENT ? POI_SOURCE_ABSENT
-                                            : POI_SOURCE_LOST;
+    hand->link = link_after_open(result);
     return hand->link == POI_SOURCE_LOST;
 }
 

@@ -144,6 +144,16 @@ void SIMD_NAME(swim_move_block)(const struct shoal *shoal, uint32_t first)
     simd_store(way, simd_load(way) + corner_way_max_m(velocity, &t, angles, size));
 }
 
+/* Returns the amplitude that a tail beat of `hz` hertz aims at. `beats` is -1 in the lanes whose
+ * fish beats its tail, and 0 in the lanes whose fish glides. */
+static flanes stroke_goal(flanes hz, ilanes beats)
+{
+    const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
+    const flanes wider =
+        simd_clamp(per_hz * (hz - BEAT_MIN_HZ), simd_splat(0.0f), simd_splat(1.0f - STROKE_SLOW));
+    return simd_select(beats, STROKE_SLOW + wider, STROKE_GLIDE + STROKE_TRAIL * wider);
+}
+
 void SIMD_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
 {
     CORE_ASSERT(first + SIMD_LANES <= shoal->count);
@@ -181,13 +191,8 @@ void SIMD_NAME(swim_settle_block)(const struct shoal *shoal, uint32_t first)
     const flanes hz =
         simd_lerp(tail[1], simd_select(lengths_per_s < BEAT_FAST_LENGTHS_PER_S, slow, fast),
                   hasten(commands[0], TAIL_TAU_S));
-    const float per_hz = (1.0f - STROKE_SLOW) / (STROKE_FULL_HZ - BEAT_MIN_HZ);
-    const flanes wider =
-        simd_clamp(per_hz * (hz - BEAT_MIN_HZ), simd_splat(0.0f), simd_splat(1.0f - STROKE_SLOW));
-    const flanes amplitude = simd_lerp(
-        tail[2],
-        simd_select(commands[3] > 0.0f, STROKE_SLOW + wider, STROKE_GLIDE + STROKE_TRAIL * wider),
-        hasten(commands[0], STROKE_TAU_S));
+    const flanes amplitude =
+        simd_lerp(tail[2], stroke_goal(hz, commands[3] > 0.0f), hasten(commands[0], STROKE_TAU_S));
     const flanes phase = tail[0] + F_TAU * hz * DT;
     /* The goal of the bend is `bend_goal_rad` plus a bend along the arc of the turn. In a C-start
      * no bend along the arc is added. */
