@@ -1,10 +1,13 @@
 /* font.h -- a baked font: a table of glyphs over one shared distance field.
  *
- * The atlas (asset_font, R8) holds each glyph's signed distance to its outline: ASSET_FONT_EDGE is
- * on the outline, more is inside, and one atlas pixel of distance is ASSET_FONT_STEP. The
- * atlas consists of ASSET_FONT_PAGES pages of ASSET_FONT_ROWS rows, one below the other; no glyph
- * lies on two pages. Lengths are in ems, +y down from the baseline, so a caller multiplies only by
- * the size in pixels. */
+ * The atlas is the texture asset_font with one byte per texel. Each texel stores the signed
+ * distance from the glyph's outline. The value ASSET_FONT_EDGE lies on the outline, and larger
+ * values lie inside the glyph. A distance of one atlas pixel changes the value by ASSET_FONT_STEP.
+ *
+ * The atlas consists of ASSET_FONT_PAGES pages, one below the other. Each page has ASSET_FONT_ROWS
+ * rows of texels, and each glyph lies completely on one page. All lengths of a glyph that end in
+ * _em are in ems, so that a caller only multiplies them by the font size in pixels. The y axis
+ * points down from the baseline. */
 #ifndef KINGYO_ASSETS_FONT_H
 #define KINGYO_ASSETS_FONT_H
 
@@ -24,12 +27,9 @@ struct font {
     const char *name;
     const struct font_glyph *glyphs; /* Glyphs in ascending order of `code`. */
     uint32_t glyph_count;
-    float em_px;                 /* Number of atlas pixels per em. */
-    float ascent_em, descent_em; /* Height of the font above the baseline and below the baseline, in
-                                    ems. Both values are positive, and their sum is the height of a
-                                    line. */
-    float cap_em;                /* Height of a capital letter or a digit in ems, used to centre
-                                    text vertically. */
+    float em_px;  /* Number of atlas pixels per em. */
+    float cap_em; /* Height of a capital letter or a digit in ems, used to centre text
+                     vertically. */
 };
 
 #endif

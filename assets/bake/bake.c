@@ -2,13 +2,16 @@
  * assets that changed. */
 #include "assets/bake/bake.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+#include <sys/stat.h>
 
 #include "platform/os/exit_code.h"
+
+#define BLANKS " \t\r\n\v\f"
 
 void bake_fail(const char *format, ...)
 {
@@ -32,22 +35,17 @@ void *bake_alloc(size_t size)
 
 uint8_t *bake_read(const char *path, size_t *size)
 {
+    struct stat about;
     FILE *file = fopen(path, "rb");
-    if (file == NULL) {
+    if (file == NULL || fstat(fileno(file), &about) != 0) {
         bake_fail("cannot read %s: %s", path, strerror(errno));
     }
-    fseek(file, 0, SEEK_END);
-    const long length = ftell(file);
-    rewind(file);
-    if (length < 0) {
-        bake_fail("cannot read %s: %s", path, strerror(errno));
-    }
-    uint8_t *bytes = bake_alloc((size_t)length + 1);
-    if (fread(bytes, 1, (size_t)length, file) != (size_t)length) {
-        bake_fail("cannot read %s: it ended early", path);
+    uint8_t *bytes = bake_alloc((size_t)about.st_size + 1);
+    *size = fread(bytes, 1, (size_t)about.st_size, file);
+    if (*size != (size_t)about.st_size) {
+        bake_fail("cannot read %s: the file ended early", path);
     }
     fclose(file);
-    *size = (size_t)length;
     return bytes;
 }
 
@@ -75,7 +73,41 @@ void bake_write(const char *path, const void *bytes, size_t size)
     bake_close(file, path);
 }
 
-void bake_header(const char *path)
+char *bake_trim(char *text)
+{
+    text += strspn(text, BLANKS);
+    char *end = text + strlen(text);
+    while (end > text && strchr(BLANKS, end[-1])) {
+        *--end = '\0';
+    }
+    return text;
+}
+
+void bake_read_lines(const char *path,
+                     void (*read_line)(void *self, const char *path, char *line, uint32_t number),
+                     void *self)
+{
+    size_t size;
+    char *rest = (char *)bake_read(path, &size);
+    /* The lines are never freed, because the tables that are read from them refer to their texts.
+     * NOLINTNEXTLINE(clang-analyzer-unix.Malloc) */
+    for (uint32_t number = 1; rest; number++) {
+        char *line = bake_trim(strsep(&rest, "\n"));
+        if (line[0] != '\0' && line[0] != '#') {
+            read_line(self, path, line, number);
+        }
+    }
+}
+
+void bake_put_capitals(FILE *file, const char *words)
+{
+    for (const char *c = words; *c != '\0'; c++) {
+        fputc(toupper((unsigned char)*c), file);
+    }
+}
+
+/* Writes the sizes of the baked assets as a C header. */
+static void header_bake(char **paths)
 {
     static const struct {
         const char *name;
@@ -94,8 +126,8 @@ void bake_header(const char *path)
         { "FONT_EDGE", FONT_EDGE, "Value on an outline." },
         { "FONT_STEP", FONT_STEP, "Value per atlas pixel of distance." },
     };
-    FILE *file = bake_open(path);
-    fputs("/* assets.h -- sizes and names of what was baked; written by assets/bake. */\n"
+    FILE *file = bake_open(paths[0]);
+    fputs("/* assets.h -- sizes and names of the baked assets; written by assets/bake. */\n"
           "#ifndef KINGYO_GENERATED_ASSETS_H\n#define KINGYO_GENERATED_ASSETS_H\n\n"
           "#include <stdint.h>\n\n",
           file);
@@ -110,85 +142,54 @@ void bake_header(const char *path)
         fprintf(file, "extern const uint8_t asset_%s[];\n", blobs[i]);
     }
     fputs("\n#endif\n", file);
-    bake_close(file, path);
+    bake_close(file, paths[0]);
 }
 
-static double seconds_now(void)
-{
-    struct timespec now;
-    timespec_get(&now, TIME_UTC);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static void bake_print_asset(const char *asset, const char *path, double start_s)
-{
-    printf("  BAKE  %s (%s, %.1f s)\n", path, asset, seconds_now() - start_s);
-}
-
-static int bake_texture(const char *asset, const char *path)
-{
-    static const struct {
-        const char *name;
-        size_t size;
-        void (*fill)(uint8_t *texels);
-    } textures[] = {
-        { "caustics", CAUSTICS_SIZE * CAUSTICS_SIZE * CAUSTICS_FRAMES, bake_caustics },
-        { "patterns", PATTERN_WIDTH * PATTERN_HEIGHT * PATTERN_LAYERS * 2u, bake_patterns },
-        { "environment", ENVIRONMENT_SIZE * ENVIRONMENT_SIZE * 3u, bake_environment },
-        { "wood", WOOD_SIZE * WOOD_SIZE, bake_wood },
-        { "paper", PAPER_SIZE * PAPER_SIZE, bake_paper },
-    };
-    for (size_t i = 0; i < sizeof textures / sizeof *textures; i++) {
-        if (strcmp(textures[i].name, asset) == 0) {
-            uint8_t *texels = bake_alloc(textures[i].size);
-            textures[i].fill(texels);
-            bake_write(path, texels, textures[i].size);
-            free(texels);
-            return 1;
-        }
-    }
-    return 0;
-}
-
-static int bake_words(int count, char **arguments)
-{
-    static struct text_file files[TEXT_LANGUAGES];
-    if (count == 5 && strcmp(arguments[1], "text") == 0) {
-        text_read(files, arguments[2]);
-        text_write_keys(files, arguments[3]);
-        text_write_table(files, arguments[4]);
-        return 1;
-    }
-    if (count == 6 && strcmp(arguments[1], "font") == 0) {
-        const struct font_output output = { .atlas_path = arguments[3],
-                                            .table_path = arguments[4],
-                                            .header_path = arguments[5] };
-        text_read(files, arguments[2]);
-        font_bake(files, arguments[2], &output);
-        return 1;
-    }
-    return 0;
-}
+/* All assets. An asset has either the size of its texels and a function that fills the texels, or a
+ * function that writes its files. */
+static const struct asset {
+    const char *name, *usage;
+    int path_count; /* Number of paths on the command line. */
+    size_t size;
+    void (*fill)(uint8_t *texels);
+    void (*bake)(char **paths);
+} assets[] = {
+    { "caustics", "FILE", 1, (size_t)CAUSTICS_SIZE *CAUSTICS_SIZE *CAUSTICS_FRAMES, bake_caustics,
+      NULL },
+    { "patterns", "FILE", 1, (size_t)PATTERN_WIDTH *PATTERN_HEIGHT *PATTERN_LAYERS * 2u,
+      bake_patterns, NULL },
+    { "environment", "FILE", 1, (size_t)ENVIRONMENT_SIZE *ENVIRONMENT_SIZE * 3u, bake_environment,
+      NULL },
+    { "wood", "FILE", 1, (size_t)WOOD_SIZE *WOOD_SIZE, bake_wood, NULL },
+    { "paper", "FILE", 1, (size_t)PAPER_SIZE *PAPER_SIZE, bake_paper, NULL },
+    { "header", "FILE", 1, 0, NULL, header_bake },
+    { "text", "DIRECTORY KEYS.h TABLE.c", 3, 0, NULL, text_bake },
+    { "font", "DIRECTORY ATLAS TABLE.c FONTS.h", 4, 0, NULL, font_bake },
+    { "words", "refused.txt TABLE.c", 2, 0, NULL, words_bake },
+};
+#define ASSET_COUNT (sizeof assets / sizeof assets[0])
 
 int main(int count, char **arguments)
 {
-    const double start_s = seconds_now();
-    if (count == 3 && strcmp(arguments[1], "header") == 0) {
-        bake_header(arguments[2]);
+    for (size_t i = 0; i < ASSET_COUNT; i++) {
+        const struct asset *asset = &assets[i];
+        if (count != 2 + asset->path_count || strcmp(arguments[1], asset->name) != 0) {
+            continue;
+        }
+        if (asset->bake) {
+            asset->bake(arguments + 2);
+        } else {
+            uint8_t *texels = bake_alloc(asset->size);
+            asset->fill(texels);
+            bake_write(arguments[2], texels, asset->size);
+            free(texels);
+        }
+        printf("  BAKE  %s\n", asset->name);
         return EXIT_SUCCESS;
     }
-    if (count == 3 && bake_texture(arguments[1], arguments[2])) {
-        bake_print_asset(arguments[1], arguments[2], start_s);
-        return EXIT_SUCCESS;
+    for (size_t i = 0; i < ASSET_COUNT; i++) {
+        fprintf(stderr, "%s bake %s %s\n", i == 0 ? "usage:" : "      ", assets[i].name,
+                assets[i].usage);
     }
-    if (bake_words(count, arguments)) {
-        bake_print_asset(arguments[1], arguments[3], start_s);
-        return EXIT_SUCCESS;
-    }
-    fputs("usage: bake caustics|patterns|environment|wood|paper FILE\n"
-          "       bake header FILE\n"
-          "       bake text DIRECTORY KEYS.h TABLE.c\n"
-          "       bake font DIRECTORY ATLAS TABLE.c FONTS.h\n",
-          stderr);
     return EXIT_USAGE;
 }

@@ -12,7 +12,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* Sizes of the baked textures in texels. bake_header() writes these sizes to a header for the
+/* Sizes of the baked textures in texels. header_bake() writes these sizes to a header for the
  * renderer. */
 #define CAUSTICS_SIZE 256u /* Side of one tile of caustics, a power of two for mipmaps. */
 /* Number of layers of one loop of caustics. choose_waves() in caustics.c states how the number
@@ -31,11 +31,14 @@
 #define FONT_PAGE_ROWS_MAX 2048u
 /* Maximum number of pages. Two pages have 8 MiB, which is enough for all texts. */
 #define FONT_PAGES_MAX 2u
-/* Distance value on a letter's outline. Most of the range 0 to 255 lies outside the letter. */
+/* Value of an atlas texel that lies exactly on a letter's outline. The texels store the distance
+ * from the outline. Smaller values lie outside the letter, and larger values lie inside. */
 #define FONT_EDGE 160u
-/* Change of the distance value per atlas pixel. The values reach 10 px outward and 6 px inward. */
+/* Change of a texel's value for a distance of one atlas pixel. The values 0 to 255 therefore
+ * represent distances up to 10 px outside and 6 px inside the outline. */
 #define FONT_STEP 16u
 #define FONT_MAX 8u
+#define BAKE_PATH_SIZE 1024u
 /* Number of languages. Must equal LANGUAGE_COUNT of core/scene.h, with the languages in the same
  * order. */
 #define TEXT_LANGUAGES 2u
@@ -55,6 +58,18 @@ FILE *bake_open(const char *path);
 void bake_close(FILE *file, const char *path);
 void *bake_alloc(size_t size); /* Returns zeroed memory. Ends the bake if no memory is left. */
 
+/* Reads a text file and calls `read_line` with `self` for each line, without the white space at
+ * both ends. Skips empty lines and lines that begin with '#'. Lines are counted from 1. The texts
+ * of the lines stay valid until the program ends. */
+void bake_read_lines(const char *path,
+                     void (*read_line)(void *self, const char *path, char *line, uint32_t number),
+                     void *self);
+/* Removes the white space at both ends of `text`, in place. Returns the start of the trimmed
+ * text. */
+char *bake_trim(char *text);
+/* Writes `words` in capital letters. */
+void bake_put_capitals(FILE *file, const char *words);
+
 /* Declarations of functions that each fill the texels of one texture, beginning with row 0. The
  * channels are interleaved. */
 void bake_caustics(uint8_t *r8);
@@ -71,27 +86,54 @@ struct text_line {
 
 /* All lines of one language's text file. */
 struct text_file {
-    const char *path;
+    char path[BAKE_PATH_SIZE];
     struct text_line lines[TEXT_KEYS_MAX];
     uint32_t count;
 };
 
 /* Reads `directory`/ja.txt and en.txt. Ends the bake if the files do not have the same keys. */
 void text_read(struct text_file files[TEXT_LANGUAGES], const char *directory);
-/* Writes the enum of the text keys as a C header. */
-void text_write_keys(const struct text_file files[TEXT_LANGUAGES], const char *path);
-/* Writes the texts of all languages as a C table. */
-void text_write_table(const struct text_file files[TEXT_LANGUAGES], const char *path);
 
-/* Output files of font_bake(): the atlas, its glyph tables, and the ids of its fonts. */
-struct font_output {
-    const char *atlas_path, *table_path, *header_path;
-};
-/* Bakes the fonts that `directory`/fonts.txt lists, with all characters of `files`. */
-void font_bake(const struct text_file files[TEXT_LANGUAGES], const char *directory,
-               const struct font_output *output);
+/* text_bake(), font_bake() and words_bake() each bake one asset. `paths` points to the paths on the
+ * command line of the bake. */
 
-/* Writes the sizes of the baked assets as a C header. */
-void bake_header(const char *path);
+/* Converts the texts of the folder paths[0] to an enum of the text keys, the C header paths[1], and
+ * to a table of the texts of all languages, the C source paths[2]. */
+void text_bake(char **paths);
+
+/* Bakes the fonts that paths[0]/fonts.txt lists, with all characters of the texts in the folder
+ * paths[0]. Writes the atlas to paths[1], its glyph tables to the C source paths[2], and the ids of
+ * its fonts to the C header paths[3]. */
+void font_bake(char **paths);
+
+/* Converts the list paths[0] of rejected player names to the C table paths[1]. */
+void words_bake(char **paths);
+
+/* ---- Noise and small numeric functions for the baking of textures (noise.c) ------------------ */
+
+#define TAU 6.28318530718f
+
+/* Returns a hash of `x`, `y` and `seed` in [0, 1). */
+float noise_hash01(int32_t x, int32_t y, uint32_t seed);
+/* Returns the next value of a pseudo-random sequence, in [0, 1). `*state` may have any initial
+ * value. */
+float noise_random01(uint32_t *state);
+/* Returns smooth value noise in [0, 1]. The noise repeats after `period_x` and `period_y` cells. */
+float noise_2d(float x, float y, int32_t period_x, int32_t period_y, uint32_t seed);
+/* Returns the sum of `octaves` octaves of noise_2d(), scaled to [0, 1]. Each octave is twice as
+ * fine and half as strong as the octave before. The sum repeats with the periods of noise_2d(). */
+float noise_2d_sum(float x, float y, int32_t period_x, int32_t period_y, uint32_t seed,
+                   uint32_t octaves);
+
+/* Adds `amount` of light to a square picture at the position (x, y), in texels. The four nearest
+ * texels share the amount. `size` is the side of the picture in texels and must be a power of two.
+ * Positions outside the picture wrap around. */
+void noise_add_light(float *sum, uint32_t size, float x, float y, float amount);
+
+float noise_mix(float a, float b, float t);
+/* Returns 0 at and before `from`, 1 at and after `to`, and a smooth transition between them. If
+ * `from` is greater than `to`, the direction is reversed. */
+float noise_ramp(float from, float to, float x);
+uint8_t noise_to_u8(float x01);
 
 #endif

@@ -7,7 +7,7 @@ BAKE_BUILD := $(BUILD)/assets/bake
 # The bake tool runs on the building machine, even if CC compiles for another machine.
 BUILD_CC ?= cc
 BAKE_CFLAGS := -std=c17 -O2 -g $(WARN) -ffp-contract=off -D_GNU_SOURCE -I.
-BAKE_PARTS := bake noise caustics patterns environment wood paper text font stb
+BAKE_PARTS := bake noise caustics patterns environment wood paper text font stb words
 BAKE_OBJ := $(BAKE_PARTS:%=$(BAKE_BUILD)/%.o)
 
 TEXT_FILES := assets/text/ja.txt assets/text/en.txt
@@ -18,7 +18,8 @@ GENERATED_OBJ += $(GENERATED)/blobs.o $(GENERATED)/fonts.o $(GENERATED)/text_tab
 
 generated: $(GENERATED_HEADERS)
 
-$(BUILD)/bake: $(BAKE_OBJ) $(BUILD)/bake_host/core/base/printable.o
+$(BUILD)/bake: $(BAKE_OBJ) $(BUILD)/bake_host/core/base/printable.o \
+    $(BUILD)/bake_host/core/game/ranking/name_normalize.o
 	$(call step,LINK,$@)
 	$(Q)$(BUILD_CC) -o $@ $^ -lm
 

@@ -13,8 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "assets/bake/noise.h"
-
 #define WAVES 28
 /* Number of light rays per texel in each direction, which is enough for a smooth picture. */
 #define RAYS_PER_TEXEL 4u
@@ -36,10 +34,13 @@ struct wave {
     float slope_x, slope_y;
 };
 
-/* Chooses the waves. Longer waves are higher. Each wave has one cycle per loop, so that longer
- * waves are faster. Directions are random, and half of the waves travel backward. With one cycle
- * per loop, bright lines move less than five texels from one layer to the next, so that blending
- * two layers hides the step. */
+/* Chooses the waves. Longer waves are higher. Directions are random, and every second wave travels
+ * backward.
+ *
+ * Each wave has one cycle per loop, so that longer waves are faster. The number of cycles also
+ * limits the speed of the bright lines, which move less than five texels from one layer to the
+ * next. The renderer blends two successive layers, and such a short movement is not visible as a
+ * step. */
 static void choose_waves(struct wave waves[WAVES])
 {
     uint32_t random = 4711;

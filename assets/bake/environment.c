@@ -10,8 +10,6 @@
 #include <assert.h>
 #include <math.h>
 
-#include "assets/bake/noise.h"
-
 struct colour {
     float r, g, b;
 };

@@ -11,8 +11,11 @@
 
 #include <assert.h>
 #include <errno.h>
+#include <fnmatch.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include <stb/stb_truetype.h>
 
 #include "core/base/printable.h"
@@ -47,24 +50,29 @@ struct face {
     uint32_t glyph_count;
 };
 
-static void read_face(struct face *face, char *line, const char *path, uint32_t number)
+/* Fonts that assets/text/fonts.txt lists. */
+struct face_list {
+    struct face faces[FONT_MAX];
+    uint32_t count;
+};
+
+static void read_face(void *self, const char *path, char *line, uint32_t number)
 {
-    char *rest = NULL;
-    const char *word[4];
-    for (uint32_t i = 0; i < 4; i++) {
-        word[i] = strtok_r(i == 0 ? line : NULL, " \t", &rest);
-        if (word[i] == NULL) {
-            bake_fail("%s:%u: expected `name em-pixels set file keys...`", path, number);
-        }
+    struct face_list *list = self;
+    int length = 0;
+    if (list->count == FONT_MAX) {
+        bake_fail("%s:%u: more than %u fonts (FONT_MAX)", path, number, FONT_MAX);
     }
-    snprintf(face->name, sizeof face->name, "%s", word[0]);
-    snprintf(face->base, sizeof face->base, "%s", word[2]);
-    snprintf(face->path, sizeof face->path, "%s", word[3]);
-    face->em_px = strtof(word[1], NULL);
+    struct face *face = &list->faces[list->count++];
+    if (sscanf(line, "%31s %f %15s %511s %n", face->name, &face->em_px, face->base, face->path,
+               &length) < 4) {
+        bake_fail("%s:%u: expected `name em-pixels set file keys...`", path, number);
+    }
     if (!(face->em_px >= 8.0f && face->em_px <= 256.0f)) {
-        bake_fail("%s:%u: em of %s pixels is not in 8 .. 256", path, number, word[1]);
+        bake_fail("%s:%u: em of %g pixels is not in 8 .. 256", path, number, (double)face->em_px);
     }
-    for (char *key = strtok_r(NULL, " \t", &rest); key; key = strtok_r(NULL, " \t", &rest)) {
+    line += length;
+    for (const char *key = strsep(&line, " \t"); key; key = strsep(&line, " \t")) {
         if (face->pattern_count == KEY_PATTERNS_MAX) {
             bake_fail("%s:%u: more than %u keys", path, number, KEY_PATTERNS_MAX);
         }
@@ -72,53 +80,12 @@ static void read_face(struct face *face, char *line, const char *path, uint32_t 
     }
 }
 
-static uint32_t read_faces(struct face faces[FONT_MAX], const char *path)
-{
-    size_t size;
-    char *rest = NULL, *bytes = (char *)bake_read(path, &size);
-    uint32_t count = 0, number = 1;
-    for (char *at = bytes; at != NULL; at = rest, number++) {
-        rest = strchr(at, '\n');
-        if (rest != NULL) {
-            *rest++ = 0;
-        }
-        if (*at == 0 || *at == '#') {
-            continue;
-        }
-        if (count == FONT_MAX) {
-            bake_fail("%s:%u: more than %u fonts (FONT_MAX)", path, number, FONT_MAX);
-        }
-        read_face(&faces[count++], at, path, number);
-    }
-    free(bytes);
-    return count;
-}
-
-/* Returns 1 if a key pattern of the font matches `key`, otherwise 0. In a pattern, `?` matches any
- * character, and a final `*` matches any remaining characters. */
-static int draws_key(const struct face *face, const char *key)
-{
-    assert(face->pattern_count <= KEY_PATTERNS_MAX);
-    for (uint32_t i = 0; i < face->pattern_count; i++) {
-        const char *pattern = face->patterns[i], *at = key;
-        while (*pattern != 0 && *at != 0 && (*pattern == '?' || *pattern == *at)) {
-            pattern++, at++;
-        }
-        if (strcmp(pattern, "*") == 0 || (*pattern == 0 && *at == 0)) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
 static void open_face(struct face *face)
 {
-    FILE *file = fopen(face->path, "rb");
-    if (file == NULL) {
+    if (access(face->path, R_OK) != 0) {
         bake_fail("font %s: cannot read %s: %s; `make setup` installs the fonts", face->name,
                   face->path, strerror(errno));
     }
-    fclose(file);
     size_t size;
     /* The memory is never freed, because stb_truetype reads the file's bytes until the program
      * ends. */
@@ -131,22 +98,22 @@ static void open_face(struct face *face)
     face->glyphs = bake_alloc(GLYPHS_MAX * sizeof *face->glyphs);
 }
 
-/* Adds a glyph, unless the font already has it. Returns 0 if the font file lacks the character or
- * the font already has GLYPHS_MAX glyphs, otherwise 1. */
-static int add_glyph(struct face *face, uint32_t code)
+/* Adds a glyph, unless the font already has it. Returns false if the font file lacks the character
+ * or the font already has GLYPHS_MAX glyphs. */
+static bool add_glyph(struct face *face, uint32_t code)
 {
     assert(face->glyphs && face->glyph_count <= GLYPHS_MAX);
     for (uint32_t i = 0; i < face->glyph_count; i++) {
         if (face->glyphs[i].code == code) {
-            return 1;
+            return true;
         }
     }
     const int index = stbtt_FindGlyphIndex(&face->info, (int)code);
     if (index == 0 || face->glyph_count == GLYPHS_MAX) {
-        return 0;
+        return false;
     }
     face->glyphs[face->glyph_count++] = (struct glyph){ .code = code, .index = index };
-    return 1;
+    return true;
 }
 
 static void add_range(struct face *face, uint32_t first, uint32_t last)
@@ -164,8 +131,8 @@ static void add_range(struct face *face, uint32_t first, uint32_t last)
  * guest's name may have (core/game/ranking/name_keyboard.h). */
 static void add_base(struct face *face)
 {
-    const int names = strcmp(face->base, "names") == 0;
-    const int all = names || strcmp(face->base, "ascii") == 0;
+    const bool names = strcmp(face->base, "names") == 0;
+    const bool all = names || strcmp(face->base, "ascii") == 0;
     if (!all && strcmp(face->base, "digits") != 0) {
         bake_fail("font %s: the glyph set is `ascii`, `names` or `digits`, not `%s`", face->name,
                   face->base);
@@ -183,7 +150,12 @@ static void add_words(struct face *face, const struct text_file *file)
 {
     for (uint32_t i = 0; i < file->count; i++) {
         const struct text_line *line = &file->lines[i];
-        if (!draws_key(face, line->key)) {
+        uint32_t pattern = 0; /* Index of the font's first pattern that matches the key. */
+        while (pattern < face->pattern_count &&
+               fnmatch(face->patterns[pattern], line->key, 0) != 0) {
+            pattern++;
+        }
+        if (pattern == face->pattern_count) {
             continue;
         }
         const char *at = line->words, *start = at;
@@ -239,7 +211,7 @@ static void draw_face(struct face *face)
 static void write_tables(struct face *faces, uint32_t count, const char *path)
 {
     FILE *file = bake_open(path);
-    fputs("/* fonts.c -- where each glyph lies in asset_font; written by assets/bake. */\n"
+    fputs("/* fonts.c -- the place of each glyph in asset_font; written by assets/bake. */\n"
           "#include \"fonts.h\"\n",
           file);
     for (uint32_t i = 0; i < count; i++) {
@@ -259,16 +231,12 @@ static void write_tables(struct face *faces, uint32_t count, const char *path)
     fputs("\nconst struct font asset_fonts[FONT_COUNT] = {\n", file);
     for (uint32_t i = 0; i < count; i++) {
         const struct face *face = &faces[i];
-        int ascent, descent, gap;
-        stbtt_GetFontVMetrics(&face->info, &ascent, &descent, &gap);
         int left, bottom, right, top;
         const float cap_em = stbtt_GetCodepointBox(&face->info, '0', &left, &bottom, &right, &top)
                                  ? (float)top * face->scale / face->em_px
                                  : 0.7f;
-        fprintf(file, "    { \"%s\", %s_glyphs, %u, %.1ff, %.5ff, %.5ff, %.5ff },\n", face->name,
-                face->name, face->glyph_count, (double)face->em_px,
-                (double)((float)ascent * face->scale / face->em_px),
-                (double)((float)-descent * face->scale / face->em_px), (double)cap_em);
+        fprintf(file, "    { \"%s\", %s_glyphs, %u, %.1ff, %.5ff },\n", face->name, face->name,
+                face->glyph_count, (double)face->em_px, (double)cap_em);
     }
     fputs("};\n", file);
     bake_close(file, path);
@@ -284,9 +252,7 @@ static void write_ids(const struct face *faces, uint32_t count, const struct atl
           file);
     for (uint32_t i = 0; i < count; i++) {
         fputs("    FONT_", file);
-        for (const char *c = faces[i].name; *c != 0; c++) {
-            fputc(*c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c, file);
-        }
+        bake_put_capitals(file, faces[i].name);
         fputs(",\n", file);
     }
     fprintf(file,
@@ -370,32 +336,34 @@ static void atlas_write(const struct atlas *atlas, struct glyph *const *glyphs, 
     free(texels);
 }
 
-void font_bake(const struct text_file files[TEXT_LANGUAGES], const char *directory,
-               const struct font_output *output)
+void font_bake(char **paths)
 {
-    char path[1024];
-    snprintf(path, sizeof path, "%s/fonts.txt", directory);
-    static struct face faces[FONT_MAX];
+    static struct text_file files[TEXT_LANGUAGES];
+    static struct face_list list;
     static struct glyph *all[FONT_MAX * GLYPHS_MAX];
-    const uint32_t count = read_faces(faces, path);
+    char path[BAKE_PATH_SIZE];
     uint32_t glyph_count = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        open_face(&faces[i]);
-        add_base(&faces[i]);
+    text_read(files, paths[0]);
+    snprintf(path, sizeof path, "%s/fonts.txt", paths[0]);
+    bake_read_lines(path, read_face, &list);
+    for (uint32_t i = 0; i < list.count; i++) {
+        struct face *face = &list.faces[i];
+        open_face(face);
+        add_base(face);
         for (uint32_t k = 0; k < TEXT_LANGUAGES; k++) {
-            add_words(&faces[i], &files[k]);
+            add_words(face, &files[k]);
         }
-        measure_face(&faces[i]);
-        for (uint32_t k = 0; k < faces[i].glyph_count; k++) {
-            all[glyph_count++] = &faces[i].glyphs[k];
+        measure_face(face);
+        for (uint32_t k = 0; k < face->glyph_count; k++) {
+            all[glyph_count++] = &face->glyphs[k];
         }
     }
     assert(glyph_count <= FONT_MAX * GLYPHS_MAX);
     const struct atlas atlas = atlas_pack(all, glyph_count, path);
-    for (uint32_t i = 0; i < count; i++) {
-        draw_face(&faces[i]);
+    for (uint32_t i = 0; i < list.count; i++) {
+        draw_face(&list.faces[i]);
     }
-    atlas_write(&atlas, all, glyph_count, output->atlas_path);
-    write_tables(faces, count, output->table_path);
-    write_ids(faces, count, &atlas, output->header_path);
+    atlas_write(&atlas, all, glyph_count, paths[1]);
+    write_tables(list.faces, list.count, paths[2]);
+    write_ids(list.faces, list.count, &atlas, paths[3]);
 }

@@ -1,6 +1,5 @@
-/* noise.c -- implementation of noise.h: repeatable noise, and small numeric functions for the
- * baking of textures. */
-#include "assets/bake/noise.h"
+/* noise.c -- repeatable noise, and small numeric functions for the baking of textures. */
+#include "assets/bake/bake.h"
 
 #include <assert.h>
 #include <math.h>
@@ -24,7 +23,7 @@ float noise_random01(uint32_t *state)
     return (float)(scramble(*state) >> 8) / 16777216.0f;
 }
 
-float noise_clamp01(float x)
+static float clamp01(float x)
 {
     return x < 0.0f ? 0.0f : x > 1.0f ? 1.0f : x;
 }
@@ -37,13 +36,13 @@ float noise_mix(float a, float b, float t)
 float noise_ramp(float from, float to, float x)
 {
     assert(from != to);
-    const float t = noise_clamp01((x - from) / (to - from));
+    const float t = clamp01((x - from) / (to - from));
     return t * t * (3.0f - 2.0f * t);
 }
 
 uint8_t noise_to_u8(float x01)
 {
-    return (uint8_t)(noise_clamp01(x01) * 255.0f + 0.5f);
+    return (uint8_t)(clamp01(x01) * 255.0f + 0.5f);
 }
 
 static int32_t wrap(int32_t x, int32_t period)

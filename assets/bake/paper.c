@@ -5,13 +5,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "assets/bake/noise.h"
-
 #define FIBRES 120u
 #define FIBRE_STEPS 90u
 
-/* Draws one fibre, either light or dark. Its direction drifts, and the fibre becomes thinner toward
- * both ends. */
+/* Draws one fibre, either light or dark. The fibre changes its direction slightly at each step and
+ * becomes thinner toward both ends. */
 static void lay_fibre(float *sum, uint32_t *random)
 {
     float x = noise_random01(random) * (float)PAPER_SIZE,

@@ -10,10 +10,9 @@
 #include <assert.h>
 #include <math.h>
 
-#include "assets/bake/noise.h"
-
 #define PATCHES_MAX 6u
-/* Girth of the body in body lengths. The value makes round patches look round on the body. */
+/* Girth of the body in body lengths. With this girth, a round patch of the pattern is
+ * also round on the body. */
 #define GIRTH 0.85f
 #define SCALE_ROWS 22.0f /* Number of rows of scales from the gill cover to the tail root. */
 #define SCALES_ROUND 12.0f
@@ -47,7 +46,7 @@ static const struct design designs[PATTERN_LAYERS] = {
     { 0.0f, 0.18f, 0.27f,
       { { 0.12f, 0.0f, 0.12f, 0.20f }, { 0.45f, 0.06f, 0.14f, 0.26f },
         { 0.79f, 0.95f, 0.13f, 0.22f } } },
-    /* Pattern "lightning": one red band that alternates between the sides. */
+    /* Pattern "lightning": one red band alternates between the left and the right side. */
     { 0.0f, 0.12f, 0.24f,
       { { 0.16f, 0.93f, 0.13f, 0.15f }, { 0.31f, 0.09f, 0.13f, 0.16f },
         { 0.47f, 0.92f, 0.13f, 0.15f }, { 0.63f, 0.09f, 0.13f, 0.15f },
@@ -65,7 +64,7 @@ static const struct design designs[PATTERN_LAYERS] = {
       { { 0.21f, 0.17f, 0.08f, 0.10f }, { 0.36f, 0.86f, 0.10f, 0.12f },
         { 0.52f, 0.12f, 0.08f, 0.11f }, { 0.64f, 0.83f, 0.07f, 0.09f },
         { 0.83f, 0.04f, 0.10f, 0.13f }, { 0.10f, 0.92f, 0.06f, 0.08f } } },
-    /* Pattern "mostly white": one red area at the tail and one on a cheek. */
+    /* Pattern "mostly white": the fish has one red area at the tail and one on a cheek. */
     { 0.0f, 0.05f, 0.18f, { { 0.92f, 0.0f, 0.10f, 0.30f }, { 0.17f, 0.16f, 0.06f, 0.08f } } },
     /* Pattern "white": all white. */
     { .base = 0.0f },

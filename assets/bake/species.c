@@ -6,25 +6,28 @@
 #include "core/base/panic.h"
 #include "core/morph/species.h"
 #include "platform/os/exit_code.h"
-#include "platform/species/drawing.h"
+#include "platform/species/pack.h"
 
 #include <assert.h>
-#include <errno.h>
+#include <err.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-static int complain(const char *path)
-{
-    fprintf(stderr, "%s: %s\n", path, strerror(errno));
-    return EXIT_IO;
-}
 
 _Noreturn void core_panic(const char *condition, const char *file, int line)
 {
     fprintf(stderr, "%s:%d: %s\n", file, line, condition);
     abort();
+}
+
+/* Writes a list of `count` floats in braces. Floats are hexadecimal, so that no bit is lost. */
+static void write_floats(FILE *file, const float *values, uint32_t count)
+{
+    fprintf(file, " {");
+    for (uint32_t i = 0; i < count; i++) {
+        fprintf(file, " %af,", (double)values[i]);
+    }
+    fprintf(file, " }");
 }
 
 static void write_anchors(FILE *file, const struct species_mesh *mesh, uint32_t lod,
@@ -35,15 +38,11 @@ static void write_anchors(FILE *file, const struct species_mesh *mesh, uint32_t 
             mesh->anchor_count + 1u);
     for (uint32_t i = 0; i < mesh->anchor_count; i++) {
         const struct species_anchor *a = &mesh->anchors[i];
-        fprintf(file, "    { %u, %u, {", a->curve, a->turns);
-        for (uint32_t key = 0; key < key_count; key++) {
-            fprintf(file, " %af,", (double)a->u[key]);
-        }
-        fprintf(file, " }, {");
-        for (uint32_t key = 0; key < key_count; key++) {
-            fprintf(file, " %af,", (double)a->v[key]);
-        }
-        fprintf(file, " } },\n");
+        fprintf(file, "    { %u, %u,", a->curve, a->turns);
+        write_floats(file, a->u, key_count);
+        fprintf(file, ",");
+        write_floats(file, a->v, key_count);
+        fprintf(file, " },\n");
     }
     fprintf(file, "    { 0, 0, { 0.0f }, { 0.0f } }, /* C has no empty arrays. */\n};\n\n");
 }
@@ -78,32 +77,19 @@ static void write_tables(FILE *file, const struct species_mesh *mesh, uint32_t l
     fprintf(file, "\n};\n\n");
 }
 
-static void write_graph(FILE *file, const struct graph *graph, uint32_t curve, uint32_t key_count)
-{
-    assert(graph->knot_count <= GRAPH_KNOT_MAX);
-    fprintf(file, "    .curves[%u] = { %u, %u, %u, {\n", curve, graph->knot_count, graph->line,
-            graph->solved);
-    for (uint32_t i = 0; i < graph->knot_count; i++) {
-        fprintf(file, "        { %af, {", (double)graph->knots[i].progress);
-        for (uint32_t key = 0; key < key_count; key++) {
-            fprintf(file, " %af,", (double)graph->knots[i].weight[key]);
-        }
-        fprintf(file, " } },\n");
-    }
-    fprintf(file, "    } },\n");
-}
-
 static void write_card(FILE *file, const struct species_card *card)
 {
-    fprintf(file, "    .id = \"%s\",\n    .key_count = %u,\n", card->id, card->key_count);
-    fprintf(file, "    .measure = %u,\n    .motion = %u,\n    .form = %u,\n", card->measure,
-            card->motion, card->form);
-    fprintf(file, "    .thesis_key = { %u, %u, %u },\n    .thesis_template = %u,\n",
-            card->thesis_key[0], card->thesis_key[1], card->thesis_key[2], card->thesis_template);
+    fprintf(file,
+            "    .id = \"%s\",\n    .key_count = %u,\n    .measure = %u,\n    .motion = %u,\n"
+            "    .form = %u,\n    .thesis_key = { %u, %u, %u },\n    .thesis_template = %u,\n",
+            card->id, card->key_count, card->measure, card->motion, card->form, card->thesis_key[0],
+            card->thesis_key[1], card->thesis_key[2], card->thesis_template);
     for (uint32_t key = 0; key < card->key_count; key++) {
-        fprintf(file, "    .key_names[%u] = \"%s\",\n    .key_age_days[%u] = %af,\n", key,
-                card->key_names[key], key, (double)card->key_age_days[key]);
-        fprintf(file, "    .key_length_m[%u] = %af,\n", key, (double)card->key_length_m[key]);
+        fprintf(file,
+                "    .key_names[%u] = \"%s\",\n    .key_age_days[%u] = %af,\n"
+                "    .key_length_m[%u] = %af,\n",
+                key, card->key_names[key], key, (double)card->key_age_days[key], key,
+                (double)card->key_length_m[key]);
     }
     const struct growth *g = &card->growth;
     fprintf(file, "    .growth = { %af, %af, %af, %af, %u, {", (double)g->length_inf_m,
@@ -112,16 +98,22 @@ static void write_card(FILE *file, const struct species_card *card)
         fprintf(file, " { %af, %af },", (double)g->points[i].age_days,
                 (double)g->points[i].length_m);
     }
-    fprintf(file, " } },\n");
-    fprintf(file, "    .scale_knot_count = %u,\n", card->scale_knot_count);
+    fprintf(file, " } },\n    .scale_knot_count = %u,\n", card->scale_knot_count);
     for (uint32_t i = 0; i < card->scale_knot_count; i++) {
         fprintf(file, "    .scale_knots[%u] = { %af, %af },\n", i,
                 (double)card->scale_knots[i].progress, (double)card->scale_knots[i].length_m);
     }
     fprintf(file, "    .curve_count = %u,\n", card->curve_count);
     for (uint32_t i = 0; i < card->curve_count; i++) {
-        fprintf(file, "    .curve_names[%u] = \"%s\",\n", i, card->curve_names[i]);
-        write_graph(file, &card->curves[i], i, card->key_count);
+        const struct graph *graph = &card->curves[i];
+        fprintf(file, "    .curve_names[%u] = \"%s\",\n    .curves[%u] = { %u, %u, %u, {\n", i,
+                card->curve_names[i], i, graph->knot_count, graph->line, graph->solved);
+        for (uint32_t knot = 0; knot < graph->knot_count; knot++) {
+            fprintf(file, "        { %af,", (double)graph->knots[knot].progress);
+            write_floats(file, graph->knots[knot].weight, card->key_count);
+            fprintf(file, " },\n");
+        }
+        fprintf(file, "    } },\n");
     }
 }
 
@@ -140,10 +132,8 @@ static void write_coat(FILE *file, const struct species_coat *coat, uint32_t key
     fprintf(file, "    } },\n");
 }
 
-/* Writes the C constant `const struct species species_ID`, in which ID is the species' name. Floats
- * are hexadecimal, so that no bit is lost. Returns false if the file could not be written
- * completely. */
-static bool species_write(FILE *file, const struct species *species)
+/* Writes the C constant `const struct species species_ID`, in which ID is the species' name. */
+static void species_write(FILE *file, const struct species *species)
 {
     const struct species_card *card = &species->card;
     assert(card->key_count <= MORPH_KEY_MAX && card->curve_count <= MORPH_CURVE_MAX);
@@ -171,42 +161,32 @@ static bool species_write(FILE *file, const struct species *species)
         fprintf(file, " }, anchors_%u, indices_%u,\n    },\n", lod, lod);
     }
     fprintf(file, "};\n");
-    return fflush(file) == 0 && !ferror(file);
-}
-
-static int bake(const struct species_text *text, const char *path)
-{
-    static struct species species;
-    static struct loft loft;
-    static struct mesh_tables tables[SPECIES_LOD_COUNT];
-    species_compile(text, &species);
-    for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
-        species_loft(text, &species_detail[lod], &loft);
-        species_pack(&loft, text->key_count, &tables[lod], &species.lod[lod]);
-    }
-    FILE *file = fopen(path, "w");
-    if (!file) {
-        return complain(path);
-    }
-    const bool whole = species_write(file, &species);
-    if (fclose(file) != 0 || !whole) {
-        return complain(path);
-    }
-    return 0;
 }
 
 int main(int argc, char **argv)
 {
-    static struct species_text species;
+    static struct species_text text;
+    static struct species_slot slot;
     if (argc != 3) {
         fprintf(stderr, "usage: %s SPECIES.txt OUT.c\n", argv[0]);
         return EXIT_USAGE;
     }
-    FILE *file = fopen(argv[1], "r");
-    if (!file) {
-        return complain(argv[1]);
+    FILE *in = fopen(argv[1], "r");
+    if (!in) {
+        err(EXIT_IO, "%s", argv[1]);
     }
-    const bool good = species_read(file, argv[1], stderr, &species);
-    fclose(file);
-    return good ? bake(&species, argv[2]) : EXIT_BAD_DATA;
+    if (!species_read(in, argv[1], stderr, &text)) {
+        return EXIT_BAD_DATA;
+    }
+    fclose(in);
+    pack_text(&text, &slot);
+    FILE *out = fopen(argv[2], "w");
+    if (!out) {
+        err(EXIT_IO, "%s", argv[2]);
+    }
+    species_write(out, &slot.species);
+    if (fflush(out) != 0 || ferror(out) || fclose(out) != 0) {
+        err(EXIT_IO, "%s", argv[2]);
+    }
+    return EXIT_OK;
 }

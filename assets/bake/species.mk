@@ -1,11 +1,11 @@
 # species.mk -- bakes assets/species/*.txt into constant tables of the core.
 
 SPECIES := wakin kurodai shimafugu kuroanago hirame ray mebachi
-# The sources of bake_species: all files of platform/species and core/morph with two exceptions.
-# library.c depends on the table that this file bakes, and a bake does not need the SIMD kernels.
+# The sources of bake_species: all files of core/morph and platform/species without library.c,
+# which depends on the table that this file bakes.
 SPECIES_PARTS := assets/bake/species \
     $(patsubst %.c,%,$(filter-out %/library.c,$(wildcard platform/species/*.c))) \
-    $(patsubst %.c,%,$(filter-out %/blend_pick.c,$(wildcard core/morph/*.c))) \
+    $(patsubst %.c,%,$(wildcard core/morph/*.c)) \
     core/base/fmath core/base/printable core/base/vec platform/os/file \
     platform/os/print
 # Compiled for the building machine, separately from the kiosk's objects.

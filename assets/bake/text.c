@@ -5,25 +5,11 @@
 #include "assets/bake/bake.h"
 
 #include <assert.h>
-#include <ctype.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/base/printable.h"
 
 static const char *const language_names[TEXT_LANGUAGES] = { "ja", "en" };
-
-static char *text_trim(char *s)
-{
-    while (isspace((unsigned char)*s)) {
-        s++;
-    }
-    char *end = s + strlen(s);
-    while (end > s && isspace((unsigned char)end[-1])) {
-        *--end = 0;
-    }
-    return s;
-}
 
 static const struct text_line *find_key(const struct text_file *file, const char *key)
 {
@@ -36,58 +22,35 @@ static const struct text_line *find_key(const struct text_file *file, const char
     return NULL;
 }
 
-static void add_line(struct text_file *file, char *line, uint32_t number)
+static void add_line(void *self, const char *path, char *line, uint32_t number)
 {
+    struct text_file *file = self;
     char *equals = strchr(line, '=');
     if (equals == NULL) {
-        bake_fail("%s:%u: expected `key = words`", file->path, number);
+        bake_fail("%s:%u: expected `key = words`", path, number);
     }
     *equals = 0;
-    char *key = text_trim(line), *words = text_trim(equals + 1);
+    char *key = bake_trim(line), *words = bake_trim(equals + 1);
     if (*key == 0 || key[strspn(key, "abcdefghijklmnopqrstuvwxyz0123456789_")] != 0) {
-        bake_fail("%s:%u: `%s` is not a key (a-z, 0-9 and _)", file->path, number, key);
+        bake_fail("%s:%u: `%s` is not a key (a-z, 0-9 and _)", path, number, key);
     }
     if (*words == 0) {
-        bake_fail("%s:%u: `%s` has no words", file->path, number, key);
+        bake_fail("%s:%u: `%s` has no words", path, number, key);
     }
     const struct text_line *twin = find_key(file, key);
     if (twin != NULL) {
-        bake_fail("%s:%u: `%s` is already on line %u", file->path, number, key, twin->line);
+        bake_fail("%s:%u: `%s` is already on line %u", path, number, key, twin->line);
     }
     if (file->count == TEXT_KEYS_MAX) {
-        bake_fail("%s:%u: more than %u keys (TEXT_KEYS_MAX)", file->path, number, TEXT_KEYS_MAX);
+        bake_fail("%s:%u: more than %u keys (TEXT_KEYS_MAX)", path, number, TEXT_KEYS_MAX);
     }
     const char *at = words;
     for (uint32_t code = printable_next(&at); code != 0; code = printable_next(&at)) {
         if (code < 0x20 || code == PRINTABLE_MALFORMED) {
-            bake_fail("%s:%u: `%s` holds bytes that are not UTF-8 text", file->path, number, key);
+            bake_fail("%s:%u: `%s` holds bytes that are not UTF-8 text", path, number, key);
         }
     }
     file->lines[file->count++] = (struct text_line){ .key = key, .words = words, .line = number };
-}
-
-/* Reads one text file. The lines point to the file's bytes, which are never freed. */
-static void text_read_file(struct text_file *file, const char *directory, const char *language)
-{
-    char path[1024];
-    snprintf(path, sizeof path, "%s/%s.txt", directory, language);
-    const size_t path_size = strlen(path) + 1;
-    char *kept = bake_alloc(path_size);
-    memcpy(kept, path, path_size);
-    file->path = kept;
-    size_t size;
-    char *at = (char *)bake_read(path, &size);
-    for (uint32_t number = 1; at != NULL; number++) {
-        char *end = strchr(at, '\n');
-        if (end != NULL) {
-            *end++ = 0;
-        }
-        char *line = text_trim(at);
-        if (*line != 0 && *line != '#') {
-            add_line(file, line, number);
-        }
-        at = end;
-    }
 }
 
 static void check_same_keys(const struct text_file *has, const struct text_file *lacks)
@@ -103,7 +66,8 @@ static void check_same_keys(const struct text_file *has, const struct text_file 
 void text_read(struct text_file files[TEXT_LANGUAGES], const char *directory)
 {
     for (uint32_t i = 0; i < TEXT_LANGUAGES; i++) {
-        text_read_file(&files[i], directory, language_names[i]);
+        snprintf(files[i].path, sizeof files[i].path, "%s/%s.txt", directory, language_names[i]);
+        bake_read_lines(files[i].path, add_line, &files[i]);
     }
     for (uint32_t i = 1; i < TEXT_LANGUAGES; i++) {
         check_same_keys(&files[0], &files[i]);
@@ -111,18 +75,17 @@ void text_read(struct text_file files[TEXT_LANGUAGES], const char *directory)
     }
 }
 
-void text_write_keys(const struct text_file files[TEXT_LANGUAGES], const char *path)
+/* Writes the enum of the text keys as a C header. */
+static void write_keys(const struct text_file files[TEXT_LANGUAGES], const char *path)
 {
     FILE *file = bake_open(path);
-    fputs("/* text_keys.h -- every phrase of the stall by name; written by assets/bake from "
+    fputs("/* text_keys.h -- the name of each text of the kiosk; written by assets/bake from "
           "assets/text. */\n#ifndef KINGYO_GENERATED_TEXT_KEYS_H\n"
           "#define KINGYO_GENERATED_TEXT_KEYS_H\n\nenum text_key {\n",
           file);
     for (uint32_t i = 0; i < files[0].count; i++) {
         fputs("    TEXT_", file);
-        for (const char *c = files[0].lines[i].key; *c != 0; c++) {
-            fputc(toupper((unsigned char)*c), file);
-        }
+        bake_put_capitals(file, files[0].lines[i].key);
         fputs(",\n", file);
     }
     fprintf(file,
@@ -132,39 +95,38 @@ void text_write_keys(const struct text_file files[TEXT_LANGUAGES], const char *p
     bake_close(file, path);
 }
 
-static void write_quoted(FILE *file, const char *words)
-{
-    fputs("        \"", file);
-    for (const char *c = words; *c != 0; c++) {
-        if (*c == '"' || *c == '\\') {
-            fputc('\\', file);
-        }
-        fputc(*c, file);
-        if (*c == '?') {
-            fputs("\"\"", file); /* The string literal is split so that the C compiler finds no
-                                    trigraph. */
-        }
-    }
-    fputs("\",\n", file);
-}
-
-void text_write_table(const struct text_file files[TEXT_LANGUAGES], const char *path)
+/* Writes the texts of all languages as a C table. */
+static void write_table(const struct text_file files[TEXT_LANGUAGES], const char *path)
 {
     FILE *file = bake_open(path);
-    fprintf(file,
-            "/* text_table.c -- the stall's words; written by assets/bake from assets/text. */\n"
-            "#include \"text_keys.h\"\n\nconst char *const text_table[%u][TEXT_COUNT] = {\n",
-            TEXT_LANGUAGES);
+    fprintf(
+        file,
+        "/* text_table.c -- the texts of the kiosk; written by assets/bake from assets/text. */\n"
+        "#include \"text_keys.h\"\n\nconst char *const text_table[%u][TEXT_COUNT] = {\n",
+        TEXT_LANGUAGES);
     for (uint32_t i = 0; i < TEXT_LANGUAGES; i++) {
         fprintf(file, "    { /* %s */\n", language_names[i]);
         for (uint32_t k = 0; k < files[0].count; k++) {
             const struct text_line *line = find_key(&files[i], files[0].lines[k].key);
             assert(line); /* text_read() has checked that all text files have the same keys, so the
                              line exists. */
-            write_quoted(file, line->words);
+            fputs("        \"", file);
+            for (const char *c = line->words; *c != 0; c++) {
+                /* A question mark is escaped so that the C compiler finds no trigraph. */
+                fprintf(file, strchr("\"\\?", *c) ? "\\%c" : "%c", *c);
+            }
+            fputs("\",\n", file);
         }
         fputs("    },\n", file);
     }
     fputs("};\n", file);
     bake_close(file, path);
+}
+
+void text_bake(char **paths)
+{
+    static struct text_file files[TEXT_LANGUAGES];
+    text_read(files, paths[0]);
+    write_keys(files, paths[1]);
+    write_table(files, paths[2]);
 }

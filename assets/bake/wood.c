@@ -5,8 +5,6 @@
 #include <assert.h>
 #include <math.h>
 
-#include "assets/bake/noise.h"
-
 #define PLANKS 4u
 #define PLANK_HEIGHT (WOOD_SIZE / PLANKS)
 #define KNOTS 2u

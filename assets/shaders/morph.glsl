@@ -1,6 +1,7 @@
 // The morph (2005 thesis, eq. 3.2), which blends key shapes (modelled growth stages) to the shape
-// of one fish. This file is inserted before every vertex shader that draws fish. core/morph/blend.c
-// computes the same shape on the CPU. The results agree within 1e-5 of a body length.
+// of one fish. This file is inserted before every vertex shader, and is empty unless KEYS is
+// defined. core/morph/blend.c computes the same shape on the CPU. The results agree within 1e-5 of a
+// body length.
 //
 // KEYS is the number of key shapes, 3 to 8. Each key shape has an attribute of 8 bytes: xyz is the
 // position, and w is the normal.
@@ -14,6 +15,7 @@
 //
 // If POSE_ROWS is defined, each fish's pose is a row of texels in `poses`. Otherwise the uniform
 // block Pose contains the pose of the only fish.
+#ifdef KEYS
 layout(location = 0) in vec4 key_0;
 layout(location = 1) in vec4 key_1;
 layout(location = 2) in vec4 key_2;
@@ -138,3 +140,4 @@ void morph(int row, out vec3 p, out vec3 n)
     carry(row, p, n);
 #endif
 }
+#endif
