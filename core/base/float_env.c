@@ -45,9 +45,9 @@ static uint32_t bits_of(float value)
     return bits;
 }
 
-/* Returns 1 if the four tests from `first` on give the required bits in a vector of four floats,
- * otherwise 0. */
-static int quad_is_standard(uint32_t first)
+/* Returns true if the four tests from `first` on give the required bits in a vector of four
+ * floats. */
+static bool quad_is_standard(uint32_t first)
 {
     fquad x, y, z;
     CORE_ASSERT(first + 4u <= CASE_COUNT);
@@ -57,16 +57,16 @@ static int quad_is_standard(uint32_t first)
         z[i] = float_of(cases[first + i].z);
     }
     const fquad sum = x * y + z;
-    int is_standard = 1;
+    bool is_standard = true;
     for (uint32_t i = 0; i < 4u; i++) {
         is_standard &= bits_of(sum[i]) == cases[first + i].sum;
     }
     return is_standard;
 }
 
-int float_env_is_standard(void)
+bool float_env_is_standard(void)
 {
-    int is_standard = 1;
+    bool is_standard = true;
     for (uint32_t i = 0; i < CASE_COUNT; i++) {
         const float sum = float_of(cases[i].x) * float_of(cases[i].y) + float_of(cases[i].z);
         is_standard &= bits_of(sum) == cases[i].sum;

@@ -7,9 +7,11 @@
 #ifndef KINGYO_CORE_BASE_FLOAT_ENV_H
 #define KINGYO_CORE_BASE_FLOAT_ENV_H
 
+#include <stdbool.h>
+
 /* Computes eight sums of products whose bits depend on the mode of the processor. Each sum is
  * computed as a scalar and in a vector of four floats, because 32-bit Arm has a separate unit for
- * vectors. Returns 1 if all bits are as IEEE 754 requires in its default mode, otherwise 0. */
-int float_env_is_standard(void);
+ * vectors. Returns true if all bits are as IEEE 754 requires in its default mode. */
+bool float_env_is_standard(void);
 
 #endif

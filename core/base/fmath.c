@@ -22,7 +22,7 @@ static float float_of(uint32_t bits)
     return x;
 }
 
-int f_is_finite(float x)
+bool f_is_finite(float x)
 {
     return (bits_of(x) & 0x7f800000u) != 0x7f800000u;
 }

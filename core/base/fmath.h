@@ -7,6 +7,8 @@
 #ifndef KINGYO_CORE_BASE_FMATH_H
 #define KINGYO_CORE_BASE_FMATH_H
 
+#include <stdbool.h>
+
 #define F_PI 3.14159265f
 #define F_TAU 6.28318531f
 #define F_DEG (F_PI / 180.0f) /* Factor from degrees to radians. */
@@ -60,6 +62,6 @@ float f_exp(float x);            /* Relative error < 3e-6. Clamps x to [-87, 88]
 float f_log(float x);            /* Natural logarithm; the caller guarantees a normal x > 0. |error|
                                     < 3e-6 for x in [1e-6, 1e6]. */
 float f_wrap_angle(float x);     /* Returns the equal direction in [-pi, pi), for |x| < 1000. */
-int f_is_finite(float x);
+bool f_is_finite(float x);
 
 #endif

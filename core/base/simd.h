@@ -5,8 +5,11 @@
  * a vector. Each kernel is compiled for four lanes (SSE2, NEON, or scalar code if the target has
  * neither). On x86-64 each kernel is also compiled for eight lanes (-mavx2 -DSIMD_WIDE).
  * SIMD_NAME() gives the two builds of a function different names, and SIMD_PICK() calls the build
- * that the platform selected. The game state never depends on the number of lanes: each lane's
- * value equals the result of the scalar function to the last bit.
+ * that the platform selected. Files named *_lanes.c also use these functions. They are compiled
+ * only once, for four lanes, because four lanes are fast enough for their callers.
+ *
+ * The game state never depends on the number of lanes: each lane's value equals the result of the
+ * scalar function to the last bit.
  *
  * The vectors are extensions of the compilers (gcc from version 12, clang), so a kernel is plain C
  * on every target. */
@@ -261,25 +264,6 @@ static inline struct simd_sin_cos simd_sin_cos(flanes x)
         .sin = (flanes)((ilanes)simd_select(odd, cosine, sine) ^ sine_sign),
         .cos = (flanes)((ilanes)simd_select(odd, sine, cosine) ^ cosine_sign),
     };
-}
-
-/* Returns f_atan2() of each lane. */
-static inline flanes simd_atan2(flanes y, flanes x)
-{
-    const flanes ay = simd_abs(y), ax = simd_abs(x);
-    const ilanes nowhere = ax + ay == 0.0f, flat = ay <= ax;
-    const flanes wider = simd_select(flat, ax, ay);
-    const flanes tangent =
-        simd_select(flat, ay, ax) / simd_select(nowhere, simd_splat(1.0f), wider);
-    const ilanes steep = tangent > 0.41421356f;
-    const flanes offset = simd_select(steep, simd_splat(F_PI / 4.0f), simd_splat(0.0f));
-    const flanes t = simd_select(steep, (tangent - 1.0f) / (tangent + 1.0f), tangent);
-    const flanes s = t * t;
-    const flanes high = 1.0f / 7.0f - s * (1.0f / 9.0f - s / 11.0f);
-    const flanes unit = offset + t * (1.0f - s * (1.0f / 3.0f - s * (0.2f - s * high)));
-    const flanes first = simd_select(flat, unit, F_PI / 2.0f - unit);
-    const flanes half = simd_select(x < 0.0f, F_PI - first, first);
-    return simd_select(nowhere, simd_splat(0.0f), simd_select(y < 0.0f, -half, half));
 }
 
 #endif

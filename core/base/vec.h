@@ -8,6 +8,8 @@
 #ifndef KINGYO_CORE_BASE_VEC_H
 #define KINGYO_CORE_BASE_VEC_H
 
+#include <stdbool.h>
+
 #include "core/base/fmath.h"
 
 typedef struct {
@@ -65,6 +67,18 @@ static inline float v3_length(vec3 a)
     return f_sqrt(v3_dot(a, a));
 }
 
+/* Returns the horizontal unit vector in which a level body with the yaw `yaw_rad` faces. */
+static inline vec3 v3_heading(float yaw_rad)
+{
+    return v3(-f_sin(yaw_rad), 0.0f, -f_cos(yaw_rad));
+}
+
+/* Returns the horizontal component of `a`. */
+static inline vec3 v3_flat(vec3 a)
+{
+    return v3(a.x, 0.0f, a.z);
+}
+
 /* Returns the distance of `p` from the infinite line through `from` and `to`. Returns the distance
  * from `from` if `from` and `to` are less than 1e-6 apart. */
 static inline float v3_from_line(vec3 p, vec3 from, vec3 to)
@@ -95,7 +109,7 @@ static inline vec3 v3_limit(vec3 a, float length_max)
     return length > length_max ? v3_scale(a, length_max / length) : a;
 }
 
-static inline int v3_is_finite(vec3 a)
+static inline bool v3_is_finite(vec3 a)
 {
     return f_is_finite(a.x) && f_is_finite(a.y) && f_is_finite(a.z);
 }

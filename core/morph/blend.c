@@ -3,12 +3,14 @@
  * A key shape (key) is one modelled growth stage. The blend is P = sum over the keys of V_i * K_i,
  * where V_i is the weight of key i, and K_i is the vertex's point in key i (2005 thesis, eq. 3.2).
  * The number of keys is not limited to the three keys of the thesis. The renderer computes the same
- * sum in the vertex shader from the same tables, and blend_simd.c computes the sum for blocks of
+ * sum in the vertex shader from the same tables, and blend_lanes.c computes the sum for blocks of
  * vertices. */
 #include "core/morph/morph.h"
 
+#include <stddef.h>
+
 #include "core/base/panic.h"
-#include "core/morph/blend_simd.h"
+#include "core/morph/blend_lanes.h"
 
 #define COUNTS 32767.0f
 
@@ -80,8 +82,10 @@ static float vertex_weight(const struct species_vertex *vertex, const struct mor
     return sum * (1.0f / 255.0f); /* In float arithmetic, 255 * (1.0f / 255.0f) is exactly 1. */
 }
 
-vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
-                 uint32_t vertex)
+/* Returns the blended position of a vertex. If `facing` is not null, adds the blended normal of the
+ * vertex to `facing`. */
+static vec3 blend_vertex(const struct species_mesh *mesh, uint32_t key_count,
+                         const struct morph_pose *pose, uint32_t vertex, vec3 *facing)
 {
     vec3 counts = { 0.0f, 0.0f, 0.0f };
     CORE_ASSERT(vertex < mesh->vertex_count);
@@ -90,22 +94,25 @@ vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count, const stru
         if (weight != 0.0f) {
             const struct species_point *p = &mesh->points[key][vertex];
             counts = v3_muladd(counts, v3((float)p->x, (float)p->y, (float)p->z), weight);
+            if (facing) {
+                *facing = v3_muladd(*facing, unfold(p->normal), weight);
+            }
         }
     }
     return v3_scale(counts, mesh->reach / COUNTS);
+}
+
+vec3 morph_place(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
+                 uint32_t vertex)
+{
+    return blend_vertex(mesh, key_count, pose, vertex, NULL);
 }
 
 struct morph_point morph_point(const struct species_mesh *mesh, uint32_t key_count,
                                const struct morph_pose *pose, uint32_t vertex)
 {
     vec3 normal = { 0.0f, 0.0f, 0.0f };
-    const vec3 position = morph_place(mesh, key_count, pose, vertex);
-    for (uint32_t key = 0; key < key_count; key++) {
-        const float weight = vertex_weight(&mesh->vertices[vertex], pose, key);
-        if (weight != 0.0f) {
-            normal = v3_muladd(normal, unfold(mesh->points[key][vertex].normal), weight);
-        }
-    }
+    const vec3 position = blend_vertex(mesh, key_count, pose, vertex, &normal);
     return (struct morph_point){ position, v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f)) };
 }
 
@@ -136,6 +143,6 @@ void morph_shape(const struct species_mesh *mesh, uint32_t key_count, const stru
 {
     CORE_ASSERT(key_count >= 1 && key_count <= MORPH_KEY_MAX);
     CORE_ASSERT(mesh->vertex_count <= MESH_VERTEX_MAX && mesh->reach > 0.0f);
-    const uint32_t done = blend_blocks_4(mesh, key_count, pose, positions, normals);
+    const uint32_t done = blend_blocks(mesh, key_count, pose, positions, normals);
     blend_each(mesh, key_count, pose, done, positions, normals);
 }

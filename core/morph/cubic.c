@@ -1,6 +1,8 @@
 /* cubic.c -- interpolates points by a cubic curve that never overshoots the points. */
 #include "core/morph/cubic.h"
 
+#include <stdbool.h>
+
 #include "core/base/fmath.h"
 #include "core/base/panic.h"
 
@@ -47,15 +49,8 @@ float cubic_slope(const struct cubic_point *points, uint32_t count, uint32_t ind
     return (near + far) / (near / d0 + far / d1);
 }
 
-float cubic_between(const struct cubic_point *from, float slope_from, const struct cubic_point *to,
-                    float slope_to, float t)
-{
-    const float risen = t * t * (3.0f - 2.0f * t), left = 1.0f - t;
-    const float bend = (to->at - from->at) * t * left * (slope_from * left - slope_to * t);
-    return from->value * (1.0f - risen) + to->value * risen + bend;
-}
-
-float cubic_curve(const struct cubic_point *points, uint32_t count, float at)
+float cubic_curve(const struct cubic_point *points, uint32_t count, float at,
+                  const float *last_slope)
 {
     uint32_t next = 1;
     CORE_ASSERT(count >= 2);
@@ -63,7 +58,11 @@ float cubic_curve(const struct cubic_point *points, uint32_t count, float at)
         next++;
     }
     const struct cubic_point *from = &points[next - 1], *to = &points[next];
-    const float t = f_clamp((at - from->at) / (to->at - from->at), 0.0f, 1.0f);
-    return cubic_between(from, cubic_slope(points, count, next - 1), to,
-                         cubic_slope(points, count, next), t);
+    const float t = f_clamp((at - from->at) / (to->at - from->at), 0.0f, 1.0f), left = 1.0f - t;
+    const float slope_from = cubic_slope(points, count, next - 1);
+    const bool is_given = next + 1u == count && last_slope;
+    const float slope_to = is_given ? *last_slope : cubic_slope(points, count, next);
+    const float risen = t * t * (3.0f - 2.0f * t);
+    const float bend = (to->at - from->at) * t * left * (slope_from * left - slope_to * t);
+    return from->value * (1.0f - risen) + to->value * risen + bend;
 }

@@ -16,13 +16,10 @@ struct cubic_point {
 /* Returns the slope of the curve at point `index`. Asserts that `count` is at least 2. */
 float cubic_slope(const struct cubic_point *points, uint32_t count, uint32_t index);
 
-/* Returns the value of the curve between two adjacent points. `t` is 0 at `from` and 1 at `to`, and
- * the result is exact at both points. slope_from and slope_to are the slopes at the two points. */
-float cubic_between(const struct cubic_point *from, float slope_from, const struct cubic_point *to,
-                    float slope_to, float t);
-
 /* Returns the value of the curve at the position `at`. Positions before the first point or after
- * the last point are clamped. */
-float cubic_curve(const struct cubic_point *points, uint32_t count, float at);
+ * the last point are clamped. The value is exact at every point. `last_slope` is the slope at the
+ * last point. Null selects the slope that cubic_slope() returns. */
+float cubic_curve(const struct cubic_point *points, uint32_t count, float at,
+                  const float *last_slope);
 
 #endif

@@ -2,6 +2,8 @@
  * key shape (modelled growth stage) as a fish grows. */
 #include "core/morph/morph.h"
 
+#include <stddef.h>
+
 #include "core/base/panic.h"
 #include "core/morph/cubic.h"
 
@@ -10,23 +12,21 @@
  * times, which is an error in the graph. */
 #define PIVOT_MIN 0.1f
 
-static struct graph_verdict check_knot(const struct graph *graph, uint32_t key_count,
-                                       uint32_t index)
+static struct graph_verdict check_knot(const struct graph *graph, uint32_t key_count, uint8_t index)
 {
     const struct graph_knot *knot = &graph->knots[index];
     float sum = 0.0f;
     if (!f_is_finite(knot->progress) || (index > 0 && !(knot->progress > knot[-1].progress))) {
-        return (struct graph_verdict){ GRAPH_ORDER, (uint8_t)index, 0, knot->progress };
+        return (struct graph_verdict){ GRAPH_ORDER, index, 0, knot->progress };
     }
     for (uint32_t key = 0; key < key_count; key++) {
         if (!(knot->weight[key] >= 0.0f)) {
-            return (struct graph_verdict){ GRAPH_NEGATIVE, (uint8_t)index, (uint8_t)key,
-                                           knot->weight[key] };
+            return (struct graph_verdict){ GRAPH_NEGATIVE, index, (uint8_t)key, knot->weight[key] };
         }
         sum += knot->weight[key];
     }
     if (!(f_abs(sum - 1.0f) <= SUM_ERROR_MAX)) {
-        return (struct graph_verdict){ GRAPH_SUM, (uint8_t)index, 0, sum };
+        return (struct graph_verdict){ GRAPH_SUM, index, 0, sum };
     }
     return (struct graph_verdict){ GRAPH_GOOD, 0, 0, 0.0f };
 }
@@ -37,16 +37,15 @@ struct graph_verdict graph_check(const struct graph *graph, uint32_t key_count)
     if (graph->knot_count < 2 || graph->knot_count > GRAPH_KNOT_MAX) {
         return (struct graph_verdict){ GRAPH_KNOT_COUNT, 0, 0, (float)graph->knot_count };
     }
-    const uint32_t last = graph->knot_count - 1u;
-    for (uint32_t i = 0; i <= last; i++) {
+    for (uint8_t i = 0; i < graph->knot_count; i++) {
         const struct graph_verdict verdict = check_knot(graph, key_count, i);
         if (verdict.fault != GRAPH_GOOD) {
             return verdict;
         }
     }
-    if (graph->knots[0].progress != 0.0f || graph->knots[last].progress != 1.0f) {
-        const uint32_t knot = graph->knots[0].progress != 0.0f ? 0 : last;
-        return (struct graph_verdict){ GRAPH_ENDS, (uint8_t)knot, 0, graph->knots[knot].progress };
+    const uint8_t end = graph->knots[0].progress != 0.0f ? 0 : (uint8_t)(graph->knot_count - 1u);
+    if (graph->knots[end].progress != (end == 0 ? 0.0f : 1.0f)) {
+        return (struct graph_verdict){ GRAPH_ENDS, end, 0, graph->knots[end].progress };
     }
     float solution[MORPH_KEY_MAX][MORPH_KEY_MAX];
     uint32_t stuck = 0;
@@ -92,7 +91,7 @@ void graph_weights(const struct graph *graph, uint32_t key_count, float progress
         }
         /* A monotone cubic curve through weights is never negative except by rounding errors, which
          * the lower limit removes. */
-        weights[key] = f_max(cubic_curve(points, graph->knot_count, progress), 0.0f);
+        weights[key] = f_max(cubic_curve(points, graph->knot_count, progress, NULL), 0.0f);
         sum += weights[key];
     }
     for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
@@ -105,33 +104,22 @@ void graph_weights(const struct graph *graph, uint32_t key_count, float progress
 /* For a solved graph, the code exaggerates the key shapes, so that the blended fish passes through
  * every drawn shape. If a graph never gives key i the weight 1, the fish never has exactly the
  * drawn shape of key i. For example, TEMPLATE_SIMULTANEOUS gives an inner key a weight of at most
- * 0.7. In the 2005 thesis, the artist exaggerates the drawing by hand until the blended fish has
- * the desired shape. In this code, the drawn shape K_i is the true growth stage, and the
- * exaggerated shapes C_j are computed and blended. M is the matrix of the graph's weights at the
- * progress of each key. Therefore K = M * C and C = M^-1 * K. For three keys S, T and U, the
- * exaggerated middle shape is T' = (T - 0.15 * (S + U)) / 0.7. The shapes C are never stored,
- * because blending C with the weights V equals blending K with the weights V * M^-1. */
+ * 0.7.
+ *
+ * In the 2005 thesis, the artist exaggerates the drawing by hand until the blended fish has the
+ * desired shape. In this code, the drawn shape K_i is the true growth stage, and the exaggerated
+ * shapes C_j are computed and blended.
+ *
+ * M is the matrix of the graph's weights at the progress of each key. Therefore K = M * C and
+ * C = M^-1 * K. For three keys S, T and U, the exaggerated middle shape is
+ * T' = (T - 0.15 * (S + U)) / 0.7.
+ *
+ * The shapes C are never stored, because blending C with the weights V equals blending K with the
+ * weights V * M^-1. */
 struct system {
     float left[MORPH_KEY_MAX][MORPH_KEY_MAX];
     float (*right)[MORPH_KEY_MAX];
 };
-
-static void swap_rows(float *a, float *b, uint32_t count)
-{
-    for (uint32_t i = 0; i < count; i++) {
-        const float kept = a[i];
-        a[i] = b[i];
-        b[i] = kept;
-    }
-}
-
-/* Subtracts `factor` times the row `from` from the row `row`. */
-static void subtract_row(float *row, const float *from, float factor, uint32_t count)
-{
-    for (uint32_t i = 0; i < count; i++) {
-        row[i] -= factor * from[i];
-    }
-}
 
 /* Performs one Gauss-Jordan step on a column, with its largest remaining value as the pivot.
  * Returns false if the pivot is below PIVOT_MIN. */
@@ -142,21 +130,23 @@ static bool clear_column(struct system *s, uint32_t column, uint32_t count)
     for (uint32_t row = column + 1; row < count; row++) {
         pivot = f_abs(s->left[row][column]) > f_abs(s->left[pivot][column]) ? row : pivot;
     }
-    if (!(f_abs(s->left[pivot][column]) >= PIVOT_MIN)) {
+    const float scale = s->left[pivot][column];
+    if (!(f_abs(scale) >= PIVOT_MIN)) {
         return false;
     }
-    swap_rows(s->left[pivot], s->left[column], count);
-    swap_rows(s->right[pivot], s->right[column], count);
-    const float scale = s->left[column][column];
+    /* Swap the rows `pivot` and `column`, and divide the row `column` by the pivot. */
     for (uint32_t i = 0; i < count; i++) {
-        s->left[column][i] /= scale;
-        s->right[column][i] /= scale;
+        const float left = s->left[pivot][i], right = s->right[pivot][i];
+        s->left[pivot][i] = s->left[column][i];
+        s->right[pivot][i] = s->right[column][i];
+        s->left[column][i] = left / scale;
+        s->right[column][i] = right / scale;
     }
     for (uint32_t row = 0; row < count; row++) {
-        if (row != column) {
-            const float factor = s->left[row][column];
-            subtract_row(s->left[row], s->left[column], factor, count);
-            subtract_row(s->right[row], s->right[column], factor, count);
+        const float factor = s->left[row][column];
+        for (uint32_t i = 0; row != column && i < count; i++) {
+            s->left[row][i] -= factor * s->left[column][i];
+            s->right[row][i] -= factor * s->right[column][i];
         }
     }
     return true;
@@ -186,24 +176,6 @@ bool graph_solve(const struct graph *graph, uint32_t key_count,
 
 /* ---- Standard graphs (2005 thesis, figures 3.8 and 3.9) ------------------------------------- */
 
-/* Adds one knot for each key. At its own knot, an inner key has the weight `peak`, and each of its
- * two neighbours has the weight (1 - peak) / 2. The first and the last key have the weight 1 at
- * their own knots. */
-static void hats(struct graph *graph, uint32_t key_count, float peak)
-{
-    graph->knot_count = (uint8_t)key_count;
-    for (uint32_t i = 0; i < key_count; i++) {
-        struct graph_knot *knot = &graph->knots[i];
-        const bool inner = i > 0 && i < key_count - 1;
-        knot->progress = (float)i / (float)(key_count - 1);
-        knot->weight[i] = inner ? peak : 1.0f;
-        if (inner) {
-            knot->weight[i - 1] = 0.5f * (1.0f - peak);
-            knot->weight[i + 1] = 0.5f * (1.0f - peak);
-        }
-    }
-}
-
 void graph_from_template(struct graph *graph, enum graph_template template_id, uint32_t key_count,
                          float peak)
 {
@@ -211,26 +183,30 @@ void graph_from_template(struct graph *graph, enum graph_template template_id, u
     CORE_ASSERT(template_id > TEMPLATE_OWN && template_id < TEMPLATE_COUNT);
     CORE_ASSERT(peak > 0.5f && peak <= 1.0f);
     *graph = (struct graph){ 0 };
-    switch (template_id) {
-    case TEMPLATE_ORDINARY:
+    if (template_id == TEMPLATE_ORDINARY) {
         graph->knot_count = 2;
         graph->knots[0].weight[0] = 1.0f;
         graph->knots[1].progress = 1.0f;
         graph->knots[1].weight[key_count - 1] = 1.0f;
-        break;
-    case TEMPLATE_PAIRWISE:
-        hats(graph, key_count, 1.0f);
-        break;
-    case TEMPLATE_SIMULTANEOUS:
-        hats(graph, key_count, peak);
-        graph->line = GRAPH_SMOOTH;
-        graph->solved = 1;
-        break;
-    default:
-        hats(graph, key_count, 2.0f / 3.0f); /* The weights at an inner knot are 1/6, 4/6 and 1/6,
-                                                as for a cubic B-spline. */
-        graph->line = GRAPH_SMOOTH;
-        graph->solved = 1;
-        break;
+        return;
+    }
+    /* Add one knot for each key. At its own knot, an inner key has the weight `own`, and each of
+     * its two neighbours has the weight (1 - own) / 2. The first and the last key have the weight 1
+     * at their own knots. For TEMPLATE_SMOOTH, the weights at an inner knot are 1/6, 4/6 and 1/6,
+     * as for a cubic B-spline. */
+    const float own = template_id == TEMPLATE_PAIRWISE       ? 1.0f
+                      : template_id == TEMPLATE_SIMULTANEOUS ? peak
+                                                             : 2.0f / 3.0f;
+    graph->knot_count = (uint8_t)key_count;
+    graph->line = template_id == TEMPLATE_PAIRWISE ? GRAPH_STRAIGHT : GRAPH_SMOOTH;
+    graph->solved = template_id != TEMPLATE_PAIRWISE;
+    for (uint32_t i = 0; i < key_count; i++) {
+        struct graph_knot *knot = &graph->knots[i];
+        const bool inner = i > 0 && i < key_count - 1;
+        knot->progress = (float)i / (float)(key_count - 1);
+        knot->weight[i] = inner ? own : 1.0f;
+        if (inner) {
+            knot->weight[i - 1] = knot->weight[i + 1] = 0.5f * (1.0f - own);
+        }
     }
 }

@@ -33,37 +33,21 @@ static float curve_lead_m(const struct growth *growth, float age_days)
     return f_max(growth->length_inf_m * grown - last->length_m, 0.0f);
 }
 
-/* Returns the growth rate at a measured point, in metres per day. At the last point, the growth
- * rate is the initial growth rate of the curve that continues the table. This rate is limited so
- * that the table stays monotone. */
-static float point_slope(const struct growth *growth, const struct cubic_point *points,
-                         uint32_t index)
-{
-    const uint32_t count = growth->point_count;
-    CORE_ASSERT(count >= 2 && index < count);
-    if (index + 1u < count) {
-        return cubic_slope(points, count, index);
-    }
-    const struct cubic_point *last = &points[index];
-    const float steepest = 3.0f * (last->value - last[-1].value) / (last->at - last[-1].at);
-    const float onward = curve_lead_m(growth, last->at) / (growth->fade_year * DAYS_PER_YEAR);
-    return f_clamp(onward, 0.0f, f_max(steepest, 0.0f));
-}
-
+/* Returns the length at an age before the last measured point. At the last point, the growth rate
+ * is the initial growth rate of the curve that continues the table. This rate is limited so that
+ * the table stays monotone. */
 static float among_points_m(const struct growth *growth, float age_days)
 {
     struct cubic_point points[GROWTH_POINT_MAX];
-    uint32_t next = 1;
+    CORE_ASSERT(growth->point_count >= 2);
     for (uint32_t i = 0; i < growth->point_count; i++) {
         points[i] = (struct cubic_point){ growth->points[i].age_days, growth->points[i].length_m };
     }
-    while (age_days > points[next].at) {
-        next++;
-    }
-    const struct cubic_point *from = &points[next - 1], *to = &points[next];
-    const float t = f_clamp((age_days - from->at) / (to->at - from->at), 0.0f, 1.0f);
-    return cubic_between(from, point_slope(growth, points, next - 1), to,
-                         point_slope(growth, points, next), t);
+    const struct cubic_point *last = &points[growth->point_count - 1u];
+    const float steepest = 3.0f * (last->value - last[-1].value) / (last->at - last[-1].at);
+    const float onward = curve_lead_m(growth, last->at) / (growth->fade_year * DAYS_PER_YEAR);
+    const float slope = f_clamp(onward, 0.0f, f_max(steepest, 0.0f));
+    return cubic_curve(points, growth->point_count, age_days, &slope);
 }
 
 float growth_length_m(const struct growth *growth, float age_days)

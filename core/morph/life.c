@@ -22,7 +22,7 @@ static uint32_t last_key(const struct species_card *card)
 /* Returns true if progress between `key` and the next key is computed from length. The growth curve
  * must then be monotone between both keys and change in the same direction as the lengths of the
  * keys. */
-static bool goes_by_length(const struct species_card *card, uint32_t key)
+static bool is_length_monotone(const struct species_card *card, uint32_t key)
 {
     const float *length = &card->key_length_m[key], *age = &card->key_age_days[key];
     const bool rises =
@@ -73,7 +73,7 @@ float life_progress(const struct species_card *card, float age_days)
                                                     rounding errors. */
         }
         if (age_days < card->key_age_days[key + 1]) {
-            if (!goes_by_length(card, key)) {
+            if (!is_length_monotone(card, key)) {
                 return progress_of(card, key, part_of_age(card, key, age_days));
             }
             const float *age = &card->key_age_days[key];
@@ -111,7 +111,7 @@ float life_age_days(const struct species_card *card, float progress)
     if (part <= 0.0f || part >= 1.0f) {
         return age[part >= 1.0f];
     }
-    if (!goes_by_length(card, key)) {
+    if (!is_length_monotone(card, key)) {
         return f_lerp(age[0], age[1], part);
     }
     const float length_m = length_between(growth_length_m(&card->growth, age[0]),
@@ -150,7 +150,7 @@ float life_length_m(const struct species_card *card, float progress)
     if (part <= 0.0f || part >= 1.0f) {
         return length[part >= 1.0f];
     }
-    return goes_by_length(card, key)
+    return is_length_monotone(card, key)
                ? length_between(length[0], length[1], part)
                : growth_length_m(&card->growth, life_age_days(card, progress));
 }
@@ -181,7 +181,7 @@ static float progress_from_key(const struct species_card *card, uint32_t key, fl
     if (length_m == length[0] || length_m == length[1]) {
         return progress_of(card, key, length_m == length[0] ? 0.0f : 1.0f);
     }
-    if (goes_by_length(card, key)) {
+    if (is_length_monotone(card, key)) {
         const bool within = (length_m > length[0]) != (length_m > length[1]);
         const float part = part_between(length[0], length[1], length_m);
         return within ? progress_of(card, key, part) : -1.0f;

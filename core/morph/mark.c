@@ -18,8 +18,8 @@
  * body. */
 #define SOFT_HEIGHT 0.03f
 #define UNEVEN 0.35f /* Largest random deviation of a spot's radius, as a fraction of the radius. */
-/* Width of the margin within which a spot's cell never contains the spot's centre, as a fraction of
- * the cell. */
+/* Width of the margin along each edge of a spot's cell, as a fraction of the cell. The spot's
+ * centre lies at a random place in the rest of the cell, never in the margin. */
 #define CELL_RIM 0.2f
 /* Assumed height of a flank in body lengths. The constant converts the height of the gill slit to
  * body lengths. */
@@ -99,7 +99,8 @@ static float chance(uint32_t cell, uint32_t seed, uint32_t purpose)
 }
 
 /* Returns the distance, in cells, from `x` to the nearest coordinate at which a spot's centre may
- * lie. `x` is a coordinate of a point relative to the lower edge of the spot's cell, in cells. */
+ * lie. `x` is one coordinate of a point, in cells, measured from the edge of the spot's cell at
+ * which this coordinate is smallest. */
 static float to_middle(float x)
 {
     return f_max(f_max(CELL_RIM - x, x - (1.0f - CELL_RIM)), 0.0f);
@@ -107,8 +108,11 @@ static float to_middle(float x)
 
 /* Returns the cover of a mark with about `count` spots on each flank. The area of the mark is a
  * grid of cells, and each cell has one spot at a random place. Only the nine cells around the point
- * are tested. Every column of the grid has the same number of cells. Toward the tail, where the
- * body is lower, the cells are lower and the spots are smaller. Therefore no spot is cut off. */
+ * are tested.
+ *
+ * Every column of the grid has the same number of cells. Toward the tail, the distance from back to
+ * belly is shorter, and therefore the cells are less high. The spots are smaller there, so that no
+ * spot is cut off. */
 static float spots(const struct species_mark *m, const struct mark_point *at)
 {
     const float top = down_of(at, m->high), bottom = down_of(at, m->low);
@@ -128,7 +132,8 @@ static float spots(const struct species_mark *m, const struct mark_point *at)
         return 0.0f;
     }
     for (int i = 0; i < 9; i++) {
-        const float cx = f_floor(x) + (float)(i % 3 - 1), cy = f_floor(y) + (float)(i / 3 - 1);
+        const int column = i % 3 - 1, row = i / 3 - 1;
+        const float cx = f_floor(x) + (float)column, cy = f_floor(y) + (float)row;
         if (cx < 0.0f || cy < 0.0f || cx >= columns || cy >= rows ||
             to_middle(x - cx) * length > reach * columns ||
             to_middle(y - cy) * girth > reach * rows) {
@@ -209,8 +214,8 @@ float mark_cover(const struct species_mark *m, const struct mark_point *at)
     case MARK_PATCH:
         return soft_interval(at->u, m->from, m->to, m->width) *
                soft_interval(at->height, m->low, m->high, m->width);
-    case MARK_MOUTH: { /* The slit runs from the snout at the height `high` to the corner of the
-                          mouth at u = `to` and height `low`, and narrows toward the corner. */
+    case MARK_MOUTH: { /* The mouth slit runs from the snout at the height `high` to the corner of
+                          the mouth at u = `to` and height `low`, and narrows toward the corner. */
         const float along = at->u / f_max(m->to, 1e-3f), part = f_clamp(along, 0.0f, 1.0f);
         const float width = 0.5f * m->width * SLIT_HEIGHT * (1.0f - 0.5f * part);
         return disc(f_abs(at->height - f_lerp(m->high, m->low, part)), width) *

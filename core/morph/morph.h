@@ -191,14 +191,19 @@ void morph_key_pose(const struct species_mesh *mesh, uint32_t key_count, uint32_
 /* Returns the position, and optionally the rotation, of the point with the body coordinates (u, v)
  * on the blended skin. The skin is blended by `pose->weight`.
  *
- * The point lies on the drawn triangles: the diagonal of each grid cell joins (ring, next spoke)
- * and (next ring, spoke). u is clamped to the range of the grid, and v counts turns around the
- * body. If `turns` is true, x of the returned rotation points along the skin's normal, z points
- * backward along the skin, and y = z cross x. If `turns` is false, the rotation is the identity.
+ * The point lies exactly on the drawn triangles, because each grid cell is split in the same way as
+ * for drawing: into two triangles, by the diagonal from (ring, next spoke) to (next ring, spoke). u
+ * is clamped to the range of the grid, and v counts turns around the body.
  *
- * The grid must have at least 2 rings and 3 spokes (asserted), and its vertices must have no
- * anchor. A vertex at p in the body frame of a key has the coordinates pose_rotate_inverse(turn, p
- * - position) relative to an anchor at `position` with the rotation `turn`. */
+ * If `turns` is true, x of the returned rotation points along the skin's normal, z points backward
+ * along the skin, and y = z cross x. If `turns` is false, the rotation is the identity.
+ *
+ * The grid must have at least 2 rings and 3 spokes (asserted), and the vertices of the grid must
+ * have no anchor.
+ *
+ * The returned pose is used as the pose of an anchor. A vertex at p in the body frame has the
+ * anchor coordinates pose_rotate_inverse(turn, p - position), where `position` and `turn` are the
+ * position and the rotation of the anchor. */
 struct anchor_pose morph_ride(const struct species_mesh *mesh, uint32_t key_count,
                               const struct morph_pose *pose, float u, float v, bool turns);
 
@@ -212,12 +217,6 @@ void morph_ride_all(const struct species_mesh *mesh, uint32_t key_count, struct 
  * morph_pose. `positions` and `normals` must each have mesh->vertex_count entries or be null. */
 void morph_shape(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
                  vec3 *positions, vec3 *normals);
-
-/* Writes the same results as morph_shape(), bit for bit, with SIMD code for `lanes` = 1, 4 or 8
- * vertices at a time. If `lanes` is 8, the caller must ensure that the processor has AVX2. */
-void morph_shape_lanes(const struct species_mesh *mesh, uint32_t key_count,
-                       const struct morph_pose *pose, vec3 *positions, vec3 *normals,
-                       uint32_t lanes);
 
 /* Returns the blended position and normal of one vertex. If the vertex has an anchor, the results
  * are relative to the anchor. Otherwise the results are in the body frame. */

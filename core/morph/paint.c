@@ -59,23 +59,6 @@ static struct paint bare_paint(const struct species_coat *coat, const struct mar
     return (struct paint){ .colour = rgb(coat->fin), .clear = clear };
 }
 
-/* Returns the weighted mean of the keys' paints without marks. share[i] is the weight of key i, and
- * the weights sum to 1. */
-static struct paint mean_paint(const struct species *species, const float *share,
-                               const struct mark_point *at)
-{
-    struct paint paint = { .colour = { 0.0f, 0.0f, 0.0f } };
-    for (uint32_t key = 0; key < species->card.key_count; key++) {
-        if (share[key] > 0.0f) {
-            const struct paint bare = bare_paint(&species->coats[key], at);
-            paint.colour = v3_muladd(paint.colour, bare.colour, share[key]);
-            paint.clear += share[key] * bare.clear;
-            paint.shine += share[key] * bare.shine;
-        }
-    }
-    return paint;
-}
-
 /* Returns true if two marks at the same index in two coats count as one mark that changes its place
  * or colour. For scattered spots, both marks must also cover equal areas, because spots in a
  * different area have different random places. */
@@ -135,14 +118,23 @@ static void lay_marks(const struct species *species, const float *share, uint32_
     }
 }
 
-/* Returns the paint at a point including all marks. `slots` is the highest number of marks in the
- * coat of any key with a positive weight. */
+/* Returns the weighted mean of the keys' paints at a point, including all marks. share[i] is the
+ * weight of key i, and the weights sum to 1. `slots` is the highest number of marks in the coat of
+ * any key with a positive weight. */
 static struct paint paint_of_marks(const struct species *species, const float *share,
                                    uint32_t slots, const struct species_vertex *at)
 {
     CORE_ASSERT(slots <= MARK_MAX);
     const struct mark_point point = mark_point_of(at, (enum body_form)species->card.form);
-    struct paint paint = mean_paint(species, share, &point);
+    struct paint paint = { .colour = { 0.0f, 0.0f, 0.0f } };
+    for (uint32_t key = 0; key < species->card.key_count; key++) {
+        if (share[key] > 0.0f) {
+            const struct paint bare = bare_paint(&species->coats[key], &point);
+            paint.colour = v3_muladd(paint.colour, bare.colour, share[key]);
+            paint.clear += share[key] * bare.clear;
+            paint.shine += share[key] * bare.shine;
+        }
+    }
     for (uint32_t slot = 0; slot < slots; slot++) {
         lay_marks(species, share, slot, &point, &paint);
     }

@@ -23,9 +23,11 @@ vec3 pose_rotate_inverse(struct quat q, vec3 a)
 
 /* Returns the rotation at a point of the skin with the given normal. The x axis points along the
  * normal, the z axis points backward along the skin, and y = z cross x. The result is the
- * quaternion that rotates the body's axes to these axes. The backward component z.z is never
- * negative. The larger of the quaternion's components w and z is therefore at least 0.5, and the
- * code divides only by the larger component. */
+ * quaternion that rotates the body's axes to these axes.
+ *
+ * The code divides only by the larger of the quaternion's components w and z, which is at least
+ * 0.5. Proof: w4 = 4 * w^2 and z4 = 4 * z^2 have the sum 2 + 2 * z.z, where z.z is the backward
+ * component of the z axis. z.z is never negative, so w4 or z4 is at least 1. */
 static struct quat skin_turn(vec3 normal)
 {
     const vec3 x = v3_normalize_or(normal, v3(0.0f, 1.0f, 0.0f));
@@ -134,13 +136,12 @@ void morph_rig_init(struct morph_rig *rig, const struct species_card *card,
         if (template_id != TEMPLATE_OWN) {
             graph_from_template(graph, template_id, card->key_count, SIMULTANEOUS_PEAK);
         }
-        if (!graph->solved || !graph_solve(graph, card->key_count, rig->solution[curve], &stuck)) {
-            for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
-                for (uint32_t j = 0; j < MORPH_KEY_MAX; j++) {
-                    rig->solution[curve][i][j] = i == j ? 1.0f : 0.0f;
-                }
+        graph->solved =
+            graph->solved && graph_solve(graph, card->key_count, rig->solution[curve], &stuck);
+        for (uint32_t i = 0; i < MORPH_KEY_MAX; i++) {
+            for (uint32_t j = 0; j < MORPH_KEY_MAX && !graph->solved; j++) {
+                rig->solution[curve][i][j] = i == j ? 1.0f : 0.0f;
             }
-            graph->solved = 0;
         }
     }
 }

@@ -2,10 +2,13 @@
  *
  * A key shape (key) is one modelled growth stage. A species has three to eight keys. All keys have
  * the same mesh topology, and the body has the length 1 in every key. Each species measures this
- * length in one way: total, fork or standard length, or the disc width of a ray. The snout is at z
- * = -0.5 of the body frame (core/base/vec.h). The length in metres is a separate curve that does
- * not depend on the shape (2005 thesis, section 3.2). The build generates the built-in species from
- * assets/species/NAME.txt, and other species are read from packed files. */
+ * length in one way: total, fork or standard length, or the disc width of a ray.
+ *
+ * The snout is at z = -0.5 of the body frame (core/base/vec.h). The length in metres is a separate
+ * curve that does not depend on the shape (2005 thesis, section 3.2).
+ *
+ * The build generates the built-in species from assets/species/NAME.txt, and other species are read
+ * from packed files. */
 #ifndef KINGYO_CORE_MORPH_SPECIES_H
 #define KINGYO_CORE_MORPH_SPECIES_H
 
@@ -101,10 +104,11 @@ struct species_anchor {
 };
 
 /* Triangle mesh of one level of detail. Triangles are counter-clockwise as seen from outside. The
- * body is closed. An eye is a closed ball that is half embedded in the skin. A fin is a single
- * layer of vertices, and each triangle of a fin is stored in both windings, so that a renderer may
- * use back-face culling. A renderer must turn the normals of fins (part >= PART_TAIL) toward the
- * viewer. */
+ * body is closed.
+ *
+ * An eye is a closed ball that is half embedded in the skin. A fin is a single layer of vertices,
+ * and each triangle of a fin is stored in both windings, so that a renderer may use back-face
+ * culling. A renderer must turn the normals of fins (part >= PART_TAIL) toward the viewer. */
 struct species_mesh {
     uint32_t vertex_count, index_count, anchor_count;
     /* The vertices of the skin form a grid. The vertex at ring r and spoke s has the index

@@ -3,44 +3,20 @@
  * The key shapes are those of the species. */
 #include "core/morph/morph.h"
 
+#include <stddef.h>
+
+#include "core/base/mem.h"
 #include "core/base/panic.h"
 
 #define REACH_MAX 4.0f
-
-/* Writes the shape of key `key` without other keys to memory->positions and memory->normals. */
-static void key_shape(const struct species_mesh *mesh, uint32_t key_count, uint32_t key,
-                      struct straight_memory *memory)
-{
-    morph_key_pose(mesh, key_count, key, &memory->pose);
-    morph_shape(mesh, key_count, &memory->pose, memory->positions, memory->normals);
-}
-
-/* Returns the `reach` (see struct species_mesh) that the mesh needs when all vertices are in the
- * body frame. The present reach is doubled until all coordinates fit, or until it is REACH_MAX. */
-static float straight_reach(const struct species_mesh *mesh, uint32_t key_count,
-                            struct straight_memory *memory)
-{
-    float reach = mesh->reach;
-    for (uint32_t key = 0; key < key_count; key++) {
-        key_shape(mesh, key_count, key, memory);
-        float farthest = 0.0f;
-        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-            const vec3 p = memory->positions[i];
-            farthest = f_max(farthest, f_max(f_abs(p.x), f_max(f_abs(p.y), f_abs(p.z))));
-        }
-        while (reach < REACH_MAX && farthest > reach) {
-            reach *= 2.0f;
-        }
-    }
-    return reach;
-}
 
 /* Writes the points of key `key` with all vertices in the body frame. If `reach` equals the reach
  * of the mesh, a vertex without an anchor is copied unchanged. */
 static void bake_key(const struct species_mesh *mesh, uint32_t key_count, uint32_t key, float reach,
                      struct straight_memory *memory, struct species_point *out)
 {
-    key_shape(mesh, key_count, key, memory);
+    morph_key_pose(mesh, key_count, key, &memory->pose);
+    morph_shape(mesh, key_count, &memory->pose, memory->positions, memory->normals);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         const vec3 p = memory->positions[i];
         out[i] = mesh->points[key][i];
@@ -59,8 +35,22 @@ static void straighten_mesh(const struct species_mesh *from, uint32_t key_count,
                             struct straight_memory *memory, struct species_mesh *out)
 {
     CORE_ASSERT(lod < SPECIES_LOD_COUNT && from->vertex_count <= MESH_VERTEX_MAX);
-    const float reach =
-        from->anchor_count > 0 ? straight_reach(from, key_count, memory) : from->reach;
+    /* Doubles `reach` until `reach` is at least the largest coordinate of all keys in the body
+     * frame, or is REACH_MAX. `reach` is the largest coordinate that the 16-bit integers of struct
+     * species_point can store. */
+    float reach = from->reach;
+    for (uint32_t key = 0; key < key_count && from->anchor_count > 0; key++) {
+        morph_key_pose(from, key_count, key, &memory->pose);
+        morph_shape(from, key_count, &memory->pose, memory->positions, NULL);
+        float farthest = 0.0f;
+        for (uint32_t i = 0; i < from->vertex_count; i++) {
+            const vec3 p = memory->positions[i];
+            farthest = f_max(farthest, f_max(f_abs(p.x), f_max(f_abs(p.y), f_abs(p.z))));
+        }
+        while (reach < REACH_MAX && farthest > reach) {
+            reach *= 2.0f;
+        }
+    }
     for (uint32_t key = 0; key < key_count && from->anchor_count > 0; key++) {
         bake_key(from, key_count, key, reach, memory, memory->points[lod][key]);
         out->points[key] = memory->points[lod][key];
@@ -103,9 +93,7 @@ void straight_thesis(const struct species *from, struct straight_memory *memory,
         card->key_age_days[i] = from->card.key_age_days[key];
         card->key_length_m[i] = growth_length_m(&card->growth, from->card.key_age_days[key]);
         out->coats[i] = from->coats[key];
-        for (uint32_t c = 0; c < SPECIES_NAME_SIZE; c++) {
-            card->key_names[i][c] = from->card.key_names[key][c];
-        }
+        MEM_COPY(card->key_names[i], from->card.key_names[key], SPECIES_NAME_SIZE);
         for (uint32_t lod = 0; lod < SPECIES_LOD_COUNT; lod++) {
             out->lod[lod].points[i] = straight[lod].points[key];
         }

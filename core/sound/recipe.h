@@ -29,8 +29,8 @@ struct layer_recipe {
 
 struct sound_recipe {
     struct layer_recipe layer[SYNTH_LAYER_MAX];
-    float string_hz; /* Pitch of the plucked string, at least 190; 0 means that the sound has no
-                        string. */
+    float string_hz; /* Pitch of the plucked string in Hz, at least 190; 0 means that the sound has
+                        no string. */
     float string_gain;
     float string_delay_ms;
     float string_keep; /* Fraction of the string's wave that remains after one pass through its

@@ -18,14 +18,6 @@
 /* Number of frames (10 ms) over which a voice fades out at its end, to avoid a click. */
 #define FADE_FRAMES 480.0f
 
-/* Active layer of a voice, with delay and attack converted to frames. */
-struct drive {
-    const struct layer_recipe *recipe;
-    struct synth_layer *state;
-    uint32_t delay_frames;
-    float attack_per_frame;
-};
-
 /* Returns white noise in [-1, 1) from a linear congruential generator. The high bits of the
  * generator are sufficiently random for the sounds of water and paper. */
 static float noise_next(uint32_t *state)
@@ -41,25 +33,26 @@ static uint32_t frames_of(float ms)
 
 /* ---- Layers (tones and noise) --------------------------------------------------------------- */
 
-static float layer_next(struct drive *drive, uint32_t age_frames, uint32_t *noise)
+/* Returns the next sample of a layer. The layer must not be of the kind LAYER_NONE. */
+static float layer_next(struct synth_layer *state, const struct layer_recipe *recipe,
+                        uint32_t age_frames, uint32_t *noise)
 {
-    struct synth_layer *state = drive->state;
-    if (age_frames < drive->delay_frames) {
+    if (age_frames < state->delay_frames) {
         return 0.0f;
     }
-    const float rise = (float)(age_frames - drive->delay_frames) * drive->attack_per_frame;
+    const float rise = (float)(age_frames - state->delay_frames) * state->attack_per_frame;
     CORE_ASSERT(rise >= 0.0f);
     if (rise >= 1.0f) {
         state->level *= state->decay;
     }
     const float gain = f_min(rise, 1.0f);
-    if (drive->recipe->kind == LAYER_TONE) {
+    if (recipe->kind == LAYER_TONE) {
         state->phase += state->hz / (float)SYNTH_RATE_HZ;
         state->phase -= f_floor(state->phase);
         return f_sin(F_TAU * state->phase) * state->level * gain;
     }
     state->low += state->cutoff * state->band;
-    const float high = noise_next(noise) - state->low - drive->recipe->damping * state->band;
+    const float high = noise_next(noise) - state->low - recipe->damping * state->band;
     state->band += state->cutoff * high;
     return state->band * state->gate * state->level * gain;
 }
@@ -105,23 +98,19 @@ static void string_pluck(struct synth_voice *voice, float hz)
 
 /* ---- Rendering of voices -------------------------------------------------------------------- */
 
-static uint32_t gather_drives(struct synth_voice *voice, const struct sound_recipe *recipe,
-                              struct drive drives[SYNTH_LAYER_MAX])
+/* Starts a control step of a layer: advances the glide of the frequency, and computes the decay,
+ * the cutoff and the gate of the step. */
+static void layer_control(struct synth_layer *state, const struct layer_recipe *layer,
+                          uint32_t *noise)
 {
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < SYNTH_LAYER_MAX; i++) {
-        const struct layer_recipe *layer = &recipe->layer[i];
-        if (layer->kind != LAYER_NONE) {
-            CORE_ASSERT(layer->attack_ms > 0.0f && layer->decay_ms > 0.0f);
-            drives[count++] = (struct drive){
-                .recipe = layer,
-                .state = &voice->layer[i],
-                .delay_frames = frames_of(layer->delay_ms),
-                .attack_per_frame = 1.0f / (layer->attack_ms * FRAMES_PER_MS),
-            };
-        }
+    if (layer->glide_ms > 0.0f) {
+        const float glide_frames = layer->glide_ms * FRAMES_PER_MS;
+        const float share = 1.0f - f_exp(-(float)CONTROL_FRAMES / glide_frames);
+        state->hz += (layer->hz_to - state->hz) * share;
     }
-    return count;
+    state->decay = f_exp(-1.0f / (layer->decay_ms * FRAMES_PER_MS));
+    state->cutoff = 2.0f * f_sin(F_PI * state->hz / (float)SYNTH_RATE_HZ);
+    state->gate = 1.0f - layer->roughness * f_abs(noise_next(noise));
 }
 
 /* Adds the next frames of a voice to `mix`, up to the end of the voice's present control step.
@@ -133,25 +122,20 @@ static uint32_t voice_step(struct synth_voice *voice, float *mix, uint32_t frame
     const uint32_t length = frames_of(recipe->length_ms);
     const uint32_t step = CONTROL_FRAMES - voice->age_frames % CONTROL_FRAMES;
     const uint32_t count = step < frame_count ? step : frame_count;
-    struct drive drives[SYNTH_LAYER_MAX];
-    const uint32_t drive_count = gather_drives(voice, recipe, drives);
-    for (uint32_t d = 0; d < drive_count && step == CONTROL_FRAMES; d++) {
-        const struct layer_recipe *layer = drives[d].recipe;
-        struct synth_layer *state = drives[d].state;
-        if (layer->glide_ms > 0.0f) {
-            const float glide_frames = layer->glide_ms * FRAMES_PER_MS;
-            const float share = 1.0f - f_exp(-(float)CONTROL_FRAMES / glide_frames);
-            state->hz += (layer->hz_to - state->hz) * share;
+    uint32_t layer_count = 0; /* The layers of a sound are the first elements of both
+                                 arrays. */
+    while (layer_count < SYNTH_LAYER_MAX && recipe->layer[layer_count].kind != LAYER_NONE) {
+        if (step == CONTROL_FRAMES) {
+            layer_control(&voice->layer[layer_count], &recipe->layer[layer_count], &voice->noise);
         }
-        state->decay = f_exp(-1.0f / (layer->decay_ms * FRAMES_PER_MS));
-        state->cutoff = 2.0f * f_sin(F_PI * state->hz / (float)SYNTH_RATE_HZ);
-        state->gate = 1.0f - layer->roughness * f_abs(noise_next(&voice->noise));
+        layer_count++;
     }
     for (uint32_t i = 0; i < count; i++) {
         const float fade = f_min((float)(length - voice->age_frames) / FADE_FRAMES, 1.0f);
         float wave = string_next(voice, recipe);
-        for (uint32_t d = 0; d < drive_count; d++) {
-            wave += layer_next(&drives[d], voice->age_frames, &voice->noise);
+        for (uint32_t k = 0; k < layer_count; k++) {
+            wave +=
+                layer_next(&voice->layer[k], &recipe->layer[k], voice->age_frames, &voice->noise);
         }
         mix[2u * i] += wave * fade * voice->left;
         mix[2u * i + 1u] += wave * fade * voice->right;
@@ -180,7 +164,8 @@ void synth_play(struct synth *synth, const struct sound_event *event)
     const struct sound_recipe *recipe = &sound_recipes[event->sound];
     const float gain = f_clamp(event->gain, 0.0f, 1.0f);
     const float pan = f_clamp(event->pan, -1.0f, 1.0f);
-    struct synth_voice *voice = &synth->voice[0]; /* A free voice, otherwise the oldest voice. */
+    /* The loop selects a free voice, or the oldest voice if no voice is free. */
+    struct synth_voice *voice = &synth->voice[0];
     for (uint32_t i = 0; i < SYNTH_VOICE_MAX && voice->sound != SOUND_NONE; i++) {
         struct synth_voice *other = &synth->voice[i];
         if (other->sound == SOUND_NONE || other->age_frames > voice->age_frames) {
@@ -192,9 +177,15 @@ void synth_play(struct synth *synth, const struct sound_event *event)
                                                          the right gain is the same for every pan,
                                                          so that the total power is constant. */
     voice->right = gain * f_sqrt(0.5f * (1.0f + pan));
-    for (uint32_t i = 0; i < SYNTH_LAYER_MAX; i++) {
-        voice->layer[i].hz = recipe->layer[i].hz_from;
-        voice->layer[i].level = recipe->layer[i].gain;
+    for (uint32_t i = 0; i < SYNTH_LAYER_MAX && recipe->layer[i].kind != LAYER_NONE; i++) {
+        const struct layer_recipe *layer = &recipe->layer[i];
+        CORE_ASSERT(layer->attack_ms > 0.0f && layer->decay_ms > 0.0f);
+        voice->layer[i] = (struct synth_layer){
+            .delay_frames = frames_of(layer->delay_ms),
+            .attack_per_frame = 1.0f / (layer->attack_ms * FRAMES_PER_MS),
+            .hz = layer->hz_from,
+            .level = layer->gain,
+        };
     }
     if (recipe->string_hz > 0.0f) {
         string_pluck(voice, recipe->string_hz);
@@ -223,13 +214,4 @@ void synth_render(struct synth *synth, int16_t *stereo, uint32_t frame_count)
         stereo += 2u * block;
         frame_count -= block;
     }
-}
-
-uint32_t synth_voices(const struct synth *synth)
-{
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < SYNTH_VOICE_MAX; i++) {
-        count += synth->voice[i].sound != SOUND_NONE;
-    }
-    return count;
 }

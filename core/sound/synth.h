@@ -24,6 +24,8 @@
 
 /* State of one active layer. */
 struct synth_layer {
+    uint32_t delay_frames;     /* Frames from the start of the sound to the start of the layer. */
+    float attack_per_frame;    /* Rise of the level per frame during the attack. */
     float phase;               /* Phase of a tone in turns, [0, 1). */
     float hz;                  /* Present frequency in Hz, which changes during the glide. */
     float level;               /* Present level, which decreases over time. */
@@ -60,8 +62,5 @@ void synth_play(struct synth *synth, const struct sound_event *event);
 /* Writes `frame_count` frames, each with a left and a right sample, to `stereo`. The levels are
  * limited to the range of int16_t. */
 void synth_render(struct synth *synth, int16_t *stereo, uint32_t frame_count);
-
-/* Returns the number of active voices; 0 means that the output is silent. */
-uint32_t synth_voices(const struct synth *synth);
 
 #endif

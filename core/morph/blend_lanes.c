@@ -1,11 +1,11 @@
-/* blend_simd.c -- blends the key shapes with SIMD code for blocks of vertices; blend.c is the
+/* blend_lanes.c -- blends the key shapes with SIMD code for blocks of four vertices; blend.c is the
  * scalar code.
  *
- * The results of blend_simd.c and blend.c are equal to the last bit (tested by test_blend_simd.c).
- * For each vertex, a block reads 16 bytes of the vertex and 8 bytes for each key, and writes 24
- * bytes. Memory bandwidth is intended to limit the speed, rather than arithmetic (measured by `make
- * bench-morph`). */
-#include "core/morph/blend_simd.h"
+ * The results of blend_lanes.c and blend.c are equal to the last bit (tested by
+ * test_blend_lanes.c). For each vertex, a block reads 16 bytes of the vertex and 8 bytes for each
+ * key, and writes 24 bytes. Memory bandwidth is intended to limit the speed, rather than
+ * arithmetic (measured by `make bench-morph`). */
+#include "core/morph/blend_lanes.h"
 
 #include "core/base/panic.h"
 #include "core/base/simd_vec.h"
@@ -46,19 +46,9 @@ static inline ilanes load_words(const void *from)
     return words;
 }
 
-/* FIRST and SECOND select the first and the second 32-bit word of each point in a block. With eight
- * lanes, each half of four lanes is shuffled separately, because a shuffle across the halves is
- * slower. lane_vertex gives the resulting vertex order of the lanes. Only masks, anchors and stored
- * results depend on this order. */
-#ifdef SIMD_WIDE
-#define FIRST(a, b) __builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14)
-#define SECOND(a, b) __builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15)
-static const uint8_t lane_vertex[SIMD_LANES] = { 0, 1, 4, 5, 2, 3, 6, 7 };
-#else
+/* FIRST and SECOND select the first and the second 32-bit word of each point in a block. */
 #define FIRST(a, b) __builtin_shufflevector(a, b, 0, 2, 4, 6)
 #define SECOND(a, b) __builtin_shufflevector(a, b, 1, 3, 5, 7)
-static const uint8_t lane_vertex[SIMD_LANES] = { 0, 1, 2, 3 };
-#endif
 
 static inline flanes low_half(ilanes words)
 {
@@ -71,7 +61,8 @@ static inline flanes signed_as(flanes t, flanes x)
     return (flanes)((ilanes)t ^ ((ilanes)x & INT32_MIN));
 }
 
-/* Returns the result of unfold() in blend.c, except that z has the opposite sign. */
+/* Decodes the normals in the upper halves of `words` as unfold() in blend.c does, but z has the
+ * opposite sign. */
 static inline struct simd_v3 unfold_down(ilanes words)
 {
     const ilanes code = (words >> 16) + 255; /* The value of `code` equals the value of `code` in
@@ -83,23 +74,23 @@ static inline struct simd_v3 unfold_down(ilanes words)
     return simd_v3(x - signed_as(t, x), y - signed_as(t, y), down);
 }
 
-/* Masks of a block of vertices. `plain_masks` is 1 if only curve 0 moves the vertices, otherwise 0.
- * `plain_anchors` is 1 if no vertex has an anchor, otherwise 0. */
+/* Masks of a block of vertices. `plain_masks` is true if only curve 0 moves the vertices.
+ * `plain_anchors` is true if no vertex has an anchor. */
 struct block {
-    uint32_t plain_masks, plain_anchors;
+    bool plain_masks, plain_anchors;
     flanes mask[MORPH_CURVE_MAX]; /* Mask of each curve in each lane. The values are not set if
-                                     `plain_masks` is 1. */
+                                     `plain_masks` is true. */
 };
 
 static inline struct block load_block(const struct species_vertex *vertices)
 {
-    uint64_t all = ~(uint64_t)0; /* Bitwise AND, over all vertices of the block, of the members
-                                    part, side, flex, anchor and mask. */
+    uint64_t all = ~(uint64_t)0; /* Bitwise AND, over all vertices of the block, of the vertex
+                                    members part, side, flex, anchor and mask. */
     struct block block = { 0 };
     ilanes masks = { 0 };
     __builtin_prefetch(vertices + AHEAD);
     __builtin_prefetch(vertices + AHEAD + SIMD_LANES / 2);
-#pragma GCC unroll 8
+#pragma GCC unroll 4
     for (int lane = 0; lane < SIMD_LANES; lane++) {
         uint64_t word;
         MEM_COPY(&word, &vertices[lane].part, sizeof word);
@@ -110,7 +101,7 @@ static inline struct block load_block(const struct species_vertex *vertices)
     if (!block.plain_masks) {
         for (int lane = 0; lane < SIMD_LANES; lane++) {
             int32_t mask;
-            MEM_COPY(&mask, vertices[lane_vertex[lane]].mask, sizeof mask);
+            MEM_COPY(&mask, vertices[lane].mask, sizeof mask);
             masks[lane] = mask;
         }
 #pragma GCC unroll 4
@@ -185,14 +176,13 @@ static inline struct point_lanes carry(const struct blending *b, uint32_t first,
     const struct anchor_pose *anchor[SIMD_LANES];
     flanes place[4], quat[4], row[2][4];
     for (uint32_t lane = 0; lane < SIMD_LANES; lane++) {
-        const uint8_t index = b->mesh->vertices[first + lane_vertex[lane]].anchor;
+        const uint8_t index = b->mesh->vertices[first + lane].anchor;
         CORE_ASSERT(index == ANCHOR_NONE || index < b->mesh->anchor_count);
         anchor[lane] = index == ANCHOR_NONE ? &at_rest : &b->pose->anchor[index];
     }
     for (uint32_t i = 0; i < 4; i++) {
-        const struct anchor_pose *beside = anchor[i + (SIMD_LANES - 4)];
-        row[0][i] = simd_load_pair(&anchor[i]->position, &beside->position);
-        row[1][i] = simd_load_pair(&anchor[i]->turn, &beside->turn);
+        row[0][i] = (flanes)load_words(&anchor[i]->position);
+        row[1][i] = (flanes)load_words(&anchor[i]->turn);
     }
     simd_turn(place, row[0][0], row[0][1], row[0][2], row[0][3]);
     simd_turn(quat, row[1][0], row[1][1], row[1][2], row[1][3]);
@@ -204,18 +194,6 @@ static inline struct point_lanes carry(const struct blending *b, uint32_t first,
     };
 }
 
-static inline void store_quad(vec3 *to, const flanes *row, int high)
-{
-#ifdef SIMD_WIDE
-    const fquad quad = high ? __builtin_shufflevector(*row, *row, 4, 5, 6, 7)
-                            : __builtin_shufflevector(*row, *row, 0, 1, 2, 3);
-#else
-    const fquad quad = *row;
-    (void)high;
-#endif
-    MEM_COPY(to, &quad, sizeof quad);
-}
-
 /* Stores SIMD_LANES consecutive vectors of three floats. Each vector is stored as four floats, and
  * the next vector overwrites the fourth float. The last vector writes one float beyond the block. A
  * later block or vertex overwrites this float. */
@@ -223,16 +201,9 @@ static inline void store(vec3 *to, struct simd_v3 a)
 {
     flanes row[4];
     simd_turn(row, a.x, a.y, a.z, a.z);
-#pragma GCC unroll 2
-    for (int pair = 0; pair < 2; pair++) { /* The vectors are stored in increasing order of their
-                                              addresses, which differs from the order of the lanes
-                                              (lane_vertex). */
-#pragma GCC unroll 2
-        for (int high = 0; high < SIMD_LANES / 4; high++) {
-            vec3 *at = &to[SIMD_LANES / 2 * pair + 2 * high];
-            store_quad(at, &row[2 * pair], high);
-            store_quad(at + 1, &row[2 * pair + 1], high);
-        }
+#pragma GCC unroll 4
+    for (int lane = 0; lane < SIMD_LANES; lane++) {
+        MEM_COPY(&to[lane], &row[lane], sizeof row[lane]);
     }
 }
 
@@ -244,9 +215,9 @@ static struct blending begin_blending(const struct species_mesh *mesh, uint32_t 
 {
     struct blending b = { .mesh = mesh, .pose = pose };
     for (uint32_t key = 0; key < key_count; key++) {
-        uint32_t shown = 0;
+        bool shown = false;
         for (uint32_t curve = 0; curve < MORPH_CURVE_MAX; curve++) {
-            shown |= pose->weight[curve][key] != 0.0f;
+            shown = shown || pose->weight[curve][key] != 0.0f;
         }
         if (shown) {
             b.whole[b.key_count] = simd_splat(pose->weight[0][key]);
@@ -264,8 +235,8 @@ static struct blending begin_blending(const struct species_mesh *mesh, uint32_t 
     return b;
 }
 
-uint32_t SIMD_NAME(blend_blocks)(const struct species_mesh *mesh, uint32_t key_count,
-                                 const struct morph_pose *pose, vec3 *positions, vec3 *normals)
+uint32_t blend_blocks(const struct species_mesh *mesh, uint32_t key_count,
+                      const struct morph_pose *pose, vec3 *positions, vec3 *normals)
 {
     const struct blending b = begin_blending(mesh, key_count, pose);
     uint32_t first = 0;

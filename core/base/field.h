@@ -1,0 +1,144 @@
+/* field.h -- tables that list the members of a struct. The state hash, the start state of a
+ * recording and the test of the hash read the same table, so no member can be forgotten in one of
+ * them.
+ *
+ * A table lists every member of its struct. The order of the table is the order in which the hash
+ * reads the members. Each member is an array of numbers of 1, 2 or 4 bytes, or an array of structs
+ * that have a table of their own. A single number is an array with one element. */
+#ifndef KINGYO_CORE_BASE_FIELD_H
+#define KINGYO_CORE_BASE_FIELD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum field_form {
+    FORM_WORDS = 0, /* The hash reads each number as one word. */
+    FORM_RAW,       /* The hash reads the bytes of the member (hash_bytes()). */
+    FORM_HIGH,      /* The number, shifted left by `tag` bits, is the high part of the next word. */
+    FORM_SIGN,      /* The number is an int8_t from -1 to 1, and the hash adds 1 to the number. */
+    FORM_LATER,     /* The number is missing in recordings of format 7. The hash reads the number
+                        and its tag only if the number is not 0. */
+    FORM_STRUCTS,   /* The elements are structs with the members in `table`. */
+    FORM_SKIPPED,   /* The hash does not read the member. */
+    FORM_AGAIN,     /* The hash reads each number as one word. Another entry of the table describes
+                        the member too, so a visit in memory order leaves this entry out. */
+};
+
+struct field_table {
+    const char *name; /* Name of the struct without the keyword. */
+    const struct field *fields;
+    uint32_t count; /* Number of entries in `fields`. */
+    uint32_t size;  /* Size of the struct in bytes. */
+};
+
+struct field {
+    const char *name;                /* Name of the member in its struct. */
+    const struct field_table *table; /* Members of each element for FORM_STRUCTS, otherwise
+                                        null. */
+    uint32_t offset;                 /* Offset of the member in its struct, in bytes. */
+    uint32_t size;                   /* Size of the member in bytes. */
+    uint32_t count;                  /* Number of numbers in the member. */
+    uint32_t count_offset;           /* Offset of the uint32_t that has the number of elements in
+                                        use. FIELD_ALL_USED means that all elements are in use. */
+    uint16_t tag;                    /* Tag of the first element for FORM_LATER. Each further
+                                        element has the next tag, which is unique in the struct.
+                                        Number of bits of the shift for FORM_HIGH. */
+    uint8_t unit;                    /* Size of one number in bytes: 1, 2 or 4. */
+    uint8_t align;                   /* Alignment of the member in bytes. */
+    uint8_t form;                    /* Form of the member (enum field_form). */
+};
+
+#define FIELD_ALL_USED UINT32_MAX
+
+/* ---- Entries of a table ------------------------------------------------------------------------
+ *
+ * Before a table, a file defines STRUCT as the name of the struct without the keyword. A member may
+ * be an element of an array, or a member of a nested struct without padding. */
+
+#define FIELD_MEMBER(member) (((struct STRUCT *)0)->member)
+/* Size of the numbers of a member. Every type that is not listed consists of 4-byte numbers. */
+#define FIELD_UNIT(value)                                                                          \
+    _Generic((value),                                                                              \
+        bool: 1,                                                                                   \
+        bool *: 1,                                                                                 \
+        int8_t: 1,                                                                                 \
+        uint8_t: 1,                                                                                \
+        uint8_t *: 1,                                                                              \
+        char *: 1,                                                                                 \
+        uint16_t: 2,                                                                               \
+        uint16_t *: 2,                                                                             \
+        default: 4)
+#define FIELD_ENTRY(member, member_form, first_tag, members, used)                                 \
+    FIELD_PART(member, sizeof FIELD_MEMBER(member), member_form, first_tag, members, used)
+/* Describes only `bytes` bytes from the beginning of `member`, which may continue an array. */
+#define FIELD_PART(member, bytes, member_form, first_tag, members, used)                           \
+    { .name = #member,                                                                             \
+      .table = (members),                                                                          \
+      .offset = offsetof(struct STRUCT, member),                                                   \
+      .size = (bytes),                                                                             \
+      .count = (bytes) / FIELD_UNIT(FIELD_MEMBER(member)),                                         \
+      .count_offset = (used),                                                                      \
+      .tag = (first_tag),                                                                          \
+      .unit = FIELD_UNIT(FIELD_MEMBER(member)),                                                    \
+      .align = __alignof__(FIELD_MEMBER(member)),                                                  \
+      .form = (member_form) }
+
+#define FIELD(member) FIELD_ENTRY(member, FORM_WORDS, 0, NULL, FIELD_ALL_USED)
+#define FIELD_BYTES(member) FIELD_ENTRY(member, FORM_RAW, 0, NULL, FIELD_ALL_USED)
+#define FIELD_HIGH(member, shift) FIELD_ENTRY(member, FORM_HIGH, shift, NULL, FIELD_ALL_USED)
+#define FIELD_SIGN(member) FIELD_ENTRY(member, FORM_SIGN, 0, NULL, FIELD_ALL_USED)
+#define FIELD_LATER(member, tag) FIELD_ENTRY(member, FORM_LATER, tag, NULL, FIELD_ALL_USED)
+#define FIELD_AGAIN(member) FIELD_ENTRY(member, FORM_AGAIN, 0, NULL, FIELD_ALL_USED)
+#define FIELD_SKIP(member) FIELD_ENTRY(member, FORM_SKIPPED, 0, NULL, FIELD_ALL_USED)
+#define FIELD_STRUCT(member, table) FIELD_ENTRY(member, FORM_STRUCTS, 0, table, FIELD_ALL_USED)
+/* Only the first elements of the array `member` are in use. The member `used` has their number. */
+#define FIELD_USED(member, used)                                                                   \
+    FIELD_ENTRY(member, FORM_WORDS, 0, NULL, offsetof(struct STRUCT, used))
+#define FIELD_STRUCT_USED(member, table, used)                                                     \
+    FIELD_ENTRY(member, FORM_STRUCTS, 0, table, offsetof(struct STRUCT, used))
+/* `numbers` elements of an array. `member` is the first of them, such as array[3]. */
+#define FIELD_RANGE(member, numbers)                                                               \
+    FIELD_PART(member, (numbers) * sizeof FIELD_MEMBER(member), FORM_WORDS, 0, NULL, FIELD_ALL_USED)
+#define FIELD_RANGE_LATER(member, numbers, tag)                                                    \
+    FIELD_PART(member, (numbers) * sizeof FIELD_MEMBER(member), FORM_LATER, tag, NULL,             \
+               FIELD_ALL_USED)
+
+/* Defines the table of struct `type` with these entries. */
+#define FIELD_TABLE(type, ...)                                                                     \
+    { .name = #type,                                                                               \
+      .fields = (const struct field[]){ __VA_ARGS__ },                                             \
+      .count = sizeof((const struct field[]){ __VA_ARGS__ }) / sizeof(struct field),               \
+      .size = sizeof(struct type) }
+
+/* ---- Visits of all members ------------------------------------------------------------------- */
+
+/* Largest depth of structs within structs. */
+#define FIELD_DEPTH_MAX 6u
+
+/* Position of a visit of all members of an object, including the members of nested structs. */
+struct field_cursor {
+    bool in_memory_order; /* True to visit the members in their order in memory. False to visit the
+                             members in the order of the tables. */
+    uint32_t depth;       /* Number of entries in use in `level`. 0 means that the visit is over. */
+    struct field_level {
+        const struct field_table *table;
+        const uint8_t *object;
+        const struct field *field; /* Current member of `object`. */
+        const uint8_t *element;    /* Next element of the current member if it has a table. */
+        uint32_t element_count;    /* Number of elements from `element` on. */
+    } level[FIELD_DEPTH_MAX];
+};
+
+/* Returns a cursor before the first member of `object`, whose members are in `table`. */
+struct field_cursor field_begin(const struct field_table *table, const void *object,
+                                bool in_memory_order);
+
+/* Advances the cursor to the next member that has numbers, or that the hash skips. Returns the
+ * member and writes its address to `*at`, or returns NULL at the end. */
+const struct field *field_next(struct field_cursor *cursor, const uint8_t **at);
+
+/* Returns `hash` continued over all members of `object`. */
+uint64_t field_hash(uint64_t hash, const struct field_table *table, const void *object);
+
+#endif

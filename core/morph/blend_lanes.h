@@ -1,0 +1,18 @@
+/* blend_lanes.h -- blends four vertices at a time for morph_shape() (core/base/simd.h).
+ * Internal to core/morph. */
+#ifndef KINGYO_CORE_MORPH_BLEND_LANES_H
+#define KINGYO_CORE_MORPH_BLEND_LANES_H
+
+#include "core/base/simd.h"
+#include "core/morph/morph.h"
+
+/* Blends whole blocks of four vertices, starting at vertex 0, and leaves at least one vertex at the
+ * end. Returns the index of the first vertex that is not blended. */
+uint32_t blend_blocks(const struct species_mesh *mesh, uint32_t key_count,
+                      const struct morph_pose *pose, vec3 *positions, vec3 *normals);
+
+/* Blends the vertices from index `first` to the end, one at a time. */
+void blend_each(const struct species_mesh *mesh, uint32_t key_count, const struct morph_pose *pose,
+                uint32_t first, vec3 *positions, vec3 *normals);
+
+#endif
