@@ -1,19 +1,22 @@
 /* disc.c -- computes the forces of the water on a thin disc, and the loads on the ring and its
  * paper from the motion of the ring in one tick.
  *
- * alpha is the angle between the plane of the disc and its velocity. At a small alpha, the normal
- * force coefficient C_N is that of a wing of low aspect ratio. At a large alpha, C_N is that of a
- * disc perpendicular to the flow. */
+ * alpha is the angle between the plane of the disc and its velocity. The normal force coefficient
+ * C_N is the force along the normal of the disc, divided by rho / 2 * A * V^2. rho is the density
+ * of water, A is the area of the disc, and V is its speed. At a small alpha, C_N is the coefficient
+ * of a wing of low aspect ratio. At a large alpha, C_N is the coefficient of a disc perpendicular
+ * to the flow. */
 #include "core/poi/ring.h"
 
 #include "core/base/fmath.h"
 #include "core/base/panic.h"
 #include "core/base/physics.h"
 
-/* C_N of a disc that moves along its normal. Published values are 1.12 to 1.17. */
+/* Normal force coefficient C_N of a disc that moves along its normal. Published values are 1.12 to
+ * 1.17. */
 #define CN_BROADSIDE 1.17f
-/* C_N divided by sin(alpha) at a small alpha. A circular wing has 1.79 per radian at very small
- * angles, and more at larger angles. */
+/* Normal force coefficient C_N, divided by sin(alpha), at a small angle alpha. A circular wing has
+ * 1.79 per radian at very small angles, and more at larger angles. */
 #define CN_PER_SINE 2.0f
 #define NU_M2_S 1.0e-6f     /* Kinematic viscosity of water at 20 C. */
 #define ENTRY_HALF_M 0.005f /* Half the range of heights over which a level disc submerges. */
@@ -69,14 +72,6 @@ float disc_edge_n_s_m(float radius_m, float plane_m_s)
     return friction * 0.5f * WATER_KG_M3 * 2.0f * F_PI * radius_m * radius_m * speed;
 }
 
-/* The result is `added_kg` times the ratio of the added moment of inertia, (16/45) * rho * a^5, to
- * the added mass, (8/3) * rho * a^3. */
-float disc_turn_added_kg_m2(float radius_m, float added_kg)
-{
-    CORE_ASSERT(added_kg >= 0.0f);
-    return 2.0f / 15.0f * added_kg * radius_m * radius_m;
-}
-
 /* The torque is the integral of the drag over a disc of radius a. The drag is proportional to the
  * square of x, the distance from the axis of rotation. The integral of |x|^3 over the disc is
  * (8/15) * a^5. */
@@ -87,24 +82,19 @@ float disc_turn_n_m_s(float radius_m, float rate_rad_s)
     return 0.5f * WATER_KG_M3 * CN_BROADSIDE * integral * f_abs(rate_rad_s);
 }
 
-/* The pressure is computed from the mean square of the normal speed. The normal speed is
- * proportional to x, the distance from the axis of rotation. The mean of x^2 over a disc of radius
- * a is a^2 / 4. */
-float disc_turn_pa(float radius_m, float rate_rad_s)
-{
-    const float square_m2_s2 = 0.25f * radius_m * radius_m * rate_rad_s * rate_rad_s;
-    return 0.5f * WATER_KG_M3 * CN_BROADSIDE * square_m2_s2;
-}
-
 /* ---- Loads on the ring and its paper --------------------------------------------------------- */
 
-/* Time constant of the low-pass filter for the ring's acceleration. A pointing device reports whole
- * pixels, which causes a jitter of half a pixel at 8 to 30 Hz. Without the filter, this jitter
- * would act on the paper as water pressure. The filter has two stages, because a single stage would
- * need twice the delay. */
+/* Time constant of the low-pass filter for the ring's acceleration. The time constant is longer
+ * than a period of pointer jitter divided by 2 pi, so that the filter attenuates the jitter. A
+ * pointing device reports whole pixels, which causes a jitter of half a pixel at 8 to 30 Hz.
+ * Without the filter, this jitter would act on the paper as water pressure.
+ *
+ * The filter has two stages with this time constant each, because one stage with the same
+ * attenuation would need about twice the delay. */
 #define FEEL_TAU_S 0.050f
-/* Upper limit of the filtered acceleration. The force of a sudden stop at a wall acts on the ring
- * and not on the paper. */
+/* Upper limit of the filtered acceleration, from which the load on the paper is computed. The limit
+ * keeps this load low when the ring stops suddenly at a wall, because the wall's force acts on the
+ * ring and not on the paper. */
 #define FEEL_M_S2_MAX 6.0f
 
 #define SIGMA_N_M 0.072f
@@ -127,20 +117,19 @@ vec3 poi_water_n(const struct poi *poi, const struct basis *axes)
     return vec_basis_to_world(axes, water_n);
 }
 
-/* Returns the fraction [0, 1] of the ring's edge to which the meniscus still clings: the part that
- * is above the water by at most CLING_M. */
-static float clinging_share(float centre_y_m, float up_y)
-{
-    const float half_m = f_max(POI_RADIUS_M * f_sqrt(f_max(0.0f, 1.0f - up_y * up_y)), 1e-4f);
-    const float low = f_clamp(-centre_y_m / half_m, -1.0f, 1.0f);
-    const float high = f_clamp((CLING_M - centre_y_m) / half_m, -1.0f, 1.0f);
-    return (f_acos(low) - f_acos(high)) / F_PI;
-}
-
 float poi_meniscus_n(const struct poi *poi, float up_y)
 {
-    const float face_n = F_TAU * POI_RADIUS_M * SIGMA_N_M;
-    return poi->clings ? 2.0f * face_n * clinging_share(poi->position_m.y, up_y) : 0.0f;
+    if (!poi->clings) {
+        return 0.0f;
+    }
+    /* The meniscus clings to the fraction `share` of the ring's edge: the part that is above the
+     * water by at most CLING_M. */
+    const float y_m = poi->position_m.y;
+    const float half_m = f_max(poi_radius_m(poi) * f_sqrt(f_max(0.0f, 1.0f - up_y * up_y)), 1e-4f);
+    const float low = f_clamp(-y_m / half_m, -1.0f, 1.0f);
+    const float high = f_clamp((CLING_M - y_m) / half_m, -1.0f, 1.0f);
+    const float share = (f_acos(low) - f_acos(high)) / F_PI;
+    return 2.0f * (F_TAU * poi_radius_m(poi) * SIGMA_N_M) * share;
 }
 
 float poi_kick_n(const struct poi *poi)
@@ -163,13 +152,15 @@ float poi_paper_pa(struct poi *poi, const struct basis *axes)
     poi->jolt_m_s2 = v3_lerp(poi->jolt_m_s2, jolt_m_s2, share);
     const vec3 felt = v3_lerp(poi->acceleration_m_s2, poi->jolt_m_s2, share);
     poi->acceleration_m_s2 = v3_limit(felt, FEEL_M_S2_MAX);
-    const float area_m2 = poi_whole(poi) * F_PI * POI_RADIUS_M * POI_RADIUS_M;
+    const float area_m2 = poi_whole(poi) * F_PI * poi_radius_m(poi) * poi_radius_m(poi);
     const float lift_m_s2 = v3_dot(poi->acceleration_m_s2, axes->up);
     const float drag_n = -poi->drag_n_s_m * v3_dot(poi->velocity_m_s, axes->up);
     const float water_n = poi->slam_n + drag_n - poi->added_kg * lift_m_s2;
-    /* Three other forces act on the paper along its normal: the weight of paper, water and fish in
-     * air, the inertia of these masses at the acceleration `lift_m_s2`, and the half of the
-     * meniscus force that acts on the lower face. */
+    /* In addition to the water forces `water_n`, three forces act on the paper along its normal.
+     * The first force is the weight of the paper, the water and the fish, multiplied by the
+     * fraction of the disc that is in air. The second force is the inertia of the same mass at the
+     * acceleration `lift_m_s2`. The third force is the half of the meniscus force that acts on the
+     * lower face. */
     const float paper_kg = sheet_grade(poi->sheet.grade)->areal_kg_m2 * area_m2;
     const float burden_kg = (paper_kg + poi->water_kg + poi->carried_kg) * (1.0f - poi->immersed);
     const float even_pa = (water_n - (burden_kg * (GRAVITY_M_S2 * axes->up.y + lift_m_s2) +
@@ -177,8 +168,12 @@ float poi_paper_pa(struct poi *poi, const struct basis *axes)
                           area_m2;
     /* A rotation about a diameter of the disc causes water pressure in opposite directions on the
      * two halves of the disc. The strain of the paper depends only on the magnitude of that
-     * pressure. */
+     * pressure, which is computed from the mean square of the normal speed. The normal speed is
+     * proportional to x, the distance from the axis of rotation. The mean of x^2 over a disc of
+     * radius a is a^2 / 4. */
     const float rate_rad_s = v3_length(poi->spin_rad_s);
-    return even_pa + (even_pa < 0.0f ? -1.0f : 1.0f) *
-                         (poi->immersed * disc_turn_pa(POI_RADIUS_M, rate_rad_s));
+    const float square_m2_s2 =
+        0.25f * poi_radius_m(poi) * poi_radius_m(poi) * rate_rad_s * rate_rad_s;
+    const float turn_pa = 0.5f * WATER_KG_M3 * CN_BROADSIDE * square_m2_s2;
+    return even_pa + (even_pa < 0.0f ? -1.0f : 1.0f) * (poi->immersed * turn_pa);
 }

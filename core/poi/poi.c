@@ -1,48 +1,282 @@
-/* poi.c -- simulates one tick of the poi, returns the poi as an obstacle for fish and as a shade on
- * the water, and computes the force feedback. */
+/* poi.c -- moves the ring of a poi (the paper scoop) in one tick: by an implicit integration step
+ * of the spring between hand and ring, and by the wrist.
+ *
+ * The wrist is a damped spring about three axes. A poi whose input has no angles tips over its
+ * bowl automatically. */
 #include "core/poi/poi.h"
 
-#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
-#include "core/poi/catch/carried_fish.h"
+#include "core/poi/pose.h"
 #include "core/poi/ring.h"
+
+/* Stiffness of the spring between the player's hand and the ring. The damping increases with the
+ * added mass of water, so that the spring is critically damped along the normal under water. The
+ * ring lags behind a moving hand by damping / stiffness: 25 ms in air, and 56 ms for motion along
+ * the normal under water. */
+#define HAND_N_M 215.0f
+#define HAND_LAG_AIR_S 0.0250f
+#define PLANE_N_S_M (HAND_N_M * HAND_LAG_AIR_S) /* Damping for motion along the ring's plane. */
+/* Largest force of the spring. A human wrist can exert about this force. */
+#define HAND_N_MAX 20.0f
+
+/* The following constants limit the speed of the ring. A hand that pushes against a slow obstacle
+ * moves ahead of the ring and stretches the spring. Without a limit, the spring would accelerate
+ * the ring to 3.7 m/s when the obstacle disappears. The limit is the recent speed of the hand
+ * (pace_m_s) plus CATCH_UP_PER_S times the distance to the target. A freely moving ring never
+ * reaches this limit, because its speed is at most pace_m_s * exp(lag / 0.3 s). */
+/* Additional allowed speed of the ring per metre of distance to its target, in 1/s. */
+#define CATCH_UP_PER_S 4.0f
+/* Upper limit of the additional speed of the ring while the ring catches up with its target. */
+#define CATCH_UP_M_S 1.0f
+/* Time constant with which the stored recent speed of the hand decreases. */
+#define PACE_TAU_S 0.30f
+/* Upper limit of the stored recent speed of the hand. No arm is faster, but a wrong input report
+ * may contain a higher speed. */
+#define PACE_MAX_M_S 4.0f
+#define EDGE_ADDED_KG 0.010f /* Added mass of water for motion of the ring along its plane. */
+
+static float damping_normal_n_s_m(const struct poi *poi)
+{
+    const float critical = 2.0f * f_sqrt(HAND_N_M * (POI_MASS_KG + poi->added_kg));
+    return f_max(PLANE_N_S_M, critical);
+}
+
+vec3 poi_mass_kg(const struct poi *poi)
+{
+    CORE_ASSERT(poi->water_kg >= 0.0f && poi->carried_kg >= 0.0f);
+    const float load_kg = POI_MASS_KG + poi->water_kg + poi->carried_kg;
+    const float plane_kg = load_kg + EDGE_ADDED_KG * poi->immersed;
+    return v3(plane_kg, load_kg + poi->added_kg, plane_kg);
+}
+
+void poi_spring_tick(struct poi *poi, vec3 target_m, const struct basis *axes, float immersed)
+{
+    CORE_ASSERT(v3_is_finite(target_m));
+    CORE_ASSERT(immersed >= 0.0f && immersed <= 1.0f);
+    const vec3 v = vec_basis_to_body(axes, poi->velocity_m_s);
+    /* Updates `pace_m_s`, the recent speed of the hand, and `hand_m`, the position of the hand. */
+    const float now_m_s = v3_length(v3_sub(target_m, poi->hand_m)) * (float)CORE_TICK_HZ;
+    const float late_m_s = poi->pace_m_s * (1.0f - CORE_TICK_S / PACE_TAU_S);
+    poi->pace_m_s = f_min(f_max(now_m_s, late_m_s), PACE_MAX_M_S);
+    poi->hand_m = target_m;
+    /* Water passes through the holes of torn paper, so that only the ring and the remaining paper
+     * cause drag. */
+    const float plane_m_s = f_sqrt(v.x * v.x + v.z * v.z);
+    const float whole = poi_whole(poi);
+    poi->added_kg = whole * disc_added_mass_kg(poi_radius_m(poi), poi->position_m.y, immersed);
+    poi->drag_n_s_m = whole * immersed * disc_normal_n_s_m(poi_radius_m(poi), v.y, plane_m_s);
+    poi->edge_n_s_m = immersed * disc_edge_n_s_m(poi_radius_m(poi), plane_m_s);
+    /* The slam force, with which water resists a disc that submerges, is the normal speed times the
+     * increase of the added mass per second. The force is 0 if the disc is leaving the water. */
+    const float entered = (immersed - poi->immersed) / f_max(immersed, 1e-3f);
+    poi->slam_n = immersed > poi->immersed ? -v.y * poi->added_kg * entered / CORE_TICK_S : 0.0f;
+    poi->immersed = immersed;
+    poi->meniscus_n = poi_meniscus_n(poi, axes->up.y);
+    const vec3 down_n = v3_add(poi_weight_n(poi), v3(0.0f, -poi->meniscus_n, 0.0f));
+    vec3 burden_n = vec_basis_to_body(axes, down_n);
+    burden_n.y += poi_kick_n(poi);
+    /* If the limit HAND_N_MAX applies, the spring force is constant, and the stiffness counts as
+     * 0. */
+    const vec3 stretch_m = v3_sub(target_m, poi->position_m);
+    const vec3 full_n = v3_scale(stretch_m, HAND_N_M);
+    const float stiffness = v3_dot(full_n, full_n) > HAND_N_MAX * HAND_N_MAX ? 0.0f : HAND_N_M;
+    const vec3 spring_n = vec_basis_to_body(axes, v3_limit(full_n, HAND_N_MAX));
+    const vec3 mass_kg = poi_mass_kg(poi);
+    const float plane = PLANE_N_S_M + poi->edge_n_s_m;
+    const float normal = damping_normal_n_s_m(poi) + poi->drag_n_s_m;
+    const vec3 free_m_s = v3(
+        ring_axis_m_s(mass_kg.x, v.x, spring_n.x + burden_n.x, plane, stiffness),
+        ring_axis_m_s(mass_kg.y, v.y, spring_n.y + (burden_n.y + poi->slam_n), normal, stiffness),
+        ring_axis_m_s(mass_kg.z, v.z, spring_n.z + burden_n.z, plane, stiffness));
+    const float catch_up_m_s = f_min(CATCH_UP_PER_S * v3_length(stretch_m), CATCH_UP_M_S);
+    poi->velocity_m_s = vec_basis_to_world(axes, v3_limit(free_m_s, poi->pace_m_s + catch_up_m_s));
+}
+
+vec3 poi_spring_n(const struct poi *poi, const struct basis *axes)
+{
+    const vec3 full_n = v3_scale(v3_sub(poi->hand_m, poi->position_m), HAND_N_M);
+    const vec3 v = vec_basis_to_body(axes, poi->velocity_m_s);
+    const vec3 damper_n =
+        v3(-PLANE_N_S_M * v.x, -damping_normal_n_s_m(poi) * v.y, -PLANE_N_S_M * v.z);
+    return v3_add(v3_limit(full_n, HAND_N_MAX), vec_basis_to_world(axes, damper_n));
+}
+
+/* ---- Wrist ----------------------------------------------------------------------------------- */
+
+/* Natural angular frequency of the wrist spring in air, which causes a lag of 25 ms. */
+#define TURN_RAD_S 80.0f
+/* Moment of inertia of a poi of 7 g about the hand, which is 13 cm away. */
+#define TURN_KG_M2 1.2e-4f
+/* Torsional stiffness of the wrist, in N m per radian. */
+#define TURN_N_M (TURN_KG_M2 * TURN_RAD_S * TURN_RAD_S)
+
+/* Largest angle of the automatic tip. At this angle, a fish rolls over the ring. */
+#define TIP_RAD (55.0f * F_DEG)
+#define TIP_PER_S 3.0f
+/* Distance below which the ring tips fully: the horizontal distance between the centres of the ring
+ * and the bowl's mouth, divided by the sum of their radii. */
+#define TIP_NEAR 0.45f
+/* Distance above which the ring does not tip: the horizontal distance between the centres of the
+ * ring and the bowl's mouth, divided by the sum of their radii. */
+#define TIP_FAR 0.95f
+#define TIP_FALL_M 0.040f /* Distance from the ring's centre at which a fish falls off the ring. */
+/* Distance below which the ring tips fully: the distance from the centre of the bowl's mouth to the
+ * point where a fish would land, divided by the radius of the mouth. */
+#define TIP_HIT 0.65f
+#define TIP_BACK_SHARE 0.4f
+/* Number of ticks for which the poi stays tipped after its last fish left. A fish that still rolls
+ * over the ring then falls into the bowl. */
+#define TIP_LADEN_TICKS (CORE_TICK_HZ / 2u)
+/* Height of the ring's lowest edge above the bowl's mouth while the poi is tipped. */
+#define TIP_EDGE_M 0.010f
+
+/* ---- Automatic tip over the bowl ------------------------------------------------------------ */
+
+/* Returns the horizontal direction of the tip for a bowl in the direction `way`. The function
+ * prefers roll to pitch, because a wrist rolls a handle more easily than it raises the handle. The
+ * tip never lowers the handle, because the handle would then pass through the bowl. If the bowl is
+ * between the ring and the hand, the poi therefore only rolls. */
+static vec3 rather_sideways(vec3 way, float yaw_rad)
+{
+    const vec3 right = v3(f_cos(yaw_rad), 0.0f, -f_sin(yaw_rad));
+    const vec3 back = v3(f_sin(yaw_rad), 0.0f, f_cos(yaw_rad));
+    const float aside = v3_dot(way, right), behind = f_min(v3_dot(way, back), 0.0f);
+    const vec3 mix = v3_muladd(v3_scale(right, aside), back, TIP_BACK_SHARE * behind);
+    return v3_length(mix) > 1e-3f ? v3_normalize_or(mix, right) : right;
+}
+
+/* Updates the progress and the direction of the automatic tip over the bowl. A poi is tipped while
+ * it carries fish, and for half a second after the last fish left. The poi rotates back if it
+ * carries no fish or if the input controls its angles. */
+static void tip_over_bowl(struct poi *poi, const struct bowl *bowl, bool has_wrist)
+{
+    CORE_ASSERT(poi->tip >= 0.0f && poi->tip <= 1.0f);
+    const vec3 way = v3_flat(v3_sub(bowl->position_m, poi->position_m));
+    if (poi->tip < 0.02f) {
+        poi->tip_toward = rather_sideways(way, poi->angles.yaw_rad);
+    }
+    poi->laden_ticks = poi->carried_count > 0 ? TIP_LADEN_TICKS
+                       : poi->laden_ticks > 0 ? (uint8_t)(poi->laden_ticks - 1u)
+                                              : 0u;
+    /* The goal of the tip is 1 if the ring is over the mouth of its bowl and above the water,
+     * and if a fish that fell off would land in the mouth. */
+    float goal = 0.0f;
+    if (!has_wrist && poi->laden_ticks > 0 && bowl->present) {
+        const float near = v3_length(way) / (BOWL_RADIUS_M + poi_radius_m(poi));
+        const vec3 fall = v3_muladd(way, poi->tip_toward, -TIP_FALL_M);
+        const float miss = v3_length(fall) / BOWL_RADIUS_M;
+        goal = f_min(1.0f - f_smoothstep(TIP_NEAR, TIP_FAR, near),
+                     1.0f - f_smoothstep(TIP_HIT, 1.0f, miss)) *
+               (1.0f - f_smoothstep(0.0f, 0.5f, poi->immersed));
+    }
+    const float step = TIP_PER_S * CORE_TICK_S;
+    poi->tip += f_clamp(goal - poi->tip, -step, step);
+}
+
+/* Returns `target` rotated toward the bowl by the progress of the tip. While the poi is tipped, the
+ * result is also higher, because the fish would otherwise slide out below the bowl's mouth. */
+static struct poi_target tipped_target(const struct poi *poi, const struct bowl *bowl,
+                                       struct poi_target target)
+{
+    if (poi->tip <= 0.0f) {
+        return target;
+    }
+    const vec3 axis = v3_cross(v3(0.0f, 1.0f, 0.0f), poi->tip_toward);
+    const float eased = f_smoothstep(0.0f, 1.0f, poi->tip);
+    const float turn_rad = TIP_RAD * eased;
+    const struct basis held = vec_basis_from_angles(target.angles);
+    const struct basis turned = pose_turn(&held, axis, turn_rad);
+    target.angles = pose_angles(&turned);
+    const float edge = (bowl->position_m.y + TIP_EDGE_M) * eased;
+    target.position_m.y =
+        f_max(target.position_m.y, edge + poi_outer_radius_m(poi) * f_sin(turn_rad));
+    return target;
+}
+
+/* ---- Rotation of the ring -------------------------------------------------------------------- */
+
+/* Added inertia and drag coefficient of the water for a rotation about one axis. Both members are 0
+ * for a rotation about the disc's normal. */
+struct turn_water {
+    float kg_m2, n_m_s;
+};
+
+static struct turn_water turn_water(const struct poi *poi, float along, float rate_rad_s)
+{
+    const float share = poi_whole(poi) * f_max(0.0f, 1.0f - along * along);
+    return (struct turn_water){
+        /* The added moment of inertia, (16/45) * rho * a^5, is the added mass, (8/3) * rho * a^3,
+         * times (2/15) * a^2. */
+        .kg_m2 = share * (2.0f / 15.0f * poi->added_kg * poi_radius_m(poi) * poi_radius_m(poi)),
+        .n_m_s = share * poi->immersed * disc_turn_n_m_s(poi_radius_m(poi), rate_rad_s),
+    };
+}
+
+/* Rotates one angle toward `goal` by one implicit integration step of a critically damped spring.
+ * The implicit step is stable at any stiffness. */
+static void turn_angle(float *angle, float *speed, float goal, struct turn_water water)
+{
+    CORE_ASSERT(water.kg_m2 >= 0.0f && water.n_m_s >= 0.0f);
+    const float error = f_wrap_angle(goal - *angle), dt = CORE_TICK_S;
+    const float mass = TURN_KG_M2 + water.kg_m2;
+    const float damping = 2.0f * f_sqrt(TURN_N_M * mass) + water.n_m_s;
+    *speed = (mass * *speed + dt * TURN_N_M * error) / (mass + dt * damping + dt * dt * TURN_N_M);
+    *angle = f_wrap_angle(*angle + dt * *speed);
+}
+
+/* Rotates the ring toward `goal` for one tick. The wrist is a critically damped spring with a
+ * lag of 25 ms in air. Under water, the added inertia and the drag of the water act against the
+ * rotation. */
+static void turn_ring(struct poi *poi, struct angles goal)
+{
+    CORE_ASSERT(v3_is_finite(v3(goal.yaw_rad, goal.pitch_rad, goal.roll_rad)));
+    const struct basis before = vec_basis_from_angles(poi->angles);
+    vec3 *rate = &poi->angular_velocity_rad_s;
+    const vec3 side = v3(f_cos(poi->angles.yaw_rad), 0.0f, -f_sin(poi->angles.yaw_rad));
+    turn_angle(&poi->angles.yaw_rad, &rate->x, goal.yaw_rad, turn_water(poi, before.up.y, rate->x));
+    turn_angle(&poi->angles.pitch_rad, &rate->y, goal.pitch_rad,
+               turn_water(poi, v3_dot(before.up, side), rate->y));
+    turn_angle(&poi->angles.roll_rad, &rate->z, goal.roll_rad, turn_water(poi, 0.0f, rate->z));
+    const vec3 up = vec_basis_from_angles(poi->angles).up;
+    poi->spin_rad_s = v3_scale(v3_cross(before.up, up), (float)CORE_TICK_HZ);
+}
+
+/* ---- Tick of the poi ------------------------------------------------------------------------- */
 
 /* Immersed fraction of the disc above which a dip counts as a scoop. With this fraction, the centre
  * of a level disc is 3 mm under water. */
 #define SCOOP_IMMERSED 0.2f
 
-_Static_assert(OBSTACLE_PAPER_SIDE == SHEET_SIDE && OBSTACLE_PAPER_HOLDS == CELL_PAPER,
-               "fish read the sheet's own cells");
-
 void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed)
 {
+    poi_init_sized(poi, grade, POI_RADIUS_M, position_m, seed);
+}
+
+void poi_init_sized(struct poi *poi, uint8_t grade, float radius_m, vec3 position_m, uint32_t seed)
+{
     CORE_ASSERT(v3_is_finite(position_m));
+    CORE_ASSERT(radius_m >= POI_RADIUS_M && radius_m <= POI_RADIUS_MAX_M);
     memset(poi, 0, sizeof *poi);
     poi->seed = seed;
     poi->position_m = poi->before_m = poi->hand_m = position_m;
-    sheet_init(&poi->sheet, grade, POI_RADIUS_M, seed);
-    poi->immersed = disc_immersed(POI_RADIUS_M, position_m.y, 1.0f);
+    sheet_init(&poi->sheet, grade, radius_m, seed);
+    poi->immersed = disc_immersed(poi_radius_m(poi), position_m.y, 1.0f);
 }
 
 void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
               const struct bowl *bowl)
 {
-    CORE_ASSERT(v3_is_finite(grip->target.position_m));
-    CORE_ASSERT(f_is_finite(grip->target.angles.yaw_rad));
-    CORE_ASSERT(f_is_finite(grip->target.angles.pitch_rad));
-    CORE_ASSERT(f_is_finite(grip->target.angles.roll_rad));
     poi->before_m = poi->position_m;
     poi->before_m_s = poi->velocity_m_s;
     poi->before_angles = poi->angles;
-    poi_wrist_tip(poi, bowl, grip->has_wrist);
-    const struct poi_target target = poi_wrist_target(poi, bowl, grip->target);
-    poi_wrist_turn(poi, target.angles);
-
+    tip_over_bowl(poi, bowl, grip->has_wrist);
+    const struct poi_target target = tipped_target(poi, bowl, grip->target);
+    turn_ring(poi, target.angles);
     const struct basis axes = vec_basis_from_angles(poi->angles);
     const float was_immersed = poi->immersed;
-    hand_spring_tick(poi, target.position_m, &axes,
-                     disc_immersed(POI_RADIUS_M, poi->position_m.y, axes.up.y));
+    poi_spring_tick(poi, target.position_m, &axes,
+                    disc_immersed(poi_radius_m(poi), poi->position_m.y, axes.up.y));
     poi->clings = poi->immersed > 0.0f || poi->meniscus_n > 0.0f;
     poi->splash_m_s = 0.0f;
     if (was_immersed <= 0.0f && poi->immersed > 0.0f) {
@@ -53,221 +287,14 @@ void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *t
     /* An entry into the water (dip) counts as a scoop if more than SCOOP_IMMERSED of the disc is
      * under water and a player controls the poi. */
     if (poi->immersed <= 0.0f) {
-        poi->is_in = 0;
+        poi->is_in = false;
     } else if (!poi->is_in && poi->immersed > SCOOP_IMMERSED) {
-        poi->is_in = 1;
-        poi->dips += poi->damage_immune ? 0u : 1u;
+        poi->is_in = true;
+        poi->dips += !poi->damage_immune;
     }
     const vec3 free_m = v3_muladd(poi->before_m, poi->velocity_m_s, CORE_TICK_S);
     poi->position_m = free_m;
-    poi_constrain(poi, tank, bowl, poi->before_m, axes.up);
+    poi_constrain(poi, tank, bowl);
     const vec3 off_m = v3_sub(poi->position_m, free_m);
     poi->stopped = v3_dot(off_m, off_m) > 0.0f;
-}
-
-/* Returns the fraction [0, 1] of the ring's speed that fish blocked in the last tick, or 0 if no
- * fish blocked the ring. */
-static float stalled(const struct poi *poi)
-{
-    const float wants_m_s = v3_length(poi->velocity_m_s), had_m_s = v3_length(poi->before_m_s);
-    return poi->reaction && had_m_s < wants_m_s ? 1.0f - had_m_s / wants_m_s : 0.0f;
-}
-
-struct obstacle poi_obstacle(const struct poi *poi)
-{
-    const struct angles now = poi->angles, before = poi->before_angles;
-    const struct basis axes = vec_basis_from_angles(now);
-    return (struct obstacle){
-        .kind = OBSTACLE_DISC,
-        .centre_m = poi->position_m,
-        .normal = axes.up,
-        .velocity_m_s = poi->velocity_m_s,
-        .stalled = stalled(poi),
-        .radius_m = POI_OUTER_RADIUS_M,
-        .step_m = v3_sub(poi->position_m, poi->before_m),
-        .axes = axes,
-        .axes_before = vec_basis_from_angles(before),
-        .turned = now.yaw_rad != before.yaw_rad || now.pitch_rad != before.pitch_rad ||
-                  now.roll_rad != before.roll_rad,
-        .paper = poi->sheet.paper_cells > 0 ? poi->sheet.state : NULL,
-        .paper_radius_m = poi->sheet.radius_m,
-        .open = 1.0f - poi_whole(poi),
-    };
-}
-
-void poi_apply_reaction(struct poi *poi, const struct obstacle *ring)
-{
-    CORE_ASSERT(ring->kind == OBSTACLE_DISC);
-    poi->reaction = ring->reaction;
-    if (ring->reaction & REACTION_POSITION) {
-        poi->position_m = ring->centre_m;
-        poi->velocity_m_s = ring->velocity_m_s;
-    }
-    if (ring->reaction & REACTION_ROTATION) {
-        poi->angles = poi->before_angles;
-        poi->angular_velocity_rad_s = poi->spin_rad_s = v3(0.0f, 0.0f, 0.0f);
-    }
-    const struct basis axes = vec_basis_from_angles(poi->angles);
-    const struct sheet_wetting wet = { axes.right.y, axes.back.y, -poi->position_m.y };
-    poi->pressure_pa = poi_paper_pa(poi, &axes);
-    poi->strain = poi->damage_immune
-                      ? sheet_tick(&poi->sheet, 0.0f, wet, NULL, 0)
-                      : sheet_tick(&poi->sheet, poi->pressure_pa, wet, poi->loads, poi->load_count);
-    carried_water_tick(poi, axes.up.y);
-}
-
-/* Thin paper absorbs a third of the light, and holes absorb no light. A tilted ring casts an
- * elliptical shade. The function approximates the ellipse by a circle of equal area. */
-struct shade_cast poi_shade(const struct poi *poi)
-{
-    const float flat = f_abs(vec_basis_from_angles(poi->angles).up.y);
-    return (struct shade_cast){
-        .present = poi->immersed <= 0.0f && poi->position_m.y > 0.0f,
-        .x_m = poi->position_m.x,
-        .z_m = poi->position_m.z,
-        .radius_m = POI_OUTER_RADIUS_M * f_sqrt(f_max(flat, 0.05f)),
-        .dark = POI_PAPER_DARK * sheet_left(&poi->sheet),
-    };
-}
-
-uint64_t poi_hash_quick(uint64_t hash, const struct poi *poi)
-{
-    hash = hash_u32(hash, poi->link);
-    hash = hash_vec3(hash, poi->position_m);
-    hash = hash_vec3(hash, poi->velocity_m_s);
-    hash = hash_vec3(hash, v3(poi->angles.yaw_rad, poi->angles.pitch_rad, poi->angles.roll_rad));
-    hash = hash_float(hash, poi->immersed);
-    hash = hash_u32(hash, poi->sheet.paper_cells);
-    hash = hash_u32(hash, poi->carried_count);
-    hash = hash_u32(hash, poi->is_in);
-    return hash_u32(hash, poi->dips);
-}
-
-uint64_t poi_hash(uint64_t hash, const struct poi *poi)
-{
-    CORE_ASSERT(poi->carried_count <= POI_CARRIED_MAX);
-    CORE_ASSERT(poi->load_count <= SHEET_LOAD_MAX);
-    /* clang-format off */
-    const float values[] = { poi->splash_m_s,  poi->water_kg,  poi->tip,
-                             poi->pressure_pa, poi->carried_kg, poi->before_angles.yaw_rad,
-                             poi->before_angles.pitch_rad, poi->before_angles.roll_rad,
-                             poi->pace_m_s, poi->drag_n_s_m, poi->slam_n, poi->added_kg,
-                             poi->edge_n_s_m, poi->meniscus_n, poi->film_kg, poi->pool_kg,
-                             poi->drip_kg };
-    /* clang-format on */
-    hash = poi_hash_quick(hash, poi);
-    hash = hash_u32(hash, poi->seed);
-    hash = hash_u32(hash, poi->damage_immune);
-    hash = hash_vec3(hash, poi->before_m);
-    hash = hash_vec3(hash, poi->hand_m);
-    hash = hash_vec3(hash, poi->before_m_s);
-    hash = hash_u32(hash, poi->reaction);
-    hash = hash_u32(hash, poi->stopped);
-    hash = hash_u32(hash, poi->jam_ticks);
-    hash = hash_u32(hash, poi->clings);
-    hash = hash_u32(hash, poi->drops);
-    hash = hash_u32(hash, poi->laden_ticks);
-    hash = hash_vec3(hash, poi->angular_velocity_rad_s);
-    hash = hash_vec3(hash, poi->spin_rad_s);
-    hash = hash_vec3(hash, poi->acceleration_m_s2);
-    hash = hash_vec3(hash, poi->jolt_m_s2);
-    hash = hash_vec3(hash, poi->tip_toward);
-    hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
-    hash = hash_u32(hash, poi->slap_tick);
-    hash = hash_u32(hash, poi->tear_tick);
-    hash = hash_u32(hash, poi->strain.cells_torn);
-    hash = hash_float(hash, poi->strain.tension_max_n_m);
-    hash = hash_u32(hash, poi->load_count);
-    hash = hash_u32(hash, poi->slap_count);
-    for (uint32_t i = 0; i < poi->carried_count; i++) {
-        hash = carried_fish_hash(hash, &poi->carried_fish[i]);
-    }
-    for (uint32_t i = 0; i < poi->load_count; i++) {
-        const struct sheet_load *load = &poi->loads[i];
-        hash = hash_vec3(hash, v3(load->x_m, load->diameter_m, load->z_m));
-        hash = hash_float(hash, load->force_n);
-    }
-    return sheet_hash(hash, &poi->sheet);
-}
-
-/* ---- Force feedback -------------------------------------------------------------------------- */
-
-static vec3 clamp_vector(vec3 v, float most)
-{
-    return v3(f_clamp(v.x, -most, most), f_clamp(v.y, -most, most), f_clamp(v.z, -most, most));
-}
-
-/* Returns the sum of all forces on the ring except the force of the hand. The fish count as if they
- * were at the centre of the ring. */
-static vec3 burden_n(const struct poi *poi, const struct basis *axes)
-{
-    const vec3 down_n = v3(0.0f, -poi->meniscus_n, 0.0f);
-    const vec3 kick_n = v3_scale(axes->up, poi_kick_n(poi));
-    return v3_add(v3_add(poi_weight_n(poi), poi_water_n(poi, axes)), v3_add(down_n, kick_n));
-}
-
-static int is_held_up(const struct poi *poi)
-{
-    return poi->stopped || poi->reaction;
-}
-
-/* Returns the total force that caused the change of velocity in this tick. The accelerated mass
- * consists of the ring and the carried and displaced water and fish. */
-static vec3 moved_n(const struct poi *poi, const struct basis *axes)
-{
-    const vec3 mass_kg = hand_spring_mass_kg(poi);
-    const vec3 gain = vec_basis_to_body(axes, v3_sub(poi->velocity_m_s, poi->before_m_s));
-    const vec3 took = v3(mass_kg.x * gain.x, mass_kg.y * gain.y, mass_kg.z * gain.z);
-    return v3_scale(vec_basis_to_world(axes, took), (float)CORE_TICK_HZ);
-}
-
-/* Returns the torque of the contact force if the ring is blocked, otherwise 0. A wall, the floor, a
- * bowl or fish push at the point of the ring that is nearest to them. */
-static vec3 push_torque_n_m(const struct poi *poi, const struct basis *axes, vec3 hand)
-{
-    if (!is_held_up(poi)) {
-        return v3(0.0f, 0.0f, 0.0f);
-    }
-    const vec3 others_n = v3_add(hand, burden_n(poi, axes));
-    const vec3 push = v3_limit(v3_sub(moved_n(poi, axes), others_n), POI_FORCE_N_MAX);
-    const vec3 flat = v3_muladd(push, axes->up, -v3_dot(push, axes->up));
-    const vec3 toward = v3_normalize_or(flat, v3(0.0f, 0.0f, 0.0f));
-    return v3_cross(v3_scale(toward, -POI_OUTER_RADIUS_M), push);
-}
-
-/* Returns the torque of the fish that lie or slap at a distance from the centre of the ring. */
-static vec3 fish_torque_n_m(const struct poi *poi, const struct basis *axes)
-{
-    CORE_ASSERT(poi->load_count <= SHEET_LOAD_MAX);
-    vec3 torque = v3(0.0f, 0.0f, 0.0f);
-    for (uint32_t i = 0; i < poi->load_count; i++) {
-        const struct sheet_load *load = &poi->loads[i];
-        const vec3 place_m = vec_basis_to_world(axes, v3(load->x_m, 0.0f, load->z_m));
-        torque = v3_add(torque, v3_cross(place_m, v3_scale(axes->up, load->force_n)));
-    }
-    return torque;
-}
-
-void poi_haptics(const struct poi *poi, struct poi_force *force)
-{
-    const struct basis axes = vec_basis_from_angles(poi->angles);
-    /* For a freely moving ring, the force of the hand on the ring is computed from the motion. For
-     * a blocked ring, the force is that of the stretched hand spring. */
-    const vec3 hand = is_held_up(poi) ? hand_spring_force_n(poi, &axes)
-                                      : v3_sub(moved_n(poi, &axes), burden_n(poi, &axes));
-    const vec3 felt_n = v3_scale(hand, -1.0f);
-    const vec3 torque = v3_add(v3_cross(v3_scale(axes.back, -POI_GRIP_M), felt_n),
-                               push_torque_n_m(poi, &axes, hand));
-    const float rate_rad_s = v3_length(poi->spin_rad_s);
-    const float per_rad_s = disc_turn_n_m_s(POI_RADIUS_M, rate_rad_s);
-    const vec3 own = v3_add(fish_torque_n_m(poi, &axes),
-                            v3_scale(poi->spin_rad_s, -poi_whole(poi) * poi->immersed * per_rad_s));
-    const float drag = v3_length(poi_water_n(poi, &axes)) / POI_DRAG_N_FULL;
-    *force = (struct poi_force){
-        .force_n = clamp_vector(felt_n, POI_FORCE_N_MAX),
-        .torque_n_m = clamp_vector(v3_add(torque, own), POI_TORQUE_N_M_MAX),
-        .drag = f_clamp(drag, 0.0f, 1.0f),
-        .slap = f_clamp(-poi_kick_n(poi) / POI_SLAP_N_FULL, 0.0f, 1.0f),
-        .tear = f_clamp((float)poi->strain.cells_torn / POI_TEAR_CELLS_FULL, 0.0f, 1.0f),
-    };
 }

@@ -5,6 +5,7 @@
 #ifndef KINGYO_CORE_POI_POI_H
 #define KINGYO_CORE_POI_POI_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/input.h"
@@ -15,10 +16,11 @@
 #include "core/scene.h"
 #include "core/tank/tank.h"
 
-/* Inner radius of the ring. The rules of the goldfish-scooping federation prescribe a diameter of
- * 80 mm. */
+/* Inner radius of a standard ring. The rules of the goldfish-scooping federation prescribe a
+ * diameter of 80 mm. Easier levels have a larger ring (core/game/rules.h). */
 #define POI_RADIUS_M 0.040f
 #define POI_OUTER_RADIUS_M 0.0465f
+#define POI_RADIUS_MAX_M 0.060f /* Largest inner radius of a ring. */
 #define POI_THICKNESS_M 0.003f
 #define POI_MASS_KG 0.007f
 #define POI_PAPER_DARK 0.34f /* Fraction of the light that thin paper absorbs above the water. */
@@ -27,26 +29,18 @@
 #define POI_CARRIED_MAX 16u
 _Static_assert(SHEET_LOAD_MAX == 2u * POI_CARRIED_MAX, "a body and a slap of each");
 
-/* Returns the half extent of the ring along a world axis. `n` is the component of the ring's unit
- * normal along that axis. */
-static inline float poi_half_extent_m(float n)
-{
-    return POI_OUTER_RADIUS_M * f_sqrt(f_max(0.0f, 1.0f - n * n)) +
-           0.5f * POI_THICKNESS_M * f_abs(n);
-}
-
 /* Input for one tick: the target pose, and whether the input device controls the angles of the
  * poi. */
 struct poi_grip {
     struct poi_target target;
-    int has_wrist; /* 1 if the input controls the angles. 0 means that the input has no angles, and
-                      therefore the poi tips over its bowl automatically. */
+    bool has_wrist; /* True if the input controls the angles. False means that the input has no
+                       angles, and therefore the poi tips over its bowl automatically. */
 };
 
 struct poi {
     uint8_t link;                  /* Source of the last input (enum poi_source). */
-    uint8_t damage_immune;         /* 1 if the paper takes no damage, because no player controls the
-                                      poi; otherwise 0. */
+    bool damage_immune;            /* True if the paper takes no damage, because no player controls
+                                      the poi. */
     uint32_t seed;                 /* Random seed of the poi, which determines its paper and the
                                       slaps of its fish. */
     vec3 position_m, velocity_m_s; /* Position and velocity of the ring's centre, in world axes. */
@@ -60,12 +54,12 @@ struct poi {
                                     with time. */
     uint8_t reaction;  /* Motions of the ring that fish blocked in the last tick (bits of enum
                           obstacle_reaction). */
-    uint8_t stopped;   /* 1 if walls, floor, a bowl or another ring blocked the ring in this
-                          tick, otherwise 0. */
+    bool stopped;      /* True if walls, floor, a bowl or another ring blocked the ring in this
+                          tick. */
     uint8_t jam_ticks; /* Number of consecutive ticks in which fish block the ring while the hand
-                          pulls it up; at most 255. */
-    uint8_t clings; /* 1 if the ring was in the water and the meniscus may still cling to its edge,
-                       otherwise 0. */
+                          pulls the ring up; at most 255. */
+    bool clings;       /* True if the ring was in the water and the meniscus may still cling to its
+                          edge. */
     vec3 angular_velocity_rad_s; /* Angular velocity: the rates of change of yaw, pitch and roll are
                                     stored as x, y and z. */
     vec3 spin_rad_s;             /* Angular velocity of the poi's normal, as a vector in world axes.
@@ -101,8 +95,8 @@ struct poi {
                                     poi's up axis. */
     uint32_t dips; /* Number of scoops. A scoop is an entry of the poi into the water while a
                       player controls the poi. */
-    uint8_t is_in; /* 1 if the poi is in the water and was immersed deeply enough to count as a
-                      scoop, otherwise 0. */
+    bool is_in;    /* True if the poi is in the water and was immersed deeply enough to count as a
+                      scoop. */
     uint32_t slap_tick, tear_tick; /* Tick numbers of the last slap sound and the last tear sound; 0
                                       means that there was no sound yet. */
     struct sheet sheet;
@@ -120,16 +114,48 @@ struct poi {
     struct sheet_load loads[SHEET_LOAD_MAX];
 };
 
+/* Returns the outer radius of a ring with the inner radius `radius_m`. The rim of a larger ring is
+ * wider in proportion. */
+static inline float ring_outer_radius_m(float radius_m)
+{
+    return radius_m * (POI_OUTER_RADIUS_M / POI_RADIUS_M);
+}
+
+static inline float poi_radius_m(const struct poi *poi)
+{
+    return poi->sheet.radius_m;
+}
+
+static inline float poi_outer_radius_m(const struct poi *poi)
+{
+    return ring_outer_radius_m(poi->sheet.radius_m);
+}
+
+/* Returns the half extent of the ring along a world axis. `n` is the component of the ring's unit
+ * normal along that axis. */
+static inline float poi_half_extent_m(const struct poi *poi, float n)
+{
+    return poi_outer_radius_m(poi) * f_sqrt(f_max(0.0f, 1.0f - n * n)) +
+           0.5f * POI_THICKNESS_M * f_abs(n);
+}
+
 /* Initializes a poi at rest with dry paper. `grade` is the paper grade, from 4 (strong) to 7
  * (weak). `seed` determines the random properties of the paper. */
 void poi_init(struct poi *poi, uint8_t grade, vec3 position_m, uint32_t seed);
 
+/* Initializes a poi like poi_init(), with a ring of the inner radius `radius_m`, POI_RADIUS_M ..
+ * POI_RADIUS_MAX_M. */
+void poi_init_sized(struct poi *poi, uint8_t grade, float radius_m, vec3 position_m, uint32_t seed);
+
 /* Advances the ring by one tick. The hand spring pulls the ring. Water, floor, walls and the
- * player's own bowl act against the spring. If the input has no angles, a poi that carries fish
- * rises over the bowl's mouth and tips toward the bowl. When a blocked ring becomes free, its speed
- * exceeds the recent speed of the hand by at most 1 m/s. Asserts that the target is finite.
- * poi_haptics() computes the force feedback, and surface_disturbance_tick() computes the effect on
- * the water surface. */
+ * player's own bowl act against the spring.
+ *
+ * If the input has no angles, a poi that carries fish rises over the bowl's mouth and tips toward
+ * the bowl. When a blocked ring becomes free, its speed exceeds the recent speed of the hand by at
+ * most 1 m/s.
+ *
+ * Asserts that the target is finite. poi_haptics() computes the force feedback, and
+ * surface_disturbance_tick() computes the effect on the water surface. */
 void poi_tick(struct poi *poi, const struct poi_grip *grip, const struct tank *tank,
               const struct bowl *bowl);
 
@@ -157,37 +183,29 @@ float carried_water_m(const struct poi *poi);
  * water. */
 struct shade_cast poi_shade(const struct poi *poi);
 
-/* Adds all members of the poi that affect the game to `hash` and returns the new hash. */
-uint64_t poi_hash(uint64_t hash, const struct poi *poi);
-
-/* Adds the most important members of the poi to `hash` and returns the new hash. This function is
- * faster than poi_hash(). */
-uint64_t poi_hash_quick(uint64_t hash, const struct poi *poi);
-
-/* Moves the ring out of the floor, the walls and the player's own bowl, and back into the reach of
- * the arm. Removes the part of the ring's velocity that points beyond these limits. `before_m` is
- * the position of the ring at the start of the tick, and `up` is its unit normal. */
-void poi_constrain(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m,
-                   vec3 up);
+/* Moves the ring out of the floor, the walls and the player's own bowl, and back into the reach
+ * of the arm. Removes the part of the ring's velocity that points beyond these limits.
+ * poi_tick() calls this function. Another caller needs the function if it moved the ring after
+ * poi_tick(). */
+void poi_constrain(struct poi *poi, const struct tank *tank, const struct bowl *bowl);
 
 /* Moves the ring out of another player's bowl `bowl`. The caller must have called poi_tick() in
  * this tick. */
 void poi_constrain_to_bowl(struct poi *poi, const struct bowl *bowl);
 
-/* Applies the limits of walls, floor and the player's own bowl again. A caller needs this function
- * if it moved the ring after poi_tick(). */
-void poi_constrain_again(struct poi *poi, const struct tank *tank, const struct bowl *bowl);
-
 /* Separates two rings that overlap, or that passed through each other in this tick. Each ring moves
- * by half of the overlap. The caller must have called poi_tick() for both pois. Rings that press
- * against each other slide apart at 0.6 m/s each, so that no player can block another player's ring
- * for long. The order of `a` and `b` has no effect. Returns 1 if the rings touched, otherwise 0. If
- * the result is 1, the caller must apply the constraints of walls and bowls again. */
-int ring_pairs_separate(struct poi *a, struct poi *b);
+ * by half of the overlap. The caller must have called poi_tick() for both pois.
+ *
+ * Rings that press against each other slide apart at 0.6 m/s each, so that no player can block
+ * another player's ring for long. The order of `a` and `b` has no effect.
+ *
+ * Returns true if the rings touched. The caller must then apply the constraints of walls and bowls
+ * again. */
+bool ring_pairs_separate(struct poi *a, struct poi *b);
 
 /* Applies the disturbances that `poi` causes in one tick (1/120 s) to `water`. The ring disturbs
  * the surface when it moves up or down, when its edge cuts through the surface, and when water
- * drips from it. */
+ * drips from the ring. */
 void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 tank_size_m);
 
 #define POI_GRIP_M 0.130f /* Distance from the ring's centre to the grip, along the handle. */
@@ -199,9 +217,11 @@ void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 t
 /* Writes the force feedback of this tick to `force`: the force and the torque on the hand that
  * holds the poi. The force comes from the same physics that moves the ring. A freely moving ring
  * pulls at the hand with its drag, added mass, weight, meniscus force and fish. If walls, floor, a
- * bowl or fish block the ring, the stretched hand spring pulls at the hand. The torque about the
- * grip depends on the point at which each force acts. catch_tick() collects the slaps of the fish
- * in one tick. In the next tick, each slap loads the paper, moves the ring and acts on the hand.
+ * bowl or fish block the ring, the stretched hand spring pulls at the hand.
+ *
+ * The torque about the grip depends on the point at which each force acts. catch_tick() collects
+ * the slaps of the fish in one tick. In the next tick, each slap loads the paper, moves the ring
+ * and acts on the hand.
  *
  * The values of `force` are limited to the ranges in output.h. The caller must have called
  * poi_apply_reaction() in this tick. */

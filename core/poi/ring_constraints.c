@@ -11,7 +11,8 @@
 /* Distance beyond the tank walls to which a player's arm reaches over the rim of the tank. */
 #define REACH_SIDE_M 0.15f
 #define REACH_HEIGHT_M 0.30f
-#define ASIDE_M_S 0.6f /* Highest speed at which a ring slides sideways off the hull of a bowl. */
+/* Highest speed at which a ring slides sideways off the hull of a bowl or off another ring. */
+#define ASIDE_M_S 0.6f
 /* Gap between the ring and the floor of the tank. The gap keeps the paper from being pressed
  * between a thick ring and the floor. */
 #define FLOOR_GAP_M 0.003f
@@ -30,29 +31,26 @@ static void clamp_coordinate(float *place, float *speed, float low, float high)
     }
 }
 
-/* Returns the horizontal distance by which a point is outside a rectangle around the origin with
- * the half widths `room_x_m` and `room_z_m`. The result is 0 or less if the point is inside. */
-static float beyond_m(vec3 at_m, float room_x_m, float room_z_m)
-{
-    return f_max(f_abs(at_m.x) - room_x_m, f_abs(at_m.z) - room_z_m);
-}
-
 /* Applies the tank walls. A ring inside the walls stays inside, unless its lowest edge is above the
  * rim of the tank. A ring beyond the walls or across the rim rests on the rim. The ring's position
  * at the start of the tick decides between the two cases. The ring's angles do not decide, because
  * a rotation must never move the ring over a wall. */
-static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before_m, vec3 up)
+static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 up)
 {
-    const float low = poi_half_extent_m(up.y);
+    const vec3 before_m = poi->before_m;
+    const float low = poi_half_extent_m(poi, up.y);
     const float rim = tank->wall_height_m - tank->size_m.y;
-    const float room_x = 0.5f * tank->size_m.x - poi_half_extent_m(up.x);
-    const float room_z = 0.5f * tank->size_m.z - poi_half_extent_m(up.z);
+    const float room_x = 0.5f * tank->size_m.x - poi_half_extent_m(poi, up.x);
+    const float room_z = 0.5f * tank->size_m.z - poi_half_extent_m(poi, up.z);
     vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
     if (at->y - low >= rim) {
         return;
     }
-    const float outside = beyond_m(before_m, 0.5f * tank->size_m.x, 0.5f * tank->size_m.z);
-    const float aside = f_max(0.0f, beyond_m(before_m, room_x, room_z));
+    /* Horizontal distances by which the ring's centre was outside the tank (`outside`) and outside
+     * the region in which the ring touches no wall (`aside`). */
+    const float far_x = f_abs(before_m.x), far_z = f_abs(before_m.z);
+    const float outside = f_max(far_x - 0.5f * tank->size_m.x, far_z - 0.5f * tank->size_m.z);
+    const float aside = f_max(0.0f, f_max(far_x - room_x, far_z - room_z));
     const float under = rim + low - before_m.y;
     if (outside > 0.0f || (aside > 1e-4f && under < aside)) {
         clamp_coordinate(&at->y, &speed->y, rim + low, REACH_HEIGHT_M);
@@ -65,14 +63,15 @@ static void yield_to_walls(struct poi *poi, const struct tank *tank, vec3 before
 /* Applies a bowl as a constraint. A ring that comes from above rests on the bowl's mouth. A ring
  * that comes from below stops under the hull. A ring that comes from the side slides around the
  * hull. */
-static void yield_to(struct poi *poi, const struct bowl *bowl, vec3 before_m, vec3 up)
+static void yield_to(struct poi *poi, const struct bowl *bowl, vec3 up)
 {
-    const float low = poi_half_extent_m(up.y);
+    const vec3 before_m = poi->before_m;
+    const float low = poi_half_extent_m(poi, up.y);
     const float mouth = bowl->position_m.y, bottom = mouth - BOWL_DEPTH_M;
     vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
-    const vec3 away = v3(at->x - bowl->position_m.x, 0.0f, at->z - bowl->position_m.z);
+    const vec3 away = v3_flat(v3_sub(*at, bowl->position_m));
     const vec3 out = v3_normalize_or(away, v3(-1.0f, 0.0f, 0.0f));
-    const float apart = bowl_hull_radius_m(mouth - at->y) + poi_half_extent_m(v3_dot(up, out));
+    const float apart = bowl_hull_radius_m(mouth - at->y) + poi_half_extent_m(poi, v3_dot(up, out));
     if (!bowl->present || v3_length(away) >= apart || at->y - low >= mouth ||
         at->y + low <= bottom) {
         return;
@@ -91,17 +90,17 @@ static void yield_to(struct poi *poi, const struct bowl *bowl, vec3 before_m, ve
     }
 }
 
-void poi_constrain(struct poi *poi, const struct tank *tank, const struct bowl *bowl, vec3 before_m,
-                   vec3 up)
+void poi_constrain(struct poi *poi, const struct tank *tank, const struct bowl *bowl)
 {
     CORE_ASSERT(tank->size_m.x > 0.0f && tank->size_m.y > 0.0f && tank->size_m.z > 0.0f);
+    const vec3 up = vec_basis_from_angles(poi->angles).up;
     vec3 *at = &poi->position_m, *speed = &poi->velocity_m_s;
     const float reach_x = 0.5f * tank->size_m.x + REACH_SIDE_M;
     const float reach_z = 0.5f * tank->size_m.z + REACH_SIDE_M;
-    const float floor = poi_half_extent_m(up.y) + FLOOR_GAP_M - tank->size_m.y;
-    yield_to(poi, bowl, before_m, up);
+    const float floor = poi_half_extent_m(poi, up.y) + FLOOR_GAP_M - tank->size_m.y;
+    yield_to(poi, bowl, up);
     clamp_coordinate(&at->y, &speed->y, floor, REACH_HEIGHT_M);
-    yield_to_walls(poi, tank, before_m, up);
+    yield_to_walls(poi, tank, up);
     clamp_coordinate(&at->x, &speed->x, -reach_x, reach_x);
     clamp_coordinate(&at->z, &speed->z, -reach_z, reach_z);
 }
@@ -109,27 +108,20 @@ void poi_constrain(struct poi *poi, const struct tank *tank, const struct bowl *
 void poi_constrain_to_bowl(struct poi *poi, const struct bowl *bowl)
 {
     const vec3 free_m = poi->position_m;
-    yield_to(poi, bowl, poi->before_m, vec_basis_from_angles(poi->angles).up);
+    yield_to(poi, bowl, vec_basis_from_angles(poi->angles).up);
     const vec3 off_m = v3_sub(poi->position_m, free_m);
     poi->stopped |= v3_dot(off_m, off_m) > 0.0f;
 }
 
-void poi_constrain_again(struct poi *poi, const struct tank *tank, const struct bowl *bowl)
-{
-    poi_constrain(poi, tank, bowl, poi->before_m, vec_basis_from_angles(poi->angles).up);
-}
-
 /* ---- Contact of two rings -------------------------------------------------------------------- */
 
-/* Speed at which two rings slide sideways while they press against each other. The value equals the
- * speed at which a ring slides off the hull of a bowl. */
-#define ASIDE_M_S 0.6f
 /* Squared sine of the angle between two normals below which the normals count as parallel. */
 #define PARALLEL 1e-4f
 #define GAP_M 0.0002f /* Gap between two rings after their separation. */
 
 /* Geometry of two rings in one tick. */
 struct rings {
+    const struct poi *a, *b;
     vec3 up_a, up_b;        /* Unit normals of ring a and ring b. */
     vec3 apart_m, before_m; /* Vectors from the centre of ring a to the centre of ring b: `apart_m`
                                at the end of the tick and `before_m` at its start. */
@@ -137,8 +129,8 @@ struct rings {
 
 static float extents_m(const struct rings *rings, vec3 axis)
 {
-    return poi_half_extent_m(v3_dot(rings->up_a, axis)) +
-           poi_half_extent_m(v3_dot(rings->up_b, axis));
+    return poi_half_extent_m(rings->a, v3_dot(rings->up_a, axis)) +
+           poi_half_extent_m(rings->b, v3_dot(rings->up_b, axis));
 }
 
 /* Returns the overlap of the two rings along the unit vector `axis`. A result of 0 or less means
@@ -158,22 +150,20 @@ static float shared_through_m(const struct rings *rings, vec3 *normal)
     return extents_m(rings, *normal) - v3_dot(rings->apart_m, *normal);
 }
 
-/* Returns the unit vector along the projection of `apart_m` onto the plane with the given
- * normal. */
-static vec3 along_plane(vec3 apart_m, vec3 normal)
+/* Returns true if one of the candidate axes separates the two rings (separating axis theorem for
+ * two discs). */
+static bool are_apart(const struct rings *rings)
 {
-    const vec3 along = v3_muladd(apart_m, normal, -v3_dot(apart_m, normal));
-    return v3_normalize_or(along, normal);
-}
-
-/* Returns 1 if one of the candidate axes separates the two rings (separating axis theorem for two
- * discs), otherwise 0. */
-static int are_apart(const struct rings *rings)
-{
-    const vec3 edge = v3_cross(rings->up_a, rings->up_b);
-    return shared_m(rings, v3_normalize_or(rings->apart_m, rings->up_a)) <= 0.0f ||
-           shared_m(rings, along_plane(rings->apart_m, rings->up_a)) <= 0.0f ||
-           shared_m(rings, along_plane(rings->apart_m, rings->up_b)) <= 0.0f ||
+    const vec3 edge = v3_cross(rings->up_a, rings->up_b), apart_m = rings->apart_m;
+    const vec3 normals[] = { rings->up_a, rings->up_b };
+    for (int i = 0; i < 2; i++) {
+        /* Unit vector along the projection of `apart_m` onto the plane of a ring. */
+        const vec3 along = v3_muladd(apart_m, normals[i], -v3_dot(apart_m, normals[i]));
+        if (shared_m(rings, v3_normalize_or(along, normals[i])) <= 0.0f) {
+            return true;
+        }
+    }
+    return shared_m(rings, v3_normalize_or(apart_m, rings->up_a)) <= 0.0f ||
            (v3_dot(edge, edge) > PARALLEL &&
             shared_m(rings, v3_normalize_or(edge, rings->up_a)) <= 0.0f);
 }
@@ -185,7 +175,7 @@ static void push_ring(struct poi *poi, vec3 out, float way_m)
     const float inward_m_s = f_min(v3_dot(poi->velocity_m_s, out), 0.0f);
     poi->position_m = v3_muladd(poi->position_m, out, way_m);
     poi->velocity_m_s = v3_muladd(poi->velocity_m_s, out, -inward_m_s);
-    poi->stopped = 1;
+    poi->stopped = true;
 }
 
 /* Moves a ring sideways along `out` by at most `need_m`. The step cancels the motion of the ring
@@ -197,10 +187,12 @@ static void slide(struct poi *poi, vec3 out, float need_m)
     push_ring(poi, out, f_min(need_m, came_m + ASIDE_M_S * CORE_TICK_S));
 }
 
-int ring_pairs_separate(struct poi *a, struct poi *b)
+bool ring_pairs_separate(struct poi *a, struct poi *b)
 {
     CORE_ASSERT(a != b);
     const struct rings rings = {
+        .a = a,
+        .b = b,
         .up_a = vec_basis_from_angles(a->angles).up,
         .up_b = vec_basis_from_angles(b->angles).up,
         .apart_m = v3_sub(b->position_m, a->position_m),
@@ -210,10 +202,9 @@ int ring_pairs_separate(struct poi *a, struct poi *b)
     const float through_m = shared_through_m(&rings, &normal);
     const float other_m = shared_through_m(&rings, &other);
     if (through_m <= 0.0f || other_m <= 0.0f || are_apart(&rings)) {
-        return 0;
+        return false;
     }
-    const vec3 flat_m = v3(rings.apart_m.x, 0.0f, rings.apart_m.z);
-    const vec3 aside = v3_normalize_or(flat_m, v3(1.0f, 0.0f, 0.0f));
+    const vec3 aside = v3_normalize_or(v3_flat(rings.apart_m), v3(1.0f, 0.0f, 0.0f));
     const float need_m = shared_m(&rings, aside) + GAP_M;
     const float least_m = f_min(through_m, other_m) + GAP_M;
     slide(a, v3_scale(aside, -1.0f), 0.5f * need_m);
@@ -223,5 +214,5 @@ int ring_pairs_separate(struct poi *a, struct poi *b)
         push_ring(a, v3_scale(way, -1.0f), 0.5f * least_m);
         push_ring(b, way, 0.5f * least_m);
     }
-    return 1;
+    return true;
 }

@@ -14,10 +14,12 @@
 #define HEAVE_MAX_M 0.003f
 #define PLUNGE_MAX_M 0.004f
 #define BOW_RADIUS_M 0.012f
-/* Depth by which the edge of the ring presses the surface down at each point where the edge cuts
- * through it. The depth is a fraction of the edge's horizontal motion in the tick. */
+/* Ratio of two lengths: the depth by which the edge of the ring presses the water surface down, and
+ * the ring's horizontal motion in the tick. The edge presses at each point where the edge cuts
+ * through the surface. */
 #define BOW_SHARE 0.25f
-/* Largest depth by which the edge presses the surface down at one point in one tick. */
+/* Largest depth by which the edge of the ring presses the water surface down at one point in one
+ * tick. */
 #define BOW_MAX_M 0.0012f
 /* Sine of the tilt (9 degrees) below which a ring counts as level. The edge of a level ring does
  * not cut through the surface. */
@@ -34,7 +36,8 @@ static vec3 uphill(vec3 up, float *slope)
     return v3_normalize_or(rise, v3(0.0f, 0.0f, 0.0f));
 }
 
-/* Presses the water surface down at the two points where the edge of the ring passes through it. */
+/* Presses the water surface down at the two points where the edge of the ring passes through the
+ * surface. */
 static void press_waterline_points(const struct poi *poi, struct water *water, vec3 tank_size_m,
                                    vec3 up)
 {
@@ -42,7 +45,7 @@ static void press_waterline_points(const struct poi *poi, struct water *water, v
     const vec3 rise = uphill(up, &slope);
     const vec3 along = v3_cross(up, rise);
     const float reach =
-        slope > LEVEL_SLOPE ? -poi->position_m.y / (POI_OUTER_RADIUS_M * slope) : 1.0f;
+        slope > LEVEL_SLOPE ? -poi->position_m.y / (poi_outer_radius_m(poi) * slope) : 1.0f;
     if (f_abs(reach) >= 1.0f) {
         return;
     }
@@ -51,7 +54,7 @@ static void press_waterline_points(const struct poi *poi, struct water *water, v
     const float press = f_min(BOW_SHARE * v3_length(level_m_s) * CORE_TICK_S, BOW_MAX_M);
     for (int side = -1; side <= 1; side += 2) {
         const vec3 edge = v3_muladd(v3_scale(rise, reach), along, (float)side * aside);
-        water_press(water, tank_size_m, v3_muladd(poi->position_m, edge, POI_OUTER_RADIUS_M),
+        water_press(water, tank_size_m, v3_muladd(poi->position_m, edge, poi_outer_radius_m(poi)),
                     BOW_RADIUS_M, press);
     }
 }
@@ -71,13 +74,13 @@ void surface_disturbance_tick(const struct poi *poi, struct water *water, vec3 t
         press_waterline_points(poi, water, tank_size_m, up);
     }
     if (press_m != 0.0f) {
-        water_press(water, tank_size_m, poi->position_m, POI_OUTER_RADIUS_M, press_m);
+        water_press(water, tank_size_m, poi->position_m, poi_outer_radius_m(poi), press_m);
     }
     if (poi->drops > 0) {
         /* Drops fall from the lowest point of a tilted ring, or from the sag of a level ring. */
         float slope;
         const vec3 rise = uphill(up, &slope);
-        const float off_m = POI_OUTER_RADIUS_M * f_min(1.0f, slope / LEVEL_SLOPE);
+        const float off_m = poi_outer_radius_m(poi) * f_min(1.0f, slope / LEVEL_SLOPE);
         water_press(water, tank_size_m, v3_muladd(poi->position_m, rise, -off_m), DROP_RADIUS_M,
                     DROP_M * (float)poi->drops);
     }

@@ -2,7 +2,6 @@
  * the tank. */
 #include "core/poi/bowl/bowl.h"
 
-#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/base/physics.h"
@@ -18,7 +17,7 @@ void bowl_init(struct bowl *bowl, vec3 position_m)
     CORE_ASSERT(v3_is_finite(position_m));
     memset(bowl, 0, sizeof *bowl);
     position_m.y = f_clamp(position_m.y, FREEBOARD_MIN_M, 0.5f * BOWL_DEPTH_M);
-    bowl->present = 1;
+    bowl->present = true;
     bowl->home_m = bowl->position_m = bowl->before_m = position_m;
     bowl->water_kg = WATER_KG_M3 * bowl_room_m3(position_m.y) - BOWL_HULL_KG;
 }
@@ -38,8 +37,8 @@ float bowl_room_m3(float below_m)
     return F_PI * BOWL_RADIUS_M * BOWL_RADIUS_M * BOWL_DEPTH_M * left;
 }
 
-/* Newton's method finds the level, because the derivative of the volume with respect to the level
- * is the area of the water surface. */
+/* Computes the level by Newton's method. The derivative of the volume with respect to the level,
+ * which the method needs, is the area of the water surface. */
 float bowl_level_m(const struct bowl *bowl)
 {
     CORE_ASSERT(bowl->water_kg >= 0.0f && bowl->fish_kg >= 0.0f);
@@ -53,7 +52,7 @@ float bowl_level_m(const struct bowl *bowl)
     return below_m;
 }
 
-int bowl_is_full(const struct bowl *bowl)
+bool bowl_is_full(const struct bowl *bowl)
 {
     return bowl->fish_count >= BOWL_FISH_MAX || bowl->fish_kg >= BOWL_FISH_KG_MAX;
 }
@@ -67,7 +66,7 @@ void bowl_take(struct bowl *bowl, uint32_t bowl_index, struct tank *tank, struct
         bowl_empty(bowl, bowl_index, tank);
     }
     const float kg = fish_mass_kg(fish->length_m);
-    /* The momentum of the fish moves the bowl and rotates it about its centre. */
+    /* The momentum of the fish moves the bowl and rotates the bowl about its centre. */
     const float all_kg = BOWL_HULL_KG + bowl->water_kg + bowl->fish_kg + kg;
     const vec3 gain_m_s = v3_sub(velocity_m_s, bowl->velocity_m_s);
     const vec3 arm_m = v3_sub(fish->position_m, bowl->position_m);
@@ -84,44 +83,33 @@ void bowl_take(struct bowl *bowl, uint32_t bowl_index, struct tank *tank, struct
 
 /* ---- Returning the fish to the tank --------------------------------------------------------- */
 
-static float draw_pour(uint32_t seed, uint32_t fish, uint32_t which)
-{
-    return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_POUR });
-}
-
-/* Returns a random place for a fish in the tank: beside the hull, under water and inside the tank
- * walls. */
-static vec3 pouring_place(const struct bowl *bowl, const struct tank *tank, uint32_t index)
-{
-    CORE_ASSERT(index < tank->fish_count);
-    const float length_m = tank->fish[index].length_m;
-    const float angle = F_TAU * draw_pour(tank->seed, index, 1);
-    const float away = BOWL_RADIUS_M + length_m * (0.6f + 0.8f * draw_pour(tank->seed, index, 2));
-    const float room_x = 0.5f * (tank->size_m.x - length_m),
-                room_z = 0.5f * (tank->size_m.z - length_m);
-    const float half = 0.5f * tank->fish[index].height_m;
-    const float deep = f_max(half, tank->size_m.y - half - 0.005f);
-    return v3(f_clamp(bowl->position_m.x + away * f_cos(angle), -room_x, room_x),
-              -f_lerp(half, deep, draw_pour(tank->seed, index, 3)),
-              f_clamp(bowl->position_m.z + away * f_sin(angle), -room_z, room_z));
-}
-
 void bowl_empty(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
 {
     CORE_ASSERT(bowl_index < POI_MAX);
     for (uint32_t i = 0; i < tank->fish_count; i++) {
         struct fish *fish = &tank->fish[i];
-        if (fish->gait == GAIT_BOWL && fish->holder == bowl_index) {
-            fish->position_m = pouring_place(bowl, tank, i);
-            fish->alarm = 0.0f;
-            reentry_begin(tank, fish, v3(0.0f, 0.0f, 0.0f));
+        if (fish->gait != GAIT_BOWL || fish->holder != bowl_index) {
+            continue;
         }
+        /* Selects a random place beside the hull, under water and inside the tank walls. */
+        const float length_m = fish->length_m, half = 0.5f * fish->height_m;
+        const float angle = F_TAU * bowl_draw(RNG_BOWL_POUR, tank->seed, i, 1);
+        const float away =
+            BOWL_RADIUS_M + length_m * (0.6f + 0.8f * bowl_draw(RNG_BOWL_POUR, tank->seed, i, 2));
+        const float room_x = 0.5f * (tank->size_m.x - length_m);
+        const float room_z = 0.5f * (tank->size_m.z - length_m);
+        const float deep = f_max(half, tank->size_m.y - half - 0.005f);
+        fish->position_m = v3(f_clamp(bowl->position_m.x + away * f_cos(angle), -room_x, room_x),
+                              -f_lerp(half, deep, bowl_draw(RNG_BOWL_POUR, tank->seed, i, 3)),
+                              f_clamp(bowl->position_m.z + away * f_sin(angle), -room_z, room_z));
+        fish->alarm = 0.0f;
+        reentry_begin(tank, fish, v3(0.0f, 0.0f, 0.0f));
     }
     bowl->fish_count = 0;
     bowl->fish_kg = 0.0f;
 }
 
-/* ---- Obstacle, angles and hash --------------------------------------------------------------- */
+/* ---- Obstacle and angles --------------------------------------------------------------------- */
 
 struct obstacle bowl_obstacle(const struct bowl *bowl)
 {
@@ -148,18 +136,4 @@ void bowl_apply_reaction(struct bowl *bowl, const struct obstacle *hull)
 struct angles bowl_angles(const struct bowl *bowl)
 {
     return (struct angles){ .pitch_rad = bowl->heel_z, .roll_rad = bowl->heel_x };
-}
-
-uint64_t bowl_hash(uint64_t hash, const struct bowl *bowl)
-{
-    CORE_ASSERT(bowl->fish_count <= BOWL_FISH_MAX);
-    const float values[] = { bowl->heel_x,       bowl->heel_z,   bowl->heel_x_rad_s,
-                             bowl->heel_z_rad_s, bowl->water_kg, bowl->fish_kg };
-    hash = hash_u32(hash, bowl->present);
-    hash = hash_vec3(hash, bowl->home_m);
-    hash = hash_vec3(hash, bowl->position_m);
-    hash = hash_vec3(hash, bowl->before_m);
-    hash = hash_vec3(hash, bowl->velocity_m_s);
-    hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
-    return hash_u32(hash, bowl->fish_count);
 }

@@ -14,8 +14,10 @@
 #ifndef KINGYO_CORE_POI_BOWL_BOWL_H
 #define KINGYO_CORE_POI_BOWL_BOWL_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
+#include "core/base/rng.h"
 #include "core/scene.h"
 #include "core/tank/tank.h"
 
@@ -31,7 +33,7 @@
 #define BOWL_FISH_KG_MAX 0.172f
 
 struct bowl {
-    uint8_t present;
+    bool present;
     vec3 home_m;     /* Home position, to which the mooring returns the bowl, in the same axes as
                         `position_m`. Only x and z have an effect. */
     vec3 position_m; /* Centre of the bowl's mouth, slightly above the water. */
@@ -59,13 +61,16 @@ struct stall {
  * with which it floats at rest at this height. */
 void bowl_init(struct bowl *bowl, vec3 position_m);
 
-/* Returns 1 if the bowl has reached its largest number or mass of fish, otherwise 0. */
-int bowl_is_full(const struct bowl *bowl);
+/* Returns true if the bowl has reached its largest number or mass of fish. */
+bool bowl_is_full(const struct bowl *bowl);
 
 /* Adds a fish of the tank that falls into the bowl with the world velocity `velocity_m_s`. The
- * impact rocks the bowl. `bowl_index` is the index of the bowl in struct stall. If the bowl is
- * already full, its fish first return to the tank, as if an umpire had emptied the bowl. The caller
- * counts the score. Asserts that the bowl is present. */
+ * impact rocks the bowl. `bowl_index` is the index of the bowl in struct stall.
+ *
+ * If the bowl is already full, its fish first return to the tank, as if an umpire had emptied the
+ * bowl.
+ *
+ * The caller counts the score. Asserts that the bowl is present. */
 void bowl_take(struct bowl *bowl, uint32_t bowl_index, struct tank *tank, struct fish *fish,
                vec3 velocity_m_s);
 
@@ -94,7 +99,12 @@ void bowl_apply_reaction(struct bowl *bowl, const struct obstacle *hull);
 /* Returns the tilt of the bowl as angles for the renderer's scene. */
 struct angles bowl_angles(const struct bowl *bowl);
 
-uint64_t bowl_hash(uint64_t hash, const struct bowl *bowl);
+/* Returns random number `which` in [0, 1) of fish `fish` for the purpose `purpose`. */
+static inline float bowl_draw(enum rng_purpose purpose, uint32_t seed, uint32_t fish,
+                              uint32_t which)
+{
+    return rng_unit((struct rng_key){ seed, which, fish, purpose });
+}
 
 struct poi;
 
@@ -108,9 +118,5 @@ void bowl_buoyancy_tick(const struct stall *stall, const struct poi *pois, const
  * keep clear of each other and of the hull. Updates `fish_kg` of the bowl. Does nothing if the bowl
  * is absent or empty. */
 void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank);
-
-/* Returns the overlap of two level fish in metres. A result of 0 or less means that the fish do not
- * overlap. */
-float bowl_fish_overlap_m(const struct fish *a, const struct fish *b);
 
 #endif

@@ -58,22 +58,21 @@ static vec3 ring_push_on_hull(const struct bowl *bowl, const struct poi *poi)
 {
     const vec3 none = { 0.0f, 0.0f, 0.0f };
     const struct basis axes = vec_basis_from_angles(poi->angles);
-    const vec3 away =
-        v3(poi->position_m.x - bowl->position_m.x, 0.0f, poi->position_m.z - bowl->position_m.z);
+    const vec3 away = v3_flat(v3_sub(poi->position_m, bowl->position_m));
     const float far = v3_length(away);
-    if (far > BOWL_RADIUS_M + POI_OUTER_RADIUS_M + TOUCH_M) {
+    if (far > BOWL_RADIUS_M + poi_outer_radius_m(poi) + TOUCH_M) {
         return none;
     }
     const vec3 out = v3_normalize_or(away, v3(-1.0f, 0.0f, 0.0f));
-    const float low = poi_half_extent_m(axes.up.y), mouth = bowl->position_m.y;
-    const float apart =
-        bowl_hull_radius_m(mouth - poi->position_m.y) + poi_half_extent_m(v3_dot(axes.up, out));
-    const vec3 hand_n = hand_spring_force_n(poi, &axes);
+    const float low = poi_half_extent_m(poi, axes.up.y), mouth = bowl->position_m.y;
+    const float apart = bowl_hull_radius_m(mouth - poi->position_m.y) +
+                        poi_half_extent_m(poi, v3_dot(axes.up, out));
+    const vec3 hand_n = poi_spring_n(poi, &axes);
     if (far > apart + TOUCH_M || poi->position_m.y + low <= mouth - BOWL_DEPTH_M) {
         return none;
     }
     if (poi->position_m.y - low >= mouth - TOUCH_M) {
-        const int rests = poi->position_m.y - low <= mouth + TOUCH_M;
+        const bool rests = poi->position_m.y - low <= mouth + TOUCH_M;
         return v3(0.0f, rests ? f_clamp(hand_n.y, -PRESS_N_MAX, 0.0f) : 0.0f, 0.0f);
     }
     /* A ring whose centre is above the mouth slides along the bowl's rim and exerts no force. */
@@ -82,48 +81,6 @@ static vec3 ring_push_on_hull(const struct bowl *bowl, const struct poi *poi)
 }
 
 /* ---- Forces of the water on a bowl ---------------------------------------------------------- */
-
-struct swell { /* Mean height and slope of the water surface under the hull. */
-    float height_m, slope_x, slope_z;
-};
-
-static struct swell swell_under(const struct bowl *bowl, const struct tank *tank)
-{
-    const float arm_m = 0.7f * BOWL_RADIUS_M, x = bowl->position_m.x, z = bowl->position_m.z;
-    const float left = water_height_m(&tank->water, tank->size_m, x - arm_m, z);
-    const float right = water_height_m(&tank->water, tank->size_m, x + arm_m, z);
-    const float far = water_height_m(&tank->water, tank->size_m, x, z - arm_m);
-    const float near = water_height_m(&tank->water, tank->size_m, x, z + arm_m);
-    return (struct swell){
-        .height_m = f_clamp(0.25f * (left + right + far + near), -RIPPLE_MAX_M, RIPPLE_MAX_M),
-        .slope_x = 0.5f * (right - left) / arm_m,
-        .slope_z = 0.5f * (near - far) / arm_m,
-    };
-}
-
-static float axis_m_s(float kg, float speed_m_s, float force_n, float damping_n_s_m,
-                      float stiffness_n_m)
-{
-    CORE_ASSERT(kg > 0.0f);
-    const float dt = CORE_TICK_S;
-    return (kg * speed_m_s + dt * force_n) / (kg + dt * damping_n_s_m + dt * dt * stiffness_n_m);
-}
-
-static void move_hull(struct bowl *bowl, const struct swell *swell, vec3 push_n)
-{
-    const float kg = (1.0f + ALONG_SHARE) * load_kg(bowl);
-    const float weight_n = GRAVITY_M_S2 * load_kg(bowl);
-    const vec3 speed = v3(bowl->velocity_m_s.x, 0.0f, bowl->velocity_m_s.z);
-    const float drag = DRAG_N_S_M + DRAG_N_S2_M2 * v3_length(speed);
-    const float home_x = MOORING_N_M * (bowl->home_m.x - bowl->position_m.x);
-    const float home_z = MOORING_N_M * (bowl->home_m.z - bowl->position_m.z);
-    const float wave_x = -weight_n * swell->slope_x, wave_z = -weight_n * swell->slope_z;
-    const vec3 next = v3(axis_m_s(kg, speed.x, push_n.x + home_x + wave_x, drag, MOORING_N_M), 0.0f,
-                         axis_m_s(kg, speed.z, push_n.z + home_z + wave_z, drag, MOORING_N_M));
-    const vec3 held = v3_limit(next, SPEED_MAX_M_S);
-    bowl->velocity_m_s.x = held.x;
-    bowl->velocity_m_s.z = held.z;
-}
 
 static void heel(float *at, float *rate_rad_s, float goal)
 {
@@ -153,7 +110,7 @@ static void stop_at(float *place, float *speed, float room)
 static void keep_apart(struct bowl *a, struct bowl *b)
 {
     CORE_ASSERT(a != b);
-    const vec3 way = v3(b->position_m.x - a->position_m.x, 0.0f, b->position_m.z - a->position_m.z);
+    const vec3 way = v3_flat(v3_sub(b->position_m, a->position_m));
     const float deep_m = 2.0f * BOWL_RADIUS_M - v3_length(way);
     if (deep_m <= 0.0f) {
         return;
@@ -168,22 +125,44 @@ static void keep_apart(struct bowl *a, struct bowl *b)
     }
 }
 
+/* Integrates the forces of the water, of the mooring and of the rings (`push_n`) on a bowl. */
 static void float_on(struct bowl *bowl, const struct tank *tank, vec3 push_n)
 {
     CORE_ASSERT(bowl->present);
-    const struct swell swell = swell_under(bowl, tank);
-    const float slope = HEEL_SHARE / (GRAVITY_M_S2 * load_kg(bowl));
+    /* Mean height and slope of the water surface under the hull. */
+    const float arm_m = 0.7f * BOWL_RADIUS_M, x = bowl->position_m.x, z = bowl->position_m.z;
+    const float left = water_height_m(&tank->water, tank->size_m, x - arm_m, z);
+    const float right = water_height_m(&tank->water, tank->size_m, x + arm_m, z);
+    const float far = water_height_m(&tank->water, tank->size_m, x, z - arm_m);
+    const float near = water_height_m(&tank->water, tank->size_m, x, z + arm_m);
+    const float swell_m = f_clamp(0.25f * (left + right + far + near), -RIPPLE_MAX_M, RIPPLE_MAX_M);
+    const float slope_x = 0.5f * (right - left) / arm_m, slope_z = 0.5f * (near - far) / arm_m;
+    const float heel_per_n = HEEL_SHARE / (GRAVITY_M_S2 * load_kg(bowl));
     /* Water above LOAD_KG_MAX spills out of the bowl. */
     bowl->water_kg = f_max(0.0f, bowl->water_kg - f_max(0.0f, load_kg(bowl) - LOAD_KG_MAX));
-    move_hull(bowl, &swell, push_n);
-    const float freeboard_m = bowl->position_m.y - swell.height_m;
+    /* Horizontal motion. */
+    const float kg = (1.0f + ALONG_SHARE) * load_kg(bowl);
+    const float weight_n = GRAVITY_M_S2 * load_kg(bowl);
+    const vec3 speed = v3_flat(bowl->velocity_m_s);
+    const float drag = DRAG_N_S_M + DRAG_N_S2_M2 * v3_length(speed);
+    const float home_x = MOORING_N_M * (bowl->home_m.x - x);
+    const float home_z = MOORING_N_M * (bowl->home_m.z - z);
+    const float wave_x = -weight_n * slope_x, wave_z = -weight_n * slope_z;
+    const vec3 next =
+        v3(ring_axis_m_s(kg, speed.x, push_n.x + home_x + wave_x, drag, MOORING_N_M), 0.0f,
+           ring_axis_m_s(kg, speed.z, push_n.z + home_z + wave_z, drag, MOORING_N_M));
+    const vec3 held = v3_limit(next, SPEED_MAX_M_S);
+    bowl->velocity_m_s.x = held.x;
+    bowl->velocity_m_s.z = held.z;
+    /* Vertical motion and tilt. */
+    const float freeboard_m = bowl->position_m.y - swell_m;
     const float radius_m = bowl_hull_radius_m(freeboard_m);
     const float stiffness = WATER_KG_M3 * GRAVITY_M_S2 * F_PI * radius_m * radius_m;
     const float lift_n = GRAVITY_M_S2 * (WATER_KG_M3 * bowl_room_m3(freeboard_m) - load_kg(bowl));
-    bowl->velocity_m_s.y = axis_m_s((1.0f + ALONG_SHARE) * load_kg(bowl), bowl->velocity_m_s.y,
-                                    lift_n + push_n.y, HEAVE_DAMP_N_S_M, stiffness);
-    heel(&bowl->heel_x, &bowl->heel_x_rad_s, slope * push_n.x - swell.slope_x);
-    heel(&bowl->heel_z, &bowl->heel_z_rad_s, slope * push_n.z - swell.slope_z);
+    bowl->velocity_m_s.y =
+        ring_axis_m_s(kg, bowl->velocity_m_s.y, lift_n + push_n.y, HEAVE_DAMP_N_S_M, stiffness);
+    heel(&bowl->heel_x, &bowl->heel_x_rad_s, heel_per_n * push_n.x - slope_x);
+    heel(&bowl->heel_z, &bowl->heel_z_rad_s, heel_per_n * push_n.z - slope_z);
     bowl->position_m = v3_muladd(bowl->position_m, bowl->velocity_m_s, CORE_TICK_S);
 }
 

@@ -19,65 +19,47 @@
 #define SPINE_HALF 0.32f
 #define GIRTH 0.40f     /* Radius of the capsule as a fraction of the body width. */
 #define PART_SHARE 0.6f /* Fraction of the overlap of two fish that is removed in each tick. */
-/* Largest step by which overlapping fish are separated in one tick. The value equals 14 cm/s. */
+/* Largest distance by which overlapping fish are moved apart in one tick. The value equals 14
+ * cm/s. */
 #define PART_MAX_M 0.0012f
 #define CROSSED 0.3f
 #define ENDS 0.45f /* Distance of the snout and the tail from the fish's centre, in body lengths. */
 #define SPEED_MAX_M_S 0.22f
 
-static float draw_bowl_fish(uint32_t seed, uint32_t fish, uint32_t which)
-{
-    return rng_unit((struct rng_key){ seed, which, fish, RNG_BOWL_ROUND });
-}
-
 /* ---- Circling in the bowl -------------------------------------------------------------------- */
 
-/* Returns the crowding of the bowl in [0, 1]. At 1, all fish circle at the same angular speed,
- * because a faster fish would collide with other fish. */
-static float crowd_of(const struct bowl *bowl)
+/* Moves the fish for one tick along its circle and toward the depth and the radius of the
+ * circle. The circle is random. On the circle, the snout and the tail of the fish stay inside
+ * the hull. A circle near the water surface can have a larger radius, because the bowl is wider
+ * at the top. `way` is the direction around the bowl: 1 or -1. */
+static void swim_in_bowl(struct fish *fish, uint32_t index, const struct bowl *bowl, float way,
+                         float level_m, uint32_t seed)
 {
-    return f_smoothstep(0.0f, CROWD_KG, bowl->fish_kg);
-}
-
-struct round { /* Circle on which a fish would swim if there were no other fish. */
-    float below_m, radius_m, rad_s;
-};
-
-/* Returns a random circle on which the snout and the tail of the fish stay inside the hull. A
- * circle near the water surface can have a larger radius, because the bowl is wider at the top. */
-static struct round round_of(const struct fish *fish, uint32_t index, const struct bowl *bowl,
-                             float level_m, uint32_t seed)
-{
+    CORE_ASSERT(way == 1.0f || way == -1.0f);
     CORE_ASSERT(level_m >= 0.0f && level_m <= BOWL_DEPTH_M);
     const float half = 0.5f * fish->height_m, end = ENDS * fish->length_m;
     const float top = level_m + half, bottom = f_max(top, 0.92f * BOWL_DEPTH_M - half);
-    const float deep = draw_bowl_fish(seed, index, 1), wide = draw_bowl_fish(seed, index, 2);
-    const float below = f_lerp(top, bottom, deep * (0.5f + 0.5f * deep));
-    const float hull = f_max(0.0f, bowl_hull_radius_m(below + half) - HULL_GAP_M);
+    const float deep = bowl_draw(RNG_BOWL_ROUND, seed, index, 1),
+                wide = bowl_draw(RNG_BOWL_ROUND, seed, index, 2);
+    const float below_m = f_lerp(top, bottom, deep * (0.5f + 0.5f * deep));
+    const float hull = f_max(0.0f, bowl_hull_radius_m(below_m + half) - HULL_GAP_M);
     const float reach = f_sqrt(f_max(0.0f, hull * hull - end * end));
-    const float spread = 0.5f * (1.0f - crowd_of(bowl));
-    return (struct round){
-        .below_m = below,
-        .radius_m = reach * f_sqrt(0.04f + 0.96f * wide),
-        .rad_s = ROUND_RAD_S * (1.0f + spread * (2.0f * draw_bowl_fish(seed, index, 4) - 1.0f)),
-    };
-}
-
-/* Moves the fish for one tick along its circle and toward the depth and the radius of the circle.
- * `way` is the direction around the bowl: 1 or -1. */
-static void swim_in_bowl(struct fish *fish, const struct bowl *bowl, float way,
-                         const struct round *round)
-{
-    CORE_ASSERT(way == 1.0f || way == -1.0f);
+    const float goal_m = reach * f_sqrt(0.04f + 0.96f * wide);
+    /* At a crowding of 1, all fish circle at the same angular speed, because a faster fish would
+     * collide with other fish. */
+    const float crowd = f_smoothstep(0.0f, CROWD_KG, bowl->fish_kg);
+    const float spread = 0.5f * (1.0f - crowd);
+    const float rad_s =
+        ROUND_RAD_S * (1.0f + spread * (2.0f * bowl_draw(RNG_BOWL_ROUND, seed, index, 4) - 1.0f));
     const vec3 at = v3_sub(fish->position_m, bowl->position_m);
     const float radius_m = f_max(f_sqrt(at.x * at.x + at.z * at.z), 1e-4f);
     const vec3 out = v3(at.x / radius_m, 0.0f, at.z / radius_m);
     const vec3 on = v3(-way * out.z, 0.0f, way * out.x);
-    const float along = round->rad_s * f_max(radius_m, 0.01f);
-    const float settle = SETTLE_PER_S * (1.0f - SETTLE_CROWD * crowd_of(bowl));
+    const float along = rad_s * f_max(radius_m, 0.01f);
+    const float settle = SETTLE_PER_S * (1.0f - SETTLE_CROWD * crowd);
     vec3 speed = v3_scale(on, along);
-    speed = v3_muladd(speed, out, settle * (round->radius_m - radius_m));
-    speed.y = settle * (-round->below_m - at.y);
+    speed = v3_muladd(speed, out, settle * (goal_m - radius_m));
+    speed.y = settle * (-below_m - at.y);
     speed = v3_limit(speed, SPEED_MAX_M_S);
     fish->position_m = v3_muladd(fish->position_m, speed, CORE_TICK_S);
     fish->speed_m_s = along;
@@ -94,27 +76,11 @@ static void swim_in_bowl(struct fish *fish, const struct bowl *bowl, float way,
 
 /* ---- Separation of fish ---------------------------------------------------------------------- */
 
-/* Returns the scale factor for vertical distances between fish. A fish is higher than wide, and the
- * factor makes the cross-section of its capsule circular. */
-static float flatten(const struct fish *fish)
-{
-    CORE_ASSERT(fish->height_m > 0.0f);
-    return fish->width_m / fish->height_m;
-}
-
-struct spine { /* Horizontal unit vector along a fish's body, toward its snout. */
-    float x, z;
-};
-
-static struct spine spine_of(const struct fish *fish)
-{
-    return (struct spine){ -f_sin(fish->angles.yaw_rad), -f_cos(fish->angles.yaw_rad) };
-}
-
-/* Returns the shortest vector from the capsule axis of `a` to the capsule axis of `b`. The vertical
- * component is multiplied by the smaller flatten() of the two fish. */
-static vec3 way_between(const struct fish *a, struct spine on_a, const struct fish *b,
-                        struct spine on_b)
+/* Returns the shortest vector from the capsule axis of `a` to the capsule axis of `b`. `on_a`
+ * and `on_b` are the horizontal unit vectors along the bodies, toward the snouts. A fish is
+ * higher than wide. The vertical component is therefore multiplied by the smaller ratio of width
+ * to height of the two fish, which makes the cross-section of the capsules circular. */
+static vec3 way_between(const struct fish *a, vec3 on_a, const struct fish *b, vec3 on_b)
 {
     const vec3 d = v3_sub(b->position_m, a->position_m);
     const float ha = SPINE_HALF * a->length_m, hb = SPINE_HALF * b->length_m;
@@ -124,25 +90,16 @@ static vec3 way_between(const struct fish *a, struct spine on_a, const struct fi
     float sa = f_clamp((da - c * db) / denominator, -ha, ha);
     const float sb = f_clamp(c * sa - db, -hb, hb);
     sa = f_clamp(c * sb + da, -ha, ha);
-    return v3(d.x + sb * on_b.x - sa * on_a.x, d.y * f_min(flatten(a), flatten(b)),
+    return v3(d.x + sb * on_b.x - sa * on_a.x,
+              d.y * f_min(a->width_m / a->height_m, b->width_m / b->height_m),
               d.z + sb * on_b.z - sa * on_a.z);
 }
 
-static float girths_m(const struct fish *a, const struct fish *b)
-{
-    return GIRTH * (a->width_m + b->width_m);
-}
-
-float bowl_fish_overlap_m(const struct fish *a, const struct fish *b)
-{
-    return girths_m(a, b) - v3_length(way_between(a, spine_of(a), b, spine_of(b)));
-}
-
-static void separate_bowl_fish(struct fish *a, struct spine on_a, struct fish *b, struct spine on_b)
+static void separate_bowl_fish(struct fish *a, vec3 on_a, struct fish *b, vec3 on_b)
 {
     CORE_ASSERT(a != b);
     const vec3 d = v3_sub(b->position_m, a->position_m);
-    const float girths = girths_m(a, b);
+    const float girths = GIRTH * (a->width_m + b->width_m);
     const float reach_m = SPINE_HALF * (a->length_m + b->length_m) + 2.0f * girths;
     if (v3_dot(d, d) >= reach_m * reach_m) {
         return;
@@ -186,24 +143,6 @@ static void stay_in_hull(struct fish *fish, const struct bowl *bowl, float level
 
 /* ---- Tick of the bowl's fish ---------------------------------------------------------------- */
 
-/* Writes the indices of the bowl's fish to `mine` and the mass of these fish to `fish_kg`. Returns
- * the number of fish, at most BOWL_FISH_MAX. */
-static uint32_t gather_bowl_fish(struct bowl *bowl, uint32_t bowl_index, const struct tank *tank,
-                                 fish_index mine[BOWL_FISH_MAX])
-{
-    CORE_ASSERT(tank->fish_count <= TANK_FISH_MAX);
-    uint32_t count = 0;
-    bowl->fish_kg = 0.0f;
-    for (uint32_t i = 0; i < tank->fish_count; i++) {
-        const struct fish *fish = &tank->fish[i];
-        if (fish->gait == GAIT_BOWL && fish->holder == bowl_index && count < BOWL_FISH_MAX) {
-            mine[count++] = (fish_index)i;
-            bowl->fish_kg += fish_mass_kg(fish->length_m);
-        }
-    }
-    return count;
-}
-
 void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
 {
     CORE_ASSERT(bowl_index < POI_MAX);
@@ -213,7 +152,15 @@ void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
     if (!bowl->present || bowl->fish_count == 0) {
         return;
     }
-    const uint32_t count = gather_bowl_fish(bowl, bowl_index, tank, mine);
+    uint32_t count = 0;
+    bowl->fish_kg = 0.0f;
+    for (uint32_t i = 0; i < tank->fish_count; i++) {
+        const struct fish *fish = &tank->fish[i];
+        if (fish->gait == GAIT_BOWL && fish->holder == bowl_index && count < BOWL_FISH_MAX) {
+            mine[count++] = (fish_index)i;
+            bowl->fish_kg += fish_mass_kg(fish->length_m);
+        }
+    }
     const float way = bowl_index % 2u == 0 ? 1.0f : -1.0f; /* Direction around the bowl, which is
                                                               the same for all fish in one bowl. */
     const float level_m = bowl_level_m(bowl);
@@ -221,13 +168,11 @@ void bowl_fish_tick(struct bowl *bowl, uint32_t bowl_index, struct tank *tank)
         struct fish *fish = &tank->fish[mine[i]];
         fish->position_m = v3_add(fish->position_m, moved_m);
         from_m[i] = fish->position_m;
-        const struct round round = round_of(fish, mine[i], bowl, level_m, tank->seed);
-        swim_in_bowl(fish, bowl, way, &round);
+        swim_in_bowl(fish, mine[i], bowl, way, level_m, tank->seed);
     }
-    struct spine spine[BOWL_FISH_MAX];
-    CORE_ASSERT(count <= BOWL_FISH_MAX);
+    vec3 spine[BOWL_FISH_MAX];
     for (uint32_t i = 0; i < count; i++) {
-        spine[i] = spine_of(&tank->fish[mine[i]]);
+        spine[i] = v3_heading(tank->fish[mine[i]].angles.yaw_rad);
         for (uint32_t k = 0; k < i; k++) {
             separate_bowl_fish(&tank->fish[mine[k]], spine[k], &tank->fish[mine[i]], spine[i]);
         }

@@ -21,40 +21,31 @@
  * ring is 3 mm above the paper. */
 #define TOUCH_M 0.005f
 
-/* Returns 1 if a point is less than ZONE_M above the paper's plane and near the poi, otherwise 0.
- * `away` is the vector from the ring's centre to the point in world axes. Writes the coordinates of
- * the point in the poi's axes to `place`. The function tests the distance first, because this cheap
- * test already rejects most fish. */
-static int over_paper(const struct basis *axes, vec3 away, vec3 *place)
+bool capture_touches(const struct poi *poi, const struct basis *axes, const struct fish *fish)
 {
-    if (v3_dot(away, away) >= ZONE_M * ZONE_M + POI_RADIUS_M * POI_RADIUS_M) {
-        return 0;
+    /* The distance is tested first, because this cheap test already rejects most fish. */
+    const vec3 away = v3_sub(fish->position_m, poi->position_m);
+    if (v3_dot(away, away) >= ZONE_M * ZONE_M + poi_radius_m(poi) * poi_radius_m(poi)) {
+        return false;
     }
-    *place = vec_basis_to_body(axes, away);
-    return place->y >= 0.0f && place->y < ZONE_M;
-}
-
-int capture_touches(const struct poi *poi, const struct basis *axes, const struct fish *fish)
-{
-    vec3 place;
-    if (!over_paper(axes, v3_sub(fish->position_m, poi->position_m), &place) ||
-        !sheet_holds(&poi->sheet, place.x, place.z)) {
-        return 0;
+    const vec3 place = vec_basis_to_body(axes, away);
+    if (place.y < 0.0f || place.y >= ZONE_M || !sheet_holds(&poi->sheet, place.x, place.z)) {
+        return false;
     }
     const struct basis body = vec_basis_from_angles(fish->angles);
     const float clear_m = carried_fish_half_extent_m(fish, vec_basis_to_body(&body, axes->up));
     return place.y < clear_m + TOUCH_M;
 }
 
-static int at_surface(const struct fish *fish)
+static bool at_surface(const struct fish *fish)
 {
     const struct box box = fish_box(fish);
     return fish->position_m.y + box_extent_m(&box).y > -SQUEEZE_GAP_M;
 }
 
-/* Returns 1 if the ring touches the fish, otherwise 0. If `from_below` is 1, only a contact from
- * below counts. */
-static int ring_touches(const struct poi *poi, const struct fish *fish, int from_below)
+/* Returns true if the ring touches the fish. If `from_below` is true, only a contact from below
+ * counts. */
+static bool ring_touches(const struct poi *poi, const struct fish *fish, bool from_below)
 {
     const struct box box = fish_box(fish);
     const struct obstacle ring = poi_obstacle(poi);
@@ -62,42 +53,38 @@ static int ring_touches(const struct poi *poi, const struct fish *fish, int from
     return touch.gap_m < SQUEEZE_GAP_M && (!from_below || touch.out.y > 0.0f);
 }
 
-int capture_is_jammed(const struct poi *poi)
+bool capture_is_jammed(const struct poi *poi)
 {
     const vec3 made_m = v3_sub(poi->position_m, poi->before_m);
     return poi->reaction & REACTION_POSITION && poi->hand_m.y > poi->position_m.y + JAM_PULL_M &&
            v3_dot(made_m, made_m) < JAM_M * JAM_M;
 }
 
-static int is_near(const struct fish *fish, vec3 away)
-{
-    const float reach_m = POI_OUTER_RADIUS_M + fish->length_m;
-    return v3_dot(away, away) < reach_m * reach_m;
-}
-
-int capture_is_squeezed(const struct poi *poi, const struct fish *fish)
+bool capture_is_squeezed(const struct poi *poi, const struct fish *fish)
 {
     const vec3 away = v3_sub(fish->position_m, poi->position_m);
-    return poi->reaction & REACTION_POSITION && is_near(fish, away) && at_surface(fish) &&
-           ring_touches(poi, fish, 1);
+    const float reach_m = poi_outer_radius_m(poi) + fish->length_m;
+    return poi->reaction & REACTION_POSITION && v3_dot(away, away) < reach_m * reach_m &&
+           at_surface(fish) && ring_touches(poi, fish, true);
 }
 
-int capture_releases(const struct poi *poi, const struct basis *axes, const struct fish *fish)
+bool capture_releases(const struct poi *poi, const struct basis *axes, const struct fish *fish)
 {
     const vec3 away = v3_sub(fish->position_m, poi->position_m);
     const float left = 1.0f - (float)poi->jam_ticks / JAM_TICKS;
     /* The fish lies over the disc if it is above the disc, inside the outer radius, and at least
      * `from_m` horizontally from the disc's centre. The height of the fish above the disc has no
      * effect. */
-    const float from_m = f_max(left, 0.0f) * POI_OUTER_RADIUS_M;
+    const float from_m = f_max(left, 0.0f) * poi_outer_radius_m(poi);
     const float side_m2 = away.x * away.x + away.z * away.z;
-    if ((side_m2 < POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M && side_m2 >= from_m * from_m &&
-         v3_dot(away, axes->up) > 0.0f) &&
+    if ((side_m2 < poi_outer_radius_m(poi) * poi_outer_radius_m(poi) &&
+         side_m2 >= from_m * from_m && v3_dot(away, axes->up) > 0.0f) &&
         at_surface(fish)) {
-        return 1;
+        return true;
     }
-    return left <= 0.0f && is_near(fish, away) &&
-           (ring_touches(poi, fish, 0) || capture_touches(poi, axes, fish));
+    const float reach_m = poi_outer_radius_m(poi) + fish->length_m;
+    return left <= 0.0f && v3_dot(away, away) < reach_m * reach_m &&
+           (ring_touches(poi, fish, false) || capture_touches(poi, axes, fish));
 }
 
 /* Lowest vertical component of the paper's unit normal at which a poi captures fish. At this value,
@@ -115,8 +102,9 @@ int capture_releases(const struct poi *poi, const struct basis *axes, const stru
 /* Lowest speed of the ring toward a wall that counts as a motion toward the wall. The motion of a
  * trembling hand is slower. */
 #define WALL_M_S 0.02f
-/* Distance by which the hand's target must be ahead of the ring, toward a wall, so that the hand
- * counts as pushing the ring toward the wall (0.9 N). */
+/* Distance by which the hand's target is nearer to a wall than the ring, above which the hand
+ * counts as pushing the ring toward the wall. At this distance the hand spring (HAND_N_M in poi.c)
+ * pushes the ring with 0.9 N. */
 #define WALL_PRESS_M 0.004f
 /* Slap strength of a fish that was calm before its capture, relative to a fleeing fish. */
 #define CALM_VIGOUR 0.55f
@@ -124,58 +112,34 @@ int capture_releases(const struct poi *poi, const struct basis *axes, const stru
 void capture_slip_off(const struct poi *poi, struct tank *tank, struct fish *fish)
 {
     const vec3 away = v3_sub(fish->position_m, poi->position_m);
-    const vec3 out = v3_normalize_or(v3(away.x, 0.0f, away.z), v3(1.0f, 0.0f, 0.0f));
+    const vec3 out = v3_normalize_or(v3_flat(away), v3(1.0f, 0.0f, 0.0f));
     catch_set_free(tank, fish, v3_scale(out, SPILL_M_S));
 }
 
-/* Returns 1 if the ring presses the fish against one wall of the tank, otherwise 0. `out` is the
- * unit vector from the tank's centre toward the wall, and `half_m` is the distance to the wall. */
-static int is_pressed_to_wall(const struct poi *poi, const struct basis *axes,
-                              const struct fish *fish, vec3 out, float half_m)
+/* Returns true if the ring presses the fish against one wall of the tank. `out` is the unit
+ * vector from the tank's centre toward the wall, and `half_m` is the distance to the wall. */
+static bool is_pressed_to_wall(const struct poi *poi, const struct basis *axes,
+                               const struct fish *fish, vec3 out, float half_m)
 {
     CORE_ASSERT(half_m > 0.0f);
     const struct box box = fish_box(fish);
     const vec3 extent = box_extent_m(&box);
     const float ring_m = v3_dot(poi->position_m, out), fish_m = v3_dot(fish->position_m, out);
-    const float ring_gap_m = half_m - ring_m - poi_half_extent_m(v3_dot(axes->up, out));
+    const float ring_gap_m = half_m - ring_m - poi_half_extent_m(poi, v3_dot(axes->up, out));
     const float fish_gap_m = half_m - fish_m - f_abs(v3_dot(extent, out));
-    const int pushes = v3_dot(poi->velocity_m_s, out) > WALL_M_S ||
-                       v3_dot(v3_sub(poi->hand_m, poi->position_m), out) > WALL_PRESS_M;
+    const bool pushes = v3_dot(poi->velocity_m_s, out) > WALL_M_S ||
+                        v3_dot(v3_sub(poi->hand_m, poi->position_m), out) > WALL_PRESS_M;
     return ring_gap_m < WALL_GAP_M && fish_gap_m < WALL_GAP_M && fish_m > ring_m && pushes;
 }
 
-int capture_is_walled(const struct poi *poi, const struct basis *axes, const struct tank *tank,
-                      const struct fish *fish)
+bool capture_is_walled(const struct poi *poi, const struct basis *axes, const struct tank *tank,
+                       const struct fish *fish)
 {
     const float half_x = 0.5f * tank->size_m.x, half_z = 0.5f * tank->size_m.z;
     return is_pressed_to_wall(poi, axes, fish, v3(1.0f, 0.0f, 0.0f), half_x) ||
            is_pressed_to_wall(poi, axes, fish, v3(-1.0f, 0.0f, 0.0f), half_x) ||
            is_pressed_to_wall(poi, axes, fish, v3(0.0f, 0.0f, 1.0f), half_z) ||
            is_pressed_to_wall(poi, axes, fish, v3(0.0f, 0.0f, -1.0f), half_z);
-}
-
-static struct carried_fish rider_of(const struct poi *poi, const struct basis *axes,
-                                    const struct fish *fish, vec3 place)
-{
-    const struct basis body = vec_basis_from_angles(fish->angles);
-    const vec3 tail = vec_basis_to_body(axes, body.back);
-    const vec3 right = vec_basis_to_body(axes, body.right);
-    const vec3 speed = vec_basis_to_body(axes, v3_sub(fish->velocity_m_s, poi->velocity_m_s));
-    /* The initial slap strength [0, 1] of a captured fish depends on the fish's stamina and
-     * alarm. */
-    const int flees = fish->gait == GAIT_BURST || fish->gait == GAIT_ESCAPE;
-    const float fear = flees ? 1.0f : f_clamp(fish->alarm, 0.0f, 1.0f);
-    return (struct carried_fish){
-        .state = CARRIED_LYING,
-        .side = right.y > 0.0f ? 1 : -1,
-        .x_m = place.x,
-        .z_m = place.z,
-        .height_m = f_max(place.y, 0.0f),
-        .slide_x_m_s = f_clamp(speed.x, -0.2f, 0.2f),
-        .slide_z_m_s = f_clamp(speed.z, -0.2f, 0.2f),
-        .heading_rad = f_atan2(tail.x, tail.z),
-        .vigour = (0.5f + 0.5f * fish->stamina) * f_lerp(CALM_VIGOUR, 1.0f, fear),
-    };
 }
 
 void capture_fish(struct poi *poi, uint32_t poi_index, const struct basis *axes, struct tank *tank,
@@ -186,8 +150,10 @@ void capture_fish(struct poi *poi, uint32_t poi_index, const struct basis *axes,
     CORE_ASSERT(poi->carried_count <= POI_CARRIED_MAX);
     struct fish *fish = &tank->fish[index];
     const vec3 place = vec_basis_to_body(axes, v3_sub(fish->position_m, poi->position_m));
-    /* The fish can stand upright if the water over the paper is deep enough. If fish jam the ring,
-     * the limit is deeper: the fish is captured unless it would float off again immediately. */
+    /* Captures the fish only if the water over the paper is too shallow for the fish to stand
+     * upright. If fish jam the ring, the fish is also captured in deeper water, up to HELD_SHARE
+     * body heights. HELD_SHARE is smaller than CAPTURE_FLOAT_SHARE, so that the captured fish does
+     * not float off again immediately. */
     const float paper_y = poi->position_m.y + place.x * axes->right.y + place.z * axes->back.y;
     const float stands_m = STAND_SHARE * fish->height_m + STAND_SPARE_M;
     const float held_m = capture_is_jammed(poi) ? HELD_SHARE * fish->height_m : 0.0f;
@@ -200,10 +166,27 @@ void capture_fish(struct poi *poi, uint32_t poi_index, const struct basis *axes,
     }
     struct carried_fish *carried = &poi->carried_fish[poi->carried_count++];
     const struct rng_key key = { poi->seed, tick, index, RNG_CARRIED_REST };
-    *carried = rider_of(poi, axes, fish, place);
-    carried->fish = (uint16_t)index;
-    carried->rest_s = 0.05f + 0.2f * rng_unit(key);
-    carried->walled = (uint8_t)capture_is_walled(poi, axes, tank, fish);
+    const struct basis body = vec_basis_from_angles(fish->angles);
+    const vec3 tail = vec_basis_to_body(axes, body.back);
+    const vec3 speed = vec_basis_to_body(axes, v3_sub(fish->velocity_m_s, poi->velocity_m_s));
+    /* The initial slap strength [0, 1] of a captured fish depends on the fish's stamina and
+     * alarm. */
+    const bool flees = fish->gait == GAIT_BURST || fish->gait == GAIT_ESCAPE;
+    const float fear = flees ? 1.0f : f_clamp(fish->alarm, 0.0f, 1.0f);
+    *carried = (struct carried_fish){
+        .fish = (uint16_t)index,
+        .state = CARRIED_LYING,
+        .side = vec_basis_to_body(axes, body.right).y > 0.0f ? 1 : -1,
+        .walled = capture_is_walled(poi, axes, tank, fish),
+        .x_m = place.x,
+        .z_m = place.z,
+        .height_m = f_max(place.y, 0.0f),
+        .slide_x_m_s = f_clamp(speed.x, -0.2f, 0.2f),
+        .slide_z_m_s = f_clamp(speed.z, -0.2f, 0.2f),
+        .heading_rad = f_atan2(tail.x, tail.z),
+        .vigour = (0.5f + 0.5f * fish->stamina) * f_lerp(CALM_VIGOUR, 1.0f, fear),
+        .rest_s = 0.05f + 0.2f * rng_unit(key),
+    };
     fish->gait = GAIT_HELD;
     fish->holder = (uint8_t)poi_index;
 }
@@ -223,27 +206,9 @@ void catch_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s)
     reentry_begin(tank, fish, velocity_m_s);
 }
 
-/* Moves a fish that misses the bowl's mouth out of the hull, so that the fish slides down outside
- * the bowl. */
-static void off_hull(const struct bowl *bowl, struct fish *fish, struct carried_fish *carried)
-{
-    const vec3 away =
-        v3(fish->position_m.x - bowl->position_m.x, 0.0f, fish->position_m.z - bowl->position_m.z);
-    const float below = bowl->position_m.y - fish->position_m.y;
-    const float apart = bowl_hull_radius_m(below) + 0.5f * fish->width_m;
-    const float far = v3_length(away);
-    if (below <= 0.0f || below > BOWL_DEPTH_M || far >= apart) {
-        return;
-    }
-    const vec3 out = v3_normalize_or(away, v3(-1.0f, 0.0f, 0.0f));
-    const float inward = f_min(v3_dot(carried->fall_m_s, out), 0.0f);
-    fish->position_m = v3_muladd(fish->position_m, out, apart - far);
-    carried->fall_m_s = v3_muladd(carried->fall_m_s, out, -inward);
-}
-
 /* Returns the speed on one axis with which a fish beyond a tank wall moves back over the tank; 0
  * inside the walls. At a real stall, people also put a fish back that jumped out. */
-static float homeward(float at_m, float room_m)
+static float return_speed_m_s(float at_m, float room_m)
 {
     const float out = at_m - f_clamp(at_m, -room_m, room_m);
     return -f_clamp(out / CORE_TICK_S, -FALL_HOME_M_S, FALL_HOME_M_S);
@@ -265,26 +230,36 @@ enum fall_end catch_fall_tick(struct carried_fish *carried, const struct stall *
     struct tank *tank = stall->tank;
     struct fish *fish = &tank->fish[carried->fish];
     const vec3 before = fish->position_m;
-    const vec3 home = v3(homeward(before.x, 0.5f * (tank->size_m.x - fish->length_m)), 0.0f,
-                         homeward(before.z, 0.5f * (tank->size_m.z - fish->length_m)));
+    const vec3 home = v3(return_speed_m_s(before.x, 0.5f * (tank->size_m.x - fish->length_m)), 0.0f,
+                         return_speed_m_s(before.z, 0.5f * (tank->size_m.z - fish->length_m)));
     carried->fall_m_s.y -= GRAVITY_M_S2 * CORE_TICK_S;
     fish->velocity_m_s = v3_add(carried->fall_m_s, home);
     fish->position_m = v3_muladd(before, fish->velocity_m_s, CORE_TICK_S);
     fish->tail_amplitude = 1.0f;
     for (uint32_t i = 0; i < stall->bowl_count; i++) {
         struct bowl *bowl = &stall->bowls[i];
+        if (!bowl->present) {
+            continue;
+        }
         /* The fish falls into the bowl if its path passes down through the bowl's mouth. Because
          * the bowl also moves, each position is taken relative to the bowl at the same time. */
-        const vec3 from = v3_sub(before, bowl->before_m),
-                   to = v3_sub(fish->position_m, bowl->position_m);
-        if (bowl->present && (from.y > 0.0f && to.y <= 0.0f &&
-                              to.x * to.x + to.z * to.z < BOWL_RADIUS_M * BOWL_RADIUS_M)) {
+        const vec3 from = v3_sub(before, bowl->before_m);
+        const vec3 to = v3_sub(fish->position_m, bowl->position_m);
+        if (from.y > 0.0f && to.y <= 0.0f &&
+            to.x * to.x + to.z * to.z < BOWL_RADIUS_M * BOWL_RADIUS_M) {
             bowl_take(bowl, i, tank, fish, carried->fall_m_s);
             *bowl_index = i;
             return FALL_INTO_BOWL;
         }
-        if (bowl->present) {
-            off_hull(bowl, fish, carried);
+        /* Moves a fish that misses the bowl's mouth out of the hull, so that the fish slides down
+         * outside the bowl. */
+        const float below = -to.y, far = v3_length(v3_flat(to));
+        const float apart = bowl_hull_radius_m(below) + 0.5f * fish->width_m;
+        if (below > 0.0f && below <= BOWL_DEPTH_M && far < apart) {
+            const vec3 out = v3_normalize_or(v3_flat(to), v3(-1.0f, 0.0f, 0.0f));
+            const float inward = f_min(v3_dot(carried->fall_m_s, out), 0.0f);
+            fish->position_m = v3_muladd(fish->position_m, out, apart - far);
+            carried->fall_m_s = v3_muladd(carried->fall_m_s, out, -inward);
         }
     }
     if (fish->position_m.y > -0.5f * fish->width_m) {

@@ -17,22 +17,22 @@
 #define CAPTURE_FLOAT_SHARE 1.50f
 
 /* Tries to capture fish `index` of the tank. The caller guarantees that the fish is over intact
- * paper and near it, and that `poi_index` < POI_MAX. Does nothing if the water is deep enough for
- * the fish or if the poi is too steep. If the poi already carries POI_CARRIED_MAX fish, the fish
- * slips off over the ring instead. `axes` are the poi's axes. */
+ * paper and near the paper, and that `poi_index` < POI_MAX. Does nothing if the water is deep
+ * enough for the fish or if the poi is too steep. If the poi already carries POI_CARRIED_MAX fish,
+ * the fish slips off over the ring instead. `axes` are the poi's axes. */
 void capture_fish(struct poi *poi, uint32_t poi_index, const struct basis *axes, struct tank *tank,
                   uint32_t index, uint32_t tick);
 
-/* Puts a fish that the poi cannot carry back into the water and moves it away from the ring's
+/* Returns a fish that the poi cannot carry to the water, and moves the fish away from the ring's
  * centre. A caller uses the function if the paper has no room, or if the ring presses the fish
- * against the water surface without lifting it. */
+ * against the water surface without lifting the fish. */
 void capture_slip_off(const struct poi *poi, struct tank *tank, struct fish *fish);
 
-/* Returns 1 if the ring presses a fish against a wall of the tank, otherwise 0. The ring and the
- * fish must be within 15 mm of the wall, and the fish must be nearer to the wall than the ring's
- * centre. The ring must move toward the wall, or the hand must push the ring toward the wall. */
-int capture_is_walled(const struct poi *poi, const struct basis *axes, const struct tank *tank,
-                      const struct fish *fish);
+/* Returns true if the ring presses a fish against a wall of the tank. The ring and the fish must
+ * be within 15 mm of the wall, and the fish must be nearer to the wall than the ring's centre.
+ * The ring must move toward the wall, or the hand must push the ring toward the wall. */
+bool capture_is_walled(const struct poi *poi, const struct basis *axes, const struct tank *tank,
+                       const struct fish *fish);
 
 enum fall_end {
     FALL_GOES_ON = 0,
@@ -54,24 +54,24 @@ enum fall_end catch_fall_tick(struct carried_fish *carried, const struct stall *
  * alarm. */
 void catch_set_free(struct tank *tank, struct fish *fish, vec3 velocity_m_s);
 
-/* Returns 1 if a swimming fish is above intact paper and near enough to be captured, otherwise 0.
+/* Returns true if a swimming fish is above intact paper and near enough to be captured.
  * The position of the fish's centre decides whether the fish is above the paper, because the
  * contact solver lets no fish pass through the paper. `axes` are the poi's axes. */
-int capture_touches(const struct poi *poi, const struct basis *axes, const struct fish *fish);
+bool capture_touches(const struct poi *poi, const struct basis *axes, const struct fish *fish);
 
-/* Returns 1 if fish block the ring and the ring presses the fish `fish` against the water
- * surface, otherwise 0. In this case the fish must slip off, because the poi could not be lifted
+/* Returns true if fish block the ring and the ring presses the fish `fish` against the water
+ * surface. In this case the fish must slip off, because the poi could not be lifted
  * otherwise. */
-int capture_is_squeezed(const struct poi *poi, const struct fish *fish);
+bool capture_is_squeezed(const struct poi *poi, const struct fish *fish);
 
-/* Returns 1 if the ring is jammed, otherwise 0. The ring is jammed if fish block it while the
- * target of the hand is at least 3 cm above the ring (a pull of 6.5 N). */
-int capture_is_jammed(const struct poi *poi);
+/* Returns true if the ring is jammed. The ring is jammed if fish block the ring while the target of
+ * the hand is at least 3 cm above the ring (a pull of 6.5 N). */
+bool capture_is_jammed(const struct poi *poi);
 
-/* Returns 1 if the fish `fish` jams the ring and must leave the poi in this tick, otherwise 0.
+/* Returns true if the fish `fish` jams the ring and must leave the poi in this tick.
  * The fish between the disc and the water surface leave from the edge inward. The longer the jam
  * lasts, the more fish leave. After 0.1 s, all fish that touch the ring leave. `axes` are the
  * poi's axes. */
-int capture_releases(const struct poi *poi, const struct basis *axes, const struct fish *fish);
+bool capture_releases(const struct poi *poi, const struct basis *axes, const struct fish *fish);
 
 #endif

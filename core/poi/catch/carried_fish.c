@@ -2,7 +2,6 @@
  * side. */
 #include "core/poi/catch/carried_fish.h"
 
-#include "core/base/hash.h"
 #include "core/base/panic.h"
 #include "core/base/rng.h"
 #include "core/poi/pose.h"
@@ -100,7 +99,7 @@ static float advance_slap(struct carried_fish *carried, const struct fish *fish,
     const float push =
         f_lerp(SLAP_M_S2_MIN, SLAP_M_S2_MAX, draw_slap(carried, seed, tick, DRAW_FORCE)) *
         carried->vigour;
-    const int pause = draw_slap(carried, seed, tick, DRAW_PAUSE) > 0.25f + 0.6f * carried->vigour;
+    const bool pause = draw_slap(carried, seed, tick, DRAW_PAUSE) > 0.25f + 0.6f * carried->vigour;
     carried->slap_s = SLAP_S;
     carried->slap_n = f_min(push * fish_mass_kg(fish->length_m), SLAP_N_MAX);
     carried->slap_d_m = f_lerp(0.002f, 0.005f, draw_slap(carried, seed, tick, DRAW_FOOT));
@@ -119,34 +118,29 @@ static float advance_slap(struct carried_fish *carried, const struct fish *fish,
 
 /* ---- Sliding on the paper ------------------------------------------------------------------- */
 
-/* Returns the slope of the paper under a carried fish, divided by the distance of the fish from the
- * centre. Two sags add up. The load on the whole paper makes a sag in the form of a paraboloid. A
- * single body of force F at the distance r from the centre sinks by F / (2 * pi * T) * ln((a^2 -
- * r^2) / (a * FOOT_M)), where T is the tension and a is the radius of the paper. A body therefore
- * also sinks deepest at the centre. */
-static float lean_per_m(const struct carried_fish *carried, const struct paper_surface *ride,
-                        float press_n)
-{
-    CORE_ASSERT(press_n >= 0.0f);
-    const float wide = ride->radius_m * ride->radius_m;
-    const float square = f_min(carried->x_m * carried->x_m + carried->z_m * carried->z_m, wide);
-    const float own = 2.0f * press_n * ride->give_per_n / (wide - square + FOOT_M * FOOT_M);
-    return 2.0f * ride->belly_m / wide + f_min(own, LEAN_MAX / ride->radius_m);
-}
-
 /* Moves the fish by gravity, by the slope of the paper and by friction. Friction is computed
- * implicitly, so that it stops a fish but never reverses the fish's motion. */
+ * implicitly, so that friction stops a fish but never reverses the fish's motion. */
 static void slide(struct carried_fish *carried, const struct fish *fish,
                   const struct paper_surface *ride, float dry)
 {
     const float press = f_max(0.0f, -ride->pull_m_s2.y) * dry;
-    const float lean = press * lean_per_m(carried, ride, press * fish_mass_kg(fish->length_m));
+    /* Slope of the paper under the fish, divided by the distance of the fish from the centre.
+     * Two sags add up. The load on the whole paper makes a sag in the form of a paraboloid. A
+     * single body of force F at the distance r from the centre sinks by F / (2 * pi * T) *
+     * ln((a^2 - r^2) / (a * FOOT_M)), where T is the tension and a is the radius of the paper. A
+     * body therefore also sinks deepest at the centre. */
+    const float wide = ride->radius_m * ride->radius_m;
+    const float square = f_min(carried->x_m * carried->x_m + carried->z_m * carried->z_m, wide);
+    const float press_n = press * fish_mass_kg(fish->length_m);
+    const float own = 2.0f * press_n * ride->give_per_n / (wide - square + FOOT_M * FOOT_M);
+    const float lean =
+        press * (2.0f * ride->belly_m / wide + f_min(own, LEAN_MAX / ride->radius_m));
     const float pull_x = ride->pull_m_s2.x * dry - lean * carried->x_m;
     const float pull_z = ride->pull_m_s2.z * dry - lean * carried->z_m;
     const float pull = f_sqrt(pull_x * pull_x + pull_z * pull_z);
     const float speed = f_sqrt(carried->slide_x_m_s * carried->slide_x_m_s +
                                carried->slide_z_m_s * carried->slide_z_m_s);
-    const int hops = carried->hop_s > 0.0f;
+    const bool hops = carried->hop_s > 0.0f;
     carried->hop_s = f_max(0.0f, carried->hop_s - CORE_TICK_S);
     if (!hops && dry > 0.0f && speed < 0.01f && pull <= STICK * press) {
         carried->slide_x_m_s = carried->slide_z_m_s = 0.0f;
@@ -233,21 +227,4 @@ void carried_fish_pose(const struct carried_fish *carried, const struct paper_su
     const float bend =
         carried->slap_s > 0.0f ? (float)carried->side * 4.0f * carried->slap_n : 0.0f;
     fish->bend_rad += (f_clamp(bend * 6.0f, -0.8f, 0.8f) - fish->bend_rad) * 0.25f;
-}
-
-uint64_t carried_fish_hash(uint64_t hash, const struct carried_fish *carried)
-{
-    CORE_ASSERT(carried->state <= CARRIED_RELEASED);
-    const float values[] = { carried->x_m,         carried->z_m,         carried->height_m,
-                             carried->slide_x_m_s, carried->slide_z_m_s, carried->heading_rad,
-                             carried->lie,         carried->vigour,      carried->rest_s,
-                             carried->slap_s,      carried->slap_n,      carried->slap_d_m,
-                             carried->hop_s };
-    hash = hash_u32(hash, carried->fish);
-    hash = hash_u32(hash, carried->state);
-    hash = hash_u32(hash, (uint32_t)(carried->side + 1));
-    hash = hash_u32(hash, carried->walled);
-    hash = hash_u32(hash, carried->clear_ticks);
-    hash = hash_floats(hash, values, sizeof values / sizeof values[0]);
-    return hash_vec3(hash, carried->fall_m_s);
 }

@@ -14,6 +14,7 @@
 #ifndef KINGYO_CORE_POI_CATCH_CARRIED_FISH_H
 #define KINGYO_CORE_POI_CATCH_CARRIED_FISH_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/base/vec.h"
@@ -39,8 +40,8 @@ struct carried_fish {
     uint8_t state;       /* State of the carried fish (enum carried_fish_state). */
     int8_t side;         /* Side on which the fish lies: +1 if its back points to the left as seen
                             along its nose, -1 if its back points to the right. */
-    uint8_t walled;      /* 1 if the ring pressed the fish against a tank wall when the fish was
-                            captured, otherwise 0. */
+    bool walled;         /* True if the ring pressed the fish against a tank wall when the fish was
+                            captured. */
     uint8_t clear_ticks; /* Number of consecutive ticks in which the whole ring was above the water
                             with the fish on it; at most CARRIED_CLEAR_TICKS. */
     float x_m, z_m;      /* Centre of the fish, in the plane of the poi. */
@@ -81,10 +82,12 @@ float carried_fish_half_extent_m(const struct fish *fish, vec3 direction);
 
 /* Advances a lying fish by one tick (1/120 s). The fish slides down a slope or into the sag of the
  * paper. A slap reduces the friction for a moment. A fish with enough water swims off toward its
- * nose, and a calm fish swims more slowly. `dry` in [0, 1] is the fraction of the fish's weight
- * that water does not support. `seed` and `key_tick` are the random seed and the tick number that
- * determine the slaps. Returns the force in N of a slap that starts in this tick, or 0 if no slap
- * starts. */
+ * nose, and a calm fish swims more slowly.
+ *
+ * `dry` in [0, 1] is the fraction of the fish's weight that water does not support. `seed` and
+ * `key_tick` are the random seed and the tick number that determine the slaps.
+ *
+ * Returns the force in N of a slap that starts in this tick, or 0 if no slap starts. */
 float carried_fish_tick(struct carried_fish *carried, const struct fish *fish,
                         const struct paper_surface *ride, float dry, uint32_t seed,
                         uint32_t key_tick);
@@ -97,22 +100,15 @@ void carried_fish_tail(const struct carried_fish *carried, float length_m, float
 void carried_fish_pose(const struct carried_fish *carried, const struct paper_surface *ride,
                        vec3 poi_m, const struct basis *poi_axes, struct fish *fish);
 
-uint64_t carried_fish_hash(uint64_t hash, const struct carried_fish *carried);
-
 /* Separates overlapping carried fish for one tick; the lighter fish moves more. The ring stops a
  * fish that is pushed outward. A fish without enough room is pushed over the ring. Fish in the air
  * are ignored. `fish` is the tank's array of fish. */
 void carried_separation_tick(struct poi *poi, const struct fish *fish);
 
-/* Returns the overlap of two carried fish in the plane of the paper, in metres. A result of 0 or
- * less means that the fish do not overlap. */
-float carried_separation_overlap_m(const struct carried_fish *a, const struct fish *fish_a,
-                                   const struct carried_fish *b, const struct fish *fish_b);
-
-/* Returns 1 if paper or ring supports the middle of a lying fish, and also its front half or its
- * rear half. Otherwise returns 0. A fish whose centre is beyond the ring is not supported. */
-int carried_support_holds(const struct sheet *sheet, const struct carried_fish *carried,
-                          const struct fish *fish);
+/* Returns true if paper or ring supports the middle of a lying fish, and also its front half or its
+ * rear half. A fish whose centre is beyond the ring is not supported. */
+bool carried_support_holds(const struct sheet *sheet, const struct carried_fish *carried,
+                           const struct fish *fish);
 
 /* Returns the fraction [0, 1] of a carried fish's weight that water does not support. */
 float carried_load_dryness(const struct poi *poi, const struct basis *axes,
@@ -130,13 +126,10 @@ float carried_load_dryness(const struct poi *poi, const struct basis *axes,
 void carried_load_gather(struct poi *poi, const struct basis *axes, float pull_m_s2,
                          const struct fish *fish);
 
-/* Returns the largest mass of the pool: about 3 g in the sag of a level poi, 15 g on an upside-down
- * poi, and 0 on a steep poi. `up_y` is the vertical component of the poi's unit normal. */
-float carried_water_room_kg(const struct poi *poi, float up_y);
-
 /* Updates the film, the pool and the drops for one tick (1/120 s). Under water, the film and the
  * pool fill up. In air, water drains in three ways. Over the rim, the time constant is 0.15 s
  * divided by the sine of the tilt. Water also drains through holes, and slowly through wet paper.
+ *
  * `up_y` is the vertical component of the poi's unit normal. */
 void carried_water_tick(struct poi *poi, float up_y);
 

@@ -29,25 +29,6 @@ static void add_load(struct poi *poi, struct sheet_load load)
     }
 }
 
-/* Adds the load of a slap at the fish's tail or body. If the slap ends during this tick, the force
- * is reduced in proportion to its remaining time. */
-static void add_slap(struct poi *poi, const struct carried_fish *carried, const struct fish *fish)
-{
-    CORE_ASSERT(carried->state == CARRIED_LYING);
-    const float share = f_min(1.0f, carried->slap_s * (float)CORE_TICK_HZ);
-    const float force_n = -carried->slap_n * share;
-    float x, z;
-    carried_fish_tail(carried, fish->length_m, &x, &z);
-    if (share <= 0.0f) {
-        return;
-    }
-    if (sheet_holds(&poi->sheet, x, z)) {
-        add_load(poi, (struct sheet_load){ x, z, carried->slap_d_m, force_n });
-    } else {
-        add_load(poi, (struct sheet_load){ carried->x_m, carried->z_m, BODY_FOOT_M, force_n });
-    }
-}
-
 void carried_load_gather(struct poi *poi, const struct basis *axes, float pull_m_s2,
                          const struct fish *fish)
 {
@@ -55,8 +36,18 @@ void carried_load_gather(struct poi *poi, const struct basis *axes, float pull_m
     poi->load_count = 0;
     poi->carried_kg = 0.0f;
     for (uint32_t i = 0; i < poi->carried_count; i++) {
-        if (poi->carried_fish[i].state == CARRIED_LYING) {
-            add_slap(poi, &poi->carried_fish[i], &fish[poi->carried_fish[i].fish]);
+        /* The load of a slap acts at the fish's tail or body. If the slap ends during this tick,
+         * the force is reduced in proportion to its remaining time. */
+        const struct carried_fish *carried = &poi->carried_fish[i];
+        const float share = f_min(1.0f, carried->slap_s * (float)CORE_TICK_HZ);
+        if (carried->state == CARRIED_LYING && share > 0.0f) {
+            const float force_n = -carried->slap_n * share;
+            float x, z;
+            carried_fish_tail(carried, fish[carried->fish].length_m, &x, &z);
+            add_load(poi,
+                     sheet_holds(&poi->sheet, x, z)
+                         ? (struct sheet_load){ x, z, carried->slap_d_m, force_n }
+                         : (struct sheet_load){ carried->x_m, carried->z_m, BODY_FOOT_M, force_n });
         }
     }
     poi->slap_count = poi->load_count;
@@ -82,19 +73,20 @@ void carried_load_gather(struct poi *poi, const struct basis *axes, float pull_m
  * girth. The fraction is less than one half, because a body tapers. */
 #define ACROSS 0.30f
 
-static int is_borne(const struct sheet *sheet, float x_m, float z_m)
+static bool is_borne(const struct sheet *sheet, float x_m, float z_m)
 {
     const float square = x_m * x_m + z_m * z_m;
     if (square >= sheet->radius_m * sheet->radius_m) {
-        return square <= POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M;
+        const float outer_m = ring_outer_radius_m(sheet->radius_m);
+        return square <= outer_m * outer_m;
     }
     return sheet_holds(sheet, x_m, z_m);
 }
 
-/* Returns 1 if paper or ring supports at least one of three points across the body, otherwise 0.
+/* Returns true if paper or ring supports at least one of three points across the body.
  * `along` is the distance of the points behind the fish's centre, in body lengths. */
-static int slice_holds(const struct sheet *sheet, const struct carried_fish *carried,
-                       const struct fish *fish, float along)
+static bool slice_holds(const struct sheet *sheet, const struct carried_fish *carried,
+                        const struct fish *fish, float along)
 {
     const float tail_x = f_sin(carried->heading_rad), tail_z = f_cos(carried->heading_rad);
     const float x = carried->x_m + along * fish->length_m * tail_x;
@@ -104,35 +96,33 @@ static int slice_holds(const struct sheet *sheet, const struct carried_fish *car
            is_borne(sheet, x - aside * tail_z, z + aside * tail_x);
 }
 
-static int half_holds(const struct sheet *sheet, const struct carried_fish *carried,
-                      const struct fish *fish, float way)
-{
-    return slice_holds(sheet, carried, fish, way * ALONG_STEP) ||
-           slice_holds(sheet, carried, fish, 2.0f * way * ALONG_STEP);
-}
-
-int carried_support_holds(const struct sheet *sheet, const struct carried_fish *carried,
-                          const struct fish *fish)
+bool carried_support_holds(const struct sheet *sheet, const struct carried_fish *carried,
+                           const struct fish *fish)
 {
     CORE_ASSERT(sheet->paper_cells <= sheet->paper_cells_new);
     const float square = carried->x_m * carried->x_m + carried->z_m * carried->z_m;
-    if (square > POI_OUTER_RADIUS_M * POI_OUTER_RADIUS_M) {
-        return 0;
+    const float outer_m = ring_outer_radius_m(sheet->radius_m);
+    if (square > outer_m * outer_m) {
+        return false;
     }
     if (sheet->paper_cells == sheet->paper_cells_new) {
-        return 1; /* The paper has no hole, which is the case in most ticks of a round. */
+        return true; /* The paper has no hole, which is the case in most ticks of a round. */
     }
     return slice_holds(sheet, carried, fish, 0.0f) &&
-           (half_holds(sheet, carried, fish, -1.0f) || half_holds(sheet, carried, fish, 1.0f));
+           (slice_holds(sheet, carried, fish, -ALONG_STEP) ||
+            slice_holds(sheet, carried, fish, -2.0f * ALONG_STEP) ||
+            slice_holds(sheet, carried, fish, ALONG_STEP) ||
+            slice_holds(sheet, carried, fish, 2.0f * ALONG_STEP));
 }
 
 /* ---- Carried water --------------------------------------------------------------------------- */
 
 /* Mass of the complete film of water on wet paper: 0.3 mm thick on each of the two faces. */
 #define FILM_KG 0.003f
-/* Mass of the film that does not drain, because the paper fibres hold it. */
+/* Mass of the water film on the paper that does not drain, because the paper fibres hold it. */
 #define FILM_KEEP_KG 0.0008f
-/* Ratio of the drainage time constant of the thin film to that of the pool. */
+/* Ratio of two drainage time constants: that of the thin water film on the paper, divided by that
+ * of the pool in the sag of the paper. */
 #define FILM_SLOW 4.0f
 /* Drainage time constant of a pool on a vertical ring. At a smaller tilt, the time constant is
  * divided by the sine of the tilt. */
@@ -142,7 +132,8 @@ int carried_support_holds(const struct sheet *sheet, const struct carried_fish *
 /* Sine of the tilt above which water drains only over the lowest point of the rim. */
 #define RIM_SINE 0.1f
 #define SEEP_TAU_S 15.0f /* Time constant with which water seeps through wet paper. */
-/* Drainage rate through holes, multiplied by the fraction of the paper that is torn. */
+/* Rate at which water would drain through the holes if the whole paper were torn. The actual rate
+ * is this value times the torn fraction of the paper. */
 #define HOLES_PER_S 8.0f
 #define DROP_KG 0.00005f /* Mass of a drop with a diameter of 4.6 mm. */
 /* Largest number of drops in one tick. More drops would merge into a trickle, which is not
@@ -152,39 +143,32 @@ int carried_support_holds(const struct sheet *sheet, const struct carried_fish *
  * water. a is the radius of the ring, and 3 mm is its height. */
 #define RING_KG 0.0151f
 
-/* Returns the capacity of the sag of the paper in a tilted poi. The sag is a paraboloid of depth w0
- * = sag_m, and `tangent` is the tangent of the tilt. The lowest point of the rim limits the pool to
- * (1 - a * tangent / (2 * w0))^4 times the volume of a level sag, where a is the radius of the
- * paper. */
-static float belly_room_kg(float sag_m, float tangent)
-{
-    CORE_ASSERT(sag_m >= 0.0f && tangent >= 0.0f);
-    const float whole_kg = 0.5f * F_PI * POI_RADIUS_M * POI_RADIUS_M * sag_m * WATER_KG_M3;
-    const float lost = f_min(1.0f, 0.5f * POI_RADIUS_M * tangent / f_max(sag_m, 1e-5f));
-    const float left = (1.0f - lost) * (1.0f - lost);
-    return whole_kg * left * left;
-}
-
-/* Returns the capacity of an upside-down ring, which is a flat drum that the tilt empties in part.
- * The water reaches up to the lowest point of the rim. If the water does not cover the whole
- * bottom, it forms a wedge whose volume is proportional to its length to the power 3/2. The mass of
- * the film is subtracted from the capacity. */
-static float ring_room_kg(float tangent)
-{
-    CORE_ASSERT(tangent >= 0.0f);
-    const float fall = POI_RADIUS_M * tangent / POI_THICKNESS_M;
-    const float wedge = 0.5f / f_max(fall, 0.5f);
-    const float share = fall < 0.5f ? 1.0f - fall : 0.5f * wedge * f_sqrt(wedge);
-    return f_max(0.0f, RING_KG * share - FILM_KG);
-}
-
-float carried_water_room_kg(const struct poi *poi, float up_y)
+/* Returns the largest mass of the pool: about 3 g in the sag of a level poi, 15 g on an upside-down
+ * poi, and 0 on a steep poi. `up_y` is the vertical component of the poi's unit normal. */
+static float pool_room_kg(const struct poi *poi, float up_y)
 {
     const float level = f_max(f_abs(up_y), 1e-3f);
     const float tangent = f_sqrt(f_max(0.0f, 1.0f - level * level)) / level;
-    const float room_kg =
-        up_y > 0.0f ? belly_room_kg(f_max(0.0f, poi->sheet.sag_m), tangent) : ring_room_kg(tangent);
-    return sheet_left(&poi->sheet) * room_kg;
+    const float paper = sheet_left(&poi->sheet);
+    if (up_y > 0.0f) {
+        /* The sag of the paper is a paraboloid of depth w0 = sag_m. The lowest point of the rim
+         * limits the pool to (1 - a * tangent / (2 * w0))^4 times the volume of a level sag,
+         * where a is the radius of the paper. */
+        const float sag_m = f_max(0.0f, poi->sheet.sag_m);
+        const float whole_kg =
+            0.5f * F_PI * poi_radius_m(poi) * poi_radius_m(poi) * sag_m * WATER_KG_M3;
+        const float lost = f_min(1.0f, 0.5f * poi_radius_m(poi) * tangent / f_max(sag_m, 1e-5f));
+        const float left = (1.0f - lost) * (1.0f - lost);
+        return paper * (whole_kg * left * left);
+    }
+    /* An upside-down ring is a flat drum that the tilt empties in part. The water reaches up to the
+     * lowest point of the rim. If the water does not cover the whole bottom, the water forms a
+     * wedge whose volume is proportional to the wedge's length to the power 3/2. The mass of the
+     * film is subtracted. */
+    const float fall = poi_radius_m(poi) * tangent / POI_THICKNESS_M;
+    const float wedge = 0.5f / f_max(fall, 0.5f);
+    const float share = fall < 0.5f ? 1.0f - fall : 0.5f * wedge * f_sqrt(wedge);
+    return paper * f_max(0.0f, RING_KG * share - FILM_KG);
 }
 
 /* Returns the mass of water that remains of `mass_kg` after one tick. The mass above `keep_kg`
@@ -203,7 +187,7 @@ void carried_water_tick(struct poi *poi, float up_y)
     CORE_ASSERT(poi->immersed >= 0.0f && poi->immersed <= 1.0f);
     const float left = sheet_left(&poi->sheet);
     const float tilt_sine = f_sqrt(f_max(0.0f, 1.0f - up_y * up_y));
-    const float room_kg = carried_water_room_kg(poi, up_y);
+    const float room_kg = pool_room_kg(poi, up_y);
     const float tilt_per_s = tilt_sine / DRAIN_TAU_S;
     const float seep_per_s = 1.0f / SEEP_TAU_S;
     const float rim_per_s = RIM_PER_S * f_max(0.0f, 1.0f - tilt_sine / RIM_SINE);
@@ -232,6 +216,6 @@ void carried_water_tick(struct poi *poi, float up_y)
 
 float carried_water_m(const struct poi *poi)
 {
-    const float area_m2 = F_PI * POI_RADIUS_M * POI_RADIUS_M;
+    const float area_m2 = F_PI * poi_radius_m(poi) * poi_radius_m(poi);
     return (1.0f - poi->immersed) * poi->water_kg / (WATER_KG_M3 * area_m2);
 }

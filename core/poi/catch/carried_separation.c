@@ -11,7 +11,8 @@
 /* Radius of the capsule as a fraction of the body's extent in the plane. The fraction is less than
  * one half, because bodies taper. */
 #define GIRTH 0.36f
-#define PUSH_MAX_M 0.0015f /* Largest separation step in one tick, equal to 0.18 m/s. */
+/* Largest distance by which a fish is moved in one tick to separate overlapping fish; 0.18 m/s. */
+#define PUSH_MAX_M 0.0015f
 /* Distance between the fish's centre and the ring when the fish's belly touches the ring. */
 #define WALL_M 0.004f
 /* Overlap above which a fish is pushed over the ring, as a fraction of the sum of the two capsule
@@ -59,12 +60,12 @@ static float square_m2(struct flat way)
     return way.x * way.x + way.z * way.z;
 }
 
-static int axes_cross(const struct capsule *a, const struct capsule *b)
+static bool axes_cross(const struct capsule *a, const struct capsule *b)
 {
     const float cross = a->axis.x * b->axis.z - a->axis.z * b->axis.x;
     const float x = b->centre.x - a->centre.x, z = b->centre.z - a->centre.z;
     if (f_abs(cross) < 1e-4f) {
-        return 0; /* Parallel axes do not cross; the caller tests the ends of the axes. */
+        return false; /* Parallel axes do not cross; the caller tests the ends of the axes. */
     }
     const float on_a = (x * b->axis.z - z * b->axis.x) / cross;
     const float on_b = (x * a->axis.z - z * a->axis.x) / cross;
@@ -103,18 +104,12 @@ static float overlap_m(const struct capsule *a, const struct capsule *b, struct 
     return a->radius_m + b->radius_m - length_m;
 }
 
-float carried_separation_overlap_m(const struct carried_fish *a, const struct fish *fish_a,
-                                   const struct carried_fish *b, const struct fish *fish_b)
+/* Pushes a fish by (x_m, z_m). The fish stays within a ring of the inner radius `radius_m` unless
+ * `is_squeezed` is set. */
+static void push_within_ring(struct carried_fish *carried, float radius_m, float x_m, float z_m,
+                             bool is_squeezed)
 {
-    const struct capsule one = capsule_of(a, fish_a), other = capsule_of(b, fish_b);
-    struct flat unused;
-    return overlap_m(&one, &other, &unused);
-}
-
-/* Pushes a fish by (x_m, z_m). The fish stays within the ring unless `is_squeezed` is set. */
-static void push_within_ring(struct carried_fish *carried, float x_m, float z_m, int is_squeezed)
-{
-    const float wall_m = POI_RADIUS_M - WALL_M;
+    const float wall_m = radius_m - WALL_M;
     const float before_m = f_sqrt(carried->x_m * carried->x_m + carried->z_m * carried->z_m);
     carried->x_m += x_m;
     carried->z_m += z_m;
@@ -126,12 +121,12 @@ static void push_within_ring(struct carried_fish *carried, float x_m, float z_m,
     }
 }
 
-static void separate_carried(struct carried_fish *a, const struct fish *fish_a,
+static void separate_carried(float radius_m, struct carried_fish *a, const struct fish *fish_a,
                              struct carried_fish *b, const struct fish *fish_b)
 {
     CORE_ASSERT(a != b);
     const struct capsule one = capsule_of(a, fish_a), other = capsule_of(b, fish_b);
-    struct flat out;
+    struct flat out = { 0.0f, 0.0f };
     const float deep_m = overlap_m(&one, &other, &out);
     if (deep_m <= 0.0f) {
         return;
@@ -139,10 +134,11 @@ static void separate_carried(struct carried_fish *a, const struct fish *fish_a,
     const float mass_a = fish_mass_kg(fish_a->length_m), mass_b = fish_mass_kg(fish_b->length_m);
     const float share_a = mass_b / (mass_a + mass_b);
     const float step_m = f_min(0.5f * deep_m, PUSH_MAX_M);
-    const int is_squeezed = deep_m > SQUEEZE * (one.radius_m + other.radius_m);
-    push_within_ring(a, -share_a * step_m * out.x, -share_a * step_m * out.z, is_squeezed);
-    push_within_ring(b, (1.0f - share_a) * step_m * out.x, (1.0f - share_a) * step_m * out.z,
+    const bool is_squeezed = deep_m > SQUEEZE * (one.radius_m + other.radius_m);
+    push_within_ring(a, radius_m, -share_a * step_m * out.x, -share_a * step_m * out.z,
                      is_squeezed);
+    push_within_ring(b, radius_m, (1.0f - share_a) * step_m * out.x,
+                     (1.0f - share_a) * step_m * out.z, is_squeezed);
     /* Removes the speed with which the fish approach each other. Fish `a` gets the fraction
      * `share_a` of the change, and fish `b` gets the rest. */
     const float closing =
@@ -163,7 +159,7 @@ void carried_separation_tick(struct poi *poi, const struct fish *fish)
         for (uint32_t k = 0; k < i && a->state == CARRIED_LYING; k++) {
             struct carried_fish *b = &poi->carried_fish[k];
             if (b->state == CARRIED_LYING) {
-                separate_carried(b, &fish[b->fish], a, &fish[a->fish]);
+                separate_carried(poi_radius_m(poi), b, &fish[b->fish], a, &fish[a->fish]);
             }
         }
     }

@@ -29,19 +29,19 @@ struct scoop { /* The poi, the tank and the results, which the functions in this
     struct basis axes;
     struct paper_surface ride;
     float pan;
-    int clear; /* 1 if the whole ring is above the water, otherwise 0. */
+    bool clear; /* True if the whole ring is above the water. */
     struct catch_result *results;
 };
 
 /* ---- Sounds of the poi ----------------------------------------------------------------------- */
 
-static int time_for(uint32_t *last, uint32_t now, uint32_t every)
+static bool time_for(uint32_t *last, uint32_t now, uint32_t every)
 {
     if (now - *last < every && *last != 0) {
-        return 0;
+        return false;
     }
     *last = now;
-    return 1;
+    return true;
 }
 
 static void sound_ring(const struct scoop *scoop)
@@ -68,13 +68,13 @@ static void remove_rider(struct poi *poi, uint32_t which)
     poi->carried_fish[which] = poi->carried_fish[poi->carried_count];
 }
 
-/* Returns 1 if a falling fish meets the paper from above and the paper supports it; writes the new
- * state of the fish to `lying`. Otherwise returns 0. A fish can meet the paper again after a slap
- * threw it up, or if the poi rises under it. `before_m` is the position of the fish in the previous
+/* Returns true if a falling fish meets the paper from above and the paper supports the fish. Writes
+ * the new state of the fish to `lying`. A fish can meet the paper again after a slap threw the fish
+ * up, or if the poi rises under the fish. `before_m` is the position of the fish in the previous
  * tick. The function converts each position with the poi's axes of the same tick, and therefore
  * includes the rotation of the poi. */
-static int lands(const struct scoop *scoop, const struct carried_fish *carried, vec3 before_m,
-                 struct carried_fish *lying)
+static bool lands(const struct scoop *scoop, const struct carried_fish *carried, vec3 before_m,
+                  struct carried_fish *lying)
 {
     CORE_ASSERT(carried->state == CARRIED_FALLING);
     const struct poi *poi = scoop->poi;
@@ -85,7 +85,7 @@ static int lands(const struct scoop *scoop, const struct carried_fish *carried, 
     const vec3 speed =
         vec_basis_to_body(&scoop->axes, v3_sub(carried->fall_m_s, poi->velocity_m_s));
     if (from.y < 0.0f || to.y >= 0.0f) {
-        return 0;
+        return false;
     }
     const vec3 at = v3_lerp(from, to, from.y / (from.y - to.y));
     *lying = *carried;
@@ -98,9 +98,9 @@ static int lands(const struct scoop *scoop, const struct carried_fish *carried, 
     return carried_support_holds(&poi->sheet, lying, fish);
 }
 
-/* Advances the fall of a carried fish by one tick. Returns 1 if the fall ended in a bowl or in the
- * water, otherwise 0. */
-static int advance_fall(const struct scoop *scoop, struct carried_fish *carried)
+/* Advances the fall of a carried fish by one tick. Returns true if the fall ended in a bowl or
+ * in the water. */
+static bool advance_fall(const struct scoop *scoop, struct carried_fish *carried)
 {
     CORE_ASSERT(carried->state != CARRIED_LYING);
     CORE_ASSERT(carried->fish < scoop->tank->fish_count);
@@ -111,25 +111,25 @@ static int advance_fall(const struct scoop *scoop, struct carried_fish *carried)
     case FALL_INTO_BOWL:
         catch_count(carried, scoop->poi_index, bowl, scoop->results);
         output_sound(scoop->output, SOUND_CATCH, 0.9f, scoop->pan);
-        return 1;
+        return true;
     case FALL_INTO_WATER:
         output_sound(scoop->output, SOUND_DIP, 0.3f, scoop->pan);
-        return 1;
+        return true;
     default:
         if (carried->state == CARRIED_FALLING && lands(scoop, carried, before_m, &lying)) {
             *carried = lying;
             carried_fish_pose(carried, &scoop->ride, scoop->poi->position_m, &scoop->axes,
                               &scoop->tank->fish[carried->fish]);
         }
-        return 0;
+        return false;
     }
 }
 
 /* ---- Fish on the paper ----------------------------------------------------------------------- */
 
-/* Advances a lying fish by one tick. Returns 1 if the fish has left the poi and is in the water,
- * otherwise 0. A fish that starts to fall is still a carried fish, and the function returns 0. */
-static int advance_lying_fish(struct scoop *scoop, struct carried_fish *carried)
+/* Advances a lying fish by one tick. Returns true if the fish has left the poi and is in the
+ * water. A fish that starts to fall is still a carried fish, and the function returns false. */
+static bool advance_lying_fish(struct scoop *scoop, struct carried_fish *carried)
 {
     CORE_ASSERT(carried->state == CARRIED_LYING);
     struct fish *fish = &scoop->tank->fish[carried->fish];
@@ -149,21 +149,21 @@ static int advance_lying_fish(struct scoop *scoop, struct carried_fish *carried)
     const vec3 before = fish->position_m;
     carried_fish_pose(carried, &scoop->ride, scoop->poi->position_m, &scoop->axes, fish);
     fish->velocity_m_s = v3_scale(v3_sub(fish->position_m, before), 1.0f / CORE_TICK_S);
-    const int flies = scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2;
-    const int leaves = flies || !carried_support_holds(&scoop->poi->sheet, carried, fish);
+    const bool flies = scoop->ride.pull_m_s2.y * dry > LIFT_OFF_M_S2;
+    const bool leaves = flies || !carried_support_holds(&scoop->poi->sheet, carried, fish);
     const float depth = -(scoop->poi->position_m.y + carried->x_m * scoop->axes.right.y +
                           carried->z_m * scoop->axes.back.y);
     if ((depth > CAPTURE_FLOAT_SHARE * fish->height_m) || (leaves && dry <= 0.0f)) {
         catch_set_free(scoop->tank, fish, fish->velocity_m_s); /* The fish floated off the paper
                                                                   and swims in the tank. */
-        return 1;
+        return true;
     }
     if (leaves) {
         const vec3 slide = v3(carried->slide_x_m_s, 0.0f, carried->slide_z_m_s);
         catch_fall_begin(carried,
                          v3_add(scoop->poi->velocity_m_s, vec_basis_to_world(&scoop->axes, slide)));
     }
-    return 0;
+    return false;
 }
 
 static void ride_all(struct scoop *scoop)
@@ -173,8 +173,8 @@ static void ride_all(struct scoop *scoop)
     while (i < scoop->poi->carried_count) {
         struct carried_fish *carried = &scoop->poi->carried_fish[i];
         CORE_ASSERT(carried->fish < scoop->tank->fish_count);
-        const int gone = carried->state == CARRIED_LYING ? advance_lying_fish(scoop, carried)
-                                                         : advance_fall(scoop, carried);
+        const bool gone = carried->state == CARRIED_LYING ? advance_lying_fish(scoop, carried)
+                                                          : advance_fall(scoop, carried);
         if (gone) {
             remove_rider(scoop->poi, i);
         } else {
@@ -185,13 +185,13 @@ static void ride_all(struct scoop *scoop)
 
 /* ---- Capture of fish, and jammed rings ------------------------------------------------------- */
 
-/* Frees a ring that fish block while the hand pulls it up. The outermost fish slip off over the
- * edge of the ring first. Fish continue to slip off until the ring moves. The remaining inner fish
- * are lifted. */
+/* Frees a ring that fish block while the hand pulls the ring up. The outermost fish slip off over
+ * the edge of the ring first. Fish continue to slip off until the ring moves. The remaining inner
+ * fish are lifted. */
 static void free_jam(struct scoop *scoop)
 {
     struct poi *poi = scoop->poi;
-    const int jams = capture_is_jammed(poi);
+    const bool jams = capture_is_jammed(poi);
     poi->jam_ticks = (uint8_t)(jams ? poi->jam_ticks + (poi->jam_ticks < UINT8_MAX) : 0);
     for (uint32_t i = 0; i < scoop->tank->fish_count && jams; i++) {
         struct fish *fish = &scoop->tank->fish[i];
@@ -223,15 +223,15 @@ static void meet_all(struct scoop *scoop)
 
 /* ---- Tick of a poi --------------------------------------------------------------------------- */
 
-int catch_has_carried(const struct poi *poi, uint32_t fish)
+bool catch_has_carried(const struct poi *poi, uint32_t fish)
 {
     CORE_ASSERT(poi->carried_count <= POI_CARRIED_MAX);
     for (uint32_t i = 0; i < poi->carried_count; i++) {
         if (poi->carried_fish[i].fish == fish) {
-            return 1;
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
 void catch_count(const struct carried_fish *carried, uint32_t poi, uint32_t bowl,
@@ -259,7 +259,7 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
     /* The compliance of the paper depends on the tension that the weight of water and carried fish
      * causes. */
     const struct paper_grade *grade = sheet_grade(poi->sheet.grade);
-    const float tension_n_m = sheet_tension_centre(grade, poi->pressure_pa, POI_RADIUS_M);
+    const float tension_n_m = sheet_tension_centre(grade, poi->pressure_pa, poi_radius_m(poi));
     struct scoop scoop = {
         .poi = poi,
         .poi_index = poi_index,
@@ -271,23 +271,21 @@ void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, 
         .ride = { .pull_m_s2 = vec_basis_to_body(&axes, pull),
                   .uphill_x = axes.right.y,
                   .uphill_z = axes.back.y,
-                  .radius_m = POI_RADIUS_M,
+                  .radius_m = poi_radius_m(poi),
                   .belly_m = poi->sheet.sag_m,
                   .give_per_n = (1.0f / (F_TAU * f_max(tension_n_m, SLACK_N_M))) },
         .pan = f_clamp(2.0f * poi->position_m.x / stall->tank->size_m.x, -1.0f, 1.0f),
-        .clear = poi->position_m.y > poi_half_extent_m(axes.up.y),
+        .clear = poi->position_m.y > poi_half_extent_m(poi, axes.up.y),
         .results = results,
     };
     /* Removes carried fish whose state was changed outside this file, for example at the start of a
      * new round. */
-    CORE_ASSERT(scoop.poi->carried_count <= POI_CARRIED_MAX);
-    uint32_t i = 0;
-    while (i < scoop.poi->carried_count) {
-        const struct fish *fish = &scoop.tank->fish[scoop.poi->carried_fish[i].fish];
-        if (fish->gait == GAIT_HELD && fish->holder == scoop.poi_index) {
+    for (uint32_t i = 0; i < poi->carried_count;) {
+        const struct fish *fish = &stall->tank->fish[poi->carried_fish[i].fish];
+        if (fish->gait == GAIT_HELD && fish->holder == poi_index) {
             i++;
         } else {
-            remove_rider(scoop.poi, i);
+            remove_rider(poi, i);
         }
     }
     sound_ring(&scoop);

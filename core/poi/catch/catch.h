@@ -25,8 +25,8 @@ struct catch_result {
                         cause. */
 };
 
-/* Returns 1 if fish number `fish` lies on the poi or is falling from it, otherwise 0. */
-int catch_has_carried(const struct poi *poi, uint32_t fish);
+/* Returns true if fish number `fish` lies on the poi or is falling from the poi. */
+bool catch_has_carried(const struct poi *poi, uint32_t fish);
 
 /* Adds a fish that fell from poi number `poi` into bowl number `bowl` to `results`. Asserts that
  * both numbers are below POI_MAX. */
@@ -35,9 +35,10 @@ void catch_count(const struct carried_fish *carried, uint32_t poi, uint32_t bowl
 
 /* Advances the fish of one poi by one tick (1/120 s). The caller must call this function after the
  * tick of the fish. The function moves and drops the carried fish, captures new fish, and computes
- * the loads on the paper for the next tick. A fish that lay on an earlier poi of the same player
- * returns to the water. Fish that fell into a bowl are added to `results`. Asserts that `poi_index`
- * < POI_MAX. */
+ * the loads on the paper for the next tick.
+ *
+ * A fish that lay on an earlier poi of the same player returns to the water. Fish that fell into a
+ * bowl are added to `results`. Asserts that `poi_index` < POI_MAX. */
 void catch_tick(struct poi *poi, uint32_t poi_index, const struct stall *stall, uint32_t tick,
                 struct output *output, struct catch_result results[POI_MAX]);
 

@@ -1,7 +1,6 @@
 /* sheet.c -- simulates one tick of the paper: loads, stress concentration and tears. */
 #include "core/poi/paper/sheet.h"
 
-#include "core/base/hash.h"
 #include "core/base/mem.h"
 #include "core/base/panic.h"
 #include "core/poi/paper/strain.h"
@@ -21,31 +20,29 @@
 
 /* ---- Stress concentration -------------------------------------------------------------------- */
 
-/* Raises `ratio` of a cell beside a tear to the cell's load times the stress factor of the tear. A
- * higher ratio stays unchanged. */
-static void gather_at_tear(struct strain *strain, const struct sheet *sheet, uint32_t row,
-                           uint32_t column)
+/* Raises `ratio` of the cells of a row that lie beside a tear to the load of the cell times the
+ * stress factor of the tear. A higher ratio stays unchanged. */
+static void gather_at_tears(struct strain *strain, const struct sheet *sheet, uint32_t row)
 {
-    CORE_ASSERT(row < SHEET_SIDE && column < SHEET_SIDE);
-    const uint32_t cell = row * SHEET_SIDE + column;
-    const float tip = strain->load[cell] * tear_factor(&strain->map, sheet, row, column);
-    strain->ratio[cell] = f_max(strain->ratio[cell], tip);
+    const uint32_t front = tear_front(&strain->map, row);
+    for (uint32_t column = 0; front != 0 && column < SHEET_SIDE; column++) {
+        if (front >> column & 1u) {
+            const uint32_t cell = row * SHEET_SIDE + column;
+            const float tip = strain->load[cell] * tear_factor(&strain->map, sheet, row, column);
+            strain->ratio[cell] = f_max(strain->ratio[cell], tip);
+        }
+    }
 }
 
 /* Multiplies `ratio` of the cells in a row by the stress factor of the line between wet and dry
  * paper. Then applies the stress factors of tears. */
 static void gather_row(struct strain *strain, const struct sheet *sheet, uint32_t row)
 {
-    const uint32_t front = tear_front(&strain->map, row);
     for (uint32_t column = 0; (sheet->touched && !sheet->soaked) && column < SHEET_SIDE; column++) {
         strain->ratio[row * SHEET_SIDE + column] *=
             1.0f + (WET_LINE_FACTOR - 1.0f) * paper_wetting_line(sheet, row, column);
     }
-    for (uint32_t column = 0; front != 0 && column < SHEET_SIDE; column++) {
-        if (front >> column & 1u) {
-            gather_at_tear(strain, sheet, row, column);
-        }
-    }
+    gather_at_tears(strain, sheet, row);
 }
 
 /* Sets the load of all hole cells in the row to 0. */
@@ -77,11 +74,8 @@ static void regather(struct strain *strain, const struct sheet *sheet, uint32_t 
                           changed >> 2 | changed >> 3;
     _Static_assert(TEAR_REACH == 3u, "as many rows up and down");
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-        const uint32_t front = near >> row & 1u ? tear_front(&strain->map, row) : 0u;
-        for (uint32_t column = 0; front != 0 && column < SHEET_SIDE; column++) {
-            if (front >> column & 1u) {
-                gather_at_tear(strain, sheet, row, column);
-            }
+        if (near >> row & 1u) {
+            gather_at_tears(strain, sheet, row);
         }
     }
 }
@@ -94,7 +88,7 @@ static uint32_t tear_step(struct strain *strain, struct sheet *sheet)
     uint32_t before[SHEET_SIDE], gone = 0;
     MEM_COPY(before, strain->map.hole, sizeof before);
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-        gone += tear_open_row(&strain->map, sheet, row, strain_wear_4(strain, sheet, row, seconds));
+        gone += tear_open_row(&strain->map, sheet, row, strain_wear(strain, sheet, row, seconds));
     }
     if (gone > 0) {
         gone += tear_drop_loose(&strain->map, sheet);
@@ -108,10 +102,23 @@ static uint32_t tear_step(struct strain *strain, struct sheet *sheet)
     return gone;
 }
 
-/* Removes loose paper until no loose paper remains. Returns the number of removed cells. */
-static uint32_t drop_all(struct strain *strain, struct sheet *sheet)
+/* Advances the damage by one tick and returns the number of torn cells. A tick without a tear needs
+ * no substeps, because damage grows at a constant rate under a constant load. */
+static uint32_t wear_tick(struct strain *strain, struct sheet *sheet)
 {
-    uint32_t gone = 0, dropped = 1;
+    uint32_t torn = 0;
+    bool tears = false;
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        tears |= strain_tears(strain, sheet, row, CORE_TICK_S);
+    }
+    for (uint32_t row = 0; !tears && row < SHEET_SIDE; row++) {
+        (void)strain_wear(strain, sheet, row, CORE_TICK_S);
+    }
+    for (uint32_t step = 0; tears && step < SHEET_STEPS_MAX; step++) {
+        torn += tear_step(strain, sheet);
+    }
+    /* Removes loose paper until no loose paper remains. */
+    uint32_t gone = 0, dropped = torn;
     for (uint32_t sweep = 0; dropped > 0 && sweep < SHEET_SIDE; sweep++) {
         dropped = tear_drop_loose(&strain->map, sheet);
         gone += dropped;
@@ -119,25 +126,7 @@ static uint32_t drop_all(struct strain *strain, struct sheet *sheet)
     for (uint32_t row = 0; gone > 0 && row < SHEET_SIDE; row++) {
         relieve_row(strain, row);
     }
-    return gone;
-}
-
-/* Advances the damage by one tick and returns the number of torn cells. A tick without a tear needs
- * no substeps, because damage grows at a constant rate under a constant load. */
-static uint32_t wear_tick(struct strain *strain, struct sheet *sheet)
-{
-    uint32_t torn = 0;
-    int tears = 0;
-    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-        tears |= strain_tears_4(strain, sheet, row, CORE_TICK_S);
-    }
-    for (uint32_t row = 0; !tears && row < SHEET_SIDE; row++) {
-        (void)strain_wear_4(strain, sheet, row, CORE_TICK_S);
-    }
-    for (uint32_t step = 0; tears && step < SHEET_STEPS_MAX; step++) {
-        torn += tear_step(strain, sheet);
-    }
-    torn += torn > 0 ? drop_all(strain, sheet) : 0;
+    torn += gone;
     CORE_ASSERT(sheet->paper_cells >= torn);
     sheet->paper_cells -= torn;
     return torn;
@@ -145,9 +134,9 @@ static uint32_t wear_tick(struct strain *strain, struct sheet *sheet)
 
 /* ---- Tick of the sheet ---------------------------------------------------------------------- */
 
-/* Returns 1 if the tension at the centre of the sheet is too low to damage any cell, even beside a
- * tear. Otherwise returns 0. */
-static int is_calm(const struct sheet *sheet, const struct paper_grade *grade, float centre_n_m)
+/* Returns true if the tension at the centre of the sheet is too low to damage any cell, even
+ * beside a tear. */
+static bool is_calm(const struct sheet *sheet, const struct paper_grade *grade, float centre_n_m)
 {
     CORE_ASSERT(centre_n_m >= 0.0f);
     const float wettest = grade->wet_n_m * (1.0f - SHEET_SOFTENING);
@@ -170,7 +159,7 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
     strain.edge_n_m = sheet_tension_edge(grade, borne_pa, sheet->radius_m);
     strain.cell_m = sheet_cell_m(sheet);
     strain.load_count = load_count;
-    const float belly = sheet_belly(sheet_grade(sheet->grade), pressure_pa, sheet->radius_m);
+    const float belly = sheet_belly(grade, pressure_pa, sheet->radius_m);
     const float goal = pressure_pa > 0.0f ? -belly : belly; /* A pressure toward the poi's up axis
                                                                makes the paper bulge up. An upward
                                                                bulge is a negative sag. */
@@ -192,7 +181,7 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
     struct sheet_events events = { 0 };
     strain.map = tear_map_of(sheet);
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-        const float tension_n_m = strain_row_4(&strain, sheet, row);
+        const float tension_n_m = strain_row(&strain, sheet, row);
         events.tension_max_n_m = f_max(events.tension_max_n_m, tension_n_m);
         if (!sheet->ideal) {
             gather_row(&strain, sheet, row);
@@ -200,17 +189,17 @@ struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sh
     }
     events.cells_torn = wear_tick(&strain, sheet);
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-        strain_show_4(&strain, sheet, row);
+        strain_show(&strain, sheet, row);
     }
     return events;
 }
 
 /* ---- Queries --------------------------------------------------------------------------------- */
 
-int sheet_holds(const struct sheet *sheet, float x_m, float z_m)
+bool sheet_holds(const struct sheet *sheet, float x_m, float z_m)
 {
     if (sheet->paper_cells == 0 || x_m * x_m + z_m * z_m >= sheet->radius_m * sheet->radius_m) {
-        return 0;
+        return false;
     }
     /* A point near the ring may lie in a cell that counts as outside. In this case, the nearest
      * cell toward the centre is tested. */
@@ -239,27 +228,4 @@ float sheet_left(const struct sheet *sheet)
 float sheet_hole_m2(const struct sheet *sheet)
 {
     return (1.0f - sheet_left(sheet)) * F_PI * sheet->radius_m * sheet->radius_m;
-}
-
-uint64_t sheet_hash(uint64_t hash, const struct sheet *sheet)
-{
-    CORE_ASSERT(sheet->paper_cells <= sheet->paper_cells_new);
-    hash = hash_u32(hash, sheet->grade);
-    hash = hash_u32(hash, sheet->touched);
-    hash = hash_u32(hash, sheet->soaked);
-    hash = hash_u32(hash, sheet->ideal);
-    hash = hash_float(hash, sheet->radius_m);
-    hash = hash_float(hash, sheet->fibre_x);
-    hash = hash_float(hash, sheet->fibre_z);
-    hash = hash_floats(hash, sheet->wetness, SHEET_CELL_COUNT);
-    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
-        hash = hash_u32(hash, sheet->soak_ticks[cell]);
-    }
-    hash = hash_floats(hash, sheet->damage, SHEET_CELL_COUNT);
-    hash = hash_floats(hash, sheet->strength, SHEET_CELL_COUNT);
-    hash = hash_bytes(hash, sheet->state, SHEET_CELL_COUNT);
-    hash = hash_float(hash, sheet->strength_min);
-    hash = hash_u32(hash, sheet->paper_cells);
-    hash = hash_u32(hash, sheet->paper_cells_new);
-    return hash_float(hash, sheet->sag_m);
 }

@@ -8,10 +8,11 @@
 #ifndef KINGYO_CORE_POI_PAPER_SHEET_H
 #define KINGYO_CORE_POI_PAPER_SHEET_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "core/input.h"
-#include "core/scene_tank.h"
+#include "core/scene.h"
 
 #define SHEET_CELL_COUNT (SHEET_SIDE * SHEET_SIDE)
 /* Largest number of loads in one tick: a body and a slapping tail of each of 16 fish. */
@@ -26,8 +27,6 @@
 #define SHEET_SOFTENING 0.25f
 /* Number of ticks (one minute) for which wet paper becomes softer. */
 #define SHEET_SOAK_TICKS (60u * CORE_TICK_HZ)
-#define SHEET_GRADE_MIN 4u /* Strongest paper grade. */
-#define SHEET_GRADE_MAX 7u /* Weakest paper grade. */
 
 enum sheet_cell_state {
     CELL_OUTSIDE = 0, /* The cell is outside the ring. */
@@ -56,11 +55,11 @@ struct sheet_wetting {
 };
 
 struct sheet {
-    uint8_t grade;   /* Paper grade, SHEET_GRADE_MIN .. SHEET_GRADE_MAX. */
-    uint8_t touched; /* 1 if any cell has ever been under water, otherwise 0. */
-    uint8_t soaked;  /* 1 if all cells are completely wet, otherwise 0. */
-    uint8_t ideal;   /* 1 for an ideal test sheet without variation and stress concentration
-                        (sheet_idealise()); otherwise 0. */
+    uint8_t grade; /* Paper grade, SHEET_GRADE_MIN .. SHEET_GRADE_MAX. */
+    bool touched;  /* True if any cell has ever been under water. */
+    bool soaked;   /* True if all cells are completely wet. */
+    bool ideal;    /* True for an ideal test sheet without variation and stress concentration
+                        (sheet_idealise()). */
     float radius_m;
     float fibre_x, fibre_z;                /* Unit vector of the main fibre direction; tears tend
                                               to follow the fibres. */
@@ -133,10 +132,10 @@ void sheet_idealise(struct sheet *sheet);
 struct sheet_events sheet_tick(struct sheet *sheet, float pressure_pa, struct sheet_wetting wet,
                                const struct sheet_load *loads, uint32_t load_count);
 
-/* Returns 1 if there is paper at a point of the poi's plane, otherwise 0. Outside the ring, the
- * result is 0. Between the ring and the outermost cells, there is paper as long as the nearest cell
+/* Returns true if there is paper at a point of the poi's plane. Outside the ring, the result is
+ * false. Between the ring and the outermost cells, there is paper as long as the nearest cell
  * is paper. */
-int sheet_holds(const struct sheet *sheet, float x_m, float z_m);
+bool sheet_holds(const struct sheet *sheet, float x_m, float z_m);
 
 float sheet_left(const struct sheet *sheet); /* Returns the fraction [0, 1] of the paper's cells
                                                 that are not torn. */
@@ -144,6 +143,5 @@ float sheet_left(const struct sheet *sheet); /* Returns the fraction [0, 1] of t
 /* Returns the area of the holes, from 0 to the area of the disc. The area is computed as a fraction
  * of the disc's area, because the total area of the square cells is larger than the disc. */
 float sheet_hole_m2(const struct sheet *sheet);
-uint64_t sheet_hash(uint64_t hash, const struct sheet *sheet);
 
 #endif

@@ -16,8 +16,8 @@
 #define FLOC 0.05f
 #define SPOT_COUNT 3u /* Number of thin spots in a sheet. */
 
-/* Properties of the paper grades, strongest first. No other constants of the game are less certain.
- * Sources:
+/* Properties of the paper grades, strongest first. These values are the least certain constants of
+ * the game. Sources:
  *
  *   areal mass   The value is a guess. Poi paper is similar to tissue, which has 14 to 25 g/m^2,
  *                and no maker publishes a value. All sellers but one give thinner paper a higher
@@ -85,23 +85,6 @@ struct spot {
     float x_m, z_m, radius_m, loss;
 };
 
-static struct spot weak_spot(float radius_m, uint32_t seed, uint32_t which)
-{
-    CORE_ASSERT(which < SPOT_COUNT);
-    const struct rng_key key = { seed, which, 0, RNG_SHEET_SPOT };
-    const struct rng_key far = { seed, which, 1, RNG_SHEET_SPOT };
-    const struct rng_key wide = { seed, which, 2, RNG_SHEET_SPOT };
-    const struct rng_key deep = { seed, which, 3, RNG_SHEET_SPOT };
-    const float angle = F_TAU * rng_unit(key);
-    const float reach = radius_m * f_sqrt(rng_unit(far));
-    return (struct spot){
-        .x_m = reach * f_cos(angle),
-        .z_m = reach * f_sin(angle),
-        .radius_m = rng_range(wide, 0.003f, 0.007f),
-        .loss = rng_range(deep, 0.08f, 0.22f),
-    };
-}
-
 /* Returns smooth random noise that imitates thick and thin patches of pulp about four cells wide.
  * The noise is interpolated between random values on a coarse lattice. */
 static float cloud(uint32_t seed, uint32_t column, uint32_t row)
@@ -152,7 +135,17 @@ void sheet_init(struct sheet *sheet, uint8_t grade, float radius_m, uint32_t see
     sheet->fibre_z = f_sin(fibre);
     struct spot spots[SPOT_COUNT];
     for (uint32_t i = 0; i < SPOT_COUNT; i++) {
-        spots[i] = weak_spot(radius_m, seed, i);
+        const float angle = F_TAU * rng_unit((struct rng_key){ seed, i, 0, RNG_SHEET_SPOT });
+        const struct rng_key far = { seed, i, 1, RNG_SHEET_SPOT };
+        const struct rng_key wide = { seed, i, 2, RNG_SHEET_SPOT };
+        const struct rng_key deep = { seed, i, 3, RNG_SHEET_SPOT };
+        const float reach = radius_m * f_sqrt(rng_unit(far));
+        spots[i] = (struct spot){
+            .x_m = reach * f_cos(angle),
+            .z_m = reach * f_sin(angle),
+            .radius_m = rng_range(wide, 0.003f, 0.007f),
+            .loss = rng_range(deep, 0.08f, 0.22f),
+        };
     }
     const float normal = rng_normal((struct rng_key){ seed, 0, 0, RNG_SHEET_STRENGTH });
     const float whole = 1.0f + STRENGTH_SD * f_clamp(normal, -2.5f, 2.5f);
@@ -170,5 +163,5 @@ void sheet_idealise(struct sheet *sheet)
         sheet->strength[cell] = sheet->strength[cell] > 0.0f ? 1.0f : 0.0f;
     }
     sheet->strength_min = 1.0f;
-    sheet->ideal = 1;
+    sheet->ideal = true;
 }

@@ -5,9 +5,9 @@
  * leftmost column. A shift of a word therefore gives the neighbouring cells. The map is computed
  * from the states of the cells in each tick.
  *
- * The functions strain_*() on rows are SIMD kernels (core/base/simd.h), compiled for four and for
- * eight lanes. A row has 32 cells. The core always calls the kernels with four lanes, because four
- * lanes are fast enough on every machine. */
+ * The functions strain_*() on rows use SIMD code (core/base/simd.h). A row has 32 cells. The
+ * functions are compiled only for four lanes, because four lanes are fast enough on every
+ * machine. */
 #ifndef KINGYO_CORE_POI_PAPER_STRAIN_H
 #define KINGYO_CORE_POI_PAPER_STRAIN_H
 
@@ -16,8 +16,9 @@
 
 _Static_assert(SHEET_SIDE == 32u, "a row is a word");
 
-/* Factor by which a hole of one cell increases the stress in adjacent cells. The factor increases
- * with the square root of the hole's length. */
+/* Stress factor of a paper cell beside a hole of one cell: the stress in the cell, relative to the
+ * stress without the hole. For a longer hole, the factor grows with the square root of the hole's
+ * length. */
 #define TEAR_FACTOR 2.5f
 /* Upper limit of the stress factor, reached beside a hole that is 2.56 cells long. */
 #define TEAR_FACTOR_MAX 4.0f
@@ -30,15 +31,13 @@ _Static_assert(SHEET_SIDE == 32u, "a row is a word");
 struct tear_map {
     uint32_t paper[SHEET_SIDE];
     uint32_t hole[SHEET_SIDE];
-    uint32_t pair[SHEET_SIDE]; /* Hole cells that share a side with at least one other hole cell. */
-    uint32_t wide[SHEET_SIDE]; /* Hole cells whose hole is long enough for TEAR_FACTOR_MAX: three
-                                  hole cells in a straight line, or two that touch at a corner. */
+    uint32_t pair[SHEET_SIDE]; /* Bits of hole cells that share a side with another hole cell. */
+    uint32_t wide[SHEET_SIDE]; /* Bits of the hole cells that belong to a hole long enough for
+                                  TEAR_FACTOR_MAX. Such a hole has three hole cells in a straight
+                                  line, or two hole cells that touch at a corner. */
 };
 
 struct tear_map tear_map_of(const struct sheet *sheet);
-
-/* Computes `pair` and `wide` from `hole`. */
-void tear_measure(struct tear_map *map);
 
 /* Returns the bits of the paper cells in row `row` that touch a hole cell at a side or a corner.
  * `row` must be less than SHEET_SIDE. */
@@ -93,30 +92,20 @@ struct strain {
                                       factor of the cell. */
 };
 
-SIMD_BEGIN
 /* Writes `load` of a row, and `ratio` of the row without the factors of the wet line and of tears.
  * Returns the highest tension of the paper in the row, in N/m. */
-float strain_row_4(struct strain *strain, const struct sheet *sheet, uint32_t row);
-float strain_row_8(struct strain *strain, const struct sheet *sheet, uint32_t row);
+float strain_row(struct strain *strain, const struct sheet *sheet, uint32_t row);
 
-/* Returns 1 if any cell of the row would tear within `seconds` under its present load, otherwise
- * 0. */
-int strain_tears_4(const struct strain *strain, const struct sheet *sheet, uint32_t row,
-                   float seconds);
-int strain_tears_8(const struct strain *strain, const struct sheet *sheet, uint32_t row,
-                   float seconds);
+/* Returns true if any cell of the row would tear within `seconds` under its present load. */
+bool strain_tears(const struct strain *strain, const struct sheet *sheet, uint32_t row,
+                  float seconds);
 
 /* Increases the damage of a row over `seconds` at the rate (1 / SHEET_DAMAGE_TAU_S) * ratio^10 per
  * second. Returns a word in which bit i is set if the damage of cell i has reached 1. */
-uint32_t strain_wear_4(const struct strain *strain, struct sheet *sheet, uint32_t row,
-                       float seconds);
-uint32_t strain_wear_8(const struct strain *strain, struct sheet *sheet, uint32_t row,
-                       float seconds);
+uint32_t strain_wear(const struct strain *strain, struct sheet *sheet, uint32_t row, float seconds);
 
 /* Writes sheet.stress[] of a row, which is used for display only. */
-void strain_show_4(const struct strain *strain, struct sheet *sheet, uint32_t row);
-void strain_show_8(const struct strain *strain, struct sheet *sheet, uint32_t row);
-SIMD_END
+void strain_show(const struct strain *strain, struct sheet *sheet, uint32_t row);
 
 /* Advances the wetness of a sheet by one tick (1/120 s). Paper in the half-plane `wet` is under
  * water and becomes wet, dry paper wicks water from wet paper, and wet paper becomes softer for one
@@ -126,11 +115,5 @@ void paper_wetting_tick(struct sheet *sheet, struct sheet_wetting wet);
 /* Returns how strongly a cell lies on the line between wet and dry paper, from 0 (not on the line)
  * to 1 (on a fully developed line). */
 float paper_wetting_line(const struct sheet *sheet, uint32_t row, uint32_t column);
-
-/* Returns the fraction of the initial wet strength that a cell still has after softening. */
-static inline float paper_wetting_strength(const struct sheet *sheet, uint32_t cell)
-{
-    return 1.0f - SHEET_SOFTENING * (float)sheet->soak_ticks[cell] / (float)SHEET_SOAK_TICKS;
-}
 
 #endif

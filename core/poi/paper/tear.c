@@ -7,9 +7,10 @@
 /* Number of directions from a cell to its neighbours. The directions are counted clockwise from the
  * right, as seen from above. */
 #define WAYS 8u
-/* Stress factor of a diagonal step: 2^(-1/20). Damage grows with the tenth power of the stress
- * (SHEET_DAMAGE_EXPONENT), and therefore a diagonal step takes sqrt(2) times as long as a straight
- * step. */
+/* Factor of the stress in a paper cell that touches the hole cell only at a corner: 2^(-1/20). A
+ * tear that spreads from cell to cell moves sqrt(2) times as far to a diagonal neighbour as to a
+ * straight neighbour, and should take sqrt(2) times as long. Damage grows with the tenth power of
+ * the stress (SHEET_DAMAGE_EXPONENT), so the stress must be lower by the tenth root of sqrt(2). */
 #define CORNER_SHARE 0.966f
 
 struct way {
@@ -24,21 +25,8 @@ static const struct way ways[WAYS] = {
     { -1, 0, 0.0f, -1.0f },   { -1, 1, SLANT, -SLANT },
 };
 
-struct tear_map tear_map_of(const struct sheet *sheet)
-{
-    struct tear_map map = { 0 };
-    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
-        const uint8_t *state = &sheet->state[row * SHEET_SIDE];
-        for (uint32_t column = 0; column < SHEET_SIDE; column++) {
-            map.paper[row] |= (uint32_t)(state[column] == CELL_PAPER) << column;
-            map.hole[row] |= (uint32_t)(state[column] == CELL_HOLE) << column;
-        }
-    }
-    tear_measure(&map);
-    return map;
-}
-
-void tear_measure(struct tear_map *map)
+/* Computes `pair` and `wide` from `hole`. */
+static void measure_holes(struct tear_map *map)
 {
     for (uint32_t row = 0; row < SHEET_SIDE; row++) {
         const uint32_t here = map->hole[row];
@@ -49,18 +37,25 @@ void tear_measure(struct tear_map *map)
         const uint32_t left = here << 1, left2 = here << 2, right = here >> 1, right2 = here >> 2;
         const uint32_t across = (left & left2) | (left & right) | (right & right2);
         const uint32_t along = (up & up2) | (up & down) | (down & down2);
-        const uint32_t slant = up << 1 | up >> 1 | down << 1 | down >> 1; /* Two hole cells that
-                                                                             touch at a corner are
-                                                                             2.8 cells long from
-                                                                             corner to corner. */
+        /* Two hole cells that touch at a corner are 2.8 cells long from corner to corner. */
+        const uint32_t slant = up << 1 | up >> 1 | down << 1 | down >> 1;
         map->pair[row] = here & (left | right | up | down);
         map->wide[row] = here & (across | along | slant);
     }
 }
 
-static uint32_t widen_bits(uint32_t bits)
+struct tear_map tear_map_of(const struct sheet *sheet)
 {
-    return bits | bits << 1 | bits >> 1;
+    struct tear_map map = { 0 };
+    for (uint32_t row = 0; row < SHEET_SIDE; row++) {
+        const uint8_t *state = &sheet->state[row * SHEET_SIDE];
+        for (uint32_t column = 0; column < SHEET_SIDE; column++) {
+            map.paper[row] |= (uint32_t)(state[column] == CELL_PAPER) << column;
+            map.hole[row] |= (uint32_t)(state[column] == CELL_HOLE) << column;
+        }
+    }
+    measure_holes(&map);
+    return map;
 }
 
 uint32_t tear_front(const struct tear_map *map, uint32_t row)
@@ -68,7 +63,8 @@ uint32_t tear_front(const struct tear_map *map, uint32_t row)
     CORE_ASSERT(row < SHEET_SIDE);
     const uint32_t above = row > 0 ? map->hole[row - 1u] : 0u;
     const uint32_t below = row + 1u < SHEET_SIDE ? map->hole[row + 1u] : 0u;
-    return map->paper[row] & (widen_bits(above) | widen_bits(map->hole[row]) | widen_bits(below));
+    const uint32_t holes = above | map->hole[row] | below;
+    return map->paper[row] & (holes | holes << 1 | holes >> 1);
 }
 
 /* ---- Stress at the tips of tears ------------------------------------------------------------- */
@@ -106,19 +102,6 @@ static uint32_t shift_row_word(uint32_t bits, int32_t column)
     return column > 0 ? bits >> 1 : column < 0 ? bits << 1 : bits;
 }
 
-/* Returns the bits `open` extended along a row over contiguous paper. `column` is the direction (1
- * or -1) from a cell toward the ring, and the bits are extended in the opposite direction. Each
- * pass of the loop doubles the distance. */
-static uint32_t extend_along_row(uint32_t open, uint32_t paper, int32_t column)
-{
-    CORE_ASSERT(column == 1 || column == -1);
-    for (uint32_t step = 1; step < SHEET_SIDE; step *= 2u) {
-        open |= paper & (column > 0 ? open >> step : open << step);
-        paper &= column > 0 ? paper >> step : paper << step;
-    }
-    return open;
-}
-
 /* Writes to `open` the paper cells from which a straight line of paper cells in the direction `way`
  * reaches the ring. */
 static void find_open_cells(const struct tear_map *map, const struct way *way,
@@ -131,7 +114,15 @@ static void find_open_cells(const struct tear_map *map, const struct way *way,
         const uint32_t inside = next < SHEET_SIDE ? map->paper[next] | map->hole[next] : 0u;
         const uint32_t at_ring = map->paper[row] & ~shift_row_word(inside, way->column);
         if (way->row == 0) {
-            open[row] = extend_along_row(at_ring, map->paper[row], way->column);
+            /* Extends the bits along the row over contiguous paper, away from the ring. Each
+             * pass of the loop doubles the distance. */
+            const bool is_right = way->column > 0;
+            uint32_t paper = map->paper[row];
+            open[row] = at_ring;
+            for (uint32_t step = 1; step < SHEET_SIDE; step *= 2u) {
+                open[row] |= paper & (is_right ? open[row] >> step : open[row] << step);
+                paper &= is_right ? paper >> step : paper << step;
+            }
         } else {
             const uint32_t seen = next < SHEET_SIDE ? open[next] : 0u;
             open[row] = at_ring | (map->paper[row] & shift_row_word(seen, way->column));
@@ -169,7 +160,7 @@ uint32_t tear_drop_loose(struct tear_map *map, struct sheet *sheet)
         }
         dropped += tear_open_row(map, sheet, row, map->paper[row] & ~held);
     }
-    tear_measure(map);
+    measure_holes(map);
     return dropped;
 }
 
@@ -195,13 +186,23 @@ static float creep(const struct sheet *sheet, uint32_t cell, uint32_t other)
     return sheet->state[other] == CELL_PAPER ? sheet->wetness[other] - sheet->wetness[cell] : 0.0f;
 }
 
-/* Makes the cells under water wetter, and moves water in air from wet cells to drier neighbours. */
-static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
+void paper_wetting_tick(struct sheet *sheet, struct sheet_wetting wet)
 {
+    CORE_ASSERT(sheet->radius_m > 0.0f);
+    /* Sets `touched` if any point of a disc with the radius of the sheet is under water. This test
+     * takes much less time than a test of each cell. */
+    if (-sheet->radius_m * f_sqrt(wet.x * wet.x + wet.z * wet.z) < wet.limit_m) {
+        sheet->touched = true;
+    }
+    if (!sheet->touched) {
+        return;
+    }
     const float soak = 1.0f - f_exp(-CORE_TICK_S / WET_TAU_S);
     const float spread = WICK_M2_S * CORE_TICK_S / (sheet_cell_m(sheet) * sheet_cell_m(sheet));
     float driest = 1.0f;
-    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+    /* Makes the cells under water wetter, and moves water in air from wet cells to drier
+     * neighbours. */
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT && !sheet->soaked; cell++) {
         const uint32_t row = cell / SHEET_SIDE, column = cell % SHEET_SIDE;
         if (sheet->state[cell] != CELL_PAPER) {
             continue;
@@ -218,26 +219,13 @@ static void wet_cells(struct sheet *sheet, struct sheet_wetting wet)
         }
         driest = f_min(driest, sheet->wetness[cell]);
     }
-    sheet->soaked = driest >= SOAKED;
-}
-
-void paper_wetting_tick(struct sheet *sheet, struct sheet_wetting wet)
-{
-    CORE_ASSERT(sheet->radius_m > 0.0f);
-    /* The test is cheap, because it treats the sheet as a disc. */
-    sheet->touched |=
-        (uint8_t)(-sheet->radius_m * f_sqrt(wet.x * wet.x + wet.z * wet.z) < wet.limit_m);
-    if (sheet->touched && !sheet->soaked) {
-        wet_cells(sheet, wet);
-    }
-    if (sheet->touched) {
-        /* Cells that are wet become softer under water and in air, because their fibres swell in
-         * both cases. */
-        for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
-            const uint16_t ticks = sheet->soak_ticks[cell];
-            const uint16_t more = sheet->wetness[cell] >= SOFTENS_FROM && ticks < SHEET_SOAK_TICKS;
-            sheet->soak_ticks[cell] = (uint16_t)(ticks + more);
-        }
+    sheet->soaked = sheet->soaked || driest >= SOAKED;
+    /* Cells that are wet become softer under water and in air, because their fibres swell in both
+     * cases. */
+    for (uint32_t cell = 0; cell < SHEET_CELL_COUNT; cell++) {
+        const uint16_t ticks = sheet->soak_ticks[cell];
+        const uint16_t more = sheet->wetness[cell] >= SOFTENS_FROM && ticks < SHEET_SOAK_TICKS;
+        sheet->soak_ticks[cell] = (uint16_t)(ticks + more);
     }
 }
 
@@ -245,7 +233,7 @@ void paper_wetting_tick(struct sheet *sheet, struct sheet_wetting wet)
  * cells is not paper. */
 static float step_between(const struct sheet *sheet, uint32_t before, uint32_t after)
 {
-    const int is_paper = sheet->state[before] == CELL_PAPER && sheet->state[after] == CELL_PAPER;
+    const bool is_paper = sheet->state[before] == CELL_PAPER && sheet->state[after] == CELL_PAPER;
     return is_paper ? f_abs(sheet->wetness[before] - sheet->wetness[after]) : 0.0f;
 }
 

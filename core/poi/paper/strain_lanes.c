@@ -1,10 +1,10 @@
-/* strain_simd.c -- SIMD kernels that compute the tension, the strength and the wear of a row of
- * cells. */
+/* strain_lanes.c -- computes the tension, the strength and the wear of a row of cells, with SIMD
+ * code for four cells at a time. */
 #include "core/poi/paper/strain.h"
 
 #include "core/base/panic.h"
 
-_Static_assert(SHEET_SIDE % SIMD_LANES_MAX == 0, "a row is whole blocks");
+_Static_assert(SHEET_SIDE % SIMD_LANES == 0, "a row is whole blocks");
 _Static_assert(SHEET_DAMAGE_EXPONENT == 10, "as it is multiplied here");
 
 /* Upper limit of ratio^10, which keeps the damage of a strongly overloaded cell finite. */
@@ -36,8 +36,7 @@ static inline flanes feet(const struct strain *strain, flanes x_m, float z_m, fl
 static inline flanes holds_n_m(const struct strain *strain, const struct sheet *sheet,
                                uint32_t cell)
 {
-    /* `wet` is the strength of SIMD_LANES wet cells after softening, as in
-     * paper_wetting_strength(). */
+    /* `wet` is the strength of SIMD_LANES wet cells after softening. */
     short_lanes ticks;
     MEM_COPY(&ticks, &sheet->soak_ticks[cell], sizeof ticks);
     const flanes soaked = __builtin_convertvector(__builtin_convertvector(ticks, ilanes), flanes);
@@ -48,7 +47,7 @@ static inline flanes holds_n_m(const struct strain *strain, const struct sheet *
     return simd_max(material * simd_load(&sheet->strength[cell]), simd_splat(1e-3f));
 }
 
-float SIMD_NAME(strain_row)(struct strain *strain, const struct sheet *sheet, uint32_t row)
+float strain_row(struct strain *strain, const struct sheet *sheet, uint32_t row)
 {
     CORE_ASSERT(row < SHEET_SIDE);
     CORE_ASSERT(strain->load_count <= SHEET_LOAD_MAX);
@@ -92,8 +91,8 @@ static inline flanes wear_in(flanes ratio, float seconds)
     return simd_min(r8 * r2, simd_splat(WEAR_MAX)) * (seconds / SHEET_DAMAGE_TAU_S);
 }
 
-int SIMD_NAME(strain_tears)(const struct strain *strain, const struct sheet *sheet, uint32_t row,
-                            float seconds)
+bool strain_tears(const struct strain *strain, const struct sheet *sheet, uint32_t row,
+                  float seconds)
 {
     CORE_ASSERT(row < SHEET_SIDE);
     CORE_ASSERT(seconds > 0.0f);
@@ -106,8 +105,7 @@ int SIMD_NAME(strain_tears)(const struct strain *strain, const struct sheet *she
     return simd_bits(torn) != 0;
 }
 
-uint32_t SIMD_NAME(strain_wear)(const struct strain *strain, struct sheet *sheet, uint32_t row,
-                                float seconds)
+uint32_t strain_wear(const struct strain *strain, struct sheet *sheet, uint32_t row, float seconds)
 {
     CORE_ASSERT(row < SHEET_SIDE);
     CORE_ASSERT(seconds > 0.0f);
@@ -122,7 +120,7 @@ uint32_t SIMD_NAME(strain_wear)(const struct strain *strain, struct sheet *sheet
     return torn;
 }
 
-void SIMD_NAME(strain_show)(const struct strain *strain, struct sheet *sheet, uint32_t row)
+void strain_show(const struct strain *strain, struct sheet *sheet, uint32_t row)
 {
     CORE_ASSERT(row < SHEET_SIDE);
     for (uint32_t cell = row * SHEET_SIDE; cell < (row + 1u) * SHEET_SIDE; cell += SIMD_LANES) {
